@@ -1,0 +1,46 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "engine/core/violation.hpp"
+#include "engine/geo/lon_lat.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "storage/repository/environment_loader.hpp"
+
+namespace floeplan::codec {
+
+/// Inputs of process plan-route: what to plan, which data to use, and the user's name for the result.
+/// `data.area`, `data.depart` and `data.dive_depth` follow from the request.
+struct PlanInputs {
+  planning::PlanRequest request;
+  repository::EnvironmentQuery data;
+  std::string name;
+};
+
+/// Inputs of process evaluate-route: a given route, written out or named by the plan it belongs to.
+struct EvaluateInputs {
+  std::vector<geo::LonLat> route;      // empty when `plan_id` is given
+  std::optional<std::string> plan_id;  // its waypoints are the route
+  planning::PlanRequest request;       // departure, vehicle, margin; its places are the route's ends
+  repository::EnvironmentQuery data;
+  std::string name;
+};
+
+/// Reads the `inputs` object of an execute request (or of a request file).
+/// Errors   every violation at once, each with the JSON pointer of its value relative to `inputs` ("/depart")
+[[nodiscard]] tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const nlohmann::json& inputs);
+[[nodiscard]] tl::expected<EvaluateInputs, core::Violations> parse_evaluate_inputs(
+    const nlohmann::json& inputs);
+
+/// The inputs with every default written out and keys in a fixed order: the same request gives the same text.
+[[nodiscard]] nlohmann::json to_json(const PlanInputs& inputs);
+[[nodiscard]] nlohmann::json to_json(const EvaluateInputs& inputs);
+
+/// Gives the evaluation its route, once the plan it names has been looked up; area and ends follow from it.
+void set_route(EvaluateInputs& inputs, std::vector<geo::LonLat> route);
+
+}  // namespace floeplan::codec

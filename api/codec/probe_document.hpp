@@ -1,0 +1,41 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/lon_lat.hpp"
+#include "engine/geo/velocity.hpp"
+#include "engine/ocean/iceberg.hpp"
+
+namespace floeplan::codec {
+
+/// What is known of the sea at one place and time. A value that is not known has a reason beside it.
+struct Probe {
+  struct Currents {
+    std::optional<geo::VelocityEn> velocity;
+    std::string reason;  // empty when there is a velocity
+    std::string dataset_id;
+    std::string dataset_name;
+    std::optional<core::UtcTime> time_before;  // steps of the data around the time asked for
+    std::optional<core::UtcTime> time_after;
+  };
+  struct NearIceberg {
+    ocean::Iceberg iceberg;
+    core::Metres distance;  // from the place to the sighted position
+  };
+
+  geo::LonLat place;
+  core::UtcTime time;
+  std::optional<core::Metres> depth;  // of the sea bed
+  std::string depth_reason;           // empty when there is a depth
+  std::optional<bool> land;           // empty: no coastline and no bathymetry here
+  Currents currents;
+  std::vector<NearIceberg> icebergs;  // nearest first
+};
+
+[[nodiscard]] nlohmann::json probe_document(const Probe& probe);
+
+}  // namespace floeplan::codec

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "api/codec/probe_document.hpp"
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+#include "engine/geo/lon_lat.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::routes {
+
+/// Where and when to look.
+struct ProbeQuery {
+  geo::LonLat place;
+  core::UtcTime time;
+  core::Metres depth{0.0};  // for currents
+  std::optional<std::string>
+      dataset_id;  // currents or bathymetry; default: the newest of each kind that covers the place
+};
+
+/// Icebergs farther away than this are not listed.
+inline constexpr core::Metres probe_iceberg_range{50'000.0};
+
+/// What the stored data say of a place and a time; nothing is extrapolated. One function for API and command
+/// line. Errors   a violation when `dataset_id` is unknown or of a kind that has no values at a place
+[[nodiscard]] tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db,
+                                                                 const ProbeQuery& query);
+
+}  // namespace floeplan::routes

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <cstddef>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+namespace floeplan::cli {
+
+/// What `floeplan serve` was told.
+struct ServeOptions {
+  std::filesystem::path store;               // the data folder, created when missing
+  std::string listen{"127.0.0.1:8080"};      // ADDR:PORT; port 0: any free port
+  std::size_t workers{1};                    // planning jobs at the same time
+  std::optional<std::filesystem::path> web;  // folder of the built client; default: found beside the program
+  std::optional<std::string> public_url;     // what links begin with; default: http://ADDR:PORT
+};
+
+/// Serves until SIGTERM or SIGINT, then stops within ten seconds and hands unfinished jobs back to the queue.
+/// Returns  the exit code: 0 stopped as asked, 1 could not listen or open the store, 2 wrong options
+[[nodiscard]] int serve(const ServeOptions& options);
+
+}  // namespace floeplan::cli
