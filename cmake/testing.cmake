@@ -1,0 +1,15 @@
+# floeplan_test(<folder> LIBRARIES <targets> SOURCES <files>): one test executable for each folder of the tree.
+if(BUILD_TESTING)
+  find_package(GTest REQUIRED)
+  include(GoogleTest)
+endif()
+
+function(floeplan_test folder)
+  cmake_parse_arguments(PARSE_ARGV 1 TEST "" "" "SOURCES;LIBRARIES")
+  add_executable(${folder}_test ${TEST_SOURCES})
+  target_link_libraries(${folder}_test PRIVATE ${TEST_LIBRARIES} GTest::gmock_main floeplan_options)
+  target_include_directories(${folder}_test PRIVATE ${PROJECT_SOURCE_DIR})
+  target_compile_definitions(${folder}_test PRIVATE
+    FLOEPLAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}" FLOEPLAN_BINARY_DIR="${PROJECT_BINARY_DIR}")
+  gtest_discover_tests(${folder}_test TEST_PREFIX "${folder}." DISCOVERY_TIMEOUT 60)
+endfunction()

@@ -1,0 +1,24 @@
+#pragma once
+
+namespace floeplan::geo {
+
+/// A horizontal direction, clockwise from true north. Kept as its unit vector, so it has no wrap-around.
+class Bearing {
+ public:
+  [[nodiscard]] static Bearing degrees(double clockwise_from_north_deg);
+  /// Direction of the vector (east, north); north when both are zero.
+  [[nodiscard]] static Bearing towards(double east, double north);
+
+  [[nodiscard]] double east() const { return east_; }
+  [[nodiscard]] double north() const { return north_; }
+  /// In [0, 360).
+  [[nodiscard]] double degrees() const;
+
+ private:
+  Bearing(double east, double north) : east_{east}, north_{north} {}
+
+  double east_;
+  double north_;
+};
+
+}  // namespace floeplan::geo

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <variant>
+
+#include "engine/geo/lon_lat.hpp"
+
+namespace floeplan::geo {
+
+/// A point in a grid's own coordinates: degrees (longitude, latitude) or metres (easting, northing).
+struct GridPoint {
+  double x{};
+  double y{};
+};
+
+/// Longitude and latitude themselves.
+struct GeographicFrame {
+  friend bool operator==(GeographicFrame, GeographicFrame) = default;
+};
+
+/// Polar stereographic on WGS84, true to scale on a parallel (EPSG method 9829), e.g. EPSG:3413, 3995, 3996, 3031.
+struct PolarStereographicFrame {
+  bool north{true};
+  double lat_ts_deg{90.0};  // positive in the north, negative in the south
+  double lon_0_deg{};       // meridian that runs straight down (north) or up (south)
+  double false_easting_m{};
+  double false_northing_m{};
+  friend bool operator==(PolarStereographicFrame, PolarStereographicFrame) = default;
+};
+
+/// Transverse Mercator on WGS84 (EPSG method 9807), e.g. every UTM zone.
+struct TransverseMercatorFrame {
+  double lon_0_deg{};
+  double lat_0_deg{};
+  double scale_0{0.9996};
+  double false_easting_m{};
+  double false_northing_m{};
+  friend bool operator==(TransverseMercatorFrame, TransverseMercatorFrame) = default;
+};
+
+/// The coordinates in which a stored grid is regular. Grids in other projections are resampled when they are ingested.
+using GridFrame = std::variant<GeographicFrame, PolarStereographicFrame, TransverseMercatorFrame>;
+
+[[nodiscard]] GridPoint to_grid(const GridFrame& frame, LonLat place);
+[[nodiscard]] LonLat to_lon_lat(const GridFrame& frame, GridPoint point);
+
+/// The frame as text and back, every digit kept: "geographic", "polar_stereographic north 70 -45 0 0", ...
+[[nodiscard]] std::string frame_text(const GridFrame& frame);
+[[nodiscard]] std::optional<GridFrame> parse_frame(std::string_view text);
+
+}  // namespace floeplan::geo

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <optional>
+
+namespace floeplan::geo {
+
+/// A place on the WGS84 ellipsoid, degrees, east and north positive. Longitude first, everywhere.
+struct LonLat {
+  double lon_deg{};
+  double lat_deg{};
+
+  friend bool operator==(LonLat, LonLat) = default;
+};
+
+/// The longitude brought into [-180, 180).
+[[nodiscard]] double wrap_longitude(double lon_deg);
+
+/// Signed difference `to - from` of two longitudes the short way round, in [-180, 180).
+[[nodiscard]] double longitude_difference(double from_deg, double to_deg);
+
+/// Finite, latitude within [-90, 90], longitude within [-180, 360].
+[[nodiscard]] bool is_valid(LonLat place);
+
+}  // namespace floeplan::geo

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <cmath>
+
+#include "engine/core/units.hpp"
+
+namespace floeplan::geo {
+
+/// Horizontal velocity in the local east-north frame. For a current: where the water goes to.
+struct VelocityEn {
+  core::MetresPerSecond east{};
+  core::MetresPerSecond north{};
+
+  friend bool operator==(VelocityEn, VelocityEn) = default;
+};
+
+[[nodiscard]] inline core::MetresPerSecond strength(VelocityEn velocity) {
+  return {std::hypot(velocity.east.value, velocity.north.value)};
+}
+
+}  // namespace floeplan::geo

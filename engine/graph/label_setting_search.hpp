@@ -1,0 +1,82 @@
+#pragma once
+
+#include <concepts>
+#include <stop_token>
+#include <vector>
+
+#include "engine/graph/arrival_queue.hpp"
+#include "engine/graph/edge_travel_time.hpp"
+#include "engine/graph/search_tree.hpp"
+#include "engine/graph/tve_search.hpp"
+
+namespace floeplan::graph {
+
+/// What is known beforehand of travel times, whatever the hour.
+/// Law (admissible)  least_time(edge) is never more than the time of that edge at any departure
+/// Law (consistent)  remaining(tail) <= least_time(edge) + remaining(head); remaining(goal) = 0
+template <class B>
+concept TravelTimeBound = requires(const B& bound, const Edge& edge, Vertex v) {
+  { bound.least_time(edge) } -> std::convertible_to<core::Seconds>;
+  { bound.remaining(v) } -> std::convertible_to<core::Seconds>;
+};
+
+/// Knows nothing: with it the search is Dijkstra's on arrival times.
+struct NoBound {
+  [[nodiscard]] static core::Seconds least_time(const Edge&) { return core::Seconds{0.0}; }
+  [[nodiscard]] static core::Seconds remaining(Vertex) { return core::Seconds{0.0}; }
+};
+
+/// Earliest arrivals, each vertex expanded once: Dijkstra on arrival times, A* with a bound. Exact under FIFO.
+/// An edge that cannot improve its head even at its least time is not evaluated.
+/// Returns  arrival and predecessor of every vertex expanded before the goal, and of the goal when it can be reached
+/// Source   Dreyfus 1969, An appraisal of some shortest-path algorithms, Operations Research 17 (time-dependent case);
+///          Hart, Nilsson and Raphael 1968, doi:10.1109/TSSC.1968.300136 (A*)
+/// Stops    early, and says so in the result, once `stop` is requested
+template <EdgeTravelTime TravelTime, TravelTimeBound Bound = NoBound>
+SearchTree find_earliest_arrivals(const GridGraph& graph, const Query& query, const TravelTime& travel_time,
+                                  const std::stop_token& stop, const Bound& bound = {},
+                                  const ExpansionCallback& report = {}) {
+  SearchTree tree{graph.size()};
+  ArrivalQueue queue{graph.size()};
+  std::vector<bool> settled(graph.size(), false);
+  if (!graph.is_open(query.source)) return tree;
+
+  const auto remaining_s = [&](Vertex v) { return core::Seconds{bound.remaining(v)}.count(); };
+  tree.start(query.source, query.depart.count());
+  queue.insert(query.source, query.depart.count() + remaining_s(query.source));
+  while (!queue.empty()) {
+    if (tree.counters.expansions % expansions_between_looks == 0) {
+      if (stop.stop_requested()) {
+        tree.stopped = true;
+        break;
+      }
+      if (report) report(tree.counters.expansions);
+    }
+    const Vertex u = queue.extract_min();
+    settled[u] = true;
+    ++tree.counters.expansions;
+    if (query.goal && u == *query.goal) break;
+
+    const double arrival_u = tree.arrival_s(u);
+    graph.for_each_edge(u, [&](const Edge& edge) {
+      if (settled[edge.head]) return;
+      if (arrival_u + core::Seconds{bound.least_time(edge)}.count() >= tree.arrival_s(edge.head)) return;
+      ++tree.counters.edge_evaluations;
+      const auto duration = travel_time(edge, core::Seconds{arrival_u});
+      if (!duration) return;
+      const double arrival_v = arrival_u + core::Seconds{*duration}.count();
+      if (!(arrival_v < tree.arrival_s(edge.head))) return;
+
+      tree.reach(edge, arrival_v);
+      const double key = arrival_v + remaining_s(edge.head);
+      if (queue.holds(edge.head)) {
+        queue.decrease_key(edge.head, key);
+      } else {
+        queue.insert(edge.head, key);
+      }
+    });
+  }
+  return tree;
+}
+
+}  // namespace floeplan::graph

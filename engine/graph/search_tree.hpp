@@ -1,0 +1,64 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/graph/grid_graph.hpp"
+
+namespace floeplan::graph {
+
+/// From where to where, and when.
+struct Query {
+  Vertex source{};
+  std::optional<Vertex> goal;  // empty: to every vertex that can be reached
+  core::Seconds depart{};
+};
+
+/// What a search did.
+struct SearchCounters {
+  std::int64_t edge_evaluations{};
+  std::int64_t expansions{};
+  std::int64_t reinsertions{};  // of vertices that had already been expanded (BLACK in the paper)
+};
+
+/// Earliest arrivals found, and how each vertex was reached.
+class SearchTree {
+ public:
+  static constexpr double never = std::numeric_limits<double>::infinity();
+
+  explicit SearchTree(std::size_t vertices) : arrival_s_(vertices, never), step_(vertices, no_step) {}
+
+  [[nodiscard]] bool is_reached(Vertex v) const { return arrival_s_[v] < never; }
+  /// Infinite when not reached.
+  [[nodiscard]] double arrival_s(Vertex v) const { return arrival_s_[v]; }
+  [[nodiscard]] bool has_predecessor(Vertex v) const { return step_[v] != no_step; }
+  /// The step of the edge that reached `v`. Defined only where `has_predecessor(v)`.
+  [[nodiscard]] std::uint8_t step(Vertex v) const { return step_[v]; }
+
+  void start(Vertex source, double depart_s) { arrival_s_[source] = depart_s; }
+  void reach(const Edge& edge, double arrival_s) {
+    arrival_s_[edge.head] = arrival_s;
+    step_[edge.head] = edge.step;
+  }
+
+  SearchCounters counters;
+  bool stopped{false};  // the caller asked for it: what is here is not complete
+
+ private:
+  static constexpr std::uint8_t no_step = 255;
+
+  std::vector<double> arrival_s_;
+  std::vector<std::uint8_t> step_;
+};
+
+/// The vertices from the source to `goal`, both included; empty when the goal was not reached.
+[[nodiscard]] std::vector<Vertex> path_to(const GridGraph& graph, const SearchTree& tree, Vertex goal);
+
+/// Told the number of expansions about every ten thousand of them.
+using ExpansionCallback = std::function<void(std::int64_t expansions)>;
+
+}  // namespace floeplan::graph

@@ -1,0 +1,8 @@
+#pragma once
+
+namespace floeplan::motion {
+
+/// Why an edge cannot be travelled, cheap enough for the inner loop.
+enum class EdgeClosed { current_too_strong, outside_data, too_shallow, on_land, obstacle };
+
+}  // namespace floeplan::motion

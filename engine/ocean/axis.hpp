@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+namespace floeplan::ocean {
+
+/// Where a value lies between two neighbouring nodes: `lower + fraction`, fraction in [0, 1).
+struct AxisPosition {
+  std::size_t lower{};
+  std::size_t upper{};  // equals lower exactly on a node
+  double fraction{};    // share of the way from lower to upper
+};
+
+/// Coordinates of the nodes along one dimension of a grid, strictly ascending; steps may differ.
+/// Errors   std::invalid_argument from the constructor when empty, not finite or not strictly ascending
+/// Threads  const members may be called from several threads at once
+class Axis {
+ public:
+  explicit Axis(std::vector<double> nodes);
+
+  [[nodiscard]] std::size_t size() const { return nodes_.size(); }
+  [[nodiscard]] double front() const { return nodes_.front(); }
+  [[nodiscard]] double back() const { return nodes_.back(); }
+  [[nodiscard]] double operator[](std::size_t i) const { return nodes_[i]; }
+  [[nodiscard]] const std::vector<double>& nodes() const { return nodes_; }
+  /// Mean distance between neighbours; 0 for a single node.
+  [[nodiscard]] double mean_step() const;
+
+  /// Outside  nullopt below the first and above the last node. A value within 1e-6 of a step from a node is that node
+  [[nodiscard]] std::optional<AxisPosition> locate(double value) const;
+
+ private:
+  std::vector<double> nodes_;
+  bool uniform_{false};
+};
+
+}  // namespace floeplan::ocean

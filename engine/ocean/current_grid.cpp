@@ -1,0 +1,116 @@
+#include "engine/ocean/current_grid.hpp"
+
+#include <cmath>
+#include <limits>
+#include <span>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/ocean/bilinear.hpp"
+
+namespace floeplan::ocean {
+namespace {
+
+geo::VelocityEn blend(geo::VelocityEn a, geo::VelocityEn b, double share_of_b) {
+  return {a.east + share_of_b * (b.east - a.east), a.north + share_of_b * (b.north - a.north)};
+}
+
+std::size_t depth_count(const CurrentGrid::Samples& samples) {
+  return samples.depths_m ? samples.depths_m->size() : 1;
+}
+
+}  // namespace
+
+CurrentGrid::CurrentGrid(Samples samples) : samples_{std::move(samples)} {
+  const std::size_t wanted = samples_.grid.size() * depth_count(samples_) * samples_.times_s.size();
+  if (samples_.u.size() != wanted || samples_.v.size() != wanted) {
+    throw std::invalid_argument{"currents need one u and one v for each node, depth and time"};
+  }
+}
+
+std::optional<geo::VelocityEn> CurrentGrid::level(const GridPosition& at, std::size_t time_index,
+                                                  std::size_t depth_index) const {
+  const std::size_t slice = samples_.grid.size();
+  const std::size_t begin = (time_index * depth_count(samples_) + depth_index) * slice;
+  const std::size_t nx = samples_.grid.x().size();
+  const auto east = bilinear(std::span{samples_.u}.subspan(begin, slice), nx, at);
+  const auto north = bilinear(std::span{samples_.v}.subspan(begin, slice), nx, at);
+  if (!east || !north) return std::nullopt;
+  return geo::VelocityEn{{*east}, {*north}};
+}
+
+std::optional<geo::VelocityEn> CurrentGrid::at(geo::LonLat place, core::Metres depth, core::UtcTime time) const {
+  if (!std::isfinite(place.lon_deg) || !std::isfinite(place.lat_deg) || !std::isfinite(depth.value) ||
+      !std::isfinite(core::unix_seconds(time))) {
+    throw std::invalid_argument{"currents were asked for at a place, depth or time that is not finite"};
+  }
+  const auto position = samples_.grid.locate(place);
+  const auto when = samples_.times_s.locate(core::unix_seconds(time));
+  const auto below = samples_.depths_m ? samples_.depths_m->locate(depth.value) : AxisPosition{};
+  if (!position || !when || !below) return std::nullopt;
+
+  const auto at_time = [&](std::size_t time_index) -> std::optional<geo::VelocityEn> {
+    const auto upper = level(*position, time_index, below->lower);
+    if (!upper || below->fraction == 0.0) return upper;
+    const auto lower = level(*position, time_index, below->upper);
+    if (!lower) return std::nullopt;
+    return blend(*upper, *lower, below->fraction);
+  };
+  const auto before = at_time(when->lower);
+  if (!before || when->fraction == 0.0) return before;
+  const auto after = at_time(when->upper);
+  if (!after) return std::nullopt;
+  return blend(*before, *after, when->fraction);
+}
+
+std::optional<geo::VelocityEn> CurrentGrid::depth_average(geo::LonLat place, core::Metres dive_depth,
+                                                          std::size_t time_index) const {
+  const auto position = samples_.grid.locate(place);
+  if (!position) return std::nullopt;
+  const auto top = level(*position, time_index, 0);
+  if (!top || !samples_.depths_m) return top;
+
+  // Above the first level the water moves as that level does; the mean reaches as deep as there is water.
+  const Axis& depths = *samples_.depths_m;
+  double reached_m = std::max(0.0, std::min(depths.front(), dive_depth.value));
+  double east = top->east.value * reached_m;
+  double north = top->north.value * reached_m;
+  geo::VelocityEn upper = *top;
+  for (std::size_t i = 1; i < depths.size() && depths[i - 1] < dive_depth.value; ++i) {
+    auto lower = level(*position, time_index, i);
+    if (!lower) break;  // the sea bed
+    double bottom_m = depths[i];
+    if (bottom_m > dive_depth.value) {
+      lower = blend(upper, *lower, (dive_depth.value - depths[i - 1]) / (bottom_m - depths[i - 1]));
+      bottom_m = dive_depth.value;
+    }
+    const double thickness_m = bottom_m - depths[i - 1];
+    east += 0.5 * thickness_m * (upper.east.value + lower->east.value);
+    north += 0.5 * thickness_m * (upper.north.value + lower->north.value);
+    reached_m = bottom_m;
+    upper = *lower;
+  }
+  if (reached_m <= 0.0) return top;
+  return geo::VelocityEn{{east / reached_m}, {north / reached_m}};
+}
+
+CurrentGrid CurrentGrid::time_mean() const {
+  const std::size_t times = samples_.times_s.size();
+  const std::size_t slice = samples_.u.size() / times;
+  const auto mean = [&](const std::vector<float>& all) {
+    std::vector<float> result(slice);
+    for (std::size_t i = 0; i < slice; ++i) {
+      double sum = 0.0;
+      for (std::size_t t = 0; t < times; ++t) sum += static_cast<double>(all[t * slice + i]);
+      result[i] = static_cast<float>(sum / static_cast<double>(times));
+    }
+    return result;
+  };
+  return CurrentGrid{{.grid = samples_.grid,
+                      .depths_m = samples_.depths_m,
+                      .times_s = Axis{{samples_.times_s.front()}},
+                      .u = mean(samples_.u),
+                      .v = mean(samples_.v)}};
+}
+
+}  // namespace floeplan::ocean

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/ocean/axis.hpp"
+#include "engine/ocean/current_field.hpp"
+#include "engine/ocean/horizontal_grid.hpp"
+
+namespace floeplan::ocean {
+
+/// Currents of a model or a measurement on a grid; bilinear in place, linear in depth and in time.
+/// Shape    u and v are [time][depth][y][x], last index fastest, m/s towards true east and true north (never along the
+///          axes of a projected grid). NaN marks a missing sample inside the arrays; it never leaves the class
+/// Outside  nullopt where any of the nodes needed is missing, beyond the grid, its depths and its times.
+///          Data without a depth axis (`depths` empty) answer for every depth: they say nothing of depth
+/// Errors   std::invalid_argument from the constructor when the sizes do not agree
+class CurrentGrid : public CurrentField {
+ public:
+  struct Samples {
+    HorizontalGrid grid;
+    std::optional<Axis> depths_m;  // positive down; empty: the data have no depth axis
+    Axis times_s;                  // seconds since 1970-01-01T00:00:00Z
+    std::vector<float> u;
+    std::vector<float> v;
+  };
+
+  explicit CurrentGrid(Samples samples);
+
+  [[nodiscard]] std::optional<geo::VelocityEn> at(geo::LonLat place, core::Metres depth,
+                                                  core::UtcTime time) const override;
+  /// Mean over the depths from the surface to `dive_depth`, by trapezoids over the levels that have water; levels below
+  /// the bottom are left out. Data with one level or none answer with that level.
+  [[nodiscard]] std::optional<geo::VelocityEn> depth_average(geo::LonLat place, core::Metres dive_depth,
+                                                             std::size_t time_index) const;
+  [[nodiscard]] const Samples& samples() const { return samples_; }
+  /// The mean over all times as a field with a single time; a node is missing where it is missing at any time.
+  [[nodiscard]] CurrentGrid time_mean() const;
+
+ private:
+  [[nodiscard]] std::optional<geo::VelocityEn> level(const GridPosition& at, std::size_t time_index,
+                                                     std::size_t depth_index) const;
+
+  Samples samples_;
+};
+
+}  // namespace floeplan::ocean

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <string>
+
+namespace floeplan::ocean {
+
+/// A dataset that a plan was computed from, named so that anybody can find it again.
+struct DatasetRef {
+  std::string id;
+  std::string kind;  // "currents", "bathymetry", "icebergs", "coastline"
+  std::string name;
+  std::string sha256;  // of the file it came from, lower-case hexadecimal
+
+  friend bool operator==(const DatasetRef&, const DatasetRef&) = default;
+};
+
+}  // namespace floeplan::ocean

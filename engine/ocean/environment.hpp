@@ -1,0 +1,27 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "engine/geo/polygon.hpp"
+#include "engine/ocean/bathymetry.hpp"
+#include "engine/ocean/current_grid.hpp"
+#include "engine/ocean/dataset_ref.hpp"
+#include "engine/ocean/iceberg.hpp"
+
+namespace floeplan::ocean {
+
+/// All that is known of the sea in an area and a period: an immutable snapshot for one job.
+/// A missing part (null, empty) means that nothing is known or that the request left it out; the plan then warns.
+struct Environment {
+  std::shared_ptr<const CurrentGrid> currents;  // null: still water
+  bool steady_currents{false};                  // `currents` holds one time, meant for every time
+  std::shared_ptr<const Bathymetry> bathymetry;
+  std::vector<geo::Polygon> land;
+  std::vector<Iceberg> icebergs;  // the latest sighting of each berg, none after the moment asked for
+  std::vector<DatasetRef> datasets;
+  std::vector<std::string> warnings;  // what the choice of data implies, for the pilot
+};
+
+}  // namespace floeplan::ocean

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/lon_lat.hpp"
+#include "engine/ocean/dataset_ref.hpp"
+#include "engine/planning/plan_request.hpp"
+
+namespace floeplan::planning {
+
+/// A place of the plan and the leg that leads to it. The first waypoint is the start and has no leg.
+struct Waypoint {
+  geo::LonLat place;
+  core::UtcTime eta;
+  std::optional<core::Metres> leg_length;  // geodesic on WGS84
+  std::optional<double> course_deg;        // of the leg at its start, clockwise from true north
+  std::optional<core::MetresPerSecond> speed_over_ground;  // mean over the leg
+  std::optional<core::Metres> depth;                       // of the sea bed here
+};
+
+/// What the search did, for comparison and for honest progress.
+struct SearchStatistics {
+  std::int64_t vertices{};
+  std::int64_t edges{};  // directed, open by depth, land and static obstacles
+  std::int64_t edge_evaluations{};
+  std::int64_t expansions{};
+  std::int64_t reinsertions{};
+  core::Seconds duration{};  // filled by the caller that owns a clock
+};
+
+/// Least distances along the whole route; empty where nothing of the kind is known.
+struct Clearances {
+  std::optional<core::Metres> iceberg;  // from the hull's edge, not from the centre
+  std::optional<core::Metres> land;
+  std::optional<core::Metres> bottom;  // from the deepest point of the dive to the sea bed
+};
+
+/// A route with times.
+struct Plan {
+  Method method{};
+  std::string vehicle;
+  core::UtcTime departure;
+  core::UtcTime arrival;
+  core::Metres distance;
+  std::vector<Waypoint> waypoints;
+  SearchStatistics search;
+  Clearances clearances;
+  std::optional<core::Joules> energy;
+  std::optional<double> optimality_gap;
+  std::string optimality_gap_reason;  // why the gap is not given; empty when it is
+  std::vector<ocean::DatasetRef> datasets;
+  std::vector<std::string> warnings;
+
+  [[nodiscard]] core::Seconds travel_time() const { return arrival - departure; }
+};
+
+}  // namespace floeplan::planning

@@ -1,0 +1,46 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+#include "engine/geo/lon_lat.hpp"
+#include "engine/vehicle/glider_profile.hpp"
+
+namespace floeplan::planning {
+
+/// Which search finds the route. All of them are re-costed by the same edge integration.
+enum class Method {
+  tve,       // label-correcting, as the paper's Table I prints it
+  dijkstra,  // label-setting on arrival times
+  astar,     // the same with a bound on the remaining time
+  frozen,    // the paper's left column: weights fixed at departure
+  direct     // the straight line
+};
+
+[[nodiscard]] std::string method_name(Method method);
+[[nodiscard]] std::optional<Method> parse_method(std::string_view name);
+
+/// What to plan, apart from the data to plan it in.
+struct PlanRequest {
+  geo::LonLat from;
+  geo::LonLat to;
+  std::vector<geo::LonLat> via;  // to be visited in this order
+  core::UtcTime depart;
+  vehicle::GliderProfile vehicle;
+
+  std::optional<core::Metres> spacing_along;   // of the grid, towards the goal; default distance/200 in 250 m .. 5 km
+  std::optional<core::Metres> spacing_across;  // default the same as along
+  int sectors{3};                              // reach of the grid's edges, 1 to 5
+  Method method{Method::astar};
+  bool refine{true};
+  std::optional<int> max_waypoints;      // start and goal included
+  core::Metres iceberg_margin{500.0};    // kept from the edge of an iceberg
+  double edge_tolerance{1e-4};           // relative, of an edge's travel time
+
+  [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
+};
+
+}  // namespace floeplan::planning

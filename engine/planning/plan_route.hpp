@@ -1,0 +1,29 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "engine/core/progress.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan.hpp"
+#include "engine/planning/plan_request.hpp"
+
+namespace floeplan::planning {
+
+/// Area whose data a plan for the request may use: the box around start, vias and goal with room for detours.
+[[nodiscard]] geo::BoundingBox planning_area(const PlanRequest& request);
+
+/// Plans the fastest route of the request through the environment.
+/// Errors   std::invalid_argument when `request.violations()` is not empty; Infeasible when there is no such route
+/// Threads  may be called from several threads at once; reads its arguments only
+/// Stops    within 100 ms of a request of `stop`, with Reason::cancelled
+[[nodiscard]] Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
+                                      const std::stop_token& stop, const core::ProgressCallback& progress);
+
+/// Times a given route (at least two places): the same legs, the same edge integration, the same rules.
+/// `request` gives departure, vehicle, margin and tolerance; its places and method are not used.
+[[nodiscard]] Result<Plan> evaluate_route(const ocean::Environment& environment,
+                                          const std::vector<geo::LonLat>& route, const PlanRequest& request);
+
+}  // namespace floeplan::planning

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/progress.hpp"
+#include "engine/core/units.hpp"
+#include "storage/repository/dataset.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::ingest {
+
+/// What the user said about a file beyond the file itself.
+struct IngestOptions {
+  std::optional<std::string> name;                    // default: the file's name without its ending
+  std::optional<repository::DatasetKind> kind;        // default: recognised
+  std::optional<std::string> crs;                     // "EPSG:4326", for files that state none
+  std::optional<std::string> positive;                // "up" or "down", for bathymetry that does not say
+};
+
+enum class IngestStatus { stored, refused, unchanged };
+
+/// What became of one kind of data in a file. A refused file stores nothing.
+struct IngestReport {
+  std::string file;
+  IngestStatus status{IngestStatus::refused};
+  std::optional<repository::Dataset> dataset;  // empty when refused
+  std::vector<std::string> warnings;
+  std::vector<std::string> errors;  // each: what; why; what to do
+};
+
+/// Reads a file into the store: recognises it by content, checks it, normalises it (WGS84, UTC, SI, depth positive down,
+/// currents towards true east and north) and stores it in one transaction, or stores nothing and says why.
+/// A file whose content is already stored under the same kind is "unchanged".
+/// Errors   std::runtime_error only when the store itself fails
+[[nodiscard]] std::vector<IngestReport> ingest_file(sqlite::Connection& db, const std::filesystem::path& file,
+                                                    const IngestOptions& options, core::UtcTime now,
+                                                    const core::ProgressCallback& progress);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/bounding_box.hpp"
+
+namespace floeplan::repository {
+
+/// Kinds of data the store holds.
+enum class DatasetKind { bathymetry, currents, icebergs, coastline };
+
+[[nodiscard]] std::string kind_name(DatasetKind kind);
+[[nodiscard]] std::optional<DatasetKind> parse_kind(const std::string& name);
+
+/// Names one dataset: "<kind>-<first eight hexadecimal digits of its file's SHA-256>".
+struct DatasetId {
+  std::string value;
+
+  friend auto operator<=>(const DatasetId&, const DatasetId&) = default;
+};
+
+/// Where the data came from.
+struct Provenance {
+  std::string file_name;  // the last component only
+  std::int64_t file_size_bytes{};
+  std::string sha256;  // lower-case hexadecimal
+  core::UtcTime ingested;
+  std::string tool_version;  // "floeplan 0.1.0, GDAL 3.6.2"
+};
+
+/// What a list of datasets shows; the data themselves are in the field, iceberg and coastline repositories.
+struct Dataset {
+  DatasetId id;
+  DatasetKind kind{};
+  std::string name;                    // the user's, or the file's name without its ending
+  std::vector<std::string> variables;  // as the file names them
+  geo::BoundingBox bounds;
+  std::optional<core::UtcTime> time_start;  // empty: the data have no time
+  std::optional<core::UtcTime> time_end;
+  std::int64_t rows_accepted{};  // grid nodes, sightings or polygons
+  std::int64_t rows_refused{};
+  std::vector<std::string> warnings;
+  Provenance provenance;
+};
+
+}  // namespace floeplan::repository

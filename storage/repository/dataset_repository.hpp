@@ -1,0 +1,28 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "storage/repository/dataset.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::repository {
+
+/// The list of datasets.
+/// Threads  as the connection: one thread at a time
+class DatasetRepository {
+ public:
+  explicit DatasetRepository(sqlite::Connection& db) : db_{db} {}
+
+  void insert(const Dataset& dataset);
+  [[nodiscard]] std::optional<Dataset> find(const DatasetId& id) const;
+  /// Newest first; ties by id.
+  [[nodiscard]] std::vector<Dataset> list() const;
+  /// Removes the dataset and everything that belongs to it. False when there is none.
+  bool remove(const DatasetId& id);
+
+ private:
+  sqlite::Connection& db_;  // borrowed
+};
+
+}  // namespace floeplan::repository

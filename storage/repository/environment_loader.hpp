@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include <tl/expected.hpp>
+
+#include "engine/core/violation.hpp"
+#include "engine/geo/bounding_box.hpp"
+#include "engine/ocean/environment.hpp"
+#include "storage/repository/dataset.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::repository {
+
+/// Which dataset of a kind to use.
+struct DatasetChoice {
+  enum class How { newest, none, named } how{How::newest};
+  std::vector<DatasetId> ids;  // when named
+};
+
+/// What a job wants to know of the sea.
+struct EnvironmentQuery {
+  geo::BoundingBox area;
+  core::UtcTime depart;
+  core::Metres dive_depth{200.0};
+  DatasetChoice currents;
+  bool steady{false};  // one time step, or the mean of all, for every time
+  DatasetChoice bathymetry;
+  DatasetChoice icebergs;
+  std::optional<core::UtcTime> icebergs_as_of;  // default: the departure
+  DatasetChoice coastline;
+};
+
+/// Icebergs last seen longer ago than this are left out, and the plan says how many (planning.md, moving obstacles).
+inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
+
+/// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and the period.
+/// Errors   a violation for each named dataset that does not exist, is of another kind or shares nothing with the area
+/// Edges    currents are read from the last step before departure to their end: how long a plan takes is not yet known
+[[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Connection& db,
+                                                                                 const EnvironmentQuery& query);
+
+}  // namespace floeplan::repository

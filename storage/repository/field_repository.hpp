@@ -1,0 +1,57 @@
+#pragma once
+
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/geo/bounding_box.hpp"
+#include "engine/ocean/bathymetry.hpp"
+#include "engine/ocean/current_grid.hpp"
+#include "engine/ocean/horizontal_grid.hpp"
+#include "storage/repository/dataset.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::repository {
+
+/// Shape of the gridded data of one dataset.
+struct FieldShape {
+  ocean::HorizontalGrid grid;
+  std::optional<ocean::Axis> depths_m;  // empty: no depth axis
+  std::optional<ocean::Axis> times_s;   // empty: no time
+};
+
+/// Period of time, both ends included.
+struct Period {
+  core::UtcTime from;
+  core::UtcTime to;
+};
+
+/// Gridded data in compressed chunks, so that a job reads only its area and period.
+/// Variables are "depth_m" for bathymetry, "u_m_s" and "v_m_s" for currents.
+/// Threads  as the connection: one thread at a time
+class FieldRepository {
+ public:
+  explicit FieldRepository(sqlite::Connection& db) : db_{db} {}
+
+  void create(const DatasetId& id, const FieldShape& shape);
+  /// One horizontal slice [y][x], NaN where missing; indices are 0 where the shape has no such axis.
+  void write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index, std::size_t depth_index,
+                   std::span<const float> values);
+
+  [[nodiscard]] std::optional<FieldShape> shape(const DatasetId& id) const;
+
+  /// The nodes around `area` (one more on each side), the times around `period` and the depths down to `deepest` (one
+  /// more below). nullopt when the dataset is unknown or shares no node with the area, or no time with the period.
+  /// A dataset whose period ends before or begins after `period` yields nullopt; `period` empty means all times.
+  [[nodiscard]] std::optional<ocean::CurrentGrid> load_currents(const DatasetId& id, const geo::BoundingBox& area,
+                                                                std::optional<Period> period,
+                                                                std::optional<core::Metres> deepest) const;
+  [[nodiscard]] std::optional<ocean::Bathymetry> load_bathymetry(const DatasetId& id,
+                                                                 const geo::BoundingBox& area) const;
+
+ private:
+  sqlite::Connection& db_;  // borrowed
+};
+
+}  // namespace floeplan::repository

@@ -1,0 +1,51 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/geo/bounding_box.hpp"
+#include "engine/ocean/iceberg.hpp"
+#include "storage/repository/dataset.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::repository {
+
+/// One stored sighting.
+struct StoredSighting {
+  std::int64_t row{};  // stable, ascending in the order of insertion: the key to page by
+  DatasetId dataset;
+  ocean::Iceberg iceberg;
+};
+
+/// Which sightings a list wants. Everything empty: all.
+struct SightingFilter {
+  std::optional<geo::BoundingBox> area;
+  std::optional<core::UtcTime> from;
+  std::optional<core::UtcTime> to;
+  std::optional<DatasetId> dataset;
+  std::optional<std::string> berg_id;
+};
+
+/// Sightings of icebergs, indexed by place (R*Tree) and time.
+/// Threads  as the connection: one thread at a time
+class IcebergRepository {
+ public:
+  explicit IcebergRepository(sqlite::Connection& db) : db_{db} {}
+
+  void insert(const DatasetId& dataset, const std::vector<ocean::Iceberg>& sightings);
+  [[nodiscard]] std::optional<StoredSighting> find(std::int64_t row) const;
+  /// At most `limit` sightings with a row above `after`, by ascending row.
+  [[nodiscard]] std::vector<StoredSighting> list(const SightingFilter& filter, std::int64_t after, int limit) const;
+  [[nodiscard]] std::int64_t count(const SightingFilter& filter) const;
+  /// Of each berg of the dataset the newest sighting that is not after `as_of` and not older than `max_age` before it;
+  /// in the area; by ascending row.
+  [[nodiscard]] std::vector<StoredSighting> latest(const DatasetId& dataset, const geo::BoundingBox& area,
+                                                   core::UtcTime as_of, core::Seconds max_age) const;
+
+ private:
+  sqlite::Connection& db_;  // borrowed
+};
+
+}  // namespace floeplan::repository

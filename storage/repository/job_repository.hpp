@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::repository {
+
+struct JobId {
+  std::string value;  // 128 random bits as 32 hexadecimal digits
+
+  friend auto operator<=>(const JobId&, const JobId&) = default;
+};
+
+/// The states of OGC API - Processes, Part 1, table 13.
+enum class JobStatus { accepted, running, successful, failed, dismissed };
+
+[[nodiscard]] std::string status_name(JobStatus status);
+
+/// A job as it stands in the store.
+struct JobRecord {
+  std::int64_t row{};  // given by the store, ascending in the order of submission
+  JobId id;
+  std::string process;       // "plan-route"
+  std::string request_json;  // the execute request's inputs
+  JobStatus status{JobStatus::accepted};
+  std::string stage;  // of the running work, in words
+  double progress{};  // 0 to 1
+  int attempts{};     // how often a worker has begun it
+  core::UtcTime created;
+  std::optional<core::UtcTime> started;
+  std::optional<core::UtcTime> finished;
+  core::UtcTime updated;
+  std::optional<std::string> result_json;  // when successful
+  std::string message;                     // why it failed or was dismissed
+};
+
+/// The durable queue. Every change is one transaction that is on disk when the call returns.
+/// A worker claims a job with a lease; a job whose lease ran out (its worker was killed) is claimable again, at most
+/// `max_attempts` times, then it fails with the reason in `message`.
+/// Threads  as the connection: one thread at a time; several connections and processes may claim at once
+class JobRepository {
+ public:
+  explicit JobRepository(sqlite::Connection& db) : db_{db} {}
+
+  static constexpr int max_attempts = 3;
+
+  void submit(const JobRecord& job);
+  [[nodiscard]] std::optional<JobRecord> find(const JobId& id) const;
+  /// Newest first, at most `limit` with a row below `before` (0: from the newest).
+  [[nodiscard]] std::vector<JobRecord> list(std::int64_t before, int limit) const;
+  [[nodiscard]] std::int64_t count(JobStatus status) const;
+
+  /// The oldest accepted job, or a running one whose lease ran out, made this worker's until `now + lease`.
+  [[nodiscard]] std::optional<JobRecord> claim(const std::string& worker, core::UtcTime now, core::Seconds lease);
+  /// Reports progress and renews the lease. False when the job was dismissed or is no longer this worker's: stop then.
+  [[nodiscard]] bool renew(const JobId& id, const std::string& worker, const std::string& stage, double progress,
+                           core::UtcTime now, core::Seconds lease);
+  /// False when the job is no longer this worker's; the result is then dropped.
+  bool succeed(const JobId& id, const std::string& worker, const std::string& result_json, core::UtcTime now);
+  bool fail(const JobId& id, const std::string& worker, const std::string& message, core::UtcTime now);
+  /// Gives back every running job of this worker (a graceful stop), not counted as an attempt.
+  void hand_back(const std::string& worker, core::UtcTime now);
+  /// At start: every running job whose worker belongs to this store's previous server process becomes claimable at once.
+  void release_all_leases(core::UtcTime now);
+  /// Dismisses an accepted or running job. False when it is unknown or already ended.
+  bool dismiss(const JobId& id, core::UtcTime now);
+  bool remove(const JobId& id);
+
+ private:
+  sqlite::Connection& db_;  // borrowed
+};
+
+}  // namespace floeplan::repository

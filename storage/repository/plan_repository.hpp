@@ -1,0 +1,49 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/bounding_box.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::repository {
+
+struct PlanId {
+  std::string value;
+
+  friend auto operator<=>(const PlanId&, const PlanId&) = default;
+};
+
+/// A finished plan, never changed after it was stored.
+struct PlanRecord {
+  std::int64_t row{};  // given by the store, ascending in the order of insertion: the key to page by
+  PlanId id;
+  std::string name;
+  core::UtcTime created;
+  core::UtcTime departure;
+  core::UtcTime arrival;
+  geo::BoundingBox bounds;
+  std::string request_json;   // the inputs, as the client sent them, defaults filled in
+  std::string document_json;  // the answer, as the client got it
+};
+
+/// Threads  as the connection: one thread at a time
+class PlanRepository {
+ public:
+  explicit PlanRepository(sqlite::Connection& db) : db_{db} {}
+
+  /// Stores the plan; a plan with the same id is left as it is (the id is a digest of inputs and data). Returns its row.
+  std::int64_t insert(const PlanRecord& plan);
+  [[nodiscard]] std::optional<PlanRecord> find(const PlanId& id) const;
+  [[nodiscard]] std::vector<PlanRecord> list(std::optional<geo::BoundingBox> area, std::int64_t after, int limit) const;
+  [[nodiscard]] std::int64_t count(std::optional<geo::BoundingBox> area) const;
+  bool remove(const PlanId& id);
+
+ private:
+  sqlite::Connection& db_;  // borrowed
+};
+
+}  // namespace floeplan::repository

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+
+namespace SQLite {
+class Database;
+}
+
+namespace floeplan::sqlite {
+
+/// Marks a database file as ours in its header ("FLOE"), so that nobody else's file is ever written to.
+inline constexpr std::int32_t application_id = 0x464C4F45;
+
+/// One connection to the store's database, set to WAL, foreign keys on, full synchronisation and a busy timeout, so that
+/// a committed transaction survives a kill and a power cut.
+/// Threads  one thread at a time; open one connection for each thread
+/// Errors   std::runtime_error when the file cannot be opened, is damaged, or is a database of another program; such a
+///          file is left as it is
+class Connection {
+ public:
+  /// Opens (and creates, with its folder) `<store>/floeplan.sqlite`.
+  [[nodiscard]] static Connection open(const std::filesystem::path& store);
+  /// A private database in memory, for tests.
+  [[nodiscard]] static Connection in_memory();
+
+  Connection(Connection&&) noexcept;
+  Connection& operator=(Connection&&) noexcept;
+  ~Connection();
+
+  [[nodiscard]] SQLite::Database& handle() { return *database_; }
+
+ private:
+  explicit Connection(std::unique_ptr<SQLite::Database> database);
+
+  std::unique_ptr<SQLite::Database> database_;
+};
+
+}  // namespace floeplan::sqlite
