@@ -1,0 +1,42 @@
+#include "api/codec/dataset_document.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+nlohmann::json optional_time(const std::optional<core::UtcTime>& time) {
+  return time ? nlohmann::json(core::iso8601(*time)) : nlohmann::json();
+}
+
+}  // namespace
+
+nlohmann::json dataset_document(const repository::Dataset& dataset, const std::vector<core::UtcTime>& times) {
+  const auto& bounds = dataset.bounds;
+  nlohmann::json document{{"id", dataset.id.value},
+                          {"kind", repository::kind_name(dataset.kind)},
+                          {"name", dataset.name},
+                          {"variables", dataset.variables},
+                          {"bbox", {bounds.west_deg, bounds.south_deg, bounds.east_deg, bounds.north_deg}},
+                          {"time_start", optional_time(dataset.time_start)},
+                          {"time_end", optional_time(dataset.time_end)},
+                          {"rows_accepted", dataset.rows_accepted},
+                          {"rows_refused", dataset.rows_refused},
+                          {"warnings", dataset.warnings},
+                          {"file_name", dataset.provenance.file_name},
+                          {"file_size_bytes", dataset.provenance.file_size_bytes},
+                          {"sha256", dataset.provenance.sha256},
+                          {"ingested", core::iso8601(dataset.provenance.ingested)},
+                          {"tool_version", dataset.provenance.tool_version}};
+  if (dataset.kind == repository::DatasetKind::currents) {
+    auto& listed = document["times"] = nlohmann::json::array();
+    if (times.size() <= max_listed_times) {
+      for (const auto time : times) listed.push_back(core::iso8601(time));
+    }
+  }
+  return document;
+}
+
+}  // namespace floeplan::codec

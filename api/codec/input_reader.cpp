@@ -1,0 +1,177 @@
+#include "api/codec/input_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+/// A number as a person would write it: "0.35", "5000".
+std::string written(double value) { return json(value).dump(); }
+
+/// A key inside a JSON pointer (RFC 6901).
+std::string escaped(const std::string& key) {
+  std::string result;
+  for (const char c : key) {
+    if (c == '~') {
+      result += "~0";
+    } else if (c == '/') {
+      result += "~1";
+    } else {
+      result += c;
+    }
+  }
+  return result;
+}
+
+}  // namespace
+
+std::string shown(const json& value) {
+  if (value.is_structured()) return value.is_array() ? "an array" : "an object";
+  std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
+  if (text.size() > 60) text = "a long text";
+  return text;
+}
+
+InputReader::InputReader(const json& object) : object_{object} {
+  if (!object_.is_object()) refuse("", "must be an object, not " + shown(object_));
+}
+
+const json* InputReader::member(const std::string& key) {
+  known_.insert(key);
+  if (!object_.is_object()) return nullptr;
+  const auto found = object_.find(key);
+  return found == object_.end() || found->is_null() ? nullptr : &*found;
+}
+
+std::optional<std::string> InputReader::text(const std::string& key, std::size_t max_length) {
+  const json* value = member(key);
+  if (value == nullptr) return std::nullopt;
+  if (!value->is_string()) {
+    refuse("/" + key, "must be a text, not " + shown(*value));
+    return std::nullopt;
+  }
+  const auto& text = value->get_ref<const std::string&>();
+  if (text.size() > max_length) {
+    refuse("/" + key,
+           "must have at most " + std::to_string(max_length) + " bytes, not " + std::to_string(text.size()));
+    return std::nullopt;
+  }
+  return text;
+}
+
+std::optional<bool> InputReader::boolean(const std::string& key) {
+  const json* value = member(key);
+  if (value == nullptr) return std::nullopt;
+  if (value->is_boolean()) return value->get<bool>();
+  refuse("/" + key, "must be true or false, not " + shown(*value));
+  return std::nullopt;
+}
+
+std::optional<double> InputReader::number(const std::string& key, NumberRange range) {
+  const json* value = member(key);
+  if (value == nullptr) return std::nullopt;
+  if (value->is_number()) {
+    const double number = value->get<double>();
+    if (std::isfinite(number) && number >= range.from && number <= range.to) return number;
+  }
+  refuse("/" + key, "must be a number from " + written(range.from) + " to " + written(range.to) + ", not " +
+                        shown(*value));
+  return std::nullopt;
+}
+
+std::optional<int> InputReader::integer(const std::string& key, int from, int to) {
+  const json* value = member(key);
+  if (value == nullptr) return std::nullopt;
+  if (value->is_number()) {
+    const double number = value->get<double>();
+    if (number >= from && number <= to && number == std::floor(number)) return static_cast<int>(number);
+  }
+  refuse("/" + key, "must be a whole number from " + std::to_string(from) + " to " + std::to_string(to) +
+                        ", not " + shown(*value));
+  return std::nullopt;
+}
+
+std::optional<core::UtcTime> InputReader::time(const std::string& key) {
+  const json* value = member(key);
+  if (value == nullptr) return std::nullopt;
+  if (value->is_string()) {
+    if (const auto time = core::parse_iso8601(value->get_ref<const std::string&>())) {
+      return core::from_unix_seconds(std::round(core::unix_seconds(*time)));
+    }
+  }
+  refuse("/" + key,
+         "must be a time in ISO 8601 with its zone, as 2026-11-20T06:00:00Z, not " + shown(*value));
+  return std::nullopt;
+}
+
+std::optional<geo::LonLat> InputReader::to_place(const json& value, const std::string& pointer) {
+  const bool pair = value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
+  if (!pair) {
+    refuse(pointer, "must be [longitude, latitude] in degrees, not " + shown(value));
+    return std::nullopt;
+  }
+  const geo::LonLat place{value[0].get<double>(), value[1].get<double>()};
+  if (!geo::is_valid(place)) {
+    refuse(pointer, "must have its longitude within -180 to 360 and its latitude within -90 to 90, not [" +
+                        shown(value[0]) + ", " + shown(value[1]) + "]");
+    return std::nullopt;
+  }
+  return geo::LonLat{geo::wrap_longitude(place.lon_deg), place.lat_deg};
+}
+
+std::optional<geo::LonLat> InputReader::place(const std::string& key) {
+  const json* value = member(key);
+  return value == nullptr ? std::nullopt : to_place(*value, "/" + key);
+}
+
+std::optional<std::vector<geo::LonLat>> InputReader::places(const json& value, const std::string& pointer,
+                                                            std::size_t least, std::size_t most) {
+  if (!value.is_array() || value.size() < least || value.size() > most) {
+    refuse(pointer, "must be an array of " + std::to_string(least) + " to " + std::to_string(most) +
+                        " positions [longitude, latitude]");
+    return std::nullopt;
+  }
+  std::vector<geo::LonLat> result;
+  for (std::size_t i = 0; i < value.size(); ++i) {
+    if (const auto place = to_place(value[i], pointer + "/" + std::to_string(i))) result.push_back(*place);
+  }
+  if (result.size() != value.size()) return std::nullopt;
+  return result;
+}
+
+std::optional<std::vector<geo::LonLat>> InputReader::places(const std::string& key, std::size_t least,
+                                                            std::size_t most) {
+  const json* value = member(key);
+  return value == nullptr ? std::nullopt : places(*value, "/" + key, least, most);
+}
+
+void InputReader::require(const std::string& key, const std::string& rule) {
+  const bool absent = object_.is_object() && member(key) == nullptr;
+  if (absent) refuse("/" + key, rule);
+}
+
+void InputReader::refuse(const std::string& pointer, const std::string& rule) {
+  violations_.push_back({pointer, rule});
+}
+
+void InputReader::refuse_unknown() {
+  if (!object_.is_object()) return;
+  std::string names;
+  for (const auto& name : known_) names += (names.empty() ? "" : ", ") + name;
+  for (const auto& [key, value] : object_.items()) {
+    if (!known_.contains(key)) refuse("/" + escaped(key), "is not known; the known keys are " + names);
+  }
+}
+
+bool InputReader::refused(const std::string& pointer) const {
+  return std::any_of(violations_.begin(), violations_.end(), [&](const core::Violation& violation) {
+    return violation.field == pointer || violation.field.starts_with(pointer + "/");
+  });
+}
+
+}  // namespace floeplan::codec

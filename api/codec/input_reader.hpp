@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+#include "engine/geo/lon_lat.hpp"
+
+namespace floeplan::codec {
+
+/// Both ends included.
+struct NumberRange {
+  double from{};
+  double to{};
+};
+
+/// Reads the members of one JSON object and collects what is wrong with them. A member that is absent or null
+/// is empty; a wrong one is empty and noted.
+class InputReader {
+ public:
+  explicit InputReader(const nlohmann::json& object);
+
+  [[nodiscard]] const nlohmann::json* member(const std::string& key);
+  [[nodiscard]] std::optional<std::string> text(const std::string& key, std::size_t max_length = 200);
+  [[nodiscard]] std::optional<bool> boolean(const std::string& key);
+  [[nodiscard]] std::optional<double> number(const std::string& key, NumberRange range);
+  [[nodiscard]] std::optional<int> integer(const std::string& key, int from, int to);
+  /// ISO 8601 with a zone, rounded to the whole second.
+  [[nodiscard]] std::optional<core::UtcTime> time(const std::string& key);
+  [[nodiscard]] std::optional<geo::LonLat> place(const std::string& key);
+  /// An array of places with `least` to `most` elements.
+  [[nodiscard]] std::optional<std::vector<geo::LonLat>> places(const std::string& key, std::size_t least,
+                                                               std::size_t most);
+  [[nodiscard]] std::optional<std::vector<geo::LonLat>> places(const nlohmann::json& value,
+                                                               const std::string& pointer, std::size_t least,
+                                                               std::size_t most);
+
+  /// Notes that a member must be there, unless something is noted for it already.
+  void require(const std::string& key, const std::string& rule);
+  void refuse(const std::string& pointer, const std::string& rule);
+  /// Notes every member that nobody asked for, with the known ones.
+  void refuse_unknown();
+  [[nodiscard]] bool refused(const std::string& pointer) const;
+  [[nodiscard]] const core::Violations& violations() const { return violations_; }
+
+ private:
+  [[nodiscard]] std::optional<geo::LonLat> to_place(const nlohmann::json& value, const std::string& pointer);
+
+  const nlohmann::json& object_;  // borrowed
+  std::set<std::string> known_;
+  core::Violations violations_;
+};
+
+/// The value as a short text for a message.
+[[nodiscard]] std::string shown(const nlohmann::json& value);
+
+}  // namespace floeplan::codec

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+
+namespace floeplan::codec {
+
+/// Deeper nesting than any message of ours needs, shallow enough for code that walks it recursively.
+inline constexpr int max_json_depth = 64;
+
+/// Parses text from outside. The depth is checked in a first pass that builds nothing, so nested input costs
+/// no stack. Errors  what is wrong and where, for a person; also for NaN, infinity and numbers beyond a
+/// double
+[[nodiscard]] tl::expected<nlohmann::json, std::string> parse_json(std::string_view text);
+
+}  // namespace floeplan::codec

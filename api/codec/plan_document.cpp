@@ -1,0 +1,163 @@
+#include "api/codec/plan_document.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+double position(double degrees) { return std::round(degrees * 1e7) / 1e7; }
+
+template <class Tag>
+json optional_value(const std::optional<core::Quantity<Tag>>& quantity) {
+  return quantity ? json(quantity->value) : json();
+}
+
+json optional_number(const std::optional<double>& number) { return number ? json(*number) : json(); }
+
+json datasets_json(const std::vector<ocean::DatasetRef>& datasets) {
+  json result = json::array();
+  for (const auto& dataset : datasets) {
+    result.push_back(
+        {{"id", dataset.id}, {"kind", dataset.kind}, {"name", dataset.name}, {"sha256", dataset.sha256}});
+  }
+  return result;
+}
+
+json waypoint_json(const planning::Waypoint& waypoint, std::size_t index) {
+  return {{"index", index},
+          {"lon", position(waypoint.place.lon_deg)},
+          {"lat", position(waypoint.place.lat_deg)},
+          {"eta", core::iso8601(waypoint.eta)},
+          {"leg_m", optional_value(waypoint.leg_length)},
+          {"course_deg", optional_number(waypoint.course_deg)},
+          {"speed_over_ground_m_s", optional_value(waypoint.speed_over_ground)},
+          {"depth_m", optional_value(waypoint.depth)}};
+}
+
+core::UtcTime time_at(const json& object, const char* key) {
+  const auto time = core::parse_iso8601(object.at(key).get<std::string>());
+  if (!time) throw std::runtime_error{std::string{"a stored plan has no valid time "} + key};
+  return *time;
+}
+
+std::optional<double> number_at(const json& object, const char* key) {
+  const json& value = object.at(key);
+  return value.is_null() ? std::nullopt : std::optional{value.get<double>()};
+}
+
+std::optional<core::Metres> metres_at(const json& object, const char* key) {
+  const auto value = number_at(object, key);
+  return value ? std::optional{core::Metres{*value}} : std::nullopt;
+}
+
+planning::Waypoint parse_waypoint(const json& object) {
+  planning::Waypoint waypoint{.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
+                              .eta = time_at(object, "eta"),
+                              .leg_length = metres_at(object, "leg_m"),
+                              .course_deg = number_at(object, "course_deg"),
+                              .speed_over_ground = std::nullopt,
+                              .depth = metres_at(object, "depth_m")};
+  if (const auto speed = number_at(object, "speed_over_ground_m_s")) {
+    waypoint.speed_over_ground = core::MetresPerSecond{*speed};
+  }
+  return waypoint;
+}
+
+planning::Plan parse_members(const json& document) {
+  planning::Plan plan;
+  plan.method =
+      planning::parse_method(document.at("method").get<std::string>()).value_or(planning::Method::astar);
+  plan.vehicle = document.at("vehicle").get<std::string>();
+  plan.departure = time_at(document, "departure");
+  plan.arrival = time_at(document, "arrival");
+  plan.distance = {document.at("distance_m").get<double>()};
+  for (const auto& waypoint : document.at("waypoints")) plan.waypoints.push_back(parse_waypoint(waypoint));
+  const json& search = document.at("search");
+  plan.search = {.vertices = search.at("vertices").get<std::int64_t>(),
+                 .edges = search.at("edges").get<std::int64_t>(),
+                 .edge_evaluations = search.at("edge_evaluations").get<std::int64_t>(),
+                 .expansions = search.at("expansions").get<std::int64_t>(),
+                 .reinsertions = search.at("reinsertions").get<std::int64_t>(),
+                 .duration = core::Seconds{search.at("seconds").get<double>()}};
+  const json& clearances = document.at("clearances");
+  plan.clearances = {.iceberg = metres_at(clearances, "iceberg_m"),
+                     .land = metres_at(clearances, "land_m"),
+                     .bottom = metres_at(clearances, "bottom_m")};
+  if (const auto energy = number_at(document, "energy_j")) plan.energy = core::Joules{*energy};
+  plan.optimality_gap = number_at(document, "optimality_gap");
+  plan.optimality_gap_reason = document.at("optimality_gap_reason").get<std::string>();
+  for (const auto& dataset : document.at("datasets")) {
+    plan.datasets.push_back({dataset.at("id").get<std::string>(), dataset.at("kind").get<std::string>(),
+                             dataset.at("name").get<std::string>(), dataset.at("sha256").get<std::string>()});
+  }
+  plan.warnings = document.at("warnings").get<std::vector<std::string>>();
+  return plan;
+}
+
+}  // namespace
+
+json plan_document(const planning::Plan& plan, const std::string& plan_id, const std::string& name) {
+  json waypoints = json::array();
+  for (const auto& waypoint : plan.waypoints) waypoints.push_back(waypoint_json(waypoint, waypoints.size()));
+  return {{"plan_id", plan_id},
+          {"name", name},
+          {"status", "ok"},
+          {"method", planning::method_name(plan.method)},
+          {"vehicle", plan.vehicle},
+          {"departure", core::iso8601(plan.departure)},
+          {"arrival", core::iso8601(plan.arrival)},
+          {"travel_time_s", plan.travel_time().count()},
+          {"distance_m", plan.distance.value},
+          {"energy_j", optional_value(plan.energy)},
+          {"optimality_gap", optional_number(plan.optimality_gap)},
+          {"optimality_gap_reason", plan.optimality_gap_reason},
+          {"waypoints", std::move(waypoints)},
+          {"search",
+           {{"vertices", plan.search.vertices},
+            {"edges", plan.search.edges},
+            {"edge_evaluations", plan.search.edge_evaluations},
+            {"expansions", plan.search.expansions},
+            {"reinsertions", plan.search.reinsertions},
+            {"seconds", plan.search.duration.count()}}},
+          {"clearances",
+           {{"iceberg_m", optional_value(plan.clearances.iceberg)},
+            {"land_m", optional_value(plan.clearances.land)},
+            {"bottom_m", optional_value(plan.clearances.bottom)}}},
+          {"datasets", datasets_json(plan.datasets)},
+          {"warnings", plan.warnings}};
+}
+
+json infeasible_document(const planning::Infeasible& infeasible, const ocean::Environment& environment) {
+  return {{"status", "infeasible"},
+          {"reason", planning::reason_name(infeasible.reason)},
+          {"at", {{"lon", position(infeasible.at.lon_deg)}, {"lat", position(infeasible.at.lat_deg)}}},
+          {"when", core::iso8601(infeasible.when)},
+          {"explanation", infeasible.explanation},
+          {"suggestion", infeasible.suggestion},
+          {"warnings", environment.warnings},
+          {"datasets", datasets_json(environment.datasets)}};
+}
+
+planning::Plan parse_plan_document(const json& document) {
+  try {
+    return parse_members(document);
+  } catch (const json::exception& error) {
+    throw std::runtime_error{std::string{"a stored plan cannot be read back: "} + error.what()};
+  }
+}
+
+std::vector<geo::LonLat> route_of(const json& document) {
+  std::vector<geo::LonLat> route;
+  for (const auto& waypoint : document.at("waypoints")) {
+    route.push_back({waypoint.at("lon").get<double>(), waypoint.at("lat").get<double>()});
+  }
+  return route;
+}
+
+}  // namespace floeplan::codec

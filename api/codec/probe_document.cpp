@@ -1,0 +1,51 @@
+#include "api/codec/probe_document.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+json optional_time(const std::optional<core::UtcTime>& time) {
+  return time ? json(core::iso8601(*time)) : json();
+}
+
+json optional_text(const std::string& text) { return text.empty() ? json() : json(text); }
+
+json currents_json(const Probe::Currents& currents) {
+  const auto& velocity = currents.velocity;
+  return {{"u_m_s", velocity ? json(velocity->east.value) : json()},
+          {"v_m_s", velocity ? json(velocity->north.value) : json()},
+          {"reason", optional_text(currents.reason)},
+          {"dataset_id", optional_text(currents.dataset_id)},
+          {"dataset_name", optional_text(currents.dataset_name)},
+          {"time_before", optional_time(currents.time_before)},
+          {"time_after", optional_time(currents.time_after)}};
+}
+
+}  // namespace
+
+json probe_document(const Probe& probe) {
+  json icebergs = json::array();
+  for (const auto& near : probe.icebergs) {
+    icebergs.push_back({{"berg_id", near.iceberg.id},
+                        {"distance_m", near.distance.value},
+                        {"observed", core::iso8601(near.iceberg.observed)},
+                        {"size", ocean::size_name(near.iceberg.size)}});
+  }
+  return {{"lon", probe.place.lon_deg},
+          {"lat", probe.place.lat_deg},
+          {"time", core::iso8601(probe.time)},
+          {"depth_m", probe.depth ? json(probe.depth->value) : json()},
+          {"depth_reason", optional_text(probe.depth_reason)},
+          {"land", probe.land ? json(*probe.land) : json()},
+          {"currents", currents_json(probe.currents)},
+          {"ice_concentration", nullptr},
+          {"ice_concentration_reason", "no sea ice data are stored"},
+          {"icebergs_within", std::move(icebergs)}};
+}
+
+}  // namespace floeplan::codec

@@ -1,0 +1,22 @@
+#include "api/codec/problem.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace floeplan::codec {
+
+nlohmann::json to_json(const Problem& problem) {
+  const bool whole_uri = problem.slug.starts_with("http");
+  nlohmann::json document{{"type", whole_uri ? problem.slug : "/problems/" + problem.slug},
+                          {"title", problem.title},
+                          {"status", problem.status},
+                          {"detail", problem.detail}};
+  if (!problem.violations.empty()) {
+    auto& errors = document["errors"] = nlohmann::json::array();
+    for (const auto& violation : problem.violations) {
+      errors.push_back({{"pointer", violation.field}, {"detail", violation.rule}});
+    }
+  }
+  return document;
+}
+
+}  // namespace floeplan::codec
