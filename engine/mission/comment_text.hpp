@@ -1,0 +1,14 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+#include <string_view>
+
+namespace floeplan::mission {
+
+/// A user's text made safe for one comment line of a mission file: printable ASCII alone, runs of blanks as
+/// one, at most `max_length` characters. Line breaks and other control characters go, so nobody can smuggle
+/// in a `b_arg:` line.
+[[nodiscard]] std::string comment_text(std::string_view text, std::size_t max_length);
+
+}  // namespace floeplan::mission

@@ -1,0 +1,194 @@
+#include "engine/mission/goto_lists.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <span>
+
+#include "engine/core/utc_text.hpp"
+#include "engine/geo/geodesic.hpp"
+#include "engine/mission/comment_text.hpp"
+#include "engine/mission/packed_degrees.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+constexpr int last_free_number = 97;  // the firmware writes goto_l99, its recovery under ice uses goto_l98
+constexpr int documented_max_waypoints = 8;
+constexpr double max_latitude_deg = 89.0;   // closer to a pole the vehicle's UTM-based metres mean nothing
+constexpr double utm_north_end_deg = 84.0;  // UTM is defined between these parallels
+constexpr double utm_south_end_deg = -80.0;
+constexpr double smallest_radius_m = 10.0;  // minimum of list_when_wpt_dist in the vehicle's data dictionary
+constexpr double largest_default_radius_m = 500.0;
+constexpr double long_leg_m = 100'000.0;
+
+template <class... Values>
+std::string print(const char* format, Values... values) {
+  std::array<char, 200> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+std::vector<core::Metres> leg_lengths(const planning::Plan& plan) {
+  std::vector<core::Metres> lengths;
+  for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
+    lengths.push_back(geo::geodesic_between(plan.waypoints[i - 1].place, plan.waypoints[i].place).length);
+  }
+  return lengths;
+}
+
+core::Violations violations_of(const planning::Plan& plan, const GotoListOptions& options) {
+  core::Violations found;
+  if (plan.waypoints.size() < 2)
+    found.push_back({"/waypoints", "a plan to export has at least a start and a goal"});
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    const geo::LonLat place = plan.waypoints[i].place;
+    if (!geo::is_valid(place) || std::abs(place.lat_deg) > max_latitude_deg) {
+      found.push_back(
+          {"/waypoints/" + std::to_string(i),
+           "must be a place between 89 degrees south and 89 degrees north; nearer to a pole the vehicle "
+           "cannot navigate by longitude and latitude"});
+    }
+  }
+  if (options.max_waypoints < 1) found.push_back({"/max_waypoints", "must be at least 1"});
+  if (options.radius && !(options.radius->value >= smallest_radius_m && options.radius->value <= 100'000.0)) {
+    found.push_back({"/radius_m", "must be between 10 m, the vehicle's minimum, and 100 km"});
+  }
+  if (!found.empty()) return found;
+
+  const auto rows = static_cast<int>(plan.waypoints.size()) - 1;
+  const int lists = (rows + options.max_waypoints - 1) / options.max_waypoints;
+  if (options.first_number < 0 || options.first_number + lists - 1 > last_free_number) {
+    found.push_back(
+        {"/number", "the plan takes " + std::to_string(lists) +
+                        " list(s), numbered from the given number on; all numbers must lie between 0 and 97 "
+                        "(98 and 99 belong to the firmware)"});
+  }
+  if (options.initial_waypoint < -2 || options.initial_waypoint >= std::min(rows, options.max_waypoints)) {
+    found.push_back({"/initial_waypoint", "must be -2, -1 or a row of the first list, counted from 0"});
+  }
+  return found;
+}
+
+/// The largest whole number of metres below half of the shortest leg, kept within what the vehicle and
+/// prudence allow.
+double default_radius_m(core::Metres shortest_leg) {
+  return std::clamp(std::ceil(shortest_leg.value / 2.0) - 1.0, smallest_radius_m, largest_default_radius_m);
+}
+
+std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoListOptions& options,
+                                      const std::vector<core::Metres>& legs, double radius_m,
+                                      const std::vector<std::string>& file_names) {
+  std::vector<std::string> warnings;
+  if (file_names.size() > 1) {
+    warnings.push_back(
+        "The plan is longer than one list of " + std::to_string(options.max_waypoints) + " waypoints: " +
+        std::to_string(file_names.size()) + " files, " + file_names.front() + " to " + file_names.back() +
+        ". The vehicle flies the list its mission names and no other: send the next one when a list ends.");
+  }
+  if (options.max_waypoints > documented_max_waypoints) {
+    warnings.push_back(
+        "Lists of up to " + std::to_string(options.max_waypoints) +
+        " waypoints: the vendor documents 8; make sure that this vehicle's firmware takes more.");
+  }
+  const core::Metres shortest = *std::min_element(legs.begin(), legs.end());
+  if (radius_m >= shortest.value / 2.0) {
+    warnings.push_back(
+        print("The waypoint radius of %.0f m is not smaller than half of the shortest leg (%.0f m): the "
+              "vehicle may skip a waypoint.",
+              radius_m, shortest.value));
+  }
+  const auto warn_of_short_cut = [&](const std::optional<core::Metres>& clearance, const char* what) {
+    if (!clearance || clearance->value >= radius_m) return;
+    warnings.push_back(
+        print("Turning up to %.0f m before a waypoint, the vehicle may cut corners, yet the plan passes %s "
+              "at %.0f m: consider a smaller radius.",
+              radius_m, what, clearance->value));
+  };
+  warn_of_short_cut(plan.clearances.iceberg, "an iceberg");
+  warn_of_short_cut(plan.clearances.land, "land");
+  for (std::size_t i = 0; i < legs.size(); ++i) {
+    if (legs[i].value <= long_leg_m) continue;
+    warnings.push_back(
+        print("The leg to waypoint %zu is %.0f km long: check the mission's max_wpt_distance, beyond which "
+              "the vehicle aborts.",
+              i + 1, legs[i].value / 1000.0));
+  }
+  const bool beyond_utm =
+      std::any_of(plan.waypoints.begin(), plan.waypoints.end(), [](const planning::Waypoint& w) {
+        return w.place.lat_deg > utm_north_end_deg || w.place.lat_deg < utm_south_end_deg;
+      });
+  if (beyond_utm) {
+    warnings.push_back(
+        "The plan goes beyond 84 N or 80 S, where the UTM metres that the vehicle navigates in are not "
+        "defined: ask the vendor before flying it.");
+  }
+  return warnings;
+}
+
+/// Comments that tell whoever finds the file what it is. User text is cut so that every line stays below 100
+/// characters.
+std::string header(const planning::Plan& plan, const GotoListOptions& options) {
+  std::string text;
+  text += "# plan " + comment_text(options.plan_name, 80) + "\n";
+  text += "# plan id " + comment_text(options.plan_id, 70) + "\n";
+  text += "# vehicle " + comment_text(plan.vehicle, 70) + "\n";
+  text += "# departure " + core::iso8601(plan.departure) + ", arrival " + core::iso8601(plan.arrival) + "\n";
+  for (const ocean::DatasetRef& dataset : plan.datasets) {
+    text += "# data " + comment_text(dataset.id, 60) + " sha256 " + comment_text(dataset.sha256, 12) + "\n";
+  }
+  text += "# written by " + comment_text(options.written_by, 40) + " at " + core::iso8601(options.generated) +
+          "\n";
+  text += "# The start of the plan is left out: the vehicle is there and heads for the first row.\n";
+  text += "# No exported file has been tried on a vehicle. Check it before use.\n";
+  return text;
+}
+
+std::string file_name(int number) { return print("goto_l%02d.ma", number); }
+
+}  // namespace
+
+tl::expected<GotoLists, core::Violations> write_goto_lists(const planning::Plan& plan,
+                                                           const GotoListOptions& options) {
+  if (core::Violations found = violations_of(plan, options); !found.empty())
+    return tl::unexpected(std::move(found));
+
+  const std::vector<core::Metres> legs = leg_lengths(plan);
+  const double radius_m = options.radius ? std::floor(options.radius->value)
+                                         : default_radius_m(*std::min_element(legs.begin(), legs.end()));
+  const std::span<const planning::Waypoint> targets = std::span{plan.waypoints}.subspan(1);
+  const auto per_list = static_cast<std::size_t>(options.max_waypoints);
+  const std::size_t lists = (targets.size() + per_list - 1) / per_list;
+
+  GotoLists written;
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < lists; ++i) {
+    const std::size_t first = i * per_list;
+    const auto rows = targets.subspan(first, std::min(per_list, targets.size() - first));
+    names.push_back(file_name(options.first_number + static_cast<int>(i)));
+
+    std::string text = "behavior_name=goto_list\n";
+    text += print("# %s, list %zu of %zu: waypoints %zu to %zu of %zu\n", names.back().c_str(), i + 1, lists,
+                  first + 1, first + rows.size(), targets.size());
+    text += header(plan, options);
+    text += "\n<start:b_arg>\n";
+    text += "\tb_arg: num_legs_to_run(nodim) -2\n";
+    text += "\tb_arg: start_when(enum) 0\n";
+    text += "\tb_arg: list_stop_when(enum) 7\n";
+    text += print("\tb_arg: list_when_wpt_dist(m) %.0f\n", radius_m);
+    text += print("\tb_arg: initial_wpt(enum) %d\n", i == 0 ? options.initial_waypoint : 0);
+    text += print("\tb_arg: num_waypoints(nodim) %zu\n", rows.size());
+    text += "<end:b_arg>\n<start:waypoints>\n";
+    for (const planning::Waypoint& row : rows) {
+      text += packed_degrees(geo::wrap_longitude(row.place.lon_deg)) + "\t" +
+              packed_degrees(row.place.lat_deg) + "\n";
+    }
+    text += "<end:waypoints>\n";
+    written.files.push_back({names.back(), std::move(text)});
+  }
+  written.warnings = warnings_for(plan, options, legs, radius_m, names);
+  return written;
+}
+
+}  // namespace floeplan::mission

@@ -1,0 +1,32 @@
+#include "engine/mission/packed_degrees.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <stdexcept>
+
+namespace floeplan::mission {
+namespace {
+
+constexpr long long units_per_minute = 10'000;  // four decimals
+constexpr long long units_per_degree = 60 * units_per_minute;
+
+}  // namespace
+
+std::string packed_degrees(double angle_deg) {
+  if (!(std::abs(angle_deg) <= 180.0))
+    throw std::invalid_argument{"packed_degrees: angle beyond 180 degrees"};
+
+  // Rounded once, to whole units; from there on integers carry over from minutes to degrees by themselves.
+  const long long units = std::llround(std::abs(angle_deg) * static_cast<double>(units_per_degree));
+  const long long degrees = units / units_per_degree;
+  const long long minute_units = units % units_per_degree;
+  const bool negative = angle_deg < 0.0 && units > 0 && units < 180 * units_per_degree;
+
+  std::array<char, 32> text{};
+  std::snprintf(text.data(), text.size(), "%s%04lld.%04lld", negative ? "-" : "",
+                degrees * 100 + minute_units / units_per_minute, minute_units % units_per_minute);
+  return text.data();
+}
+
+}  // namespace floeplan::mission
