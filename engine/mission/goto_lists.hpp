@@ -12,15 +12,12 @@
 
 namespace floeplan::mission {
 
-/// How a plan becomes lists. What is named here and not in the plan goes into the comments at the head of
-/// each file.
+/// How a plan becomes lists. What is named here and not in the plan goes into the comments of each file.
 struct GotoListOptions {
-  int first_number{10};  // NN of the first goto_lNN.ma, 0 to 97
-  int max_waypoints{8};  // of one list: GliderProfile::max_waypoints_per_list
-  std::optional<core::Metres>
-      radius;  // within which a waypoint counts as reached; default: see write_goto_lists
-  int initial_waypoint{
-      0};  // of the first list: 0.. a row, -1 the one after the last achieved, -2 the closest
+  int first_number{10};                  // NN of the first goto_lNN.ma, 0 to 97
+  int max_waypoints{8};                  // of one list: GliderProfile::max_waypoints_per_list
+  std::optional<core::Metres> radius{};  // in which a waypoint is reached; default: see write_goto_lists
+  int initial_waypoint{0};  // of the first list: its row from 0, -1 after the last achieved, -2 the closest
   std::string plan_id{};
   std::string plan_name{};
   core::UtcTime generated{};
@@ -32,17 +29,16 @@ struct GotoLists {
   std::vector<std::string> warnings;  // for the pilot, one sentence or two each
 };
 
-/// Writes the plan as GliderDOS goto lists (`goto_lNN.ma`), each to be flown once, from its first row to its
-/// last. Start    left out: the vehicle is there already, and a list holds the places to go to. Were it the
-/// first row, a
-///          vehicle that has drifted on since the plan was made would turn back for it.
+/// Writes the plan as GliderDOS goto lists (`goto_lNN.ma`), each to be flown once, from first row to last.
+/// Start    left out: the vehicle is there already, and a list holds the places to go to. Were it the first
+///          row, a vehicle that has drifted on since the plan was made would turn back for it.
 /// Length   never more than `max_waypoints` rows; longer plans continue in lists with consecutive numbers,
-/// and a warning
-///          says that the pilot has to send them one after the other. Numbers 98 and 99 belong to the
-///          firmware.
-/// Radius   by default the largest whole number of metres below half of the shortest leg, within 10 to 500 m
-/// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints, options
-/// out of range Threads  may be called from several threads at once
+///          and a warning says that the pilot has to send them one after the other. The firmware owns the
+///          numbers 98 and 99.
+/// Radius   by default the largest whole number of metres below half of the shortest leg, in 10 to 500 m
+/// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints,
+///          options out of range
+/// Threads  may be called from several threads at once
 [[nodiscard]] tl::expected<GotoLists, core::Violations> write_goto_lists(const planning::Plan& plan,
                                                                          const GotoListOptions& options);
 

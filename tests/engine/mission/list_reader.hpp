@@ -14,10 +14,9 @@ struct ReadList {
   std::vector<geo::LonLat> waypoints;
 };
 
-/// Strict reader of `goto_lNN.ma`, written from the format's grammar and independent of the writer under
-/// test. Errors   std::runtime_error that names the line: anything that is not ASCII, LF, known sections in
-/// their order, one
-///          number a b_arg, two packed angles a row, minutes below 60
+/// Strict reader of `goto_lNN.ma`, written from the format's grammar, independent of the writer under test.
+/// Errors   std::runtime_error that names the line: anything but ASCII, LF, lines below 100 characters, the
+///          sections in their order, one number a b_arg, two packed angles a row, minutes below 60
 [[nodiscard]] ReadList read_goto_list(const std::string& text);
 
 /// Degrees of one packed angle.

@@ -1,0 +1,51 @@
+#include "api/codec/plan_gpx.hpp"
+
+#include <array>
+#include <cstdio>
+#include <string_view>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+std::string xml_text(std::string_view text) {
+  std::string escaped;
+  for (const char c : text) {
+    switch (c) {
+      case '&': escaped += "&amp;"; break;
+      case '<': escaped += "&lt;"; break;
+      case '>': escaped += "&gt;"; break;
+      case '"': escaped += "&quot;"; break;
+      case '\'': escaped += "&apos;"; break;
+      default:
+        if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) escaped += c;
+    }
+  }
+  return escaped;
+}
+
+std::string route_point(const planning::Waypoint& waypoint, std::size_t index) {
+  std::array<char, 80> start{};
+  std::snprintf(start.data(), start.size(), "    <rtept lat=\"%.7f\" lon=\"%.7f\">", waypoint.place.lat_deg,
+                geo::wrap_longitude(waypoint.place.lon_deg));
+  const std::string name = index == 0 ? "Start" : "WP" + std::to_string(index);
+  return start.data() +
+         ("<time>" + core::iso8601(waypoint.eta) + "</time><name>" + name + "</name></rtept>\n");
+}
+
+}  // namespace
+
+std::string plan_gpx(const planning::Plan& plan, const std::string& plan_id, const std::string& name) {
+  std::string text =
+      "<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n"
+      "<gpx version=\"1.1\" creator=\"floeplan\" xmlns=\"http://www.topografix.com/GPX/1/1\">\n"
+      "  <rte>\n";
+  text += "    <name>" + xml_text(name.empty() ? plan_id : name) + "</name>\n";
+  text += "    <desc>Plan " + xml_text(plan_id) + ", departure " + core::iso8601(plan.departure) +
+          ", arrival " + core::iso8601(plan.arrival) + "</desc>\n";
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) text += route_point(plan.waypoints[i], i);
+  return text + "  </rte>\n</gpx>\n";
+}
+
+}  // namespace floeplan::codec
