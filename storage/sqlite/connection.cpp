@@ -1,0 +1,76 @@
+#include "storage/sqlite/connection.hpp"
+
+#include <SQLiteCpp/Database.h>
+#include <sqlite3.h>
+
+#include <chrono>
+#include <string>
+#include <thread>
+#include <utility>
+
+#include "storage/sqlite/failure.hpp"
+
+namespace floeplan::sqlite {
+namespace {
+
+constexpr int busy_timeout_ms = 10'000;
+
+/// Ours already, or so new that nobody has put anything into it.
+void refuse_foreign_file(SQLite::Database& database) {
+  const int found = database.execAndGet("PRAGMA application_id").getInt();
+  if (found == application_id) return;
+  if (found == 0 && database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0) return;
+  throw Failure{database.getFilename() +
+                " belongs to another program, not to Floeplan; choose another folder"};
+}
+
+/// The busy timeout does not hold while the journal mode changes: two programs that create the store at once
+/// would otherwise see an error here.
+void use_write_ahead_log(SQLite::Database& database) {
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds{busy_timeout_ms};
+  while (true) {
+    try {
+      database.exec("PRAGMA journal_mode = WAL");
+      return;
+    } catch (const SQLite::Exception& error) {
+      if (error.getErrorCode() != SQLITE_BUSY || std::chrono::steady_clock::now() > deadline) throw;
+      std::this_thread::sleep_for(std::chrono::milliseconds{5});
+    }
+  }
+}
+
+}  // namespace
+
+Connection::Connection(std::unique_ptr<SQLite::Database> database) : database_{std::move(database)} {
+  database_->exec("PRAGMA foreign_keys = ON");
+  database_->exec("PRAGMA synchronous = FULL");
+  database_->exec("PRAGMA journal_size_limit = 67108864");  // bytes: an ingestion's log shrinks again
+}
+
+Connection::Connection(Connection&&) noexcept = default;
+Connection& Connection::operator=(Connection&&) noexcept = default;
+Connection::~Connection() = default;
+
+Connection Connection::open(const std::filesystem::path& store) {
+  std::error_code error;
+  std::filesystem::create_directories(store, error);
+  if (error) throw Failure{"the folder " + store.string() + " cannot be created: " + error.message()};
+
+  const std::string file = (store / "floeplan.sqlite").string();
+  try {
+    auto database = std::make_unique<SQLite::Database>(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
+                                                       busy_timeout_ms);
+    refuse_foreign_file(*database);
+    use_write_ahead_log(*database);
+    return Connection{std::move(database)};
+  } catch (const SQLite::Exception& cause) {
+    throw failure_of(cause, file);
+  }
+}
+
+Connection Connection::in_memory() {
+  return Connection{std::make_unique<SQLite::Database>(
+      ":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, busy_timeout_ms)};
+}
+
+}  // namespace floeplan::sqlite

@@ -1,0 +1,26 @@
+#include "storage/sqlite/failure.hpp"
+
+#include <SQLiteCpp/Exception.h>
+#include <sqlite3.h>
+
+namespace floeplan::sqlite {
+
+Failure failure_of(const SQLite::Exception& cause, const std::string& file) {
+  const std::string database = "the database " + file;
+  const std::string detail = std::string{" ("} + cause.what() + ")";
+  switch (cause.getErrorCode() & 0xff) {  // the primary code; the rest is detail
+    case SQLITE_NOTADB:
+    case SQLITE_CORRUPT:
+      return Failure{database + " is damaged or not a Floeplan store" + detail +
+                     "; restore it from a backup, or move it away and ingest the files again"};
+    case SQLITE_FULL: return Failure{database + " cannot grow: the disk is full" + detail};
+    case SQLITE_BUSY:
+    case SQLITE_LOCKED: return Failure{database + " was held by another program for too long" + detail};
+    case SQLITE_READONLY:
+      return Failure{database + " cannot be written" + detail + "; check its permissions"};
+    case SQLITE_CANTOPEN: return Failure{database + " cannot be opened" + detail + "; check its permissions"};
+    default: return Failure{database + " failed" + detail};
+  }
+}
+
+}  // namespace floeplan::sqlite

@@ -1,0 +1,87 @@
+#include "storage/sqlite/connection.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+#include <string>
+
+#include "storage/sqlite/failure.hpp"
+#include "storage/sqlite/statement.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace floeplan::sqlite {
+namespace {
+
+std::string pragma(Connection& db, const std::string& name) {
+  Statement query{db, "PRAGMA " + name};
+  return query.step() ? query.text(0) : "";
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+std::string reason_why_not_opened(const std::filesystem::path& store) {
+  try {
+    const Connection db = Connection::open(store);
+    return "";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+TEST(Connection, KeepsACommittedTransactionThroughAPowerCut) {
+  const support::TemporaryFolder folder;
+
+  Connection db = Connection::open(folder.path());
+
+  EXPECT_EQ(pragma(db, "journal_mode"), "wal");
+  EXPECT_EQ(pragma(db, "synchronous"), "2");
+  EXPECT_EQ(pragma(db, "foreign_keys"), "1");
+  EXPECT_EQ(pragma(db, "busy_timeout"), "10000");
+}
+
+TEST(Connection, CreatesTheStoresFolder) {
+  const support::TemporaryFolder folder;
+
+  const Connection db = Connection::open(folder.path() / "a" / "b");
+
+  EXPECT_TRUE(std::filesystem::exists(folder.path() / "a" / "b" / "floeplan.sqlite"));
+}
+
+TEST(Connection, RefusesAFileThatIsNoDatabaseAndLeavesItAlone) {
+  const support::TemporaryFolder folder;
+  const auto file = folder.path() / "floeplan.sqlite";
+  std::ofstream{file} << std::string(5000, 'x');
+
+  EXPECT_THAT(reason_why_not_opened(folder.path()),
+              testing::AllOf(testing::HasSubstr("damaged"), testing::HasSubstr(file.string())));
+  EXPECT_EQ(bytes_of(file), std::string(5000, 'x'));
+}
+
+TEST(Connection, RefusesTheDatabaseOfAnotherProgramAndLeavesItAlone) {
+  const support::TemporaryFolder folder;
+  const auto file = folder.path() / "floeplan.sqlite";
+  {
+    Connection db = Connection::open(folder.path());
+    execute(db, "PRAGMA journal_mode = DELETE; CREATE TABLE bookmark (url TEXT)");
+  }
+  const std::string before = bytes_of(file);
+
+  EXPECT_THAT(reason_why_not_opened(folder.path()), testing::HasSubstr("another program"));
+  EXPECT_EQ(bytes_of(file), before);
+}
+
+TEST(Connection, SaysWhenAFolderCannotBeCreated) {
+  const support::TemporaryFolder folder;
+  std::ofstream{folder.path() / "file"} << "in the way";
+
+  EXPECT_THAT(reason_why_not_opened(folder.path() / "file" / "store"),
+              testing::HasSubstr("cannot be created"));
+}
+
+}  // namespace
+}  // namespace floeplan::sqlite
