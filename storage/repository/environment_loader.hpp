@@ -2,9 +2,8 @@
 
 #include <optional>
 #include <string>
-#include <vector>
-
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "engine/core/violation.hpp"
 #include "engine/geo/bounding_box.hpp"
@@ -33,13 +32,15 @@ struct EnvironmentQuery {
   DatasetChoice coastline;
 };
 
-/// Icebergs last seen longer ago than this are left out, and the plan says how many (planning.md, moving obstacles).
+/// Icebergs last seen longer ago than this are left out, and the plan says how many (planning.md, moving
+/// obstacles).
 inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 
-/// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and the period.
-/// Errors   a violation for each named dataset that does not exist, is of another kind or shares nothing with the area
-/// Edges    currents are read from the last step before departure to their end: how long a plan takes is not yet known
-[[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Connection& db,
-                                                                                 const EnvironmentQuery& query);
+/// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and the
+/// period. Errors   a violation for each named dataset that does not exist, is of another kind or shares
+/// nothing with the area Edges    currents are read from the last step before departure to their end: how
+/// long a plan takes is not yet known
+[[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(
+    sqlite::Connection& db, const EnvironmentQuery& query);
 
 }  // namespace floeplan::repository

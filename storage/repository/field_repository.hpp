@@ -36,15 +36,17 @@ class FieldRepository {
 
   void create(const DatasetId& id, const FieldShape& shape);
   /// One horizontal slice [y][x], NaN where missing; indices are 0 where the shape has no such axis.
-  void write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index, std::size_t depth_index,
-                   std::span<const float> values);
+  void write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index,
+                   std::size_t depth_index, std::span<const float> values);
 
   [[nodiscard]] std::optional<FieldShape> shape(const DatasetId& id) const;
 
-  /// The nodes around `area` (one more on each side), the times around `period` and the depths down to `deepest` (one
-  /// more below). nullopt when the dataset is unknown or shares no node with the area, or no time with the period.
-  /// A dataset whose period ends before or begins after `period` yields nullopt; `period` empty means all times.
-  [[nodiscard]] std::optional<ocean::CurrentGrid> load_currents(const DatasetId& id, const geo::BoundingBox& area,
+  /// The nodes around `area` (one more on each side), the times around `period` and the depths down to
+  /// `deepest` (one more below). nullopt when the dataset is unknown or shares no node with the area, or no
+  /// time with the period. A dataset whose period ends before or begins after `period` yields nullopt;
+  /// `period` empty means all times.
+  [[nodiscard]] std::optional<ocean::CurrentGrid> load_currents(const DatasetId& id,
+                                                                const geo::BoundingBox& area,
                                                                 std::optional<Period> period,
                                                                 std::optional<core::Metres> deepest) const;
   [[nodiscard]] std::optional<ocean::Bathymetry> load_bathymetry(const DatasetId& id,

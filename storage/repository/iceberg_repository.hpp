@@ -37,10 +37,11 @@ class IcebergRepository {
   void insert(const DatasetId& dataset, const std::vector<ocean::Iceberg>& sightings);
   [[nodiscard]] std::optional<StoredSighting> find(std::int64_t row) const;
   /// At most `limit` sightings with a row above `after`, by ascending row.
-  [[nodiscard]] std::vector<StoredSighting> list(const SightingFilter& filter, std::int64_t after, int limit) const;
+  [[nodiscard]] std::vector<StoredSighting> list(const SightingFilter& filter, std::int64_t after,
+                                                 int limit) const;
   [[nodiscard]] std::int64_t count(const SightingFilter& filter) const;
-  /// Of each berg of the dataset the newest sighting that is not after `as_of` and not older than `max_age` before it;
-  /// in the area; by ascending row.
+  /// Of each berg of the dataset the newest sighting that is not after `as_of` and not older than `max_age`
+  /// before it; in the area; by ascending row.
   [[nodiscard]] std::vector<StoredSighting> latest(const DatasetId& dataset, const geo::BoundingBox& area,
                                                    core::UtcTime as_of, core::Seconds max_age) const;
 

@@ -40,9 +40,9 @@ struct JobRecord {
 };
 
 /// The durable queue. Every change is one transaction that is on disk when the call returns.
-/// A worker claims a job with a lease; a job whose lease ran out (its worker was killed) is claimable again, at most
-/// `max_attempts` times, then it fails with the reason in `message`.
-/// Threads  as the connection: one thread at a time; several connections and processes may claim at once
+/// A worker claims a job with a lease; a job whose lease ran out (its worker was killed) is claimable again,
+/// at most `max_attempts` times, then it fails with the reason in `message`. Threads  as the connection: one
+/// thread at a time; several connections and processes may claim at once
 class JobRepository {
  public:
   explicit JobRepository(sqlite::Connection& db) : db_{db} {}
@@ -56,16 +56,19 @@ class JobRepository {
   [[nodiscard]] std::int64_t count(JobStatus status) const;
 
   /// The oldest accepted job, or a running one whose lease ran out, made this worker's until `now + lease`.
-  [[nodiscard]] std::optional<JobRecord> claim(const std::string& worker, core::UtcTime now, core::Seconds lease);
-  /// Reports progress and renews the lease. False when the job was dismissed or is no longer this worker's: stop then.
-  [[nodiscard]] bool renew(const JobId& id, const std::string& worker, const std::string& stage, double progress,
-                           core::UtcTime now, core::Seconds lease);
+  [[nodiscard]] std::optional<JobRecord> claim(const std::string& worker, core::UtcTime now,
+                                               core::Seconds lease);
+  /// Reports progress and renews the lease. False when the job was dismissed or is no longer this worker's:
+  /// stop then.
+  [[nodiscard]] bool renew(const JobId& id, const std::string& worker, const std::string& stage,
+                           double progress, core::UtcTime now, core::Seconds lease);
   /// False when the job is no longer this worker's; the result is then dropped.
   bool succeed(const JobId& id, const std::string& worker, const std::string& result_json, core::UtcTime now);
   bool fail(const JobId& id, const std::string& worker, const std::string& message, core::UtcTime now);
   /// Gives back every running job of this worker (a graceful stop), not counted as an attempt.
   void hand_back(const std::string& worker, core::UtcTime now);
-  /// At start: every running job whose worker belongs to this store's previous server process becomes claimable at once.
+  /// At start: every running job whose worker belongs to this store's previous server process becomes
+  /// claimable at once.
   void release_all_leases(core::UtcTime now);
   /// Dismisses an accepted or running job. False when it is unknown or already ended.
   bool dismiss(const JobId& id, core::UtcTime now);

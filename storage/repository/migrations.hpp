@@ -7,7 +7,8 @@
 namespace floeplan::repository {
 
 /// Opens the store in this folder, creating it or bringing it up to this program's schema first.
-/// Errors   std::runtime_error for a store that a newer program has written, for a file that is damaged or not a store,
+/// Errors   std::runtime_error for a store that a newer program has written, for a file that is damaged or
+/// not a store,
 ///          and when the folder cannot be written
 [[nodiscard]] sqlite::Connection open_store(const std::filesystem::path& store);
 

@@ -35,10 +35,12 @@ class PlanRepository {
  public:
   explicit PlanRepository(sqlite::Connection& db) : db_{db} {}
 
-  /// Stores the plan; a plan with the same id is left as it is (the id is a digest of inputs and data). Returns its row.
+  /// Stores the plan; a plan with the same id is left as it is (the id is a digest of inputs and data).
+  /// Returns its row.
   std::int64_t insert(const PlanRecord& plan);
   [[nodiscard]] std::optional<PlanRecord> find(const PlanId& id) const;
-  [[nodiscard]] std::vector<PlanRecord> list(std::optional<geo::BoundingBox> area, std::int64_t after, int limit) const;
+  [[nodiscard]] std::vector<PlanRecord> list(std::optional<geo::BoundingBox> area, std::int64_t after,
+                                             int limit) const;
   [[nodiscard]] std::int64_t count(std::optional<geo::BoundingBox> area) const;
   bool remove(const PlanId& id);
 

@@ -1,0 +1,97 @@
+#include "storage/repository/blob_codec.hpp"
+
+#include <zstd.h>
+
+#include <bit>
+#include <cstdint>
+#include <new>
+#include <stdexcept>
+#include <string>
+
+namespace floeplan::repository {
+namespace {
+
+constexpr int compression_level = 3;
+constexpr std::size_t largest_blob_bytes = std::size_t{1} << 30;
+
+[[noreturn]] void refuse(const std::string& why) {
+  throw std::runtime_error{
+      "stored data are damaged (" + why +
+      "); remove the dataset and ingest its file again, or restore the store from a backup"};
+}
+
+}  // namespace
+
+void BlobCodec::Release::operator()(ZSTD_CCtx_s* context) const { ZSTD_freeCCtx(context); }
+void BlobCodec::Release::operator()(ZSTD_DCtx_s* context) const { ZSTD_freeDCtx(context); }
+
+BlobCodec::BlobCodec() : compressor_{ZSTD_createCCtx()}, decompressor_{ZSTD_createDCtx()} {
+  if (!compressor_ || !decompressor_) throw std::bad_alloc{};
+  ZSTD_CCtx_setParameter(compressor_.get(), ZSTD_c_compressionLevel, compression_level);
+  ZSTD_CCtx_setParameter(compressor_.get(), ZSTD_c_checksumFlag, 1);
+}
+
+BlobCodec::~BlobCodec() = default;
+
+std::span<const std::byte> BlobCodec::pack(std::span<const float> values) {
+  return pack_as<float, std::uint32_t>(values);
+}
+
+std::span<const std::byte> BlobCodec::pack(std::span<const double> values) {
+  return pack_as<double, std::uint64_t>(values);
+}
+
+std::vector<float> BlobCodec::unpack_floats(std::span<const std::byte> blob, std::size_t count) {
+  return unpack_as<float, std::uint32_t>(blob, count);
+}
+
+std::vector<double> BlobCodec::unpack_doubles(std::span<const std::byte> blob, std::size_t count) {
+  return unpack_as<double, std::uint64_t>(blob, count);
+}
+
+std::size_t BlobCodec::unpacked_bytes(std::span<const std::byte> blob) {
+  const auto bytes = ZSTD_getFrameContentSize(blob.data(), blob.size());
+  if (bytes > largest_blob_bytes) refuse("not a compressed block");  // includes the library's error values
+  return bytes;
+}
+
+template <class T, class Bits>
+std::span<const std::byte> BlobCodec::pack_as(std::span<const T> values) {
+  const std::size_t count = values.size();
+  shuffled_.resize(count * sizeof(T));
+  for (std::size_t plane = 0; plane < sizeof(T); ++plane) {
+    std::byte* const out = shuffled_.data() + plane * count;
+    for (std::size_t i = 0; i < count; ++i) {
+      out[i] = static_cast<std::byte>(std::bit_cast<Bits>(values[i]) >> (8 * plane));
+    }
+  }
+
+  packed_.resize(ZSTD_compressBound(shuffled_.size()));
+  const std::size_t size =
+      ZSTD_compress2(compressor_.get(), packed_.data(), packed_.size(), shuffled_.data(), shuffled_.size());
+  if (ZSTD_isError(size) != 0)
+    throw std::runtime_error{std::string{"cannot compress: "} + ZSTD_getErrorName(size)};
+  return std::span{packed_}.first(size);
+}
+
+template <class T, class Bits>
+std::vector<T> BlobCodec::unpack_as(std::span<const std::byte> blob, std::size_t count) {
+  if (unpacked_bytes(blob) != count * sizeof(T)) refuse("a block of another size than its grid says");
+  shuffled_.resize(count * sizeof(T));
+  const std::size_t size =
+      ZSTD_decompressDCtx(decompressor_.get(), shuffled_.data(), shuffled_.size(), blob.data(), blob.size());
+  if (ZSTD_isError(size) != 0) refuse(ZSTD_getErrorName(size));
+  if (size != shuffled_.size()) refuse("a block that ends early");
+
+  std::vector<T> values(count);
+  for (std::size_t i = 0; i < count; ++i) {
+    Bits bits = 0;
+    for (std::size_t plane = 0; plane < sizeof(T); ++plane) {
+      bits |= static_cast<Bits>(shuffled_[plane * count + i]) << (8 * plane);
+    }
+    values[i] = std::bit_cast<T>(bits);
+  }
+  return values;
+}
+
+}  // namespace floeplan::repository

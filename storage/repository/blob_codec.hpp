@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <memory>
+#include <span>
+#include <vector>
+
+struct ZSTD_CCtx_s;
+struct ZSTD_DCtx_s;
+
+namespace floeplan::repository {
+
+/// Arrays of numbers as compressed blobs and back, every bit kept (NaN payloads and signed zeros too).
+/// Format   little-endian, shuffled (all first bytes, then all second bytes, ...), one zstd frame with a
+/// checksum.
+///          Neighbouring values of a smooth field share their high bytes, which shuffling brings together
+/// Threads  one thread at a time
+/// Errors   std::runtime_error from `unpack` for a damaged blob or one of another length
+class BlobCodec {
+ public:
+  BlobCodec();
+  BlobCodec(const BlobCodec&) = delete;
+  BlobCodec& operator=(const BlobCodec&) = delete;
+  ~BlobCodec();
+
+  /// Both return views of scratch memory, valid until the next call.
+  [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values);
+  [[nodiscard]] std::span<const std::byte> pack(std::span<const double> values);
+
+  [[nodiscard]] std::vector<float> unpack_floats(std::span<const std::byte> blob, std::size_t count);
+  [[nodiscard]] std::vector<double> unpack_doubles(std::span<const std::byte> blob, std::size_t count);
+
+  /// How many bytes the blob holds once unpacked.
+  [[nodiscard]] static std::size_t unpacked_bytes(std::span<const std::byte> blob);
+
+ private:
+  struct Release {
+    void operator()(ZSTD_CCtx_s* context) const;
+    void operator()(ZSTD_DCtx_s* context) const;
+  };
+
+  template <class T, class Bits>
+  std::span<const std::byte> pack_as(std::span<const T> values);
+  template <class T, class Bits>
+  std::vector<T> unpack_as(std::span<const std::byte> blob, std::size_t count);
+
+  std::unique_ptr<ZSTD_CCtx_s, Release> compressor_;
+  std::unique_ptr<ZSTD_DCtx_s, Release> decompressor_;
+  std::vector<std::byte> shuffled_;
+  std::vector<std::byte> packed_;
+};
+
+}  // namespace floeplan::repository

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <string>
+
+#include "engine/geo/bounding_box.hpp"
+#include "storage/sqlite/statement.hpp"
+
+namespace floeplan::repository {
+
+/// How many parameters `box_condition` takes.
+inline constexpr int box_parameters = 8;
+
+/// SQL condition on `row`: the rows of an R*Tree table whose box comes near the area. It may hold for rows
+/// that just miss the area (the tree keeps 32-bit numbers), so the caller checks each exactly.
+[[nodiscard]] std::string box_condition(const std::string& box_table, int first_parameter);
+void bind_box(sqlite::Statement& statement, int first_parameter, const geo::BoundingBox& area);
+
+/// The box as the R*Tree keeps it: eastwards from [-180, 180).
+struct UnrolledBox {
+  double west_deg{};
+  double east_deg{};  // not less than west, so up to 540
+};
+
+[[nodiscard]] UnrolledBox unrolled(const geo::BoundingBox& box);
+
+}  // namespace floeplan::repository

@@ -1,0 +1,96 @@
+#include "storage/repository/dataset_repository.hpp"
+
+#include "storage/repository/dataset_row.hpp"
+#include "storage/sqlite/statement.hpp"
+#include "storage/sqlite/transaction.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+constexpr const char* select_dataset =
+    "SELECT row, id, kind, name, west_deg, south_deg, east_deg, north_deg, time_start_s, time_end_s, "
+    "rows_accepted, "
+    "rows_refused, file_name, file_size_bytes, sha256, ingested_s, tool_version FROM dataset ";
+
+void insert_texts(sqlite::Connection& db, std::int64_t row, const std::string& role,
+                  const std::vector<std::string>& texts) {
+  sqlite::Statement insert{
+      db, "INSERT INTO dataset_text (dataset_row, role, position, text) VALUES (?1, ?2, ?3, ?4)"};
+  for (std::size_t i = 0; i < texts.size(); ++i) {
+    insert.bind_all(row, role, static_cast<std::int64_t>(i), texts[i]);
+    insert.run();
+  }
+}
+
+std::vector<std::string> read_texts(sqlite::Connection& db, std::int64_t row, const std::string& role) {
+  sqlite::Statement query{
+      db, "SELECT text FROM dataset_text WHERE dataset_row = ?1 AND role = ?2 ORDER BY position"};
+  query.bind_all(row, role);
+  std::vector<std::string> texts;
+  while (query.step()) texts.push_back(query.text(0));
+  return texts;
+}
+
+Dataset read_dataset(sqlite::Connection& db, const sqlite::Statement& row) {
+  return {.id = {row.text(1)},
+          .kind = parse_kind(row.text(2)).value(),
+          .name = row.text(3),
+          .variables = read_texts(db, row.integer(0), "variable"),
+          .bounds = {row.real(4), row.real(5), row.real(6), row.real(7)},
+          .time_start = row.optional_time(8),
+          .time_end = row.optional_time(9),
+          .rows_accepted = row.integer(10),
+          .rows_refused = row.integer(11),
+          .warnings = read_texts(db, row.integer(0), "warning"),
+          .provenance = {.file_name = row.text(12),
+                         .file_size_bytes = row.integer(13),
+                         .sha256 = row.text(14),
+                         .ingested = row.time(15),
+                         .tool_version = row.text(16)}};
+}
+
+}  // namespace
+
+void DatasetRepository::insert(const Dataset& dataset) {
+  sqlite::Transaction transaction{db_};
+  sqlite::Statement insert{
+      db_,
+      "INSERT INTO dataset (id, kind, name, west_deg, south_deg, east_deg, north_deg, time_start_s, "
+      "time_end_s, "
+      "rows_accepted, rows_refused, file_name, file_size_bytes, sha256, ingested_s, tool_version) "
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)"};
+  const geo::BoundingBox& bounds = dataset.bounds;
+  const Provenance& provenance = dataset.provenance;
+  insert.bind_all(dataset.id.value, kind_name(dataset.kind), dataset.name, bounds.west_deg, bounds.south_deg,
+                  bounds.east_deg, bounds.north_deg, dataset.time_start, dataset.time_end,
+                  dataset.rows_accepted, dataset.rows_refused, provenance.file_name,
+                  provenance.file_size_bytes, provenance.sha256, provenance.ingested,
+                  provenance.tool_version);
+  insert.run();
+  const std::int64_t row = dataset_row(db_, dataset.id);
+  insert_texts(db_, row, "variable", dataset.variables);
+  insert_texts(db_, row, "warning", dataset.warnings);
+  transaction.commit();
+}
+
+std::optional<Dataset> DatasetRepository::find(const DatasetId& id) const {
+  sqlite::Statement query{db_, std::string{select_dataset} + "WHERE id = ?1"};
+  query.bind(1, id.value);
+  if (!query.step()) return std::nullopt;
+  return read_dataset(db_, query);
+}
+
+std::vector<Dataset> DatasetRepository::list() const {
+  sqlite::Statement query{db_, std::string{select_dataset} + "ORDER BY ingested_s DESC, id"};
+  std::vector<Dataset> datasets;
+  while (query.step()) datasets.push_back(read_dataset(db_, query));
+  return datasets;
+}
+
+bool DatasetRepository::remove(const DatasetId& id) {
+  sqlite::Statement remove{db_, "DELETE FROM dataset WHERE id = ?1"};
+  remove.bind(1, id.value);
+  return remove.run() > 0;
+}
+
+}  // namespace floeplan::repository

@@ -1,0 +1,178 @@
+#include "storage/repository/field_repository.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+#include <utility>
+
+#include "storage/repository/blob_codec.hpp"
+#include "storage/repository/dataset_row.hpp"
+#include "storage/repository/field_chunks.hpp"
+#include "storage/repository/grid_window.hpp"
+#include "storage/sqlite/statement.hpp"
+#include "storage/sqlite/transaction.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+constexpr std::size_t chunk_side = 64;
+
+/// Sizes of a stored grid, without its axes.
+struct StoredLayout {
+  ChunkLayout chunks;
+  std::size_t depth_count{};  // 0: no such axis
+  std::size_t time_count{};
+};
+
+std::optional<StoredLayout> find_layout(sqlite::Connection& db, const DatasetId& id) {
+  sqlite::Statement query{
+      db,
+      "SELECT dataset_row, x_count, y_count, chunk_side, depth_count, time_count FROM grid WHERE "
+      "dataset_row = (SELECT row FROM dataset WHERE id = ?1)"};
+  query.bind(1, id.value);
+  if (!query.step()) return std::nullopt;
+  const auto size = [&](int column) { return static_cast<std::size_t>(query.integer(column)); };
+  return StoredLayout{{query.integer(0), size(1), size(2), size(3)}, size(4), size(5)};
+}
+
+std::vector<std::byte> packed(BlobCodec& codec, const ocean::Axis& axis) {
+  const auto blob = codec.pack(std::span{axis.nodes()});
+  return {blob.begin(), blob.end()};
+}
+
+std::optional<std::vector<std::byte>> packed(BlobCodec& codec, const std::optional<ocean::Axis>& axis) {
+  return axis ? std::optional{packed(codec, *axis)} : std::nullopt;
+}
+
+std::int64_t stored_size(const std::optional<ocean::Axis>& axis) {
+  return axis ? static_cast<std::int64_t>(axis->size()) : 0;
+}
+
+/// Levels down to `deepest` and the next one below, so that `deepest` itself can be interpolated.
+AxisWindow levels_down_to(const ocean::Axis& depths_m, std::optional<core::Metres> deepest) {
+  if (!deepest) return whole(depths_m);
+  auto window = window_around(depths_m, depths_m.front(), std::max(deepest->value, depths_m.front()));
+  return window ? *window : whole(depths_m);
+}
+
+/// Steps from the last at or before the period to the first at or after it. nullopt: they do not meet.
+std::optional<AxisWindow> steps_around(const ocean::Axis& times_s, const std::optional<Period>& period) {
+  if (!period) return whole(times_s);
+  const double from = core::unix_seconds(period->from);
+  const double to = core::unix_seconds(period->to);
+  if (!(to >= times_s.front() && from <= times_s.back())) return std::nullopt;
+
+  const auto& nodes = times_s.nodes();
+  const auto after_from = std::ranges::upper_bound(nodes, from) - nodes.begin();
+  const auto not_before_to = std::ranges::lower_bound(nodes, to) - nodes.begin();
+  const auto first = std::max<std::ptrdiff_t>(after_from - 1, 0);
+  const auto last = std::min(not_before_to, std::ssize(nodes) - 1);
+  return AxisWindow{{{static_cast<std::size_t>(first), static_cast<std::size_t>(last - first + 1)}},
+                    ocean::Axis{{nodes.begin() + first, nodes.begin() + last + 1}}};
+}
+
+/// The window's samples of one variable, [time][depth][y][x].
+std::vector<float> read_block(ChunkReader& reader, const std::string& variable, NodeRun times, NodeRun depths,
+                              const GridWindow& window) {
+  const std::size_t slice = window.x.nodes.size() * window.y.nodes.size();
+  std::vector<float> samples(times.count * depths.count * slice);
+  auto rest = std::span{samples};
+  for (std::size_t time = times.first; time < times.first + times.count; ++time) {
+    for (std::size_t depth = depths.first; depth < depths.first + depths.count; ++depth) {
+      reader.read({variable, time, depth}, window, rest.first(slice));
+      rest = rest.subspan(slice);
+    }
+  }
+  return samples;
+}
+
+}  // namespace
+
+void FieldRepository::create(const DatasetId& id, const FieldShape& shape) {
+  BlobCodec codec;
+  sqlite::Statement insert{
+      db_,
+      "INSERT INTO grid (dataset_row, frame, x_count, y_count, depth_count, time_count, "
+      "chunk_side, x_nodes, y_nodes, depth_nodes_m, time_nodes_s) VALUES (?1, ?2, ?3, ?4, ?5, ?6, "
+      "?7, ?8, ?9, ?10, ?11)"};
+  insert.bind_all(dataset_row(db_, id), geo::frame_text(shape.grid.frame()), stored_size(shape.grid.x()),
+                  stored_size(shape.grid.y()), stored_size(shape.depths_m), stored_size(shape.times_s),
+                  static_cast<std::int64_t>(chunk_side), packed(codec, shape.grid.x()),
+                  packed(codec, shape.grid.y()), packed(codec, shape.depths_m), packed(codec, shape.times_s));
+  insert.run();
+}
+
+void FieldRepository::write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index,
+                                  std::size_t depth_index, std::span<const float> values) {
+  const auto layout = find_layout(db_, id);
+  if (!layout) throw std::invalid_argument{"no grid for " + id.value + ": create it before its slices"};
+  if (values.size() != layout->chunks.x_count * layout->chunks.y_count) {
+    throw std::invalid_argument{"a slice must have as many samples as its grid has nodes"};
+  }
+  if (time_index >= std::max<std::size_t>(layout->time_count, 1) ||
+      depth_index >= std::max<std::size_t>(layout->depth_count, 1)) {
+    throw std::invalid_argument{"a slice must lie within the times and depths of its dataset"};
+  }
+
+  sqlite::Transaction transaction{db_};
+  ChunkWriter{db_, layout->chunks}.write({variable, time_index, depth_index}, values);
+  transaction.commit();
+}
+
+std::optional<FieldShape> FieldRepository::shape(const DatasetId& id) const {
+  sqlite::Statement query{
+      db_,
+      "SELECT frame, x_nodes, y_nodes, depth_nodes_m, time_nodes_s, x_count, y_count, depth_count, "
+      "time_count FROM grid WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1)"};
+  query.bind(1, id.value);
+  if (!query.step()) return std::nullopt;
+
+  const auto frame = geo::parse_frame(query.text(0));
+  if (!frame) throw std::runtime_error{"the store holds a grid of unknown frame: " + query.text(0)};
+  BlobCodec codec;
+  const auto axis = [&](int nodes, int count) {
+    return ocean::Axis{
+        codec.unpack_doubles(query.blob(nodes), static_cast<std::size_t>(query.integer(count)))};
+  };
+  const auto optional_axis = [&](int nodes, int count) {
+    return query.is_null(nodes) ? std::nullopt : std::optional{axis(nodes, count)};
+  };
+  return FieldShape{{*frame, axis(1, 5), axis(2, 6)}, optional_axis(3, 7), optional_axis(4, 8)};
+}
+
+std::optional<ocean::CurrentGrid> FieldRepository::load_currents(const DatasetId& id,
+                                                                 const geo::BoundingBox& area,
+                                                                 std::optional<Period> period,
+                                                                 std::optional<core::Metres> deepest) const {
+  const auto layout = find_layout(db_, id);
+  const auto stored = shape(id);
+  if (!layout || !stored) return std::nullopt;
+  const auto window = window_around(stored->grid, area);
+  if (!window) return std::nullopt;
+  const auto times = stored->times_s ? steps_around(*stored->times_s, period) : whole(ocean::Axis{{0.0}});
+  if (!times) return std::nullopt;
+  const AxisWindow depths =
+      stored->depths_m ? levels_down_to(*stored->depths_m, deepest) : whole(ocean::Axis{{0.0}});
+
+  ChunkReader reader{db_, layout->chunks};
+  return ocean::CurrentGrid{
+      {.grid = ocean::HorizontalGrid{stored->grid.frame(), window->x.nodes, window->y.nodes},
+       .depths_m = stored->depths_m ? std::optional{depths.nodes} : std::nullopt,
+       .times_s = times->nodes,
+       .u = read_block(reader, "u_m_s", times->runs.front(), depths.runs.front(), *window),
+       .v = read_block(reader, "v_m_s", times->runs.front(), depths.runs.front(), *window)}};
+}
+
+std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetId& id,
+                                                                  const geo::BoundingBox& area) const {
+  const auto layout = find_layout(db_, id);
+  const auto stored = shape(id);
+  if (!layout || !stored) return std::nullopt;
+  const auto window = window_around(stored->grid, area);
+  if (!window) return std::nullopt;
+
+  ChunkReader reader{db_, layout->chunks};
+  return ocean::Bathymetry{{stored->grid.frame(), window->x.nodes, window->y.nodes},
+                           read_block(reader, "depth_m", {0, 1}, {0, 1}, *window)};
+}
+
+}  // namespace floeplan::repository

@@ -1,0 +1,130 @@
+#include "storage/repository/iceberg_repository.hpp"
+
+#include "storage/repository/box_index.hpp"
+#include "storage/repository/dataset_row.hpp"
+#include "storage/sqlite/statement.hpp"
+#include "storage/sqlite/transaction.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+const std::string columns =
+    "row, lon_deg, lat_deg, (SELECT id FROM dataset WHERE dataset.row = dataset_row), berg_id, observed_s, "
+    "size, "
+    "length_m, draft_m, position_uncertainty_m, shape, method ";
+
+std::optional<core::Metres> metres(std::optional<double> value) {
+  return value ? std::optional{core::Metres{*value}} : std::nullopt;
+}
+
+std::optional<double> number(std::optional<core::Metres> length) {
+  return length ? std::optional{length->value} : std::nullopt;
+}
+
+geo::LonLat read_place(const sqlite::Statement& row) { return {row.real(1), row.real(2)}; }
+
+StoredSighting read_sighting(const sqlite::Statement& row) {
+  return {.row = row.integer(0),
+          .dataset = {row.text(3)},
+          .iceberg = {.id = row.text(4),
+                      .place = read_place(row),
+                      .observed = row.time(5),
+                      .size = ocean::parse_size(row.text(6)).value_or(ocean::IcebergSize::unknown),
+                      .length = metres(row.optional_real(7)),
+                      .draft = metres(row.optional_real(8)),
+                      .position_uncertainty = metres(row.optional_real(9)),
+                      .shape = row.text(10),
+                      .method = row.text(11)}};
+}
+
+/// `SELECT <what> FROM sighting` with the filter's conditions, bound. The area is only narrowed down: check
+/// each place.
+sqlite::Statement select(sqlite::Connection& db, const std::string& what, const SightingFilter& filter,
+                         std::int64_t after) {
+  std::string sql = "SELECT " + what + " FROM sighting WHERE row > ?1";
+  if (filter.from) sql += " AND observed_s >= ?2";
+  if (filter.to) sql += " AND observed_s <= ?3";
+  if (filter.dataset) sql += " AND dataset_row = (SELECT row FROM dataset WHERE id = ?4)";
+  if (filter.berg_id) sql += " AND berg_id = ?5";
+  if (filter.area) sql += " AND " + box_condition("sighting_box", 6);
+
+  sqlite::Statement query{db, sql + " ORDER BY row"};
+  query.bind(1, after);
+  if (filter.from) query.bind(2, *filter.from);
+  if (filter.to) query.bind(3, *filter.to);
+  if (filter.dataset) query.bind(4, filter.dataset->value);
+  if (filter.berg_id) query.bind(5, *filter.berg_id);
+  if (filter.area) bind_box(query, 6, *filter.area);
+  return query;
+}
+
+}  // namespace
+
+void IcebergRepository::insert(const DatasetId& dataset, const std::vector<ocean::Iceberg>& sightings) {
+  sqlite::Transaction transaction{db_};
+  const std::int64_t dataset_number = dataset_row(db_, dataset);
+  sqlite::Statement insert{
+      db_,
+      "INSERT INTO sighting (dataset_row, berg_id, lon_deg, lat_deg, observed_s, size, length_m, "
+      "draft_m, position_uncertainty_m, shape, method) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, "
+      "?9, ?10, ?11)"};
+  for (const ocean::Iceberg& berg : sightings) {
+    insert.bind_all(dataset_number, berg.id, berg.place.lon_deg, berg.place.lat_deg, berg.observed,
+                    ocean::size_name(berg.size), number(berg.length), number(berg.draft),
+                    number(berg.position_uncertainty), berg.shape, berg.method);
+    insert.run();
+  }
+  transaction.commit();
+}
+
+std::optional<StoredSighting> IcebergRepository::find(std::int64_t row) const {
+  sqlite::Statement query{db_, "SELECT " + columns + "FROM sighting WHERE row = ?1"};
+  query.bind(1, row);
+  if (!query.step()) return std::nullopt;
+  return read_sighting(query);
+}
+
+std::vector<StoredSighting> IcebergRepository::list(const SightingFilter& filter, std::int64_t after,
+                                                    int limit) const {
+  sqlite::Statement query = select(db_, columns, filter, after);
+  std::vector<StoredSighting> sightings;
+  while (std::ssize(sightings) < limit && query.step()) {
+    if (filter.area && !geo::contains(*filter.area, read_place(query))) continue;
+    sightings.push_back(read_sighting(query));
+  }
+  return sightings;
+}
+
+std::int64_t IcebergRepository::count(const SightingFilter& filter) const {
+  if (!filter.area) {
+    sqlite::Statement query = select(db_, "count(*)", filter, 0);
+    return query.step() ? query.integer(0) : 0;
+  }
+  sqlite::Statement query = select(db_, "row, lon_deg, lat_deg", filter, 0);
+  std::int64_t sightings = 0;
+  while (query.step()) {
+    if (geo::contains(*filter.area, read_place(query))) ++sightings;
+  }
+  return sightings;
+}
+
+std::vector<StoredSighting> IcebergRepository::latest(const DatasetId& dataset, const geo::BoundingBox& area,
+                                                      core::UtcTime as_of, core::Seconds max_age) const {
+  // The area comes last: a berg that has left it must not be found where it was before. A sighting without a
+  // berg's name is a berg of its own.
+  sqlite::Statement query{db_,
+                          "SELECT " + columns +
+                              "FROM (SELECT *, row_number() OVER (PARTITION BY berg_id, iif(berg_id = '', "
+                              "row, 0) ORDER BY observed_s "
+                              "DESC, row DESC) AS newness FROM sighting WHERE dataset_row = (SELECT row FROM "
+                              "dataset WHERE id = ?1) "
+                              "AND observed_s <= ?2) WHERE newness = 1 AND observed_s >= ?3 ORDER BY row"};
+  query.bind_all(dataset.value, as_of, as_of - max_age);
+  std::vector<StoredSighting> sightings;
+  while (query.step()) {
+    if (geo::contains(area, read_place(query))) sightings.push_back(read_sighting(query));
+  }
+  return sightings;
+}
+
+}  // namespace floeplan::repository

@@ -1,0 +1,199 @@
+#include "storage/repository/job_repository.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "storage/sqlite/statement.hpp"
+#include "storage/sqlite/transaction.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+constexpr std::array<std::pair<JobStatus, const char*>, 5> names{{{JobStatus::accepted, "accepted"},
+                                                                  {JobStatus::running, "running"},
+                                                                  {JobStatus::successful, "successful"},
+                                                                  {JobStatus::failed, "failed"},
+                                                                  {JobStatus::dismissed, "dismissed"}}};
+
+// Shared by SELECT and RETURNING; read_job reads them in this order.
+const std::string columns =
+    "row, id, process, request_json, status, stage, progress, attempts, created_s, started_s, finished_s, "
+    "updated_s, "
+    "result_json, message ";
+
+JobStatus parse_status(const std::string& name) {
+  for (const auto& [status, candidate] : names) {
+    if (name == candidate) return status;
+  }
+  throw std::runtime_error{"the store holds a job with the unknown status " + name};
+}
+
+JobRecord read_job(const sqlite::Statement& row) {
+  return {.row = row.integer(0),
+          .id = {row.text(1)},
+          .process = row.text(2),
+          .request_json = row.text(3),
+          .status = parse_status(row.text(4)),
+          .stage = row.text(5),
+          .progress = row.real(6),
+          .attempts = static_cast<int>(row.integer(7)),
+          .created = row.time(8),
+          .started = row.optional_time(9),
+          .finished = row.optional_time(10),
+          .updated = row.time(11),
+          .result_json = row.optional_text(12),
+          .message = row.text(13)};
+}
+
+/// A read, which many idle workers may do at once, before anybody asks for the right to write.
+bool has_claimable(sqlite::Connection& db, core::UtcTime now) {
+  sqlite::Statement query{
+      db,
+      "SELECT 1 FROM job WHERE status = 'accepted' OR (status = 'running' AND (lease_until_s IS "
+      "NULL OR lease_until_s <= ?1)) LIMIT 1"};
+  query.bind(1, now);
+  return query.step();
+}
+
+void fail_exhausted(sqlite::Connection& db, core::UtcTime now) {
+  sqlite::Statement update{db,
+                           "UPDATE job SET status = 'failed', message = 'begun ' || attempts || ' times, and "
+                           "each time its worker stopped "
+                           "before the end', worker = NULL, lease_until_s = NULL, finished_s = ?1, updated_s "
+                           "= ?1 WHERE status = 'running' "
+                           "AND (lease_until_s IS NULL OR lease_until_s <= ?1) AND attempts >= ?2"};
+  update.bind_all(now, JobRepository::max_attempts);
+  update.run();
+}
+
+}  // namespace
+
+std::string status_name(JobStatus status) {
+  for (const auto& [candidate, name] : names) {
+    if (candidate == status) return name;
+  }
+  throw std::logic_error{"JobStatus without a name"};
+}
+
+void JobRepository::submit(const JobRecord& job) {
+  sqlite::Statement insert{db_,
+                           "INSERT INTO job (id, process, request_json, status, stage, progress, attempts, "
+                           "created_s, updated_s, message) "
+                           "VALUES (?1, ?2, ?3, 'accepted', '', 0.0, 0, ?4, ?4, '')"};
+  insert.bind_all(job.id.value, job.process, job.request_json, job.created);
+  insert.run();
+}
+
+std::optional<JobRecord> JobRepository::find(const JobId& id) const {
+  sqlite::Statement query{db_, "SELECT " + columns + "FROM job WHERE id = ?1"};
+  query.bind(1, id.value);
+  if (!query.step()) return std::nullopt;
+  return read_job(query);
+}
+
+std::vector<JobRecord> JobRepository::list(std::int64_t before, int limit) const {
+  sqlite::Statement query{
+      db_, "SELECT " + columns + "FROM job WHERE ?1 = 0 OR row < ?1 ORDER BY row DESC LIMIT max(?2, 0)"};
+  query.bind_all(before, limit);
+  std::vector<JobRecord> jobs;
+  while (query.step()) jobs.push_back(read_job(query));
+  return jobs;
+}
+
+std::int64_t JobRepository::count(JobStatus status) const {
+  sqlite::Statement query{db_, "SELECT count(*) FROM job WHERE status = ?1"};
+  query.bind(1, status_name(status));
+  return query.step() ? query.integer(0) : 0;
+}
+
+std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::UtcTime now,
+                                              core::Seconds lease) {
+  if (!has_claimable(db_, now)) return std::nullopt;
+
+  sqlite::Transaction transaction{db_};
+  fail_exhausted(db_, now);
+  std::optional<JobRecord> claimed;
+  {
+    sqlite::Statement update{db_,
+                             "UPDATE job SET status = 'running', worker = ?1, lease_until_s = ?3, attempts = "
+                             "attempts + 1, started_s = "
+                             "coalesce(started_s, ?2), updated_s = ?2, stage = '', progress = 0.0 WHERE row "
+                             "= (SELECT row FROM job WHERE "
+                             "status = 'accepted' OR (status = 'running' AND (lease_until_s IS NULL OR "
+                             "lease_until_s <= ?2)) ORDER BY row "
+                             "LIMIT 1) RETURNING " +
+                                 columns};
+    update.bind_all(worker, now, now + lease);
+    if (update.step()) claimed = read_job(update);
+  }
+  transaction.commit();
+  return claimed;
+}
+
+bool JobRepository::renew(const JobId& id, const std::string& worker, const std::string& stage,
+                          double progress, core::UtcTime now, core::Seconds lease) {
+  sqlite::Statement update{
+      db_,
+      "UPDATE job SET stage = ?3, progress = ?4, updated_s = ?5, lease_until_s = ?6 WHERE id = ?1 "
+      "AND worker = ?2 AND status = 'running'"};
+  update.bind_all(id.value, worker, stage, progress, now, now + lease);
+  return update.run() > 0;
+}
+
+bool JobRepository::succeed(const JobId& id, const std::string& worker, const std::string& result_json,
+                            core::UtcTime now) {
+  sqlite::Statement update{
+      db_,
+      "UPDATE job SET status = 'successful', result_json = ?3, progress = 1.0, worker = NULL, "
+      "lease_until_s = NULL, finished_s = ?4, updated_s = ?4 WHERE id = ?1 AND worker = ?2 AND "
+      "status = 'running'"};
+  update.bind_all(id.value, worker, result_json, now);
+  return update.run() > 0;
+}
+
+bool JobRepository::fail(const JobId& id, const std::string& worker, const std::string& message,
+                         core::UtcTime now) {
+  sqlite::Statement update{
+      db_,
+      "UPDATE job SET status = 'failed', message = ?3, worker = NULL, lease_until_s = NULL, "
+      "finished_s = ?4, updated_s = ?4 WHERE id = ?1 AND worker = ?2 AND status = 'running'"};
+  update.bind_all(id.value, worker, message, now);
+  return update.run() > 0;
+}
+
+void JobRepository::hand_back(const std::string& worker, core::UtcTime now) {
+  sqlite::Statement update{db_,
+                           "UPDATE job SET status = 'accepted', attempts = attempts - 1, started_s = "
+                           "iif(attempts = 1, NULL, started_s), "
+                           "stage = '', progress = 0.0, worker = NULL, lease_until_s = NULL, updated_s = ?2 "
+                           "WHERE worker = ?1 AND status = "
+                           "'running'"};
+  update.bind_all(worker, now);
+  update.run();
+}
+
+void JobRepository::release_all_leases(core::UtcTime now) {
+  sqlite::Statement update{
+      db_, "UPDATE job SET worker = NULL, lease_until_s = NULL, updated_s = ?1 WHERE status = 'running'"};
+  update.bind(1, now);
+  update.run();
+}
+
+bool JobRepository::dismiss(const JobId& id, core::UtcTime now) {
+  sqlite::Statement update{
+      db_,
+      "UPDATE job SET status = 'dismissed', message = 'dismissed on request', worker = NULL, "
+      "lease_until_s = NULL, finished_s = ?2, updated_s = ?2 WHERE id = ?1 AND status IN "
+      "('accepted', 'running')"};
+  update.bind_all(id.value, now);
+  return update.run() > 0;
+}
+
+bool JobRepository::remove(const JobId& id) {
+  sqlite::Statement remove{db_, "DELETE FROM job WHERE id = ?1"};
+  remove.bind(1, id.value);
+  return remove.run() > 0;
+}
+
+}  // namespace floeplan::repository

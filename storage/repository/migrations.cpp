@@ -1,0 +1,189 @@
+#include "storage/repository/migrations.hpp"
+
+#include <array>
+#include <stdexcept>
+#include <string>
+
+#include "storage/sqlite/statement.hpp"
+#include "storage/sqlite/transaction.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+/// Scripts that lead from one schema to the next. A released script is never changed; new ones go to the end.
+/// Longitudes in the box tables run eastwards from [-180, 180), so a box across the antimeridian ends beyond
+/// 180.
+constexpr std::array migrations{R"sql(
+CREATE TABLE dataset (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  id TEXT NOT NULL UNIQUE,
+  kind TEXT NOT NULL CHECK (kind IN ('bathymetry', 'currents', 'icebergs', 'coastline')),
+  name TEXT NOT NULL,
+  west_deg REAL NOT NULL,
+  south_deg REAL NOT NULL,
+  east_deg REAL NOT NULL,
+  north_deg REAL NOT NULL,
+  time_start_s REAL,
+  time_end_s REAL,
+  rows_accepted INTEGER NOT NULL,
+  rows_refused INTEGER NOT NULL,
+  file_name TEXT NOT NULL,
+  file_size_bytes INTEGER NOT NULL,
+  sha256 TEXT NOT NULL,
+  ingested_s REAL NOT NULL,
+  tool_version TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE dataset_text (
+  dataset_row INTEGER NOT NULL REFERENCES dataset (row) ON DELETE CASCADE,
+  role TEXT NOT NULL CHECK (role IN ('variable', 'warning')),
+  position INTEGER NOT NULL,
+  text TEXT NOT NULL,
+  PRIMARY KEY (dataset_row, role, position)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE grid (
+  dataset_row INTEGER PRIMARY KEY REFERENCES dataset (row) ON DELETE CASCADE,
+  frame TEXT NOT NULL,
+  x_count INTEGER NOT NULL,
+  y_count INTEGER NOT NULL,
+  depth_count INTEGER NOT NULL,  -- 0: no depth axis
+  time_count INTEGER NOT NULL,   -- 0: no time
+  chunk_side INTEGER NOT NULL,   -- nodes along each side of a chunk
+  x_nodes BLOB NOT NULL,
+  y_nodes BLOB NOT NULL,
+  depth_nodes_m BLOB,
+  time_nodes_s BLOB
+) STRICT;
+
+CREATE TABLE field_chunk (
+  dataset_row INTEGER NOT NULL REFERENCES grid (dataset_row) ON DELETE CASCADE,
+  variable TEXT NOT NULL,
+  time_index INTEGER NOT NULL,
+  depth_index INTEGER NOT NULL,
+  chunk_y INTEGER NOT NULL,
+  chunk_x INTEGER NOT NULL,
+  samples BLOB NOT NULL,
+  UNIQUE (dataset_row, variable, time_index, depth_index, chunk_y, chunk_x)
+) STRICT;
+
+CREATE TABLE sighting (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  dataset_row INTEGER NOT NULL REFERENCES dataset (row) ON DELETE CASCADE,
+  berg_id TEXT NOT NULL,
+  lon_deg REAL NOT NULL,
+  lat_deg REAL NOT NULL,
+  observed_s REAL NOT NULL,
+  size TEXT NOT NULL,
+  length_m REAL,
+  draft_m REAL,
+  position_uncertainty_m REAL,
+  shape TEXT NOT NULL,
+  method TEXT NOT NULL,
+  wrapped_lon_deg REAL AS (CASE WHEN lon_deg >= 180.0 THEN lon_deg - 360.0
+                                WHEN lon_deg < -180.0 THEN lon_deg + 360.0
+                                ELSE lon_deg END)
+) STRICT;
+CREATE INDEX sighting_by_berg ON sighting (dataset_row, berg_id, observed_s);
+CREATE INDEX sighting_by_time ON sighting (observed_s);
+CREATE VIRTUAL TABLE sighting_box USING rtree (row, west_deg, east_deg, south_deg, north_deg);
+CREATE TRIGGER sighting_inserted AFTER INSERT ON sighting BEGIN
+  INSERT INTO sighting_box VALUES (new.row, new.wrapped_lon_deg, new.wrapped_lon_deg, new.lat_deg, new.lat_deg);
+END;
+CREATE TRIGGER sighting_deleted AFTER DELETE ON sighting BEGIN
+  DELETE FROM sighting_box WHERE row = old.row;
+END;
+
+CREATE TABLE land_polygon (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  dataset_row INTEGER NOT NULL REFERENCES dataset (row) ON DELETE CASCADE,
+  rings BLOB NOT NULL
+) STRICT;
+CREATE INDEX land_polygon_by_dataset ON land_polygon (dataset_row);
+CREATE VIRTUAL TABLE land_polygon_box USING rtree (row, west_deg, east_deg, south_deg, north_deg);
+CREATE TRIGGER land_polygon_deleted AFTER DELETE ON land_polygon BEGIN
+  DELETE FROM land_polygon_box WHERE row = old.row;
+END;
+
+CREATE TABLE plan (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  id TEXT NOT NULL UNIQUE,
+  name TEXT NOT NULL,
+  created_s REAL NOT NULL,
+  departure_s REAL NOT NULL,
+  arrival_s REAL NOT NULL,
+  west_deg REAL NOT NULL,
+  south_deg REAL NOT NULL,
+  east_deg REAL NOT NULL,
+  north_deg REAL NOT NULL,
+  request_json TEXT NOT NULL,
+  document_json TEXT NOT NULL
+) STRICT;
+
+CREATE TABLE job (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  id TEXT NOT NULL UNIQUE,
+  process TEXT NOT NULL,
+  status TEXT NOT NULL CHECK (status IN ('accepted', 'running', 'successful', 'failed', 'dismissed')),
+  stage TEXT NOT NULL,
+  progress REAL NOT NULL,
+  attempts INTEGER NOT NULL,
+  created_s REAL NOT NULL,
+  started_s REAL,
+  finished_s REAL,
+  updated_s REAL NOT NULL,
+  message TEXT NOT NULL,
+  worker TEXT,         -- who holds the lease; NULL: nobody
+  lease_until_s REAL,  -- NULL: no lease
+  request_json TEXT NOT NULL,
+  result_json TEXT
+) STRICT;
+CREATE INDEX job_by_status ON job (status, row);
+)sql"};
+
+constexpr auto newest_schema = static_cast<std::int64_t>(migrations.size());
+
+std::int64_t schema_of(sqlite::Connection& db) {
+  sqlite::Statement query{db, "PRAGMA user_version"};
+  return query.step() ? query.integer(0) : 0;
+}
+
+void refuse_newer_schema(std::int64_t schema) {
+  if (schema <= newest_schema) return;
+  throw std::runtime_error{"the store was written by a newer Floeplan (schema " + std::to_string(schema) +
+                           ", this program knows " + std::to_string(newest_schema) +
+                           "); update the program, or choose another folder"};
+}
+
+void migrate(sqlite::Connection& db) {
+  const std::int64_t before = schema_of(db);
+  refuse_newer_schema(before);
+  if (before == newest_schema) return;
+
+  sqlite::Transaction transaction{db};
+  // Asked again: another program may have migrated the store in the meantime.
+  const std::int64_t found = schema_of(db);
+  refuse_newer_schema(found);
+  for (auto schema = static_cast<std::size_t>(found); schema < migrations.size(); ++schema) {
+    sqlite::execute(db, migrations[schema]);
+  }
+  sqlite::execute(db, "PRAGMA application_id = " + std::to_string(sqlite::application_id));
+  sqlite::execute(db, "PRAGMA user_version = " + std::to_string(newest_schema));
+  transaction.commit();
+}
+
+}  // namespace
+
+sqlite::Connection open_store(const std::filesystem::path& store) {
+  sqlite::Connection db = sqlite::Connection::open(store);
+  migrate(db);
+  return db;
+}
+
+sqlite::Connection open_store_in_memory() {
+  sqlite::Connection db = sqlite::Connection::in_memory();
+  migrate(db);
+  return db;
+}
+
+}  // namespace floeplan::repository

@@ -1,0 +1,85 @@
+#include "storage/repository/plan_repository.hpp"
+
+#include "storage/sqlite/statement.hpp"
+#include "storage/sqlite/transaction.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+// The documents come last, so that rows which a filter leaves out are not read to their end.
+constexpr const char* select_plan =
+    "SELECT row, west_deg, south_deg, east_deg, north_deg, id, name, created_s, departure_s, arrival_s, "
+    "request_json, "
+    "document_json FROM plan ";
+
+geo::BoundingBox read_bounds(const sqlite::Statement& row) {
+  return {row.real(1), row.real(2), row.real(3), row.real(4)};
+}
+
+PlanRecord read_plan(const sqlite::Statement& row) {
+  return {.row = row.integer(0),
+          .id = {row.text(5)},
+          .name = row.text(6),
+          .created = row.time(7),
+          .departure = row.time(8),
+          .arrival = row.time(9),
+          .bounds = read_bounds(row),
+          .request_json = row.text(10),
+          .document_json = row.text(11)};
+}
+
+}  // namespace
+
+std::int64_t PlanRepository::insert(const PlanRecord& plan) {
+  sqlite::Transaction transaction{db_};
+  sqlite::Statement insert{db_,
+                           "INSERT INTO plan (id, name, created_s, departure_s, arrival_s, west_deg, "
+                           "south_deg, east_deg, north_deg, "
+                           "request_json, document_json) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, "
+                           "?11) ON CONFLICT (id) DO NOTHING"};
+  insert.bind_all(plan.id.value, plan.name, plan.created, plan.departure, plan.arrival, plan.bounds.west_deg,
+                  plan.bounds.south_deg, plan.bounds.east_deg, plan.bounds.north_deg, plan.request_json,
+                  plan.document_json);
+  insert.run();
+
+  sqlite::Statement query{db_, "SELECT row FROM plan WHERE id = ?1"};
+  query.bind(1, plan.id.value);
+  const std::int64_t row = query.step() ? query.integer(0) : 0;
+  transaction.commit();
+  return row;
+}
+
+std::optional<PlanRecord> PlanRepository::find(const PlanId& id) const {
+  sqlite::Statement query{db_, std::string{select_plan} + "WHERE id = ?1"};
+  query.bind(1, id.value);
+  if (!query.step()) return std::nullopt;
+  return read_plan(query);
+}
+
+std::vector<PlanRecord> PlanRepository::list(std::optional<geo::BoundingBox> area, std::int64_t after,
+                                             int limit) const {
+  sqlite::Statement query{db_, std::string{select_plan} + "WHERE row > ?1 ORDER BY row"};
+  query.bind(1, after);
+  std::vector<PlanRecord> plans;
+  while (std::ssize(plans) < limit && query.step()) {
+    if (!area || geo::intersects(*area, read_bounds(query))) plans.push_back(read_plan(query));
+  }
+  return plans;
+}
+
+std::int64_t PlanRepository::count(std::optional<geo::BoundingBox> area) const {
+  sqlite::Statement query{db_, "SELECT row, west_deg, south_deg, east_deg, north_deg FROM plan"};
+  std::int64_t plans = 0;
+  while (query.step()) {
+    if (!area || geo::intersects(*area, read_bounds(query))) ++plans;
+  }
+  return plans;
+}
+
+bool PlanRepository::remove(const PlanId& id) {
+  sqlite::Statement remove{db_, "DELETE FROM plan WHERE id = ?1"};
+  remove.bind(1, id.value);
+  return remove.run() > 0;
+}
+
+}  // namespace floeplan::repository
