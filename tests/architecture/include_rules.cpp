@@ -1,0 +1,132 @@
+#include "tests/architecture/include_rules.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <regex>
+#include <set>
+
+namespace floeplan::support {
+namespace {
+
+namespace fs = std::filesystem;
+using Names = std::set<std::string>;
+
+/// What a folder may include besides itself: the folders it uses with all that these use, and single headers.
+struct Folder {
+  Names uses;
+  Names headers{};
+};
+
+const std::map<std::string, Folder>& folders() {
+  static const std::map<std::string, Folder> all{
+      {"engine/core", {{}}},
+      {"engine/geo", {{"engine/core"}}},
+      {"engine/graph", {{"engine/geo"}}},
+      {"engine/motion", {{"engine/geo"}}},
+      {"engine/ocean", {{"engine/geo"}}},
+      {"engine/vehicle", {{"engine/geo"}}},
+      {"engine/planning", {{"engine/graph", "engine/motion", "engine/ocean", "engine/vehicle"}}},
+      {"engine/mission", {{"engine/planning"}}},
+      {"engine/avoidance", {{"engine/graph", "engine/motion", "engine/vehicle"}}},
+      {"engine/simulation", {{"engine/mission", "engine/avoidance"}}},
+      {"storage/sqlite", {{"engine/core"}}},
+      {"storage/repository", {{"storage/sqlite", "engine/mission", "engine/simulation"}}},
+      {"storage/ingest", {{"storage/repository"}}},
+      {"storage/demo", {{"storage/ingest"}}},
+      {"api/codec", {{"storage/repository"}}},
+      {"api/openapi", {{}}},
+      {"api/routes", {{"api/codec", "api/openapi"}}},
+      {"server/jobs", {{"storage/ingest", "api/codec"}, {"api/routes/job_gateway.hpp"}}},
+      {"server/http", {{"engine/core"}, {"api/routes/message.hpp"}}},
+      {"server/cli", {{"api/routes", "server/jobs", "server/http", "storage/demo"}}},
+      {"server", {{"server/cli"}}},
+  };
+  return all;
+}
+
+/// A library, known by how its headers begin, and the folders (or whole layers) that may include it.
+struct Library {
+  std::regex header;
+  Names allowed;
+};
+
+const std::vector<Library>& libraries() {
+  static const std::vector<Library> all{
+      {std::regex{"fstream|iostream|thread|spdlog/.*"}, {"storage", "api", "server"}},
+      {std::regex{"nlohmann/.*"}, {"storage", "api", "server"}},
+      {std::regex{"gdal.*|ogr.*|cpl_.*"}, {"storage/ingest", "storage/demo"}},
+      {std::regex{"sqlite3.*|SQLiteCpp/.*"}, {"storage/sqlite"}},
+      {std::regex{"boost/(beast|asio).*|openssl/ssl.*"}, {"server"}},
+  };
+  return all;
+}
+
+void add_reach(const std::string& folder, Names& reached) {
+  if (!reached.insert(folder).second) return;
+  for (const std::string& used : folders().at(folder).uses) add_reach(used, reached);
+}
+
+bool may_include(const std::string& from, const fs::path& header) {
+  if (folders().at(from).headers.contains(header.generic_string())) return true;
+  Names reached;
+  add_reach(from, reached);
+  return reached.contains(header.parent_path().generic_string());
+}
+
+bool knows(const Library& library, const std::string& folder) {
+  const std::string layer = folder.substr(0, folder.find('/'));
+  return library.allowed.contains(folder) || library.allowed.contains(layer);
+}
+
+/// Why `folder` may not have this include; empty when it may.
+std::string fault_of(const fs::path& root, const std::string& folder, bool quoted,
+                     const std::string& header) {
+  for (const Library& library : libraries()) {
+    if (std::regex_match(header, library.header) && !knows(library, folder)) {
+      return folder + " must not know <" + header + ">";
+    }
+  }
+  if (!quoted) return "";
+  if (header.starts_with(".") || !fs::exists(root / header))
+    return "\"" + header + "\" is no path from the root";
+  if (!may_include(folder, header)) return folder + " must not use \"" + header + "\"";
+  return "";
+}
+
+void check_file(const fs::path& root, const fs::path& file, std::vector<std::string>& faults) {
+  static const std::regex include_line{R"(\s*#\s*include\s*([<"])([^>"]+)[>"].*)"};
+  const std::string folder = file.parent_path().generic_string();
+  if (!folders().contains(folder)) {
+    faults.push_back(file.generic_string() + ":1: " + folder + " is not in the list of folders");
+    return;
+  }
+  std::ifstream lines{root / file};
+  int number = 0;
+  for (std::string line; std::getline(lines, line);) {
+    ++number;
+    std::smatch parts;
+    if (!std::regex_match(line, parts, include_line)) continue;
+    const std::string fault = fault_of(root, folder, parts[1] == "\"", parts[2]);
+    if (!fault.empty()) faults.push_back(file.generic_string() + ":" + std::to_string(number) + ": " + fault);
+  }
+}
+
+}  // namespace
+
+std::vector<std::string> broken_include_rules(const fs::path& root) {
+  std::vector<fs::path> files;
+  for (const char* layer : {"engine", "storage", "api", "server"}) {
+    for (const auto& entry : fs::recursive_directory_iterator{root / layer}) {
+      const fs::path ending = entry.path().extension();
+      if (ending == ".hpp" || ending == ".cpp") files.push_back(entry.path().lexically_relative(root));
+    }
+  }
+  std::sort(files.begin(), files.end());
+
+  std::vector<std::string> faults;
+  for (const fs::path& file : files) check_file(root, file, faults);
+  return faults;
+}
+
+}  // namespace floeplan::support

@@ -1,0 +1,96 @@
+#include "tests/architecture/include_rules.hpp"
+
+#include <gmock/gmock.h>
+#include <unistd.h>
+
+#include <fstream>
+
+namespace floeplan::support {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+
+/// A copy of the four layers that a test may spoil; gone when the test ends.
+class SpoiltTree : public testing::Test {
+ protected:
+  SpoiltTree() {
+    for (const char* layer : {"engine", "storage", "api", "server"}) {
+      fs::create_directories(root_ / layer);
+      fs::copy(fs::path{FLOEPLAN_SOURCE_DIR} / layer, root_ / layer, fs::copy_options::recursive);
+    }
+  }
+  ~SpoiltTree() override { fs::remove_all(root_); }
+
+  void append(const fs::path& file, const std::string& line) const {
+    fs::create_directories((root_ / file).parent_path());
+    std::ofstream{root_ / file, std::ios::app} << line << '\n';
+  }
+
+  const fs::path root_ = fs::path{testing::TempDir()} / ("include_rules_" + std::to_string(::getpid()));
+};
+
+TEST(IncludeRules, HoldInThisTree) { EXPECT_THAT(broken_include_rules(FLOEPLAN_SOURCE_DIR), IsEmpty()); }
+
+TEST_F(SpoiltTree, ShowsAnArrowThatPointsBack) {
+  append("engine/core/units.hpp", "#include \"engine/geo/lon_lat.hpp\"");
+  append("engine/graph/grid_graph.hpp", "#include \"engine/ocean/iceberg.hpp\"");
+
+  EXPECT_THAT(broken_include_rules(root_),
+              ElementsAre(HasSubstr("engine/core must not use \"engine/geo/lon_lat.hpp\""),
+                          HasSubstr("engine/graph must not use \"engine/ocean/iceberg.hpp\"")));
+}
+
+TEST_F(SpoiltTree, ShowsStorageInTheEngineAndAvoidanceThatSeesTheOcean) {
+  append("engine/avoidance/spoilt.cpp", "#include \"engine/ocean/current_field.hpp\"");
+  append("engine/planning/plan.hpp", "#include \"storage/repository/dataset.hpp\"");
+
+  EXPECT_THAT(broken_include_rules(root_), ElementsAre(HasSubstr("engine/avoidance/spoilt.cpp:1: "),
+                                                       HasSubstr("engine/planning must not use")));
+}
+
+TEST_F(SpoiltTree, ShowsJobsAndHttpThatSeeEachOther) {
+  append("server/http/message.hpp", "#pragma once");
+  append("server/http/spoilt.cpp", "#include \"server/jobs/spoilt.cpp\"");
+  append("server/jobs/spoilt.cpp", "#include \"server/http/message.hpp\"");
+
+  EXPECT_THAT(broken_include_rules(root_),
+              ElementsAre(HasSubstr("server/http must not use"), HasSubstr("server/jobs must not use")));
+}
+
+TEST_F(SpoiltTree, ShowsALibraryInTheWrongFolder) {
+  append("engine/core/units.hpp", "  # include <iostream> // why not");
+  append("engine/core/units.hpp", "#include <nlohmann/json.hpp>");
+  append("engine/core/units.hpp", "#include <thread>");
+  append("engine/core/units.hpp", "#include <gdal_priv.h>");
+  append("engine/core/units.hpp", "#include <boost/beast.hpp>");
+  append("engine/core/units.hpp", "#include <fstream>");
+  append("engine/core/units.hpp", "#include <sqlite3.h>");
+  append("storage/repository/dataset.hpp", "#include <SQLiteCpp/Database.h>");
+
+  const std::vector<std::string> faults = broken_include_rules(root_);
+
+  EXPECT_EQ(faults.size(), 8u);
+  EXPECT_THAT(faults, testing::Each(HasSubstr("must not know <")));
+}
+
+TEST_F(SpoiltTree, ShowsAnIncludeThatDoesNotStartAtTheRoot) {
+  append("engine/geo/bearing.hpp", "#include \"lon_lat.hpp\"");
+  append("engine/geo/bearing.hpp", "#include \"../geo/lon_lat.hpp\"");
+
+  const std::vector<std::string> faults = broken_include_rules(root_);
+
+  EXPECT_EQ(faults.size(), 2u);
+  EXPECT_THAT(faults, testing::Each(HasSubstr("is no path from the root")));
+}
+
+TEST_F(SpoiltTree, ShowsAFolderWithoutRules) {
+  append("engine/misc/spoilt.hpp", "#pragma once");
+
+  EXPECT_THAT(broken_include_rules(root_), ElementsAre(HasSubstr("engine/misc is not in the list")));
+}
+
+}  // namespace
+}  // namespace floeplan::support
