@@ -7,7 +7,8 @@
 
 namespace floeplan::core {
 
-/// One double in the SI unit that its alias is named after. An operator exists only where its dimension is right.
+/// One double in the SI unit that its alias is named after. An operator exists only where its dimension is
+/// right.
 template <class Tag>
 struct Quantity {
   double value{};

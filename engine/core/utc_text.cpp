@@ -35,7 +35,8 @@ class Reader {
   /// Unsigned decimal number, at most nine digits before the point.
   std::optional<double> number() {
     std::size_t length = 0;
-    while (length < rest_.size() && (std::isdigit(static_cast<unsigned char>(rest_[length])) != 0 || rest_[length] == '.')) {
+    while (length < rest_.size() &&
+           (std::isdigit(static_cast<unsigned char>(rest_[length])) != 0 || rest_[length] == '.')) {
       ++length;
     }
     double value = 0.0;
@@ -52,7 +53,8 @@ class Reader {
 };
 
 std::optional<UtcTime> midnight(int year, int month, int day) {
-  const std::chrono::year_month_day date{std::chrono::year{year}, std::chrono::month{static_cast<unsigned>(month)},
+  const std::chrono::year_month_day date{std::chrono::year{year},
+                                         std::chrono::month{static_cast<unsigned>(month)},
                                          std::chrono::day{static_cast<unsigned>(day)}};
   if (!date.ok()) return std::nullopt;
   return UtcTime{std::chrono::sys_days{date}};

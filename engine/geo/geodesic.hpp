@@ -7,7 +7,8 @@
 namespace floeplan::geo {
 
 /// Shortest way between two places on WGS84.
-/// Source   Karney 2013, Algorithms for geodesics, J. Geodesy 87, doi:10.1007/s00190-012-0578-z (GeographicLib)
+/// Source   Karney 2013, Algorithms for geodesics, J. Geodesy 87, doi:10.1007/s00190-012-0578-z
+/// (GeographicLib)
 struct GeodesicLine {
   core::Metres length;
   Bearing course_at_start;

@@ -20,8 +20,8 @@ template <class... Fs>
 Overloaded(Fs...) -> Overloaded<Fs...>;
 
 GeographicLib::PolarStereographic formula(const PolarStereographicFrame& frame) {
-  GeographicLib::PolarStereographic result{GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f(),
-                                           1.0};
+  GeographicLib::PolarStereographic result{GeographicLib::Constants::WGS84_a(),
+                                           GeographicLib::Constants::WGS84_f(), 1.0};
   result.SetScale(std::abs(frame.lat_ts_deg), 1.0);
   return result;
 }
@@ -42,19 +42,20 @@ double origin_northing(const TransverseMercatorFrame& frame) {
 
 GridPoint to_grid(const GridFrame& frame, LonLat place) {
   return std::visit(
-      Overloaded{[&](const GeographicFrame&) { return GridPoint{place.lon_deg, place.lat_deg}; },
-                 [&](const PolarStereographicFrame& polar) {
-                   GridPoint point;
-                   formula(polar).Forward(polar.north, place.lat_deg,
-                                          longitude_difference(polar.lon_0_deg, place.lon_deg), point.x, point.y);
-                   return GridPoint{point.x + polar.false_easting_m, point.y + polar.false_northing_m};
-                 },
-                 [&](const TransverseMercatorFrame& mercator) {
-                   GridPoint point;
-                   formula(mercator).Forward(mercator.lon_0_deg, place.lat_deg, place.lon_deg, point.x, point.y);
-                   return GridPoint{point.x + mercator.false_easting_m,
-                                    point.y - origin_northing(mercator) + mercator.false_northing_m};
-                 }},
+      Overloaded{
+          [&](const GeographicFrame&) { return GridPoint{place.lon_deg, place.lat_deg}; },
+          [&](const PolarStereographicFrame& polar) {
+            GridPoint point;
+            formula(polar).Forward(polar.north, place.lat_deg,
+                                   longitude_difference(polar.lon_0_deg, place.lon_deg), point.x, point.y);
+            return GridPoint{point.x + polar.false_easting_m, point.y + polar.false_northing_m};
+          },
+          [&](const TransverseMercatorFrame& mercator) {
+            GridPoint point;
+            formula(mercator).Forward(mercator.lon_0_deg, place.lat_deg, place.lon_deg, point.x, point.y);
+            return GridPoint{point.x + mercator.false_easting_m,
+                             point.y - origin_northing(mercator) + mercator.false_northing_m};
+          }},
       frame);
 }
 
@@ -70,9 +71,9 @@ LonLat to_lon_lat(const GridFrame& frame, GridPoint point) {
                  },
                  [&](const TransverseMercatorFrame& mercator) {
                    LonLat place;
-                   formula(mercator).Reverse(
-                       mercator.lon_0_deg, point.x - mercator.false_easting_m,
-                       point.y - mercator.false_northing_m + origin_northing(mercator), place.lat_deg, place.lon_deg);
+                   formula(mercator).Reverse(mercator.lon_0_deg, point.x - mercator.false_easting_m,
+                                             point.y - mercator.false_northing_m + origin_northing(mercator),
+                                             place.lat_deg, place.lon_deg);
                    place.lon_deg = wrap_longitude(place.lon_deg);
                    return place;
                  }},
@@ -85,13 +86,13 @@ std::string frame_text(const GridFrame& frame) {
   text << std::setprecision(std::numeric_limits<double>::max_digits10);
   std::visit(Overloaded{[&](const GeographicFrame&) { text << "geographic"; },
                         [&](const PolarStereographicFrame& polar) {
-                          text << "polar_stereographic " << (polar.north ? "north " : "south ") << polar.lat_ts_deg
-                               << ' ' << polar.lon_0_deg << ' ' << polar.false_easting_m << ' '
-                               << polar.false_northing_m;
+                          text << "polar_stereographic " << (polar.north ? "north " : "south ")
+                               << polar.lat_ts_deg << ' ' << polar.lon_0_deg << ' ' << polar.false_easting_m
+                               << ' ' << polar.false_northing_m;
                         },
                         [&](const TransverseMercatorFrame& mercator) {
-                          text << "transverse_mercator " << mercator.lon_0_deg << ' ' << mercator.lat_0_deg << ' '
-                               << mercator.scale_0 << ' ' << mercator.false_easting_m << ' '
+                          text << "transverse_mercator " << mercator.lon_0_deg << ' ' << mercator.lat_0_deg
+                               << ' ' << mercator.scale_0 << ' ' << mercator.false_easting_m << ' '
                                << mercator.false_northing_m;
                         }},
              frame);

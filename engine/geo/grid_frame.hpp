@@ -20,7 +20,8 @@ struct GeographicFrame {
   friend bool operator==(GeographicFrame, GeographicFrame) = default;
 };
 
-/// Polar stereographic on WGS84, true to scale on a parallel (EPSG method 9829), e.g. EPSG:3413, 3995, 3996, 3031.
+/// Polar stereographic on WGS84, true to scale on a parallel (EPSG method 9829), e.g. EPSG:3413, 3995, 3996,
+/// 3031.
 struct PolarStereographicFrame {
   bool north{true};
   double lat_ts_deg{90.0};  // positive in the north, negative in the south
@@ -40,7 +41,8 @@ struct TransverseMercatorFrame {
   friend bool operator==(TransverseMercatorFrame, TransverseMercatorFrame) = default;
 };
 
-/// The coordinates in which a stored grid is regular. Grids in other projections are resampled when they are ingested.
+/// The coordinates in which a stored grid is regular. Grids in other projections are resampled when they are
+/// ingested.
 using GridFrame = std::variant<GeographicFrame, PolarStereographicFrame, TransverseMercatorFrame>;
 
 [[nodiscard]] GridPoint to_grid(const GridFrame& frame, LonLat place);

@@ -16,7 +16,8 @@ using GeographicLib::PolarStereographic;
 using GeographicLib::TransverseMercator;
 
 constexpr double polar_from_deg = 60.0;  // planning.md, geometry: polar stereographic above 60 degrees
-constexpr double conic_from_deg = 15.0;  // nearer to the equator the cone is almost a cylinder and gains nothing
+constexpr double conic_from_deg =
+    15.0;  // nearer to the equator the cone is almost a cylinder and gains nothing
 
 struct Projected {
   PlanePoint point;
@@ -37,8 +38,8 @@ struct Polar {
 
   [[nodiscard]] Projected forward(double lon_from_origin_deg, double lat_deg) const {
     Projected result{};
-    formula.Forward(north, lat_deg, lon_from_origin_deg, result.point.x_m, result.point.y_m, result.convergence_deg,
-                    result.scale);
+    formula.Forward(north, lat_deg, lon_from_origin_deg, result.point.x_m, result.point.y_m,
+                    result.convergence_deg, result.scale);
     return result;
   }
 
@@ -53,12 +54,13 @@ struct Conic {
   LambertConformalConic formula;
 
   explicit Conic(LonLat origin)
-      : formula{GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f(), origin.lat_deg, 1.0} {}
+      : formula{GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f(), origin.lat_deg,
+                1.0} {}
 
   [[nodiscard]] Projected forward(double lon_from_origin_deg, double lat_deg) const {
     Projected result{};
-    formula.Forward(0.0, lat_deg, lon_from_origin_deg, result.point.x_m, result.point.y_m, result.convergence_deg,
-                    result.scale);
+    formula.Forward(0.0, lat_deg, lon_from_origin_deg, result.point.x_m, result.point.y_m,
+                    result.convergence_deg, result.scale);
     return result;
   }
 
@@ -74,8 +76,8 @@ struct Transverse {
 
   [[nodiscard]] Projected forward(double lon_from_origin_deg, double lat_deg) const {
     Projected result{};
-    formula.Forward(0.0, lat_deg, lon_from_origin_deg, result.point.x_m, result.point.y_m, result.convergence_deg,
-                    result.scale);
+    formula.Forward(0.0, lat_deg, lon_from_origin_deg, result.point.x_m, result.point.y_m,
+                    result.convergence_deg, result.scale);
     return result;
   }
 
@@ -96,15 +98,16 @@ class LocalProjection::Formulas {
   }
 
   [[nodiscard]] Projected forward(double lon_from_origin_deg, double lat_deg) const {
-    Projected result = std::visit([&](const auto& f) { return f.forward(lon_from_origin_deg, lat_deg); }, formula_);
+    Projected result =
+        std::visit([&](const auto& f) { return f.forward(lon_from_origin_deg, lat_deg); }, formula_);
     result.point.x_m -= shift_.x_m;
     result.point.y_m -= shift_.y_m;
     return result;
   }
 
   [[nodiscard]] LonLat reverse(PlanePoint point) const {
-    return std::visit([&](const auto& f) { return f.reverse({point.x_m + shift_.x_m, point.y_m + shift_.y_m}); },
-                      formula_);
+    return std::visit(
+        [&](const auto& f) { return f.reverse({point.x_m + shift_.x_m, point.y_m + shift_.y_m}); }, formula_);
   }
 
  private:
@@ -136,7 +139,8 @@ LonLat LocalProjection::to_lon_lat(PlanePoint point) const {
 }
 
 PlaneScale LocalProjection::at(LonLat place) const {
-  const Projected projected = formulas_->forward(longitude_difference(origin_.lon_deg, place.lon_deg), place.lat_deg);
+  const Projected projected =
+      formulas_->forward(longitude_difference(origin_.lon_deg, place.lon_deg), place.lat_deg);
   return {projected.scale, core::Radians{core::degrees_to_radians(projected.convergence_deg)}};
 }
 
@@ -146,7 +150,8 @@ PlaneVelocity LocalProjection::to_plane(VelocityEn velocity, LonLat place) const
   const double sine = std::sin(local.convergence.value);
   const double east = local.scale * velocity.east.value;
   const double north = local.scale * velocity.north.value;
-  // Grid north bears `convergence` from true north: y along (sin, cos) in east-north axes, x along (cos, -sin).
+  // Grid north bears `convergence` from true north: y along (sin, cos) in east-north axes, x along (cos,
+  // -sin).
   return {east * cosine - north * sine, east * sine + north * cosine};
 }
 

@@ -30,8 +30,10 @@ struct PlaneVelocity {
 
 /// Conformal projection of WGS84 onto a plane around a place; the plane's origin is that place.
 /// Frame    x roughly east, y roughly north; exact directions by `at`
-/// Choice   polar stereographic with the origin's meridian straight where |latitude| >= 60 degrees, Lambert conformal
-///          conic with one standard parallel for wide areas between 15 and 60 degrees, transverse Mercator elsewhere
+/// Choice   polar stereographic with the origin's meridian straight where |latitude| >= 60 degrees, Lambert
+/// conformal
+///          conic with one standard parallel for wide areas between 15 and 60 degrees, transverse Mercator
+///          elsewhere
 /// Edges    areas may cross the antimeridian and contain the pole of their own hemisphere
 /// Threads  const members may be called from several threads at once
 /// Source   Snyder 1987, Map Projections: A Working Manual, USGS Prof. Paper 1395 (formulas by GeographicLib)

@@ -5,7 +5,8 @@
 namespace floeplan::geo {
 namespace {
 
-/// Even-odd rule along the meridian through `place`; longitudes are taken relative to it, so the antimeridian is no seam.
+/// Even-odd rule along the meridian through `place`; longitudes are taken relative to it, so the antimeridian
+/// is no seam.
 bool inside(const Ring& ring, LonLat place) {
   bool is_inside = false;
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
@@ -25,6 +26,8 @@ bool contains(const Polygon& polygon, LonLat place) {
   return std::ranges::none_of(polygon.holes, [&](const Ring& hole) { return inside(hole, place); });
 }
 
-BoundingBox bounding_box(const Polygon& polygon) { return bounding_box(std::span<const LonLat>{polygon.outer}); }
+BoundingBox bounding_box(const Polygon& polygon) {
+  return bounding_box(std::span<const LonLat>{polygon.outer});
+}
 
 }  // namespace floeplan::geo

@@ -7,11 +7,12 @@
 
 namespace floeplan::geo {
 
-/// Closed line; the last place joins the first and is not repeated. Neighbours are less than 180 degrees apart.
+/// Closed line; the last place joins the first and is not repeated. Neighbours are less than 180 degrees
+/// apart.
 using Ring = std::vector<LonLat>;
 
-/// Area inside `outer` and outside every hole. Edges are straight in longitude and latitude, as charts draw them.
-/// Edges    a ring may cross the antimeridian (its longitudes jump there); it may not contain a pole
+/// Area inside `outer` and outside every hole. Edges are straight in longitude and latitude, as charts draw
+/// them. Edges    a ring may cross the antimeridian (its longitudes jump there); it may not contain a pole
 struct Polygon {
   Ring outer;
   std::vector<Ring> holes;

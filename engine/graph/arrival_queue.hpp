@@ -9,7 +9,8 @@
 namespace floeplan::graph {
 
 /// Vertices by ascending key, equal keys by ascending number, so that every run takes the same order; INSERT,
-/// EXTRACT-MIN and DECREASE-KEY of the paper's Table I. A heap with four children: flatter than two, fewer cache misses.
+/// EXTRACT-MIN and DECREASE-KEY of the paper's Table I. A heap with four children: flatter than two, fewer
+/// cache misses.
 class ArrivalQueue {
  public:
   explicit ArrivalQueue(std::size_t vertices) : slot_(vertices, absent) {}

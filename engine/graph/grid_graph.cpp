@@ -19,7 +19,8 @@ std::vector<Offset> sector_offsets(int sectors) {
   }
   const auto angle = [](Offset o) {
     const double turned = std::atan2(o.dy, o.dx);
-    return turned < 0.0 ? turned + 7.0 : turned;  // 7 > 2 pi keeps the order of the lower half behind the upper half
+    return turned < 0.0 ? turned + 7.0
+                        : turned;  // 7 > 2 pi keeps the order of the lower half behind the upper half
   };
   std::ranges::sort(offsets, [&](Offset a, Offset b) { return angle(a) < angle(b); });
   return offsets;

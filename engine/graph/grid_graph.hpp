@@ -15,10 +15,9 @@ struct Offset {
   friend bool operator==(Offset, Offset) = default;
 };
 
-/// The steps of a k-sector grid: all (i, j) with max(|i|, |j|) <= k and no common divisor, so that no step passes over a
-/// vertex that a shorter one reaches. 8, 16, 32 steps for k = 1, 2, 3. Counter-clockwise from east.
-/// Source   Eichhorn 2009, Figure 4
-/// Errors   std::invalid_argument unless 1 <= sectors <= 5
+/// The steps of a k-sector grid: all (i, j) with max(|i|, |j|) <= k and no common divisor, so that no step
+/// passes over a vertex that a shorter one reaches. 8, 16, 32 steps for k = 1, 2, 3. Counter-clockwise from
+/// east. Source   Eichhorn 2009, Figure 4 Errors   std::invalid_argument unless 1 <= sectors <= 5
 [[nodiscard]] std::vector<Offset> sector_offsets(int sectors);
 
 /// A directed connection. `step` is the index of its offset.
@@ -28,9 +27,9 @@ struct Edge {
   std::uint8_t step{};
 };
 
-/// Vertices on nx columns and ny rows, numbered row by row, joined by the steps of a k-sector grid; knows no ocean.
-/// A closed vertex has no edges. Edges are not stored.
-/// Threads  const members may be called from several threads at once
+/// Vertices on nx columns and ny rows, numbered row by row, joined by the steps of a k-sector grid; knows no
+/// ocean. A closed vertex has no edges. Edges are not stored. Threads  const members may be called from
+/// several threads at once
 class GridGraph {
  public:
   /// `open` has nx * ny entries, or none when every vertex is open.
@@ -41,7 +40,9 @@ class GridGraph {
   [[nodiscard]] int ny() const { return ny_; }
   [[nodiscard]] const std::vector<Offset>& offsets() const { return offsets_; }
   /// All vertices, open or not: the range of vertex numbers.
-  [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_); }
+  [[nodiscard]] std::size_t size() const {
+    return static_cast<std::size_t>(nx_) * static_cast<std::size_t>(ny_);
+  }
   [[nodiscard]] bool is_open(Vertex v) const { return open_.empty() || open_[v] != 0; }
 
   [[nodiscard]] Vertex vertex(int column, int row) const { return static_cast<Vertex>(row * nx_ + column); }

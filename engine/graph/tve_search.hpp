@@ -8,18 +8,21 @@
 
 namespace floeplan::graph {
 
-/// How often a search looks at its stop token and reports: often enough for 100 ms, seldom enough to cost nothing.
+/// How often a search looks at its stop token and reports: often enough for 100 ms, seldom enough to cost
+/// nothing.
 inline constexpr std::int64_t expansions_between_looks = 1024;
 
-/// Earliest arrivals in a time-varying environment; label-correcting, exact under FIFO. Runs until the queue is empty, as
-/// printed: a goal in the query does not end it early.
-/// Returns  arrival and predecessor of every vertex that can be reached, counters of the search
-/// Source   Eichhorn 2009, Table I, right column; d: arrival, pi: predecessor, t_0: query.depart. A vertex is GRAY while
-///          the queue holds it; the paper prints pi <- infinity at the start, here a vertex has no predecessor
+/// Earliest arrivals in a time-varying environment; label-correcting, exact under FIFO. Runs until the queue
+/// is empty, as printed: a goal in the query does not end it early. Returns  arrival and predecessor of every
+/// vertex that can be reached, counters of the search Source   Eichhorn 2009, Table I, right column; d:
+/// arrival, pi: predecessor, t_0: query.depart. A vertex is GRAY while
+///          the queue holds it; the paper prints pi <- infinity at the start, here a vertex has no
+///          predecessor
 /// Stops    early, and says so in the result, once `stop` is requested
 template <EdgeTravelTime TravelTime>
-SearchTree find_earliest_arrivals_tve(const GridGraph& graph, const Query& query, const TravelTime& travel_time,
-                                      const std::stop_token& stop, const ExpansionCallback& report = {}) {
+SearchTree find_earliest_arrivals_tve(const GridGraph& graph, const Query& query,
+                                      const TravelTime& travel_time, const std::stop_token& stop,
+                                      const ExpansionCallback& report = {}) {
   SearchTree tree{graph.size()};
   ArrivalQueue queue{graph.size()};
   std::vector<bool> expanded(graph.size(), false);

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-
 #include <tl/expected.hpp>
 
 #include "engine/core/units.hpp"
@@ -25,15 +24,17 @@ struct EdgeAccuracy {
   core::Metres longest_step{INFINITY};  // on the ground: the scale on which the current changes
 };
 
-/// A vehicle that makes less than this share of its speed through water over the ground is held to stand still.
+/// A vehicle that makes less than this share of its speed through water over the ground is held to stand
+/// still.
 inline constexpr double least_progress = 0.01;
 
 /// Travel time along an edge: the solution of dt/ds = 1 / v(x(s), t) from the departure on, where
 /// v = c.e + sqrt(V^2 - (c.n)^2) is the speed over ground on the edge's direction e.
-/// Two vehicles on one edge obey the same scalar equation, and solutions of a scalar equation do not cross: the later one
-/// never overtakes. Hence FIFO: t1 <= t2 implies t1 + w(t1) <= t2 + w(t2), while the edge stays passable.
-/// Errors   the reason why the edge is closed: where the vehicle would be, when it would be there
-/// Source   planning: Eichhorn 2009, section III.C; integration: Bogacki and Shampine 1989, A 3(2) pair of Runge-Kutta
+/// Two vehicles on one edge obey the same scalar equation, and solutions of a scalar equation do not cross:
+/// the later one never overtakes. Hence FIFO: t1 <= t2 implies t1 + w(t1) <= t2 + w(t2), while the edge stays
+/// passable. Errors   the reason why the edge is closed: where the vehicle would be, when it would be there
+/// Source   planning: Eichhorn 2009, section III.C; integration: Bogacki and Shampine 1989, A 3(2) pair of
+/// Runge-Kutta
 ///          formulas, Appl. Math. Lett. 2, doi:10.1016/0893-9659(89)90079-7
 template <PlaneCurrent Current>
 tl::expected<core::Seconds, EdgeClosed> edge_time(const PlaneEdge& edge, core::Seconds depart,
@@ -52,7 +53,8 @@ tl::expected<core::Seconds, EdgeClosed> edge_time(const PlaneEdge& edge, core::S
   // Seconds for each metre on the ground, at distance s along the edge and time t.
   const auto slowness = [&](double s, double t) -> tl::expected<double, EdgeClosed> {
     const double share = s / length;
-    const auto c = current(geo::PlanePoint{edge.from.x_m + share * dx, edge.from.y_m + share * dy}, core::Seconds{t});
+    const auto c =
+        current(geo::PlanePoint{edge.from.x_m + share * dx, edge.from.y_m + share * dy}, core::Seconds{t});
     if (!c) return tl::unexpected(EdgeClosed::outside_data);
     const double across = c->x_m_s * ey - c->y_m_s * ex;
     const double margin = v2 - across * across;
@@ -76,12 +78,14 @@ tl::expected<core::Seconds, EdgeClosed> edge_time(const PlaneEdge& edge, core::S
     const double advance = k3 ? h * (2.0 / 9.0 * *k1 + 1.0 / 3.0 * *k2 + 4.0 / 9.0 * *k3) : 0.0;
     const auto k4 = k3 ? slowness(s + h, t + advance) : k3;
     if (!k4) {
-      // The trial points lie ahead at guessed times; only when they close in on the vehicle is the edge really closed.
+      // The trial points lie ahead at guessed times; only when they close in on the vehicle is the edge
+      // really closed.
       if (h <= shortest_step) return tl::unexpected(k4.error());
       step = std::max(0.25 * h, shortest_step);
       continue;
     }
-    const double error = h * std::abs(5.0 / 72.0 * *k1 - 1.0 / 12.0 * *k2 - 1.0 / 9.0 * *k3 + 1.0 / 8.0 * *k4);
+    const double error =
+        h * std::abs(5.0 / 72.0 * *k1 - 1.0 / 12.0 * *k2 - 1.0 / 9.0 * *k3 + 1.0 / 8.0 * *k4);
     const double allowed = accuracy.relative_tolerance * advance;
     if (error > allowed && h > shortest_step) {
       step = std::max(h * std::clamp(0.9 * std::cbrt(allowed / error), 0.2, 0.9), shortest_step);

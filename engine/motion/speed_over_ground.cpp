@@ -5,7 +5,8 @@
 namespace floeplan::motion {
 
 tl::expected<core::MetresPerSecond, EdgeClosed> speed_over_ground(core::MetresPerSecond through_water,
-                                                                  geo::VelocityEn current, geo::Bearing course) {
+                                                                  geo::VelocityEn current,
+                                                                  geo::Bearing course) {
   const double along = current.east.value * course.east() + current.north.value * course.north();
   const double across = current.east.value * course.north() - current.north.value * course.east();
 

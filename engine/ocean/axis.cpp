@@ -7,7 +7,8 @@
 namespace floeplan::ocean {
 namespace {
 
-constexpr double node_tolerance = 1e-6;  // of a step: the rounding of float32 coordinates, far below their spacing
+constexpr double node_tolerance =
+    1e-6;  // of a step: the rounding of float32 coordinates, far below their spacing
 
 }  // namespace
 
@@ -38,7 +39,8 @@ std::optional<AxisPosition> Axis::locate(double value) const {
 
   std::size_t lower = 0;
   if (uniform_) {
-    // The nearest guess by division; the true interval is at most one further because nodes stray less than 1 %.
+    // The nearest guess by division; the true interval is at most one further because nodes stray less than 1
+    // %.
     const double guess = (value - nodes_.front()) / mean_step();
     lower = static_cast<std::size_t>(std::clamp(guess, 0.0, static_cast<double>(last)));
     if (lower > 0 && value < nodes_[lower]) --lower;

@@ -28,7 +28,8 @@ class Axis {
   /// Mean distance between neighbours; 0 for a single node.
   [[nodiscard]] double mean_step() const;
 
-  /// Outside  nullopt below the first and above the last node. A value within 1e-6 of a step from a node is that node
+  /// Outside  nullopt below the first and above the last node. A value within 1e-6 of a step from a node is
+  /// that node
   [[nodiscard]] std::optional<AxisPosition> locate(double value) const;
 
  private:

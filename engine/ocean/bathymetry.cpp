@@ -9,7 +9,8 @@ namespace floeplan::ocean {
 
 Bathymetry::Bathymetry(HorizontalGrid grid, std::vector<float> depth_m)
     : grid_{std::move(grid)}, depth_m_{std::move(depth_m)} {
-  if (depth_m_.size() != grid_.size()) throw std::invalid_argument{"bathymetry needs one depth for each node"};
+  if (depth_m_.size() != grid_.size())
+    throw std::invalid_argument{"bathymetry needs one depth for each node"};
 }
 
 std::optional<core::Metres> Bathymetry::depth(geo::LonLat place) const {

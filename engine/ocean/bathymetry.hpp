@@ -9,7 +9,8 @@
 namespace floeplan::ocean {
 
 /// Depth of the sea bed on a grid; bilinear between nodes.
-/// Shape    depth_m is [y][x], metres, positive down; land is zero or negative. NaN marks a missing sample inside the
+/// Shape    depth_m is [y][x], metres, positive down; land is zero or negative. NaN marks a missing sample
+/// inside the
 ///          array; it never leaves the class
 /// Outside  nullopt beyond the grid and where any of the nodes needed is missing
 /// Threads  const members may be called from several threads at once

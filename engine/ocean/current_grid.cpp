@@ -39,7 +39,8 @@ std::optional<geo::VelocityEn> CurrentGrid::level(const GridPosition& at, std::s
   return geo::VelocityEn{{*east}, {*north}};
 }
 
-std::optional<geo::VelocityEn> CurrentGrid::at(geo::LonLat place, core::Metres depth, core::UtcTime time) const {
+std::optional<geo::VelocityEn> CurrentGrid::at(geo::LonLat place, core::Metres depth,
+                                               core::UtcTime time) const {
   if (!std::isfinite(place.lon_deg) || !std::isfinite(place.lat_deg) || !std::isfinite(depth.value) ||
       !std::isfinite(core::unix_seconds(time))) {
     throw std::invalid_argument{"currents were asked for at a place, depth or time that is not finite"};
@@ -67,7 +68,18 @@ std::optional<geo::VelocityEn> CurrentGrid::depth_average(geo::LonLat place, cor
                                                           std::size_t time_index) const {
   const auto position = samples_.grid.locate(place);
   if (!position) return std::nullopt;
-  const auto top = level(*position, time_index, 0);
+  return depth_average(*position, dive_depth, time_index);
+}
+
+std::optional<geo::VelocityEn> CurrentGrid::depth_average_at_node(std::size_t ix, std::size_t iy,
+                                                                  core::Metres dive_depth,
+                                                                  std::size_t time_index) const {
+  return depth_average({{ix, ix, 0.0}, {iy, iy, 0.0}}, dive_depth, time_index);
+}
+
+std::optional<geo::VelocityEn> CurrentGrid::depth_average(const GridPosition& at, core::Metres dive_depth,
+                                                          std::size_t time_index) const {
+  const auto top = level(at, time_index, 0);
   if (!top || !samples_.depths_m) return top;
 
   // Above the first level the water moves as that level does; the mean reaches as deep as there is water.
@@ -77,7 +89,7 @@ std::optional<geo::VelocityEn> CurrentGrid::depth_average(geo::LonLat place, cor
   double north = top->north.value * reached_m;
   geo::VelocityEn upper = *top;
   for (std::size_t i = 1; i < depths.size() && depths[i - 1] < dive_depth.value; ++i) {
-    auto lower = level(*position, time_index, i);
+    auto lower = level(at, time_index, i);
     if (!lower) break;  // the sea bed
     double bottom_m = depths[i];
     if (bottom_m > dive_depth.value) {

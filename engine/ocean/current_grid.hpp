@@ -10,8 +10,10 @@
 namespace floeplan::ocean {
 
 /// Currents of a model or a measurement on a grid; bilinear in place, linear in depth and in time.
-/// Shape    u and v are [time][depth][y][x], last index fastest, m/s towards true east and true north (never along the
-///          axes of a projected grid). NaN marks a missing sample inside the arrays; it never leaves the class
+/// Shape    u and v are [time][depth][y][x], last index fastest, m/s towards true east and true north (never
+/// along the
+///          axes of a projected grid). NaN marks a missing sample inside the arrays; it never leaves the
+///          class
 /// Outside  nullopt where any of the nodes needed is missing, beyond the grid, its depths and its times.
 ///          Data without a depth axis (`depths` empty) answer for every depth: they say nothing of depth
 /// Errors   std::invalid_argument from the constructor when the sizes do not agree
@@ -29,17 +31,24 @@ class CurrentGrid : public CurrentField {
 
   [[nodiscard]] std::optional<geo::VelocityEn> at(geo::LonLat place, core::Metres depth,
                                                   core::UtcTime time) const override;
-  /// Mean over the depths from the surface to `dive_depth`, by trapezoids over the levels that have water; levels below
-  /// the bottom are left out. Data with one level or none answer with that level.
+  /// Mean over the depths from the surface to `dive_depth`, by trapezoids over the levels that have water;
+  /// levels below the bottom are left out. Data with one level or none answer with that level.
   [[nodiscard]] std::optional<geo::VelocityEn> depth_average(geo::LonLat place, core::Metres dive_depth,
                                                              std::size_t time_index) const;
+  /// The same at a node of the grid.
+  [[nodiscard]] std::optional<geo::VelocityEn> depth_average_at_node(std::size_t ix, std::size_t iy,
+                                                                     core::Metres dive_depth,
+                                                                     std::size_t time_index) const;
   [[nodiscard]] const Samples& samples() const { return samples_; }
-  /// The mean over all times as a field with a single time; a node is missing where it is missing at any time.
+  /// The mean over all times as a field with a single time; a node is missing where it is missing at any
+  /// time.
   [[nodiscard]] CurrentGrid time_mean() const;
 
  private:
   [[nodiscard]] std::optional<geo::VelocityEn> level(const GridPosition& at, std::size_t time_index,
                                                      std::size_t depth_index) const;
+  [[nodiscard]] std::optional<geo::VelocityEn> depth_average(const GridPosition& at, core::Metres dive_depth,
+                                                             std::size_t time_index) const;
 
   Samples samples_;
 };

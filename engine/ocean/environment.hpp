@@ -13,7 +13,8 @@
 namespace floeplan::ocean {
 
 /// All that is known of the sea in an area and a period: an immutable snapshot for one job.
-/// A missing part (null, empty) means that nothing is known or that the request left it out; the plan then warns.
+/// A missing part (null, empty) means that nothing is known or that the request left it out; the plan then
+/// warns.
 struct Environment {
   std::shared_ptr<const CurrentGrid> currents;  // null: still water
   bool steady_currents{false};                  // `currents` holds one time, meant for every time

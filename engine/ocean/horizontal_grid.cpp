@@ -9,7 +9,8 @@
 namespace floeplan::ocean {
 namespace {
 
-/// Whether geographic longitudes leave a gap of no more than a step (and a little for rounding) round the globe.
+/// Whether geographic longitudes leave a gap of no more than a step (and a little for rounding) round the
+/// globe.
 bool goes_all_the_way_round(const geo::GridFrame& frame, const Axis& x) {
   if (!std::holds_alternative<geo::GeographicFrame>(frame) || x.size() < 3) return false;
   const double gap = 360.0 - (x.back() - x.front());
@@ -19,7 +20,10 @@ bool goes_all_the_way_round(const geo::GridFrame& frame, const Axis& x) {
 }  // namespace
 
 HorizontalGrid::HorizontalGrid(geo::GridFrame frame, Axis x, Axis y)
-    : frame_{std::move(frame)}, x_{std::move(x)}, y_{std::move(y)}, wraps_{goes_all_the_way_round(frame_, x_)} {}
+    : frame_{std::move(frame)},
+      x_{std::move(x)},
+      y_{std::move(y)},
+      wraps_{goes_all_the_way_round(frame_, x_)} {}
 
 geo::LonLat HorizontalGrid::place(std::size_t ix, std::size_t iy) const {
   return geo::to_lon_lat(frame_, {x_[ix], y_[iy]});
@@ -28,7 +32,8 @@ geo::LonLat HorizontalGrid::place(std::size_t ix, std::size_t iy) const {
 std::optional<GridPosition> HorizontalGrid::locate(geo::LonLat place) const {
   geo::GridPoint point = geo::to_grid(frame_, place);
   if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
-    // Longitudes count eastwards from the first node; a hair west of it is that node, not a whole turn further.
+    // Longitudes count eastwards from the first node; a hair west of it is that node, not a whole turn
+    // further.
     const double turns = std::floor((point.x - x_.front()) / 360.0 + 1e-9);
     point.x -= 360.0 * turns;
   }

@@ -34,7 +34,8 @@ class HorizontalGrid {
   [[nodiscard]] std::optional<GridPosition> locate(geo::LonLat place) const;
   /// Smallest box of longitudes and latitudes that holds every node.
   [[nodiscard]] geo::BoundingBox bounds() const;
-  /// Typical distance on the ground between neighbouring nodes: the smaller of the two directions at the centre.
+  /// Typical distance on the ground between neighbouring nodes: the smaller of the two directions at the
+  /// centre.
   [[nodiscard]] core::Metres spacing() const;
 
  private:

@@ -26,7 +26,8 @@ core::Metres safe_length(const Iceberg& iceberg) {
     case bergy_bit: return {15.0};
     case small: return {60.0};
     case medium: return {122.0};  // the International Ice Patrol's upper limit, the larger of the two
-    case large: return {213.0};   // the same
+    case large:
+      return {213.0};  // the same
     // Half as much again as the lower limit of the class, the longest of the ordinary bergs off Newfoundland.
     case very_large:
     case unknown:

@@ -9,7 +9,8 @@
 namespace floeplan::ocean {
 
 /// Size classes of the International Ice Patrol and the Canadian Ice Service, by waterline length.
-/// Source  Environment Canada, MANICE chapter 4: growler < 5 m, bergy bit 5-15 m, small 15-60 m, medium 61-120 m,
+/// Source  Environment Canada, MANICE chapter 4: growler < 5 m, bergy bit 5-15 m, small 15-60 m, medium
+/// 61-120 m,
 ///         large 121-200 m, very large > 200 m
 enum class IcebergSize { growler, bergy_bit, small, medium, large, very_large, unknown, radar_target };
 
@@ -22,12 +23,13 @@ struct Iceberg {
   std::optional<core::Metres> length;                // at the waterline, where the source states it
   std::optional<core::Metres> draft;                 // where the source states it
   std::optional<core::Metres> position_uncertainty;  // where the source states it
-  std::string shape;                                 // the source's own code ("TAB", "DOM"), empty when not given
-  std::string method;                                // how it was seen ("R/V", "SAT-HIGH"), empty when not given
+  std::string shape;   // the source's own code ("TAB", "DOM"), empty when not given
+  std::string method;  // how it was seen ("R/V", "SAT-HIGH"), empty when not given
 };
 
-/// Length to keep clear of: the stated one, else the upper end of the size class. A size that is not known (also a radar
-/// target) counts as very large, never as small. Very large without a stated length counts as 300 m.
+/// Length to keep clear of: the stated one, else the upper end of the size class. A size that is not known
+/// (also a radar target) counts as very large, never as small. Very large without a stated length counts as
+/// 300 m.
 [[nodiscard]] core::Metres safe_length(const Iceberg& iceberg);
 
 /// The class's name in messages and files: "growler", "bergy_bit", ..., and back.

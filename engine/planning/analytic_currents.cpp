@@ -24,7 +24,7 @@ std::optional<motion::CurrentXy> MeanderingJet::operator()(geo::PlanePoint point
 
   const double dn_dx = k * amplitude * sine;
   const double dd_dx = 2.0 * k * k * k * amplitude * amplitude * sine * cosine;
-  const double u = sech2 / root;                                       // -d(phi)/dy
+  const double u = sech2 / root;                                            // -d(phi)/dy
   const double v = -sech2 * (dn_dx / root - 0.5 * n * dd_dx / (d * root));  // d(phi)/dx
   return motion::CurrentXy{u, v};
 }

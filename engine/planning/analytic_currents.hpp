@@ -17,7 +17,8 @@ struct RiverCurrent {
 };
 
 /// The meandering jet of the paper, eastward, dimensionless.
-/// Source   Eichhorn 2009, equations (2) to (4) and the parameter set printed below (3); after Cencini et al. 1999,
+/// Source   Eichhorn 2009, equations (2) to (4) and the parameter set printed below (3); after Cencini et al.
+/// 1999,
 ///          Mixing in a meandering jet, J. Phys. Oceanogr. 29
 struct MeanderingJet {
   double b_0{1.2};

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <string>
-
 #include <tl/expected.hpp>
 
 #include "engine/core/units.hpp"
@@ -30,10 +29,10 @@ enum class Reason {
 
 struct Infeasible {
   Reason reason{};
-  geo::LonLat at;            // where the search or the vehicle stopped
-  core::UtcTime when;        // and at what time it would have been there
-  std::string explanation;   // for a person, one sentence
-  std::string suggestion;    // what would help, one sentence
+  geo::LonLat at;           // where the search or the vehicle stopped
+  core::UtcTime when;       // and at what time it would have been there
+  std::string explanation;  // for a person, one sentence
+  std::string suggestion;   // what would help, one sentence
 };
 
 template <class T>

@@ -31,14 +31,15 @@ struct PlanRequest {
   core::UtcTime depart;
   vehicle::GliderProfile vehicle;
 
-  std::optional<core::Metres> spacing_along;   // of the grid, towards the goal; default distance/200 in 250 m .. 5 km
+  std::optional<core::Metres>
+      spacing_along;  // of the grid, towards the goal; default distance/200 in 250 m .. 5 km
   std::optional<core::Metres> spacing_across;  // default the same as along
   int sectors{3};                              // reach of the grid's edges, 1 to 5
   Method method{Method::astar};
   bool refine{true};
-  std::optional<int> max_waypoints;      // start and goal included
-  core::Metres iceberg_margin{500.0};    // kept from the edge of an iceberg
-  double edge_tolerance{1e-4};           // relative, of an edge's travel time
+  std::optional<int> max_waypoints;    // start and goal included
+  core::Metres iceberg_margin{500.0};  // kept from the edge of an iceberg
+  double edge_tolerance{1e-4};         // relative, of an edge's travel time
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };

@@ -7,10 +7,11 @@
 namespace floeplan::vehicle {
 namespace {
 
-/// Sources: horizontal speed 0.35 m/s on average and the depth ratings: Teledyne Webb Research, Slocum G3 glider data
-/// sheet. Waypoints in a list: eight slots in the vendor's data dictionary of firmware 10.5, behavior goto_list.
-/// Minimum working depths leave the surface layer a glider climbs into (about 4 m), the altimeter margin and some metres
-/// in which to saw-tooth; the deep vehicle's larger pump turns more slowly, hence its 40 m (the data sheet's lower limit).
+/// Sources: horizontal speed 0.35 m/s on average and the depth ratings: Teledyne Webb Research, Slocum G3
+/// glider data sheet. Waypoints in a list: eight slots in the vendor's data dictionary of firmware 10.5,
+/// behavior goto_list. Minimum working depths leave the surface layer a glider climbs into (about 4 m), the
+/// altimeter margin and some metres in which to saw-tooth; the deep vehicle's larger pump turns more slowly,
+/// hence its 40 m (the data sheet's lower limit).
 std::vector<GliderProfile> make_profiles() {
   return {
       {.name = "slocum-g3-200",
@@ -51,7 +52,8 @@ core::Violations GliderProfile::violations() const {
           "must be between 0.05 and 5 m/s");
   require(dive_depth.value >= 1.0 && dive_depth.value <= depth_rating.value, "/dive_depth_m",
           "must be at least 1 m and no deeper than the vehicle's rating");
-  require(depth_rating.value > 0.0 && depth_rating.value <= 11'000.0, "/vehicle", "has no plausible depth rating");
+  require(depth_rating.value > 0.0 && depth_rating.value <= 11'000.0, "/vehicle",
+          "has no plausible depth rating");
   require(minimum_working_depth.value >= 0.0, "/vehicle", "has a negative minimum working depth");
   require(max_waypoints_per_list >= 1, "/vehicle", "must take at least one waypoint");
   return found;

@@ -1,0 +1,132 @@
+#include "engine/planning/explanation.hpp"
+
+#include <algorithm>
+#include <cstdio>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+std::string speed_text(const PlanRequest& request) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.2f m/s", request.vehicle.speed_through_water.value);
+  return text;
+}
+
+std::string metres_text(core::Metres length) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.0f m", length.value);
+  return text;
+}
+
+core::UtcTime clock(const PlanRequest& request, core::Seconds since_departure) {
+  return request.depart + since_departure;
+}
+
+/// Words for a closed leg: what is the matter and what would help.
+struct Words {
+  Reason reason;
+  std::string explanation;
+  std::string suggestion;
+};
+
+Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& request, core::Seconds when) {
+  switch (closed) {
+    case motion::EdgeClosed::current_too_strong:
+      return {Reason::current_too_strong,
+              "the current here is too strong for " + speed_text(request) + " through the water",
+              "depart at another time, raise the speed, or choose a way with weaker current"};
+    case motion::EdgeClosed::outside_data: {
+      const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+      if (end && when >= *end - core::Seconds{1.0}) {
+        return {
+            Reason::outside_data,
+            "the stored currents end at " + core::iso8601(clock(request, *end)) + ", before the route does",
+            "depart earlier, ingest a longer forecast, or hold the currents steady (--steady)"};
+      }
+      return {Reason::outside_data, "the stored data do not cover this place",
+              "ingest data that cover it, or leave the kind of data out (for example --currents none)"};
+    }
+    case motion::EdgeClosed::too_shallow:
+      return {Reason::too_shallow,
+              "the water is shallower than the vehicle's minimum of " +
+                  metres_text(request.vehicle.minimum_working_depth),
+              "go round it, or choose a vehicle for shallower water"};
+    case motion::EdgeClosed::on_land: return {Reason::too_shallow, "the way crosses land", "go round it"};
+    case motion::EdgeClosed::obstacle:
+      return {Reason::near_iceberg,
+              "the way comes closer to an iceberg than the margin of " + metres_text(request.iceberg_margin),
+              "go round it, or reduce the margin (--margin)"};
+  }
+  return {Reason::goal_unreachable, "", ""};
+}
+
+}  // namespace
+
+Infeasible explain_place(motion::EdgeClosed closed, RouteEnd end, geo::LonLat place,
+                         const PlanRequest& request) {
+  const bool start = end == RouteEnd::start;
+  const std::string subject = start ? "the start" : "the goal";
+  switch (closed) {
+    case motion::EdgeClosed::on_land:
+      return {start ? Reason::start_on_land : Reason::goal_on_land, place, request.depart,
+              subject + " lies on land in the stored bathymetry or coastline",
+              "move it into the water; longitude comes first"};
+    case motion::EdgeClosed::too_shallow:
+      return {start ? Reason::start_too_shallow : Reason::goal_too_shallow, place, request.depart,
+              subject + " lies in water shallower than the vehicle's minimum of " +
+                  metres_text(request.vehicle.minimum_working_depth),
+              "move it into deeper water, or choose a vehicle for shallower water"};
+    case motion::EdgeClosed::obstacle:
+      return {
+          start ? Reason::start_near_iceberg : Reason::goal_near_iceberg, place, request.depart,
+          subject + " lies closer to an iceberg than the margin of " + metres_text(request.iceberg_margin),
+          "move it, or reduce the margin (--margin)"};
+    case motion::EdgeClosed::outside_data:
+    case motion::EdgeClosed::current_too_strong: break;
+  }
+  return {Reason::outside_data, place, request.depart, subject + " lies outside the stored data",
+          "ingest data that cover it, or leave the kind of data out (for example --bathymetry none)"};
+}
+
+Infeasible explain_route(const RouteClosed& closed, const Sea& sea, const PlanRequest& request) {
+  Words words = words_for(closed.reason, sea, request, closed.when);
+  return {words.reason, sea.projection().to_lon_lat(closed.at), clock(request, closed.when),
+          std::move(words.explanation), std::move(words.suggestion)};
+}
+
+Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanRequest& request) {
+  // What closes most of the ways onward from the place nearest to the goal binds there; equal counts: the
+  // first kind.
+  using enum motion::EdgeClosed;
+  motion::EdgeClosed binding = on_land;
+  std::ptrdiff_t most = 0;
+  for (const motion::EdgeClosed kind : {outside_data, current_too_strong, too_shallow, on_land, obstacle}) {
+    const auto count = std::ranges::count(search.closed_at_nearest, kind);
+    if (count > most) {
+      most = count;
+      binding = kind;
+    }
+  }
+  Words words = words_for(binding, sea, request, search.nearest_arrival);
+  const bool by_data = binding == outside_data || binding == current_too_strong;
+  return {by_data ? words.reason : Reason::goal_unreachable, sea.projection().to_lon_lat(search.nearest),
+          clock(request, search.nearest_arrival),
+          "no way was found to the goal; the nearest place reached is marked, where " + words.explanation,
+          words.suggestion + "; a finer grid (--spacing) finds narrower passages"};
+}
+
+Infeasible explain_cancelled(const PlanRequest& request) {
+  return {Reason::cancelled, request.from, request.depart, "the search was cancelled", "start it again"};
+}
+
+Infeasible explain_too_large(double vertices, const PlanRequest& request) {
+  char text[96];
+  std::snprintf(text, sizeof text,
+                "the grid would have %.0f million vertices, more than memory is set aside for",
+                vertices / 1e6);
+  return {Reason::too_large, request.from, request.depart, text, "choose a wider spacing or plan in parts"};
+}
+
+}  // namespace floeplan::planning

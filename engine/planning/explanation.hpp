@@ -1,0 +1,28 @@
+#pragma once
+
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/route_cost.hpp"
+#include "engine/planning/route_search.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// Which end of a route a place is.
+enum class RouteEnd { start, goal };
+
+/// Says why a start, goal or via cannot be used.
+[[nodiscard]] Infeasible explain_place(motion::EdgeClosed closed, RouteEnd end, geo::LonLat place,
+                                       const PlanRequest& request);
+
+/// Says why a given route, or the straight line, cannot be travelled.
+[[nodiscard]] Infeasible explain_route(const RouteClosed& closed, const Sea& sea, const PlanRequest& request);
+
+/// Says where a search stopped and what stood in its way.
+[[nodiscard]] Infeasible explain_search(const RouteSearch& search, const Sea& sea,
+                                        const PlanRequest& request);
+
+[[nodiscard]] Infeasible explain_cancelled(const PlanRequest& request);
+[[nodiscard]] Infeasible explain_too_large(double vertices, const PlanRequest& request);
+
+}  // namespace floeplan::planning

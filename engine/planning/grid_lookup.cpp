@@ -1,0 +1,68 @@
+#include "engine/planning/grid_lookup.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double finest_step_m = 2000.0;
+constexpr double most_cells_a_side = 1000.0;
+constexpr double jump_deg = 90.0;  // no cell of the table spans this much unless longitude jumps inside it
+
+}  // namespace
+
+GridLookup::GridLookup(const geo::GridFrame& frame, const geo::LocalProjection& projection,
+                       const PlaneBox& area)
+    : frame_{frame}, projection_{projection}, low_{area.low} {
+  const double extent = std::max(area.width_m(), area.height_m());
+  const double step = std::max(finest_step_m, extent / most_cells_a_side);
+  inverse_step_ = 1.0 / step;
+  nx_ = static_cast<std::size_t>(std::ceil(area.width_m() / step)) + 2;
+  ny_ = static_cast<std::size_t>(std::ceil(area.height_m() / step)) + 2;
+  nodes_.reserve(nx_ * ny_);
+  for (std::size_t iy = 0; iy < ny_; ++iy) {
+    for (std::size_t ix = 0; ix < nx_; ++ix) {
+      nodes_.push_back(
+          exact({low_.x_m + step * static_cast<double>(ix), low_.y_m + step * static_cast<double>(iy)}));
+    }
+  }
+  if (!std::holds_alternative<geo::GeographicFrame>(frame_)) return;
+  for (std::size_t i = 1; i < nodes_.size() && !has_jump_; ++i) {
+    has_jump_ = (i % nx_ != 0 && std::abs(nodes_[i].x - nodes_[i - 1].x) > jump_deg) ||
+                (i >= nx_ && std::abs(nodes_[i].x - nodes_[i - nx_].x) > jump_deg);
+  }
+}
+
+geo::GridPoint GridLookup::exact(geo::PlanePoint point) const {
+  const geo::LonLat place = projection_.to_lon_lat(point);
+  if (std::holds_alternative<geo::GeographicFrame>(frame_)) {
+    const double origin = projection_.origin().lon_deg;
+    return {origin + geo::longitude_difference(origin, place.lon_deg), place.lat_deg};
+  }
+  return geo::to_grid(frame_, place);
+}
+
+geo::GridPoint GridLookup::coordinates(geo::PlanePoint point) const {
+  const double x = (point.x_m - low_.x_m) * inverse_step_;
+  const double y = (point.y_m - low_.y_m) * inverse_step_;
+  const auto ix = std::min(static_cast<std::size_t>(std::max(0.0, x)), nx_ - 2);
+  const auto iy = std::min(static_cast<std::size_t>(std::max(0.0, y)), ny_ - 2);
+  const double fx = x - static_cast<double>(ix);
+  const double fy = y - static_cast<double>(iy);
+
+  const geo::GridPoint& sw = nodes_[iy * nx_ + ix];
+  const geo::GridPoint& se = nodes_[iy * nx_ + ix + 1];
+  const geo::GridPoint& nw = nodes_[(iy + 1) * nx_ + ix];
+  const geo::GridPoint& ne = nodes_[(iy + 1) * nx_ + ix + 1];
+  if (has_jump_) {
+    const auto [least, most] = std::minmax({sw.x, se.x, nw.x, ne.x});
+    if (most - least > jump_deg) return exact(point);
+  }
+  const double south_x = sw.x + fx * (se.x - sw.x);
+  const double south_y = sw.y + fx * (se.y - sw.y);
+  return {south_x + fy * (nw.x + fx * (ne.x - nw.x) - south_x),
+          south_y + fy * (nw.y + fx * (ne.y - nw.y) - south_y)};
+}
+
+}  // namespace floeplan::planning

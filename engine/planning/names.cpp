@@ -1,0 +1,52 @@
+#include <array>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan_request.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr std::array<std::pair<Method, const char*>, 5> methods{{{Method::tve, "tve"},
+                                                                 {Method::dijkstra, "dijkstra"},
+                                                                 {Method::astar, "astar"},
+                                                                 {Method::frozen, "frozen"},
+                                                                 {Method::direct, "direct"}}};
+
+}  // namespace
+
+std::string method_name(Method method) {
+  for (const auto& [candidate, name] : methods) {
+    if (candidate == method) return name;
+  }
+  throw std::logic_error{"Method without a name"};
+}
+
+std::optional<Method> parse_method(std::string_view name) {
+  for (const auto& [method, candidate] : methods) {
+    if (name == candidate) return method;
+  }
+  return std::nullopt;
+}
+
+std::string reason_name(Reason reason) {
+  switch (reason) {
+    case Reason::start_on_land: return "start_on_land";
+    case Reason::start_too_shallow: return "start_too_shallow";
+    case Reason::start_near_iceberg: return "start_near_iceberg";
+    case Reason::goal_on_land: return "goal_on_land";
+    case Reason::goal_too_shallow: return "goal_too_shallow";
+    case Reason::goal_near_iceberg: return "goal_near_iceberg";
+    case Reason::outside_data: return "outside_data";
+    case Reason::current_too_strong: return "current_too_strong";
+    case Reason::too_shallow: return "too_shallow";
+    case Reason::near_iceberg: return "near_iceberg";
+    case Reason::goal_unreachable: return "goal_unreachable";
+    case Reason::too_large: return "too_large";
+    case Reason::cancelled: return "cancelled";
+  }
+  throw std::logic_error{"Reason without a name"};
+}
+
+}  // namespace floeplan::planning

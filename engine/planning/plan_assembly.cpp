@@ -1,0 +1,131 @@
+#include "engine/planning/plan_assembly.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <limits>
+#include <optional>
+
+#include "engine/geo/geodesic.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double sample_step_m =
+    250.0;  // along the route, for clearances: about the finest bathymetry in use
+
+/// Calls `visit(point)` at both ends of every leg and between them.
+template <class Visit>
+void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
+  visit(route.front());
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const geo::PlanePoint a = route[i - 1];
+    const geo::PlanePoint b = route[i];
+    const int pieces =
+        std::max(1, static_cast<int>(std::ceil(std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / sample_step_m)));
+    for (int piece = 1; piece <= pieces; ++piece) {
+      const double share = static_cast<double>(piece) / pieces;
+      visit(geo::PlanePoint{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)});
+    }
+  }
+}
+
+std::optional<core::Metres> iceberg_clearance(const Sea& sea, const std::vector<geo::PlanePoint>& route) {
+  std::optional<core::Metres> least;
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const auto nearest = sea.icebergs().nearest(route[i - 1], route[i]);
+    if (nearest && (!least || nearest->from_hull < *least)) least = nearest->from_hull;
+  }
+  return least;
+}
+
+std::optional<core::Metres> bottom_clearance(const Sea& sea, const ocean::Environment& environment,
+                                             const PlanRequest& request,
+                                             const std::vector<geo::PlanePoint>& route) {
+  if (!environment.bathymetry) return std::nullopt;
+  std::optional<core::Metres> least;
+  for_each_sample(route, [&](geo::PlanePoint point) {
+    const auto bed = environment.bathymetry->depth(sea.projection().to_lon_lat(point));
+    if (!bed) return;
+    const core::Metres deepest =
+        std::min(request.vehicle.dive_depth, *bed - request.vehicle.altimeter_margin);
+    const core::Metres left = *bed - deepest;
+    if (!least || left < *least) least = left;
+  });
+  return least;
+}
+
+/// Least distance from the route to the coastline's lines.
+std::optional<core::Metres> land_clearance(const Sea& sea, const ocean::Environment& environment,
+                                           const std::vector<geo::PlanePoint>& route) {
+  if (environment.land.empty()) return std::nullopt;
+  std::vector<geo::PlanePoint> samples;
+  for_each_sample(route, [&](geo::PlanePoint point) { samples.push_back(point); });
+  std::ranges::sort(samples, {}, &geo::PlanePoint::x_m);
+
+  double least = std::numeric_limits<double>::infinity();
+  for (const geo::Polygon& polygon : environment.land) {
+    for (const geo::LonLat corner : polygon.outer) {
+      const geo::PlanePoint coast = sea.projection().to_plane(corner);
+      auto sample = std::ranges::lower_bound(samples, coast.x_m - least, {}, &geo::PlanePoint::x_m);
+      for (; sample != samples.end() && sample->x_m <= coast.x_m + least; ++sample) {
+        least = std::min(least, std::hypot(sample->x_m - coast.x_m, sample->y_m - coast.y_m));
+      }
+    }
+  }
+  if (!std::isfinite(least)) return std::nullopt;
+  return core::Metres{least};
+}
+
+void warn_of_extended_currents(Plan& plan, const Sea& sea, const std::vector<geo::PlanePoint>& route) {
+  if (!sea.currents()) return;
+  int extended = 0;
+  int all = 0;
+  for_each_sample(route, [&](geo::PlanePoint point) {
+    ++all;
+    if (sea.currents()->is_extended(point)) ++extended;
+  });
+  if (extended == 0) return;
+  char text[160];
+  std::snprintf(
+      text, sizeof text,
+      "on %.0f %% of the route the current is that of the nearest water in the model, whose coast is coarser",
+      std::max(1.0, 100.0 * extended / all));
+  plan.warnings.emplace_back(text);
+}
+
+}  // namespace
+
+Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const PlanRequest& request,
+                   const std::vector<geo::PlanePoint>& route, const std::vector<core::Seconds>& arrivals) {
+  Plan plan;
+  plan.method = request.method;
+  plan.vehicle = request.vehicle.name;
+  plan.departure = request.depart;
+  plan.arrival = request.depart + arrivals.back();
+  for (std::size_t i = 0; i < route.size(); ++i) {
+    Waypoint waypoint;
+    waypoint.place = sea.projection().to_lon_lat(route[i]);
+    waypoint.eta = request.depart + arrivals[i];
+    if (environment.bathymetry) waypoint.depth = environment.bathymetry->depth(waypoint.place);
+    if (i > 0) {
+      const geo::GeodesicLine leg = geo::geodesic_between(plan.waypoints.back().place, waypoint.place);
+      waypoint.leg_length = leg.length;
+      waypoint.course_deg = leg.course_at_start.degrees();
+      const core::Seconds duration = arrivals[i] - arrivals[i - 1];
+      waypoint.speed_over_ground = core::MetresPerSecond{leg.length.value / duration.count()};
+      plan.distance = plan.distance + leg.length;
+    }
+    plan.waypoints.push_back(waypoint);
+  }
+  plan.clearances.iceberg = iceberg_clearance(sea, route);
+  plan.clearances.bottom = bottom_clearance(sea, environment, request, route);
+  plan.clearances.land = land_clearance(sea, environment, route);
+  plan.optimality_gap_reason = "not computed for routes in stored data";
+  plan.datasets = environment.datasets;
+  plan.warnings = environment.warnings;
+  warn_of_extended_currents(plan, sea, route);
+  return plan;
+}
+
+}  // namespace floeplan::planning

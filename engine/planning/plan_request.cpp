@@ -1,0 +1,60 @@
+#include "engine/planning/plan_request.hpp"
+
+#include <cmath>
+#include <string>
+
+#include "engine/geo/geodesic.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+/// Longest distance between two stops: a quarter of the globe, beyond which one conformal plane distorts too
+/// much.
+constexpr double longest_leg_m = 5e6;
+constexpr double shortest_leg_m = 1.0;
+
+}  // namespace
+
+core::Violations PlanRequest::violations() const {
+  core::Violations found = vehicle.violations();
+  const auto require = [&](bool holds, std::string field, std::string rule) {
+    if (!holds) found.push_back({std::move(field), std::move(rule)});
+    return holds;
+  };
+  const std::string place_rule =
+      "must be [longitude, latitude] in degrees, longitude -180 to 360, latitude -90 to 90, longitude first";
+  bool places_hold = require(geo::is_valid(from), "/from", place_rule);
+  places_hold &= require(geo::is_valid(to), "/to", place_rule);
+  for (std::size_t i = 0; i < via.size(); ++i) {
+    places_hold &= require(geo::is_valid(via[i]), "/via/" + std::to_string(i), place_rule);
+  }
+  if (places_hold) {
+    geo::LonLat last = from;
+    for (std::size_t i = 0; i <= via.size(); ++i) {
+      const bool at_goal = i == via.size();
+      const geo::LonLat next = at_goal ? to : via[i];
+      const std::string field = at_goal ? "/to" : "/via/" + std::to_string(i);
+      const double length_m = geo::geodesic_between(last, next).length.value;
+      require(length_m >= shortest_leg_m, field, "is the same place as the one before it; choose another");
+      require(length_m <= longest_leg_m, field,
+              "is more than 5000 km from the place before it; plan it in parts");
+      last = next;
+    }
+  }
+  require(std::isfinite(core::unix_seconds(depart)), "/depart", "must be a time");
+  require(sectors >= 1 && sectors <= 5, "/sectors", "must be 1, 2, 3, 4 or 5");
+  const auto spacing_holds = [](std::optional<core::Metres> spacing) {
+    return !spacing || (spacing->value >= 1.0 && spacing->value <= 100'000.0);
+  };
+  require(spacing_holds(spacing_along) && spacing_holds(spacing_across), "/spacing_m",
+          "must be between 1 m and 100 km");
+  require(!max_waypoints || *max_waypoints >= 2, "/max_waypoints",
+          "must be at least 2: the start and the goal");
+  require(iceberg_margin.value >= 0.0 && iceberg_margin.value <= 100'000.0, "/margin_m",
+          "must be between 0 and 100 km");
+  require(edge_tolerance >= 1e-9 && edge_tolerance <= 1e-2, "/edge_tolerance",
+          "must be between 1e-9 and 1e-2");
+  return found;
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "engine/motion/plane_current.hpp"
+#include "engine/ocean/current_grid.hpp"
+#include "engine/planning/grid_lookup.hpp"
+#include "engine/planning/plane_box.hpp"
+
+namespace floeplan::planning {
+
+/// The depth-averaged currents of a planning area, turned into the axes of the plane: what the inner loop
+/// asks. Interpolation   the data's own: bilinear between its nodes, linear between its times Coast a node
+/// without water takes the mean of its neighbours with water, one ring deep, because a model's
+///                 land mask is coarser than the coast; `is_extended` tells where
+/// Time            counted from `epoch`; steady currents answer for every time
+/// Outside         empty beyond the nodes with water (and that ring) and beyond the data's period
+/// Threads         const members may be called from several threads at once
+class PlaneCurrents {
+ public:
+  PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, core::Metres dive_depth,
+                const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch);
+
+  [[nodiscard]] std::optional<motion::CurrentXy> operator()(geo::PlanePoint point, core::Seconds time) const;
+  /// Whether the current at this point rests on a node beyond the data's own coast.
+  [[nodiscard]] bool is_extended(geo::PlanePoint point) const;
+
+  [[nodiscard]] core::MetresPerSecond strongest() const { return strongest_; }
+  /// Distance between the data's nodes: the scale on which the current changes.
+  [[nodiscard]] core::Metres spacing() const { return spacing_; }
+  /// Least time between two steps of the data; empty when there is one step only.
+  [[nodiscard]] std::optional<core::Seconds> time_step() const;
+  /// Last time that is covered; empty when steady.
+  [[nodiscard]] std::optional<core::Seconds> end() const;
+
+ private:
+  struct Corner {
+    std::size_t first;  // index of the south-western node
+    double fx;
+    double fy;
+  };
+  struct Node {
+    float x_m_s;
+    float y_m_s;
+  };
+  [[nodiscard]] std::optional<Corner> corner(geo::PlanePoint point) const;
+  void fill(const ocean::CurrentGrid& currents, core::Metres dive_depth,
+            const geo::LocalProjection& projection);
+  void extend_to_coast();
+
+  GridLookup lookup_;
+  ocean::Axis x_;  // the window of the data's axes; longitudes continuous, also across the data's seam
+  ocean::Axis y_;
+  std::vector<std::size_t> columns_;  // of the data, for each node of x_
+  std::size_t first_row_{};
+  std::vector<double> times_s_;         // since epoch; empty when steady
+  std::vector<Node> nodes_;             // [time][y][x]; NaN where there is no water
+  std::vector<std::uint8_t> extended_;  // [y][x]
+  core::MetresPerSecond strongest_{};
+  core::Metres spacing_{};
+};
+
+}  // namespace floeplan::planning

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "engine/motion/edge_closed.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// Where and when a route stops being passable.
+struct RouteClosed {
+  motion::EdgeClosed reason{};
+  geo::PlanePoint at;
+  core::Seconds when{};
+};
+
+/// Arrival at every point of a route of straight legs, the departure first. The one cost that every plan is
+/// published with, whatever found it.
+[[nodiscard]] tl::expected<std::vector<core::Seconds>, RouteClosed> arrivals_along(
+    const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart);
+
+}  // namespace floeplan::planning

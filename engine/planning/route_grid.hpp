@@ -1,0 +1,47 @@
+#pragma once
+
+#include "engine/core/units.hpp"
+#include "engine/geo/local_projection.hpp"
+#include "engine/graph/grid_graph.hpp"
+#include "engine/planning/plane_box.hpp"
+
+namespace floeplan::planning {
+
+/// How far a grid reaches beyond start and goal, as shares of their distance.
+struct GridReach {
+  double across{0.5};   // to either side of the straight line
+  double beyond{0.25};  // behind the start and past the goal
+};
+
+/// A grid in the plane whose columns run along the straight line from start to goal, so that both are
+/// vertices. Vertex (column, row) lies at origin + column * along + row * across.
+struct RouteGrid {
+  geo::PlanePoint origin;
+  geo::PlanePoint along;   // from one column to the next
+  geo::PlanePoint across;  // from one row to the next
+  int nx{};
+  int ny{};
+  graph::Vertex start{};
+  graph::Vertex goal{};
+
+  [[nodiscard]] geo::PlanePoint point(graph::Vertex v) const {
+    const auto column = static_cast<double>(v % static_cast<graph::Vertex>(nx));
+    const auto row = static_cast<double>(v / static_cast<graph::Vertex>(nx));
+    return {origin.x_m + column * along.x_m + row * across.x_m,
+            origin.y_m + column * along.y_m + row * across.y_m};
+  }
+  [[nodiscard]] PlaneBox bounds() const;
+  [[nodiscard]] double vertex_count() const { return static_cast<double>(nx) * ny; }
+};
+
+/// Grid steps of a request for a leg of this length: as asked for, or distance/200 within 250 m .. 5 km.
+struct GridSpacing {
+  core::Metres along;
+  core::Metres across;
+};
+
+/// Precondition: start and goal differ. The step along is fitted so that the goal falls on a vertex.
+[[nodiscard]] RouteGrid lay_grid(geo::PlanePoint start, geo::PlanePoint goal, GridSpacing spacing,
+                                 GridReach reach);
+
+}  // namespace floeplan::planning

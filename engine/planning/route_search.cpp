@@ -1,0 +1,146 @@
+#include "engine/planning/route_search.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/graph/label_setting_search.hpp"
+#include "engine/graph/tve_search.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using graph::Edge;
+using graph::Vertex;
+
+/// Where a vertex can be: in deep enough water and clear of icebergs.
+std::vector<std::uint8_t> open_vertices(const Sea& sea, const RouteGrid& grid) {
+  std::vector<std::uint8_t> open(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
+  for (Vertex v = 0; v < open.size(); ++v) {
+    const geo::PlanePoint point = grid.point(v);
+    open[v] = sea.closed_between(point, point) ? 0 : 1;
+  }
+  return open;
+}
+
+/// The paper's wfunc on the plane grid.
+struct GridTravelTime {
+  const Sea& sea;
+  const RouteGrid& grid;
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds depart) const {
+    return sea.leg_time(grid.point(edge.tail), grid.point(edge.head), depart);
+  }
+};
+
+/// The paper's left column: every weight as it is at departure.
+struct FrozenTravelTime {
+  GridTravelTime now;
+  core::Seconds depart;
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds) const {
+    return now(edge, depart);
+  }
+};
+
+/// Straight to the goal with the strongest current astern all the way.
+struct StraightBound {
+  const Sea& sea;
+  const RouteGrid& grid;
+
+  [[nodiscard]] core::Seconds least_time(const Edge& edge) const {
+    return sea.least_time(grid.point(edge.tail), grid.point(edge.head));
+  }
+  [[nodiscard]] core::Seconds remaining(Vertex v) const {
+    return sea.least_time(grid.point(v), grid.point(grid.goal));
+  }
+};
+
+/// The same knowledge of edges, none of the way to the goal: Dijkstra's search.
+struct EdgeBound {
+  StraightBound straight;
+
+  [[nodiscard]] core::Seconds least_time(const Edge& edge) const { return straight.least_time(edge); }
+  [[nodiscard]] static core::Seconds remaining(Vertex) { return core::Seconds{0.0}; }
+};
+
+std::int64_t count_open_edges(const Sea& sea, const RouteGrid& grid, const graph::GridGraph& graph) {
+  std::int64_t count = 0;
+  for (Vertex v = 0; v < graph.size(); ++v) {
+    if (!graph.is_open(v)) continue;
+    graph.for_each_edge(v, [&](const Edge& edge) {
+      if (!sea.closed_between(grid.point(edge.tail), grid.point(edge.head))) ++count;
+    });
+  }
+  return count;
+}
+
+void describe_end(RouteSearch& result, const Sea& sea, const RouteGrid& grid, const graph::GridGraph& graph,
+                  const graph::SearchTree& tree) {
+  const geo::PlanePoint goal = grid.point(grid.goal);
+  Vertex nearest = grid.start;
+  double least = std::numeric_limits<double>::infinity();
+  for (Vertex v = 0; v < graph.size(); ++v) {
+    if (!tree.is_reached(v)) continue;
+    const geo::PlanePoint point = grid.point(v);
+    const double distance = std::hypot(point.x_m - goal.x_m, point.y_m - goal.y_m);
+    if (distance < least) {
+      least = distance;
+      nearest = v;
+    }
+  }
+  result.nearest = grid.point(nearest);
+  result.nearest_arrival = core::Seconds{tree.is_reached(nearest) ? tree.arrival_s(nearest) : 0.0};
+  for (const graph::Offset offset : graph.offsets()) {
+    const geo::PlanePoint head{result.nearest.x_m + offset.dx * grid.along.x_m + offset.dy * grid.across.x_m,
+                               result.nearest.y_m + offset.dx * grid.along.y_m + offset.dy * grid.across.y_m};
+    const auto time = sea.leg_time(result.nearest, head, result.nearest_arrival);
+    if (!time) result.closed_at_nearest.push_back(time.error());
+  }
+}
+
+}  // namespace
+
+RouteSearch search_route(const Sea& sea, const RouteGrid& grid, const PlanRequest& request,
+                         core::Seconds depart, const std::stop_token& stop,
+                         const std::function<void(double)>& report_fraction) {
+  const graph::GridGraph graph{grid.nx, grid.ny, request.sectors, open_vertices(sea, grid)};
+  RouteSearch result;
+  result.statistics.vertices = graph.count_open_vertices();
+  result.statistics.edges = count_open_edges(sea, grid, graph);
+
+  const graph::Query query{grid.start, grid.goal, depart};
+  const GridTravelTime travel_time{sea, grid};
+  const StraightBound straight{sea, grid};
+  const graph::ExpansionCallback report = [&](std::int64_t expansions) {
+    report_fraction(static_cast<double>(expansions) /
+                    static_cast<double>(std::max<std::int64_t>(1, result.statistics.vertices)));
+  };
+  const auto search = [&]() -> graph::SearchTree {
+    switch (request.method) {
+      case Method::tve: return graph::find_earliest_arrivals_tve(graph, query, travel_time, stop, report);
+      case Method::dijkstra:
+        return graph::find_earliest_arrivals(graph, query, travel_time, stop, EdgeBound{straight}, report);
+      case Method::astar:
+        return graph::find_earliest_arrivals(graph, query, travel_time, stop, straight, report);
+      case Method::frozen:
+        return graph::find_earliest_arrivals(graph, query, FrozenTravelTime{travel_time, depart}, stop,
+                                             EdgeBound{straight}, report);
+      case Method::direct: break;
+    }
+    throw std::invalid_argument{"the direct way needs no search"};
+  };
+  const graph::SearchTree tree = search();
+
+  result.cancelled = tree.stopped;
+  result.statistics.edge_evaluations = tree.counters.edge_evaluations;
+  result.statistics.expansions = tree.counters.expansions;
+  result.statistics.reinsertions = tree.counters.reinsertions;
+  for (const Vertex v : graph::path_to(graph, tree, grid.goal)) result.path.push_back(grid.point(v));
+  if (result.path.empty() && !result.cancelled) describe_end(result, sea, grid, graph, tree);
+  return result;
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "engine/core/progress.hpp"
+#include "engine/motion/edge_closed.hpp"
+#include "engine/planning/plan.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/route_grid.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// What a search over one grid found.
+struct RouteSearch {
+  std::vector<geo::PlanePoint> path;  // start and goal included; empty when the goal was not reached
+  SearchStatistics statistics;
+  bool cancelled{false};
+  geo::PlanePoint nearest;  // the reached point nearest to the goal: where the search stopped
+  core::Seconds nearest_arrival{};
+  std::vector<motion::EdgeClosed> closed_at_nearest;  // why its outgoing edges were closed, one entry each
+};
+
+/// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct).
+[[nodiscard]] RouteSearch search_route(const Sea& sea, const RouteGrid& grid, const PlanRequest& request,
+                                       core::Seconds depart, const std::stop_token& stop,
+                                       const std::function<void(double)>& report_fraction);
+
+}  // namespace floeplan::planning

@@ -1,0 +1,59 @@
+#pragma once
+
+#include <optional>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "engine/motion/edge_time.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/iceberg_discs.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/plane_currents.hpp"
+#include "engine/planning/safety_map.hpp"
+
+namespace floeplan::planning {
+
+/// The environment of one request laid out in its local plane: the one cost function that searches,
+/// refinement and published plans share. Times are counted from the request's departure. Threads  const
+/// members may be called from several threads at once
+class Sea {
+ public:
+  /// `cell`: step of the safety map. `environment` and `request` are borrowed and outlive the sea.
+  Sea(const ocean::Environment& environment, const PlanRequest& request,
+      const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell);
+
+  /// Why the straight leg is closed at any time, by depth, land or icebergs; empty when it is open.
+  [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
+  /// Travel time of a straight leg that is not closed.
+  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> travel_time(geo::PlanePoint a,
+                                                                            geo::PlanePoint b,
+                                                                            core::Seconds depart) const;
+  /// Both at once.
+  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
+                                                                         core::Seconds depart) const;
+  /// Never more than the time of any straight way between the two points.
+  [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
+
+  [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }
+  [[nodiscard]] const SafetyMap& safety() const { return safety_; }
+  [[nodiscard]] SafetyMap& safety() { return safety_; }
+  [[nodiscard]] const IcebergDiscs& icebergs() const { return icebergs_; }
+  [[nodiscard]] const std::optional<PlaneCurrents>& currents() const { return currents_; }
+  [[nodiscard]] core::Metres ground_length(geo::PlanePoint a, geo::PlanePoint b) const;
+
+ private:
+  [[nodiscard]] double scale_at(geo::PlanePoint point) const;
+
+  geo::LocalProjection projection_;
+  PlaneBox area_;
+  core::MetresPerSecond through_water_;
+  motion::EdgeAccuracy accuracy_;
+  SafetyMap safety_;
+  IcebergDiscs icebergs_;
+  std::optional<PlaneCurrents> currents_;  // empty: still water
+  std::vector<double> scales_;             // of the projection, [y][x] on a coarse lattice over the area
+  double largest_scale_{1.0};
+  double least_slowness_s_m_;  // for each metre on the ground, with the strongest current astern
+};
+
+}  // namespace floeplan::planning

@@ -1,0 +1,98 @@
+#include "engine/planning/straightening.hpp"
+
+#include <cmath>
+#include <optional>
+
+#include "engine/planning/route_cost.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+/// Arrival at the point after `i` when `i` is left out and the point before is left at `depart`.
+std::optional<core::Seconds> arrival_without(const Sea& sea, const Route& route, std::size_t i,
+                                             core::Seconds depart) {
+  const auto time = sea.leg_time(route.points[i - 1], route.points[i + 1], depart);
+  if (!time) return std::nullopt;
+  return depart + *time;
+}
+
+void erase(Route& route, std::size_t i) {
+  route.points.erase(route.points.begin() + static_cast<std::ptrdiff_t>(i));
+  route.fixed.erase(route.fixed.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
+}  // namespace
+
+Route join_collinear(const Route& route) {
+  constexpr double straight =
+      1e-9;  // sine of the turn: rounding of grid coordinates, far below anything steered
+  Route result;
+  for (std::size_t i = 0; i < route.points.size(); ++i) {
+    if (i > 0 && i + 1 < route.points.size() && !route.fixed[i]) {
+      const geo::PlanePoint before = result.points.back();
+      const geo::PlanePoint here = route.points[i];
+      const geo::PlanePoint after = route.points[i + 1];
+      const double ax = here.x_m - before.x_m;
+      const double ay = here.y_m - before.y_m;
+      const double bx = after.x_m - here.x_m;
+      const double by = after.y_m - here.y_m;
+      const bool same_way = ax * bx + ay * by > 0.0;
+      if (same_way && std::abs(ax * by - ay * bx) <= straight * std::hypot(ax, ay) * std::hypot(bx, by))
+        continue;
+    }
+    result.points.push_back(route.points[i]);
+    result.fixed.push_back(route.fixed[i]);
+  }
+  return result;
+}
+
+Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds depart) {
+  Route result = route;
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    core::Seconds now = depart;
+    for (std::size_t i = 1; i + 1 < result.points.size();) {
+      const auto to_here = sea.leg_time(result.points[i - 1], result.points[i], now);
+      const auto onward =
+          to_here ? sea.leg_time(result.points[i], result.points[i + 1], now + *to_here) : to_here;
+      if (!onward) return result;  // a route that is closed itself is left as it is
+      const auto without = result.fixed[i] ? std::nullopt : arrival_without(sea, result, i, now);
+      if (without && *without <= now + *to_here + *onward) {
+        erase(result, i);
+        changed = true;
+      } else {
+        now += *to_here;
+        ++i;
+      }
+    }
+  }
+  return result;
+}
+
+Route drop_to(const Sea& sea, const Route& route, core::Seconds depart, std::size_t most) {
+  Route result = route;
+  while (result.points.size() > most) {
+    const auto arrivals = arrivals_along(sea, result.points, depart);
+    if (!arrivals) return result;
+    std::optional<std::size_t> cheapest;
+    core::Seconds least_loss{};
+    for (std::size_t i = 1; i + 1 < result.points.size(); ++i) {
+      if (result.fixed[i]) continue;
+      const auto without = arrival_without(sea, result, i, (*arrivals)[i - 1]);
+      if (!without) continue;
+      const core::Seconds loss = *without - (*arrivals)[i + 1];
+      if (!cheapest || loss < least_loss) {
+        cheapest = i;
+        least_loss = loss;
+      }
+    }
+    if (!cheapest) return result;
+    const Route before = result;
+    erase(result, *cheapest);
+    if (!arrivals_along(sea, result.points, depart)) return before;  // arriving later closed a leg further on
+  }
+  return result;
+}
+
+}  // namespace floeplan::planning

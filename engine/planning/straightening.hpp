@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// A route and which of its points must stay.
+struct Route {
+  std::vector<geo::PlanePoint> points;
+  std::vector<bool> fixed;  // start, goal and vias
+};
+
+/// Joins legs that run on in the same direction; the way is the same.
+[[nodiscard]] Route join_collinear(const Route& route);
+
+/// Takes out points as long as the arrival does not become later.
+[[nodiscard]] Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds depart);
+
+/// Takes out the points that cost least, one at a time, until at most `most` are left or none can go without
+/// the route closing; fixed points stay. The arrival may become later.
+[[nodiscard]] Route drop_to(const Sea& sea, const Route& route, core::Seconds depart, std::size_t most);
+
+}  // namespace floeplan::planning
