@@ -11,6 +11,7 @@
 #include <stdexcept>
 #include <string>
 
+#include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/gshhg_bin.hpp"
 
 namespace floeplan::ingest {
@@ -36,7 +37,8 @@ struct Contradiction : std::runtime_error {
 };
 
 std::unique_ptr<GDALDataset> open(const std::filesystem::path& file) {
-  GDALAllRegister();
+  register_drivers();
+  const GdalMessages kept_quiet;
   const std::array<const char*, 2> drivers{"netCDF", nullptr};
   return std::unique_ptr<GDALDataset>{
       GDALDataset::Open(file.c_str(), GDAL_OF_MULTIDIM_RASTER | GDAL_OF_READONLY, drivers.data())};
@@ -221,18 +223,14 @@ core::Violation refusal(const std::filesystem::path& file, const std::string& re
 }  // namespace
 
 bool is_gshhg(const std::filesystem::path& file) {
-  CPLPushErrorHandler(CPLQuietErrorHandler);
   const auto dataset = open(file);
-  CPLPopErrorHandler();
   const auto group = dataset ? dataset->GetRootGroup() : nullptr;
   return group && missing_array(*group).empty();
 }
 
 tl::expected<std::vector<geo::Polygon>, core::Violation> read_gshhg(const std::filesystem::path& file,
                                                                     const geo::BoundingBox& area) {
-  CPLPushErrorHandler(CPLQuietErrorHandler);
   const auto dataset = open(file);
-  CPLPopErrorHandler();
   const auto group = dataset ? dataset->GetRootGroup() : nullptr;
   if (!group) return tl::unexpected(refusal(file, "it cannot be opened as NetCDF"));
   if (const std::string name = missing_array(*group); !name.empty())

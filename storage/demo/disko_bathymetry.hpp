@@ -1,0 +1,30 @@
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "engine/geo/polygon.hpp"
+#include "storage/demo/raster_frame.hpp"
+
+namespace floeplan::demo {
+
+/// Height of the ground, metres, positive up, and where it is land.
+struct Relief {
+  RasterFrame frame;
+  std::vector<float> elevation_m;  // at sea at most -2, on land at least 2
+  std::vector<std::uint8_t> land;
+};
+
+/// Invented relief of Disko Bay around the true coast: a shelf along the coast and between islands, a trough
+/// of 400 to 500 m across the bay with the Egedesminde deep, a sill of 200 to 250 m before the icefjord and
+/// 700 to 800 m inside.
+[[nodiscard]] Relief make_disko_relief(const std::vector<geo::Polygon>& land, std::uint64_t seed);
+
+/// Depth of the sea, positive down, in a cell around a place: the mean over the wet cells of the relief whose
+/// centres lie within half a step of it; zero without any.
+[[nodiscard]] std::vector<double> mean_depth_m(const Relief& relief, const RasterFrame& frame);
+
+/// Depth at a place, positive down, of the relief's nearest cell; negative on land.
+[[nodiscard]] double depth_m(const Relief& relief, geo::LonLat place);
+
+}  // namespace floeplan::demo

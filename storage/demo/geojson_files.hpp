@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "engine/geo/bounding_box.hpp"
+#include "engine/geo/polygon.hpp"
+#include "engine/ocean/iceberg.hpp"
+
+namespace floeplan::demo {
+
+/// Icebergs as GeoJSON points: id, observed (UTC), size, length_m, draft_m, position_uncertainty_m, method.
+/// Errors   std::runtime_error when the file cannot be written
+void write_icebergs(const std::filesystem::path& file, const std::vector<ocean::Iceberg>& icebergs);
+
+/// GSHHG land within an area as GeoJSON polygons, joined across bin borders and cut at the area's edges; five
+/// decimals. Errors   std::runtime_error when the file cannot be written
+void write_coastline(const std::filesystem::path& file, const std::vector<geo::Polygon>& land,
+                     const geo::BoundingBox& area);
+
+}  // namespace floeplan::demo

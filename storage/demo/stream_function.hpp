@@ -1,0 +1,34 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/geo/bounding_box.hpp"
+#include "storage/demo/raster_frame.hpp"
+
+namespace floeplan::demo {
+
+/// East and north components over a frame.
+struct Flow {
+  std::vector<double> east;
+  std::vector<double> north;
+};
+
+/// A stretch of the frame's edge through which water enters, and its share of what comes in; negative where
+/// it leaves.
+struct Gate {
+  geo::BoundingBox stretch;  // the nodes of the edge inside it take part, but those on land
+  double inflow{};
+};
+
+/// Horizontal flow without sources, of arbitrary scale: it comes in and leaves only through the gates, does
+/// not cross coasts, keeps to where the resistance is small, and turns anticlockwise where `spin` is
+/// positive. Shape    every array over `frame`; resistance must be positive and is ignored on land Method
+/// solves div(resistance grad psi) = spin with land as an almost perfect conductor of psi, so that psi is
+/// constant
+///          along each coast and each island; the flow is (-d psi/dy, d psi/dx)
+/// Errors   std::invalid_argument when the inflows of the gates do not add up to zero
+[[nodiscard]] Flow stream_flow(const RasterFrame& frame, const std::vector<bool>& land,
+                               const std::vector<double>& resistance, const std::vector<Gate>& gates,
+                               const std::vector<double>& spin);
+
+}  // namespace floeplan::demo
