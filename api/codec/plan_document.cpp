@@ -105,7 +105,7 @@ planning::Plan parse_members(const json& document) {
 json plan_document(const planning::Plan& plan, const std::string& plan_id, const std::string& name) {
   json waypoints = json::array();
   for (const auto& waypoint : plan.waypoints) waypoints.push_back(waypoint_json(waypoint, waypoints.size()));
-  return {{"plan_id", plan_id},
+  return {{"plan_id", plan_id.empty() ? json() : json(plan_id)},
           {"name", name},
           {"status", "ok"},
           {"method", planning::method_name(plan.method)},

@@ -12,7 +12,7 @@
 namespace floeplan::codec {
 
 /// The plan as API and command line show it. Positions are rounded to 1e-7 degrees (1 cm); all else keeps its
-/// digits.
+/// digits. An empty `plan_id` (a route that is not stored) becomes null.
 [[nodiscard]] nlohmann::json plan_document(const planning::Plan& plan, const std::string& plan_id,
                                            const std::string& name);
 

@@ -16,7 +16,7 @@ namespace floeplan::routes {
 struct ProbeQuery {
   geo::LonLat place;
   core::UtcTime time;
-  core::Metres depth{0.0};  // for currents
+  std::optional<core::Metres> depth;  // for currents; default: the shallowest level of the data
   std::optional<std::string>
       dataset_id;  // currents or bathymetry; default: the newest of each kind that covers the place
 };

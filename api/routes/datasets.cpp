@@ -1,0 +1,53 @@
+#include "api/codec/dataset_document.hpp"
+#include "api/routes/reply.hpp"
+#include "api/routes/resources.hpp"
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using nlohmann::json;
+
+std::vector<core::UtcTime> times_of(sqlite::Connection& db, const repository::Dataset& dataset) {
+  std::vector<core::UtcTime> times;
+  if (dataset.kind != repository::DatasetKind::currents) return times;
+  const auto shape = repository::FieldRepository{db}.shape(dataset.id);
+  if (!shape || !shape->times_s) return times;
+  for (const double time_s : shape->times_s->nodes()) times.push_back(core::from_unix_seconds(time_s));
+  return times;
+}
+
+Response list_datasets(const Context& context, const Request&, const PathParameters&) {
+  json datasets = json::array();
+  for (const auto& dataset : repository::DatasetRepository{context.db}.list()) {
+    datasets.push_back(codec::dataset_document(dataset, times_of(context.db, dataset)));
+  }
+  return json_reply({{"datasets", datasets}});
+}
+
+Response show_dataset(const Context& context, const Request& request, const PathParameters& path) {
+  const auto dataset = repository::DatasetRepository{context.db}.find({path.at("dataset_id")});
+  if (!dataset)
+    return not_found(request, "unknown-dataset", "No dataset has the id " + path.at("dataset_id") + ".");
+  return json_reply(codec::dataset_document(*dataset, times_of(context.db, *dataset)));
+}
+
+Response remove_dataset(const Context& context, const Request& request, const PathParameters& path) {
+  if (!repository::DatasetRepository{context.db}.remove({path.at("dataset_id")})) {
+    return not_found(request, "unknown-dataset", "No dataset has the id " + path.at("dataset_id") + ".");
+  }
+  Response response;
+  response.status = 204;
+  return response;
+}
+
+}  // namespace
+
+std::vector<Route> dataset_routes() {
+  return {{"GET", "/datasets", {}, list_datasets},
+          {"GET", "/datasets/{dataset_id}", {}, show_dataset},
+          {"DELETE", "/datasets/{dataset_id}", {}, remove_dataset}};
+}
+
+}  // namespace floeplan::routes

@@ -1,0 +1,67 @@
+#include "api/openapi/openapi.hpp"
+#include "api/routes/assets.hpp"
+#include "api/routes/preferences.hpp"
+#include "api/routes/reply.hpp"
+#include "api/routes/resources.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using nlohmann::json;
+
+constexpr const char* openapi_type = "application/vnd.oai.openapi+json;version=3.0";
+
+json landing_page(const std::string& url) {
+  const std::string ogc = "http://www.opengis.net/def/rel/ogc/1.0/";
+  return {{"title", "Floeplan"},
+          {"description", "Mission planning for underwater gliders that work around and under ice."},
+          {"links",
+           {link("self", "application/json", url + "/", "This document"),
+            link("alternate", "text/html", url + "/?f=html", "The map"),
+            link("service-desc", openapi_type, url + "/api", "The API"),
+            link("conformance", "application/json", url + "/conformance", "Conformance classes"),
+            link(ogc + "conformance", "application/json", url + "/conformance", "Conformance classes"),
+            link("data", "application/json", url + "/collections", "Feature collections"),
+            link("processes", "application/json", url + "/processes", "Processes"),
+            link(ogc + "processes", "application/json", url + "/processes", "Processes"),
+            link(ogc + "job-list", "application/json", url + "/jobs", "Jobs")}}};
+}
+
+Response show_landing_page(const Context& context, const Request& request, const PathParameters&) {
+  const auto format = request.parameter("f");
+  const bool html =
+      format ? *format == "html" || *format == "text/html" : prefers_html(request.header("accept"));
+  auto page = html ? read_asset(context.service.web, "index.html") : std::nullopt;
+  if (!page && html && format) {
+    return not_found(request, "no-client", "The browser client is not installed beside this server.");
+  }
+  Response response = page ? std::move(*page) : json_reply(landing_page(context.service.public_url));
+  response.headers.emplace_back("Vary", "Accept");
+  return response;
+}
+
+Response show_conformance(const Context&, const Request&, const PathParameters&) {
+  const std::string features = "http://www.opengis.net/spec/ogcapi-features-1/1.0/conf/";
+  const std::string processes = "http://www.opengis.net/spec/ogcapi-processes-1/1.0/conf/";
+  return json_reply({{"conformsTo",
+                      {features + "core", features + "geojson", features + "oas30", processes + "core",
+                       processes + "ogc-process-description", processes + "json", processes + "oas30",
+                       processes + "job-list", processes + "dismiss"}}});
+}
+
+Response show_api(const Context& context, const Request&, const PathParameters&) {
+  json document = json::parse(openapi::document());
+  document["servers"] = json::array({{{"url", context.service.public_url}}});
+  document["info"]["version"] = FLOEPLAN_VERSION;
+  return json_reply(document, 200, openapi_type);
+}
+
+}  // namespace
+
+std::vector<Route> landing_routes() {
+  return {{"GET", "/", {}, show_landing_page},
+          {"GET", "/conformance", {}, show_conformance},
+          {"GET", "/api", {}, show_api}};
+}
+
+}  // namespace floeplan::routes

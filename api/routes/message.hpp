@@ -1,0 +1,67 @@
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/core/units.hpp"
+
+namespace floeplan::routes {
+
+/// A response that was put off is asked for again with this.
+struct Resumption {
+  std::string token;  // what the response that waited had put into its Wait
+  bool last{false};   // the time is up: answer now
+};
+
+/// An HTTP request, free of sockets.
+struct Request {
+  std::string method;
+  std::string path;  // percent-decoded, without the query
+  std::vector<std::pair<std::string, std::string>>
+      query;                                   // decoded, in order; of repeats the last one counts
+  std::map<std::string, std::string> headers;  // names in lower case
+  std::string body;
+  core::UtcTime now;
+  std::optional<Resumption> resumption;
+
+  /// Empty text when there is no such header.
+  [[nodiscard]] std::string header(const std::string& lower_case_name) const;
+  [[nodiscard]] std::optional<std::string> parameter(const std::string& name) const;
+};
+
+/// Asks the server to call the handler again with `token` after `wake` or when the time is up.
+struct Wait {
+  core::Seconds at_most{};
+  std::string token;
+  /// Begins to listen; the returned object ends it. `wake` may be called from any thread, any number of
+  /// times.
+  std::function<std::shared_ptr<void>(std::function<void()> wake)> subscribe;
+};
+
+/// An HTTP response, free of sockets. With `wait` set everything else is ignored.
+struct Response {
+  int status{200};
+  std::string content_type;
+  std::vector<std::pair<std::string, std::string>> headers;
+  std::string body;
+  std::optional<Wait> wait;
+};
+
+/// Answers one request. May block on the store, so never called on an I/O thread; may be called from several
+/// at once.
+using Handler = std::function<Response(const Request&)>;
+
+/// Splits "path?a=b" into path and query and decodes both. Nothing when a percent sign is not followed by two
+/// hexadecimal digits, or a NUL would result.
+struct Target {
+  std::string path;
+  std::vector<std::pair<std::string, std::string>> query;
+};
+[[nodiscard]] std::optional<Target> parse_target(std::string_view target);
+
+}  // namespace floeplan::routes

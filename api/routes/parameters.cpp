@@ -1,0 +1,146 @@
+#include "api/routes/parameters.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <vector>
+
+#include "engine/core/utc_text.hpp"
+#include "engine/geo/lon_lat.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+std::optional<double> parse_number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0.0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+std::optional<std::vector<double>> parse_numbers(std::string_view text) {
+  std::vector<double> numbers;
+  while (true) {
+    const auto comma = text.find(',');
+    const auto number = parse_number(text.substr(0, comma));
+    if (!number || numbers.size() == 6) return std::nullopt;
+    numbers.push_back(*number);
+    if (comma == std::string_view::npos) return numbers;
+    text.remove_prefix(comma + 1);
+  }
+}
+
+std::optional<core::UtcTime> parse_time(const std::string& text) {
+  if (const auto time = core::parse_iso8601(text)) return time;
+  return core::parse_iso8601(text + "Z");
+}
+
+/// Longitudes as a client's map gives them, which may have been panned round the globe.
+geo::BoundingBox normalised(double west, double south, double east, double north) {
+  if (east - west >= 360.0) return {-180.0, south, 180.0, north};
+  const double wrapped_west = geo::wrap_longitude(west);
+  const double wrapped_east = east == 180.0 ? 180.0 : geo::wrap_longitude(east);
+  return {wrapped_west, south, wrapped_east, north};
+}
+
+}  // namespace
+
+void ParameterReader::refuse(const std::string& name, const std::string& rule) {
+  violations_.push_back({"?" + name, "the query parameter \"" + name + "\" " + rule});
+}
+
+void ParameterReader::require(const std::string& name, const std::string& rule) {
+  if (!request_.parameter(name)) refuse(name, "is required: " + rule);
+}
+
+std::optional<double> ParameterReader::number(const std::string& name, double from, double to) {
+  const auto text = request_.parameter(name);
+  if (!text) return std::nullopt;
+  const auto value = parse_number(*text);
+  if (value && *value >= from && *value <= to) return value;
+  refuse(name, "must be a number from " + std::to_string(from) + " to " + std::to_string(to));
+  return std::nullopt;
+}
+
+std::optional<std::int64_t> ParameterReader::integer(const std::string& name, std::int64_t from,
+                                                     std::int64_t to) {
+  const auto text = request_.parameter(name);
+  if (!text) return std::nullopt;
+  std::int64_t value = 0;
+  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
+  if (error == std::errc{} && end == text->data() + text->size() && value >= from && value <= to)
+    return value;
+  refuse(name, "must be a whole number from " + std::to_string(from) + " to " + std::to_string(to));
+  return std::nullopt;
+}
+
+bool ParameterReader::flag(const std::string& name) {
+  const auto text = request_.parameter(name);
+  if (!text || *text == "false") return false;
+  if (*text != "true") refuse(name, "must be true or false");
+  return *text == "true";
+}
+
+int ParameterReader::limit() {
+  constexpr std::int64_t most = 10'000;
+  const auto value = integer("limit", 1, INT64_MAX);
+  return static_cast<int>(std::min(value.value_or(100), most));
+}
+
+std::int64_t ParameterReader::after() { return integer("after", 0, INT64_MAX).value_or(0); }
+
+std::optional<geo::BoundingBox> ParameterReader::bbox() {
+  const auto text = request_.parameter("bbox");
+  if (!text) return std::nullopt;
+  const auto numbers = parse_numbers(*text);
+  if (!numbers || (numbers->size() != 4 && numbers->size() != 6)) {
+    refuse("bbox", "must be four numbers: west,south,east,north in degrees");
+    return std::nullopt;
+  }
+  const std::size_t half = numbers->size() / 2;
+  const double west = (*numbers)[0];
+  const double south = (*numbers)[1];
+  const double east = (*numbers)[half];
+  const double north = (*numbers)[half + 1];
+  if (south > north || south < -90.0 || north > 90.0 || std::abs(west) > 540.0 || std::abs(east) > 540.0) {
+    refuse("bbox",
+           "must have its latitudes within -90 to 90, south first, and its longitudes within -540 to 540");
+    return std::nullopt;
+  }
+  return normalised(west, south, east, north);
+}
+
+std::optional<core::UtcTime> ParameterReader::time(const std::string& name) {
+  const auto text = request_.parameter(name);
+  if (!text) return std::nullopt;
+  const auto value = parse_time(*text);
+  if (!value) refuse(name, "must be a time in ISO 8601, as 2026-11-20T06:00:00Z");
+  return value;
+}
+
+TimeSpan ParameterReader::datetime() {
+  const auto text = request_.parameter("datetime");
+  if (!text) return {};
+  const std::string rule =
+      "must be a time in ISO 8601 or a period as 2026-11-20T00:00:00Z/.., the earlier end first";
+  const auto slash = text->find('/');
+  if (slash == std::string::npos) {
+    const auto instant = parse_time(*text);
+    if (!instant) refuse("datetime", rule);
+    return {instant, instant};
+  }
+  const auto open = [](const std::string& end) { return end.empty() || end == ".."; };
+  const std::string first = text->substr(0, slash);
+  const std::string second = text->substr(slash + 1);
+  TimeSpan span;
+  if (!open(first)) span.from = parse_time(first);
+  if (!open(second)) span.to = parse_time(second);
+  const bool wrong = (!open(first) && !span.from) || (!open(second) && !span.to) ||
+                     (span.from && span.to && *span.to < *span.from);
+  if (!wrong) return span;
+  refuse("datetime", rule);
+  return {};
+}
+
+}  // namespace floeplan::routes

@@ -1,0 +1,50 @@
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "api/routes/message.hpp"
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+#include "engine/geo/bounding_box.hpp"
+
+namespace floeplan::routes {
+
+/// A period, open where empty; an instant has both ends equal.
+struct TimeSpan {
+  std::optional<core::UtcTime> from;
+  std::optional<core::UtcTime> to;
+};
+
+/// Reads query parameters and collects what is wrong with them. Absent or wrong: empty, the latter noted.
+class ParameterReader {
+ public:
+  explicit ParameterReader(const Request& request) : request_{request} {}
+
+  [[nodiscard]] std::optional<double> number(const std::string& name, double from, double to);
+  [[nodiscard]] std::optional<std::int64_t> integer(const std::string& name, std::int64_t from,
+                                                    std::int64_t to);
+  [[nodiscard]] bool flag(const std::string& name);
+  /// The page size: 100 unless told, at least 1; larger than 10000 counts as 10000.
+  [[nodiscard]] int limit();
+  /// Key of the last row of the page before; 0 for the first page.
+  [[nodiscard]] std::int64_t after();
+  /// Four numbers, or six with heights, which are left out. Longitudes may run past 180.
+  [[nodiscard]] std::optional<geo::BoundingBox> bbox();
+  /// ISO 8601; a time without zone counts as UTC, as some clients of the standard write it.
+  [[nodiscard]] std::optional<core::UtcTime> time(const std::string& name);
+  /// An instant, or a period with ".." or nothing for an open end.
+  [[nodiscard]] TimeSpan datetime();
+
+  void require(const std::string& name, const std::string& rule);
+  [[nodiscard]] const core::Violations& violations() const { return violations_; }
+
+ private:
+  void refuse(const std::string& name, const std::string& rule);
+
+  const Request& request_;  // borrowed
+  core::Violations violations_;
+};
+
+}  // namespace floeplan::routes

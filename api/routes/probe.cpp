@@ -1,0 +1,39 @@
+#include "api/codec/probe_document.hpp"
+#include "api/routes/parameters.hpp"
+#include "api/routes/probe_service.hpp"
+#include "api/routes/reply.hpp"
+#include "api/routes/resources.hpp"
+#include "storage/repository/dataset_repository.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+Response show_probe(const Context& context, const Request& request, const PathParameters&) {
+  ParameterReader reader{request};
+  reader.require("lon", "the longitude in degrees");
+  reader.require("lat", "the latitude in degrees");
+  const auto lon = reader.number("lon", -180.0, 360.0);
+  const auto lat = reader.number("lat", -90.0, 90.0);
+  const auto time = reader.time("time");
+  const auto depth = reader.number("depth_m", 0.0, 12000.0);
+  if (!reader.violations().empty()) return invalid(request, reader.violations());
+
+  ProbeQuery query;
+  query.place = {geo::wrap_longitude(*lon), *lat};
+  query.time = time.value_or(request.now);
+  if (depth) query.depth = core::Metres{*depth};
+  query.dataset_id = request.parameter("dataset");
+  if (query.dataset_id && !repository::DatasetRepository{context.db}.find({*query.dataset_id})) {
+    return not_found(request, "unknown-dataset", "No dataset has the id " + *query.dataset_id + ".");
+  }
+  const auto result = probe(context.db, query);
+  return result ? json_reply(codec::probe_document(*result)) : invalid(request, result.error());
+}
+
+}  // namespace
+
+std::vector<Route> probe_routes() {
+  return {{"GET", "/probe", {"lon", "lat", "time", "depth_m", "dataset"}, show_probe}};
+}
+
+}  // namespace floeplan::routes

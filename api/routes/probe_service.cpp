@@ -1,0 +1,146 @@
+#include "api/routes/probe_service.hpp"
+
+#include <algorithm>
+
+#include "engine/core/utc_text.hpp"
+#include "engine/geo/geodesic.hpp"
+#include "engine/geo/polygon.hpp"
+#include "storage/repository/coastline_repository.hpp"
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "storage/repository/iceberg_repository.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using repository::Dataset;
+using repository::DatasetKind;
+
+geo::BoundingBox box_at(geo::LonLat place) {
+  return {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
+}
+
+/// The dataset to ask, and why there is none.
+struct Source {
+  std::optional<Dataset> dataset;
+  std::string reason;
+};
+
+bool covers_time(const Dataset& dataset, core::UtcTime time) {
+  return (!dataset.time_start || *dataset.time_start <= time) &&
+         (!dataset.time_end || time <= *dataset.time_end);
+}
+
+/// The named dataset, or the newest of its kind that covers the place and, if one does, the time.
+Source choose(const std::vector<Dataset>& datasets, DatasetKind kind, const std::optional<Dataset>& named,
+              const ProbeQuery& query) {
+  if (named && named->kind == kind) return {named, ""};
+  Source source{std::nullopt, "no " + repository::kind_name(kind) + " are stored for this place"};
+  for (const auto& dataset : datasets) {
+    if (dataset.kind != kind || !geo::contains(dataset.bounds, query.place)) continue;
+    if (covers_time(dataset, query.time)) return {dataset, ""};
+    if (!source.dataset) source = {dataset, ""};
+  }
+  return source;
+}
+
+void read_depth(sqlite::Connection& db, const Source& source, codec::Probe& probe) {
+  probe.depth_reason = source.reason;
+  if (!source.dataset) return;
+  const auto bathymetry =
+      repository::FieldRepository{db}.load_bathymetry(source.dataset->id, box_at(probe.place));
+  if (bathymetry) probe.depth = bathymetry->depth(probe.place);
+  if (!probe.depth)
+    probe.depth_reason = "outside the area of " + source.dataset->name + ", or no value there";
+}
+
+/// The steps of the data around the time asked for.
+void read_steps(sqlite::Connection& db, const Dataset& dataset, core::UtcTime time,
+                codec::Probe::Currents& currents) {
+  const auto shape = repository::FieldRepository{db}.shape(dataset.id);
+  if (!shape || !shape->times_s) return;
+  const auto position = shape->times_s->locate(core::unix_seconds(time));
+  if (!position) return;
+  currents.time_before = core::from_unix_seconds((*shape->times_s)[position->lower]);
+  currents.time_after = core::from_unix_seconds((*shape->times_s)[position->upper]);
+}
+
+void read_currents(sqlite::Connection& db, const Source& source, const ProbeQuery& query,
+                   codec::Probe& probe) {
+  auto& currents = probe.currents;
+  currents.reason = source.reason;
+  if (!source.dataset) return;
+  const Dataset& dataset = *source.dataset;
+  currents.dataset_id = dataset.id.value;
+  currents.dataset_name = dataset.name;
+  if (!covers_time(dataset, query.time)) {
+    currents.reason = "outside the period of the data, " + core::iso8601(*dataset.time_start) + " to " +
+                      core::iso8601(*dataset.time_end);
+    return;
+  }
+  read_steps(db, dataset, query.time, currents);
+  const auto grid = repository::FieldRepository{db}.load_currents(
+      dataset.id, box_at(query.place), repository::Period{query.time, query.time}, std::nullopt);
+  if (!grid) {
+    currents.reason = "outside the area of the data";
+    return;
+  }
+  const auto& depths = grid->samples().depths_m;
+  const core::Metres depth = query.depth.value_or(core::Metres{depths ? depths->front() : 0.0});
+  currents.velocity = grid->at(query.place, depth, query.time);
+  if (!currents.velocity)
+    currents.reason = "no value here: land, below the bottom, or outside the data's depths";
+}
+
+void read_land(sqlite::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
+  for (const auto& dataset : datasets) {
+    if (dataset.kind != DatasetKind::coastline || !geo::contains(dataset.bounds, probe.place)) continue;
+    const auto polygons = repository::CoastlineRepository{db}.load(dataset.id, box_at(probe.place));
+    probe.land = std::any_of(polygons.begin(), polygons.end(), [&](const geo::Polygon& polygon) {
+      return geo::contains(polygon, probe.place);
+    });
+    return;
+  }
+  if (probe.depth) probe.land = probe.depth->value <= 0.0;
+}
+
+void read_icebergs(sqlite::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
+  const auto area = geo::grown(box_at(probe.place), probe_iceberg_range);
+  for (const auto& dataset : datasets) {
+    if (dataset.kind != DatasetKind::icebergs) continue;
+    for (const auto& sighting : repository::IcebergRepository{db}.latest(dataset.id, area, probe.time,
+                                                                         repository::max_sighting_age)) {
+      const auto distance = geo::geodesic_between(probe.place, sighting.iceberg.place).length;
+      if (distance <= probe_iceberg_range) probe.icebergs.push_back({sighting.iceberg, distance});
+    }
+  }
+  std::stable_sort(probe.icebergs.begin(), probe.icebergs.end(),
+                   [](const auto& a, const auto& b) { return a.distance < b.distance; });
+}
+
+}  // namespace
+
+tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const ProbeQuery& query) {
+  const auto datasets = repository::DatasetRepository{db}.list();
+  std::optional<Dataset> named;
+  if (query.dataset_id) {
+    named = repository::DatasetRepository{db}.find({*query.dataset_id});
+    if (!named)
+      return tl::unexpected(core::Violations{{"dataset", "no dataset has the id " + *query.dataset_id}});
+    if (named->kind != DatasetKind::currents && named->kind != DatasetKind::bathymetry) {
+      return tl::unexpected(core::Violations{
+          {"dataset", "must be currents or bathymetry, not " + repository::kind_name(named->kind)}});
+    }
+  }
+  codec::Probe result;
+  result.place = query.place;
+  result.time = query.time;
+  read_depth(db, choose(datasets, DatasetKind::bathymetry, named, query), result);
+  read_currents(db, choose(datasets, DatasetKind::currents, named, query), query, result);
+  read_land(db, datasets, result);
+  read_icebergs(db, datasets, result);
+  return result;
+}
+
+}  // namespace floeplan::routes

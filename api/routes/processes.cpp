@@ -1,0 +1,139 @@
+#include "api/routes/parameters.hpp"
+#include "api/routes/reply.hpp"
+#include "api/routes/resources.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using nlohmann::json;
+
+json input(const std::string& title, json schema, bool required = false) {
+  return {{"title", title}, {"schema", std::move(schema)}, {"minOccurs", required ? 1 : 0}};
+}
+
+json position_schema() {
+  return {{"type", "array"}, {"items", {{"type", "number"}}}, {"minItems", 2}, {"maxItems", 2}};
+}
+
+json number_schema(double least, double most) {
+  return {{"type", "number"}, {"minimum", least}, {"maximum", most}};
+}
+
+json one_of(std::vector<std::string> values) { return {{"type", "string"}, {"enum", std::move(values)}}; }
+
+json dataset_schema() { return {{"type", "string"}, {"default", "newest"}}; }
+
+json several_datasets_schema() {
+  const json ids{{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 1}};
+  return {{"oneOf", json::array({dataset_schema(), ids})}};
+}
+
+json spacing_schema() {
+  const json pair{{"type", "array"}, {"items", number_schema(10.0, 1e5)}, {"minItems", 2}, {"maxItems", 2}};
+  return {{"oneOf", json::array({number_schema(10.0, 1e5), pair})}};
+}
+
+json common_inputs() {
+  const json time{{"type", "string"}, {"format", "date-time"}};
+  return {
+      {"depart", input("Departure, ISO 8601 with its zone", time, true)},
+      {"vehicle", input("Name of the vehicle, see /vehicles", {{"type", "string"}})},
+      {"speed_m_s", input("Speed through the water, m/s", number_schema(0.05, 5.0))},
+      {"dive_depth_m", input("Depth of the dives, metres", number_schema(1.0, 10000.0))},
+      {"margin_m", input("Distance kept from the edge of an iceberg, metres", number_schema(0.0, 1e5))},
+      {"currents", input("Currents: newest, none, an id or several ids", several_datasets_schema())},
+      {"steady", input("Use one time step, or the mean, of the currents at any time", {{"type", "boolean"}})},
+      {"bathymetry", input("Bathymetry: newest, none or an id", dataset_schema())},
+      {"icebergs", input("Icebergs: newest, none or an id", dataset_schema())},
+      {"icebergs_as_of", input("Use no sighting later than this; default: the departure", time)},
+      {"coastline", input("Coastline: newest, none or an id", dataset_schema())},
+      {"name", input("Name of the result, for people", {{"type", "string"}, {"maxLength", 200}})}};
+}
+
+json plan_inputs() {
+  json inputs = common_inputs();
+  inputs["from"] = input("Start, [longitude, latitude] in degrees", position_schema(), true);
+  inputs["to"] = input("Goal, [longitude, latitude] in degrees", position_schema(), true);
+  inputs["via"] = input("Places to visit in this order", {{"type", "array"}, {"items", position_schema()}});
+  inputs["spacing_m"] = input("Spacing of the search grid, metres, or [along, across]", spacing_schema());
+  inputs["sectors"] =
+      input("Reach of the grid's edges", {{"type", "integer"}, {"minimum", 1}, {"maximum", 5}});
+  inputs["method"] = input("Search", one_of({"tve", "dijkstra", "astar", "frozen", "direct"}));
+  inputs["objective"] = input("What to minimise", one_of({"time"}));
+  inputs["max_waypoints"] =
+      input("Waypoints at most", {{"type", "integer"}, {"minimum", 2}, {"maximum", 10000}});
+  inputs["refine"] = input("Move waypoints off the grid where that saves time", {{"type", "boolean"}});
+  return inputs;
+}
+
+json evaluate_inputs() {
+  json inputs = common_inputs();
+  inputs["route"] = input("GeoJSON LineString or an array of positions; else plan_id",
+                          {{"oneOf", json::array({json{{"type", "object"}},
+                                                  json{{"type", "array"}, {"items", position_schema()}}})}});
+  inputs["plan_id"] = input("A stored plan whose route is meant", {{"type", "string"}});
+  return inputs;
+}
+
+json process(const std::string& id, const std::string& title, const std::string& description) {
+  return {{"id", id},
+          {"title", title},
+          {"description", description},
+          {"version", FLOEPLAN_VERSION},
+          {"jobControlOptions", json::array({"async-execute", "sync-execute", "dismiss"})},
+          {"outputTransmission", json::array({"value"})}};
+}
+
+json summaries() {
+  return json::array(
+      {process("plan-route", "Plan a route",
+               "The fastest route through currents, past land, shallows and icebergs. When there is none, "
+               "the result says where, why and what would help."),
+       process("evaluate-route", "Time a given route",
+               "Travel time and clearances of a given route, by the rules that planning follows.")});
+}
+
+json with_links(json summary, const std::string& url) {
+  const std::string self = url + "/processes/" + summary.at("id").get<std::string>();
+  summary["links"] = json::array(
+      {link("self", "application/json", self),
+       link("http://www.opengis.net/def/rel/ogc/1.0/execute", "application/json", self + "/execution")});
+  return summary;
+}
+
+Response list_processes(const Context& context, const Request& request, const PathParameters&) {
+  ParameterReader reader{request};
+  const auto limit = static_cast<std::size_t>(reader.limit());
+  if (!reader.violations().empty()) return invalid(request, reader.violations());
+  json processes = json::array();
+  for (const auto& summary : summaries()) {
+    if (processes.size() < limit) processes.push_back(with_links(summary, context.service.public_url));
+  }
+  const std::string self = context.service.public_url + "/processes";
+  return json_reply(
+      {{"processes", processes}, {"links", json::array({link("self", "application/json", self)})}});
+}
+
+Response show_process(const Context& context, const Request& request, const PathParameters& path) {
+  const std::string& id = path.at("process_id");
+  for (const auto& summary : summaries()) {
+    if (summary.at("id") != id) continue;
+    json description = with_links(summary, context.service.public_url);
+    const bool plans = id == "plan-route";
+    const json output{{"title", plans ? "The plan" : "The timed route"}, {"schema", {{"type", "object"}}}};
+    description["inputs"] = plans ? plan_inputs() : evaluate_inputs();
+    description["outputs"][plans ? "plan" : "evaluation"] = output;
+    return json_reply(description);
+  }
+  return not_found(request, "http://www.opengis.net/def/exceptions/ogcapi-processes-1/1.0/no-such-process",
+                   "No process has the id " + id + ".");
+}
+
+}  // namespace
+
+std::vector<Route> process_routes() {
+  return {{"GET", "/processes", {"limit"}, list_processes},
+          {"GET", "/processes/{process_id}", {}, show_process}};
+}
+
+}  // namespace floeplan::routes

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <string>
+
+#include "api/codec/problem.hpp"
+#include "api/routes/message.hpp"
+
+namespace floeplan::routes {
+
+/// Bad UTF-8 from outside is replaced, never thrown over.
+[[nodiscard]] Response json_reply(const nlohmann::json& document, int status = 200,
+                                  const std::string& content_type = "application/json");
+
+[[nodiscard]] Response geojson_reply(const nlohmann::json& document);
+
+/// As problem+json, unless the request accepts nothing but plain JSON.
+[[nodiscard]] Response problem_reply(const Request& request, const codec::Problem& problem);
+
+[[nodiscard]] Response not_found(const Request& request, const std::string& slug, const std::string& detail);
+[[nodiscard]] Response invalid(const Request& request, core::Violations violations);
+
+/// A link of OGC API documents.
+[[nodiscard]] nlohmann::json link(const std::string& rel, const std::string& type, const std::string& href,
+                                  const std::string& title = "");
+
+}  // namespace floeplan::routes

@@ -1,0 +1,25 @@
+#pragma once
+
+#include <vector>
+
+#include "api/routes/router.hpp"
+
+namespace floeplan::routes {
+
+/// The operations of each resource; one source file for each function.
+[[nodiscard]] std::vector<Route> landing_routes();     // landing page, conformance, OpenAPI document
+[[nodiscard]] std::vector<Route> asset_routes();       // files of the browser client
+[[nodiscard]] std::vector<Route> collection_routes();  // descriptions of the feature collections
+[[nodiscard]] std::vector<Route> iceberg_routes();
+[[nodiscard]] std::vector<Route> plan_routes();
+[[nodiscard]] std::vector<Route> process_routes();    // list and descriptions
+[[nodiscard]] std::vector<Route> execution_routes();  // POST that starts a job
+[[nodiscard]] std::vector<Route> job_routes();
+[[nodiscard]] std::vector<Route> dataset_routes();
+[[nodiscard]] std::vector<Route> vehicle_routes();
+[[nodiscard]] std::vector<Route> probe_routes();
+[[nodiscard]] std::vector<Route> map_field_routes();  // bathymetry and currents as binary grids
+[[nodiscard]] std::vector<Route> coast_routes();
+[[nodiscard]] std::vector<Route> health_routes();  // health and version
+
+}  // namespace floeplan::routes

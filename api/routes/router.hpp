@@ -1,0 +1,38 @@
+#pragma once
+
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "api/routes/context.hpp"
+#include "api/routes/message.hpp"
+
+namespace floeplan::routes {
+
+/// One operation on one kind of resource.
+struct Route {
+  std::string method;
+  std::string pattern;                  // "/jobs/{job_id}"; a last "{path...}" takes the rest of the path
+  std::vector<std::string> parameters;  // query parameters it knows, besides "f"
+  std::function<Response(const Context&, const Request&, const PathParameters&)> answer;
+};
+
+/// Finds the operation for a request and answers what has none: unknown paths (404), other methods (405 with
+/// Allow), OPTIONS (204 with Allow), unknown query parameters and formats (400). HEAD is answered as GET.
+/// Errors   what an operation throws leaves as it is
+/// Threads  may be called from several threads at once
+class Router {
+ public:
+  explicit Router(std::vector<Route> routes) : routes_{std::move(routes)} {}
+
+  [[nodiscard]] Response answer(const Context& context, const Request& request) const;
+  [[nodiscard]] const std::vector<Route>& routes() const { return routes_; }
+
+ private:
+  std::vector<Route> routes_;
+};
+
+/// Every operation of the service.
+[[nodiscard]] std::vector<Route> all_routes();
+
+}  // namespace floeplan::routes

@@ -1,0 +1,88 @@
+#include "server/jobs/plan_service.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "api/codec/plan_document.hpp"
+#include "api/codec/sha256.hpp"
+#include "engine/planning/plan_route.hpp"
+#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/plan_repository.hpp"
+
+namespace floeplan::jobs {
+namespace {
+
+using nlohmann::json;
+
+/// The same inputs on the same data, planned by the same version, have the same id.
+std::string plan_id(const json& inputs, const ocean::Environment& environment) {
+  std::string text = std::string{FLOEPLAN_VERSION} + "\n" + inputs.dump();
+  for (const auto& dataset : environment.datasets) text += "\n" + dataset.id + " " + dataset.sha256;
+  return "p" + codec::sha256(text).substr(0, 12);
+}
+
+geo::BoundingBox bounds(const planning::Plan& plan) {
+  std::vector<geo::LonLat> places;
+  for (const auto& waypoint : plan.waypoints) places.push_back(waypoint.place);
+  return geo::bounding_box(places);
+}
+
+/// Gives the plan the duration of the work that made it.
+class Stopwatch {
+ public:
+  [[nodiscard]] core::Seconds elapsed() const { return std::chrono::steady_clock::now() - begin_; }
+
+ private:
+  std::chrono::steady_clock::time_point begin_{std::chrono::steady_clock::now()};
+};
+
+}  // namespace
+
+tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
+                                                         const codec::PlanInputs& inputs,
+                                                         const std::stop_token& stop,
+                                                         const core::ProgressCallback& progress,
+                                                         core::UtcTime now) {
+  if (progress) progress("loading data", 0.0);
+  const auto environment = repository::load_environment(db, inputs.data);
+  if (!environment) return tl::unexpected(environment.error());
+
+  const Stopwatch watch;
+  auto plan = planning::plan_route(*environment, inputs.request, stop, progress);
+  if (!plan) return codec::infeasible_document(plan.error(), *environment);
+  plan->search.duration = watch.elapsed();
+
+  const json request = codec::to_json(inputs);
+  const std::string id = plan_id(request, *environment);
+  json document = codec::plan_document(*plan, id, inputs.name);
+  repository::PlanRepository{db}.insert({.row = 0,
+                                         .id = {id},
+                                         .name = inputs.name,
+                                         .created = now,
+                                         .departure = plan->departure,
+                                         .arrival = plan->arrival,
+                                         .bounds = bounds(*plan),
+                                         .request_json = request.dump(),
+                                         .document_json = document.dump()});
+  return document;
+}
+
+tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection& db,
+                                                             codec::EvaluateInputs inputs) {
+  if (inputs.plan_id) {
+    const auto stored = repository::PlanRepository{db}.find({*inputs.plan_id});
+    if (!stored)
+      return tl::unexpected(core::Violations{{"/plan_id", "no plan has the id " + *inputs.plan_id}});
+    codec::set_route(inputs, codec::route_of(json::parse(stored->document_json)));
+  }
+  const auto environment = repository::load_environment(db, inputs.data);
+  if (!environment) return tl::unexpected(environment.error());
+
+  const Stopwatch watch;
+  auto plan = planning::evaluate_route(*environment, inputs.route, inputs.request);
+  if (!plan) return codec::infeasible_document(plan.error(), *environment);
+  plan->search.duration = watch.elapsed();
+  return codec::plan_document(*plan, "", inputs.name);
+}
+
+}  // namespace floeplan::jobs

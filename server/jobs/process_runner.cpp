@@ -1,0 +1,47 @@
+#include "server/jobs/process_runner.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "api/codec/plan_inputs.hpp"
+#include "server/jobs/plan_service.hpp"
+
+namespace floeplan::jobs {
+namespace {
+
+using nlohmann::json;
+
+std::string in_one_line(const core::Violations& violations) {
+  std::string text;
+  for (const auto& violation : violations) {
+    text += (text.empty() ? "" : "; ") + violation.field + " " + violation.rule;
+  }
+  return text;
+}
+
+tl::expected<std::string, std::string> result(const char* output,
+                                              const tl::expected<json, core::Violations>& document) {
+  if (!document) return tl::unexpected(in_one_line(document.error()));
+  return json{{output, *document}}.dump();
+}
+
+}  // namespace
+
+tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const repository::JobRecord& job,
+                                                   const std::stop_token& stop,
+                                                   const core::ProgressCallback& progress,
+                                                   core::UtcTime now) {
+  const json request = json::parse(job.request_json);
+  if (job.process == "plan-route") {
+    const auto inputs = codec::parse_plan_inputs(request);
+    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
+    return result("plan", plan_route_document(db, *inputs, stop, progress, now));
+  }
+  if (job.process == "evaluate-route") {
+    const auto inputs = codec::parse_evaluate_inputs(request);
+    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
+    return result("evaluation", evaluate_route_document(db, *inputs));
+  }
+  return tl::unexpected("this version knows no process " + job.process);
+}
+
+}  // namespace floeplan::jobs

@@ -1,0 +1,140 @@
+#include "server/jobs/worker_pool.hpp"
+
+#include <spdlog/spdlog.h>
+#include <sys/resource.h>
+#include <unistd.h>
+
+#include <chrono>
+#include <condition_variable>
+#include <map>
+#include <mutex>
+
+#include "server/jobs/process_runner.hpp"
+
+namespace floeplan::jobs {
+namespace {
+
+using repository::JobRecord;
+using repository::JobRepository;
+
+constexpr core::Seconds lease{30.0};
+constexpr core::Seconds renewal_interval{5.0};  // when there is no progress to write
+constexpr std::chrono::milliseconds progress_interval{250};
+
+core::UtcTime now() { return std::chrono::system_clock::now(); }
+
+/// Requests come first: on Linux the priority of a single thread can be lowered.
+void lower_priority() {
+  constexpr int niceness = 10;
+  if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness) != 0) {
+    spdlog::warn("the priority of a worker thread could not be lowered");
+  }
+}
+
+/// Waits until the time is over or `stop` is requested.
+void pause(std::chrono::milliseconds time, const std::stop_token& stop) {
+  std::mutex mutex;
+  std::condition_variable_any never;
+  std::unique_lock lock{mutex};
+  never.wait_for(lock, stop, time, [] { return false; });
+}
+
+}  // namespace
+
+WorkerPool::WorkerPool(OpenStore open_store, JobBoard& board, std::size_t workers)
+    : open_store_{std::move(open_store)}, board_{board} {
+  auto db = open_store_();
+  JobRepository{db}.release_all_leases(now());
+  lease_keeper_ = std::jthread{[this](const std::stop_token& stop) { keep_leases(stop); }};
+  for (std::size_t i = 0; i < workers; ++i) {
+    const std::string name = std::to_string(getpid()) + "-" + std::to_string(i + 1);
+    threads_.emplace_back([this, name](const std::stop_token& stop) { work(stop, name); });
+  }
+}
+
+WorkerPool::~WorkerPool() { stop(); }
+
+void WorkerPool::stop() {
+  for (auto& thread : threads_) thread.request_stop();
+  board_.stop_all();
+  threads_.clear();
+  lease_keeper_ = {};
+}
+
+void WorkerPool::work(const std::stop_token& stop, const std::string& name) {
+  lower_priority();
+  auto db = open_store_();
+  while (!stop.stop_requested()) {
+    const auto seen = board_.submissions();
+    try {
+      const auto job = JobRepository{db}.claim(name, now(), lease);
+      if (job) {
+        run(db, *job, name, stop);
+        continue;
+      }
+    } catch (const std::exception& error) {
+      spdlog::error("a worker could not read or write the queue: {}", error.what());
+    }
+    board_.wait_for_work(seen, stop);
+  }
+}
+
+void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::string& worker,
+                     const std::stop_token& pool_stop) {
+  const std::stop_source job_stop = board_.begin(job.id, worker);
+  const std::stop_callback stop_with_pool{pool_stop,
+                                          [source = job_stop]() mutable { source.request_stop(); }};
+  board_.announce(job.id);
+  spdlog::info("job={} process={} attempt={} begins", job.id.value, job.process, job.attempts);
+
+  const auto begin = std::chrono::steady_clock::now();
+  tl::expected<std::string, std::string> result;
+  try {
+    result = run_process(
+        db, job, job_stop.get_token(),
+        [&](std::string_view stage, double share) { board_.report(job.id, stage, share); }, now());
+  } catch (const std::exception& error) {
+    spdlog::error("job={} broke off: {}", job.id.value, error.what());
+    result = tl::unexpected(std::string{"the work broke off: "} + error.what());
+  }
+  board_.end(job.id);
+
+  JobRepository jobs{db};
+  if (job_stop.stop_requested()) {
+    jobs.hand_back(worker, now());  // does nothing for a job that was dismissed
+  } else if (result) {
+    jobs.succeed(job.id, worker, *result, now());
+  } else {
+    jobs.fail(job.id, worker, result.error(), now());
+  }
+  board_.announce(job.id);
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  const char* outcome = job_stop.stop_requested() ? "stopped" : result ? "successful" : "failed";
+  spdlog::info("job={} outcome={} seconds={:.3f}", job.id.value, outcome, taken.count());
+}
+
+void WorkerPool::keep_leases(const std::stop_token& stop) {
+  auto db = open_store_();
+  std::map<repository::JobId, core::UtcTime> renewed;
+  while (!stop.stop_requested()) {
+    const auto running = board_.running();
+    std::map<repository::JobId, core::UtcTime> next;
+    for (const auto& job : running) {
+      const auto last = renewed.find(job.id);
+      const bool due = job.changed || last == renewed.end() || now() - last->second >= renewal_interval;
+      next[job.id] = due ? now() : last->second;
+      if (!due) continue;
+      try {
+        if (!JobRepository{db}.renew(job.id, job.worker, job.stage, job.progress, now(), lease))
+          board_.stop(job.id);
+      } catch (const std::exception& error) {
+        spdlog::error("job={} the lease could not be renewed: {}", job.id.value, error.what());
+      }
+      board_.announce(job.id);
+    }
+    renewed = std::move(next);
+    pause(progress_interval, stop);
+  }
+}
+
+}  // namespace floeplan::jobs
