@@ -14,9 +14,10 @@ class Reader {
   explicit Reader(std::string_view text) : rest_{text} {}
 
   [[nodiscard]] bool at_end() const { return rest_.empty(); }
+  [[nodiscard]] bool at(char wanted) const { return rest_.starts_with(wanted); }
 
   bool take(char wanted) {
-    if (rest_.empty() || rest_.front() != wanted) return false;
+    if (!at(wanted)) return false;
     rest_.remove_prefix(1);
     return true;
   }
@@ -107,9 +108,10 @@ std::optional<UtcTime> parse_iso8601(std::string_view text) {
   if (!minutes) return std::nullopt;
   double seconds = 0.0;
   if (reader.take(':')) {
-    const auto number = reader.number();
-    if (!number) return std::nullopt;
-    seconds = *number;
+    const auto whole = reader.digits(2);
+    const auto fraction = reader.at('.') ? reader.number() : 0.0;
+    if (!whole || !fraction) return std::nullopt;
+    seconds = *whole + *fraction;
   }
   if (*hours > 23 || *minutes > 59 || seconds >= 60.0) return std::nullopt;
 

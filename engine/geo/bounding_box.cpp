@@ -23,8 +23,9 @@ double width_deg(const BoundingBox& box) {
 }
 
 bool contains(const BoundingBox& box, LonLat place) {
+  // Wrapped first, as the edges of a box of places are: a place on an edge is then not lost to rounding.
   return place.lat_deg >= box.south_deg && place.lat_deg <= box.north_deg &&
-         eastward(box.west_deg, place.lon_deg) <= width_deg(box);
+         eastward(box.west_deg, wrap_longitude(place.lon_deg)) <= width_deg(box);
 }
 
 bool intersects(const BoundingBox& a, const BoundingBox& b) {

@@ -1,0 +1,51 @@
+#include "engine/geo/lon_lat.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "tests/support/property.hpp"
+
+namespace floeplan::geo {
+namespace {
+
+TEST(Longitude, WrapsIntoTheHalfOpenCircle) {
+  EXPECT_EQ(wrap_longitude(180.0), -180.0);
+  EXPECT_EQ(wrap_longitude(-180.0), -180.0);
+  EXPECT_EQ(wrap_longitude(190.0), -170.0);
+  EXPECT_EQ(wrap_longitude(-190.0), 170.0);
+  EXPECT_EQ(wrap_longitude(360.0), 0.0);
+  EXPECT_EQ(wrap_longitude(-53.5), -53.5);
+}
+
+TEST(Longitude, DiffersTheShortWayRound) {
+  EXPECT_EQ(longitude_difference(179.0, -179.0), 2.0);
+  EXPECT_EQ(longitude_difference(-179.0, 179.0), -2.0);
+  EXPECT_EQ(longitude_difference(10.0, 350.0), -20.0);
+  EXPECT_EQ(longitude_difference(0.0, 180.0), -180.0);
+}
+
+TEST(Longitude, WrapsToTheSameMeridian) {
+  support::for_each_seed(1000, [](std::mt19937_64& rng) {
+    const double lon_deg = support::uniform(rng, -1000.0, 1000.0);
+    const double wrapped_deg = wrap_longitude(lon_deg);
+
+    EXPECT_GE(wrapped_deg, -180.0);
+    EXPECT_LT(wrapped_deg, 180.0);
+    EXPECT_NEAR(std::remainder(wrapped_deg - lon_deg, 360.0), 0.0, 1e-9);
+  });
+}
+
+TEST(Place, IsValidOnTheGlobeInBothConventionsOfLongitude) {
+  EXPECT_TRUE(is_valid({-180.0, -90.0}));
+  EXPECT_TRUE(is_valid({360.0, 90.0}));
+  EXPECT_FALSE(is_valid({-180.1, 0.0}));
+  EXPECT_FALSE(is_valid({360.1, 0.0}));
+  EXPECT_FALSE(is_valid({0.0, 90.1}));
+  EXPECT_FALSE(is_valid({std::numeric_limits<double>::quiet_NaN(), 0.0}));
+  EXPECT_FALSE(is_valid({0.0, std::numeric_limits<double>::infinity()}));
+}
+
+}  // namespace
+}  // namespace floeplan::geo

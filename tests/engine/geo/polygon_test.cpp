@@ -1,0 +1,69 @@
+#include "engine/geo/polygon.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "tests/support/property.hpp"
+
+namespace floeplan::geo {
+namespace {
+
+Ring rectangle(double west_deg, double south_deg, double east_deg, double north_deg) {
+  return {{west_deg, south_deg}, {east_deg, south_deg}, {east_deg, north_deg}, {west_deg, north_deg}};
+}
+
+TEST(Polygon, HoldsItsInsideWithoutItsHoles) {
+  const Polygon island{.outer = rectangle(-54.0, 68.0, -50.0, 70.0),
+                       .holes = {rectangle(-53.0, 68.5, -52.0, 69.0)}};
+
+  EXPECT_TRUE(contains(island, {-51.0, 69.5}));
+  EXPECT_FALSE(contains(island, {-52.5, 68.75}));
+  EXPECT_FALSE(contains(island, {-49.0, 69.0}));
+  EXPECT_FALSE(contains(island, {-51.0, 71.0}));
+}
+
+TEST(Polygon, CrossesTheAntimeridian) {
+  const Polygon island{.outer = {{178.0, 70.0}, {-177.0, 70.0}, {-177.0, 72.0}, {178.0, 72.0}}, .holes = {}};
+
+  EXPECT_TRUE(contains(island, {179.5, 71.0}));
+  EXPECT_TRUE(contains(island, {-178.0, 71.0}));
+  EXPECT_TRUE(contains(island, {182.0, 71.0}));
+  EXPECT_FALSE(contains(island, {0.0, 71.0}));
+  EXPECT_FALSE(contains(island, {177.0, 71.0}));
+  EXPECT_EQ(bounding_box(island), (BoundingBox{178.0, 70.0, -177.0, 72.0}));
+}
+
+TEST(Polygon, WithoutPlacesHoldsNothing) { EXPECT_FALSE(contains(Polygon{}, {0.0, 0.0})); }
+
+TEST(Polygon, HoldsTheSamePlacesWhereverItsRingStartsAndWhicheverWayItRuns) {
+  support::for_each_seed(300, [](std::mt19937_64& rng) {
+    Ring ring(static_cast<std::size_t>(support::uniform_int(rng, 3, 9)));
+    std::generate(ring.begin(), ring.end(), [&] {
+      return LonLat{wrap_longitude(180.0 + support::uniform(rng, -5.0, 5.0)),
+                    support::uniform(rng, 60.0, 70.0)};
+    });
+    Ring turned = ring;
+    std::rotate(turned.begin(), turned.begin() + 1, turned.end());
+    std::reverse(turned.begin(), turned.end());
+    const LonLat place{180.0 + support::uniform(rng, -6.0, 6.0), support::uniform(rng, 59.0, 71.0)};
+
+    EXPECT_EQ(contains(Polygon{ring, {}}, place), contains(Polygon{turned, {}}, place));
+  });
+}
+
+TEST(Polygon, ThatIsARectangleHoldsWhatItsBoxHolds) {
+  support::for_each_seed(500, [](std::mt19937_64& rng) {
+    const double west_deg = support::uniform(rng, -180.0, 180.0);
+    const double east_deg = wrap_longitude(west_deg + support::uniform(rng, 1.0, 170.0));
+    const BoundingBox box{west_deg, -20.0, east_deg, 30.0};
+    const LonLat place{support::uniform(rng, -180.0, 180.0), support::uniform(rng, -40.0, 50.0)};
+
+    const Polygon polygon{rectangle(west_deg, -20.0, east_deg, 30.0), {}};
+
+    EXPECT_EQ(contains(polygon, place), contains(box, place));
+  });
+}
+
+}  // namespace
+}  // namespace floeplan::geo
