@@ -12,8 +12,7 @@ namespace floeplan::repository {
 
 /// Arrays of numbers as compressed blobs and back, every bit kept (NaN payloads and signed zeros too).
 /// Format   little-endian, shuffled (all first bytes, then all second bytes, ...), one zstd frame with a
-/// checksum.
-///          Neighbouring values of a smooth field share their high bytes, which shuffling brings together
+///          checksum. Neighbouring values of a smooth field share their high bytes; shuffling joins those
 /// Threads  one thread at a time
 /// Errors   std::runtime_error from `unpack` for a damaged blob or one of another length
 class BlobCodec {

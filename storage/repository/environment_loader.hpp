@@ -8,16 +8,10 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/environment.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/repository/dataset_choice.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::repository {
-
-/// Which dataset of a kind to use.
-struct DatasetChoice {
-  enum class How { newest, none, named } how{How::newest};
-  std::vector<DatasetId> ids;  // when named
-};
 
 /// What a job wants to know of the sea.
 struct EnvironmentQuery {
@@ -36,10 +30,13 @@ struct EnvironmentQuery {
 /// obstacles).
 inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 
-/// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and the
-/// period. Errors   a violation for each named dataset that does not exist, is of another kind or shares
-/// nothing with the area Edges    currents are read from the last step before departure to their end: how
-/// long a plan takes is not yet known
+/// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and
+/// the period, all as they stood at one moment.
+/// Errors   a violation for each named dataset that does not exist, is of another kind or shares nothing
+///          with the area, and for a departure outside the period of the currents unless they are held
+///          steady
+/// Edges    currents are read from the last step before departure to their end: how long a plan takes is
+///          not yet known. Currents without time are held steady.
 [[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(
     sqlite::Connection& db, const EnvironmentQuery& query);
 

@@ -37,8 +37,8 @@ struct GridWindow {
 [[nodiscard]] AxisWindow whole(const ocean::Axis& axis);
 
 /// The nodes around the area, at least one on each side of it where the grid has one. For a projected grid
-/// the area is outlined by samples and the window is rather too large than too small. Outside  nullopt when
-/// the grid and the area do not meet
+/// the area is outlined by samples and the window is rather too large than too small.
+/// Outside  nullopt when the grid and the area do not meet
 [[nodiscard]] std::optional<GridWindow> window_around(const ocean::HorizontalGrid& grid,
                                                       const geo::BoundingBox& area);
 

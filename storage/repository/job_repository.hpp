@@ -41,8 +41,8 @@ struct JobRecord {
 
 /// The durable queue. Every change is one transaction that is on disk when the call returns.
 /// A worker claims a job with a lease; a job whose lease ran out (its worker was killed) is claimable again,
-/// at most `max_attempts` times, then it fails with the reason in `message`. Threads  as the connection: one
-/// thread at a time; several connections and processes may claim at once
+/// at most `max_attempts` times, then it fails with the reason in `message`.
+/// Threads  as the connection: one thread at a time; several connections and processes may claim at once
 class JobRepository {
  public:
   explicit JobRepository(sqlite::Connection& db) : db_{db} {}

@@ -14,10 +14,10 @@ namespace floeplan::sqlite {
 inline constexpr std::int32_t application_id = 0x464C4F45;
 
 /// One connection to the store's database, set to WAL, foreign keys on, full synchronisation and a busy
-/// timeout, so that a committed transaction survives a kill and a power cut. Threads  one thread at a time;
-/// open one connection for each thread Errors   std::runtime_error when the file cannot be opened, is
-/// damaged, or is a database of another program; such a
-///          file is left as it is
+/// timeout, so that a committed transaction survives a kill and a power cut.
+/// Threads  one thread at a time; open one connection for each thread
+/// Errors   std::runtime_error when the file cannot be opened, is damaged, or is a database of another
+///          program; such a file is left as it is
 class Connection {
  public:
   /// Opens (and creates, with its folder) `<store>/floeplan.sqlite`.

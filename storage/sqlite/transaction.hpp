@@ -5,9 +5,10 @@
 namespace floeplan::sqlite {
 
 /// A transaction that is undone unless it was committed. It takes the right to write at once, so that it
-/// never fails halfway because somebody else wrote first. Inside another one it is a savepoint: undone alone,
-/// on disk with the outer. Errors   Failure when the database is held for longer than the busy timeout;
-/// std::logic_error for a second commit
+/// never fails halfway because somebody else wrote first. Inside another one it is a savepoint: undone
+/// alone, on disk with the outer.
+/// Errors   Failure when the database is held for longer than the busy timeout; std::logic_error for a
+///          second commit
 class Transaction {
  public:
   explicit Transaction(Connection& db);

@@ -1,0 +1,237 @@
+#include "storage/repository/environment_loader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <utility>
+
+#include "engine/core/utc_text.hpp"
+#include "storage/repository/coastline_repository.hpp"
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "storage/repository/iceberg_repository.hpp"
+#include "storage/sqlite/snapshot.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+constexpr core::Metres coarse_spacing{5000.0};
+
+/// The environment while it is put together.
+struct Draft {
+  sqlite::Connection& db;  // borrowed
+  const EnvironmentQuery& query;
+  std::vector<Dataset> stored;  // newest first
+  ocean::Environment environment;
+  core::Violations violations;
+
+  void warn(std::string text) { environment.warnings.push_back(std::move(text)); }
+  void refuse(DatasetKind kind, std::string rule) {
+    violations.push_back({"/" + kind_name(kind), std::move(rule)});
+  }
+  void cite(const Dataset& dataset) {
+    environment.datasets.push_back(
+        {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256});
+  }
+};
+
+std::string in_kilometres(core::Metres length) {
+  return std::to_string(std::lround(length.value / 1000.0)) + " km";
+}
+
+std::string in_metres(double length_m) { return std::to_string(std::lround(length_m)) + " m"; }
+
+std::string period_text(const Dataset& dataset) {
+  return core::iso8601(*dataset.time_start) + " to " + core::iso8601(*dataset.time_end);
+}
+
+void warn_of_gap(Draft& draft, DatasetKind kind, const DatasetChoice& choice,
+                 const std::string& consequence) {
+  if (choice.how == DatasetChoice::How::none) {
+    draft.warn(kind_name(kind) + " left out as requested: " + consequence);
+  } else {
+    draft.warn("no stored " + kind_name(kind) + " for " + bounds_text(draft.query.area) + ": " +
+               consequence);
+  }
+}
+
+bool has_time(const Dataset& dataset) { return dataset.time_start && dataset.time_end; }
+
+bool covers(const Dataset& dataset, core::UtcTime time) {
+  return has_time(dataset) && *dataset.time_start <= time && time <= *dataset.time_end;
+}
+
+void adopt_currents(Draft& draft, const Dataset& dataset, ocean::CurrentGrid currents) {
+  const std::string name = title(dataset);
+  const auto& samples = currents.samples();
+  if (!samples.depths_m) {
+    draft.warn("currents " + name + " state no depth: taken as the same at every depth");
+  } else if (samples.depths_m->size() == 1) {
+    draft.warn("currents " + name + " have one level (" + in_metres(samples.depths_m->front()) +
+               "): used at every depth");
+  } else if (samples.depths_m->back() < draft.query.dive_depth.value) {
+    draft.warn("currents " + name + " reach down to " + in_metres(samples.depths_m->back()) +
+               " only, dives to " + in_metres(draft.query.dive_depth.value) +
+               ": the water below is taken to move like the mean above");
+  }
+
+  const std::size_t steps = samples.times_s.size();
+  if (!has_time(dataset)) {
+    draft.warn("currents held steady: " + name + " state no time");
+  } else if (draft.query.steady && steps == 1) {
+    draft.warn("currents held steady: " + name + " as at " + core::iso8601(*dataset.time_start));
+  } else if (draft.query.steady) {
+    draft.warn("currents held steady: " + name + ", the mean of " + std::to_string(steps) + " steps from " +
+               period_text(dataset));
+  }
+
+  draft.environment.steady_currents = draft.query.steady || !has_time(dataset);
+  draft.environment.currents = std::make_shared<const ocean::CurrentGrid>(
+      draft.environment.steady_currents && steps > 1 ? currents.time_mean() : std::move(currents));
+  draft.cite(dataset);
+}
+
+void refuse_departure(Draft& draft, const std::vector<Dataset>& currents) {
+  std::string periods;
+  for (const Dataset& dataset : currents) {
+    periods += (periods.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(dataset);
+  }
+  draft.violations.push_back({"/depart", core::iso8601(draft.query.depart) +
+                                             " is outside the currents' period: " + periods +
+                                             ". Depart within it, or hold the currents steady (--steady)"});
+}
+
+void add_currents(Draft& draft) {
+  const EnvironmentQuery& query = draft.query;
+  const auto found =
+      candidates(draft.stored, DatasetKind::currents, query.currents, query.area, draft.violations);
+  const bool named = query.currents.how == DatasetChoice::How::named;
+  if (named && query.currents.ids.size() > 1) {
+    draft.refuse(DatasetKind::currents, "one dataset at a time; name the one to plan with");
+    return;
+  }
+
+  std::vector<Dataset> at_another_time;
+  for (const Dataset& dataset : found) {
+    if (!query.steady && has_time(dataset) && !covers(dataset, query.depart)) {
+      at_another_time.push_back(dataset);
+      continue;
+    }
+    const auto period = query.steady || !has_time(dataset)
+                            ? std::nullopt
+                            : std::optional{Period{query.depart, *dataset.time_end}};
+    auto currents = FieldRepository{draft.db}.load_currents(dataset.id, query.area, period, query.dive_depth);
+    if (currents) return adopt_currents(draft, dataset, std::move(*currents));
+  }
+
+  if (!at_another_time.empty()) return refuse_departure(draft, at_another_time);
+  if (named && !found.empty())
+    draft.refuse(DatasetKind::currents, title(found.front()) + " has no node near the area");
+  if (!named) warn_of_gap(draft, DatasetKind::currents, query.currents, "planned in still water");
+}
+
+void add_bathymetry(Draft& draft) {
+  const EnvironmentQuery& query = draft.query;
+  const auto found =
+      candidates(draft.stored, DatasetKind::bathymetry, query.bathymetry, query.area, draft.violations);
+  const bool named = query.bathymetry.how == DatasetChoice::How::named;
+  if (named && query.bathymetry.ids.size() > 1) {
+    draft.refuse(DatasetKind::bathymetry, "one dataset at a time; name the one to plan with");
+    return;
+  }
+
+  for (const Dataset& dataset : found) {
+    auto bathymetry = FieldRepository{draft.db}.load_bathymetry(dataset.id, query.area);
+    if (!bathymetry) continue;
+    const core::Metres spacing = bathymetry->grid().spacing();
+    if (spacing > coarse_spacing) {
+      draft.warn("bathymetry " + title(dataset) + " is coarse, one depth in " + in_kilometres(spacing) +
+                 ": shoals and islands between its nodes are not seen");
+    }
+    draft.environment.bathymetry = std::make_shared<const ocean::Bathymetry>(std::move(*bathymetry));
+    draft.cite(dataset);
+    return;
+  }
+
+  if (named && !found.empty())
+    draft.refuse(DatasetKind::bathymetry, title(found.front()) + " has no node near the area");
+  if (!named)
+    warn_of_gap(draft, DatasetKind::bathymetry, query.bathymetry, "the depth of the water is not checked");
+}
+
+/// Of the candidates the newest with sightings young enough to count, else the newest with any by then.
+std::vector<Dataset> newest_with_sightings(const std::vector<Dataset>& found, core::UtcTime as_of) {
+  const auto begun = [&](const Dataset& dataset) {
+    return !dataset.time_start || *dataset.time_start <= as_of;
+  };
+  const auto recent = [&](const Dataset& dataset) {
+    return begun(dataset) && (!dataset.time_end || *dataset.time_end >= as_of - max_sighting_age);
+  };
+  auto chosen = std::ranges::find_if(found, recent);
+  if (chosen == found.end()) chosen = std::ranges::find_if(found, begun);
+  return chosen == found.end() ? std::vector<Dataset>{} : std::vector{*chosen};
+}
+
+void add_icebergs(Draft& draft) {
+  const EnvironmentQuery& query = draft.query;
+  const core::UtcTime as_of = query.icebergs_as_of.value_or(query.depart);
+  auto chosen = candidates(draft.stored, DatasetKind::icebergs, query.icebergs, query.area, draft.violations);
+  if (query.icebergs.how == DatasetChoice::How::newest) chosen = newest_with_sightings(chosen, as_of);
+
+  const IcebergRepository repository{draft.db};
+  for (const Dataset& dataset : chosen) {
+    constexpr core::Seconds any_age{std::numeric_limits<double>::infinity()};
+    const auto all = repository.latest(dataset.id, query.area, as_of, any_age);
+    std::size_t dropped = 0;
+    for (const StoredSighting& sighting : all) {
+      if (sighting.iceberg.observed >= as_of - max_sighting_age) {
+        draft.environment.icebergs.push_back(sighting.iceberg);
+      } else {
+        ++dropped;
+      }
+    }
+    if (dropped > 0) {
+      draft.warn(std::to_string(dropped) + " of " + std::to_string(all.size()) + " icebergs of " +
+                 title(dataset) + " left out: last seen more than 3 days before " + core::iso8601(as_of));
+    }
+    draft.cite(dataset);
+  }
+  if (chosen.empty() && query.icebergs.how != DatasetChoice::How::named) {
+    warn_of_gap(draft, DatasetKind::icebergs, query.icebergs, "no iceberg is avoided");
+  }
+}
+
+void add_coastline(Draft& draft) {
+  const EnvironmentQuery& query = draft.query;
+  auto chosen =
+      candidates(draft.stored, DatasetKind::coastline, query.coastline, query.area, draft.violations);
+  if (query.coastline.how == DatasetChoice::How::newest && chosen.size() > 1) chosen.resize(1);
+
+  for (const Dataset& dataset : chosen) {
+    auto land = CoastlineRepository{draft.db}.load(dataset.id, query.area);
+    std::ranges::move(land, std::back_inserter(draft.environment.land));
+    draft.cite(dataset);
+  }
+  if (chosen.empty() && query.coastline.how != DatasetChoice::How::named) {
+    warn_of_gap(draft, DatasetKind::coastline, query.coastline,
+                "land is known from depths and currents only");
+  }
+}
+
+}  // namespace
+
+tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Connection& db,
+                                                                    const EnvironmentQuery& query) {
+  const sqlite::Snapshot snapshot{db};
+  Draft draft{
+      .db = db, .query = query, .stored = DatasetRepository{db}.list(), .environment = {}, .violations = {}};
+  add_currents(draft);
+  add_bathymetry(draft);
+  add_icebergs(draft);
+  add_coastline(draft);
+  if (!draft.violations.empty()) return tl::unexpected(std::move(draft.violations));
+  return std::move(draft.environment);
+}
+
+}  // namespace floeplan::repository

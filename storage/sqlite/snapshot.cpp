@@ -1,0 +1,25 @@
+#include "storage/sqlite/snapshot.hpp"
+
+#include <SQLiteCpp/Database.h>
+#include <sqlite3.h>
+
+#include <stdexcept>
+
+#include "storage/sqlite/statement.hpp"
+
+namespace floeplan::sqlite {
+
+Snapshot::Snapshot(Connection& db) : db_{db}, began_{sqlite3_get_autocommit(db.handle().getHandle()) != 0} {
+  if (began_) execute(db_, "BEGIN DEFERRED");
+}
+
+Snapshot::~Snapshot() {
+  if (!began_) return;
+  try {
+    execute(db_, "ROLLBACK");
+  } catch (
+      const std::runtime_error&) {  // NOLINT(bugprone-empty-catch): after a failed read it has ended already
+  }
+}
+
+}  // namespace floeplan::sqlite
