@@ -1,0 +1,94 @@
+#include "server/http/finish_response.hpp"
+
+#include <algorithm>
+#include <string_view>
+
+#include "api/codec/sha256.hpp"
+#include "server/http/gzip.hpp"
+
+namespace floeplan::http {
+namespace {
+
+using routes::Request;
+using routes::Response;
+
+constexpr std::size_t least_worth_compressing = 1024;
+constexpr const char* content_security_policy =
+    "default-src 'self'; img-src 'self' data: blob:; style-src 'self'; object-src 'none'; base-uri 'none'; "
+    "frame-ancestors 'none'";
+
+bool has_header(const Response& response, std::string_view name) {
+  return std::any_of(response.headers.begin(), response.headers.end(),
+                     [&](const auto& header) { return header.first == name; });
+}
+
+void vary_by(Response& response, const std::string& name) {
+  for (auto& [key, value] : response.headers) {
+    if (key == "Vary") {
+      value += ", " + name;
+      return;
+    }
+  }
+  response.headers.emplace_back("Vary", name);
+}
+
+bool is_compressible(const std::string& type) {
+  return type.starts_with("text/") || type.find("json") != std::string::npos ||
+         type.find("xml") != std::string::npos || type.starts_with("application/octet-stream") ||
+         type.starts_with("application/wasm");
+}
+
+/// True when Accept-Encoding names gzip (or "*") and does not forbid it by q=0.
+bool accepts_gzip(const std::string& accept_encoding) {
+  for (const std::string_view name : {"gzip", "*"}) {
+    const auto found = accept_encoding.find(name);
+    if (found == std::string::npos) continue;
+    const auto end = std::min(accept_encoding.find(',', found), accept_encoding.size());
+    std::string parameters = accept_encoding.substr(found + name.size(), end - found - name.size());
+    std::erase(parameters, ' ');
+    return parameters != ";q=0" && !parameters.starts_with(";q=0.0");
+  }
+  return false;
+}
+
+/// The tag of the body before any compression, so that a client may have got it either way.
+std::string strong_tag(const std::string& body) { return codec::sha256(body).substr(0, 32); }
+
+bool matches(const std::string& if_none_match, const std::string& tag) {
+  return if_none_match == "*" || if_none_match.find('"' + tag) != std::string::npos;
+}
+
+}  // namespace
+
+Response finish_response(const Request& request, Response response) {
+  if (response.wait) return response;
+
+  response.headers.emplace_back("X-Content-Type-Options", "nosniff");
+  if (response.content_type.starts_with("text/html")) {
+    response.headers.emplace_back("Content-Security-Policy", content_security_policy);
+  }
+  const bool readable = request.method == "GET" || request.method == "HEAD";
+  const bool tagged = readable && response.status == 200;
+  const bool compressible =
+      response.body.size() > least_worth_compressing && is_compressible(response.content_type);
+  const bool compressed = compressible && accepts_gzip(request.header("accept-encoding"));
+  if (compressible) vary_by(response, "Accept-Encoding");
+  if (tagged) {
+    const std::string tag = strong_tag(response.body);
+    response.headers.emplace_back("ETag", '"' + tag + (compressed ? "-gzip\"" : "\""));
+    if (!has_header(response, "Cache-Control")) response.headers.emplace_back("Cache-Control", "no-cache");
+    if (matches(request.header("if-none-match"), tag)) {
+      response.status = 304;
+      response.content_type.clear();
+      response.body.clear();
+      return response;
+    }
+  }
+  if (compressed) {
+    response.body = gzip(response.body);
+    response.headers.emplace_back("Content-Encoding", "gzip");
+  }
+  return response;
+}
+
+}  // namespace floeplan::http

@@ -1,0 +1,130 @@
+#include "server/http/server.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/detached.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/signal_set.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <csignal>
+#include <map>
+#include <stdexcept>
+
+#include "server/http/session.hpp"
+
+namespace floeplan::http {
+
+namespace net = boost::asio;
+
+/// The listener's state; everything but the constructor runs on the I/O thread.
+class Server::Listener {
+ public:
+  Listener(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads, Limits limits)
+      : share_{std::move(handler), limits, handler_threads} {
+    const net::ip::tcp::endpoint endpoint{net::ip::make_address(address.host), address.port};
+    boost::system::error_code error;
+    acceptor_.open(endpoint.protocol());
+    acceptor_.set_option(net::socket_base::reuse_address{true});
+    acceptor_.bind(endpoint, error);
+    if (!error) acceptor_.listen(net::socket_base::max_listen_connections, error);
+    if (error) {
+      throw std::runtime_error{"cannot listen on " + address.host + ":" + std::to_string(address.port) +
+                               "; " + error.message() + "; choose another port with --listen"};
+    }
+  }
+
+  ~Listener() { share_.pool.join(); }
+
+  [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
+
+  void run() {
+    signals_.async_wait([this](const boost::system::error_code& error, int signal) {
+      if (error) return;
+      spdlog::info("signal={} the server stops", signal);
+      finish();
+    });
+    net::co_spawn(io_, accept(), net::detached);
+    io_.run();
+    share_.pool.join();
+  }
+
+  void stop() {
+    net::post(io_, [this] { finish(); });
+  }
+
+ private:
+  net::awaitable<void> accept() {
+    while (acceptor_.is_open()) {
+      boost::system::error_code error;
+      auto socket = co_await acceptor_.async_accept(net::redirect_error(net::use_awaitable, error));
+      if (error == net::error::operation_aborted) co_return;
+      if (error) {
+        co_await pause();  // out of file descriptors, mostly: let some connections end
+        continue;
+      }
+      if (sessions_.size() >= share_.limits.connections) continue;  // the socket closes here
+      net::co_spawn(io_, serve(std::move(socket)), net::detached);
+    }
+  }
+
+  net::awaitable<void> pause() {
+    boost::system::error_code ignored;
+    net::steady_timer timer{io_, std::chrono::milliseconds{100}};
+    co_await timer.async_wait(net::redirect_error(net::use_awaitable, ignored));
+  }
+
+  net::awaitable<void> serve(net::ip::tcp::socket socket) {
+    const std::uint64_t number = next_session_++;
+    auto session = std::make_unique<Session>(std::move(socket), share_);
+    sessions_[number] = session.get();
+    try {
+      co_await session->run();
+    } catch (const std::exception& error) {
+      spdlog::error("a connection broke off: {}", error.what());
+    }
+    sessions_.erase(number);
+    if (finishing_ && sessions_.empty()) deadline_.cancel();
+  }
+
+  /// No new connections, no new requests; what is open gets its answer until the deadline.
+  void finish() {
+    if (finishing_) return;
+    finishing_ = true;
+    boost::system::error_code ignored;
+    acceptor_.close(ignored);
+    signals_.cancel(ignored);
+    for (auto& [number, session] : sessions_) session->finish();
+    if (sessions_.empty()) return;
+    deadline_.expires_after(share_.limits.stop_time);
+    deadline_.async_wait([this](const boost::system::error_code& error) {
+      if (!error) io_.stop();
+    });
+  }
+
+  SessionShare share_;
+  std::map<std::uint64_t, Session*> sessions_;  // each lives in its coroutine
+  std::uint64_t next_session_{0};
+  bool finishing_{false};
+  net::io_context io_{1};
+  net::ip::tcp::acceptor acceptor_{io_};
+  net::signal_set signals_{io_, SIGINT, SIGTERM};
+  net::steady_timer deadline_{io_};
+};
+
+Server::Server(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads,
+               Limits limits)
+    : listener_{std::make_unique<Listener>(address, std::move(handler), handler_threads, limits)} {}
+
+Server::~Server() = default;
+
+std::uint16_t Server::port() const { return listener_->port(); }
+
+void Server::run() { listener_->run(); }
+
+void Server::stop() { listener_->stop(); }
+
+}  // namespace floeplan::http

@@ -1,0 +1,241 @@
+#include "server/http/session.hpp"
+
+#include <spdlog/spdlog.h>
+
+#include <atomic>
+#include <boost/asio/co_spawn.hpp>
+#include <boost/asio/post.hpp>
+#include <boost/asio/redirect_error.hpp>
+#include <boost/asio/use_awaitable.hpp>
+#include <charconv>
+
+#include "api/routes/reply.hpp"
+#include "server/http/finish_response.hpp"
+
+namespace floeplan::http {
+namespace {
+
+namespace net = boost::asio;
+namespace beast = boost::beast;
+using beast::error_code;
+using routes::Request;
+using routes::Response;
+
+core::UtcTime now() { return std::chrono::system_clock::now(); }
+
+std::string next_request_id() {
+  static std::atomic<std::uint64_t> last{0};
+  return std::to_string(++last);
+}
+
+std::string lower_case(std::string_view text) {
+  std::string result;
+  for (const char c : text) result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
+  return result;
+}
+
+std::optional<Request> to_request(beast::http::request<beast::http::string_body>& message) {
+  const auto target = message.target();
+  auto parsed = routes::parse_target({target.data(), target.size()});
+  if (!parsed) return std::nullopt;
+  Request request;
+  request.method = std::string{message.method_string()};
+  request.path = std::move(parsed->path);
+  request.query = std::move(parsed->query);
+  for (const auto& field : message) {
+    const auto name = field.name_string();
+    request.headers[lower_case({name.data(), name.size()})] = std::string{field.value()};
+  }
+  request.body = std::move(message.body());
+  request.now = now();
+  return request;
+}
+
+Response problem(int status, const char* slug, const char* title, const char* detail) {
+  return finish_response({}, routes::problem_reply({}, {status, slug, title, detail, {}}));
+}
+
+}  // namespace
+
+Session::Session(net::ip::tcp::socket socket, SessionShare& share)
+    : stream_{std::move(socket)}, share_{share} {
+  error_code ignored;
+  stream_.socket().set_option(net::ip::tcp::no_delay{true}, ignored);
+  const auto endpoint = stream_.socket().remote_endpoint(ignored);
+  peer_ = endpoint.address().to_string(ignored);
+}
+
+net::awaitable<void> Session::run() {
+  while (!finishing_ && co_await exchange()) {
+  }
+  error_code ignored;
+  stream_.socket().shutdown(net::ip::tcp::socket::shutdown_send, ignored);
+}
+
+void Session::finish() {
+  finishing_ = true;
+  if (idle_) stream_.cancel();
+}
+
+/// Reads one request and answers it. False: the connection is to end.
+net::awaitable<bool> Session::exchange() {
+  Parser parser;
+  parser.header_limit(share_.limits.header_bytes);
+  parser.body_limit(share_.limits.body_bytes);
+  const error_code error = co_await read(parser);
+  idle_ = false;
+  if (error) {
+    co_await refuse(error);
+    co_return false;
+  }
+
+  const auto begin = std::chrono::steady_clock::now();
+  auto message = parser.release();
+  const std::string method{message.method_string()};
+  const std::string target = std::string{message.target()}.substr(0, 300);
+  const bool head_only = message.method() == beast::http::verb::head;
+  const bool keep_alive = message.keep_alive();
+  auto request = to_request(message);
+  Response response;
+  if (request) {
+    response = co_await answer(std::move(*request));
+  } else {
+    response = problem(400, "invalid-target", "Invalid request", "The address of the request is not valid.");
+  }
+  const std::string id = next_request_id();
+  response.headers.emplace_back("X-Request-Id", id);
+  const bool open = keep_alive && !finishing_;
+  const bool written = co_await write(response, head_only, open);
+  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
+  spdlog::info("request={} peer={} method={} target={} status={} bytes={} ms={:.2f}", id, peer_, method,
+               target, response.status, head_only ? 0 : response.body.size(), taken.count());
+  co_return written&& open;
+}
+
+net::awaitable<error_code> Session::read(Parser& parser) {
+  error_code error;
+  if (buffer_.size() == 0) {
+    idle_ = true;
+    constexpr std::size_t first_read = 4096;
+    stream_.expires_after(share_.limits.idle_time);
+    const std::size_t n = co_await stream_.async_read_some(buffer_.prepare(first_read),
+                                                           net::redirect_error(net::use_awaitable, error));
+    buffer_.commit(n);
+    if (error) co_return error == net::error::eof ? error_code{beast::http::error::end_of_stream} : error;
+  }
+  idle_ = false;
+  stream_.expires_after(share_.limits.header_time);
+  co_await beast::http::async_read_header(stream_, buffer_, parser,
+                                          net::redirect_error(net::use_awaitable, error));
+  if (error || parser.is_done()) co_return error;
+
+  stream_.expires_after(share_.limits.body_time);
+  if (beast::iequals(parser.get()[beast::http::field::expect], "100-continue")) {
+    beast::http::response<beast::http::empty_body> go_on{beast::http::status::continue_, 11};
+    co_await beast::http::async_write(stream_, go_on, net::redirect_error(net::use_awaitable, error));
+    if (error) co_return error;
+  }
+  co_await beast::http::async_read(stream_, buffer_, parser, net::redirect_error(net::use_awaitable, error));
+  co_return error;
+}
+
+net::awaitable<Response> Session::answer(Request request) {
+  Response response =
+      co_await net::co_spawn(share_.pool.get_executor(), answer_on_pool(request), net::use_awaitable);
+  if (response.wait) {
+    routes::Wait wait = std::move(*response.wait);
+    response = co_await wait_and_answer(request, std::move(wait));
+  }
+  co_return response;
+}
+
+net::awaitable<Response> Session::answer_on_pool(const Request& request) {
+  try {
+    co_return finish_response(request, share_.handler(request));
+  } catch (const std::exception& error) {
+    spdlog::error("method={} path={} failed: {}", request.method, request.path, error.what());
+  }
+  co_return problem(500, "internal-error", "Internal error",
+                    "The server could not answer; its log says why. The request may be sent again.");
+}
+
+/// Asks the handler again after every wake-up until it has an answer; at the end of its time it must have
+/// one.
+net::awaitable<Response> Session::wait_and_answer(Request& request, routes::Wait wait) {
+  const auto executor = co_await net::this_coro::executor;
+  auto timer = std::make_shared<net::steady_timer>(executor);
+  const auto deadline =
+      std::chrono::steady_clock::now() + std::chrono::duration_cast<std::chrono::milliseconds>(wait.at_most);
+  auto woken = std::make_shared<bool>(false);
+  const auto subscription = wait.subscribe([executor, timer, woken] {
+    net::post(executor, [timer, woken] {
+      *woken = true;
+      timer->cancel();
+    });
+  });
+  while (true) {
+    const bool last = finishing_ || std::chrono::steady_clock::now() >= deadline;
+    *woken = false;
+    request.resumption = routes::Resumption{wait.token, last};
+    request.now = now();
+    Response response =
+        co_await net::co_spawn(share_.pool.get_executor(), answer_on_pool(request), net::use_awaitable);
+    if (!response.wait || last) co_return response;
+    if (*woken) continue;
+    error_code ignored;
+    constexpr std::chrono::seconds look_again{1};  // also notices that the server stops
+    timer->expires_at(std::min(deadline, std::chrono::steady_clock::now() + look_again));
+    co_await timer->async_wait(net::redirect_error(net::use_awaitable, ignored));
+  }
+}
+
+net::awaitable<bool> Session::write(const Response& response, bool head_only, bool keep_alive) {
+  beast::http::response<beast::http::string_body> message;
+  message.version(11);
+  message.result(static_cast<unsigned>(response.status));
+  if (!response.content_type.empty()) message.set(beast::http::field::content_type, response.content_type);
+  for (const auto& [name, value] : response.headers) message.insert(name, value);
+  message.keep_alive(keep_alive);
+  const bool bodiless = response.status == 204 || response.status == 304;
+  if (!bodiless) message.content_length(response.body.size());
+  if (!head_only) message.body() = response.body;
+
+  error_code error;
+  stream_.expires_after(share_.limits.write_time);
+  co_await beast::http::async_write(stream_, message, net::redirect_error(net::use_awaitable, error));
+  co_return !error;
+}
+
+/// Says what was wrong with a request that could not be read, if there is somebody to tell.
+net::awaitable<void> Session::refuse(error_code fault) {
+  using beast::http::error;
+  const bool http_fault = fault.category() == beast::http::make_error_code(error::end_of_stream).category();
+  if (!http_fault || fault == error::end_of_stream || fault == error::partial_message) co_return;
+  Response response =
+      problem(400, "invalid-request", "Invalid request", "The request is not valid HTTP/1.1.");
+  if (fault == error::header_limit) {
+    response = problem(431, "header-too-large", "Header too large", "The header is larger than 16 KiB.");
+  } else if (fault == error::body_limit) {
+    response = problem(413, "body-too-large", "Body too large", "The body is larger than 1 MiB.");
+  }
+  spdlog::info("peer={} status={} reason=\"{}\"", peer_, response.status, fault.message());
+  co_await write(response, false, false);
+  co_await linger();
+}
+
+/// Reads on for a moment: closing on unread data would reset the connection before the client has read its
+/// answer.
+net::awaitable<void> Session::linger() {
+  error_code error;
+  stream_.socket().shutdown(net::ip::tcp::socket::shutdown_send, error);
+  constexpr std::size_t most = 8 * 1024 * 1024;
+  std::size_t total = 0;
+  stream_.expires_after(std::chrono::seconds{2});
+  while (!error && total < most) {
+    buffer_.clear();
+    total += co_await stream_.async_read_some(buffer_.prepare(65536),
+                                              net::redirect_error(net::use_awaitable, error));
+  }
+}
+
+}  // namespace floeplan::http
