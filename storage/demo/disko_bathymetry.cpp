@@ -15,7 +15,6 @@ constexpr RasterFrame relief_frame{
 constexpr double cell_m = 278.0;
 constexpr std::size_t share_radius = 14;  // 4 km
 constexpr double fjord_west_deg = -51.22;
-constexpr double fjord_half_width_deg = 0.07;  // of latitude
 
 double bell(double distance, double width) { return std::exp(-(distance / width) * (distance / width)); }
 
@@ -36,9 +35,7 @@ class SeaBed {
     const double bay =
         0.85 * open * (1.0 - std::exp(-coast_m / 3500.0)) + 0.15 * open * (1.0 - bell(coast_m, 700.0));
     const double fjord = 780.0 * (1.0 - std::exp(-coast_m / 620.0));
-    const double inside =
-        fading((fjord_west_deg + 0.05 - place.lon_deg) * 100.0, 1.5) *
-        fading((std::abs(place.lat_deg - disko::sill.lat_deg) - fjord_half_width_deg) * 100.0, 2.0);
+    const double inside = inside_fjord(place);
     const double unsilled = bay + (std::max(bay, fjord) - bay) * inside;
     return std::max(3.0, with_sill(unsilled * (1.0 + 0.22 * rough) + 6.0 * rough, place));
   }
@@ -50,6 +47,13 @@ class SeaBed {
     const double north_m = 3500.0 * bends_.at(x_m / 16000.0 + 100.0, y_m / 16000.0);
     return {place.lon_deg + east_m / disko::earth.metres_per_degree_lon(),
             place.lat_deg + north_m / metres_per_degree_lat};
+  }
+
+  /// 1 in the icefjord, 0 well outside; its mouth is narrower than its inner basin.
+  static double inside_fjord(geo::LonLat place) {
+    const double half_width_deg = 0.025 + 0.045 * fading(-(place.lon_deg + 51.0) * 100.0, 3.0);
+    return fading((fjord_west_deg + 0.05 - place.lon_deg) * 100.0, 1.5) *
+           fading((std::abs(place.lat_deg - disko::sill.lat_deg) - half_width_deg) * 100.0, 1.2);
   }
 
   static double basin_m(geo::LonLat place) {
