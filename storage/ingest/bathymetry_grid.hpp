@@ -1,0 +1,27 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/ocean/horizontal_grid.hpp"
+#include "storage/ingest/prepared_dataset.hpp"
+#include "storage/ingest/vertical_sense.hpp"
+
+namespace floeplan::ingest {
+
+/// Depths or elevations as read from a file, before it is known which of both they are.
+/// Shape    values_m is [y][x], y ascending; NaN where missing
+struct RawBathymetry {
+  ocean::HorizontalGrid grid;
+  std::vector<float> values_m;
+  VerticalDescription description;
+  std::vector<std::string> warnings;
+};
+
+/// Decides the sense, leaves out markers for "missing" that the file does not declare, and checks the extent.
+/// Errors   nothing but missing values; deeper than 12000 m or higher than 9000 m; sense unknown
+[[nodiscard]] Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw,
+                                                          const std::optional<std::string>& positive);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,18 @@
+#pragma once
+
+#include "storage/ingest/ingest_file.hpp"
+#include "storage/ingest/netcdf_file.hpp"
+#include "storage/ingest/prepared_dataset.hpp"
+
+namespace floeplan::ingest {
+
+/// The variable that holds depths or elevations; null when none claims to. With `any_plane` a lone variable
+/// over two dimensions is taken whatever its name.
+[[nodiscard]] const NetcdfVariable* find_bathymetry(const NetcdfFile& file, bool any_plane);
+
+/// Bathymetry from the coordinate variables of a NetCDF file (never from a mean grid step, which real axes do
+/// not keep).
+[[nodiscard]] Checked<PreparedDataset> read_netcdf_bathymetry(const NetcdfFile& file,
+                                                              const IngestOptions& options);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,237 @@
+#include "storage/ingest/bathymetry_raster_reader.hpp"
+
+#include <gdal_priv.h>
+#include <gdal_utils.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <string_view>
+
+#include "storage/ingest/bathymetry_grid.hpp"
+#include "storage/ingest/cf_units.hpp"
+#include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/grid_frame_of_crs.hpp"
+#include "storage/ingest/netcdf_axis.hpp"
+#include "storage/ingest/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr std::int64_t max_nodes = 250'000'000;  // 1 GB as float32
+
+std::string wkt_of(const OGRSpatialReference& crs) {
+  char* wkt = nullptr;
+  const char* const format[] = {"FORMAT=WKT2_2018", nullptr};
+  crs.exportToWkt(&wkt, format);
+  std::string text = wkt == nullptr ? "" : wkt;
+  CPLFree(wkt);
+  return text;
+}
+
+using Transform = std::array<double, 6>;  // GDAL's affine geotransform
+
+bool is_picture(GDALDataset& dataset) {
+  GDALRasterBand* band = dataset.GetRasterBand(1);
+  const GDALColorInterp colour = band->GetColorInterpretation();
+  return band->GetColorTable() != nullptr || colour == GCI_PaletteIndex || colour == GCI_RedBand;
+}
+
+/// The band that says it holds depths or elevations, else the first.
+int depth_band(GDALDataset& dataset) {
+  for (int i = 1; i <= dataset.GetRasterCount(); ++i)
+    if (contains_any(lower(dataset.GetRasterBand(i)->GetDescription()), {"elevation", "depth", "bathymetr"}))
+      return i;
+  return 1;
+}
+
+/// Plain text grids often come without a CRS. Degrees betray themselves: within the globe, and a step that is
+/// a whole number of arc seconds below a degree, which metres hardly ever are.
+bool looks_like_degrees(const Transform& t, int columns, int rows) {
+  const double east = t[0] + t[1] * columns;
+  const double south = t[3] + t[5] * rows;
+  const bool on_the_globe = std::min(t[0], east) >= -180.5 && std::max(t[0], east) <= 360.5 &&
+                            std::max(std::abs(t[3]), std::abs(south)) <= 90.5;
+  const auto whole_arc_seconds = [](double step) {
+    const double arc_seconds = std::abs(step) * 3600.0;
+    return std::abs(step) < 0.9999 && std::abs(arc_seconds - std::round(arc_seconds)) < 1e-3 * arc_seconds &&
+           std::round(arc_seconds) >= 1.0;
+  };
+  return on_the_globe && whole_arc_seconds(t[1]) && whole_arc_seconds(t[5]);
+}
+
+Checked<OGRSpatialReference> crs_of(GDALDataset& dataset, std::string_view driver, const Transform& transform,
+                                    const IngestOptions& options, std::vector<std::string>& warnings) {
+  OGRSpatialReference crs;
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (const OGRSpatialReference* stated = dataset.GetSpatialRef()) {
+    crs = *stated;
+    if (driver == "BAG" && crs.IsVertical() != 0 && contains_any(wkt_of(crs), {"\"depth\",down"}) &&
+        !options.positive)
+      return refuse(
+          "the BAG file counts its vertical axis downwards although the format holds elevations; land and "
+          "sea must not be mixed up; say --positive up or --positive down");
+    if (crs.IsCompound() != 0) crs.StripVertical();
+    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return crs;
+  }
+  if (options.crs) {
+    if (crs.SetFromUserInput(options.crs->c_str()) == OGRERR_NONE) {
+      crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+      return crs;
+    }
+    return refuse("--crs \"" + *options.crs + "\" is not known; give it as, for example, EPSG:4326");
+  }
+  const bool plain_text = driver == "XYZ" || driver == "AAIGrid";
+  if (plain_text && looks_like_degrees(transform, dataset.GetRasterXSize(), dataset.GetRasterYSize())) {
+    warnings.emplace_back(
+        "the file states no coordinate reference system; its coordinates look like degrees of longitude and "
+        "latitude and were taken as such");
+    crs.SetWellKnownGeogCS("WGS84");
+    return crs;
+  }
+  return refuse(
+      "the file states no coordinate reference system; it cannot be placed on the Earth; state it with "
+      "--crs, for example --crs EPSG:4326");
+}
+
+using DatasetPtr = std::unique_ptr<GDALDataset>;
+
+Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& crs) {
+  const std::string source_crs = wkt_of(crs);
+  const char* const arguments[] = {
+      "-of",      "MEM", "-s_srs",  source_crs.c_str(), "-t_srs", "EPSG:4326", "-r",
+      "bilinear", "-ot", "Float32", "-dstnodata",       "nan",    nullptr};
+  GDALWarpAppOptions* options = GDALWarpAppOptionsNew(const_cast<char**>(arguments), nullptr);
+  const GdalMessages messages;
+  GDALDatasetH source = GDALDataset::ToHandle(&dataset);
+  DatasetPtr result{GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options, nullptr))};
+  GDALWarpAppOptionsFree(options);
+  if (!result)
+    return refuse("the grid cannot be converted to longitude and latitude (" + messages.first_error() +
+                  "); convert it first, for example with gdalwarp -t_srs EPSG:4326");
+  return result;
+}
+
+Checked<std::vector<float>> read_band(GDALRasterBand& band, const AxisNodes& x, const AxisNodes& y,
+                                      double unit_m) {
+  int has_nodata = 0;
+  double nodata = band.GetNoDataValue(&has_nodata);
+  if (band.GetRasterDataType() == GDT_Float32) nodata = static_cast<double>(static_cast<float>(nodata));
+  int given = 0;
+  double scale = band.GetScale(&given);
+  if (given == 0 || scale == 0.0) scale = 1.0;
+  double offset = band.GetOffset(&given);
+  if (given == 0) offset = 0.0;
+
+  std::vector<double> line(static_cast<std::size_t>(band.GetXSize()));
+  std::vector<float> values;
+  values.reserve(x.nodes.size() * y.nodes.size());
+  const GdalMessages messages;
+  for (const std::size_t row : y.source) {
+    if (band.RasterIO(GF_Read, 0, static_cast<int>(row), band.GetXSize(), 1, line.data(), band.GetXSize(), 1,
+                      GDT_Float64, 0, 0, nullptr) != CE_None)
+      return refuse("the grid cannot be read to its end (" + messages.first_error() +
+                    "); the file is damaged or was cut short; copy or download it again");
+    for (const std::size_t column : x.source) {
+      const double packed = line[column];
+      const bool is_missing = !std::isfinite(packed) || (has_nodata != 0 && packed == nodata);
+      values.push_back(is_missing ? std::numeric_limits<float>::quiet_NaN()
+                                  : static_cast<float>((packed * scale + offset) * unit_m));
+    }
+  }
+  return values;
+}
+
+std::vector<double> centres(double origin, double step, int count) {
+  std::vector<double> values;
+  for (int i = 0; i < count; ++i) values.push_back(origin + step * (i + 0.5));
+  return values;
+}
+
+/// Reads a grid whose coordinates the engine understands.
+Checked<RawBathymetry> read_grid(GDALDataset& dataset, const geo::GridFrame& frame, std::string_view driver,
+                                 int band_number) {
+  Transform t{};
+  if (dataset.GetGeoTransform(t.data()) != CE_None || t[2] != 0.0 || t[4] != 0.0)
+    return refuse(
+        "the grid is rotated or states no position; it cannot be placed on the Earth; convert it first, for "
+        "example with gdalwarp -t_srs EPSG:4326");
+  const bool geographic = std::holds_alternative<geo::GeographicFrame>(frame);
+  auto x_values = centres(t[0], t[1], dataset.GetRasterXSize());
+  auto y_values = centres(t[3], t[5], dataset.GetRasterYSize());
+  const auto x = geographic ? longitude_nodes("longitude", std::move(x_values))
+                            : monotonic_nodes("x", std::move(x_values));
+  if (!x) return refuse(x.error());
+  const auto y = geographic ? latitude_nodes("latitude", std::move(y_values))
+                            : monotonic_nodes("y", std::move(y_values));
+  if (!y) return refuse(y.error());
+
+  GDALRasterBand& band = *dataset.GetRasterBand(band_number);
+  const std::string unit = band.GetUnitType();
+  const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
+  if (!factor)
+    return refuse("the depths have the unit \"" + unit +
+                  "\", which is no length that this program knows; ask for a file in metres");
+  auto values = read_band(band, *x, *y, *factor);
+  if (!values) return refuse(values.error());
+
+  const std::string description = band.GetDescription();
+  const char* positive = band.GetMetadataItem("positive");
+  return RawBathymetry{
+      .grid = {frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}},
+      .values_m = std::move(*values),
+      .description = {.name = description.empty() ? "band " + std::to_string(band_number) : description,
+                      .standard_name = driver == "BAG" ? "height" : "",
+                      .long_name = "",
+                      .positive = positive == nullptr ? "" : positive},
+      .warnings = {}};
+}
+
+}  // namespace
+
+Checked<PreparedDataset> read_raster_bathymetry(const std::filesystem::path& file, const char* driver,
+                                                const IngestOptions& options) {
+  register_drivers();
+  const GdalMessages messages;
+  const char* const drivers[] = {driver, nullptr};
+  const std::string path = std::filesystem::absolute(file).string();
+  DatasetPtr dataset{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers)};
+  if (!dataset || dataset->GetRasterCount() == 0)
+    return refuse("the grid cannot be opened (" + messages.first_error() +
+                  "); it is damaged, was cut short or is no regular grid; copy or download it again");
+  if (is_picture(*dataset))
+    return refuse(
+        "the file is a picture (colours), not a grid of depths; depths cannot be read from colours; give the "
+        "data that the picture was drawn from");
+  if (std::int64_t{dataset->GetRasterXSize()} * dataset->GetRasterYSize() > max_nodes)
+    return refuse("the grid has " + std::to_string(dataset->GetRasterXSize()) + " x " +
+                  std::to_string(dataset->GetRasterYSize()) + " nodes, more than this program accepts (" +
+                  std::to_string(max_nodes) + "); cut out your area first");
+
+  std::vector<std::string> warnings;
+  Transform transform{};
+  dataset->GetGeoTransform(transform.data());
+  const auto crs = crs_of(*dataset, driver, transform, options, warnings);
+  if (!crs) return refuse(crs.error());
+  const int band_number = depth_band(*dataset);
+  auto frame = grid_frame_of(*crs);
+  if (!frame) {
+    auto geographic = resampled(*dataset, *crs);
+    if (!geographic) return refuse(geographic.error());
+    warnings.push_back("the grid was resampled from \"" + std::string{crs->GetName()} +
+                       "\" to longitude and latitude");
+    dataset = std::move(*geographic);
+    frame = geo::GeographicFrame{};
+  }
+
+  auto raw = read_grid(*dataset, *frame, driver, band_number);
+  if (!raw) return refuse(raw.error());
+  raw->warnings = std::move(warnings);
+  return prepare_bathymetry(std::move(*raw), options.positive);
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,158 @@
+#include "storage/ingest/file_format.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <optional>
+#include <string_view>
+
+#include "storage/ingest/iceberg_csv_reader.hpp"
+#include "storage/ingest/netcdf3_length.hpp"
+#include "storage/ingest/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using namespace std::string_view_literals;
+
+constexpr std::size_t head_bytes = 65536;
+
+std::string head_of(const std::filesystem::path& file) {
+  std::ifstream in{file, std::ios::binary};
+  std::string head(head_bytes, '\0');
+  in.read(head.data(), static_cast<std::streamsize>(head.size()));
+  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
+  return head;
+}
+
+std::string refusal_of_folder(const std::filesystem::path& folder) {
+  if (std::filesystem::exists(folder / "zarr.json"))
+    return "this is a Zarr store of version 3; this layout is not yet supported; convert it to NetCDF first";
+  if (std::filesystem::exists(folder / ".zgroup") || std::filesystem::exists(folder / ".zmetadata"))
+    return "this is a Zarr store; this layout is not yet supported; convert it to NetCDF first";
+  return "this is a folder, not a file; name the files in it one by one";
+}
+
+/// What a file is that this program knows but does not read; empty when it may be readable.
+std::string refusal_of_foreign(std::string_view head) {
+  if (head.starts_with("GRIB"))
+    return "this is a GRIB file; this layout is not yet supported, because GRIB does not reliably tell "
+           "whether currents point along the grid or towards east and north; convert it to NetCDF first";
+  if (head.find("BSB/") < 4096 || head.find("KNP/") < 4096)
+    return "this is a raster chart (KAP/BSB): a picture of a chart in colours, not depths; depths cannot be "
+           "read from it; give a bathymetry grid of the area";
+  if (head.size() > 24 && head.substr(5, 3) == "3LE")
+    return "this is an electronic chart (S-57); this layout is not yet supported; give a bathymetry grid of "
+           "the area";
+  if (head.starts_with("PK\x03\x04") || head.starts_with("\x1f\x8b") || head.starts_with("BZh"))
+    return "this is a compressed archive; unpack it and give the files in it";
+  if (head.starts_with("%PDF") || head.starts_with("\x89PNG") || head.starts_with("\xff\xd8\xff"))
+    return "this is a picture or a document, not data; give the data that it was made from";
+  if (head.starts_with("SQLite format 3"))
+    return "this is an SQLite database (perhaps a GeoPackage); this layout is not yet supported; convert it "
+           "to GeoJSON";
+  if (head.starts_with("\x00\x00\x27\x0a"sv))
+    return "this is a shapefile; this layout is not yet supported; convert it to GeoJSON in longitude and "
+           "latitude";
+  if (head.starts_with("CDF") || head.starts_with("\x89HDF") || head.starts_with("\x0e\x03\x13\x01"))
+    return "this is a variant of NetCDF or HDF that this program does not know; convert it to NetCDF-4";
+  return {};
+}
+
+bool is_text(std::string_view head) {
+  return std::none_of(head.begin(), head.end(), [](char c) {
+    const auto byte = static_cast<unsigned char>(c);
+    return byte < 9 || (byte > 13 && byte < 32 && byte != 27);
+  });
+}
+
+std::string_view first_line(std::string_view head) { return head.substr(0, head.find('\n')); }
+
+/// At least three numbers on each of the first lines, separated by blanks, commas, semicolons or tabs.
+bool is_number_table(std::string_view head) {
+  int lines = 0;
+  while (lines < 5 && head.find('\n') != std::string_view::npos) {
+    std::string line{first_line(head)};
+    head.remove_prefix(line.size() + 1);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '\t' || c == '\r'; }, ' ');
+    int numbers = 0;
+    std::string_view rest = line;
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find(' '), rest.size());
+      if (end > 0 && !parse_number(rest.substr(0, end))) return false;
+      numbers += end > 0 ? 1 : 0;
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (numbers < 3) return false;
+    ++lines;
+  }
+  return lines > 0;
+}
+
+Checked<FileFormat> format_of_text(std::string_view head, const std::string& extension) {
+  if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
+  const std::string start = lower(trimmed(head.substr(0, 64)));
+  if (start.starts_with("{")) {
+    if (contains_any(head, {"\"Feature\"", "\"FeatureCollection\""})) return FileFormat::geojson;
+    return refuse(
+        "this is JSON, but not GeoJSON; the places in it have no agreed meaning; convert it to a GeoJSON "
+        "FeatureCollection in longitude and latitude");
+  }
+  if (start.starts_with("ncols") || start.starts_with("nrows")) return FileFormat::ascii_grid;
+  if (is_ice_patrol_header(std::string{first_line(head)})) return FileFormat::ice_patrol_csv;
+  if (is_number_table(head)) return FileFormat::xyz;
+
+  const std::string line = trimmed(first_line(head));
+  if (!contains_any(line, {"[", "<"}) && csv_fields(line).size() >= 3)
+    return refuse("this is a table with the columns " + enumeration(csv_fields(line)) +
+                  ", which this program does not know; only the sightings of the International Ice Patrol "
+                  "are read as a table; convert others to GeoJSON points with id, observed and length_m");
+  if (extension == ".nc" || extension == ".cdf" || extension == ".nc4")
+    return refuse(
+        "the file is named like NetCDF but holds text (\"" + line.substr(0, 60) +
+        "\"); probably the download returned a message instead of data; read it and download again");
+  return refuse(
+      "this is a text of a kind that this program does not know; give NetCDF, GeoTIFF, ESRI ASCII, XYZ, "
+      "GeoJSON or the sightings of the International Ice Patrol");
+}
+
+Checked<FileFormat> format_of_classic_netcdf(const std::filesystem::path& file) {
+  const auto needed = netcdf3_length(file);
+  if (!needed) return refuse(needed.error());
+  const std::uint64_t size = std::filesystem::file_size(file);
+  if (size < *needed)
+    return refuse("the NetCDF file was cut short: its header announces " + std::to_string(*needed) +
+                  " bytes, but it has " + std::to_string(size) +
+                  "; the end would be read as zeros; copy or download it again");
+  return FileFormat::netcdf_classic;
+}
+
+}  // namespace
+
+Checked<FileFormat> format_of(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto status = std::filesystem::status(file, error);
+  if (std::filesystem::is_directory(status)) return refuse(refusal_of_folder(file));
+  if (!std::filesystem::is_regular_file(status))
+    return refuse("there is no such file; check its name and its folder");
+  const std::string head = head_of(file);
+  if (head.empty())
+    return refuse(
+        "the file is empty or cannot be read; the download or copy failed; copy or download it again");
+
+  const std::string_view bytes = head;
+  if (bytes.starts_with("CDF\x01") || bytes.starts_with("CDF\x02") || bytes.starts_with("CDF\x05"))
+    return format_of_classic_netcdf(file);
+  if (bytes.starts_with("\x89HDF\r\n\x1a\n"))
+    return bytes.find("BAG_root") != std::string_view::npos ? FileFormat::bag : FileFormat::netcdf4;
+  if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv) ||
+      bytes.starts_with("MM\0+"sv))
+    return FileFormat::geotiff;
+  if (auto foreign = refusal_of_foreign(bytes); !foreign.empty()) return refuse(std::move(foreign));
+  if (is_text(bytes)) return format_of_text(bytes, lower(file.extension().string()));
+  return refuse(
+      "this program does not know what this file is; give NetCDF, GeoTIFF, BAG, ESRI ASCII, XYZ, GeoJSON or "
+      "the sightings of the International Ice Patrol");
+}
+
+}  // namespace floeplan::ingest

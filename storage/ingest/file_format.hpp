@@ -1,0 +1,18 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "storage/ingest/refusal.hpp"
+
+namespace floeplan::ingest {
+
+/// Formats that this program reads, told apart by the first bytes; a file's name plays no part.
+enum class FileFormat { netcdf_classic, netcdf4, bag, geotiff, ascii_grid, xyz, ice_patrol_csv, geojson };
+
+/// Errors   every other file, by name where it is known (GRIB, chart pictures, Zarr, archives, ...); an empty
+/// file; a
+///          folder; a classic NetCDF file that is shorter than its header says
+[[nodiscard]] Checked<FileFormat> format_of(const std::filesystem::path& file);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+
+#include "storage/ingest/refusal.hpp"
+#include "storage/repository/dataset.hpp"
+
+class GDALDataset;
+
+namespace floeplan::ingest {
+
+/// Opens a GeoJSON file with one layer in longitude and latitude on WGS84 (RFC 7946).
+/// Errors   damaged JSON; no features; another coordinate reference system (pre-RFC "crs" member)
+[[nodiscard]] Checked<std::shared_ptr<GDALDataset>> open_geojson(const std::filesystem::path& file);
+
+/// Points are icebergs, polygons are land.
+/// Errors   other or mixed geometries
+[[nodiscard]] Checked<repository::DatasetKind> kind_of_geojson(GDALDataset& dataset);
+
+}  // namespace floeplan::ingest

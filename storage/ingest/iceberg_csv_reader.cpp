@@ -1,0 +1,166 @@
+#include "storage/ingest/iceberg_csv_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <charconv>
+#include <chrono>
+#include <fstream>
+#include <optional>
+
+#include "storage/ingest/iceberg_rows.hpp"
+#include "storage/ingest/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr std::array<std::string_view, 9> column_names{"ICE-YEAR",  "BERG_NUMBER", "DATE", "TIME", "LATITUDE",
+                                                       "LONGITUDE", "METHOD",      "SIZE", "SHAPE"};
+enum Column { ice_year, berg_number, date, time_of_day, latitude, longitude, method, size, shape };
+
+/// Position of each column in the file.
+using Columns = std::array<std::size_t, column_names.size()>;
+
+std::optional<Columns> find_columns(const std::vector<std::string>& header) {
+  Columns columns{};
+  for (std::size_t i = 0; i < column_names.size(); ++i) {
+    const auto found = std::find(header.begin(), header.end(), column_names[i]);
+    if (found == header.end()) return std::nullopt;
+    columns[i] = static_cast<std::size_t>(found - header.begin());
+  }
+  return columns;
+}
+
+std::string without_mark(std::string line) {
+  if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+  while (line.ends_with('\r')) line.pop_back();
+  return line;
+}
+
+std::optional<int> whole_number(std::string_view text) {
+  int value{};
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
+  return value;
+}
+
+std::optional<ocean::IcebergSize> size_of_code(const std::string& code) {
+  using ocean::IcebergSize;
+  if (code == "GR") return IcebergSize::growler;
+  if (code == "BB") return IcebergSize::bergy_bit;
+  if (code == "SM") return IcebergSize::small;
+  if (code == "MED") return IcebergSize::medium;
+  if (code == "LG") return IcebergSize::large;
+  if (code == "VLG") return IcebergSize::very_large;
+  if (code == "GEN") return IcebergSize::unknown;
+  if (code == "RAD") return IcebergSize::radar_target;
+  return std::nullopt;
+}
+
+/// "10/7/2013" and "2139" (leading zeros may have been lost) in UTC.
+std::optional<core::UtcTime> time_of(const std::string& date_text, const std::string& time_text) {
+  const std::size_t first = date_text.find('/');
+  const std::size_t second = date_text.find('/', first + 1);
+  if (first == std::string::npos || second == std::string::npos) return std::nullopt;
+  const std::string_view text = date_text;
+  const auto month = whole_number(text.substr(0, first));
+  const auto day = whole_number(text.substr(first + 1, second - first - 1));
+  const auto year = whole_number(text.substr(second + 1));
+  const auto clock = whole_number(time_text);
+  if (!month || !day || !year || !clock || text.size() - second != 5 || *month < 1 || *day < 1)
+    return std::nullopt;
+  const std::chrono::year_month_day ymd{std::chrono::year{*year},
+                                        std::chrono::month{static_cast<unsigned>(*month)},
+                                        std::chrono::day{static_cast<unsigned>(*day)}};
+  if (!ymd.ok() || time_text.size() > 4 || *clock < 0 || *clock / 100 > 23 || *clock % 100 > 59)
+    return std::nullopt;
+  return core::UtcTime{std::chrono::sys_days{ymd}.time_since_epoch()} +
+         core::Seconds{*clock / 100 * 3600.0 + *clock % 100 * 60.0};
+}
+
+/// The sighting of one row, or why it has none.
+Checked<ocean::Iceberg> sighting(const std::vector<std::string>& fields, const Columns& columns) {
+  const auto field = [&](Column column) { return trimmed(fields[columns[column]]); };
+  ocean::Iceberg iceberg;
+  if (!whole_number(field(ice_year)) || field(berg_number).empty())
+    return refuse("ICE-YEAR or BERG_NUMBER is missing");
+  iceberg.id = field(ice_year) + "-" + field(berg_number);
+
+  const auto observed = time_of(field(date), field(time_of_day));
+  if (!observed)
+    return refuse("\"" + field(date) + " " + field(time_of_day) + "\" is no date M/D/YYYY with a time HHMM");
+  iceberg.observed = *observed;
+
+  const auto lat = parse_number(field(latitude));
+  const auto lon = parse_number(field(longitude));
+  if (!lat || !lon)
+    return refuse("the position \"" + field(latitude) + ", " + field(longitude) + "\" is no number");
+  iceberg.place = {*lon, *lat};
+  if (auto fault = fault_of_place(iceberg.place); !fault.empty()) return refuse(std::move(fault));
+
+  const auto known_size = size_of_code(field(size));
+  if (!known_size)
+    return refuse("the size \"" + field(size) + "\" is not one of GR, BB, SM, MED, LG, VLG, GEN, RAD");
+  iceberg.size = *known_size;
+  iceberg.shape = field(shape);
+  iceberg.method = field(method);
+  return iceberg;
+}
+
+}  // namespace
+
+std::vector<std::string> csv_fields(const std::string& line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') {
+      fields.back() += line[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+bool is_ice_patrol_header(const std::string& line) {
+  return find_columns(csv_fields(without_mark(line))).has_value();
+}
+
+Checked<PreparedDataset> read_ice_patrol_csv(const std::filesystem::path& file) {
+  std::ifstream in{file};
+  std::string line;
+  std::getline(in, line);
+  const std::vector<std::string> header = csv_fields(without_mark(line));
+  const auto columns = find_columns(header);
+  if (!columns)
+    return refuse(
+        "the columns are not those of the International Ice Patrol (ICE-YEAR, BERG_NUMBER, DATE, TIME, "
+        "LATITUDE, LONGITUDE, METHOD, SIZE, SHAPE); other tables are not yet supported; convert it to "
+        "GeoJSON");
+
+  IcebergRows rows;
+  for (int line_number = 2; std::getline(in, line); ++line_number) {
+    const std::string where = "line " + std::to_string(line_number);
+    const std::vector<std::string> fields = csv_fields(without_mark(line));
+    if (fields.size() == 1 && trimmed(fields.front()).empty()) continue;
+    if (fields.size() != header.size()) {
+      rows.reject(where, "it has " + std::to_string(fields.size()) + " fields, the header " +
+                             std::to_string(header.size()) +
+                             (in.eof() ? "; the file seems to be cut short" : ""));
+      continue;
+    }
+    auto iceberg = sighting(fields, *columns);
+    if (iceberg) {
+      rows.accept(std::move(*iceberg));
+    } else {
+      rows.reject(where, iceberg.error());
+    }
+  }
+  return std::move(rows).prepared(header);
+}
+
+}  // namespace floeplan::ingest

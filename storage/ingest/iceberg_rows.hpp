@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/ocean/iceberg.hpp"
+#include "storage/ingest/prepared_dataset.hpp"
+
+namespace floeplan::ingest {
+
+/// Collects the sightings of one file: good rows are kept, bad ones counted, the first ten with their reason.
+class IcebergRows {
+ public:
+  void accept(ocean::Iceberg iceberg) { icebergs_.push_back(std::move(iceberg)); }
+  /// `where` names the row for a person: "line 12", "feature 3".
+  void reject(const std::string& where, const std::string& reason);
+
+  /// Errors  no good row at all
+  [[nodiscard]] Checked<PreparedDataset> prepared(std::vector<std::string> variables) &&;
+
+ private:
+  std::vector<ocean::Iceberg> icebergs_;
+  std::vector<std::string> reasons_;
+  std::int64_t rejected_{};
+};
+
+/// Why a place cannot be that of an iceberg; empty when it can.
+[[nodiscard]] std::string fault_of_place(geo::LonLat place);
+
+}  // namespace floeplan::ingest

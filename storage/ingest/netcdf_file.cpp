@@ -1,0 +1,120 @@
+#include "storage/ingest/netcdf_file.hpp"
+
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr std::size_t max_coordinate_values = 50'000'000;
+
+}  // namespace
+
+NetcdfVariable::NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> array)
+    : name_{std::move(name)}, array_{std::move(array)} {
+  for (const auto& dimension : array_->GetDimensions())
+    dimensions_.push_back({dimension->GetName(), dimension->GetSize()});
+
+  const char* const everything[] = {"SHOW_ALL=YES", nullptr};
+  for (const auto& attribute : array_->GetAttributes(const_cast<char**>(everything))) {
+    const char* text = attribute->ReadAsString();
+    if (text != nullptr) attributes_.emplace(attribute->GetName(), trimmed(text));
+    if (attribute->GetName() != "_FillValue" && attribute->GetName() != "missing_value") continue;
+    for (const double fill : attribute->ReadAsDoubleArray())
+      fills_.push_back(is_float32() ? static_cast<double>(static_cast<float>(fill)) : fill);
+  }
+  // The unit of a variable that counts since a date is not among GDAL's attributes in every version.
+  if (!array_->GetUnit().empty()) attributes_.emplace("units", trimmed(array_->GetUnit()));
+
+  bool given = false;
+  const double scale = array_->GetScale(&given);
+  if (given) scale_ = scale;
+  const double offset = array_->GetOffset(&given);
+  if (given) offset_ = offset;
+}
+
+std::string NetcdfVariable::attribute(const std::string& name) const {
+  const auto found = attributes_.find(name);
+  return found == attributes_.end() ? std::string{} : found->second;
+}
+
+std::optional<double> NetcdfVariable::numeric_attribute(const std::string& name) const {
+  return parse_number(attribute(name));
+}
+
+bool NetcdfVariable::is_float32() const { return array_->GetDataType().GetNumericDataType() == GDT_Float32; }
+
+bool NetcdfVariable::is_numeric() const { return array_->GetDataType().GetClass() == GEDTC_NUMERIC; }
+
+std::shared_ptr<OGRSpatialReference> NetcdfVariable::crs() const { return array_->GetSpatialRef(); }
+
+Checked<std::vector<double>> NetcdfVariable::read_packed(const std::vector<std::uint64_t>& start,
+                                                         const std::vector<std::size_t>& count) const {
+  std::size_t size = 1;
+  for (const std::size_t n : count) size *= n;
+  std::vector<double> values(size);
+  const GdalMessages messages;
+  const std::vector<GUInt64> first(start.begin(), start.end());
+  if (!array_->Read(first.data(), count.data(), nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float64),
+                    values.data()))
+    return refuse("the variable \"" + name_ + "\" cannot be read to its end (" + messages.first_error() +
+                  "); the file is damaged or was cut short; copy or download it again");
+  return values;
+}
+
+Checked<std::vector<double>> NetcdfVariable::read_all() const {
+  std::vector<std::uint64_t> start;
+  std::vector<std::size_t> count;
+  std::uint64_t size = 1;
+  for (const NetcdfDimension& dimension : dimensions_) {
+    if (dimension.size == 0 || dimension.size > max_coordinate_values / size)
+      return refuse("the variable \"" + name_ + "\" has " + std::to_string(dimension.size) +
+                    " values along \"" + dimension.name +
+                    "\", which no coordinate has; the file is damaged; copy or download it again");
+    size *= dimension.size;
+    start.push_back(0);
+    count.push_back(static_cast<std::size_t>(dimension.size));
+  }
+  auto values = read_packed(start, count);
+  if (values)
+    std::transform(values->begin(), values->end(), values->begin(), [this](double v) { return unpacked(v); });
+  return values;
+}
+
+double NetcdfVariable::unpacked(double packed) const {
+  if (std::find(fills_.begin(), fills_.end(), packed) != fills_.end() || !std::isfinite(packed))
+    return std::numeric_limits<double>::quiet_NaN();
+  return packed * scale_ + offset_;
+}
+
+Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
+  register_drivers();
+  const GdalMessages messages;
+  const char* const drivers[] = {"netCDF", nullptr};
+  const std::string path = std::filesystem::absolute(file).string();
+  NetcdfFile result;
+  result.dataset_.reset(
+      GDALDataset::Open(path.c_str(), GDAL_OF_MULTIDIM_RASTER | GDAL_OF_VERBOSE_ERROR, drivers));
+  const auto root = result.dataset_ ? result.dataset_->GetRootGroup() : nullptr;
+  if (!root)
+    return refuse("the NetCDF file cannot be opened (" + messages.first_error() +
+                  "); it is damaged or was cut short; copy or download it again");
+
+  for (const std::string& name : root->GetMDArrayNames())
+    if (auto array = root->OpenMDArray(name)) result.variables_.emplace_back(name, std::move(array));
+  return result;
+}
+
+const NetcdfVariable* NetcdfFile::find(const std::string& name) const {
+  const auto found = std::find_if(variables_.begin(), variables_.end(),
+                                  [&](const auto& variable) { return variable.name() == name; });
+  return found == variables_.end() ? nullptr : &*found;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,75 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/ingest/refusal.hpp"
+
+class GDALDataset;
+class GDALMDArray;
+class OGRSpatialReference;
+
+namespace floeplan::ingest {
+
+struct NetcdfDimension {
+  std::string name;
+  std::uint64_t size{};
+};
+
+/// One variable of a NetCDF file: what it says of itself, and its packed values.
+class NetcdfVariable {
+ public:
+  NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> array);
+
+  [[nodiscard]] const std::string& name() const { return name_; }
+  [[nodiscard]] const std::vector<NetcdfDimension>& dimensions() const { return dimensions_; }
+  /// Text of an attribute, trimmed; empty when it is absent.
+  [[nodiscard]] std::string attribute(const std::string& name) const;
+  [[nodiscard]] std::optional<double> numeric_attribute(const std::string& name) const;
+  [[nodiscard]] bool is_float32() const;
+  [[nodiscard]] bool is_numeric() const;
+  /// The CRS its grid mapping describes; null when there is none.
+  [[nodiscard]] std::shared_ptr<OGRSpatialReference> crs() const;
+
+  /// Packed values (no scale, no fill) of the block that starts at `start` and has `count` values along each
+  /// dimension. Shape  row-major in the order of dimensions()
+  [[nodiscard]] Checked<std::vector<double>> read_packed(const std::vector<std::uint64_t>& start,
+                                                         const std::vector<std::size_t>& count) const;
+  /// All values of a small variable (coordinates), scale and offset applied, fill as NaN.
+  [[nodiscard]] Checked<std::vector<double>> read_all() const;
+  /// What a packed value stands for: scale and offset applied; NaN where it is the fill or the missing value.
+  /// The fill is compared with the packed value, in the variable's own precision.
+  [[nodiscard]] double unpacked(double packed) const;
+
+ private:
+  std::string name_;
+  std::shared_ptr<GDALMDArray> array_;
+  std::vector<NetcdfDimension> dimensions_;
+  std::map<std::string, std::string> attributes_;
+  std::vector<double> fills_;
+  double scale_{1.0};
+  double offset_{0.0};
+};
+
+/// An open NetCDF file (any variant), seen through its root group. Coordinates are never taken from GDAL's
+/// own guesses. Threads  one thread at a time
+class NetcdfFile {
+ public:
+  /// Errors  GDAL's own words when it cannot open the file
+  [[nodiscard]] static Checked<NetcdfFile> open(const std::filesystem::path& file);
+
+  [[nodiscard]] const std::vector<NetcdfVariable>& variables() const { return variables_; }
+  /// Null when there is none.
+  [[nodiscard]] const NetcdfVariable* find(const std::string& name) const;
+
+ private:
+  std::shared_ptr<GDALDataset> dataset_;
+  std::vector<NetcdfVariable> variables_;
+};
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,86 @@
+#include "storage/ingest/recognise.hpp"
+
+#include <algorithm>
+
+#include "storage/ingest/bathymetry_netcdf_reader.hpp"
+#include "storage/ingest/geojson_file.hpp"
+#include "storage/ingest/netcdf_layout.hpp"
+#include "storage/ingest/text.hpp"
+#include "storage/ingest/velocity_pair.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using repository::DatasetKind;
+
+std::vector<DatasetKind> kinds_of_netcdf(const NetcdfFile& file, bool bathymetry_wanted) {
+  std::vector<DatasetKind> kinds;
+  const bool velocity = holds_velocity(file);
+  if (velocity) kinds.push_back(DatasetKind::currents);
+  const NetcdfVariable* bathymetry = find_bathymetry(file, bathymetry_wanted);
+  // The sea floor of a current model on a grid that cannot be read is no reason to refuse the file a second
+  // time.
+  const bool worth_reading =
+      bathymetry != nullptr && (!velocity || bathymetry_wanted || !unsupported_grid(file, *bathymetry));
+  if (worth_reading) kinds.push_back(DatasetKind::bathymetry);
+  return kinds;
+}
+
+std::string nothing_known(const NetcdfFile& file) {
+  std::vector<std::string> names;
+  for (const NetcdfVariable& variable : file.variables()) names.push_back(variable.name());
+  if (names.empty())
+    return "the NetCDF file holds no variables at its top level; there is nothing to store; give a file with "
+           "currents or depths";
+  return "the file holds " + enumeration(names) +
+         ", but neither currents of the sea nor depths; there is nothing to store; give a file with, for "
+         "example, uo and vo, or elevation";
+}
+
+Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted) {
+  switch (file.format) {
+    case FileFormat::netcdf_classic:
+    case FileFormat::netcdf4: {
+      auto netcdf = NetcdfFile::open(file.path);
+      if (!netcdf) return refuse(netcdf.error());
+      file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
+      file.kinds = kinds_of_netcdf(*file.netcdf, wanted == DatasetKind::bathymetry);
+      if (file.kinds.empty()) return refuse(nothing_known(*file.netcdf));
+      return true;
+    }
+    case FileFormat::geojson: {
+      auto geojson = open_geojson(file.path);
+      if (!geojson) return refuse(geojson.error());
+      const auto kind = kind_of_geojson(**geojson);
+      if (!kind) return refuse(kind.error());
+      file.geojson = std::move(*geojson);
+      file.kinds = {*kind};
+      return true;
+    }
+    case FileFormat::ice_patrol_csv: file.kinds = {DatasetKind::icebergs}; return true;
+    case FileFormat::bag:
+    case FileFormat::geotiff:
+    case FileFormat::ascii_grid:
+    case FileFormat::xyz: file.kinds = {DatasetKind::bathymetry}; return true;
+  }
+  return true;
+}
+
+}  // namespace
+
+Checked<RecognisedFile> recognise(const std::filesystem::path& file, std::optional<DatasetKind> wanted) {
+  const auto format = format_of(file);
+  if (!format) return refuse(format.error());
+  RecognisedFile result{.path = file, .format = *format, .kinds = {}, .netcdf = nullptr, .geojson = nullptr};
+  const auto looked = look_into(result, wanted);
+  if (!looked) return refuse(looked.error());
+  if (!wanted) return result;
+
+  if (std::find(result.kinds.begin(), result.kinds.end(), *wanted) == result.kinds.end())
+    return refuse("the file holds " + repository::kind_name(result.kinds.front()) + ", not " +
+                  repository::kind_name(*wanted) + "; leave out --kind, or give another file");
+  result.kinds = {*wanted};
+  return result;
+}
+
+}  // namespace floeplan::ingest

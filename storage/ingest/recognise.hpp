@@ -1,0 +1,31 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "storage/ingest/file_format.hpp"
+#include "storage/ingest/netcdf_file.hpp"
+#include "storage/repository/dataset.hpp"
+
+class GDALDataset;
+
+namespace floeplan::ingest {
+
+/// A file that was opened and looked into.
+struct RecognisedFile {
+  std::filesystem::path path;
+  FileFormat format{};
+  std::vector<repository::DatasetKind> kinds;  // at least one
+  std::shared_ptr<const NetcdfFile> netcdf;    // for the NetCDF formats
+  std::shared_ptr<GDALDataset> geojson;        // for GeoJSON
+};
+
+/// Finds out by content which kinds of data a file holds; its name plays no part.
+/// Errors   what format_of refuses; a file that holds nothing this program reads, or not the kind that was
+/// asked for
+[[nodiscard]] Checked<RecognisedFile> recognise(const std::filesystem::path& file,
+                                                std::optional<repository::DatasetKind> wanted);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <initializer_list>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace floeplan::ingest {
+
+/// ASCII lower case; other bytes are left alone.
+[[nodiscard]] std::string lower(std::string_view text);
+/// Without blanks, tabs and line ends at both sides.
+[[nodiscard]] std::string trimmed(std::string_view text);
+/// Whether any of the words occurs in the text.
+[[nodiscard]] bool contains_any(std::string_view text, std::initializer_list<std::string_view> words);
+/// "a, b and c"; at most `limit` names, then "...".
+[[nodiscard]] std::string enumeration(const std::vector<std::string>& names, std::size_t limit = 8);
+/// A number as people write it: at most `digits` significant digits, no trailing zeros.
+[[nodiscard]] std::string number(double value, int digits = 6);
+/// The whole text as a finite number, independent of the locale.
+[[nodiscard]] std::optional<double> parse_number(std::string_view text);
+
+}  // namespace floeplan::ingest
