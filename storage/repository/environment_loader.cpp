@@ -51,8 +51,7 @@ void warn_of_gap(Draft& draft, DatasetKind kind, const DatasetChoice& choice,
   if (choice.how == DatasetChoice::How::none) {
     draft.warn(kind_name(kind) + " left out as requested: " + consequence);
   } else {
-    draft.warn("no stored " + kind_name(kind) + " for " + bounds_text(draft.query.area) + ": " +
-               consequence);
+    draft.warn("no stored " + kind_name(kind) + " for " + bounds_text(draft.query.area) + ": " + consequence);
   }
 }
 

@@ -21,11 +21,11 @@ struct StoredSighting {
 
 /// Which sightings a list wants. Everything empty: all.
 struct SightingFilter {
-  std::optional<geo::BoundingBox> area;
-  std::optional<core::UtcTime> from;
-  std::optional<core::UtcTime> to;
-  std::optional<DatasetId> dataset;
-  std::optional<std::string> berg_id;
+  std::optional<geo::BoundingBox> area{};
+  std::optional<core::UtcTime> from{};
+  std::optional<core::UtcTime> to{};
+  std::optional<DatasetId> dataset{};
+  std::optional<std::string> berg_id{};
 };
 
 /// Sightings of icebergs, indexed by place (R*Tree) and time.

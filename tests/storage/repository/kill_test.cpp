@@ -1,0 +1,112 @@
+#include <gtest/gtest.h>
+#include <signal.h>  // NOLINT: kill is POSIX, not in <csignal>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <cstdint>
+
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "storage/repository/job_repository.hpp"
+#include "storage/repository/migrations.hpp"
+#include "storage/sqlite/statement.hpp"
+#include "storage/sqlite/transaction.hpp"
+#include "tests/storage/repository/sample_data.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+constexpr std::size_t nodes = 100;
+
+std::string name_of(std::uint32_t round) { return "round-" + std::to_string(round); }
+
+/// One ingestion and one job; both are on disk when it returns.
+void commit_round(sqlite::Connection& db, std::uint32_t round) {
+  JobRecord job;
+  job.id = {name_of(round)};
+  job.process = "plan-route";
+  JobRepository{db}.submit(job);
+
+  sqlite::Transaction ingestion{db};
+  const DatasetId id{name_of(round)};
+  DatasetRepository{db}.insert(sample_dataset(id.value, DatasetKind::currents));
+  FieldRepository fields{db};
+  std::vector<double> axis(nodes);
+  for (std::size_t i = 0; i < nodes; ++i) axis[i] = 0.1 * static_cast<double>(i);
+  fields.create(id, {{geo::GeographicFrame{}, ocean::Axis{axis}, ocean::Axis{axis}}, {}, {}});
+  const std::vector<float> slice(nodes * nodes, static_cast<float>(round));
+  for (const char* variable : {"u_m_s", "v_m_s"}) fields.write_slice(id, variable, 0, 0, slice);
+  ingestion.commit();
+}
+
+/// Commits rounds without end and reports each through the pipe after its commit has returned.
+[[noreturn]] void write_until_killed(const std::filesystem::path& store, int acknowledgements) {
+  try {
+    sqlite::Connection db = open_store(store);
+    for (std::uint32_t round = 1;; ++round) {
+      commit_round(db, round);
+      if (write(acknowledgements, &round, sizeof round) != sizeof round) _exit(2);
+    }
+  } catch (const std::exception&) {
+    _exit(1);
+  }
+}
+
+/// The last round that was acknowledged by a writer which was killed after some milliseconds.
+std::uint32_t last_round_of_killed_writer(const std::filesystem::path& store, int after_ms) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error{"no pipe"};
+  const pid_t child = fork();
+  if (child == 0) {
+    close(ends[0]);
+    write_until_killed(store, ends[1]);
+  }
+  close(ends[1]);
+  usleep(static_cast<useconds_t>(after_ms) * 1000);
+  kill(child, SIGKILL);
+
+  std::uint32_t last = 0;
+  for (std::uint32_t round = 0; read(ends[0], &round, sizeof round) == sizeof round;) last = round;
+  close(ends[0]);
+  int status = 0;
+  waitpid(child, &status, 0);
+  EXPECT_TRUE(WIFSIGNALED(status)) << "the writer stopped by itself, with " << status;
+  return last;
+}
+
+bool is_whole(sqlite::Connection& db, const DatasetId& id, std::uint32_t round) {
+  const auto currents =
+      FieldRepository{db}.load_currents(id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt);
+  const std::vector<float> expected(nodes * nodes, static_cast<float>(round));
+  return currents && currents->samples().u == expected && currents->samples().v == expected;
+}
+
+TEST(KilledWriter, LosesNothingThatWasAcknowledgedAndLeavesNothingHalfDone) {
+  std::uint32_t acknowledged = 0;
+  support::for_each_seed(8, [&](std::mt19937_64& rng) {
+    const support::TemporaryFolder folder;
+    const std::uint32_t last = last_round_of_killed_writer(folder.path(), support::uniform_int(rng, 20, 400));
+    acknowledged += last;
+
+    sqlite::Connection db = open_store(folder.path());
+
+    sqlite::Statement check{db, "PRAGMA integrity_check"};
+    ASSERT_TRUE(check.step());
+    ASSERT_EQ(check.text(0), "ok");
+    for (std::uint32_t round = 1; round <= last; ++round) {
+      ASSERT_TRUE(JobRepository{db}.find({name_of(round)})) << round;
+      ASSERT_TRUE(is_whole(db, {name_of(round)}, round)) << round;
+    }
+    // At most the round that was under way may be there as well, and then all of it.
+    ASSERT_FALSE(DatasetRepository{db}.find({name_of(last + 2)}));
+    if (DatasetRepository{db}.find({name_of(last + 1)})) {
+      ASSERT_TRUE(is_whole(db, {name_of(last + 1)}, last + 1));
+    }
+  });
+  EXPECT_GT(acknowledged, 0U) << "no writer came far enough to tell";
+}
+
+}  // namespace
+}  // namespace floeplan::repository

@@ -1,0 +1,110 @@
+#include "storage/repository/migrations.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <latch>
+#include <thread>
+#include <vector>
+
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/job_repository.hpp"
+#include "storage/repository/plan_repository.hpp"
+#include "storage/sqlite/statement.hpp"
+#include "tests/storage/repository/sample_data.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+std::string reason_why_not_opened(const std::filesystem::path& store) {
+  try {
+    const sqlite::Connection db = open_store(store);
+    return "";
+  } catch (const std::runtime_error& error) {
+    return error.what();
+  }
+}
+
+TEST(OpenStore, KeepsWhatIsThereWhenOpenedAgain) {
+  const support::TemporaryFolder folder;
+  {
+    sqlite::Connection db = open_store(folder.path());
+    DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::icebergs));
+  }
+
+  sqlite::Connection db = open_store(folder.path());
+
+  EXPECT_TRUE(DatasetRepository{db}.find({"a"}));
+}
+
+TEST(OpenStore, RefusesTheStoreOfANewerProgram) {
+  const support::TemporaryFolder folder;
+  {
+    sqlite::Connection db = open_store(folder.path());
+    sqlite::execute(db, "PRAGMA user_version = 1000");
+  }
+
+  EXPECT_THAT(reason_why_not_opened(folder.path()),
+              testing::AllOf(testing::HasSubstr("newer Floeplan"), testing::HasSubstr("1000")));
+}
+
+TEST(OpenStore, RefusesTheDatabaseOfAnotherProgram) {
+  const support::TemporaryFolder folder;
+  {
+    sqlite::Connection db = sqlite::Connection::open(folder.path());
+    sqlite::execute(db, "PRAGMA application_id = 12345; CREATE TABLE bookmark (url TEXT)");
+  }
+
+  EXPECT_THAT(reason_why_not_opened(folder.path()), testing::HasSubstr("another program"));
+}
+
+TEST(OpenStore, IsCreatedOnceWhenManyOpenItAtTheSameTime) {
+  const support::TemporaryFolder folder;
+  constexpr int openers = 6;
+  std::latch together{openers};
+  std::vector<std::string> reasons(openers);
+  {
+    std::vector<std::jthread> threads;
+    for (std::string& reason : reasons) {
+      threads.emplace_back([&] {
+        together.arrive_and_wait();
+        reason = reason_why_not_opened(folder.path());
+      });
+    }
+  }
+  EXPECT_THAT(reasons, testing::Each(""));
+}
+
+TEST(OpenStore, FailsWithAClearReasonWhenTheFileIsDamaged) {
+  const support::TemporaryFolder folder;
+  const auto file = folder.path() / "floeplan.sqlite";
+  {
+    sqlite::Connection db = open_store(folder.path());
+    for (int i = 0; i < 200; ++i) {
+      PlanRecord plan;
+      plan.id = {std::to_string(i)};
+      plan.document_json = std::string(2000, 'x');
+      PlanRepository{db}.insert(plan);
+    }
+  }
+  {
+    std::fstream damage{file, std::ios::in | std::ios::out | std::ios::binary};
+    damage.seekp(8192);
+    damage << std::string(std::filesystem::file_size(file) - 8192, '\x5a');
+  }
+
+  try {
+    sqlite::Connection db = open_store(folder.path());
+    (void)PlanRepository{db}.list(std::nullopt, 0, 1000);
+    (void)JobRepository{db}.list(0, 1000);
+    (void)DatasetRepository{db}.list();
+    FAIL() << "the damage was not noticed";
+  } catch (const std::runtime_error& error) {
+    EXPECT_THAT(error.what(),
+                testing::AllOf(testing::HasSubstr("damaged"), testing::HasSubstr(file.string())));
+  }
+}
+
+}  // namespace
+}  // namespace floeplan::repository
