@@ -81,8 +81,8 @@ struct Extent {
 std::optional<GridWindow> window_of_projected(const ocean::HorizontalGrid& grid,
                                               const geo::BoundingBox& area) {
   constexpr int steps = 48;
-  constexpr double bulge =
-      0.25;  // of the distance of two samples; an arc's true bulge is an eighth at 90 degrees
+  // Of the distance of two samples: an arc rises above its chord by a fifth of it, or less, up to a right angle.
+  constexpr double bulge = 0.25;
   const double width = geo::width_deg(area);
   Extent x;
   Extent y;
