@@ -4,7 +4,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <utility>  // before any of Asio's headers: its awaitable uses std::exchange without it
+#include <utility>
 
 #include "api/routes/message.hpp"
 #include "server/http/listen_address.hpp"

@@ -1,11 +1,14 @@
 #pragma once
 
+// clang-format off: Asio's awaitable uses std::exchange, but does not include it
+#include <utility>
+// clang-format on
+
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
-#include <utility>  // Asio's awaitable uses std::exchange without it
 
 #include "api/routes/message.hpp"
 #include "server/http/server.hpp"
