@@ -14,6 +14,8 @@
 namespace floeplan::repository {
 namespace {
 
+/// Measured on model currents and on topography: smaller squares compress worse and unpack more slowly, larger ones
+/// gain two per cent and make a small area read more.
 constexpr std::size_t chunk_side = 64;
 
 /// Sizes of a stored grid, without its axes.

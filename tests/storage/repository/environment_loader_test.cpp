@@ -1,0 +1,309 @@
+#include "storage/repository/environment_loader.hpp"
+
+#include <gmock/gmock.h>
+
+#include "storage/repository/coastline_repository.hpp"
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/migrations.hpp"
+#include "tests/storage/repository/sample_data.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+constexpr geo::BoundingBox bay{-54.0, 68.0, -50.0, 70.0};
+constexpr geo::BoundingBox elsewhere{10.0, 40.0, 12.0, 42.0};
+
+class EnvironmentLoaderTest : public testing::Test {
+ protected:
+  EnvironmentLoaderTest() {
+    query_.area = {-53.0, 68.5, -51.0, 69.5};
+    query_.depart = sample_time;
+  }
+
+  Dataset add(const std::string& id, DatasetKind kind, const geo::BoundingBox& bounds,
+              std::optional<core::UtcTime> from = {}, std::optional<core::UtcTime> to = {}) {
+    Dataset dataset = sample_dataset(id, kind, bounds);
+    dataset.time_start = from;
+    dataset.time_end = to;
+    dataset.provenance.ingested += core::Seconds{static_cast<double>(++added_)};
+    DatasetRepository{db_}.insert(dataset);
+    return dataset;
+  }
+
+  static ocean::HorizontalGrid grid(const geo::BoundingBox& box, double step_deg) {
+    const auto nodes = [&](double from, double to) {
+      std::vector<double> result;
+      for (int i = 0; from + step_deg * i <= to; ++i) result.push_back(from + step_deg * i);
+      return ocean::Axis{result};
+    };
+    return {geo::GeographicFrame{}, nodes(box.west_deg, box.east_deg), nodes(box.south_deg, box.north_deg)};
+  }
+
+  /// Eastward currents whose strength in m/s is the number of the step.
+  void add_currents(const std::string& id, core::UtcTime from, int steps, std::optional<ocean::Axis> depths_m,
+                    const geo::BoundingBox& box = bay) {
+    add(id, DatasetKind::currents, box, from, from + (steps - 1) * hour);
+    std::vector<double> times;
+    for (int i = 0; i < steps; ++i) times.push_back(core::unix_seconds(from + i * hour));
+    store_currents(id, box, ocean::Axis{times}, depths_m);
+  }
+
+  void store_currents(const std::string& id, const geo::BoundingBox& box,
+                      const std::optional<ocean::Axis>& times, const std::optional<ocean::Axis>& depths_m) {
+    const FieldShape shape{grid(box, 0.5), depths_m, times};
+    FieldRepository fields{db_};
+    fields.create({id}, shape);
+    for (std::size_t time = 0; time < (times ? times->size() : 1); ++time) {
+      for (std::size_t depth = 0; depth < (depths_m ? depths_m->size() : 1); ++depth) {
+        fields.write_slice({id}, "u_m_s", time, depth,
+                           std::vector(shape.grid.size(), static_cast<float>(time)));
+        fields.write_slice({id}, "v_m_s", time, depth, std::vector(shape.grid.size(), 0.0F));
+      }
+    }
+  }
+
+  void add_bathymetry(const std::string& id, double step_deg) {
+    add(id, DatasetKind::bathymetry, bay);
+    const ocean::HorizontalGrid nodes = grid(bay, step_deg);
+    FieldRepository fields{db_};
+    fields.create({id}, {nodes, {}, {}});
+    fields.write_slice({id}, "depth_m", 0, 0, std::vector(nodes.size(), 300.0F));
+  }
+
+  void add_icebergs(const std::string& id, const std::vector<ocean::Iceberg>& bergs) {
+    core::UtcTime from = bergs.front().observed;
+    core::UtcTime to = from;
+    for (const ocean::Iceberg& berg : bergs) {
+      from = std::min(from, berg.observed);
+      to = std::max(to, berg.observed);
+    }
+    add(id, DatasetKind::icebergs, bay, from, to);
+    IcebergRepository{db_}.insert({id}, bergs);
+  }
+
+  ocean::Environment load() {
+    auto environment = load_environment(db_, query_);
+    if (environment) return *environment;
+    for (const core::Violation& violation : environment.error()) {
+      ADD_FAILURE() << violation.field << ": " << violation.rule;
+    }
+    return {};
+  }
+
+  std::vector<std::string> violations() {
+    std::vector<std::string> result;
+    const auto environment = load_environment(db_, query_);
+    if (environment) return result;
+    for (const core::Violation& violation : environment.error())
+      result.push_back(violation.field + " " + violation.rule);
+    return result;
+  }
+
+  static std::vector<std::string> cited(const ocean::Environment& environment) {
+    std::vector<std::string> result;
+    for (const ocean::DatasetRef& dataset : environment.datasets) result.push_back(dataset.id);
+    return result;
+  }
+
+  static DatasetChoice named(const std::vector<std::string>& ids) {
+    DatasetChoice choice{.how = DatasetChoice::How::named, .ids = {}};
+    for (const std::string& id : ids) choice.ids.push_back({id});
+    return choice;
+  }
+
+  static DatasetChoice none() { return {.how = DatasetChoice::How::none, .ids = {}}; }
+
+  sqlite::Connection db_ = open_store_in_memory();
+  EnvironmentQuery query_;
+  int added_ = 0;
+  const ocean::Axis levels_{{0.0, 50.0, 300.0}};
+};
+
+TEST_F(EnvironmentLoaderTest, WarnsOfEverythingThatIsMissing) {
+  const ocean::Environment environment = load();
+
+  EXPECT_EQ(environment.currents, nullptr);
+  EXPECT_EQ(environment.bathymetry, nullptr);
+  EXPECT_THAT(environment.datasets, IsEmpty());
+  EXPECT_THAT(environment.warnings,
+              ElementsAre(AllOf(HasSubstr("no stored currents"), HasSubstr("planned in still water")),
+                          HasSubstr("no stored bathymetry"), HasSubstr("no stored icebergs"),
+                          HasSubstr("no stored coastline")));
+}
+
+TEST_F(EnvironmentLoaderTest, WarnsOfWhatWasLeftOutAsRequested) {
+  add_bathymetry("depths", 0.02);
+  query_.bathymetry = none();
+
+  const ocean::Environment environment = load();
+
+  EXPECT_EQ(environment.bathymetry, nullptr);
+  EXPECT_THAT(environment.warnings, Contains(HasSubstr("bathymetry left out as requested")));
+}
+
+TEST_F(EnvironmentLoaderTest, TakesTheNewestOfEachKindThatMeetsTheArea) {
+  add_currents("currents-old", sample_time, 5, levels_);
+  add_currents("currents-new", sample_time, 5, levels_);
+  add_currents("currents-far", sample_time, 5, levels_, elsewhere);
+  add_bathymetry("depths", 0.02);
+  add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - hour)});
+  add("coast", DatasetKind::coastline, bay);
+  CoastlineRepository{db_}.insert({"coast"}, {{{{-53.0, 69.0}, {-52.9, 69.0}, {-52.9, 69.1}}, {}}});
+
+  const ocean::Environment environment = load();
+
+  EXPECT_THAT(cited(environment), ElementsAre("currents-new", "depths", "bergs", "coast"));
+  EXPECT_EQ(environment.datasets[0].kind, "currents");
+  EXPECT_EQ(environment.datasets[0].sha256, "0123currents-new");
+  EXPECT_EQ(environment.icebergs.size(), 1U);
+  EXPECT_EQ(environment.land.size(), 1U);
+  EXPECT_THAT(environment.warnings, IsEmpty());
+}
+
+TEST_F(EnvironmentLoaderTest, TakesAnOlderDatasetWhenTheNewestDoesNotCoverTheDeparture) {
+  add_currents("currents-covers", sample_time, 5, levels_);
+  add_currents("currents-later", sample_time + day, 5, levels_);
+
+  EXPECT_THAT(cited(load()), ElementsAre("currents-covers"));
+}
+
+TEST_F(EnvironmentLoaderTest, ReadsCurrentsFromTheLastStepBeforeDepartureToTheEnd) {
+  add_currents("currents", sample_time - 3 * hour, 10, levels_);
+  query_.depart = sample_time + 0.5 * hour;
+
+  const ocean::Environment environment = load();
+
+  const ocean::Axis& times = environment.currents->samples().times_s;
+
+  EXPECT_EQ(times.front(), core::unix_seconds(sample_time));
+  EXPECT_EQ(times.back(), core::unix_seconds(sample_time + 6 * hour));
+}
+
+TEST_F(EnvironmentLoaderTest, RefusesADepartureOutsideTheCurrents) {
+  add_currents("currents", sample_time + day, 5, levels_);
+
+  EXPECT_THAT(violations(), ElementsAre(AllOf(HasSubstr("/depart"),
+                                              HasSubstr("2027-01-16T08:00:00Z to 2027-01-16T12:00:00Z"),
+                                              HasSubstr("--steady"))));
+  query_.currents = named({"currents"});
+  EXPECT_THAT(violations(), ElementsAre(HasSubstr("/depart")));
+}
+
+TEST_F(EnvironmentLoaderTest, HoldsCurrentsSteadyAtTheirMeanAtAnyTime) {
+  add_currents("currents", sample_time + day, 5, levels_);
+  query_.steady = true;
+
+  const ocean::Environment environment = load();
+
+  EXPECT_TRUE(environment.steady_currents);
+  EXPECT_EQ(environment.currents->samples().times_s.size(), 1U);
+  EXPECT_THAT(environment.currents->samples().u, testing::Each(2.0F));
+  EXPECT_THAT(environment.warnings,
+              Contains(AllOf(HasSubstr("held steady: sample currents"), HasSubstr("mean of 5 steps"))));
+}
+
+TEST_F(EnvironmentLoaderTest, HoldsTheOneStepSteady) {
+  add_currents("currents", sample_time - day, 1, levels_);
+  query_.steady = true;
+
+  const ocean::Environment environment = load();
+
+  EXPECT_TRUE(environment.steady_currents);
+  EXPECT_THAT(environment.warnings, Contains(HasSubstr("as at 2027-01-14T08:00:00Z")));
+}
+
+TEST_F(EnvironmentLoaderTest, HoldsCurrentsWithoutTimeSteady) {
+  add("currents", DatasetKind::currents, bay);
+  store_currents("currents", bay, std::nullopt, levels_);
+
+  const ocean::Environment environment = load();
+
+  EXPECT_TRUE(environment.steady_currents);
+  EXPECT_NE(environment.currents, nullptr);
+  EXPECT_THAT(environment.warnings, Contains(HasSubstr("state no time")));
+}
+
+TEST_F(EnvironmentLoaderTest, WarnsOfCurrentsThatSayLittleOfDepth) {
+  add_currents("currents", sample_time, 2, std::nullopt);
+  EXPECT_THAT(load().warnings, Contains(HasSubstr("state no depth")));
+
+  add_currents("currents-surface", sample_time, 2, ocean::Axis{{0.5}});
+  EXPECT_THAT(load().warnings, Contains(HasSubstr("one level (1 m)")));
+
+  add_currents("currents-shallow", sample_time, 2, ocean::Axis{{0.0, 50.0}});
+  EXPECT_THAT(load().warnings, Contains(AllOf(HasSubstr("50 m only"), HasSubstr("dives to 200 m"))));
+}
+
+TEST_F(EnvironmentLoaderTest, WarnsOfCoarseBathymetry) {
+  add_bathymetry("depths", 0.5);
+  EXPECT_THAT(load().warnings, Contains(AllOf(HasSubstr("coarse"), HasSubstr("20 km"))));
+}
+
+TEST_F(EnvironmentLoaderTest, SaysHowManyBergsWereSeenTooLongAgo) {
+  add_icebergs("bergs", {sample_berg("old", {-52.0, 69.0}, sample_time - 4 * day),
+                         sample_berg("young", {-52.0, 69.1}, sample_time - 2 * day),
+                         sample_berg("later", {-52.0, 69.2}, sample_time + hour)});
+
+  const ocean::Environment environment = load();
+
+  ASSERT_EQ(environment.icebergs.size(), 1U);
+  EXPECT_EQ(environment.icebergs[0].id, "young");
+  EXPECT_THAT(environment.warnings, Contains(HasSubstr("1 of 2 icebergs")));
+}
+
+TEST_F(EnvironmentLoaderTest, TakesIcebergsAsOfTheTimeAskedFor) {
+  add_icebergs("bergs-then", {sample_berg("a", {-52.0, 69.0}, sample_time - 30 * day)});
+  add_icebergs("bergs-now", {sample_berg("b", {-52.0, 69.0}, sample_time - hour)});
+  EXPECT_THAT(cited(load()), ElementsAre("bergs-now"));
+
+  query_.icebergs_as_of = sample_time - 29 * day;
+
+  EXPECT_THAT(cited(load()), ElementsAre("bergs-then"));
+}
+
+TEST_F(EnvironmentLoaderTest, JoinsSeveralNamedDatasetsOfIcebergs) {
+  add_icebergs("bergs-1", {sample_berg("a", {-52.0, 69.0})});
+  add_icebergs("bergs-2", {sample_berg("b", {-52.0, 69.0})});
+  query_.icebergs = named({"bergs-1", "bergs-2"});
+
+  const ocean::Environment environment = load();
+
+  EXPECT_EQ(environment.icebergs.size(), 2U);
+  EXPECT_THAT(cited(environment), ElementsAre("bergs-1", "bergs-2"));
+}
+
+TEST_F(EnvironmentLoaderTest, ReportsEveryNamedDatasetThatCannotBeUsed) {
+  add_currents("currents-far", sample_time, 5, levels_, elsewhere);
+  add_bathymetry("depths", 0.02);
+  query_.currents = named({"currents-far"});
+  query_.bathymetry = named({"unknown"});
+  query_.icebergs = named({"depths"});
+
+  EXPECT_THAT(violations(),
+              ElementsAre(AllOf(HasSubstr("/currents"), HasSubstr("shares nothing with the area")),
+                          AllOf(HasSubstr("/bathymetry"), HasSubstr("unknown")),
+                          AllOf(HasSubstr("/icebergs"), HasSubstr("holds bathymetry, not icebergs"))));
+}
+
+TEST_F(EnvironmentLoaderTest, TakesOneNamedDatasetOfCurrentsAtATime) {
+  add_currents("currents-1", sample_time, 5, levels_);
+  add_currents("currents-2", sample_time, 5, levels_);
+  query_.currents = named({"currents-1"});
+  EXPECT_THAT(cited(load()), ElementsAre("currents-1"));
+
+  query_.currents = named({"currents-1", "currents-2"});
+
+  EXPECT_THAT(violations(), ElementsAre(AllOf(HasSubstr("/currents"), HasSubstr("one dataset at a time"))));
+}
+
+}  // namespace
+}  // namespace floeplan::repository
