@@ -4,7 +4,6 @@
 #include <cstddef>
 #include <cstdint>
 #include <memory>
-#include <utility>
 
 #include "api/routes/message.hpp"
 #include "server/http/listen_address.hpp"
