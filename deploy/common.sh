@@ -20,8 +20,11 @@ run_or_fail() {
   "$@" || fail "$what" "$advice"
 }
 
-# The Node.js that install-deps put below build/ goes first, when it had to.
+# The Node.js that install-deps put below build/ goes first, when it had to. Node.js brings certificate authorities of its
+# own; those that the system trusts are added, or npm would fail behind a proxy that has one.
 use_node() {
+  local system_authorities=/etc/ssl/certs/ca-certificates.crt
+  if [[ -e $system_authorities ]]; then export NODE_EXTRA_CA_CERTS=${NODE_EXTRA_CA_CERTS:-$system_authorities}; fi
   local own=$root/build/node/node_modules/node/bin
   if [[ -x $own/node ]]; then PATH=$own:$PATH; fi
 }
