@@ -61,7 +61,7 @@ tl::expected<Dataset, Response> choose(const Context& context, const Request& re
     }
   }
   return tl::unexpected(
-      not_found(request, "no-data", "No " + what + " cover this area" + (time ? " and time." : ".")));
+      not_found(request, "no-data", "No " + what + " data cover this area" + (time ? " and time." : ".")));
 }
 
 codec::MapGrid empty_grid(const View& view, const Dataset& dataset) {

@@ -36,7 +36,7 @@ bool covers_time(const Dataset& dataset, core::UtcTime time) {
 Source choose(const std::vector<Dataset>& datasets, DatasetKind kind, const std::optional<Dataset>& named,
               const ProbeQuery& query) {
   if (named && named->kind == kind) return {named, ""};
-  Source source{std::nullopt, "no " + repository::kind_name(kind) + " are stored for this place"};
+  Source source{std::nullopt, "no " + repository::kind_name(kind) + " data are stored for this place"};
   for (const auto& dataset : datasets) {
     if (dataset.kind != kind || !geo::contains(dataset.bounds, query.place)) continue;
     if (covers_time(dataset, query.time)) return {dataset, ""};

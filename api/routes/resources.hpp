@@ -12,6 +12,7 @@ namespace floeplan::routes {
 [[nodiscard]] std::vector<Route> collection_routes();  // descriptions of the feature collections
 [[nodiscard]] std::vector<Route> iceberg_routes();
 [[nodiscard]] std::vector<Route> plan_routes();
+[[nodiscard]] std::vector<Route> mission_routes();    // a plan as files for vehicles and chart plotters
 [[nodiscard]] std::vector<Route> process_routes();    // list and descriptions
 [[nodiscard]] std::vector<Route> execution_routes();  // POST that starts a job
 [[nodiscard]] std::vector<Route> job_routes();
