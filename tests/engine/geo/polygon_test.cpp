@@ -34,6 +34,19 @@ TEST(Polygon, CrossesTheAntimeridian) {
   EXPECT_EQ(bounding_box(island), (BoundingBox{178.0, 70.0, -177.0, 72.0}));
 }
 
+TEST(Polygon, IsNotMisreadOnTheMeridianOfACorner) {
+  for (int step = 0; step <= 1000; ++step) {
+    const double lon_deg = -54.0 + step * 0.004;
+    const Polygon island{
+        .outer = {{lon_deg - 0.3, 69.1}, {lon_deg, 69.0}, {lon_deg + 0.7, 69.1}, {lon_deg, 69.2}},
+        .holes = {}};
+
+    ASSERT_TRUE(contains(island, {lon_deg, 69.1})) << lon_deg;
+    ASSERT_FALSE(contains(island, {lon_deg, 68.9})) << lon_deg;
+    ASSERT_FALSE(contains(island, {lon_deg, 69.3})) << lon_deg;
+  }
+}
+
 TEST(Polygon, WithoutPlacesHoldsNothing) { EXPECT_FALSE(contains(Polygon{}, {0.0, 0.0})); }
 
 TEST(Polygon, HoldsTheSamePlacesWhereverItsRingStartsAndWhicheverWayItRuns) {
