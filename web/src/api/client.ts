@@ -1,0 +1,107 @@
+import type {
+  Box, CoastFeature, Dataset, FeaturePage, IcebergFeature, JobStatus, MissionPreview, PlanFeature, PlanInputs,
+  PlanResults, Probe, Problem, Vehicle,
+} from './types';
+import { decodeGrid, type Grid } from '../geo/grid';
+
+/** The server refused or could not be reached; `problem` is what it said, or a description of the silence. */
+export class ApiError extends Error {
+  constructor(readonly problem: Problem) {
+    super(problem.detail || problem.title);
+  }
+}
+
+type Query = Record<string, string | number | boolean | undefined>;
+
+/** Addresses are relative to the origin that served the page: no other host is ever named. */
+function address(path: string, query: Query = {}): string {
+  const search = new URLSearchParams();
+  for (const [key, value] of Object.entries(query)) {
+    if (value !== undefined) search.set(key, String(value));
+  }
+  const text = search.toString();
+  return text ? `${path}?${text}` : path;
+}
+
+async function problemOf(response: Response): Promise<Problem> {
+  const fallback: Problem = {
+    type: 'about:blank',
+    title: response.statusText || 'The server refused',
+    status: response.status,
+    detail: `The server answered ${response.status} to ${new URL(response.url).pathname}.`,
+  };
+  if (!(response.headers.get('content-type') ?? '').includes('json')) return fallback;
+  try {
+    return { ...fallback, ...((await response.json()) as Partial<Problem>) };
+  } catch {
+    return fallback;
+  }
+}
+
+async function request(path: string, init: RequestInit = {}): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(path, init);
+  } catch (error) {
+    if (init.signal?.aborted) throw error;
+    throw new ApiError({ type: 'about:blank', title: 'No connection', status: 0, detail: 'The Floeplan server does not answer.' });
+  }
+  if (!response.ok) throw new ApiError(await problemOf(response));
+  return response;
+}
+
+async function json<T>(path: string, init: RequestInit = {}): Promise<T> {
+  const headers = { Accept: 'application/json, application/geo+json', ...(init.headers as Record<string, string> | undefined) };
+  return (await (await request(path, { ...init, headers })).json()) as T;
+}
+
+async function grid(path: string, signal?: AbortSignal): Promise<Grid> {
+  return decodeGrid(await (await request(path, { signal: signal ?? null })).arrayBuffer());
+}
+
+export const datasets = (): Promise<{ datasets: Dataset[] }> => json('/datasets');
+export const vehicles = (): Promise<{ vehicles: Vehicle[] }> => json('/vehicles');
+
+export const bathymetry = (box: Box, nx: number, ny: number, dataset: string, signal: AbortSignal): Promise<Grid> =>
+  grid(address('/map/bathymetry', { bbox: box.join(','), nx, ny, dataset }), signal);
+
+export const currents = (
+  box: Box, nx: number, ny: number, time: string, dataset: string,
+): Promise<Grid> => grid(address('/map/currents', { bbox: box.join(','), nx, ny, time, dataset }));
+
+export const coast = (box: Box, signal: AbortSignal): Promise<{ features: CoastFeature[] }> =>
+  json(address('/map/coast', { bbox: box.join(',') }), { signal });
+
+export const icebergsAt = (time: string, dataset: string | undefined, signal: AbortSignal): Promise<FeaturePage<IcebergFeature>> =>
+  json(address('/collections/icebergs/items', { latest: true, datetime: time, limit: 10000, dataset }), { signal });
+
+export const plans = (): Promise<FeaturePage<PlanFeature>> => json(address('/collections/plans/items', { limit: 100 }));
+
+export const deletePlan = async (planId: string): Promise<void> => {
+  await request(`/collections/plans/items/${encodeURIComponent(planId)}`, { method: 'DELETE' });
+};
+
+export const mission = (planId: string, number: number): Promise<MissionPreview> =>
+  json(address(`/collections/plans/items/${encodeURIComponent(planId)}/mission`, { number }));
+
+/** Where the browser downloads a plan from. */
+export const downloadAddress = (planId: string, format: 'zip' | 'gpx' | 'geojson', number: number): string =>
+  address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, { number });
+
+export const probe = (lon: number, lat: number, time: string, signal?: AbortSignal): Promise<Probe> =>
+  json(address('/probe', { lon, lat, time }), { signal: signal ?? null });
+
+export const submitPlan = (inputs: PlanInputs): Promise<JobStatus> =>
+  json('/processes/plan-route/execution', {
+    method: 'POST',
+    headers: { 'Content-Type': 'application/json', Prefer: 'respond-async' },
+    body: JSON.stringify({ inputs }),
+  });
+
+/** Answers at the job's next change, or after `wait_s`. */
+export const job = (id: string, wait_s: number, signal: AbortSignal): Promise<JobStatus> =>
+  json(`/jobs/${encodeURIComponent(id)}`, { headers: { Prefer: `wait=${wait_s}` }, signal });
+
+export const jobResults = (id: string): Promise<PlanResults> => json(`/jobs/${encodeURIComponent(id)}/results`);
+
+export const dismissJob = (id: string): Promise<JobStatus> => json(`/jobs/${encodeURIComponent(id)}`, { method: 'DELETE' });

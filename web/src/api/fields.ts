@@ -1,0 +1,216 @@
+import { effect, untracked } from '@preact/signals';
+import { contains, grown, intersection, rounded, width_deg } from '../geo/boxes';
+import type { Grid } from '../geo/grid';
+import { bracket, time_ms } from '../model/clock';
+import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, currentTimes_ms } from '../model/datasets';
+import { bathymetry, coast, currents, currentsFault, icebergs } from '../model/field';
+import { visible } from '../model/layers';
+import { hour_ms, isoOf } from '../model/time';
+import { view, type View } from '../model/view';
+import * as api from './client';
+import { Latest } from './latest';
+import type { Box, Dataset, IcebergFeature } from './types';
+
+/** Keeps what is loaded of the sea in step with the view, the clock and the chosen data. Call once. */
+export function followFields(): void {
+  followBathymetry();
+  followCoast();
+  followCurrents();
+  followIcebergs();
+}
+
+interface Window {
+  dataset: string;
+  box: Box;
+  nx: number;
+  ny: number;
+}
+
+/** The window to ask for: the view with a rim, within the dataset; the old one while it still serves. */
+function windowFor(dataset: Dataset, seen: View, cell_px: number, most: number, old: Window | undefined): Window | undefined {
+  const needed = intersection(seen.box, dataset.bbox);
+  if (!needed) return undefined;
+  const sharp = old && width_deg(old.box) < 2.5 * width_deg(intersection(grown(seen.box, 0.3), dataset.bbox) ?? needed);
+  if (sharp && old.dataset === dataset.id && contains(old.box, rounded(needed).map((v, i) => v + (i < 2 ? 1e-3 : -1e-3)) as Box)) return old;
+
+  const box = intersection(grown(seen.box, 0.3), dataset.bbox);
+  if (!box) return undefined;
+  const share = (part: number, whole: number): number => Math.min(1, part / whole);
+  const cells = (pixels: number, part: number): number => Math.round(Math.min(most, Math.max(24, ((1.6 * pixels) / cell_px) * part)));
+  return {
+    dataset: dataset.id,
+    box: rounded(box),
+    nx: cells(seen.width_px, Math.max(0.4, share(width_deg(box), 1.6 * width_deg(seen.box)))),
+    ny: cells(seen.height_px, Math.max(0.4, share(box[3] - box[1], 1.6 * (seen.box[3] - seen.box[1])))),
+  };
+}
+
+function followBathymetry(): void {
+  const latest = new Latest();
+  let window: Window | undefined;
+  effect(() => {
+    const dataset = chosenBathymetry.value;
+    const seen = view.value;
+    if (!visible.value.bathymetry) return;
+    if (!dataset || !seen) {
+      bathymetry.value = undefined;
+      window = undefined;
+      return;
+    }
+    const next = windowFor(dataset, seen, 2.2, 900, window);
+    if (!next || next === window) return;
+    window = next;
+    untracked(() => {
+      latest.run(
+        (signal) => api.bathymetry(next.box, next.nx, next.ny, next.dataset, signal),
+        (grid) => {
+          bathymetry.value = grid;
+        },
+        () => {
+          window = undefined;
+        },
+      );
+    });
+  });
+}
+
+function followCoast(): void {
+  const latest = new Latest();
+  let loaded: { dataset: string; box: Box } | undefined;
+  effect(() => {
+    const dataset = chosenCoastline.value;
+    const seen = view.value;
+    if (!dataset || !seen) {
+      coast.value = [];
+      loaded = undefined;
+      return;
+    }
+    if (loaded?.dataset === dataset.id && contains(loaded.box, seen.box)) return;
+    const box = rounded(grown(seen.box, 0.5));
+    loaded = { dataset: dataset.id, box };
+    untracked(() => {
+      latest.run(
+        (signal) => api.coast(box, signal),
+        ({ features }) => {
+          coast.value = features;
+        },
+        () => {
+          loaded = undefined;
+        },
+      );
+    });
+  });
+}
+
+const rememberedGrids = 24;
+
+function followCurrents(): void {
+  const latest = new Latest();
+  const remembered = new Map<string, Promise<Grid>>();
+  let window: Window | undefined;
+  let shownKey = '';
+  let loadingKey = '';
+
+  // A grid on its way is never aborted: the next clock step may want it, and its bytes are remembered.
+  const load = (from: Window, at_ms: number): Promise<Grid> => {
+    const key = [from.dataset, from.box, from.nx, from.ny, at_ms].join('|');
+    const known = remembered.get(key);
+    if (known) {
+      remembered.delete(key); // and put back as the youngest
+      remembered.set(key, known);
+      return known;
+    }
+    const grid = api.currents(from.box, from.nx, from.ny, isoOf(at_ms), from.dataset);
+    remembered.set(key, grid);
+    grid.catch(() => remembered.delete(key));
+    for (const oldest of remembered.keys()) {
+      if (remembered.size <= rememberedGrids) break;
+      remembered.delete(oldest);
+    }
+    return grid;
+  };
+  const clear = (fault: string | undefined): void => {
+    latest.cancel();
+    shownKey = '';
+    loadingKey = '';
+    currents.value = undefined;
+    currentsFault.value = fault;
+  };
+
+  effect(() => {
+    const dataset = chosenCurrents.value;
+    const seen = view.value;
+    const times = currentTimes_ms.value;
+    const now_ms = time_ms.value;
+    if (!dataset || !seen) {
+      untracked(() => clear(undefined));
+      return;
+    }
+    const steps = bracket(times, now_ms);
+    const before = steps && times[steps.before];
+    const after = steps && times[steps.after];
+    const next = windowFor(dataset, seen, 9, 200, window);
+    if (!steps || before === undefined || after === undefined || !next) {
+      untracked(() => clear(next ? 'No current data at this time' : 'No current data here'));
+      return;
+    }
+    window = next;
+    const key = [next.dataset, next.box, before, after].join('|');
+    untracked(() => {
+      const shownPair = currents.value;
+      if (key === shownKey && shownPair) {
+        currents.value = { ...shownPair, share: steps.share };
+        return;
+      }
+      if (key === loadingKey) return;
+      loadingKey = key;
+      latest.run(
+        () => Promise.all([load(next, before), load(next, after)]),
+        ([first, second]) => {
+          shownKey = key;
+          loadingKey = '';
+          const fresh = bracket(times, time_ms.value);
+          currents.value = { before: first, after: second, share: fresh?.before === steps.before ? fresh.share : steps.share };
+          currentsFault.value = undefined;
+          const ahead = times[steps.after + 1];
+          if (ahead !== undefined) void load(next, ahead).catch(() => undefined);
+        },
+        (fault) => {
+          clear(fault);
+        },
+      );
+    });
+  });
+}
+
+function followIcebergs(): void {
+  const latest = new Latest();
+  const remembered = new Map<string, IcebergFeature[]>();
+  let wanted = '';
+  effect(() => {
+    const dataset = chosenIcebergs.value;
+    const hour = Math.floor(time_ms.value / hour_ms) * hour_ms;
+    const key = dataset ? `${dataset.id}|${hour}` : '';
+    if (key === wanted) return;
+    wanted = key;
+    const known = remembered.get(key);
+    untracked(() => {
+      if (!dataset || known) {
+        latest.cancel();
+        icebergs.value = known ?? [];
+        return;
+      }
+      latest.run(
+        (signal) => api.icebergsAt(isoOf(hour), dataset.id, signal),
+        ({ features }) => {
+          if (remembered.size > 200) remembered.clear();
+          remembered.set(key, features);
+          icebergs.value = features;
+        },
+        () => {
+          wanted = '';
+        },
+      );
+    });
+  });
+}

@@ -1,0 +1,32 @@
+import { ApiError } from './client';
+import { loading } from '../model/field';
+
+/**
+ * Keeps only the newest of several loads of one thing: a newer one aborts the older, and a late answer of an older one
+ * is never delivered.
+ */
+export class Latest {
+  private controller: AbortController | undefined;
+
+  run<T>(load: (signal: AbortSignal) => Promise<T>, deliver: (value: T) => void, refuse: (fault: string) => void): void {
+    this.cancel();
+    const controller = new AbortController();
+    this.controller = controller;
+    loading.value += 1;
+    load(controller.signal)
+      .then((value) => {
+        if (!controller.signal.aborted) deliver(value);
+      })
+      .catch((error: unknown) => {
+        if (!controller.signal.aborted) refuse(error instanceof ApiError ? error.message : String(error));
+      })
+      .finally(() => {
+        loading.value -= 1;
+      });
+  }
+
+  cancel(): void {
+    this.controller?.abort();
+    this.controller = undefined;
+  }
+}

@@ -1,0 +1,104 @@
+import { draft, faults, generalFaults, inputsOf, refuse, sortViolations } from '../model/draft';
+import { failure, reasonTitle, running } from '../model/job';
+import { add, routeOf } from '../model/plans';
+import { announce, leftTab } from '../model/screen';
+import { duration } from '../model/time';
+import { ask } from '../model/view';
+import * as api from './client';
+import type { JobStatus, Plan, PlanInputs } from './types';
+
+const pollWait_s = 1;
+let cancelled: AbortController | undefined;
+
+/** Sends the draft, follows its job to the end and shows what came of it. */
+export async function plan(): Promise<void> {
+  if (running.value) return;
+  const form = inputsOf(draft.value);
+  generalFaults.value = [];
+  if ('faults' in form) {
+    refuse(form.faults);
+    announce('The set-up has faults. Each is shown beside its field.');
+    return;
+  }
+  faults.value = {};
+  failure.value = undefined;
+  running.value = { status: undefined, started_ms: Date.now() };
+  cancelled = new AbortController();
+  try {
+    await carryOut(form.inputs, cancelled.signal);
+  } catch (error) {
+    if (!cancelled.signal.aborted) showRefusal(error);
+  } finally {
+    running.value = undefined;
+  }
+}
+
+async function carryOut(inputs: PlanInputs, signal: AbortSignal): Promise<void> {
+  const started_ms = Date.now();
+  let status = await api.submitPlan(inputs);
+  while (status.status === 'accepted' || status.status === 'running') {
+    running.value = { status, started_ms };
+    if (signal.aborted) {
+      await api.dismissJob(status.jobID);
+      return;
+    }
+    status = await followedJob(status, signal);
+  }
+  if (status.status === 'dismissed') {
+    announce('Planning was cancelled.');
+    return;
+  }
+  if (status.status === 'failed') {
+    failure.value = { kind: 'failed', title: 'Planning failed', detail: status.message || 'The server gave no reason.' };
+    announce('Planning failed.');
+    return;
+  }
+  const { plan: answer } = await api.jobResults(status.jobID);
+  if (answer.status === 'ok') showPlan(answer);
+  else {
+    failure.value = { kind: 'infeasible', answer };
+    ask({ do: 'fit', places: [[answer.at.lon, answer.at.lat], inputs.from, inputs.to] });
+    announce(`No plan: ${reasonTitle(answer.reason)}. ${answer.explanation}`);
+  }
+}
+
+/** The job's next state; never asks more than once a second, even of a server that does not wait. */
+async function followedJob(status: JobStatus, signal: AbortSignal): Promise<JobStatus> {
+  const asked_ms = Date.now();
+  try {
+    const next = await api.job(status.jobID, pollWait_s, signal);
+    const early_ms = 1000 * pollWait_s - (Date.now() - asked_ms);
+    const unchanged = next.updated === status.updated && next.progress === status.progress && next.status === status.status;
+    if (unchanged && early_ms > 0) await new Promise((resolve) => setTimeout(resolve, early_ms));
+    return next;
+  } catch (error) {
+    if (signal.aborted) return status;
+    throw error;
+  }
+}
+
+function showPlan(answer: Plan): void {
+  add({ ...answer, created: answer.created ?? new Date().toISOString() });
+  ask({ do: 'fit', places: routeOf(answer) });
+  const warned = answer.warnings.length > 0 ? ` ${answer.warnings.length} warnings.` : '';
+  announce(`Plan ready: ${duration(answer.travel_time_s)}, ${answer.waypoints.length} waypoints.${warned}`);
+}
+
+function showRefusal(error: unknown): void {
+  if (error instanceof api.ApiError) {
+    const { problem } = error;
+    const sorted = sortViolations(problem.errors ?? []);
+    refuse(sorted.faults, sorted.general);
+    leftTab.value = 'setup';
+    const only = Object.keys(sorted.faults).length === 0 && sorted.general.length === 0;
+    if (only) failure.value = { kind: 'failed', title: problem.title || 'The server refused', detail: problem.detail };
+    announce(`The server refused the request. ${problem.detail}`);
+    return;
+  }
+  failure.value = { kind: 'failed', title: 'Planning failed', detail: String(error) };
+}
+
+/** Gives the running job up. */
+export function cancelPlanning(): void {
+  cancelled?.abort();
+}

@@ -1,0 +1,90 @@
+import { effect, untracked } from '@preact/signals';
+import { range, setSpan, setTime } from '../model/clock';
+import { connectionFault, chosenCurrents, currentTimes_ms, datasets, vehicles } from '../model/datasets';
+import { draft, edit } from '../model/draft';
+import * as model from '../model/plans';
+import { announce, probed } from '../model/screen';
+import { fieldOf, hour_ms, isoOf } from '../model/time';
+import { time_ms } from '../model/clock';
+import type { Position } from './types';
+import * as api from './client';
+
+const faultOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+/** Reads what the store holds; called at start and again when a person asks for it. */
+export async function refresh(): Promise<void> {
+  try {
+    const [stored, known, planned] = await Promise.all([api.datasets(), api.vehicles(), api.plans()]);
+    datasets.value = stored.datasets;
+    vehicles.value = known.vehicles;
+    model.plans.value = planned.features
+      .map((feature) => feature.properties)
+      .sort((a, b) => Date.parse(b.created ?? b.departure) - Date.parse(a.created ?? a.departure));
+    connectionFault.value = undefined;
+    if (draft.value.vehicle === '') edit({ vehicle: known.vehicles[0]?.name ?? '' });
+    const newest = model.plans.value[0];
+    if (newest && model.shown.value.length === 0) model.select(newest.plan_id);
+  } catch (error) {
+    connectionFault.value = faultOf(error);
+  }
+}
+
+/** Lets the clock's range follow the currents and the plans on the map. Call once. */
+export function followSpans(): void {
+  let opened = false;
+  effect(() => {
+    const times = currentTimes_ms.value;
+    const [start_ms, end_ms] = [times[0], times.at(-1)];
+    untracked(() => {
+      const known = start_ms !== undefined && end_ms !== undefined;
+      setSpan('currents', known ? { start_ms, end_ms } : undefined);
+      if (opened || !known || !chosenCurrents.value) return;
+      opened = true;
+      openAt(start_ms, end_ms);
+    });
+  });
+
+  let before: string[] = [];
+  effect(() => {
+    const plans = model.shownPlans.value;
+    untracked(() => {
+      for (const id of before) setSpan(id, undefined);
+      before = plans.map(({ plan }) => plan.plan_id);
+      for (const { plan } of plans) {
+        setSpan(plan.plan_id, { start_ms: Date.parse(plan.departure), end_ms: Date.parse(plan.arrival) });
+      }
+    });
+  });
+}
+
+/** The clock starts now where the data cover now, else at their first whole hour; the departure with it. */
+function openAt(start_ms: number, end_ms: number): void {
+  const now_ms = Math.floor(Date.now() / hour_ms) * hour_ms;
+  const first_ms = Math.ceil(start_ms / hour_ms) * hour_ms;
+  setTime(now_ms >= start_ms && now_ms <= end_ms ? now_ms : Math.min(first_ms, range.value.end_ms));
+  if (draft.value.depart === '') edit({ depart: fieldOf(time_ms.value) });
+}
+
+export async function deletePlan(id: string): Promise<void> {
+  try {
+    await api.deletePlan(id);
+    model.forget(id);
+    announce('The plan was deleted.');
+  } catch (error) {
+    announce(`The plan could not be deleted: ${faultOf(error)}`);
+  }
+}
+
+let probes = 0;
+
+/** Asks the server for everything known at a place and the clock's time. */
+export async function probeAt([lon, lat]: Position): Promise<void> {
+  const number = ++probes;
+  probed.value = { lon, lat, answer: undefined, fault: undefined };
+  try {
+    const answer = await api.probe(Number(lon.toFixed(6)), Number(lat.toFixed(6)), isoOf(time_ms.value));
+    if (number === probes) probed.value = { lon, lat, answer, fault: undefined };
+  } catch (error) {
+    if (number === probes) probed.value = { lon, lat, answer: undefined, fault: faultOf(error) };
+  }
+}

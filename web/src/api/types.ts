@@ -1,0 +1,223 @@
+/** The server's documents, field for field. Positions are decimal degrees, longitude first; times are ISO 8601 in UTC. */
+
+export type Position = [lon: number, lat: number];
+export type Box = [west: number, south: number, east: number, north: number];
+
+export type DatasetKind = 'bathymetry' | 'currents' | 'icebergs' | 'coastline';
+
+export interface Dataset {
+  id: string;
+  kind: DatasetKind;
+  name: string;
+  variables: string[];
+  bbox: Box;
+  time_start: string | null;
+  time_end: string | null;
+  times?: string[];
+  rows_accepted: number;
+  rows_refused: number;
+  warnings: string[];
+  file_name: string;
+  file_size_bytes: number;
+  sha256: string;
+  ingested: string;
+  tool_version: string;
+}
+
+export interface Vehicle {
+  name: string;
+  title: string;
+  speed_through_water_m_s: number;
+  dive_depth_m: number;
+  depth_rating_m: number;
+  minimum_working_depth_m: number;
+  max_waypoints_per_list: number;
+}
+
+export interface IcebergProperties {
+  berg_id: string;
+  observed: string;
+  size: string;
+  length_m: number | null;
+  safe_length_m: number;
+  draft_m: number | null;
+  position_uncertainty_m: number | null;
+  shape: string;
+  method: string;
+  dataset_id: string;
+}
+
+export interface IcebergFeature {
+  type: 'Feature';
+  id: number | string;
+  geometry: { type: 'Point'; coordinates: Position };
+  properties: IcebergProperties;
+}
+
+export interface Link {
+  rel: string;
+  href: string;
+  type?: string;
+}
+
+export interface FeaturePage<F> {
+  type: 'FeatureCollection';
+  features: F[];
+  numberMatched: number;
+  numberReturned: number;
+  links: Link[];
+}
+
+export interface CoastFeature {
+  type: 'Feature';
+  geometry: { type: 'Polygon'; coordinates: Position[][] } | { type: 'MultiPolygon'; coordinates: Position[][][] };
+}
+
+export type Method = 'tve' | 'dijkstra' | 'astar' | 'frozen' | 'direct';
+
+export interface PlanInputs {
+  from: Position;
+  to: Position;
+  via?: Position[];
+  depart: string;
+  vehicle?: string;
+  speed_m_s?: number;
+  dive_depth_m?: number;
+  spacing_m?: number | [along: number, across: number];
+  sectors?: number;
+  method?: Method;
+  objective?: 'time';
+  max_waypoints?: number;
+  refine?: boolean;
+  currents?: string | string[];
+  steady?: boolean;
+  bathymetry?: string;
+  icebergs?: string;
+  coastline?: string;
+  icebergs_as_of?: string;
+  margin_m?: number;
+  name?: string;
+}
+
+export interface Waypoint {
+  index: number;
+  lon: number;
+  lat: number;
+  eta: string;
+  leg_m: number | null;
+  course_deg: number | null;
+  speed_over_ground_m_s: number | null;
+  depth_m: number | null;
+}
+
+export interface DatasetRef {
+  id: string;
+  kind: DatasetKind;
+  name: string;
+  sha256: string;
+}
+
+export interface Plan {
+  plan_id: string;
+  name: string;
+  status: 'ok';
+  method: Method;
+  vehicle: string;
+  departure: string;
+  arrival: string;
+  travel_time_s: number;
+  distance_m: number;
+  energy_j: number | null;
+  optimality_gap: number | null;
+  optimality_gap_reason: string;
+  waypoints: Waypoint[];
+  search: {
+    vertices: number;
+    edges: number;
+    edge_evaluations: number;
+    expansions: number;
+    reinsertions: number;
+    seconds: number;
+  };
+  clearances: { iceberg_m: number | null; land_m: number | null; bottom_m: number | null };
+  datasets: DatasetRef[];
+  warnings: string[];
+  created?: string;
+}
+
+export interface Infeasible {
+  status: 'infeasible';
+  reason: string;
+  at: { lon: number; lat: number };
+  when: string;
+  explanation: string;
+  suggestion: string;
+  warnings: string[];
+  datasets: DatasetRef[];
+}
+
+export interface PlanFeature {
+  type: 'Feature';
+  id: string;
+  geometry: { type: 'LineString'; coordinates: Position[] };
+  properties: Plan;
+}
+
+export interface JobStatus {
+  jobID: string;
+  type: 'process';
+  processID: string;
+  status: 'accepted' | 'running' | 'successful' | 'failed' | 'dismissed';
+  message: string;
+  progress: number;
+  stage: string;
+  created: string;
+  started?: string;
+  finished?: string;
+  updated: string;
+  links: Link[];
+}
+
+export interface PlanResults {
+  plan: Plan | Infeasible;
+}
+
+export interface MissionPreview {
+  files: { name: string; text: string }[];
+  warnings: string[];
+}
+
+export interface Probe {
+  lon: number;
+  lat: number;
+  time: string;
+  depth_m: number | null;
+  depth_reason: string | null;
+  land: boolean | null;
+  currents: {
+    u_m_s: number | null;
+    v_m_s: number | null;
+    reason: string | null;
+    dataset_id: string | null;
+    dataset_name: string | null;
+    time_before: string | null;
+    time_after: string | null;
+  };
+  ice_concentration: number | null;
+  ice_concentration_reason: string | null;
+  icebergs_within: { berg_id: string; distance_m: number; observed: string; size: string }[];
+}
+
+export interface Violation {
+  pointer: string;
+  detail: string;
+}
+
+/** RFC 9457. */
+export interface Problem {
+  type: string;
+  title: string;
+  status: number;
+  detail: string;
+  errors?: Violation[];
+}

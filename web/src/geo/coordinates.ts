@@ -1,0 +1,92 @@
+import type { Position } from '../api/types';
+
+/** How positions are written on the screen. */
+export type CoordinateStyle = 'dm' | 'decimal';
+
+function part(value: number, width: number, letters: string, style: CoordinateStyle): string {
+  const letter = value < 0 ? letters[1] : letters[0];
+  const size = Math.abs(value);
+  if (style === 'decimal') return `${size.toFixed(5).padStart(width + 6, '0')}° ${letter ?? ''}`;
+  const tenthsOfMinutes = Math.round(size * 600);
+  const degrees = Math.floor(tenthsOfMinutes / 600);
+  const minutes = (tenthsOfMinutes - degrees * 600) / 10;
+  return `${String(degrees).padStart(width, '0')}°${minutes.toFixed(1).padStart(4, '0')}′${letter ?? ''}`;
+}
+
+export const formatLat = (lat: number, style: CoordinateStyle): string => part(lat, 2, 'NS', style);
+export const formatLon = (lon: number, style: CoordinateStyle): string => part(lon, 3, 'EW', style);
+
+export const formatPosition = ([lon, lat]: Position, style: CoordinateStyle): string =>
+  `${formatLat(lat, style)} ${formatLon(lon, style)}`;
+
+/** What goes back into a text field: thousandths of a minute (2 m), so that a picked place survives editing. */
+export function editablePosition([lon, lat]: Position): string {
+  const one = (value: number, letters: string): string => {
+    const thousandths = Math.round(Math.abs(value) * 60_000);
+    const degrees = Math.floor(thousandths / 60_000);
+    const minutes = (thousandths - degrees * 60_000) / 1000;
+    return `${degrees}°${minutes.toFixed(3).padStart(6, '0')}′${(value < 0 ? letters[1] : letters[0]) ?? ''}`;
+  };
+  return `${one(lat, 'NS')} ${one(lon, 'EW')}`;
+}
+
+export type Parsed<T> = { ok: true; value: T } | { ok: false; fault: string };
+
+const fail = (fault: string): { ok: false; fault: string } => ({ ok: false, fault });
+
+interface Angle {
+  value: number;
+  letter: string | undefined;
+}
+
+/** One angle: degrees, optional minutes and seconds, a sign or a letter of the compass. */
+function parseAngle(text: string): Angle | undefined {
+  const letter = /[NSEW]/i.exec(text)?.[0].toUpperCase();
+  const bare = text.replace(/[NSEW]/gi, ' ').replace(/[°ºd'′"″]/gi, ' ').trim();
+  const words = bare.split(/\s+/);
+  if (words.length < 1 || words.length > 3 || !words.every((word) => /^[+-]?\d+(\.\d+)?$/.test(word))) return undefined;
+  const [degrees, minutes, seconds] = words.map(Number);
+  if (degrees === undefined) return undefined;
+  if ((minutes ?? 0) < 0 || (minutes ?? 0) >= 60 || (seconds ?? 0) < 0 || (seconds ?? 0) >= 60) return undefined;
+  if (words.slice(0, -1).some((word) => word.includes('.'))) return undefined;
+  const negative = bare.startsWith('-');
+  if (negative && letter) return undefined;
+  const size = Math.abs(degrees) + (minutes ?? 0) / 60 + (seconds ?? 0) / 3600;
+  return { value: negative || letter === 'S' || letter === 'W' ? -size : size, letter };
+}
+
+/** Cuts "69 10.2 N 51 21.0 W", "69.17, -51.35" and the like into its two angles. */
+function halves(text: string): [string, string] | undefined {
+  const tidy = text.trim().replace(/\s+/g, ' ');
+  const byComma = tidy.split(/[,;]/);
+  if (byComma.length === 2) return [byComma[0] ?? '', byComma[1] ?? ''];
+  if (byComma.length > 2) return undefined;
+  const after = /^(.*?[NSEW])\s*([^NSEW]*[NSEW])$/i.exec(tidy);
+  if (after && !/^[NSEW]/i.test(tidy)) return [after[1] ?? '', after[2] ?? ''];
+  const before = /^([NSEW][^NSEW]*)([NSEW][^NSEW]*)$/i.exec(tidy);
+  if (before) return [before[1] ?? '', before[2] ?? ''];
+  const words = tidy.split(' ');
+  if (words.length % 2 !== 0) return undefined;
+  return [words.slice(0, words.length / 2).join(' '), words.slice(words.length / 2).join(' ')];
+}
+
+/**
+ * A position as people write it: degrees and decimal minutes, decimal degrees, degrees-minutes-seconds; latitude first
+ * unless letters say otherwise; west and south by letter or by minus.
+ */
+export function parsePosition(text: string): Parsed<Position> {
+  if (text.trim() === '') return fail('Give a position, as 69°10.2′N 51°21.0′W or 69.17, -51.35.');
+  const pieces = halves(text);
+  const first = pieces && parseAngle(pieces[0]);
+  const second = pieces && parseAngle(pieces[1]);
+  if (!first || !second) return fail('Not understood. Write 69°10.2′N 51°21.0′W or 69.17, -51.35.');
+
+  const firstIsLon = first.letter === 'E' || first.letter === 'W' || second.letter === 'N' || second.letter === 'S';
+  const [lat, lon] = firstIsLon ? [second, first] : [first, second];
+  if (lat.letter === 'E' || lat.letter === 'W' || lon.letter === 'N' || lon.letter === 'S') {
+    return fail('One latitude (N or S) and one longitude (E or W) are needed.');
+  }
+  if (Math.abs(lat.value) > 90) return fail('Latitude must lie between 90° S and 90° N.');
+  if (Math.abs(lon.value) > 180) return fail('Longitude must lie between 180° W and 180° E.');
+  return { ok: true, value: [lon.value, lat.value] };
+}

@@ -1,0 +1,14 @@
+import { render } from 'preact';
+import { followFields } from './api/fields';
+import { followSpans, refresh } from './api/session';
+import { followTheme } from './theme/theme';
+import { App } from './ui/app';
+import { listenForShortcuts } from './ui/shortcuts';
+
+followTheme();
+followSpans();
+const root = document.getElementById('app');
+if (root) render(<App />, root);
+followFields();
+listenForShortcuts();
+void refresh();

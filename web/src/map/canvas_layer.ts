@@ -1,0 +1,61 @@
+import type { FrameState } from 'ol/Map.js';
+import Layer from 'ol/layer/Layer.js';
+import Source from 'ol/source/Source.js';
+
+/** One frame to be painted, in CSS pixels with the origin at the upper left of the map. */
+export interface Frame {
+  context: CanvasRenderingContext2D;
+  width: number;
+  height: number;
+  resolution: number; // projected metres per pixel
+  toPixel(coordinate: readonly [number, number]): [number, number];
+  toCoordinate(pixel: readonly [number, number]): [number, number];
+}
+
+/**
+ * A layer painted by a function. Its canvas lies in a div: OpenLayers would take a bare canvas for the render target of
+ * the layers above it.
+ */
+export class CanvasLayer extends Layer {
+  private readonly frame = document.createElement('div');
+  private readonly canvas = document.createElement('canvas');
+
+  constructor(private readonly paint: (frame: Frame) => void, zIndex: number) {
+    super({ source: new Source({}), zIndex });
+    this.frame.className = 'map-canvas';
+    this.frame.append(this.canvas);
+  }
+
+  override render(state: FrameState | null): HTMLElement {
+    const context = this.canvas.getContext('2d');
+    if (!state || !context) return this.frame;
+    const [width = 0, height = 0] = state.size;
+    const ratio = state.pixelRatio;
+    const device = [Math.round(width * ratio), Math.round(height * ratio)] as const;
+    if (this.canvas.width !== device[0] || this.canvas.height !== device[1]) [this.canvas.width, this.canvas.height] = device;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.clearRect(0, 0, width, height);
+
+    const { center, resolution, rotation } = state.viewState;
+    const [cx = 0, cy = 0] = center;
+    const cos = Math.cos(rotation);
+    const sin = Math.sin(rotation);
+    this.paint({
+      context,
+      width,
+      height,
+      resolution,
+      toPixel: ([x, y]) => {
+        const dx = (x - cx) / resolution;
+        const dy = (y - cy) / resolution;
+        return [width / 2 + dx * cos + dy * sin, height / 2 + dx * sin - dy * cos];
+      },
+      toCoordinate: ([px, py]) => {
+        const sx = px - width / 2;
+        const sy = height / 2 - py;
+        return [cx + (sx * cos - sy * sin) * resolution, cy + (sx * sin + sy * cos) * resolution];
+      },
+    });
+    return this.frame;
+  }
+}

@@ -1,0 +1,102 @@
+import { effect } from '@preact/signals';
+import Feature from 'ol/Feature.js';
+import Point from 'ol/geom/Point.js';
+import Polygon from 'ol/geom/Polygon.js';
+import VectorLayer from 'ol/layer/Vector.js';
+import VectorSource from 'ol/source/Vector.js';
+import { Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
+import type { IcebergFeature } from '../api/types';
+import { circle } from '../geo/geodesic';
+import { project } from '../geo/projections';
+import { time_ms } from '../model/clock';
+import { icebergs } from '../model/field';
+import { isStale, safetyRadii_m, symbolSize_px } from '../model/icebergs';
+import { visible } from '../model/layers';
+import { projection } from '../model/settings';
+import { palette, type Palette } from '../theme/palette';
+import { toMap } from './projections';
+
+/** Above this many, small bergs become dots without rings. */
+export const crowd = 300;
+
+/** Safety circles: solid what the planner keeps clear of a known position, dashed with the position's uncertainty added. */
+export function safetyLayer(): VectorLayer<VectorSource> {
+  const source = new VectorSource();
+  const layer = new VectorLayer({ source, zIndex: 5 });
+  effect(() => {
+    const code = projection.value;
+    const ringed = icebergs.value.filter((berg) => icebergs.value.length <= crowd || symbolSize_px(berg.properties.size) >= 6);
+    source.clear(true);
+    source.addFeatures(
+      ringed.flatMap((berg) => {
+        const { kept_m, uncertain_m } = safetyRadii_m(berg.properties);
+        const ring = (radius_m: number, kind: string): Feature<Polygon> => {
+          const feature = new Feature(new Polygon([toMap(code, circle(berg.geometry.coordinates, radius_m))]));
+          feature.set('kind', kind);
+          return feature;
+        };
+        return uncertain_m > kept_m ? [ring(uncertain_m, 'uncertain'), ring(kept_m, 'kept')] : [ring(kept_m, 'kept')];
+      }),
+    );
+  });
+  effect(() => {
+    const { danger, dangerFill } = palette.value;
+    const kept = new Style({ fill: new Fill({ color: dangerFill }), stroke: new Stroke({ color: danger, width: 1.5 }) });
+    const uncertain = new Style({ stroke: new Stroke({ color: danger, width: 1.2, lineDash: [5, 5] }) });
+    layer.setStyle((feature) => (feature.get('kind') === 'kept' ? kept : uncertain));
+  });
+  effect(() => layer.setVisible(visible.value.safety && visible.value.icebergs));
+  return layer;
+}
+
+/** A triangle for each berg, its size by size class; grey when the sighting is old. */
+export function icebergLayer(): VectorLayer<VectorSource> {
+  const source = new VectorSource();
+  const layer = new VectorLayer({ source, zIndex: 7 });
+  const features = new Map<IcebergFeature, Feature<Point>>();
+  effect(() => {
+    const code = projection.value;
+    features.clear();
+    for (const berg of icebergs.value) {
+      const feature = new Feature(new Point(project(code, berg.geometry.coordinates)));
+      feature.set('berg', berg);
+      features.set(berg, feature);
+    }
+    source.clear(true);
+    source.addFeatures([...features.values()]);
+  });
+  effect(() => {
+    const colours = palette.value;
+    const hour = Math.floor(time_ms.value / 3_600_000) * 3_600_000;
+    layer.setStyle((feature, resolution) => {
+      const berg = feature.get('berg') as IcebergFeature;
+      return symbol(berg, isStale(berg.properties, hour), resolution < 120, colours);
+    });
+  });
+  effect(() => layer.setVisible(visible.value.icebergs));
+  return layer;
+}
+
+function symbol({ properties }: IcebergFeature, stale: boolean, named: boolean, colours: Palette): Style {
+  const size = symbolSize_px(properties.size);
+  const colour = stale ? colours.stale : colours.ink;
+  return new Style({
+    image: new RegularShape({
+      points: properties.size === 'radar_target' || properties.size === 'unknown' ? 4 : 3,
+      radius: size,
+      fill: new Fill({ color: colours.berg }),
+      stroke: new Stroke({ color: colour, width: 1.6 }),
+    }),
+    ...(named
+      ? {
+          text: new Text({
+            text: properties.berg_id,
+            offsetY: -size - 8,
+            font: '11px system-ui, sans-serif',
+            fill: new Fill({ color: colours.label }),
+            stroke: new Stroke({ color: colours.halo, width: 3 }),
+          }),
+        }
+      : {}),
+  });
+}

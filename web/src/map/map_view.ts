@@ -1,0 +1,239 @@
+import { batch, effect, untracked } from '@preact/signals';
+import Map from 'ol/Map.js';
+import type MapBrowserEvent from 'ol/MapBrowserEvent.js';
+import View from 'ol/View.js';
+import { noModifierKeys } from 'ol/events/condition.js';
+import { boundingExtent } from 'ol/extent.js';
+import { DoubleClickZoom, DragPan, DragRotate, DragZoom, KeyboardPan, MouseWheelZoom, PinchZoom } from 'ol/interaction.js';
+import type { Box, IcebergFeature, Position } from '../api/types';
+import { boxAround } from '../geo/boxes';
+import { editablePosition } from '../geo/coordinates';
+import { densify } from '../geo/geodesic';
+import { northAngle, project, projections, scaleFactor, unproject, type ProjectionCode } from '../geo/projections';
+import { datasets, homeBox } from '../model/datasets';
+import { draft, edit } from '../model/draft';
+import { coast, currents, icebergs, isLoading } from '../model/field';
+import { select, selectedWaypoint, shownPlans } from '../model/plans';
+import { projection } from '../model/settings';
+import { announce } from '../model/screen';
+import { command, hoveredBerg, pointer, tool, view, type Command } from '../model/view';
+import { bathymetryLayer } from './bathymetry_layer';
+import { coastLayer } from './coast_layer';
+import { currentsLayer } from './currents_layer';
+import { graticuleLayer } from './graticule_layer';
+import { icebergLayer, safetyLayer } from './iceberg_layer';
+import { markerLayer } from './marker_layer';
+import { planLayer, vehicleLayer, waypointLayer } from './plan_layer';
+import { registerProjections, toMap, viewExtent } from './projections';
+
+const hitTolerance_px = 14;
+const animation_ms = 250;
+
+/** Makes the map in `target` and ties it to the model. `probe` is told where the probe tool was used. */
+export function createMap(target: HTMLElement, probe: (place: Position) => void): void {
+  registerProjections();
+  const map = new Map({
+    target,
+    controls: [],
+    interactions: [
+      new DragRotate(), new DoubleClickZoom(), new DragPan({ condition: (event) => noModifierKeys(event) }), new DragZoom(),
+      new PinchZoom(), new MouseWheelZoom(), new KeyboardPan(),
+    ],
+    layers: [
+      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), safetyLayer(), planLayer(), icebergLayer(),
+      waypointLayer(), vehicleLayer(), markerLayer(),
+    ],
+  });
+  followProjection(map);
+  followCommands(map);
+  map.on('moveend', () => publishView(map, target));
+  map.on('change:size', () => publishView(map, target));
+  followPointer(map, target, probe);
+  publishState(map, target);
+}
+
+const reducedMotion = (): boolean => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
+const duration = (): number => (reducedMotion() ? 0 : animation_ms);
+
+/** A new view on each change of projection, with the centre and the true scale of the old one. The first is the home box. */
+function followProjection(map: Map): void {
+  effect(() => {
+    const code = projection.value;
+    untracked(() => {
+      const old = map.getView();
+      const oldCode = old.getProjection().getCode() as ProjectionCode;
+      const next = new View({
+        projection: code, extent: viewExtent(code), constrainOnlyCenter: true, minResolution: 1, maxResolution: 16_000,
+        center: [0, 0], resolution: 4000,
+      });
+      const centre = old.getCenter();
+      const resolution = old.getResolution();
+      const carried = view.peek() !== undefined && centre && resolution !== undefined && oldCode in projections;
+      map.setView(next);
+      if (!carried) return;
+      const place = unproject(oldCode, [centre[0] ?? 0, centre[1] ?? 0]);
+      next.setCenter(project(code, place));
+      next.setResolution((resolution / scaleFactor(oldCode, place)) * scaleFactor(code, place));
+    });
+  });
+
+  let opened = false;
+  effect(() => {
+    const box = homeBox.value;
+    if (opened || datasets.value === undefined) return;
+    opened = true;
+    untracked(() => fit(map, cornersOf(box), 0));
+  });
+}
+
+/** Corners and edges of a box, dense enough that its bulge in the projection is fitted too. */
+function cornersOf([west, south, east, north]: Box): Position[] {
+  const width = east >= west ? east - west : east - west + 360;
+  const places: Position[] = [];
+  for (let i = 0; i <= 8; ++i) {
+    for (let j = 0; j <= 8; ++j) places.push([west + (width * i) / 8, south + ((north - south) * j) / 8]);
+  }
+  return places;
+}
+
+function fit(map: Map, places: Position[], time_ms: number): void {
+  if (places.length === 0) return;
+  const code = projection.peek();
+  const south_deg = projections[code].polar ? 40 : -84;
+  const drawn = toMap(code, places.map(([lon, lat]) => [lon, Math.max(lat, south_deg)]));
+  map.getView().fit(boundingExtent(drawn), { padding: [70, 70, 80, 70], minResolution: 15, duration: time_ms });
+}
+
+function followCommands(map: Map): void {
+  effect(() => {
+    const wish = command.value;
+    if (wish) untracked(() => carryOut(map, wish));
+  });
+}
+
+function carryOut(map: Map, wish: Command): void {
+  const current = map.getView();
+  switch (wish.do) {
+    case 'fit':
+      fit(map, densify(wish.places, 20_000), duration());
+      return;
+    case 'centre':
+      current.animate({ center: project(projection.peek(), wish.place), duration: duration() });
+      return;
+    case 'zoom':
+      current.animate({ zoom: (current.getZoom() ?? 0) + wish.by, duration: duration() });
+      return;
+    case 'north': {
+      const [x = 0, y = 0] = current.getCenter() ?? [];
+      const north = northAngle(projection.peek(), unproject(projection.peek(), [x, y]));
+      const upright = north - Math.PI / 2;
+      const isUp = Math.abs(Math.sin((current.getRotation() - upright) / 2)) < 1e-3;
+      current.animate({ rotation: isUp ? 0 : upright, duration: duration() });
+    }
+  }
+}
+
+function publishView(map: Map, target: HTMLElement): void {
+  const [width = 0, height = 0] = map.getSize() ?? [];
+  const [x, y] = map.getView().getCenter() ?? [];
+  const resolution = map.getView().getResolution();
+  if (width === 0 || height === 0 || x === undefined || y === undefined || resolution === undefined) return;
+  const code = projection.peek();
+  const centre = unproject(code, [x, y]);
+  const rotation = map.getView().getRotation();
+  const up = northAngle(code, centre) - rotation;
+  target.dataset['view'] = JSON.stringify({ projection: code, centre: [x, y], resolution, rotation });
+  view.value = {
+    box: boxInView(map, code, centre, width, height),
+    centre,
+    width_px: width,
+    height_px: height,
+    metresPerPixel: resolution / scaleFactor(code, centre),
+    north_deg: 90 - (up * 180) / Math.PI,
+  };
+}
+
+/** The box around everything in view, from a lattice of pixels; all the way round when the pole is among them. */
+function boxInView(map: Map, code: ProjectionCode, centre: Position, width: number, height: number): Box {
+  const places: Position[] = [centre];
+  for (let i = 0; i <= 8; ++i) {
+    for (let j = 0; j <= 8; ++j) {
+      const [x = 0, y = 0] = map.getCoordinateFromPixel([(width * i) / 8, (height * j) / 8]) ?? [];
+      const place = unproject(code, [x, y]);
+      if (Number.isFinite(place[0]) && Number.isFinite(place[1])) places.push(place);
+    }
+  }
+  const box = boxAround(places) ?? [-180, 35, 180, 90];
+  const south = Math.max(-90, box[1]);
+  if (!projections[code].polar) return [box[0], south, box[2], Math.min(90, box[3])];
+  const [poleX = -1, poleY = -1] = map.getPixelFromCoordinate([0, 0]) ?? [];
+  const poleSeen = poleX >= 0 && poleX <= width && poleY >= 0 && poleY <= height;
+  return poleSeen ? [-180, Math.max(south, 35), 180, 90] : [box[0], Math.max(south, 35), box[2], box[3]];
+}
+
+function followPointer(map: Map, target: HTMLElement, probe: (place: Position) => void): void {
+  const placeOf = (event: MapBrowserEvent): Position => {
+    const [x = 0, y = 0] = event.coordinate;
+    return unproject(projection.peek(), [x, y]);
+  };
+  map.on('pointermove', (event) => {
+    if (event.dragging) return;
+    batch(() => {
+      pointer.value = placeOf(event);
+      const berg = map.forEachFeatureAtPixel(event.pixel, (feature) => feature.get('berg') as IcebergFeature | undefined, {
+        hitTolerance: 4,
+      });
+      hoveredBerg.value = berg;
+    });
+  });
+  target.addEventListener('pointerleave', () => {
+    pointer.value = undefined;
+    hoveredBerg.value = undefined;
+  });
+  map.on('click', (event) => use(map, event, placeOf(event), probe));
+  effect(() => {
+    target.style.cursor = tool.value === 'pan' ? '' : 'crosshair';
+  });
+}
+
+function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: Position) => void): void {
+  switch (tool.value) {
+    case 'from':
+    case 'to': {
+      const field = tool.value;
+      edit({ [field]: editablePosition(place) });
+      announce(`${field === 'from' ? 'Start' : 'Goal'} set to ${editablePosition(place)}.`);
+      tool.value = field === 'from' && draft.value.to.trim() === '' ? 'to' : 'pan';
+      return;
+    }
+    case 'probe':
+      probe(place);
+      return;
+    case 'pan':
+      map.forEachFeatureAtPixel(
+        event.pixel,
+        (feature) => {
+          const id = feature.get('planId') as string | undefined;
+          if (id === undefined) return false;
+          select(id);
+          selectedWaypoint.value = feature.get('waypoint') as number | undefined;
+          return true;
+        },
+        { hitTolerance: hitTolerance_px },
+      );
+  }
+}
+
+/** Counts and readiness as attributes of the map's element, for tests and for the curious. */
+function publishState(map: Map, target: HTMLElement): void {
+  effect(() => {
+    target.dataset['icebergs'] = String(icebergs.value.length);
+    target.dataset['plans'] = String(shownPlans.value.length);
+    target.dataset['coast'] = String(coast.value.length);
+    target.dataset['currents'] = currents.value ? 'shown' : 'none';
+    target.dataset['loading'] = String(isLoading.value);
+  });
+  map.on('rendercomplete', () => {
+    target.dataset['ready'] = String(datasets.value !== undefined && !isLoading.value);
+  });
+}

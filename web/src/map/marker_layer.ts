@@ -1,0 +1,65 @@
+import { effect } from '@preact/signals';
+import Feature from 'ol/Feature.js';
+import Point from 'ol/geom/Point.js';
+import VectorLayer from 'ol/layer/Vector.js';
+import VectorSource from 'ol/source/Vector.js';
+import { Circle, Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
+import type { Position } from '../api/types';
+import { project } from '../geo/projections';
+import { draft, placeIn, placesIn } from '../model/draft';
+import { failure } from '../model/job';
+import { probed } from '../model/screen';
+import { projection } from '../model/settings';
+import { palette, type Palette } from '../theme/palette';
+
+/** Start, goal and places between of the set-up, the place where planning failed, and the place last probed. */
+export function markerLayer(): VectorLayer<VectorSource> {
+  const source = new VectorSource();
+  const layer = new VectorLayer({ source, zIndex: 10 });
+  effect(() => {
+    const code = projection.value;
+    const colours = palette.value;
+    source.clear(true);
+    const put = (place: Position | undefined, styles: Style[]): void => {
+      if (!place) return;
+      const feature = new Feature(new Point(project(code, place)));
+      feature.setStyle(styles);
+      source.addFeature(feature);
+    };
+    put(placeIn(draft.value.from), disc('S', colours.start, colours));
+    for (const [i, place] of placesIn(draft.value.via).places.entries()) put(place, disc(String(i + 1), colours.label, colours));
+    put(placeIn(draft.value.to), disc('G', colours.goal, colours));
+
+    const fault = failure.value;
+    if (fault?.kind === 'infeasible') put([fault.answer.at.lon, fault.answer.at.lat], cross(colours));
+    const probe = probed.value;
+    if (probe) put([probe.lon, probe.lat], target(colours));
+  });
+  return layer;
+}
+
+function disc(letter: string, colour: string, colours: Palette): Style[] {
+  return [
+    new Style({
+      image: new Circle({ radius: 10, fill: new Fill({ color: colour }), stroke: new Stroke({ color: colours.casing, width: 2.5 }) }),
+      text: new Text({ text: letter, font: '700 12px system-ui, sans-serif', offsetY: 1, fill: new Fill({ color: colours.casing }) }),
+    }),
+  ];
+}
+
+function cross(colours: Palette): Style[] {
+  const arms = (width: number, color: string): Style =>
+    new Style({
+      image: new RegularShape({ points: 4, radius: 13, radius2: 0, angle: Math.PI / 4, stroke: new Stroke({ color, width }) }),
+    });
+  const ring = new Style({
+    image: new Circle({ radius: 19, stroke: new Stroke({ color: colours.danger, width: 2.5, lineDash: [6, 4] }) }),
+  });
+  return [ring, arms(7, colours.casing), arms(3.5, colours.danger)];
+}
+
+function target(colours: Palette): Style[] {
+  const ring = (width: number, color: string): Style =>
+    new Style({ image: new Circle({ radius: 8, stroke: new Stroke({ color, width }) }) });
+  return [ring(4.5, colours.casing), ring(2, colours.ink)];
+}

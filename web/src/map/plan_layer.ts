@@ -1,0 +1,144 @@
+import { effect } from '@preact/signals';
+import Feature from 'ol/Feature.js';
+import LineString from 'ol/geom/LineString.js';
+import Point from 'ol/geom/Point.js';
+import VectorLayer from 'ol/layer/Vector.js';
+import VectorSource from 'ol/source/Vector.js';
+import { Circle, Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
+import { densify } from '../geo/geodesic';
+import { northAngle, project, type ProjectionCode } from '../geo/projections';
+import { time_ms } from '../model/clock';
+import { visible } from '../model/layers';
+import { routeOf, selectedId, selectedWaypoint, shownPlans, vehicleAt, type ShownPlan } from '../model/plans';
+import { projection } from '../model/settings';
+import { palette, planDashes, type Palette } from '../theme/palette';
+import { toMap } from './projections';
+
+/** Lines of the plans: a white casing, then colour and dash pattern; the selected one uppermost and thicker. */
+export function planLayer(): VectorLayer<VectorSource> {
+  const source = new VectorSource();
+  const layer = new VectorLayer({ source, zIndex: 6, updateWhileInteracting: true, updateWhileAnimating: true });
+  effect(() => {
+    const code = projection.value;
+    const selected = selectedId.value;
+    source.clear(true);
+    for (const shown of shownPlans.value) {
+      const line = new Feature(new LineString(toMap(code, densify(routeOf(shown.plan), 2000))));
+      line.setStyle(lineStyles(shown, shown.plan.plan_id === selected, palette.value));
+      line.set('planId', shown.plan.plan_id);
+      source.addFeature(line);
+    }
+  });
+  effect(() => layer.setVisible(visible.value.plans));
+  return layer;
+}
+
+function lineStyles({ style }: ShownPlan, selected: boolean, colours: Palette): Style[] {
+  const width = selected ? 3 : 2;
+  const zIndex = selected ? 2 : 1;
+  return [
+    new Style({ stroke: new Stroke({ color: colours.casing, width: width + 3 }), zIndex }),
+    new Style({
+      stroke: new Stroke({ color: colours.plans[style] ?? colours.plans[0], width, lineDash: [...(planDashes[style] ?? [])] }),
+      zIndex,
+    }),
+  ];
+}
+
+/** Waypoints of the selected plan: a dot each, and its number where there is room. */
+export function waypointLayer(): VectorLayer<VectorSource> {
+  const source = new VectorSource();
+  const layer = new VectorLayer({ source, zIndex: 8, declutter: true });
+  effect(() => {
+    const code = projection.value;
+    const colours = palette.value;
+    const chosen = selectedWaypoint.value;
+    source.clear(true);
+    for (const shown of shownPlans.value) {
+      if (shown.plan.plan_id !== selectedId.value) continue;
+      for (const waypoint of shown.plan.waypoints) {
+        const feature = new Feature(new Point(project(code, [waypoint.lon, waypoint.lat])));
+        feature.set('waypoint', waypoint.index);
+        feature.set('planId', shown.plan.plan_id);
+        feature.setStyle(waypointStyles(waypoint.index, shown.style, waypoint.index === chosen, colours));
+        source.addFeature(feature);
+      }
+    }
+  });
+  effect(() => layer.setVisible(visible.value.plans));
+  return layer;
+}
+
+function waypointStyles(index: number, style: number, chosen: boolean, colours: Palette): Style[] {
+  const colour = colours.plans[style] ?? colours.plans[0];
+  return [
+    new Style({
+      image: new Circle({
+        radius: chosen ? 6 : 3.5,
+        fill: new Fill({ color: chosen ? colour : colours.casing }),
+        stroke: new Stroke({ color: colour, width: 2 }),
+        declutterMode: 'none',
+      }),
+      zIndex: 1,
+    }),
+    new Style({
+      text: new Text({
+        text: String(index + 1),
+        font: `600 ${chosen ? 13 : 11}px system-ui, sans-serif`,
+        offsetX: 11,
+        offsetY: -10,
+        fill: new Fill({ color: colour }),
+        stroke: new Stroke({ color: colours.casing, width: 3.5 }),
+      }),
+      zIndex: chosen ? 3 : 2,
+    }),
+  ];
+}
+
+/** Where each shown plan's vehicle is at the clock's time, pointing along its course. */
+export function vehicleLayer(): VectorLayer<VectorSource> {
+  const source = new VectorSource();
+  const layer = new VectorLayer({ source, zIndex: 9, updateWhileInteracting: true, updateWhileAnimating: true });
+  effect(() => {
+    const code = projection.value;
+    source.clear(true);
+    for (const shown of shownPlans.value) {
+      const now = vehicleAt(shown.plan, time_ms.value);
+      if (!now) continue;
+      const feature = new Feature(new Point(project(code, now.place)));
+      feature.setStyle(vehicleStyles(shown, screenTurn(code, now.place, now.course_deg), palette.value));
+      source.addFeature(feature);
+    }
+  });
+  effect(() => layer.setVisible(visible.value.plans));
+  return layer;
+}
+
+/** Clockwise turn in radians, from the projection's y axis, of a course at a place. */
+function screenTurn(code: ProjectionCode, place: [number, number], course_deg: number): number {
+  return Math.PI / 2 - northAngle(code, place) + (course_deg * Math.PI) / 180;
+}
+
+function vehicleStyles({ style, letter }: ShownPlan, rotation: number, colours: Palette): Style[] {
+  const colour = colours.plans[style] ?? colours.plans[0];
+  const arrow = (radius: number, fill: string): Style =>
+    new Style({
+      image: new RegularShape({
+        points: 3, radius, scale: [0.75, 1.15], rotation, rotateWithView: true, fill: new Fill({ color: fill }),
+      }),
+    });
+  return [
+    arrow(15, colours.casing),
+    arrow(11, colour),
+    new Style({
+      text: new Text({
+        text: letter,
+        offsetX: 15,
+        offsetY: 12,
+        font: '700 12px system-ui, sans-serif',
+        fill: new Fill({ color: colour }),
+        stroke: new Stroke({ color: colours.casing, width: 4 }),
+      }),
+    }),
+  ];
+}

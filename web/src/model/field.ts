@@ -1,0 +1,38 @@
+import { computed, signal } from '@preact/signals';
+import type { CoastFeature, IcebergFeature, Position } from '../api/types';
+import { sample, samplePair, type Grid, type TimedPair } from '../geo/grid';
+
+/** What has been loaded of the sea for the area in view. */
+export const bathymetry = signal<Grid | undefined>(undefined);
+export const coast = signal<CoastFeature[]>([]);
+
+/** Currents around the clock's time; undefined where there are none, and then `currentsFault` says why. */
+export const currents = signal<TimedPair | undefined>(undefined);
+export const currentsFault = signal<string | undefined>(undefined);
+
+/** Newest sighting of each berg not after the clock's time. */
+export const icebergs = signal<IcebergFeature[]>([]);
+
+/** How many loads are under way. */
+export const loading = signal(0);
+
+export const isLoading = computed(() => loading.value > 0);
+
+export interface Reading {
+  depth_m: number | undefined;
+  east_m_s: number | undefined;
+  north_m_s: number | undefined;
+}
+
+const known = (value: number): number | undefined => (Number.isFinite(value) ? value : undefined);
+
+/** Depth and current at a place, from what is loaded. */
+export function readingAt([lon, lat]: Position): Reading {
+  const grid = bathymetry.value;
+  const pair = currents.value;
+  return {
+    depth_m: grid && known(sample(grid, 0, lon, lat)),
+    east_m_s: pair && known(samplePair(pair, 0, lon, lat)),
+    north_m_s: pair && known(samplePair(pair, 1, lon, lat)),
+  };
+}

@@ -1,0 +1,50 @@
+import { signal } from '@preact/signals';
+import type { Infeasible, JobStatus } from '../api/types';
+
+/** The planning job under way, if any. */
+export interface RunningJob {
+  status: JobStatus | undefined; // undefined while it is being handed in
+  started_ms: number;
+}
+
+export const running = signal<RunningJob | undefined>(undefined);
+
+/** Why the last attempt gave no plan. */
+export type Failure = { kind: 'infeasible'; answer: Infeasible } | { kind: 'failed'; title: string; detail: string };
+
+export const failure = signal<Failure | undefined>(undefined);
+
+const stages: Record<string, string> = {
+  load: 'Reading the data',
+  search: 'Searching the route',
+  refine: 'Refining the route',
+  store: 'Storing the plan',
+};
+
+/** A job's stage in words. */
+export function stageTitle(status: JobStatus | undefined): string {
+  if (!status) return 'Handing in the request';
+  if (status.status === 'accepted') return 'Waiting for a worker';
+  const stage = status.stage;
+  return stages[stage] ?? (stage ? stage.charAt(0).toUpperCase() + stage.slice(1).replaceAll('_', ' ') : 'Working');
+}
+
+/** Headline for a reason that a plan could not be made. */
+export function reasonTitle(reason: string): string {
+  const titles: Record<string, string> = {
+    start_on_land: 'The start lies on land',
+    start_too_shallow: 'The start is too shallow',
+    start_near_iceberg: 'The start is too close to an iceberg',
+    goal_on_land: 'The goal lies on land',
+    goal_too_shallow: 'The goal is too shallow',
+    goal_near_iceberg: 'The goal is too close to an iceberg',
+    outside_data: 'Outside the area or time of the data',
+    current_too_strong: 'The current is too strong',
+    too_shallow: 'The route crosses land or shallow water',
+    near_iceberg: 'The route passes too close to an iceberg',
+    goal_unreachable: 'Every way to the goal is closed',
+    too_large: 'The area is too large for this grid',
+    cancelled: 'Planning was cancelled',
+  };
+  return titles[reason] ?? reason.charAt(0).toUpperCase() + reason.slice(1).replaceAll('_', ' ');
+}

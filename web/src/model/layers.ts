@@ -1,0 +1,23 @@
+import { signal } from '@preact/signals';
+
+/** What the map can show, in the order of the layers panel (uppermost first). */
+export const layerTitles = {
+  plans: 'Plans',
+  icebergs: 'Icebergs',
+  safety: 'Safety circles',
+  graticule: 'Graticule',
+  coast: 'Coast',
+  currents: 'Currents',
+  bathymetry: 'Depth tints',
+} as const;
+
+export type LayerName = keyof typeof layerTitles;
+export const layerNames = Object.keys(layerTitles) as LayerName[];
+
+export const visible = signal<Record<LayerName, boolean>>({
+  plans: true, icebergs: true, safety: true, graticule: true, coast: true, currents: true, bathymetry: true,
+});
+
+export function toggleLayer(name: LayerName): void {
+  visible.value = { ...visible.value, [name]: !visible.value[name] };
+}

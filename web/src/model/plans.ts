@@ -1,0 +1,80 @@
+import { computed, signal } from '@preact/signals';
+import type { Plan, Position } from '../api/types';
+import { inverse, destination } from '../geo/geodesic';
+
+/** All stored plans, newest first. */
+export const plans = signal<Plan[]>([]);
+
+/** Ids of the plans drawn on the map; their order gives the letters. */
+export const shown = signal<string[]>([]);
+export const selectedId = signal<string | undefined>(undefined);
+export const baselineId = signal<string | undefined>(undefined);
+export const selectedWaypoint = signal<number | undefined>(undefined);
+
+export interface ShownPlan {
+  plan: Plan;
+  letter: string;
+  style: number; // 0 to 3: which colour and dash pattern
+}
+
+const letterOf = (index: number): string => String.fromCharCode(65 + (index % 26));
+
+export const shownPlans = computed<ShownPlan[]>(() =>
+  shown.value.flatMap((id, index) => {
+    const plan = plans.value.find((candidate) => candidate.plan_id === id);
+    return plan ? [{ plan, letter: letterOf(index), style: index % 4 }] : [];
+  }),
+);
+
+export const selectedPlan = computed(() => plans.value.find((plan) => plan.plan_id === selectedId.value));
+export const selectedShown = computed(() => shownPlans.value.find(({ plan }) => plan.plan_id === selectedId.value));
+
+/** The plan others are compared with: the chosen one, else the first shown. */
+export const baseline = computed(
+  () => shownPlans.value.find(({ plan }) => plan.plan_id === baselineId.value)?.plan ?? shownPlans.value[0]?.plan,
+);
+
+export function show(id: string, on: boolean): void {
+  const without = shown.value.filter((other) => other !== id);
+  shown.value = on ? [...without, id] : without;
+  if (!on && selectedId.value === id) selectedId.value = without.at(-1);
+}
+
+/** Selects a plan and makes sure that it is on the map. */
+export function select(id: string | undefined): void {
+  if (id !== undefined && !shown.value.includes(id)) shown.value = [...shown.value, id];
+  selectedId.value = id;
+  selectedWaypoint.value = undefined;
+}
+
+export function add(plan: Plan): void {
+  plans.value = [plan, ...plans.value.filter((other) => other.plan_id !== plan.plan_id)];
+  select(plan.plan_id);
+}
+
+export function forget(id: string): void {
+  plans.value = plans.value.filter((plan) => plan.plan_id !== id);
+  show(id, false);
+}
+
+export interface OnTheWay {
+  place: Position;
+  course_deg: number;
+  leg: number; // index of the waypoint at the end of the leg
+}
+
+/** Where the vehicle of a plan is at a moment; undefined before departure and after arrival. */
+export function vehicleAt(plan: Plan, at_ms: number): OnTheWay | undefined {
+  const next = plan.waypoints.findIndex((waypoint, i) => i > 0 && Date.parse(waypoint.eta) >= at_ms);
+  const from = plan.waypoints[next - 1];
+  const to = plan.waypoints[next];
+  if (!from || !to || at_ms < Date.parse(from.eta)) return undefined;
+  const leg = inverse([from.lon, from.lat], [to.lon, to.lat]);
+  const share = (at_ms - Date.parse(from.eta)) / Math.max(1, Date.parse(to.eta) - Date.parse(from.eta));
+  const place = destination([from.lon, from.lat], leg.azimuth_deg, leg.distance_m * share);
+  return { place, course_deg: leg.azimuth_deg, leg: next };
+}
+
+export const routeOf = (plan: Plan): Position[] => plan.waypoints.map(({ lon, lat }) => [lon, lat]);
+
+export const titleOf = (plan: Plan): string => plan.name || `Plan ${plan.plan_id.slice(0, 8)}`;

@@ -1,0 +1,16 @@
+import { signal } from '@preact/signals';
+import type { Probe } from '../api/types';
+
+/** What is open on the screen apart from the map. */
+export const leftTab = signal<'setup' | 'plans'>('setup');
+export const dialog = signal<'export' | 'compare' | 'help' | 'data' | undefined>(undefined);
+export const drawer = signal<'left' | 'right' | undefined>(undefined);
+
+/** The answer to the last click of the probe tool. */
+export const probed = signal<{ lon: number; lat: number; answer: Probe | undefined; fault: string | undefined } | undefined>(undefined);
+
+/** Spoken politely to screen readers. */
+export const announcement = signal('');
+export const announce = (text: string): void => {
+  announcement.value = text;
+};

@@ -1,0 +1,45 @@
+import { computed, effect, signal } from '@preact/signals';
+import type { CoordinateStyle } from '../geo/coordinates';
+import { projectionCodes, type ProjectionCode } from '../geo/projections';
+
+/** What a person chose about the looks; remembered in this browser. */
+export interface Settings {
+  projection: ProjectionCode;
+  distance: 'km' | 'nm';
+  speed: 'm/s' | 'kn';
+  coordinates: CoordinateStyle;
+  theme: 'light' | 'dark' | 'system';
+  shortcuts: boolean;
+}
+
+const defaults: Settings = {
+  projection: 'EPSG:3413', distance: 'km', speed: 'm/s', coordinates: 'dm', theme: 'system', shortcuts: true,
+};
+const key = 'floeplan.settings';
+
+function stored(): Settings {
+  try {
+    const read = JSON.parse(localStorage.getItem(key) ?? '{}') as Partial<Settings>;
+    const settings = { ...defaults, ...read };
+    return projectionCodes.includes(settings.projection) ? settings : { ...settings, projection: defaults.projection };
+  } catch {
+    return defaults;
+  }
+}
+
+export const settings = signal<Settings>(stored());
+
+export function change(part: Partial<Settings>): void {
+  settings.value = { ...settings.value, ...part };
+}
+
+export const projection = computed(() => settings.value.projection);
+
+effect(() => {
+  const text = JSON.stringify(settings.value);
+  try {
+    localStorage.setItem(key, text);
+  } catch {
+    // A browser that refuses storage only forgets the choice.
+  }
+});

@@ -1,0 +1,44 @@
+import { settings } from './settings';
+
+/** Figures with their unit; "–" where there is no value, never 0. */
+
+const metresPerNauticalMile = 1852;
+const knotsPerMetreSecond = 3600 / 1852;
+export const none = '–';
+
+const present = (value: number | null | undefined): value is number => typeof value === 'number' && Number.isFinite(value);
+
+/** A distance of any size: metres below 1 km (or 0.1 NM in nautical miles). */
+export function distance(metres: number | null | undefined): string {
+  if (!present(metres)) return none;
+  if (settings.value.distance === 'nm') {
+    const miles = metres / metresPerNauticalMile;
+    return `${miles.toFixed(miles < 10 ? 2 : 1)} NM`;
+  }
+  if (Math.abs(metres) < 1000) return `${Math.round(metres)} m`;
+  return `${(metres / 1000).toFixed(metres < 1e5 ? 1 : 0)} km`;
+}
+
+/** The bare number of a table column headed by `distanceUnit`. */
+export function distanceFigure(metres: number | null | undefined): string {
+  if (!present(metres)) return none;
+  return settings.value.distance === 'nm' ? (metres / metresPerNauticalMile).toFixed(2) : (metres / 1000).toFixed(2);
+}
+export const distanceUnit = (): string => (settings.value.distance === 'nm' ? 'NM' : 'km');
+
+export function speedFigure(metres_s: number | null | undefined): string {
+  if (!present(metres_s)) return none;
+  return settings.value.speed === 'kn' ? (metres_s * knotsPerMetreSecond).toFixed(2) : metres_s.toFixed(2);
+}
+export const speedUnit = (): string => settings.value.speed;
+export const speed = (metres_s: number | null | undefined): string =>
+  present(metres_s) ? `${speedFigure(metres_s)} ${speedUnit()}` : none;
+
+/** Sea depth: always metres. */
+export const depth = (metres: number | null | undefined): string => (present(metres) ? `${Math.round(metres)} m` : none);
+
+export const course = (degrees: number | null | undefined): string =>
+  present(degrees) ? `${String(Math.round(degrees) % 360).padStart(3, '0')}°` : none;
+
+export const energy = (joules: number | null | undefined): string =>
+  present(joules) ? (joules >= 1e6 ? `${(joules / 1e6).toFixed(2)} MJ` : `${(joules / 1e3).toFixed(0)} kJ`) : none;

@@ -1,0 +1,33 @@
+import { signal } from '@preact/signals';
+import type { Box, IcebergFeature, Position } from '../api/types';
+
+/** What the map shows now, told by the map. */
+export interface View {
+  box: Box; // around everything in view
+  centre: Position;
+  width_px: number;
+  height_px: number;
+  metresPerPixel: number; // true metres at the centre
+  north_deg: number; // direction of true north on the screen at the centre, clockwise from up
+}
+
+export const view = signal<View | undefined>(undefined);
+export const pointer = signal<Position | undefined>(undefined);
+
+/** The berg under the pointer. */
+export const hoveredBerg = signal<IcebergFeature | undefined>(undefined);
+
+export type Tool = 'pan' | 'from' | 'to' | 'probe';
+export const tool = signal<Tool>('pan');
+
+/** A wish to the map; each new object is carried out once. */
+export type Command =
+  | { do: 'fit'; places: Position[] }
+  | { do: 'centre'; place: Position }
+  | { do: 'zoom'; by: number }
+  | { do: 'north' };
+
+export const command = signal<Command | undefined>(undefined);
+export const ask = (wish: Command): void => {
+  command.value = wish;
+};

@@ -1,0 +1,80 @@
+import { signal } from '@preact/signals';
+
+/** Colours that are painted rather than styled: the map's canvases cannot read style sheets. */
+export interface Palette {
+  sea: string;
+  depthTints: readonly [string, string, string, string, string]; // shallow to deep
+  isobath: string;
+  shallow: string;
+  land: string;
+  coast: string;
+  graticule: string;
+  label: string;
+  halo: string;
+  currents: readonly [string, string, string]; // slow to fast
+  danger: string;
+  dangerFill: string;
+  stale: string;
+  berg: string;
+  ink: string;
+  casing: string;
+  start: string;
+  goal: string;
+  plans: readonly [string, string, string, string];
+}
+
+export const light: Palette = {
+  sea: '#f0f5f8',
+  depthTints: ['#f0f8fb', '#ddecf4', '#c6ddeb', '#abcadf', '#8fb4d1'],
+  isobath: '#7fa6c4',
+  shallow: '#8a6100',
+  land: '#e9e4d8',
+  coast: '#6b6357',
+  graticule: 'rgba(19, 35, 47, 0.22)',
+  label: '#33495a',
+  halo: 'rgba(255, 255, 255, 0.9)',
+  currents: ['#3b6f8f', '#1d5277', '#0b2f4a'],
+  danger: '#b3261e',
+  dangerFill: 'rgba(179, 38, 30, 0.10)',
+  stale: '#70777c',
+  berg: '#ffffff',
+  ink: '#13232f',
+  casing: '#ffffff',
+  start: '#117733',
+  goal: '#13232f',
+  plans: ['#b5400a', '#5b2a86', '#006b5b', '#8a1550'],
+};
+
+export const dark: Palette = {
+  sea: '#14222c',
+  depthTints: ['#2b4a5c', '#243f50', '#1d3444', '#172a38', '#11202d'],
+  isobath: '#3f6379',
+  shallow: '#d9a441',
+  land: '#3b3b36',
+  coast: '#9a9384',
+  graticule: 'rgba(214, 226, 234, 0.2)',
+  label: '#b9c9d4',
+  halo: 'rgba(9, 18, 25, 0.85)',
+  currents: ['#6fa9c9', '#9cc9e2', '#d3ebf7'],
+  danger: '#ff8a80',
+  dangerFill: 'rgba(255, 138, 128, 0.12)',
+  stale: '#8d979e',
+  berg: '#e6f1f7',
+  ink: '#dbe6ed',
+  casing: '#0b151c',
+  start: '#6fd08c',
+  goal: '#dbe6ed',
+  plans: ['#ff9d6b', '#c9a6f2', '#5fd4c0', '#f58bb8'],
+};
+
+/** The palette in use; the theme switch sets it. */
+export const palette = signal<Palette>(light);
+
+/** Upper ends of the depth tints in metres; the last tint has none. */
+export const depthLimits_m = [50, 200, 500, 1000] as const;
+
+/** Upper ends of the slow and the middle class of currents in m/s. */
+export const currentLimits_m_s = [0.15, 0.4] as const;
+
+/** Dash patterns of the plans in pixels, so that colour is not the only difference. */
+export const planDashes: readonly (readonly number[])[] = [[], [14, 7], [12, 6, 2, 6], [2, 7]];

@@ -1,0 +1,108 @@
+import { useEffect } from 'preact/hooks';
+import type { VNode } from 'preact';
+import { advance, playing, range, setTime, speed, speeds, stepHours, time_ms, togglePlay, type Span } from '../../model/clock';
+import { chosenCurrents, currentTimes_ms } from '../../model/datasets';
+import { draft } from '../../model/draft';
+import { shownPlans } from '../../model/plans';
+import { hour_ms, parseTime, shortTime, spokenTime } from '../../model/time';
+import { IconButton } from '../common/icon';
+
+/** The one clock: playback, slider, and under it the steps of the currents and the plans' durations. */
+export function ClockBar(): VNode {
+  usePlayback();
+  const { start_ms, end_ms } = range.value;
+  const now_ms = time_ms.value;
+  return (
+    <footer class="clock" aria-label="Clock">
+      <div class="clock-buttons">
+        <IconButton icon="skipBack" label="To the start (Home)" onClick={() => setTime(start_ms)} />
+        <IconButton icon="stepBack" label="One hour back (,)" onClick={() => stepHours(-1)} />
+        <IconButton icon={playing.value ? 'pause' : 'play'} label={playing.value ? 'Pause (Space)' : 'Play (Space)'} onClick={togglePlay} class="play" />
+        <IconButton icon="stepForward" label="One hour on (.)" onClick={() => stepHours(1)} />
+        <IconButton icon="skipForward" label="To the end (End)" onClick={() => setTime(end_ms)} />
+        <select
+          aria-label="Playback speed, hours in a second" value={speed.value}
+          onChange={(event) => {
+            speed.value = speeds.find((candidate) => candidate === Number(event.currentTarget.value)) ?? 3;
+          }}
+        >
+          {speeds.map((value) => <option key={value} value={value}>{value} h/s</option>)}
+        </select>
+      </div>
+      <div class="clock-track">
+        <input
+          type="range" min={start_ms} max={end_ms} step={hour_ms / 6} value={now_ms} aria-label="Time"
+          aria-valuetext={`${spokenTime(now_ms)}${sinceDeparture(now_ms, ', T plus ')}`}
+          onInput={(event) => setTime(Number(event.currentTarget.value))}
+        />
+        <Timeline span={range.value} />
+        <div class="clock-ends"><span>{shortTime(start_ms)}</span><span>{shortTime(end_ms)}</span></div>
+      </div>
+      <output class="clock-now">
+        <b>{shortTime(now_ms)}</b>
+        <span>{sinceDeparture(now_ms, 'T+') || 'UTC'}</span>
+      </output>
+    </footer>
+  );
+}
+
+function sinceDeparture(now_ms: number, lead: string): string {
+  const depart_ms = parseTime(draft.value.depart);
+  if (depart_ms === undefined || now_ms < depart_ms) return '';
+  return `${lead}${Math.floor((now_ms - depart_ms) / hour_ms)} h`;
+}
+
+/** Ticks of the data's steps, bars of the plans, hatching where there are no currents. */
+function Timeline({ span }: { span: Span }): VNode {
+  const width = 1000;
+  const x = (value_ms: number): number => ((value_ms - span.start_ms) / (span.end_ms - span.start_ms)) * width;
+  const times = currentTimes_ms.value;
+  const [first, last] = [times[0], times.at(-1)];
+  const every = Math.ceil(times.length / 200);
+  return (
+    <svg class="timeline" viewBox={`0 0 ${width} 14`} preserveAspectRatio="none" aria-hidden="true" focusable="false">
+      <defs>
+        <pattern id="no-data" width="5" height="5" patternUnits="userSpaceOnUse" patternTransform="rotate(45)">
+          <line class="hatch" x1="0" y1="0" x2="0" y2="5" />
+        </pattern>
+      </defs>
+      {chosenCurrents.value && first !== undefined && last !== undefined && (
+        <>
+          <rect x={0} y={0} width={Math.max(0, x(first))} height={14} fill="url(#no-data)" />
+          <rect x={x(last)} y={0} width={Math.max(0, width - x(last))} height={14} fill="url(#no-data)" />
+        </>
+      )}
+      {times.filter((_, i) => i % every === 0).map((time) => (
+        <line key={time} class="step" x1={x(time)} x2={x(time)} y1={0} y2={4} vector-effect="non-scaling-stroke" />
+      ))}
+      {shownPlans.value.slice(0, 3).map(({ plan, style }, i) => (
+        <rect
+          key={plan.plan_id} class={`plan-${style}`} fill="currentColor" x={x(Date.parse(plan.departure))} y={5 + 3 * i} height={2}
+          width={Math.max(2, x(Date.parse(plan.arrival)) - x(Date.parse(plan.departure)))}
+        />
+      ))}
+    </svg>
+  );
+}
+
+/** Lets the clock run while it plays; in steps of an hour where motion is not wanted. */
+function usePlayback(): void {
+  const on = playing.value;
+  useEffect(() => {
+    if (!on) return;
+    if (window.matchMedia('(prefers-reduced-motion: reduce)').matches) {
+      const timer = setInterval(() => {
+        stepHours(1);
+        if (time_ms.peek() >= range.peek().end_ms) playing.value = false;
+      }, 1000);
+      return () => clearInterval(timer);
+    }
+    let before = performance.now();
+    let frame = requestAnimationFrame(function run(now) {
+      advance(Math.min(0.1, (now - before) / 1000));
+      before = now;
+      frame = requestAnimationFrame(run);
+    });
+    return () => cancelAnimationFrame(frame);
+  }, [on]);
+}

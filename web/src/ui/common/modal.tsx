@@ -1,0 +1,30 @@
+import type { ComponentChildren, VNode } from 'preact';
+import { useEffect, useRef } from 'preact/hooks';
+import { dialog } from '../../model/screen';
+import { IconButton } from './icon';
+
+/** A modal dialog: traps the focus, closes with Esc, gives the focus back to where it was. */
+export function Modal({ title, wide, children }: { title: string; wide?: boolean; children: ComponentChildren }): VNode {
+  const box = useRef<HTMLDialogElement>(null);
+  useEffect(() => {
+    const element = box.current;
+    const before = document.activeElement;
+    element?.showModal();
+    return () => {
+      element?.close();
+      if (before instanceof HTMLElement) before.focus();
+    };
+  }, []);
+  const close = (): void => {
+    dialog.value = undefined;
+  };
+  return (
+    <dialog ref={box} class={wide ? 'modal wide' : 'modal'} aria-labelledby="modal-title" onClose={close}>
+      <div class="modal-head">
+        <h2 id="modal-title">{title}</h2>
+        <IconButton icon="x" label="Close" onClick={close} />
+      </div>
+      <div class="modal-body">{children}</div>
+    </dialog>
+  );
+}

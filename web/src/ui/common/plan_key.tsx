@@ -1,0 +1,14 @@
+import type { VNode } from 'preact';
+import { planDashes } from '../../theme/palette';
+
+/** The key of a plan: its letter and a piece of its line, so that colour is not the only sign. */
+export function PlanKey({ letter, style }: { letter: string; style: number }): VNode {
+  return (
+    <span class={`plan-key plan-${style}`}>
+      <svg width="22" height="10" aria-hidden="true" focusable="false">
+        <line x1="1" y1="5" x2="21" y2="5" stroke="currentColor" stroke-width="3" stroke-dasharray={planDashes[style]?.join(' ')} />
+      </svg>
+      <b>{letter}</b>
+    </span>
+  );
+}

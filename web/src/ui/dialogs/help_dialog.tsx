@@ -1,0 +1,46 @@
+import type { VNode } from 'preact';
+import { change, settings } from '../../model/settings';
+import { Modal } from '../common/modal';
+
+const keys: [string, string][] = [
+  ['Space', 'play or pause the clock'],
+  [', .', 'one hour back, on'],
+  ['[ ]', 'six hours back, on'],
+  ['Home End', 'start and end of the clock'],
+  ['P', 'plan'],
+  ['S', 'pick the start on the map'],
+  ['E', 'pick the goal on the map'],
+  ['Esc', 'put the tool away'],
+  ['Arrows', 'move the map (when it has the focus)'],
+  ['+ −', 'zoom'],
+  ['N', 'north up, and back'],
+  ['F', 'fit the selected plan'],
+  ['1 … 9', 'select a plan on the map'],
+  ['G', 'type the start'],
+  ['L', 'to the layers'],
+  ['?', 'this list'],
+];
+
+export function HelpDialog(): VNode {
+  return (
+    <Modal title="Keys and help">
+      <p>
+        Give a start and a goal (click or type), a departure and a vehicle, and press <b>Plan route</b>. One clock drives currents,
+        icebergs and the vehicle. All times are UTC; positions are WGS84.
+      </p>
+      <dl class="keys">
+        {keys.map(([key, text]) => (
+          <div key={key}>
+            <dt>{key.split(' ').map((one) => <kbd key={one}>{one}</kbd>)}</dt>
+            <dd>{text}</dd>
+          </div>
+        ))}
+      </dl>
+      <label class="check">
+        <input type="checkbox" checked={settings.value.shortcuts} onChange={(event) => change({ shortcuts: event.currentTarget.checked })} />
+        Single keys act as shortcuts
+      </label>
+      <p class="hint">Not for navigation. Model output and satellite positions are uncertain: check every mission before it flies.</p>
+    </Modal>
+  );
+}

@@ -1,0 +1,95 @@
+import { useEffect, useState } from 'preact/hooks';
+import type { VNode } from 'preact';
+import { downloadAddress, mission } from '../../api/client';
+import type { MissionPreview, Plan } from '../../api/types';
+import { selectedPlan, titleOf } from '../../model/plans';
+import { Icon } from '../common/icon';
+import { Modal } from '../common/modal';
+import { Warnings } from '../waypoints/waypoints_panel';
+
+/** The mission files as the server would write them, and the downloads. */
+export function ExportDialog(): VNode | null {
+  const plan = selectedPlan.value;
+  return plan ? <Export plan={plan} /> : null;
+}
+
+function Export({ plan }: { plan: Plan }): VNode {
+  const [numberText, setNumberText] = useState('10');
+  const number = Number(numberText);
+  const valid = Number.isInteger(number) && number >= 0 && number <= 99;
+  const [preview, setPreview] = useState<MissionPreview | undefined>(undefined);
+  const [fault, setFault] = useState<string | undefined>(undefined);
+  const [file, setFile] = useState(0);
+
+  useEffect(() => {
+    if (!valid) return;
+    let wanted = true;
+    mission(plan.plan_id, number)
+      .then((answer) => {
+        if (!wanted) return;
+        setPreview(answer);
+        setFault(undefined);
+        setFile(0);
+      })
+      .catch((error: unknown) => {
+        if (wanted) setFault(error instanceof Error ? error.message : String(error));
+      });
+    return () => {
+      wanted = false;
+    };
+  }, [plan.plan_id, number, valid]);
+
+  const shown = preview?.files[file];
+  return (
+    <Modal title={`Export ${titleOf(plan)}`} wide>
+      <div class="export-controls">
+        <div class={valid ? 'field' : 'field faulty'}>
+          <label for="list-number">Number of the waypoint list <span class="unit">0–99</span></label>
+          <input
+            id="list-number" type="text" inputMode="numeric" value={numberText} aria-invalid={valid ? undefined : true}
+            onInput={(event) => setNumberText(event.currentTarget.value)}
+          />
+        </div>
+        <div class="downloads" role="group" aria-label="Downloads">
+          <Download plan={plan} format="zip" number={valid ? number : 10} title="Mission files (.zip)" primary />
+          <Download plan={plan} format="gpx" number={valid ? number : 10} title="GPX" />
+          <Download plan={plan} format="geojson" number={valid ? number : 10} title="GeoJSON" />
+        </div>
+      </div>
+      <Warnings warnings={[...new Set([...(preview?.warnings ?? []), ...plan.warnings])]} />
+      {fault && <p class="fault" role="alert">{fault}</p>}
+      {preview && preview.files.length > 1 && (
+        <div class="file-tabs" role="group" aria-label="Files">
+          {preview.files.map(({ name }, i) => (
+            <button type="button" key={name} aria-pressed={i === file} onClick={() => setFile(i)}>{name}</button>
+          ))}
+        </div>
+      )}
+      {shown ? (
+        <figure class="preview">
+          <figcaption>{shown.name}</figcaption>
+          <pre tabIndex={0} aria-label={`Text of ${shown.name}`}>{shown.text}</pre>
+        </figure>
+      ) : (
+        !fault && <p class="quiet">Asking the server for the files …</p>
+      )}
+      <p class="hint">Not for navigation as it is: check the files before they fly.</p>
+    </Modal>
+  );
+}
+
+interface DownloadProps {
+  plan: Plan;
+  format: 'zip' | 'gpx' | 'geojson';
+  number: number;
+  title: string;
+  primary?: boolean;
+}
+
+function Download({ plan, format, number, title, primary }: DownloadProps): VNode {
+  return (
+    <a class={primary ? 'button primary' : 'button'} href={downloadAddress(plan.plan_id, format, number)} download="">
+      <Icon name="download" /> {title}
+    </a>
+  );
+}

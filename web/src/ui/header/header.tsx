@@ -1,0 +1,88 @@
+import type { VNode } from 'preact';
+import type { Dataset } from '../../api/types';
+import { projectionCodes, projections, type ProjectionCode } from '../../geo/projections';
+import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, datasets, isSynthetic } from '../../model/datasets';
+import { dialog, drawer } from '../../model/screen';
+import { change, settings } from '../../model/settings';
+import { age, shortTime } from '../../model/time';
+import { Icon, IconButton } from '../common/icon';
+
+/** The bar on top: which data, which projection, which units. */
+export function Header(): VNode {
+  const now = settings.value;
+  return (
+    <header class="bar">
+      <IconButton icon="settings" label="Set-up and plans" class="only-narrow" onClick={() => { drawer.value = drawer.value === 'left' ? undefined : 'left'; }} />
+      <h1>Floeplan</h1>
+      <DataBar />
+      <div class="bar-controls">
+        <label>
+          <span class="visually-hidden">Projection</span>
+          <select value={now.projection} onChange={(event) => change({ projection: event.currentTarget.value as ProjectionCode })}>
+            {projectionCodes.map((code) => <option key={code} value={code}>{code.slice(5)} {projections[code].title}</option>)}
+          </select>
+        </label>
+        <Switch label="Distances" now={now.distance} choices={[['km', 'km'], ['nm', 'NM']]} choose={(distance) => change({ distance })} />
+        <Switch label="Speeds" now={now.speed} choices={[['m/s', 'm/s'], ['kn', 'kn']]} choose={(speed) => change({ speed })} />
+        <Switch label="Positions" now={now.coordinates} choices={[['dm', '° ′'], ['decimal', '0.0°']]} choose={(coordinates) => change({ coordinates })} />
+        <ThemeButton />
+        <IconButton icon="help" label="Keys and help (?)" onClick={() => { dialog.value = 'help'; }} />
+      </div>
+      <IconButton icon="list" label="Waypoints" class="only-narrow" onClick={() => { drawer.value = drawer.value === 'right' ? undefined : 'right'; }} />
+    </header>
+  );
+}
+
+function Switch<T extends string>({ label, now, choices, choose }: { label: string; now: T; choices: [T, string][]; choose: (value: T) => void }): VNode {
+  return (
+    <div class="switch" role="group" aria-label={label}>
+      {choices.map(([value, title]) => (
+        <button type="button" key={value} aria-pressed={now === value} onClick={() => choose(value)}>{title}</button>
+      ))}
+    </div>
+  );
+}
+
+function ThemeButton(): VNode {
+  const isDark = document.documentElement.dataset['theme'] === 'dark';
+  const wanted = settings.value.theme === 'system' ? (isDark ? 'light' : 'dark') : settings.value.theme === 'dark' ? 'light' : 'dark';
+  return <IconButton icon={wanted === 'dark' ? 'moon' : 'sun'} label={`Use the ${wanted} theme`} onClick={() => change({ theme: wanted })} />;
+}
+
+/** The data in use by name and time; all of it in a dialog. */
+function DataBar(): VNode {
+  const currents = chosenCurrents.value;
+  const ice = chosenIcebergs.value;
+  return (
+    <div class="data-bar">
+      <button type="button" class="data-button" onClick={() => { dialog.value = 'data'; }} title="All data in the store">
+        <Icon name="database" />
+        {datasets.value === undefined ? (
+          <span>Reading the store …</span>
+        ) : datasets.value.length === 0 ? (
+          <span>No data in the store</span>
+        ) : (
+          <>
+            <Item title="Currents" dataset={currents} detail={currents && spanOf(currents)} />
+            <Item title="Ice" dataset={ice} detail={ice?.time_end ? `${shortTime(Date.parse(ice.time_end))}, ${age((Date.now() - Date.parse(ice.time_end)) / 1000)}` : undefined} />
+            <Item title="Depths" dataset={chosenBathymetry.value} />
+            <Item title="Coast" dataset={chosenCoastline.value} />
+          </>
+        )}
+      </button>
+      {isSynthetic.value && <span class="synthetic">Synthetic data – not for navigation</span>}
+    </div>
+  );
+}
+
+function spanOf({ time_start, time_end }: Dataset): string | undefined {
+  return time_start && time_end ? `${shortTime(Date.parse(time_start))} – ${shortTime(Date.parse(time_end))}` : undefined;
+}
+
+function Item({ title, dataset, detail }: { title: string; dataset: Dataset | undefined; detail?: string | undefined }): VNode {
+  return (
+    <span class={dataset ? 'data-item' : 'data-item missing'}>
+      <b>{title}</b> {dataset ? (detail ?? dataset.name) : 'none'}
+    </span>
+  );
+}

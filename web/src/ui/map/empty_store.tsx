@@ -1,0 +1,40 @@
+import type { VNode } from 'preact';
+import { refresh } from '../../api/session';
+import { connectionFault, isEmptyStore } from '../../model/datasets';
+import { Icon } from '../common/icon';
+
+/** What to do when there is nothing to plan with, or nobody to ask. */
+export function EmptyStore(): VNode | null {
+  const again = (
+    <button type="button" onClick={() => void refresh()}>
+      <Icon name="refresh" /> Look again
+    </button>
+  );
+  if (connectionFault.value) {
+    return (
+      <section class="empty-store" role="alert">
+        <h2>The server does not answer</h2>
+        <p>{connectionFault.value}</p>
+        {again}
+      </section>
+    );
+  }
+  if (!isEmptyStore.value) return null;
+  return (
+    <section class="empty-store" aria-label="Empty store">
+      <h2>The store is empty</h2>
+      <p>Planning needs depths and currents; coastline and icebergs make it safe. On the machine that runs Floeplan:</p>
+      <ol>
+        <li>
+          Write the demonstration data, or have your own files ready
+          <pre>floeplan demo demo-data</pre>
+        </li>
+        <li>
+          Read them into the store
+          <pre>floeplan ingest demo-data/*</pre>
+        </li>
+      </ol>
+      {again}
+    </section>
+  );
+}

@@ -1,0 +1,82 @@
+import { useEffect, useRef } from 'preact/hooks';
+import type { VNode } from 'preact';
+import { probeAt } from '../../api/session';
+import { createMap } from '../../map/map_view';
+import { currentsFault, isLoading } from '../../model/field';
+import { routeOf, selectedPlan } from '../../model/plans';
+import { ask, tool, view } from '../../model/view';
+import { IconButton } from '../common/icon';
+import { EmptyStore } from './empty_store';
+import { Legend } from './legend';
+import { ProbeCard } from './probe_card';
+import { Readout } from './readout';
+import { ScaleBar } from './scale_bar';
+
+const map_keys = 'Map. Arrow keys move it, plus and minus zoom, N turns north up, question mark lists all keys.';
+
+/** The map and what lies on its frame. */
+export function MapPanel(): VNode {
+  const target = useRef<HTMLDivElement>(null);
+  useEffect(() => {
+    if (target.current) createMap(target.current, (place) => void probeAt(place));
+  }, []);
+  return (
+    <main class="map-panel" id="map-panel">
+      <div ref={target} id="map" class="map" tabIndex={0} role="application" aria-label={map_keys} />
+      <Toolbar />
+      <Prompt />
+      <div class="map-upper-right">
+        <NorthArrow />
+        <ProbeCard />
+      </div>
+      <Legend />
+      <div class="map-lower">
+        <Readout />
+        <ScaleBar />
+      </div>
+      {currentsFault.value && <p class="map-note" role="status">{currentsFault.value}</p>}
+      {isLoading.value && <div class="map-loading" aria-hidden="true" />}
+      <EmptyStore />
+    </main>
+  );
+}
+
+function Toolbar(): VNode {
+  const plan = selectedPlan.value;
+  return (
+    <div class="toolbar" role="toolbar" aria-label="Map tools" aria-orientation="vertical">
+      <IconButton icon="plus" label="Zoom in (+)" onClick={() => ask({ do: 'zoom', by: 1 })} />
+      <IconButton icon="minus" label="Zoom out (−)" onClick={() => ask({ do: 'zoom', by: -1 })} />
+      <IconButton icon="maximize" label="Fit the selected plan (F)" disabled={!plan} onClick={() => plan && ask({ do: 'fit', places: routeOf(plan) })} />
+      <span class="separator" />
+      <IconButton icon="hand" label="Move and select" pressed={tool.value === 'pan'} onClick={() => { tool.value = 'pan'; }} />
+      <IconButton icon="probe" label="Probe: everything known at a place" pressed={tool.value === 'probe'} onClick={() => { tool.value = tool.value === 'probe' ? 'pan' : 'probe'; }} />
+    </div>
+  );
+}
+
+/** What a click on the map will do, while a tool waits for one. */
+function Prompt(): VNode | null {
+  const texts = { from: 'Click the map to set the start', to: 'Click the map to set the goal', probe: 'Click the map to probe a place' };
+  if (tool.value === 'pan') return null;
+  return (
+    <p class="prompt" role="status">
+      {texts[tool.value]} <kbd>Esc</kbd>
+    </p>
+  );
+}
+
+function NorthArrow(): VNode {
+  const turn = view.value?.north_deg ?? 0;
+  return (
+    <button type="button" class="north" aria-label="Turn north up (N)" title="Turn north up (N)" onClick={() => ask({ do: 'north' })}>
+      <svg width="34" height="34" viewBox="-17 -17 34 34" aria-hidden="true" focusable="false">
+        <g transform={`rotate(${turn.toFixed(1)})`}>
+          <path class="north-half" d="M0 -12 L5 8 L0 4 Z" />
+          <path class="south-half" d="M0 -12 L-5 8 L0 4 Z" />
+        </g>
+      </svg>
+      <span>N</span>
+    </button>
+  );
+}

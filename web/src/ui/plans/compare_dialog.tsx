@@ -1,0 +1,101 @@
+import { signal } from '@preact/signals';
+import type { VNode } from 'preact';
+import type { Plan } from '../../api/types';
+import { baseline, baselineId, shownPlans, titleOf } from '../../model/plans';
+import { duration, shortTime } from '../../model/time';
+import { distance, energy } from '../../model/units';
+import { Modal } from '../common/modal';
+import { PlanKey } from '../common/plan_key';
+
+interface Column {
+  title: string;
+  value: (plan: Plan) => number | null;
+  text: (value: number | null) => string;
+  difference: (value: number) => string;
+}
+
+const signed = (value: number, text: string): string => (value === 0 ? '±0' : `${value < 0 ? '−' : '+'}${text}`);
+const metres: Pick<Column, 'text' | 'difference'> = {
+  text: (value) => distance(value),
+  difference: (value) => signed(value, distance(Math.abs(value))),
+};
+
+const columns: Column[] = [
+  { title: 'Arrival', value: (plan) => Date.parse(plan.arrival), text: (value) => shortTime(value ?? 0), difference: (value) => signed(value, duration(Math.abs(value) / 1000)) },
+  { title: 'Travel time', value: (plan) => plan.travel_time_s, text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration(Math.abs(value))) },
+  { title: 'Distance', value: (plan) => plan.distance_m, ...metres },
+  { title: 'Energy', value: (plan) => plan.energy_j, text: energy, difference: (value) => signed(value, energy(Math.abs(value))) },
+  { title: 'Waypoints', value: (plan) => plan.waypoints.length, text: String, difference: (value) => signed(value, String(Math.abs(value))) },
+  { title: 'Nearest ice', value: (plan) => plan.clearances.iceberg_m, ...metres },
+  { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...metres },
+  { title: 'Optimality gap', value: (plan) => plan.optimality_gap, text: (value) => (value === null ? '–' : `${(100 * value).toFixed(1)} %`), difference: (value) => signed(value, `${Math.abs(100 * value).toFixed(1)} %`) },
+  { title: 'Warnings', value: (plan) => plan.warnings.length, text: String, difference: (value) => signed(value, String(Math.abs(value))) },
+];
+
+const order = signal<{ column: number; descending: boolean } | undefined>(undefined);
+
+/** The plans on the map beside each other, each cell with its difference to the baseline. */
+export function CompareDialog(): VNode {
+  const base = baseline.value;
+  const rows = [...shownPlans.value];
+  const by = order.value;
+  const sorting = by && columns[by.column];
+  if (sorting) {
+    rows.sort((a, b) => ((sorting.value(a.plan) ?? Infinity) - (sorting.value(b.plan) ?? Infinity)) * (by.descending ? -1 : 1));
+  }
+  return (
+    <Modal title="Compare plans" wide>
+      <div class="scroll-box" tabIndex={0} role="region" aria-label="Comparison table">
+        <table class="figures compare">
+          <thead>
+            <tr>
+              <th scope="col">Plan</th>
+              <th scope="col">Baseline</th>
+              {columns.map(({ title }, i) => <Heading key={title} title={title} column={i} />)}
+            </tr>
+          </thead>
+          <tbody>
+            {rows.map(({ plan, letter, style }) => (
+              <tr key={plan.plan_id} class={plan === base ? 'selected' : ''}>
+                <th scope="row"><PlanKey letter={letter} style={style} /> {titleOf(plan)}</th>
+                <td>
+                  <input
+                    type="radio" name="baseline" checked={plan === base} aria-label={`Compare with plan ${letter}`}
+                    onChange={() => {
+                      baselineId.value = plan.plan_id;
+                    }}
+                  />
+                </td>
+                {columns.map((column) => <Cell key={column.title} column={column} plan={plan} base={base} />)}
+              </tr>
+            ))}
+          </tbody>
+        </table>
+      </div>
+      <p class="hint">Small figures are the difference to the baseline.</p>
+    </Modal>
+  );
+}
+
+function Heading({ title, column }: { title: string; column: number }): VNode {
+  const now = order.value?.column === column ? order.value : undefined;
+  const next = (): void => {
+    order.value = { column, descending: now ? !now.descending : false };
+  };
+  return (
+    <th scope="col" aria-sort={now ? (now.descending ? 'descending' : 'ascending') : 'none'}>
+      <button type="button" class="sort" onClick={next}>{title}{now ? (now.descending ? ' ↓' : ' ↑') : ''}</button>
+    </th>
+  );
+}
+
+function Cell({ column, plan, base }: { column: Column; plan: Plan; base: Plan | undefined }): VNode {
+  const value = column.value(plan);
+  const other = base && base !== plan ? column.value(base) : null;
+  return (
+    <td>
+      {value === null ? '–' : column.text(value)}
+      {value !== null && other !== null && <span class="difference">{column.difference(value - other)}</span>}
+    </td>
+  );
+}

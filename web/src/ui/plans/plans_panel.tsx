@@ -1,0 +1,55 @@
+import type { VNode } from 'preact';
+import type { Plan } from '../../api/types';
+import { plans, select, selectedId, show, shown, shownPlans, titleOf } from '../../model/plans';
+import { dialog } from '../../model/screen';
+import { duration, shortTime } from '../../model/time';
+import { distance } from '../../model/units';
+import { Icon } from '../common/icon';
+import { PlanKey } from '../common/plan_key';
+
+/** Every stored plan; ticked ones are on the map and in the comparison. */
+export function PlansPanel(): VNode {
+  if (plans.value.length === 0) {
+    return <p class="quiet">No plans yet. Give a start and a goal under <b>Set-up</b> and press <b>Plan route</b>.</p>;
+  }
+  return (
+    <div class="plans">
+      <ul class="plan-list">
+        {plans.value.map((plan) => <PlanRow key={plan.plan_id} plan={plan} />)}
+      </ul>
+      <button
+        type="button" disabled={shownPlans.value.length < 2}
+        onClick={() => {
+          dialog.value = 'compare';
+        }}
+      >
+        <Icon name="compare" /> Compare {shownPlans.value.length > 1 ? `${shownPlans.value.length} plans` : 'plans'}
+      </button>
+      {shownPlans.value.length < 2 && <p class="hint">Tick two or more plans to compare them.</p>}
+    </div>
+  );
+}
+
+function PlanRow({ plan }: { plan: Plan }): VNode {
+  const id = plan.plan_id;
+  const on = shown.value.includes(id);
+  const key = shownPlans.value.find((candidate) => candidate.plan.plan_id === id);
+  return (
+    <li class={selectedId.value === id ? 'plan-row selected' : 'plan-row'}>
+      <label class="tick">
+        <input type="checkbox" checked={on} onChange={(event) => show(id, event.currentTarget.checked)} aria-label={`Show ${titleOf(plan)} on the map`} />
+      </label>
+      <button type="button" class="plan-choose" aria-pressed={selectedId.value === id} onClick={() => select(id)}>
+        <span class="plan-name">
+          {key && <PlanKey letter={key.letter} style={key.style} />} {titleOf(plan)}
+          {plan.warnings.length > 0 && (
+            <span class="badge" title={plan.warnings.join('\n')}><Icon name="warning" size={12} /> {plan.warnings.length}</span>
+          )}
+        </span>
+        <span class="plan-figures">
+          {duration(plan.travel_time_s)} · {distance(plan.distance_m)} · from {shortTime(Date.parse(plan.departure))}
+        </span>
+      </button>
+    </li>
+  );
+}

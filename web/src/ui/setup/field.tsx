@@ -1,0 +1,93 @@
+import type { ComponentChildren, VNode } from 'preact';
+import { draft, edit, faults, type Draft, type Field } from '../../model/draft';
+
+type TextField = { [K in Field]: Draft[K] extends string ? K : never }[Field];
+
+interface FieldProps {
+  name: TextField;
+  label: string;
+  unit?: string;
+  placeholder?: string;
+  hint?: string;
+  inputMode?: 'text' | 'decimal' | 'numeric';
+  children?: ComponentChildren; // buttons beside the field
+}
+
+/** A labelled text field of the set-up, with its fault under it. */
+export function TextField({ name, label, unit, placeholder, hint, inputMode = 'text', children }: FieldProps): VNode {
+  const fault = faults.value[name];
+  return (
+    <div class={fault ? 'field faulty' : 'field'}>
+      <label for={`field-${name}`}>
+        {label} {unit && <span class="unit">{unit}</span>}
+      </label>
+      <div class="field-row">
+        <input
+          id={`field-${name}`} type="text" value={draft.value[name]} placeholder={placeholder} inputMode={inputMode}
+          autocomplete="off" spellcheck={false} aria-invalid={fault ? true : undefined}
+          aria-describedby={fault ? `fault-${name}` : hint ? `hint-${name}` : undefined}
+          onInput={(event) => edit({ [name]: event.currentTarget.value })}
+        />
+        {children}
+      </div>
+      {hint && !fault && <p class="hint" id={`hint-${name}`}>{hint}</p>}
+      <Fault name={name} />
+    </div>
+  );
+}
+
+export function AreaField({ name, label, placeholder, rows }: { name: TextField; label: string; placeholder: string; rows: number }): VNode {
+  const fault = faults.value[name];
+  return (
+    <div class={fault ? 'field faulty' : 'field'}>
+      <label for={`field-${name}`}>{label}</label>
+      <textarea
+        id={`field-${name}`} rows={rows} placeholder={placeholder} spellcheck={false} value={draft.value[name]}
+        aria-invalid={fault ? true : undefined} aria-describedby={fault ? `fault-${name}` : undefined}
+        onInput={(event) => edit({ [name]: event.currentTarget.value })}
+      />
+      <Fault name={name} />
+    </div>
+  );
+}
+
+export interface Choice {
+  value: string;
+  title: string;
+}
+
+export function SelectField({ name, label, choices }: { name: TextField; label: string; choices: Choice[] }): VNode {
+  const fault = faults.value[name];
+  return (
+    <div class={fault ? 'field faulty' : 'field'}>
+      <label for={`field-${name}`}>{label}</label>
+      <select
+        id={`field-${name}`} value={draft.value[name]} aria-invalid={fault ? true : undefined}
+        aria-describedby={fault ? `fault-${name}` : undefined}
+        onChange={(event) => edit({ [name]: event.currentTarget.value })}
+      >
+        {choices.map(({ value, title }) => (
+          <option key={value} value={value}>{title}</option>
+        ))}
+      </select>
+      <Fault name={name} />
+    </div>
+  );
+}
+
+export function CheckField({ name, label }: { name: 'refine' | 'steady'; label: string }): VNode {
+  return (
+    <div class="field">
+      <label class="check">
+        <input type="checkbox" checked={draft.value[name]} onChange={(event) => edit({ [name]: event.currentTarget.checked })} />
+        {label}
+      </label>
+      <Fault name={name} />
+    </div>
+  );
+}
+
+function Fault({ name }: { name: Field }): VNode | null {
+  const fault = faults.value[name];
+  return fault ? <p class="fault" id={`fault-${name}`}>{fault}</p> : null;
+}

@@ -1,0 +1,72 @@
+import { useEffect, useRef } from 'preact/hooks';
+import type { VNode } from 'preact';
+import { plan } from '../../api/planning';
+import { time_ms } from '../../model/clock';
+import { isEmptyStore, vehicles } from '../../model/datasets';
+import { draft, edit, faultyAttempts, generalFaults } from '../../model/draft';
+import { running } from '../../model/job';
+import { fieldOf } from '../../model/time';
+import { tool, type Tool } from '../../model/view';
+import { Icon, IconButton } from '../common/icon';
+import { Advanced } from './advanced';
+import { FailureCard } from './failure_card';
+import { SelectField, TextField } from './field';
+import { JobRow } from './job_row';
+
+/** What is asked for: start, goal, departure, vehicle, margin, and the button that plans. */
+export function SetupPanel(): VNode {
+  const form = useRef<HTMLFormElement>(null);
+  const attempts = faultyAttempts.value;
+  useEffect(() => {
+    if (attempts > 0) form.current?.querySelector<HTMLElement>('[aria-invalid="true"]')?.focus();
+  }, [attempts]);
+
+  const submit = (event: Event): void => {
+    event.preventDefault();
+    void plan();
+  };
+  return (
+    <form ref={form} class="setup" onSubmit={submit} noValidate aria-label="Set-up">
+      <TextField name="from" label="Start" placeholder="69°10.2′N 51°21.0′W">
+        <PickButton which="from" label="Pick the start on the map" />
+      </TextField>
+      <TextField name="to" label="Goal" placeholder="68.9, -53.6">
+        <PickButton which="to" label="Pick the goal on the map" />
+      </TextField>
+      <TextField name="depart" label="Departure" unit="UTC" placeholder="2026-11-20 06:00">
+        <IconButton icon="clock" label="Depart at the clock's time" onClick={() => edit({ depart: fieldOf(time_ms.value) })} />
+      </TextField>
+      <div class="field-pair">
+        <SelectField
+          name="vehicle" label="Vehicle"
+          choices={vehicles.value.map(({ name, title }) => ({ value: name, title: title || name }))}
+        />
+        <TextField name="margin_m" label="Ice margin" unit="m" inputMode="decimal" />
+      </div>
+      <Advanced />
+      {generalFaults.value.map((fault) => (
+        <p class="fault" key={fault} role="alert">{fault}</p>
+      ))}
+      {running.value ? (
+        <JobRow job={running.value} />
+      ) : (
+        <button type="submit" class="primary" disabled={isEmptyStore.value}>
+          <Icon name="route" /> {draft.value.name ? `Plan “${draft.value.name}”` : 'Plan route'}
+        </button>
+      )}
+      <FailureCard />
+    </form>
+  );
+}
+
+function PickButton({ which, label }: { which: Tool; label: string }): VNode {
+  const active = tool.value === which;
+  return (
+    <IconButton
+      icon="crosshair" label={label} pressed={active}
+      onClick={() => {
+        tool.value = active ? 'pan' : which;
+      }}
+    />
+  );
+}

@@ -1,0 +1,65 @@
+import { plan } from '../api/planning';
+import { range, setTime, stepHours, togglePlay } from '../model/clock';
+import { routeOf, select, selectedPlan, shownPlans } from '../model/plans';
+import { dialog, drawer, leftTab } from '../model/screen';
+import { settings } from '../model/settings';
+import { ask, tool } from '../model/view';
+
+const focus = (selector: string): void => document.querySelector<HTMLElement>(selector)?.focus();
+
+const actions: Record<string, () => void> = {
+  ' ': togglePlay,
+  ',': () => stepHours(-1),
+  '.': () => stepHours(1),
+  '[': () => stepHours(-6),
+  ']': () => stepHours(6),
+  Home: () => setTime(range.peek().start_ms),
+  End: () => setTime(range.peek().end_ms),
+  p: () => void plan(),
+  s: () => {
+    tool.value = 'from';
+  },
+  e: () => {
+    tool.value = 'to';
+  },
+  n: () => ask({ do: 'north' }),
+  '+': () => ask({ do: 'zoom', by: 1 }),
+  '-': () => ask({ do: 'zoom', by: -1 }),
+  f: () => {
+    const chosen = selectedPlan.peek();
+    if (chosen) ask({ do: 'fit', places: routeOf(chosen) });
+  },
+  g: () => {
+    leftTab.value = 'setup';
+    queueMicrotask(() => focus('#field-from'));
+  },
+  l: () => focus('.layers button'),
+  '?': () => {
+    dialog.value = 'help';
+  },
+};
+
+const takesText = 'input:not([type=range]):not([type=checkbox]):not([type=radio]), textarea, select';
+const takesSpace = 'button, a, summary, input[type=checkbox], input[type=radio]';
+
+/** Single keys, as long as no text field or dialog has the focus and the person has not switched them off. */
+export function listenForShortcuts(): void {
+  document.addEventListener('keydown', (event) => {
+    if (event.key === 'Escape' && dialog.peek() === undefined) {
+      tool.value = 'pan';
+      drawer.value = undefined;
+      return;
+    }
+    const target = event.target instanceof Element ? event.target : undefined;
+    if (event.ctrlKey || event.altKey || event.metaKey || dialog.peek() || target?.closest(takesText)) return;
+    if (!settings.peek().shortcuts) return;
+    if (event.key === ' ' && target?.closest(takesSpace)) return;
+
+    const shown = /^[1-9]$/.test(event.key) ? shownPlans.peek()[Number(event.key) - 1] : undefined;
+    if (shown) select(shown.plan.plan_id);
+    const action = actions[event.key.length === 1 ? event.key.toLowerCase() : event.key];
+    if (!action) return;
+    event.preventDefault();
+    action();
+  });
+}

@@ -1,0 +1,60 @@
+import type { VNode } from 'preact';
+import type { Plan } from '../../api/types';
+import { formatLat, formatLon } from '../../geo/coordinates';
+import { setTime } from '../../model/clock';
+import { selectedWaypoint, vehicleAt } from '../../model/plans';
+import { settings } from '../../model/settings';
+import { shortTime } from '../../model/time';
+import { course, depth, distanceFigure, distanceUnit, speedFigure, speedUnit } from '../../model/units';
+import { ask } from '../../model/view';
+
+/** The waypoints in figures; the leg under way at the clock's time is marked. */
+export function WaypointTable({ plan, at_ms }: { plan: Plan; at_ms: number }): VNode {
+  const leg = vehicleAt(plan, at_ms)?.leg;
+  return (
+    <div class="scroll-box" tabIndex={0} role="region" aria-label="Waypoints">
+      <table class="figures waypoints">
+        <thead>
+          <tr>
+            <th scope="col"><abbr title="Number">#</abbr></th>
+            <th scope="col">Position</th>
+            <th scope="col">Leg <span class="unit">{distanceUnit()}</span></th>
+            <th scope="col"><abbr title="Course over ground, from true north">Crs</abbr></th>
+            <th scope="col"><abbr title="Speed over ground">SOG</abbr> <span class="unit">{speedUnit()}</span></th>
+            <th scope="col"><abbr title="Estimated time of arrival, UTC">ETA</abbr></th>
+            <th scope="col"><abbr title="Depth of the sea bed">Depth</abbr></th>
+          </tr>
+        </thead>
+        <tbody>
+          {plan.waypoints.map((waypoint) => {
+            const chosen = selectedWaypoint.value === waypoint.index;
+            const choose = (): void => {
+              selectedWaypoint.value = waypoint.index;
+              setTime(Date.parse(waypoint.eta));
+              ask({ do: 'centre', place: [waypoint.lon, waypoint.lat] });
+            };
+            return (
+              <tr key={waypoint.index} class={`${chosen ? 'selected' : ''} ${leg === waypoint.index ? 'under-way' : ''}`} onClick={choose}>
+                <td>
+                  <button type="button" class="row-choose" aria-pressed={chosen} aria-label={`Waypoint ${waypoint.index + 1}`} onClick={(event) => { event.stopPropagation(); choose(); }}>
+                    {waypoint.index + 1}
+                  </button>
+                </td>
+                <td class="position">
+                  {formatLat(waypoint.lat, settings.value.coordinates)}
+                  <br />
+                  {formatLon(waypoint.lon, settings.value.coordinates)}
+                </td>
+                <td>{distanceFigure(waypoint.leg_m)}</td>
+                <td>{course(waypoint.course_deg)}</td>
+                <td>{speedFigure(waypoint.speed_over_ground_m_s)}</td>
+                <td class="time">{shortTime(Date.parse(waypoint.eta)).replace(/ (?=\d\d:)/, '\n')}</td>
+                <td>{depth(waypoint.depth_m)}</td>
+              </tr>
+            );
+          })}
+        </tbody>
+      </table>
+    </div>
+  );
+}

@@ -1,0 +1,22 @@
+// Fails the build when what a browser must load first grows past its budget (gzip, kB = 1000 bytes).
+import { readFileSync, readdirSync } from 'node:fs';
+import { gzipSync } from 'node:zlib';
+
+const budget_kb = { js: 200, css: 12, total: 230 };
+const assets = new URL('../dist/assets/', import.meta.url);
+
+const size_kb = { js: 0, css: 0, total: 0 };
+for (const name of readdirSync(assets)) {
+  const kb = gzipSync(readFileSync(new URL(name, assets)), { level: 9 }).length / 1000;
+  if (name.endsWith('.js')) size_kb.js += kb;
+  if (name.endsWith('.css')) size_kb.css += kb;
+  size_kb.total += kb;
+}
+
+let failed = false;
+for (const [what, limit] of Object.entries(budget_kb)) {
+  const over = size_kb[what] > limit;
+  failed ||= over;
+  console.log(`${what.padEnd(6)} ${size_kb[what].toFixed(1).padStart(6)} kB gzip of ${limit}${over ? '  OVER BUDGET' : ''}`);
+}
+process.exit(failed ? 1 : 0);
