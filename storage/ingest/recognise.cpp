@@ -4,6 +4,7 @@
 
 #include "storage/ingest/bathymetry_netcdf_reader.hpp"
 #include "storage/ingest/geojson_file.hpp"
+#include "storage/ingest/gshhg_reader.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/velocity_pair.hpp"
@@ -45,6 +46,7 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
       if (!netcdf) return refuse(netcdf.error());
       file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
       file.kinds = kinds_of_netcdf(*file.netcdf, wanted == DatasetKind::bathymetry);
+      if (file.kinds.empty() && is_gshhg(file.path)) file.kinds = {DatasetKind::coastline};
       if (file.kinds.empty()) return refuse(nothing_known(*file.netcdf));
       return true;
     }
