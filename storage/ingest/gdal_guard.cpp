@@ -9,9 +9,6 @@
 
 CPL_C_START
 void CPL_DLL RegisterOGRGeoJSON();
-void CPL_DLL RegisterOGRShape();
-void CPL_DLL RegisterOGRGeoPackage();
-void CPL_DLL RegisterOGRKML();
 CPL_C_END
 
 namespace floeplan::ingest {
@@ -35,9 +32,6 @@ void register_drivers() {
     GDALRegister_XYZ();
     GDALRegister_MEM();  // target of a resampling, never a source
     RegisterOGRGeoJSON();
-    RegisterOGRShape();
-    RegisterOGRGeoPackage();
-    RegisterOGRKML();
   });
 }
 

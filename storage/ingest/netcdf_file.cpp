@@ -106,7 +106,8 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
     return refuse("the NetCDF file cannot be opened (" + messages.first_error() +
                   "); it is damaged or was cut short; copy or download it again");
 
-  for (const std::string& name : root->GetMDArrayNames())
+  const char* const scalars_too[] = {"SHOW_ZERO_DIM=YES", nullptr};
+  for (const std::string& name : root->GetMDArrayNames(const_cast<char**>(scalars_too)))
     if (auto array = root->OpenMDArray(name)) result.variables_.emplace_back(name, std::move(array));
   return result;
 }

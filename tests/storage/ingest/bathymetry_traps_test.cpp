@@ -1,0 +1,200 @@
+#include <gdal_priv.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+
+#include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/vertical_sense.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "tests/storage/ingest/netcdf_writer.hpp"
+#include "tests/storage/ingest/store_fixture.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using testing::HasSubstr;
+
+const IngestOptions positive_up{.name = {}, .kind = {}, .crs = {}, .positive = "up"};
+
+class BathymetryTraps : public StoreFixture {
+ protected:
+  /// A GeoTIFF of 4 x 3 pixels: elevations -10, -20, ... by rows from the north.
+  std::filesystem::path write_tiff(const std::string& crs, std::array<double, 6> transform,
+                                   double factor = -10.0,
+                                   const std::string& description = "elevation") const {
+    register_drivers();
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+    const std::unique_ptr<GDALDataset> dataset{
+        driver->Create(path("sea.tif").c_str(), 4, 3, 1, GDT_Float32, nullptr)};
+    if (!crs.empty()) {
+      OGRSpatialReference reference;
+      reference.SetFromUserInput(crs.c_str());
+      dataset->SetSpatialRef(&reference);
+    }
+    dataset->SetGeoTransform(transform.data());
+    std::vector<double> values;
+    for (int i = 1; i <= 12; ++i) values.push_back(factor * i);
+    GDALRasterBand* band = dataset->GetRasterBand(1);
+    band->SetDescription(description.c_str());
+    EXPECT_EQ(band->RasterIO(GF_Write, 0, 0, 4, 3, values.data(), 4, 3, GDT_Float64, 0, 0, nullptr), CE_None);
+    return path("sea.tif");
+  }
+
+  ocean::Bathymetry stored(const std::filesystem::path& file, const IngestOptions& options = {}) {
+    report_ = ingest(file, options);
+    EXPECT_EQ(report_.status, IngestStatus::stored) << words(report_);
+    if (!report_.dataset) throw std::runtime_error{"nothing was stored"};
+    return repository::FieldRepository{db_}
+        .load_bathymetry(report_.dataset->id, {-180.0, -90.0, 180.0, 90.0})
+        .value();
+  }
+
+  /// Depths over 3 x 2 nodes.
+  void write_netcdf(const std::string& name, std::map<std::string, std::string> texts,
+                    std::vector<double> values) const {
+    NetcdfWriter writer{path("sea.nc")};
+    writer.axis("lat", {50.0, 51.0}, {{"units", "degrees_north"}});
+    writer.axis("lon", {0.0, 1.0, 2.0}, {{"units", "degrees_east"}});
+    writer.variable({.name = name,
+                     .dimensions = {"lat", "lon"},
+                     .values = std::move(values),
+                     .texts = std::move(texts),
+                     .numbers = {},
+                     .fill = {},
+                     .type = NetcdfWriter::Type::float32});
+  }
+
+  IngestReport report_;
+};
+
+TEST_F(BathymetryTraps, PixelsStandForTheirCentresAndRowsAreTurned) {
+  const auto sea = stored(write_tiff("EPSG:4326", {10.0, 1.0, 0.0, 60.0, 0.0, -1.0}));
+
+  EXPECT_EQ(sea.grid().x().front(), 10.5);
+  EXPECT_EQ(sea.grid().y().front(), 57.5);
+  EXPECT_FLOAT_EQ(sea.depth_m()[0], 90.0F);  // first pixel of the southernmost row
+  EXPECT_DOUBLE_EQ(sea.depth({13.5, 59.5})->value, 40.0);
+}
+
+TEST_F(BathymetryTraps, AUtmGridKeepsItsNodes) {
+  const auto sea = stored(write_tiff("EPSG:32621", {500000.0, 100.0, 0.0, 7600000.0, 0.0, -100.0}));
+
+  ASSERT_TRUE(std::holds_alternative<geo::TransverseMercatorFrame>(sea.grid().frame()));
+  EXPECT_EQ(sea.grid().x().front(), 500050.0);
+  EXPECT_DOUBLE_EQ(sea.depth(sea.grid().place(0, 0))->value, 90.0);
+}
+
+TEST_F(BathymetryTraps, AnotherProjectionIsResampledWithAWarning) {
+  const auto sea = stored(write_tiff("EPSG:3035", {4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0}));
+
+  EXPECT_TRUE(std::holds_alternative<geo::GeographicFrame>(sea.grid().frame()));
+  EXPECT_THAT(words(report_), HasSubstr("resampled"));
+  EXPECT_TRUE(sea.depth({10.2, 52.05}).has_value());
+}
+
+TEST_F(BathymetryTraps, AGridWithoutACrsIsRefusedUnlessTheUserStatesOne) {
+  const auto file = write_tiff("", {10.0, 1.0, 0.0, 60.0, 0.0, -1.0});
+
+  expect_refused(file, "--crs");
+  EXPECT_EQ(ingest(file, {.name = {}, .kind = {}, .crs = "EPSG:4326", .positive = {}}).status,
+            IngestStatus::stored);
+}
+
+TEST_F(BathymetryTraps, ALatitudeOf95IsRefused) {
+  expect_refused(write_tiff("EPSG:4326", {10.0, 1.0, 0.0, 96.0, 0.0, -1.0}), "beyond the poles");
+}
+
+TEST_F(BathymetryTraps, DepthsThatNoOceanHasAreRefused) {
+  expect_refused(write_tiff("EPSG:4326", {10.0, 1.0, 0.0, 60.0, 0.0, -1.0}, -1001.0), "none on Earth");
+}
+
+TEST_F(BathymetryTraps, AGridThatDoesNotSayItsSenseIsRefusedUntilTheUserDoes) {
+  const auto file = write_tiff("EPSG:4326", {10.0, 1.0, 0.0, 60.0, 0.0, -1.0}, -10.0, "");
+
+  expect_refused(file, "--positive");
+  EXPECT_FLOAT_EQ(stored(file, positive_up).depth_m()[0], 90.0F);
+}
+
+TEST_F(BathymetryTraps, ATruncatedGeotiffIsRefused) {
+  const auto file = write_tiff("EPSG:4326", {10.0, 1.0, 0.0, 60.0, 0.0, -1.0});
+  std::filesystem::resize_file(file, 20);
+  expect_refused(file, "cut short");
+}
+
+TEST_F(BathymetryTraps, APictureIsRefused) {
+  register_drivers();
+  {
+    GDALDriver* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+    const std::unique_ptr<GDALDataset> dataset{
+        driver->Create(path("chart.tif").c_str(), 4, 3, 1, GDT_Byte, nullptr)};
+    GDALColorTable colours;
+    const GDALColorEntry blue{0, 0, 255, 255};
+    colours.SetColorEntry(0, &blue);
+    dataset->GetRasterBand(1)->SetColorTable(&colours);
+  }
+  expect_refused(path("chart.tif"), "picture");
+}
+
+TEST_F(BathymetryTraps, AttributesDecideTheSense) {
+  write_netcdf("deptho", {{"units", "m"}, {"standard_name", "sea_floor_depth_below_geoid"}},
+               {1, 2, 3, 4, 5, 6});
+  EXPECT_FLOAT_EQ(stored(path("sea.nc")).depth_m()[0], 1.0F);
+
+  write_netcdf("z", {{"units", "km"}, {"positive", "up"}}, {-1, -2, -3, -4, -5, -6});
+  EXPECT_FLOAT_EQ(stored(path("sea.nc")).depth_m()[5], 6000.0F);
+}
+
+TEST_F(BathymetryTraps, ADepthThatLooksLikeElevationIsRefused) {
+  write_netcdf("depth", {{"units", "m"}}, {-1, -2, -3, -4, -5, -6});
+  expect_refused(path("sea.nc"), "as elevations would");
+}
+
+TEST_F(BathymetryTraps, DynamicTopographyIsNotTheSeaFloor) {
+  write_netcdf("adt", {{"units", "m"}, {"long_name", "Absolute dynamic topography"}}, {1, 2, 3, 4, 5, 6});
+  expect_refused(path("sea.nc"), "neither currents of the sea nor depths");
+}
+
+TEST_F(BathymetryTraps, AnUndeclaredMarkerIsLeftOutWithAWarning) {
+  write_netcdf("elevation", {{"units", "m"}}, {-32768, -2, -3, -4, -5, -9999});
+
+  const auto sea = stored(path("sea.nc"));
+
+  EXPECT_TRUE(std::isnan(sea.depth_m()[0]));
+  EXPECT_TRUE(std::isnan(sea.depth_m()[5]));
+  EXPECT_THAT(words(report_), HasSubstr("2 values are markers"));
+}
+
+TEST_F(BathymetryTraps, PlainTextInMetresIsNotTakenForDegrees) {
+  const auto file =
+      write_file("local.asc",
+                 "ncols 2\nnrows 2\nxllcorner 10\nyllcorner 20\ncellsize 1\nNODATA_value -9999\n1 2\n3 4\n");
+  expect_refused(file, "--crs", positive_up);
+}
+
+TEST_F(BathymetryTraps, AnXyzTableWithHolesIsRefused) {
+  expect_refused(write_file("survey.xyz", "0.0 50.0 -10\n0.013 50.002 -11\n0.2 50.1 -12\n0.21 50.4 -7\n"),
+                 "regular grid", positive_up);
+}
+
+TEST(VerticalSense, OfAWholeGlobeIsUnmistakable) {
+  const VerticalDescription silent{.name = "Band1", .standard_name = "", .long_name = "", .positive = ""};
+  EXPECT_EQ(vertical_sense_of({}, silent, {-10500.0, 6100.0, true})->sense, VerticalSense::up);
+  EXPECT_EQ(vertical_sense_of({}, silent, {-6100.0, 10500.0, true})->sense, VerticalSense::down);
+  EXPECT_TRUE(vertical_sense_of({}, silent, {-10500.0, 6100.0, true})->warning.has_value());
+  EXPECT_FALSE(vertical_sense_of({}, silent, {-10500.0, 6100.0, false}));
+  EXPECT_FALSE(vertical_sense_of({}, silent, {-5000.0, 3000.0, true}));
+}
+
+TEST(VerticalSense, IsWhatTheUserSaysAboveAll) {
+  const VerticalDescription depth{
+      .name = "depth", .standard_name = "depth", .long_name = "", .positive = "down"};
+  EXPECT_EQ(vertical_sense_of("up", depth, {-10.0, 0.0, false})->sense, VerticalSense::up);
+  EXPECT_FALSE(vertical_sense_of("sideways", depth, {-10.0, 0.0, false}));
+}
+
+}  // namespace
+}  // namespace floeplan::ingest

@@ -1,0 +1,74 @@
+#include "storage/ingest/netcdf3_length.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <string>
+
+#include "tests/storage/ingest/store_fixture.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+std::string word(std::uint32_t value) {
+  std::string bytes;
+  for (int shift = 24; shift >= 0; shift -= 8)
+    bytes += static_cast<char>(value >> static_cast<unsigned>(shift) & 0xFFU);
+  return bytes;
+}
+
+/// A classic file with dimensions x = 3 and t = unlimited, a fixed float x(x) and one short record variable
+/// r(t).
+std::string small_file(std::uint32_t records) {
+  const std::string no_attributes = word(0) + word(0);
+  const std::string dimensions = word(10) + word(2) + word(1) + "x" + std::string(3, '\0') + word(3) +
+                                 word(1) + "t" + std::string(3, '\0') + word(0);
+  const auto variable = [&](const char* name, std::uint32_t dimension, std::uint32_t type, std::uint32_t size,
+                            std::uint32_t begin) {
+    return word(1) + name + std::string(3, '\0') + word(1) + word(dimension) + no_attributes + word(type) +
+           word(size) + word(begin);
+  };
+  constexpr std::uint32_t header_bytes = 4 + 4 + 32 + 8 + 8 + 2 * 36;
+  return "CDF\x01" + word(records) + dimensions + no_attributes + word(11) + word(2) +
+         variable("x", 0, 5, 12, header_bytes) + variable("r", 1, 3, 4, header_bytes + 12);
+}
+
+class Netcdf3Length : public StoreFixture {};
+
+TEST_F(Netcdf3Length, AddsUpFixedValuesAndUnpaddedRecords) {
+  const std::string header = small_file(5);
+  const auto file = write_file("small.nc", header);
+  EXPECT_EQ(netcdf3_length(file), header.size() + 12 + 5 * 2);
+}
+
+TEST_F(Netcdf3Length, OfAFileWithoutRecordsEndsWithItsFixedValues) {
+  const std::string header = small_file(0);
+  EXPECT_EQ(netcdf3_length(write_file("small.nc", header)), header.size() + 12);
+}
+
+TEST_F(Netcdf3Length, RefusesAHeaderThatIsCutShort) {
+  const std::string header = small_file(5);
+  for (std::size_t size = 4; size < header.size(); size += 7)
+    EXPECT_FALSE(netcdf3_length(write_file("small.nc", header.substr(0, size)))) << size;
+}
+
+TEST_F(Netcdf3Length, RefusesAbsurdCounts) {
+  std::string header = small_file(5);
+  header.replace(12, 4, word(0x7FFFFFFFU));
+  EXPECT_FALSE(netcdf3_length(write_file("small.nc", header)));
+}
+
+TEST_F(Netcdf3Length, IsAtMostTheSizeOfRealFiles) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+  for (const char* name :
+       {"currents/cmems_global-analysis-forecast-phy-001-024.nc", "currents/gnome_gridded_current.nc",
+        "currents/arctic20km_polarstereo_sub.nc", "bathymetry/etopo60.cdf", "bathymetry/topo_30min.nc"}) {
+    const auto length = netcdf3_length(sample_folder() / name);
+    ASSERT_TRUE(length) << name;
+    EXPECT_LE(*length, std::filesystem::file_size(sample_folder() / name)) << name;
+    EXPECT_GE(*length + 4, std::filesystem::file_size(sample_folder() / name)) << name;
+  }
+}
+
+}  // namespace
+}  // namespace floeplan::ingest

@@ -1,0 +1,245 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <iterator>
+
+#include "tests/storage/ingest/netcdf_writer.hpp"
+#include "tests/storage/ingest/store_fixture.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+class Refusals : public StoreFixture {
+ protected:
+  void expect_refused_currents(const CurrentFile& content, const std::string& reason) {
+    content.write(path("currents.nc"));
+    expect_refused(path("currents.nc"), reason);
+  }
+  /// The first bytes of a file, up to `share` of its size.
+  std::filesystem::path cut_short(const std::filesystem::path& file, double share) const {
+    std::ifstream in{file, std::ios::binary};
+    const std::string bytes{std::istreambuf_iterator<char>{in}, {}};
+    return write_file("cut_" + file.filename().string(),
+                      bytes.substr(0, static_cast<std::size_t>(share * static_cast<double>(bytes.size()))));
+  }
+};
+
+TEST_F(Refusals, AFileThatIsNotThere) { expect_refused(path("nowhere.nc"), "no such file"); }
+
+TEST_F(Refusals, AnEmptyFile) { expect_refused(write_file("empty.nc", ""), "empty"); }
+
+TEST_F(Refusals, ATextNamedLikeNetcdf) {
+  expect_refused(write_file("page.nc", "<html>Sign in to download</html>\n"), "holds text");
+}
+
+TEST_F(Refusals, AFolderThatIsAZarrStore) {
+  std::filesystem::create_directories(path("store.zarr"));
+  write_file("store.zarr/zarr.json", "{\"zarr_format\": 3}");
+  expect_refused(path("store.zarr"), "Zarr store of version 3");
+}
+
+TEST_F(Refusals, AGribFile) { expect_refused(write_file("gfs.nc", std::string{"GRIB\0\0\0\2", 8}), "GRIB"); }
+
+TEST_F(Refusals, BytesWithoutMeaning) {
+  expect_refused(write_file("noise.nc", std::string{"\x01\x02\x03\x00\x04", 5}),
+                 "does not know what this file is");
+}
+
+TEST_F(Refusals, ANetworkAddress) { expect_refused("/vsicurl/http://127.0.0.1:9/a.nc", "no such file"); }
+
+TEST_F(Refusals, AVirtualFormat) {
+  expect_refused(write_file("sea.vrt", "<VRTDataset rasterXSize=\"1\" rasterYSize=\"1\"/>\n"),
+                 "does not know");
+}
+
+TEST_F(Refusals, ANetcdf4FileThatWasCutShort) {
+  CurrentFile{}.write(path("currents.nc"));
+  expect_refused(cut_short(path("currents.nc"), 0.6), "cut short");
+}
+
+TEST_F(Refusals, AClassicNetcdfFileThatWasCutShort) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+  const auto whole = sample_folder() / "currents/gnome_gridded_current.nc";
+  expect_refused(cut_short(whole, 0.9), "cut short");
+  expect_refused(cut_short(whole, 0.001), "cut short");
+}
+
+TEST_F(Refusals, TimesWithoutUnits) {
+  CurrentFile file;
+  file.time_texts = {{"standard_name", "time"}};
+  expect_refused_currents(file, "no units");
+}
+
+TEST_F(Refusals, TimesThatCannotBeDecoded) {
+  CurrentFile file;
+  file.time_texts = {{"units", "hours since the flood"}};
+  expect_refused_currents(file, "hours since the flood");
+}
+
+TEST_F(Refusals, TwoStepsOfTheSameTime) {
+  CurrentFile file;
+  file.times = {6.0, 6.0};
+  expect_refused_currents(file, "same time");
+}
+
+TEST_F(Refusals, DatesThatOnlyAModelHas) {
+  CurrentFile file;
+  file.times = {58.0, 59.0};
+  file.time_texts = {{"units", "days since 2001-01-01"}, {"calendar", "360_day"}};
+  expect_refused_currents(file, "only the model's calendar has");
+}
+
+TEST_F(Refusals, NothingButMissingValues) {
+  CurrentFile file;
+  file.fill = -9.0;
+  file.value = [](char, std::size_t, std::size_t, std::size_t, std::size_t) { return -9.0; };
+  expect_refused_currents(file, "is missing");
+}
+
+TEST_F(Refusals, NothingButZeros) {
+  CurrentFile file;
+  file.value = [](char, std::size_t, std::size_t, std::size_t, std::size_t) { return 0.0; };
+  expect_refused_currents(file, "exactly zero");
+}
+
+TEST_F(Refusals, ACurrentThatNoOceanHas) {
+  CurrentFile file;
+  file.value = [](char, std::size_t, std::size_t, std::size_t, std::size_t x) { return x == 2 ? 12.0 : 0.1; };
+  expect_refused_currents(file, "no ocean is that fast");
+}
+
+TEST_F(Refusals, ADecodedFillOfHycom) {
+  CurrentFile file;
+  file.value = [](char, std::size_t, std::size_t, std::size_t, std::size_t x) {
+    return x == 2 ? -30.0 : 0.1;
+  };
+  expect_refused_currents(file, "no ocean is that fast");
+}
+
+TEST_F(Refusals, LargeNumbersWithoutAUnit) {
+  CurrentFile file;
+  file.u_texts.erase("units");
+  file.v_texts.erase("units");
+  file.value = [](char, std::size_t, std::size_t, std::size_t, std::size_t) { return 35.0; };
+  expect_refused_currents(file, "cm/s");
+}
+
+TEST_F(Refusals, AUnitThatIsNoSpeed) {
+  CurrentFile file;
+  file.u_texts["units"] = "furlongs per fortnight";
+  expect_refused_currents(file, "furlongs per fortnight");
+}
+
+TEST_F(Refusals, ALatitudeBeyondThePole) {
+  CurrentFile file;
+  file.lats = {93.0, 94.0, 95.0};
+  expect_refused_currents(file, "beyond the poles");
+}
+
+TEST_F(Refusals, LatitudesInDisorder) {
+  CurrentFile file;
+  file.lats = {50.0, 52.0, 51.0};
+  expect_refused_currents(file, "does not run one way");
+}
+
+TEST_F(Refusals, OneComponentAlone) {
+  CurrentFile file;
+  file.with_north = false;
+  expect_refused_currents(file, "only one component");
+}
+
+TEST_F(Refusals, ComponentsAlongTheAxesOfAGrid) {
+  CurrentFile file;
+  file.u_texts["standard_name"] = "sea_water_x_velocity";
+  file.v_texts["standard_name"] = "sea_water_y_velocity";
+  expect_refused_currents(file, "axes of the model's grid");
+}
+
+TEST_F(Refusals, TheWind) {
+  CurrentFile file;
+  file.u_name = "u";
+  file.v_name = "v";
+  file.u_texts = {{"units", "m s-1"}, {"standard_name", "eastward_wind"}};
+  file.v_texts = {{"units", "m s-1"}, {"standard_name", "northward_wind"}};
+  expect_refused_currents(file, "neither currents of the sea nor depths");
+}
+
+TEST_F(Refusals, LevelsThatAreNoDepths) {
+  CurrentFile file;
+  file.depths = {0.0, 1.0};
+  file.depth_texts = {{"units", "dbar"}, {"standard_name", "depth"}};
+  expect_refused_currents(file, "dbar");
+}
+
+TEST_F(Refusals, AGridOfTablesOfPositions) {
+  {
+    NetcdfWriter writer{path("nemo.nc")};
+    writer.axis("time", {0.0}, {{"units", "hours since 2026-11-20"}});
+    writer.dimension("y", 2);
+    writer.dimension("x", 2);
+    const auto plane = [&](const std::string& name, std::map<std::string, std::string> texts) {
+      writer.variable({.name = name,
+                       .dimensions = {"y", "x"},
+                       .values = {1.0, 2.0, 3.0, 4.0},
+                       .texts = std::move(texts),
+                       .numbers = {},
+                       .fill = {},
+                       .type = NetcdfWriter::Type::float64});
+    };
+    plane("nav_lon", {{"units", "degrees_east"}});
+    plane("nav_lat", {{"units", "degrees_north"}});
+    for (const char* name : {"uo", "vo"})
+      writer.variable({.name = name,
+                       .dimensions = {"time", "y", "x"},
+                       .values = {0.1, 0.1, 0.1, 0.1},
+                       .texts = {{"units", "m/s"}},
+                       .numbers = {},
+                       .fill = {},
+                       .type = NetcdfWriter::Type::float64});
+  }
+  expect_refused(path("nemo.nc"), "curvilinear");
+}
+
+TEST_F(Refusals, DimensionsOfABillionBeforeAnythingIsAllocated) {
+  {
+    NetcdfWriter writer{path("huge.nc")};
+    writer.axis("time", {0.0}, {{"units", "hours since 2026-11-20"}});
+    writer.dimension("lat", 1'000'000'000);
+    writer.dimension("lon", 1'000'000'000);
+    writer.variable({.name = "lat",
+                     .dimensions = {"lat"},
+                     .values = {},
+                     .texts = {{"units", "degrees_north"}},
+                     .numbers = {},
+                     .fill = {},
+                     .type = NetcdfWriter::Type::float32});
+    for (const char* name : {"uo", "vo"})
+      writer.variable({.name = name,
+                       .dimensions = {"time", "lat", "lon"},
+                       .values = {},
+                       .texts = {{"units", "m/s"}},
+                       .numbers = {},
+                       .fill = {},
+                       .type = NetcdfWriter::Type::float32});
+  }
+  expect_refused(path("huge.nc"), "more than this program accepts");
+}
+
+TEST_F(Refusals, AKindThatTheFileDoesNotHold) {
+  CurrentFile{}.write(path("currents.nc"));
+  expect_refused(path("currents.nc"), "not icebergs",
+                 {.name = {}, .kind = repository::DatasetKind::icebergs, .crs = {}, .positive = {}});
+}
+
+TEST_F(Refusals, LeaveEarlierDatasetsAlone) {
+  CurrentFile{}.write(path("good.nc"));
+  ASSERT_EQ(ingest(path("good.nc")).status, IngestStatus::stored);
+  CurrentFile bad;
+  bad.with_north = false;
+  expect_refused_currents(bad, "only one component");
+  EXPECT_EQ(stored_datasets(), 1U);
+}
+
+}  // namespace
+}  // namespace floeplan::ingest

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <string>
+
+#include "storage/ingest/ingest_file.hpp"
+#include "storage/repository/migrations.hpp"
+
+namespace floeplan::ingest {
+
+/// A store in memory and a folder of its own for files that the test writes.
+class StoreFixture : public testing::Test {
+ protected:
+  StoreFixture();
+  ~StoreFixture() override;
+
+  [[nodiscard]] std::filesystem::path path(const std::string& name) const { return folder_ / name; }
+  /// Writes bytes to a file in the test's folder.
+  std::filesystem::path write_file(const std::string& name, const std::string& content) const;
+  [[nodiscard]] std::vector<IngestReport> ingest_all(const std::filesystem::path& file,
+                                                     const IngestOptions& options = {});
+  /// The report of a file that holds one kind of data.
+  [[nodiscard]] IngestReport ingest(const std::filesystem::path& file, const IngestOptions& options = {});
+  [[nodiscard]] std::size_t stored_datasets();
+  /// Expects a refusal whose reason contains `reason`, and a store as it was before.
+  void expect_refused(const std::filesystem::path& file, const std::string& reason,
+                      const IngestOptions& options = {});
+
+  sqlite::Connection db_;
+
+ private:
+  std::filesystem::path folder_;
+};
+
+/// The folder of real sample files; empty when it is not on this machine.
+[[nodiscard]] std::filesystem::path sample_folder();
+
+/// Everything a report says, for the message of a failed test.
+[[nodiscard]] std::string words(const IngestReport& report);
+
+}  // namespace floeplan::ingest
