@@ -15,23 +15,26 @@ namespace {
 
 constexpr int busy_timeout_ms = 10'000;
 
-/// Ours already, or so new that nobody has put anything into it.
+/// Ours already, or so new that nobody has put anything into it. The contents are looked at first: another program
+/// may be creating the store at this moment, and puts its mark and its tables there at once.
 void refuse_foreign_file(SQLite::Database& database) {
-  const int found = database.execAndGet("PRAGMA application_id").getInt();
-  if (found == application_id) return;
-  if (found == 0 && database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0) return;
+  const bool is_empty = database.execAndGet("SELECT count(*) FROM sqlite_schema").getInt() == 0;
+  const int mark = database.execAndGet("PRAGMA application_id").getInt();
+  if (mark == application_id || (mark == 0 && is_empty)) return;
   throw Failure{database.getFilename() +
                 " belongs to another program, not to Floeplan; choose another folder"};
 }
 
-/// The busy timeout does not hold while the journal mode changes: two programs that create the store at once
-/// would otherwise see an error here.
+/// The busy timeout does not hold while the journal mode changes: two programs that create the store at once would
+/// otherwise see an error here.
 void use_write_ahead_log(SQLite::Database& database) {
   const auto deadline = std::chrono::steady_clock::now() + std::chrono::milliseconds{busy_timeout_ms};
   while (true) {
     try {
-      database.exec("PRAGMA journal_mode = WAL");
-      return;
+      if (database.execAndGet("PRAGMA journal_mode = WAL").getString() == "wal") return;
+      throw Failure{database.getFilename() +
+                    " lies on a file system that cannot share memory between programs; "
+                    "choose a folder on a local disk"};
     } catch (const SQLite::Exception& error) {
       if (error.getErrorCode() != SQLITE_BUSY || std::chrono::steady_clock::now() > deadline) throw;
       std::this_thread::sleep_for(std::chrono::milliseconds{5});
