@@ -62,7 +62,8 @@ SearchTree find_earliest_arrivals(const GridGraph& graph, const Query& query, co
       if (settled[edge.head]) return;
       if (arrival_u + core::Seconds{bound.least_time(edge)}.count() >= tree.arrival_s(edge.head)) return;
       ++tree.counters.edge_evaluations;
-      const auto duration = travel_time(edge, core::Seconds{arrival_u});
+      const auto duration =
+          travel_time(edge, core::Seconds{arrival_u}, core::Seconds{tree.arrival_s(edge.head)});
       if (!duration) return;
       const double arrival_v = arrival_u + core::Seconds{*duration}.count();
       if (!(arrival_v < tree.arrival_s(edge.head))) return;

@@ -45,7 +45,8 @@ SearchTree find_earliest_arrivals_tve(const GridGraph& graph, const Query& query
     const double arrival_u = tree.arrival_s(u);
     graph.for_each_edge(u, [&](const Edge& edge) {
       ++tree.counters.edge_evaluations;
-      const auto duration = travel_time(edge, core::Seconds{arrival_u});
+      const auto duration =
+          travel_time(edge, core::Seconds{arrival_u}, core::Seconds{tree.arrival_s(edge.head)});
       if (!duration) return;
       const double arrival_v = core::Seconds{*duration}.count() + arrival_u;
       if (!(arrival_v < tree.arrival_s(edge.head))) return;

@@ -3,6 +3,13 @@
 namespace floeplan::motion {
 
 /// Why an edge cannot be travelled, cheap enough for the inner loop.
-enum class EdgeClosed { current_too_strong, outside_data, too_shallow, on_land, obstacle };
+enum class EdgeClosed {
+  current_too_strong,
+  outside_data,
+  too_shallow,
+  on_land,
+  obstacle,
+  too_late  // it would end later than the caller cares for
+};
 
 }  // namespace floeplan::motion

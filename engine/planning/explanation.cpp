@@ -54,6 +54,7 @@ Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& re
                   metres_text(request.vehicle.minimum_working_depth),
               "go round it, or choose a vehicle for shallower water"};
     case motion::EdgeClosed::on_land: return {Reason::too_shallow, "the way crosses land", "go round it"};
+    case motion::EdgeClosed::too_late:
     case motion::EdgeClosed::obstacle:
       return {Reason::near_iceberg,
               "the way comes closer to an iceberg than the margin of " + metres_text(request.iceberg_margin),
@@ -84,6 +85,7 @@ Infeasible explain_place(motion::EdgeClosed closed, RouteEnd end, geo::LonLat pl
           subject + " lies closer to an iceberg than the margin of " + metres_text(request.iceberg_margin),
           "move it, or reduce the margin (--margin)"};
     case motion::EdgeClosed::outside_data:
+    case motion::EdgeClosed::too_late:
     case motion::EdgeClosed::current_too_strong: break;
   }
   return {Reason::outside_data, place, request.depart, subject + " lies outside the stored data",

@@ -30,8 +30,9 @@ struct GridTravelTime {
   const Sea& sea;
   const RouteGrid& grid;
 
-  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds depart) const {
-    return sea.leg_time(grid.point(edge.tail), grid.point(edge.head), depart);
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds depart,
+                                                             core::Seconds latest) const {
+    return sea.leg_time(grid.point(edge.tail), grid.point(edge.head), depart, latest);
   }
 };
 
@@ -40,8 +41,9 @@ struct FrozenTravelTime {
   GridTravelTime now;
   core::Seconds depart;
 
-  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds) const {
-    return now(edge, depart);
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds,
+                                                             core::Seconds) const {
+    return now(edge, depart, core::Seconds{INFINITY});
   }
 };
 

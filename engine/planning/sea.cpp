@@ -17,15 +17,12 @@ std::optional<PlaneCurrents> lay_out(const ocean::Environment& environment, cons
       request.depart};
 }
 
-/// A step no longer than a cell of the data, nor than the way made good between two of its times.
+/// A step no longer than a cell of the data, nor than the time between two of its slices.
 motion::EdgeAccuracy accuracy(const std::optional<PlaneCurrents>& currents, const PlanRequest& request) {
   motion::EdgeAccuracy result{.relative_tolerance = request.edge_tolerance};
   if (!currents) return result;
   result.longest_step = currents->spacing();
-  if (const auto time_step = currents->time_step()) {
-    const double way_m = request.vehicle.speed_through_water.value * time_step->count();
-    result.longest_step = std::min(result.longest_step, core::Metres{way_m});
-  }
+  if (const auto time_step = currents->time_step()) result.longest_duration = *time_step;
   return result;
 }
 
@@ -79,17 +76,13 @@ std::optional<motion::EdgeClosed> Sea::closed_between(geo::PlanePoint a, geo::Pl
   return std::nullopt;
 }
 
-tl::expected<core::Seconds, motion::EdgeClosed> Sea::travel_time(geo::PlanePoint a, geo::PlanePoint b,
-                                                                 core::Seconds depart) const {
+tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a, geo::PlanePoint b,
+                                                              core::Seconds depart,
+                                                              core::Seconds latest) const {
+  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   if (!currents_) return edge.ground_length / through_water_;
-  return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_);
-}
-
-tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a, geo::PlanePoint b,
-                                                              core::Seconds depart) const {
-  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  return travel_time(a, b, depart);
+  return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest);
 }
 
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b) const {

@@ -24,13 +24,11 @@ class Sea {
 
   /// Why the straight leg is closed at any time, by depth, land or icebergs; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// Travel time of a straight leg that is not closed.
-  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> travel_time(geo::PlanePoint a,
-                                                                            geo::PlanePoint b,
-                                                                            core::Seconds depart) const;
-  /// Both at once.
+  /// Travel time of a straight leg, or why it is closed; too_late when it would certainly end after `latest`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
-                                                                         core::Seconds depart) const;
+                                                                         core::Seconds depart,
+                                                                         core::Seconds latest = core::Seconds{
+                                                                             INFINITY}) const;
   /// Never more than the time of any straight way between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
 
