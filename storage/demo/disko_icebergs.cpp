@@ -15,6 +15,7 @@ namespace {
 
 constexpr double cell_m = 278.0;
 constexpr double corridor_clearance_m = 7000.0;
+constexpr double alone_m = 13'000.0;  // the corridor's berg closes no gap together with another
 constexpr geo::LonLat corridor_berg{-52.42, 69.227};  // three kilometres beside the straight way
 
 /// A region and how many bergs lie there.
@@ -91,7 +92,8 @@ class BergMaker {
     const double corridor_m = beside(disko::corridor, place, disko::earth).across_m;
     const bool crowded = std::ranges::any_of(
         places_, [&](geo::LonLat other) { return disko::earth.distance_m(place, other) < 700.0; });
-    return !crowded && corridor_m > corridor_clearance_m && depth_m(relief_, place) > 30.0 &&
+    const bool alone = disko::earth.distance_m(place, corridor_berg) > alone_m;
+    return !crowded && alone && corridor_m > corridor_clearance_m && depth_m(relief_, place) > 30.0 &&
            coast_m(place) > 0.5 * length_m + cell_m;
   }
 

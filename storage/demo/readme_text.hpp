@@ -16,13 +16,14 @@ Real
                                     Glacier fronts have moved since it was drawn.
 
 Invented ("synthetic" in every name and in the metadata of every file)
-  disko-synthetic-bathymetry.tif    GeoTIFF, EPSG:4326, about 280 m, metres, positive up. Shaped from the distance to the real
-                                    coast, with a trough across the bay, a sill before the icefjord and random
-                                    roughness. Where it agrees with the true sea bed, that is by design of the big
-                                    features only; soundings were not used.
-  disko-synthetic-currents.nc       NetCDF-4, CF-1.8, hourly for six days, about 1 km, six depths from 0 to 400 m. A tide
-                                    that turns every 6.2 hours, an anticlockwise circulation, the outflow of the
-                                    icefjord and eddies, from stream functions. No ocean model was run.
+  disko-synthetic-bathymetry.tif    GeoTIFF, EPSG:4326, about 280 m, metres, positive up. Shaped from
+                                    the distance to the real coast, with a trough across the bay, a
+                                    sill before the icefjord and random roughness. It follows the big
+                                    features of the bay by design; no sounding was used.
+  disko-synthetic-currents.nc       NetCDF-4, CF-1.8, hourly for six days, about 1 km, six depths from
+                                    0 to 400 m. A tide that turns every 6.2 hours, an anticlockwise
+                                    circulation, the outflow of the icefjord and eddies, from stream
+                                    functions. No ocean model was run.
   disko-synthetic-icebergs.geojson  Sixty icebergs drawn at random. None of them was ever seen.
 
 The invented files are in the public domain (CC0-1.0). The same seed and start time give the same bytes.
@@ -35,10 +36,13 @@ inline constexpr std::string_view paper_readme =
 =================================================================
 NOT FOR NAVIGATION. Everything here is invented.
 
-The paper's test fields have no place on the map. Here their origin lies in Davis Strait at 57.0W 66.0N, the x axis points
-east, and they are enlarged to distances and speeds of a glider; the comment in the NetCDF file states the scale.
-  river  one unit of length is 100 m and one of speed 0.15 m/s: 30 km wide, at most 0.27 m/s northwards, steady
-  jet    one unit of length is 5 km and one of speed 0.7 m/s: 110 km long, meandering, hourly for six days
+The paper's test fields have no place on the map. Here their origin lies in Davis Strait at 57.0W
+66.0N, the x axis points east, and they are enlarged to distances and speeds of a glider; the
+comment in the NetCDF file states the scale.
+  river  one unit of length is 100 m and one of speed 0.15 m/s: 30 km wide, steady, at most 0.27 m/s
+         northwards
+  jet    one unit of length is 5 km and one of speed 0.7 m/s: 110 km long, meandering, hourly for six
+         days
 The paper's vehicle makes 2.2 and 0.5 of its units: 0.33 m/s in the river, 0.35 m/s in the jet.
 The sea bed is flat at 500 m.
 
