@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "storage/repository/migrations.hpp"
+#include "storage/sqlite/transaction.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::repository {
@@ -193,7 +194,9 @@ TEST(JobRepository, NeverGivesAJobToTwoWorkers) {
   constexpr int job_count = 60;
   {
     sqlite::Connection db = open_store(folder.path());
+    sqlite::Transaction transaction{db};
     for (int i = 0; i < job_count; ++i) JobRepository{db}.submit(job("job" + std::to_string(i)));
+    transaction.commit();
   }
 
   std::mutex mutex;

@@ -11,6 +11,7 @@
 #include "storage/repository/job_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/sqlite/statement.hpp"
+#include "storage/sqlite/transaction.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -81,12 +82,14 @@ TEST(OpenStore, FailsWithAClearReasonWhenTheFileIsDamaged) {
   const auto file = folder.path() / "floeplan.sqlite";
   {
     sqlite::Connection db = open_store(folder.path());
+    sqlite::Transaction transaction{db};
     for (int i = 0; i < 200; ++i) {
       PlanRecord plan;
       plan.id = {std::to_string(i)};
       plan.document_json = std::string(2000, 'x');
       PlanRepository{db}.insert(plan);
     }
+    transaction.commit();
   }
   {
     std::fstream damage{file, std::ios::in | std::ios::out | std::ios::binary};
