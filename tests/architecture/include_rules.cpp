@@ -38,7 +38,9 @@ const std::map<std::string, Folder>& folders() {
       {"api/openapi", {{}}},
       {"api/routes", {{"api/codec", "api/openapi"}}},
       {"server/jobs", {{"storage/ingest", "api/codec"}, {"api/routes/job_gateway.hpp"}}},
-      {"server/http", {{"engine/core"}, {"api/routes/message.hpp"}}},
+      // The listener speaks in messages and problems; it knows no resource.
+      {"server/http",
+       {{"engine/core"}, {"api/codec/sha256.hpp", "api/routes/message.hpp", "api/routes/reply.hpp"}}},
       {"server/cli", {{"api/routes", "server/jobs", "server/http", "storage/demo"}}},
       {"server", {{"server/cli"}}},
   };

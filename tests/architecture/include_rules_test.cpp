@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <fstream>
 
 namespace floeplan::support {
@@ -29,6 +30,14 @@ class SpoiltTree : public testing::Test {
     std::ofstream{root_ / file, std::ios::app} << line << '\n';
   }
 
+  /// What the test spoilt; faults that the tree itself has are another test's matter.
+  [[nodiscard]] std::vector<std::string> new_faults() const {
+    const std::vector<std::string> known = broken_include_rules(FLOEPLAN_SOURCE_DIR);
+    std::vector<std::string> faults = broken_include_rules(root_);
+    std::erase_if(faults, [&](const std::string& fault) { return std::ranges::count(known, fault) > 0; });
+    return faults;
+  }
+
   const fs::path root_ = fs::path{testing::TempDir()} / ("include_rules_" + std::to_string(::getpid()));
 };
 
@@ -38,17 +47,16 @@ TEST_F(SpoiltTree, ShowsAnArrowThatPointsBack) {
   append("engine/core/units.hpp", "#include \"engine/geo/lon_lat.hpp\"");
   append("engine/graph/grid_graph.hpp", "#include \"engine/ocean/iceberg.hpp\"");
 
-  EXPECT_THAT(broken_include_rules(root_),
-              ElementsAre(HasSubstr("engine/core must not use \"engine/geo/lon_lat.hpp\""),
-                          HasSubstr("engine/graph must not use \"engine/ocean/iceberg.hpp\"")));
+  EXPECT_THAT(new_faults(), ElementsAre(HasSubstr("engine/core must not use \"engine/geo/lon_lat.hpp\""),
+                                        HasSubstr("engine/graph must not use \"engine/ocean/iceberg.hpp\"")));
 }
 
 TEST_F(SpoiltTree, ShowsStorageInTheEngineAndAvoidanceThatSeesTheOcean) {
   append("engine/avoidance/spoilt.cpp", "#include \"engine/ocean/current_field.hpp\"");
   append("engine/planning/plan.hpp", "#include \"storage/repository/dataset.hpp\"");
 
-  EXPECT_THAT(broken_include_rules(root_), ElementsAre(HasSubstr("engine/avoidance/spoilt.cpp:1: "),
-                                                       HasSubstr("engine/planning must not use")));
+  EXPECT_THAT(new_faults(), ElementsAre(HasSubstr("engine/avoidance/spoilt.cpp:1: "),
+                                        HasSubstr("engine/planning must not use")));
 }
 
 TEST_F(SpoiltTree, ShowsJobsAndHttpThatSeeEachOther) {
@@ -56,7 +64,7 @@ TEST_F(SpoiltTree, ShowsJobsAndHttpThatSeeEachOther) {
   append("server/http/spoilt.cpp", "#include \"server/jobs/spoilt.cpp\"");
   append("server/jobs/spoilt.cpp", "#include \"server/http/message.hpp\"");
 
-  EXPECT_THAT(broken_include_rules(root_),
+  EXPECT_THAT(new_faults(),
               ElementsAre(HasSubstr("server/http must not use"), HasSubstr("server/jobs must not use")));
 }
 
@@ -70,7 +78,7 @@ TEST_F(SpoiltTree, ShowsALibraryInTheWrongFolder) {
   append("engine/core/units.hpp", "#include <sqlite3.h>");
   append("storage/repository/dataset.hpp", "#include <SQLiteCpp/Database.h>");
 
-  const std::vector<std::string> faults = broken_include_rules(root_);
+  const std::vector<std::string> faults = new_faults();
 
   EXPECT_EQ(faults.size(), 8u);
   EXPECT_THAT(faults, testing::Each(HasSubstr("must not know <")));
@@ -80,7 +88,7 @@ TEST_F(SpoiltTree, ShowsAnIncludeThatDoesNotStartAtTheRoot) {
   append("engine/geo/bearing.hpp", "#include \"lon_lat.hpp\"");
   append("engine/geo/bearing.hpp", "#include \"../geo/lon_lat.hpp\"");
 
-  const std::vector<std::string> faults = broken_include_rules(root_);
+  const std::vector<std::string> faults = new_faults();
 
   EXPECT_EQ(faults.size(), 2u);
   EXPECT_THAT(faults, testing::Each(HasSubstr("is no path from the root")));
@@ -89,7 +97,7 @@ TEST_F(SpoiltTree, ShowsAnIncludeThatDoesNotStartAtTheRoot) {
 TEST_F(SpoiltTree, ShowsAFolderWithoutRules) {
   append("engine/misc/spoilt.hpp", "#pragma once");
 
-  EXPECT_THAT(broken_include_rules(root_), ElementsAre(HasSubstr("engine/misc is not in the list")));
+  EXPECT_THAT(new_faults(), ElementsAre(HasSubstr("engine/misc is not in the list")));
 }
 
 }  // namespace
