@@ -1,6 +1,6 @@
 import { draft, faults, generalFaults, inputsOf, refuse, sortViolations } from '../model/draft';
 import { failure, reasonTitle, running } from '../model/job';
-import { add, routeOf } from '../model/plans';
+import { add, nextName, routeOf } from '../model/plans';
 import { announce, leftTab } from '../model/screen';
 import { duration } from '../model/time';
 import { ask } from '../model/view';
@@ -25,7 +25,7 @@ export async function plan(): Promise<void> {
   running.value = { status: undefined, started_ms: Date.now() };
   cancelled = new AbortController();
   try {
-    await carryOut(form.inputs, cancelled.signal);
+    await carryOut({ ...form.inputs, name: form.inputs.name ?? nextName() }, cancelled.signal);
   } catch (error) {
     if (!cancelled.signal.aborted) showRefusal(error);
   } finally {

@@ -1,7 +1,8 @@
-import { batch, effect, untracked } from '@preact/signals';
+import { batch, effect, signal, untracked } from '@preact/signals';
 import Map from 'ol/Map.js';
 import type MapBrowserEvent from 'ol/MapBrowserEvent.js';
 import View from 'ol/View.js';
+import type BaseLayer from 'ol/layer/Base.js';
 import { noModifierKeys } from 'ol/events/condition.js';
 import { boundingExtent } from 'ol/extent.js';
 import { DoubleClickZoom, DragPan, DragRotate, DragZoom, KeyboardPan, MouseWheelZoom, PinchZoom } from 'ol/interaction.js';
@@ -26,12 +27,16 @@ import { markerLayer } from './marker_layer';
 import { planLayer, vehicleLayer, waypointLayer } from './plan_layer';
 import { registerProjections, toMap, viewExtent } from './projections';
 
+/** Whether the map has moved to the data it opens on. */
+const opened = signal(false);
+
 const hitTolerance_px = 14;
 const animation_ms = 250;
 
 /** Makes the map in `target` and ties it to the model. `probe` is told where the probe tool was used. */
 export function createMap(target: HTMLElement, probe: (place: Position) => void): void {
   registerProjections();
+  const bergs = icebergLayer();
   const map = new Map({
     target,
     controls: [],
@@ -40,7 +45,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
       new PinchZoom(), new MouseWheelZoom(), new KeyboardPan(),
     ],
     layers: [
-      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), safetyLayer(), planLayer(), icebergLayer(),
+      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), safetyLayer(), planLayer(), bergs,
       waypointLayer(), vehicleLayer(), markerLayer(),
     ],
   });
@@ -48,7 +53,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
   followCommands(map);
   map.on('moveend', () => publishView(map, target));
   map.on('change:size', () => publishView(map, target));
-  followPointer(map, target, probe);
+  followPointer(map, target, bergs, probe);
   publishState(map, target);
 }
 
@@ -77,12 +82,14 @@ function followProjection(map: Map): void {
     });
   });
 
-  let opened = false;
   effect(() => {
     const box = homeBox.value;
-    if (opened || datasets.value === undefined) return;
-    opened = true;
-    untracked(() => fit(map, cornersOf(box), 0));
+    if (opened.value || datasets.value === undefined) return;
+    untracked(() => {
+      fit(map, cornersOf(box), 0);
+      map.renderSync();
+      opened.value = true;
+    });
   });
 }
 
@@ -171,7 +178,7 @@ function boxInView(map: Map, code: ProjectionCode, centre: Position, width: numb
   return poleSeen ? [-180, Math.max(south, 35), 180, 90] : [box[0], Math.max(south, 35), box[2], box[3]];
 }
 
-function followPointer(map: Map, target: HTMLElement, probe: (place: Position) => void): void {
+function followPointer(map: Map, target: HTMLElement, bergs: BaseLayer, probe: (place: Position) => void): void {
   const placeOf = (event: MapBrowserEvent): Position => {
     const [x = 0, y = 0] = event.coordinate;
     return unproject(projection.peek(), [x, y]);
@@ -182,6 +189,7 @@ function followPointer(map: Map, target: HTMLElement, probe: (place: Position) =
       pointer.value = placeOf(event);
       const berg = map.forEachFeatureAtPixel(event.pixel, (feature) => feature.get('berg') as IcebergFeature | undefined, {
         hitTolerance: 4,
+        layerFilter: (layer) => layer === bergs,
       });
       hoveredBerg.value = berg;
     });
@@ -233,7 +241,11 @@ function publishState(map: Map, target: HTMLElement): void {
     target.dataset['currents'] = currents.value ? 'shown' : 'none';
     target.dataset['loading'] = String(isLoading.value);
   });
-  map.on('rendercomplete', () => {
-    target.dataset['ready'] = String(datasets.value !== undefined && !isLoading.value);
+  const settle = (): void => {
+    target.dataset['ready'] = String(opened.value && !isLoading.value);
+  };
+  map.on('rendercomplete', settle);
+  effect(() => {
+    if (isLoading.value) settle();
   });
 }

@@ -77,4 +77,10 @@ export function vehicleAt(plan: Plan, at_ms: number): OnTheWay | undefined {
 
 export const routeOf = (plan: Plan): Position[] => plan.waypoints.map(({ lon, lat }) => [lon, lat]);
 
+/** "Plan 4": a name for a plan whose maker gave none, one past the highest number in use. */
+export function nextName(): string {
+  const numbers = plans.value.map(({ name }) => Number(/^Plan (\d+)$/.exec(name)?.[1] ?? 0));
+  return `Plan ${Math.max(0, ...numbers) + 1}`;
+}
+
 export const titleOf = (plan: Plan): string => plan.name || `Plan ${plan.plan_id.slice(0, 8)}`;

@@ -23,7 +23,7 @@ const keys: [string, string][] = [
 
 export function HelpDialog(): VNode {
   return (
-    <Modal title="Keys and help">
+    <Modal title="Help and settings">
       <p>
         Give a start and a goal (click or type), a departure and a vehicle, and press <b>Plan route</b>. One clock drives currents,
         icebergs and the vehicle. All times are UTC; positions are WGS84.
@@ -39,6 +39,13 @@ export function HelpDialog(): VNode {
       <label class="check">
         <input type="checkbox" checked={settings.value.shortcuts} onChange={(event) => change({ shortcuts: event.currentTarget.checked })} />
         Single keys act as shortcuts
+      </label>
+      <label class="check">
+        <input
+          type="checkbox" checked={settings.value.coordinates === 'decimal'}
+          onChange={(event) => change({ coordinates: event.currentTarget.checked ? 'decimal' : 'dm' })}
+        />
+        Write positions in decimal degrees
       </label>
       <p class="hint">Not for navigation. Model output and satellite positions are uncertain: check every mission before it flies.</p>
     </Modal>

@@ -24,9 +24,8 @@ export function Header(): VNode {
         </label>
         <Switch label="Distances" now={now.distance} choices={[['km', 'km'], ['nm', 'NM']]} choose={(distance) => change({ distance })} />
         <Switch label="Speeds" now={now.speed} choices={[['m/s', 'm/s'], ['kn', 'kn']]} choose={(speed) => change({ speed })} />
-        <Switch label="Positions" now={now.coordinates} choices={[['dm', '° ′'], ['decimal', '0.0°']]} choose={(coordinates) => change({ coordinates })} />
         <ThemeButton />
-        <IconButton icon="help" label="Keys and help (?)" onClick={() => { dialog.value = 'help'; }} />
+        <IconButton icon="help" label="Help and settings (?)" onClick={() => { dialog.value = 'help'; }} />
       </div>
       <IconButton icon="list" label="Waypoints" class="only-narrow" onClick={() => { drawer.value = drawer.value === 'right' ? undefined : 'right'; }} />
     </header>
@@ -64,25 +63,34 @@ function DataBar(): VNode {
         ) : (
           <>
             <Item title="Currents" dataset={currents} detail={currents && spanOf(currents)} />
-            <Item title="Ice" dataset={ice} detail={ice?.time_end ? `${shortTime(Date.parse(ice.time_end))}, ${age((Date.now() - Date.parse(ice.time_end)) / 1000)}` : undefined} />
+            <Item title="Ice" dataset={ice} detail={ice?.time_end ? sightedAt(ice.time_end) : undefined} />
             <Item title="Depths" dataset={chosenBathymetry.value} />
             <Item title="Coast" dataset={chosenCoastline.value} />
           </>
         )}
       </button>
-      {isSynthetic.value && <span class="synthetic">Synthetic data – not for navigation</span>}
+      {isSynthetic.value && <span class="synthetic" title="The data in use call themselves synthetic: not for navigation">Synthetic data</span>}
     </div>
   );
 }
 
+const hourOf = (time: string): string => shortTime(Date.parse(time)).replace(':00Z', 'Z');
+
 function spanOf({ time_start, time_end }: Dataset): string | undefined {
-  return time_start && time_end ? `${shortTime(Date.parse(time_start))} – ${shortTime(Date.parse(time_end))}` : undefined;
+  return time_start && time_end ? `${hourOf(time_start)} – ${hourOf(time_end)}` : undefined;
+}
+
+/** The newest sighting, and how old it is once it is past. */
+function sightedAt(time: string): string {
+  const age_s = (Date.now() - Date.parse(time)) / 1000;
+  return `to ${hourOf(time)}${age_s > 0 ? ` (${age(age_s)})` : ''}`;
 }
 
 function Item({ title, dataset, detail }: { title: string; dataset: Dataset | undefined; detail?: string | undefined }): VNode {
   return (
-    <span class={dataset ? 'data-item' : 'data-item missing'}>
-      <b>{title}</b> {dataset ? (detail ?? dataset.name) : 'none'}
+    <span class={dataset ? 'data-item' : 'data-item missing'} title={dataset?.name}>
+      <span class="data-head"><b>{title}</b> {dataset ? detail : 'none'}</span>
+      <span class="data-name">{dataset ? dataset.name : 'ingest a file'}</span>
     </span>
   );
 }

@@ -8,7 +8,8 @@ import { visible } from '../../model/layers';
 import { speedFigure, speedUnit } from '../../model/units';
 import { currentLimits_m_s, depthLimits_m, palette } from '../../theme/palette';
 
-const open = signal(true);
+/** Folded at first where the map is small. */
+const open = signal(window.innerWidth >= 1100 && window.innerHeight >= 780);
 
 /** What the colours and signs mean, with units. */
 export function Legend(): VNode | null {

@@ -28,11 +28,11 @@ export function Advanced(): VNode {
       <AreaField name="via" label="Places to pass, one on each line" placeholder="69°05.0′N 52°00.0′W" rows={2} />
       <div class="field-pair">
         <SelectField name="method" label="Method" choices={methods} />
-        <TextField name="sectors" label="Reach of edges" unit="1–5" inputMode="numeric" />
+        <TextField name="sectors" label="Reach" unit="1–5" inputMode="numeric" />
       </div>
       <div class="field-pair">
         <TextField
-          name="speed_m_s" label="Speed through water" unit="m/s" inputMode="decimal"
+          name="speed_m_s" label="Water speed" unit="m/s" inputMode="decimal"
           placeholder={vehicle?.speed_through_water_m_s.toString()}
         />
         <TextField name="dive_depth_m" label="Dive depth" unit="m" inputMode="decimal" placeholder={vehicle?.dive_depth_m.toString()} />

@@ -20,7 +20,12 @@ export function WaypointsPanel(): VNode {
     return (
       <div class="quiet">
         <h2>Waypoints</h2>
-        <p>No plan is selected. The waypoints of a plan appear here, with times, courses and depths.</p>
+        <p>No plan is selected. Its waypoints appear here, with times, courses and depths.</p>
+        <ol>
+          <li>Press the cross-hair beside <b>Start</b> and click the map, or type a position; the same for <b>Goal</b>.</li>
+          <li>Check the departure and the vehicle.</li>
+          <li>Press <b>Plan route</b>.</li>
+        </ol>
       </div>
     );
   }

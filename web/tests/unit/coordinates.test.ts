@@ -1,0 +1,36 @@
+import { describe, expect, it } from 'vitest';
+import { editablePosition, formatPosition, parsePosition } from '../../src/geo/coordinates';
+
+const read = (text: string): [number, number] | string => {
+  const parsed = parsePosition(text);
+  return parsed.ok ? parsed.value : parsed.fault;
+};
+
+describe('positions', () => {
+  it.each([
+    '69°10.2′N 51°21.0′W', "69 10.2 N 51 21 W", "69°10.2'N, 51°21.0'W", '69.17, -51.35', '69.17 -51.35', '69.17N 51.35W',
+    'N69 10.2 W51 21.0', '51°21.0′W 69°10.2′N', '69 10 12 N 51 21 0 W', '69.17; -51.35', '  69.17,-51.35 ',
+  ])('reads %s', (text) => {
+    const value = read(text);
+    expect(value[0]).toBeCloseTo(-51.35, 9);
+    expect(value[1]).toBeCloseTo(69.17, 9);
+  });
+
+  it.each(['', 'abc', '69', '69 70 N 51 W', '91, 10', '10, 181', '69N 51S', '1,2,3', '69.5 10 N 51 W', '-69 N, 51 W'])('refuses "%s" with a reason', (text) => {
+    expect(parsePosition(text).ok).toBe(false);
+  });
+
+  it('writes degrees and decimal minutes, carrying sixty minutes over', () => {
+    expect(formatPosition([-51.35, 69.17], 'dm')).toBe('69°10.2′N 051°21.0′W');
+    expect(formatPosition([10.99999, 59.99999], 'dm')).toBe('60°00.0′N 011°00.0′E');
+    expect(formatPosition([-51.35, 69.17], 'decimal')).toBe('69.17000° N 051.35000° W');
+  });
+
+  it('reads back what it puts into a field, to two metres', () => {
+    for (const place of [[-51.123456, 69.654321], [179.99999, -0.00001], [0, 89.9]] as [number, number][]) {
+      const value = read(editablePosition(place));
+      expect(value[0]).toBeCloseTo(place[0], 4);
+      expect(value[1]).toBeCloseTo(place[1], 4);
+    }
+  });
+});

@@ -1,0 +1,50 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import type { Plan } from '../../src/api/types';
+import { inverse } from '../../src/geo/geodesic';
+import { add, nextName, plans, select, selectedPlan, show, shown, shownPlans, vehicleAt } from '../../src/model/plans';
+
+function plan(id: string, name = ''): Plan {
+  const waypoint = (index: number, lon: number, lat: number, eta: string): Plan['waypoints'][number] => ({
+    index, lon, lat, eta, leg_m: null, course_deg: null, speed_over_ground_m_s: null, depth_m: null,
+  });
+  return {
+    plan_id: id, name, status: 'ok', method: 'astar', vehicle: 'v', departure: '2026-11-20T00:00:00Z', arrival: '2026-11-20T10:00:00Z',
+    travel_time_s: 36_000, distance_m: 1, energy_j: null, optimality_gap: null, optimality_gap_reason: '',
+    waypoints: [waypoint(0, -52, 69, '2026-11-20T00:00:00Z'), waypoint(1, -52, 69.1, '2026-11-20T04:00:00Z'), waypoint(2, -51, 69.1, '2026-11-20T10:00:00Z')],
+    search: { vertices: 0, edges: 0, edge_evaluations: 0, expansions: 0, reinsertions: 0, seconds: 0 },
+    clearances: { iceberg_m: null, land_m: null, bottom_m: null }, datasets: [], warnings: [],
+  };
+}
+
+describe('plans', () => {
+  beforeEach(() => {
+    plans.value = [];
+    shown.value = [];
+    select(undefined);
+  });
+
+  it('get letters in the order in which they are shown', () => {
+    add(plan('one'));
+    add(plan('two'));
+    expect(shownPlans.value.map(({ letter, plan: { plan_id } }) => `${letter} ${plan_id}`)).toEqual(['A one', 'B two']);
+    expect(selectedPlan.value?.plan_id).toBe('two');
+    show('two', false);
+    expect(selectedPlan.value?.plan_id).toBe('one');
+  });
+
+  it('are named by the next free number', () => {
+    add(plan('one', 'Plan 4'));
+    add(plan('two', 'ice camp'));
+    expect(nextName()).toBe('Plan 5');
+  });
+
+  it('have their vehicle on the leg under way, and nowhere outside the mission', () => {
+    const half = vehicleAt(plan('one'), Date.parse('2026-11-20T02:00:00Z'));
+    expect(half?.leg).toBe(1);
+    expect(half?.course_deg).toBeCloseTo(0, 6);
+    const leg = inverse([-52, 69], [-52, 69.1]);
+    expect(inverse([-52, 69], half?.place ?? [0, 0]).distance_m).toBeCloseTo(leg.distance_m / 2, 2);
+    expect(vehicleAt(plan('one'), Date.parse('2026-11-19T23:00:00Z'))).toBeUndefined();
+    expect(vehicleAt(plan('one'), Date.parse('2026-11-20T10:00:01Z'))).toBeUndefined();
+  });
+});
