@@ -42,9 +42,16 @@ std::string in_kilometres(core::Metres length) {
 
 std::string in_metres(double length_m) { return std::to_string(std::lround(length_m)) + " m"; }
 
-std::string period_text(const Dataset& dataset) {
-  return core::iso8601(*dataset.time_start) + " to " + core::iso8601(*dataset.time_end);
+std::optional<Period> period_of(const Dataset& dataset) {
+  if (!dataset.time_start || !dataset.time_end) return std::nullopt;
+  return Period{*dataset.time_start, *dataset.time_end};
 }
+
+std::string period_text(const Period& period) {
+  return core::iso8601(period.from) + " to " + core::iso8601(period.to);
+}
+
+bool covers(const Period& period, core::UtcTime time) { return period.from <= time && time <= period.to; }
 
 void warn_of_gap(Draft& draft, DatasetKind kind, const DatasetChoice& choice,
                  const std::string& consequence) {
@@ -53,12 +60,6 @@ void warn_of_gap(Draft& draft, DatasetKind kind, const DatasetChoice& choice,
   } else {
     draft.warn("no stored " + kind_name(kind) + " for " + bounds_text(draft.query.area) + ": " + consequence);
   }
-}
-
-bool has_time(const Dataset& dataset) { return dataset.time_start && dataset.time_end; }
-
-bool covers(const Dataset& dataset, core::UtcTime time) {
-  return has_time(dataset) && *dataset.time_start <= time && time <= *dataset.time_end;
 }
 
 void adopt_currents(Draft& draft, const Dataset& dataset, ocean::CurrentGrid currents) {
@@ -76,26 +77,24 @@ void adopt_currents(Draft& draft, const Dataset& dataset, ocean::CurrentGrid cur
   }
 
   const std::size_t steps = samples.times_s.size();
-  if (!has_time(dataset)) {
+  const auto covered = period_of(dataset);
+  if (!covered) {
     draft.warn("currents held steady: " + name + " state no time");
   } else if (draft.query.steady && steps == 1) {
-    draft.warn("currents held steady: " + name + " as at " + core::iso8601(*dataset.time_start));
+    draft.warn("currents held steady: " + name + " as at " + core::iso8601(covered->from));
   } else if (draft.query.steady) {
     draft.warn("currents held steady: " + name + ", the mean of " + std::to_string(steps) + " steps from " +
-               period_text(dataset));
+               period_text(*covered));
   }
 
-  draft.environment.steady_currents = draft.query.steady || !has_time(dataset);
+  draft.environment.steady_currents = draft.query.steady || !covered;
   draft.environment.currents = std::make_shared<const ocean::CurrentGrid>(
       draft.environment.steady_currents && steps > 1 ? currents.time_mean() : std::move(currents));
   draft.cite(dataset);
 }
 
-void refuse_departure(Draft& draft, const std::vector<Dataset>& currents) {
-  std::string periods;
-  for (const Dataset& dataset : currents) {
-    periods += (periods.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(dataset);
-  }
+/// `periods` says which dataset covers which period.
+void refuse_departure(Draft& draft, const std::string& periods) {
   draft.violations.push_back({"/depart", core::iso8601(draft.query.depart) +
                                              " is outside the currents' period: " + periods +
                                              ". Depart within it, or hold the currents steady (--steady)"});
@@ -111,20 +110,20 @@ void add_currents(Draft& draft) {
     return;
   }
 
-  std::vector<Dataset> at_another_time;
+  std::string periods_missed;
   for (const Dataset& dataset : found) {
-    if (!query.steady && has_time(dataset) && !covers(dataset, query.depart)) {
-      at_another_time.push_back(dataset);
+    auto period = query.steady ? std::nullopt : period_of(dataset);
+    if (period && !covers(*period, query.depart)) {
+      periods_missed +=
+          (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
       continue;
     }
-    const auto period = query.steady || !has_time(dataset)
-                            ? std::nullopt
-                            : std::optional{Period{query.depart, *dataset.time_end}};
+    if (period) period->from = query.depart;
     auto currents = FieldRepository{draft.db}.load_currents(dataset.id, query.area, period, query.dive_depth);
     if (currents) return adopt_currents(draft, dataset, std::move(*currents));
   }
 
-  if (!at_another_time.empty()) return refuse_departure(draft, at_another_time);
+  if (!periods_missed.empty()) return refuse_departure(draft, periods_missed);
   if (named && !found.empty())
     draft.refuse(DatasetKind::currents, title(found.front()) + " has no node near the area");
   if (!named) warn_of_gap(draft, DatasetKind::currents, query.currents, "planned in still water");

@@ -40,7 +40,8 @@ AxisWindow window_round_the_globe(const ocean::Axis& x, double west_deg, double 
 
   std::vector<double> nodes;
   for (std::ptrdiff_t i = first; i <= last; ++i) {
-    nodes.push_back(begin[i % turn] + 360.0 * static_cast<double>(i / turn));
+    const std::ptrdiff_t turns = i / turn;
+    nodes.push_back(begin[i % turn] + 360.0 * static_cast<double>(turns));
   }
   // Numbers beyond one turn mean the same nodes again, a turn further east.
   const auto run = [](std::ptrdiff_t from, std::ptrdiff_t to) {

@@ -17,8 +17,8 @@ Snapshot::~Snapshot() {
   if (!began_) return;
   try {
     execute(db_, "ROLLBACK");
-  } catch (
-      const std::runtime_error&) {  // NOLINT(bugprone-empty-catch): after a failed read it has ended already
+    // NOLINTNEXTLINE(bugprone-empty-catch): after a failed read it has ended already
+  } catch (const std::runtime_error&) {
   }
 }
 

@@ -19,8 +19,8 @@ Transaction::~Transaction() {
   if (finished_) return;
   try {
     execute(db_, outermost_ ? "ROLLBACK" : "ROLLBACK TO nested; RELEASE nested");
-  } catch (
-      const std::runtime_error&) {  // NOLINT(bugprone-empty-catch): after a full disk it was undone already
+    // NOLINTNEXTLINE(bugprone-empty-catch): after a full disk it was undone already
+  } catch (const std::runtime_error&) {
   }
 }
 
