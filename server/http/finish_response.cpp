@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <string_view>
 
-#include "api/codec/sha256.hpp"
+#include "server/http/entity_tag.hpp"
 #include "server/http/gzip.hpp"
 
 namespace floeplan::http {
@@ -51,9 +51,6 @@ bool accepts_gzip(const std::string& accept_encoding) {
   return false;
 }
 
-/// The tag of the body before any compression, so that a client may have got it either way.
-std::string strong_tag(const std::string& body) { return codec::sha256(body).substr(0, 32); }
-
 bool matches(const std::string& if_none_match, const std::string& tag) {
   return if_none_match == "*" || if_none_match.find('"' + tag) != std::string::npos;
 }
@@ -74,7 +71,7 @@ Response finish_response(const Request& request, Response response) {
   const bool compressed = compressible && accepts_gzip(request.header("accept-encoding"));
   if (compressible) vary_by(response, "Accept-Encoding");
   if (tagged) {
-    const std::string tag = strong_tag(response.body);
+    const std::string tag = entity_tag(response.body);  // of the bytes before compression
     response.headers.emplace_back("ETag", '"' + tag + (compressed ? "-gzip\"" : "\""));
     if (!has_header(response, "Cache-Control")) response.headers.emplace_back("Cache-Control", "no-cache");
     if (matches(request.header("if-none-match"), tag)) {

@@ -9,7 +9,6 @@
 #include <boost/asio/use_awaitable.hpp>
 #include <charconv>
 
-#include "api/routes/reply.hpp"
 #include "server/http/finish_response.hpp"
 
 namespace floeplan::http {
@@ -51,8 +50,14 @@ std::optional<Request> to_request(beast::http::request<beast::http::string_body>
   return request;
 }
 
-Response problem(int status, const char* slug, const char* title, const char* detail) {
-  return finish_response({}, routes::problem_reply({}, {status, slug, title, detail, {}}));
+/// A problem (RFC 9457) that no resource has said; the texts are ours and need no escaping.
+Response problem(int status, const std::string& slug, const std::string& title, const std::string& detail) {
+  Response response;
+  response.status = status;
+  response.content_type = "application/problem+json";
+  response.body = R"({"type":"/problems/)" + slug + R"(","title":")" + title + R"(","status":)" +
+                  std::to_string(status) + R"(,"detail":")" + detail + R"("})";
+  return finish_response({}, std::move(response));
 }
 
 }  // namespace

@@ -1,0 +1,139 @@
+#include "server/http/server.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <boost/asio/connect.hpp>
+#include <boost/asio/io_context.hpp>
+#include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/read.hpp>
+#include <boost/asio/write.hpp>
+#include <mutex>
+#include <thread>
+
+namespace floeplan::http {
+namespace {
+
+namespace net = boost::asio;
+
+/// A server on a free port with its thread.
+class RunningServer {
+ public:
+  explicit RunningServer(routes::Handler handler, Limits limits = {})
+      : server_{{"127.0.0.1", 0}, std::move(handler), 2, limits}, thread_{[this] { server_.run(); }} {}
+  ~RunningServer() {
+    server_.stop();
+    thread_.join();
+  }
+
+  /// Sends the bytes and reads until the server ends the connection.
+  std::string exchange(const std::string& bytes) {
+    net::io_context io;
+    net::ip::tcp::socket socket{io};
+    socket.connect({net::ip::make_address("127.0.0.1"), server_.port()});
+    boost::system::error_code error;
+    net::write(socket, net::buffer(bytes), error);  // the server may refuse before it has read everything
+    std::string answer;
+    net::read(socket, net::dynamic_buffer(answer), error);
+    return answer;
+  }
+
+ private:
+  Server server_;
+  std::thread thread_;
+};
+
+routes::Response echo(const routes::Request& request) {
+  routes::Response response;
+  response.content_type = "text/plain";
+  response.body = request.method + " " + request.path + " " + request.body;
+  return response;
+}
+
+std::string get(const std::string& target, const std::string& headers = "") {
+  return "GET " + target + " HTTP/1.1\r\nHost: x\r\nConnection: close\r\n" + headers + "\r\n";
+}
+
+TEST(Server, AnswersWithTheDecodedRequest) {
+  RunningServer server{echo};
+  const auto answer = server.exchange(get("/a%20b?x=1"));
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 200 OK\r\n")) << answer;
+  EXPECT_TRUE(answer.ends_with("GET /a b ")) << answer;
+}
+
+TEST(Server, KeepsTheConnectionForTheNextRequest) {
+  RunningServer server{echo};
+  const auto answer = server.exchange("GET /1 HTTP/1.1\r\nHost: x\r\n\r\n" + get("/2"));
+  EXPECT_NE(answer.find("GET /1 "), std::string::npos);
+  EXPECT_NE(answer.find("GET /2 "), std::string::npos);
+}
+
+TEST(Server, AnswersHeadWithoutBodyButWithItsLength) {
+  RunningServer server{echo};
+  const auto answer = server.exchange("HEAD /x HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n");
+  EXPECT_NE(answer.find("Content-Length: 8\r\n"), std::string::npos) << answer;
+  EXPECT_TRUE(answer.ends_with("\r\n\r\n"));
+}
+
+TEST(Server, RefusesAHeaderThatIsTooLarge) {
+  RunningServer server{echo};
+  const auto answer = server.exchange(get("/", "X-Long: " + std::string(20'000, 'a') + "\r\n"));
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 431")) << answer.substr(0, 100);
+}
+
+TEST(Server, RefusesABodyThatIsTooLarge) {
+  RunningServer server{echo};
+  const std::string body(2'000'000, '[');
+  const auto answer =
+      server.exchange("POST / HTTP/1.1\r\nHost: x\r\nContent-Type: application/json\r\nContent-Length: " +
+                      std::to_string(body.size()) + "\r\n\r\n" + body);
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 413")) << answer.substr(0, 100);
+}
+
+TEST(Server, RefusesWhatIsNotHttpAndBadPercentSigns) {
+  RunningServer server{echo};
+  EXPECT_TRUE(server.exchange("nonsense\r\n\r\n").starts_with("HTTP/1.1 400"));
+  EXPECT_TRUE(server.exchange(get("/%zz")).starts_with("HTTP/1.1 400"));
+}
+
+TEST(Server, AnswersAProblemWhenAHandlerThrows) {
+  RunningServer server{
+      [](const routes::Request&) -> routes::Response { throw std::runtime_error{"secret"}; }};
+  const auto answer = server.exchange(get("/"));
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 500"));
+  EXPECT_EQ(answer.find("secret"), std::string::npos);
+}
+
+TEST(Server, AsksAWaitingHandlerAgainWhenItIsWoken) {
+  std::mutex mutex;
+  std::function<void()> wake;
+  std::atomic<int> calls{0};
+  RunningServer server{[&](const routes::Request& request) {
+    if (++calls == 2) {  // the first call after the subscription: from now on a wake-up is heard
+      const std::lock_guard lock{mutex};
+      wake();
+    }
+    if (calls >= 3) return echo(request);
+    routes::Response response;
+    response.wait = routes::Wait{core::Seconds{60.0}, "token", [&](std::function<void()> wake_up) {
+                                   const std::lock_guard lock{mutex};
+                                   wake = std::move(wake_up);
+                                   return std::make_shared<int>(0);
+                                 }};
+    return response;
+  }};
+  EXPECT_TRUE(server.exchange(get("/later")).starts_with("HTTP/1.1 200"));
+}
+
+TEST(Server, TellsTheHandlerWhenTheTimeToWaitIsOver) {
+  RunningServer server{[](const routes::Request& request) {
+    if (request.resumption && request.resumption->last) return echo(request);
+    routes::Response response;
+    response.wait = routes::Wait{core::Seconds{0.05}, "", [](std::function<void()>) { return nullptr; }};
+    return response;
+  }};
+  EXPECT_TRUE(server.exchange(get("/late")).starts_with("HTTP/1.1 200"));
+}
+
+}  // namespace
+}  // namespace floeplan::http
