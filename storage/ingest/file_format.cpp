@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "storage/ingest/ascii_grid_length.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/netcdf3_length.hpp"
 #include "storage/ingest/text.hpp"
@@ -149,7 +150,12 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
       bytes.starts_with("MM\0+"sv))
     return FileFormat::geotiff;
   if (auto foreign = refusal_of_foreign(bytes); !foreign.empty()) return refuse(std::move(foreign));
-  if (is_text(bytes)) return format_of_text(bytes, lower(file.extension().string()));
+  if (is_text(bytes)) {
+    const auto format = format_of_text(bytes, lower(file.extension().string()));
+    if (format && *format == FileFormat::ascii_grid)
+      if (const auto length = ascii_grid_length(file); !length) return refuse(length.error());
+    return format;
+  }
   return refuse(
       "this program does not know what this file is; give NetCDF, GeoTIFF, BAG, ESRI ASCII, XYZ, GeoJSON or "
       "the sightings of the International Ice Patrol");

@@ -66,10 +66,19 @@ Dataset dataset_of(const PreparedDataset& data, const std::filesystem::path& fil
                          .tool_version = "floeplan " FLOEPLAN_VERSION ", " + gdal_version()}};
 }
 
+/// GDAL quotes the whole path; where the file lies on this machine is not for everybody who reads the report.
+std::string without_folder(std::string reason, const std::filesystem::path& file) {
+  const std::string path = std::filesystem::absolute(file).string();
+  const std::string name = file.filename().string();
+  for (std::size_t at = reason.find(path); at != std::string::npos; at = reason.find(path, at + name.size()))
+    reason.replace(at, path.size(), name);
+  return reason;
+}
+
 IngestReport refused(const std::filesystem::path& file, std::string reason) {
   IngestReport report;
   report.file = file.filename().string();
-  report.errors.push_back(std::move(reason));
+  report.errors.push_back(without_folder(std::move(reason), file));
   return report;
 }
 

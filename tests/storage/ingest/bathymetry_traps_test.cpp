@@ -175,6 +175,18 @@ TEST_F(BathymetryTraps, PlainTextInMetresIsNotTakenForDegrees) {
   expect_refused(file, "--crs", positive_up);
 }
 
+TEST_F(BathymetryTraps, AnAsciiGridThatWasCutShortIsRefused) {
+  const std::string header =
+      "ncols 2\nnrows 2\nxllcorner 10\nyllcorner 20\ncellsize 0.5\nNODATA_value -9999\n";
+  expect_refused(write_file("cut.asc", header + "1 2\n3"), "announces 4 values, but it has 3", positive_up);
+  expect_refused(write_file("cut.asc", "ncols 2\nnro"), "no usable ncols and nrows", positive_up);
+}
+
+TEST_F(BathymetryTraps, ReasonsDoNotTellWhereTheFileLies) {
+  const auto file = write_file("sea.tif", std::string{"II*\0\xff\xff\0\0", 8});
+  EXPECT_THAT(words(ingest(file)), testing::Not(HasSubstr(file.parent_path().string())));
+}
+
 TEST_F(BathymetryTraps, AnXyzTableWithHolesIsRefused) {
   expect_refused(write_file("survey.xyz", "0.0 50.0 -10\n0.013 50.002 -11\n0.2 50.1 -12\n0.21 50.4 -7\n"),
                  "regular grid", positive_up);
