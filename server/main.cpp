@@ -1,20 +1,39 @@
 #include <CLI/CLI.hpp>
+#include <exception>
 
-#include "server/cli/serve.hpp"
+#include "server/cli/command.hpp"
 
 int main(int argc, char** argv) {
+  using namespace floeplan;
+
   CLI::App app{"Mission planning for underwater gliders in and under ice", "floeplan"};
+  app.set_version_flag("--version", std::string{"floeplan "} + FLOEPLAN_VERSION);
   app.require_subcommand(1);
 
-  floeplan::cli::ServeOptions serve_options;
-  app.add_option("--data", serve_options.store, "Folder of the store")->required();
-  auto* serve = app.add_subcommand("serve", "HTTP API, web client and planning in one process");
-  serve->add_option("--listen", serve_options.listen, "ADDR:PORT; port 0: any free port")
-      ->capture_default_str();
-  serve->add_option("--workers", serve_options.workers, "Planning jobs at the same time")
-      ->capture_default_str();
-  serve->add_option("--web", serve_options.web, "Folder of the built client");
-  serve->add_option("--public-url", serve_options.public_url, "What links begin with");
-  CLI11_PARSE(app, argc, argv);
-  return floeplan::cli::serve(serve_options);
+  cli::Program program;
+  program.store = cli::default_store();
+  app.add_option("--data", program.store, "Folder of the store")->capture_default_str();
+  cli::add_serve(app, program);
+  cli::add_ingest(app, program);
+  cli::add_datasets(app, program);
+  cli::add_probe(app, program);
+  cli::add_plan(app, program);
+  cli::add_evaluate(app, program);
+  cli::add_export(app, program);
+  cli::add_reproduce(app, program);
+  cli::add_demo(app, program);
+
+  try {
+    app.parse(argc, argv);
+    return program.exit_code;
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::CallForVersion& version) {
+    return app.exit(version);
+  } catch (const CLI::ParseError& error) {
+    return cli::complain(cli::wrong_usage,
+                         std::string{error.what()} + "; floeplan --help lists commands and flags");
+  } catch (const std::exception& error) {
+    return cli::complain(cli::could_not, error.what());
+  }
 }

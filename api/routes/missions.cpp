@@ -4,11 +4,10 @@
 #include "api/codec/plan_geojson.hpp"
 #include "api/codec/plan_gpx.hpp"
 #include "api/codec/zip_archive.hpp"
+#include "api/routes/mission_service.hpp"
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
-#include "engine/mission/goto_lists.hpp"
-#include "engine/vehicle/glider_profile.hpp"
 #include "storage/repository/plan_repository.hpp"
 
 namespace floeplan::routes {
@@ -43,16 +42,7 @@ Response with_lists(const Request& request, const PlanRecord& record, const Answ
   const auto number = reader.integer("number", 0, 97);
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
-  const auto plan = codec::parse_plan_document(json::parse(record.document_json));
-  mission::GotoListOptions options;
-  options.first_number = static_cast<int>(number.value_or(10));
-  if (const auto profile = vehicle::find_profile(plan.vehicle))
-    options.max_waypoints = profile->max_waypoints_per_list;
-  options.plan_id = record.id.value;
-  options.plan_name = record.name;
-  options.generated = request.now;
-  options.written_by = "floeplan " FLOEPLAN_VERSION;
-  const auto lists = mission::write_goto_lists(plan, options);
+  const auto lists = mission_of(record, static_cast<int>(number.value_or(10)), request.now);
   return lists ? answer(*lists) : invalid(request, lists.error());
 }
 

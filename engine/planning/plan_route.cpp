@@ -243,8 +243,9 @@ geo::BoundingBox planning_area(const PlanRequest& request) {
 }
 
 Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
-                        const std::stop_token& stop, const core::ProgressCallback& progress) {
+                        const std::stop_token& stop, const core::ProgressCallback& report) {
   refuse_invalid(request);
+  const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
   bool touches_rim = false;
   Result<Plan> first = plan_within(first_reach, environment, request, stop, progress, touches_rim);
   const bool cancelled = !first && first.error().reason == Reason::cancelled;

@@ -1,0 +1,50 @@
+#include "server/cli/command.hpp"
+
+#include <unistd.h>
+
+#include <chrono>
+#include <cstdlib>
+#include <iostream>
+#include <memory>
+
+namespace floeplan::cli {
+
+std::filesystem::path default_store() {
+  if (const char* data_home = std::getenv("XDG_DATA_HOME"); data_home != nullptr && *data_home != '\0') {
+    return std::filesystem::path{data_home} / "floeplan";
+  }
+  if (const char* home = std::getenv("HOME"); home != nullptr && *home != '\0') {
+    return std::filesystem::path{home} / ".local/share/floeplan";
+  }
+  return "floeplan-data";
+}
+
+core::UtcTime now() { return std::chrono::time_point_cast<core::Seconds>(std::chrono::system_clock::now()); }
+
+int complain(ExitCode code, const std::string& sentence) {
+  std::cerr << "floeplan: " << sentence << '\n';
+  return code;
+}
+
+int complain(ExitCode code, const core::Violations& violations) {
+  for (const core::Violation& violation : violations) complain(code, violation.field + ": " + violation.rule);
+  return code;
+}
+
+core::ProgressCallback terminal_progress() {
+  if (isatty(STDERR_FILENO) == 0) return [](std::string_view, double) {};
+  struct State {
+    std::chrono::steady_clock::time_point begin{std::chrono::steady_clock::now()};
+    bool shown{false};
+    ~State() {
+      if (shown) std::cerr << "\r\033[K";
+    }
+  };
+  return [state = std::make_shared<State>()](std::string_view stage, double fraction) {
+    if (std::chrono::steady_clock::now() - state->begin < std::chrono::seconds{1}) return;
+    state->shown = true;
+    std::cerr << "\r\033[K" << stage << ' ' << static_cast<int>(100.0 * fraction) << " %" << std::flush;
+  };
+}
+
+}  // namespace floeplan::cli

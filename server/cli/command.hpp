@@ -1,0 +1,46 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <string>
+
+#include "engine/core/progress.hpp"
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+
+namespace floeplan::cli {
+
+/// How the program ends; scripts depend on the numbers.
+enum ExitCode : int { done = 0, could_not = 1, wrong_usage = 2, bad_data = 3 };
+
+/// What every subcommand shares. Subcommands are registered on the parser and set `exit_code` when they run.
+struct Program {
+  std::filesystem::path store;  // --data
+  int exit_code{done};
+};
+
+/// Where the store lies when --data is not given: floeplan in the XDG data folder, else in ~/.local/share.
+[[nodiscard]] std::filesystem::path default_store();
+
+[[nodiscard]] core::UtcTime now();
+
+/// One line on stderr: "floeplan: what; why; what to do". Returns `code`.
+int complain(ExitCode code, const std::string& sentence);
+/// One such line for each violation.
+int complain(ExitCode code, const core::Violations& violations);
+
+/// Shows stage and percent on stderr while it is a terminal and the work takes longer than a second; says
+/// nothing otherwise.
+[[nodiscard]] core::ProgressCallback terminal_progress();
+
+void add_ingest(CLI::App& app, Program& program);
+void add_datasets(CLI::App& app, Program& program);
+void add_probe(CLI::App& app, Program& program);
+void add_plan(CLI::App& app, Program& program);
+void add_evaluate(CLI::App& app, Program& program);
+void add_export(CLI::App& app, Program& program);
+void add_reproduce(CLI::App& app, Program& program);
+void add_demo(CLI::App& app, Program& program);
+void add_serve(CLI::App& app, Program& program);
+
+}  // namespace floeplan::cli

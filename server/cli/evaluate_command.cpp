@@ -1,0 +1,68 @@
+#include <fstream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "api/codec/plan_inputs.hpp"
+#include "server/cli/command.hpp"
+#include "server/cli/input_flags.hpp"
+#include "server/cli/plan_output.hpp"
+#include "server/jobs/plan_service.hpp"
+#include "storage/repository/migrations.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+
+/// The first LineString of a GeoJSON document, or the document itself when it has none (the parser then says
+/// what is wrong).
+json route_in(const json& document) {
+  if (document.is_object() && document.value("type", "") == "FeatureCollection" &&
+      document.contains("features") && document.at("features").is_array()) {
+    for (const json& feature : document.at("features")) {
+      if (feature.is_object() && feature.contains("geometry") && feature.at("geometry").is_object() &&
+          feature.at("geometry").value("type", "") == "LineString") {
+        return feature;
+      }
+    }
+  }
+  return document;
+}
+
+int run(const std::string& route, const InputFlags& flags, bool json_out, const Program& program) {
+  json inputs = flags.inputs();
+  if (std::ifstream file{route}; file) {
+    const json document = json::parse(file, nullptr, false);
+    if (document.is_discarded()) {
+      return complain(bad_data, route + " is not JSON; a route is a GeoJSON LineString or a plan's id");
+    }
+    inputs["route"] = route_in(document);
+  } else if (route.find('.') != std::string::npos || route.find('/') != std::string::npos) {
+    return complain(could_not, "the file " + route + " cannot be read; check its name");
+  } else {
+    inputs["plan_id"] = route;
+  }
+  const auto parsed = codec::parse_evaluate_inputs(inputs);
+  if (!parsed) return print_violations(parsed.error(), json_out);
+
+  auto db = repository::open_store(program.store);
+  const auto document = jobs::evaluate_route_document(db, *parsed);
+  if (!document) return print_violations(document.error(), json_out);
+  return print_plan(*document, json_out);
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app, Program& program) {
+  auto flags = std::make_shared<InputFlags>();
+  auto route = std::make_shared<std::string>();
+  auto json_out = std::make_shared<bool>(false);
+  auto* command = app.add_subcommand("evaluate", "Time a given route in the stored data");
+  command->add_option("ROUTE", *route, "A plan's id or a GeoJSON file with a LineString")->required();
+  flags->add_common(*command);
+  command->add_flag("--json", *json_out, "Answer with one JSON document");
+  command->callback(
+      [flags, route, json_out, &program] { program.exit_code = run(*route, *flags, *json_out, program); });
+}
+
+}  // namespace floeplan::cli

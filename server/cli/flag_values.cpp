@@ -1,0 +1,39 @@
+#include "server/cli/flag_values.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace floeplan::cli {
+
+std::vector<std::string> split_at_commas(const std::string& text) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  for (;;) {
+    const std::size_t comma = text.find(',', begin);
+    parts.push_back(text.substr(begin, comma - begin));
+    if (comma == std::string::npos) return parts;
+    begin = comma + 1;
+  }
+}
+
+std::optional<std::vector<double>> parse_numbers(const std::string& text) {
+  std::vector<double> numbers;
+  for (const std::string& part : split_at_commas(text)) {
+    const char* begin = part.data();
+    const char* end = begin + part.size();
+    if (begin != end && *begin == '+') ++begin;
+    double number = 0.0;
+    const auto [stopped, error] = std::from_chars(begin, end, number);
+    if (error != std::errc{} || stopped != end || !std::isfinite(number)) return std::nullopt;
+    numbers.push_back(number);
+  }
+  return numbers;
+}
+
+std::optional<geo::LonLat> parse_place(const std::string& text) {
+  const auto numbers = parse_numbers(text);
+  if (!numbers || numbers->size() != 2) return std::nullopt;
+  return geo::LonLat{(*numbers)[0], (*numbers)[1]};
+}
+
+}  // namespace floeplan::cli

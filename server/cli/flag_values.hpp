@@ -1,0 +1,21 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/lon_lat.hpp"
+
+namespace floeplan::cli {
+
+/// "LON,LAT" in decimal degrees. Whether the numbers are a place on the Earth is not judged here.
+[[nodiscard]] std::optional<geo::LonLat> parse_place(const std::string& text);
+
+/// Numbers between commas: "1000" or "1000,500". Empty unless every part is a finite number.
+[[nodiscard]] std::optional<std::vector<double>> parse_numbers(const std::string& text);
+
+/// The parts between commas.
+[[nodiscard]] std::vector<std::string> split_at_commas(const std::string& text);
+
+}  // namespace floeplan::cli

@@ -1,0 +1,99 @@
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "api/codec/dataset_document.hpp"
+#include "server/cli/command.hpp"
+#include "storage/ingest/ingest_file.hpp"
+#include "storage/repository/migrations.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+
+struct Flags {
+  std::vector<std::string> files;
+  std::optional<std::string> name;
+  std::string kind{"auto"};
+  std::optional<std::string> crs;
+  std::optional<std::string> positive;
+  bool json_out{false};
+};
+
+std::string status_name(ingest::IngestStatus status) {
+  switch (status) {
+    case ingest::IngestStatus::stored: return "stored";
+    case ingest::IngestStatus::refused: return "refused";
+    case ingest::IngestStatus::unchanged: return "unchanged";
+  }
+  return "refused";
+}
+
+json report_document(const ingest::IngestReport& report) {
+  json document = report.dataset
+                      ? codec::dataset_document(*report.dataset)
+                      : json{{"kind", nullptr},    {"name", nullptr},       {"variables", json::array()},
+                             {"bbox", nullptr},    {"time_start", nullptr}, {"time_end", nullptr},
+                             {"rows_accepted", 0}, {"rows_refused", 0}};
+  document["dataset_id"] = report.dataset ? json(report.dataset->id.value) : json(nullptr);
+  document["file"] = report.file;
+  document["status"] = status_name(report.status);
+  document["warnings"] = report.warnings;
+  document["errors"] = report.errors;
+  return document;
+}
+
+void print(const ingest::IngestReport& report) {
+  std::cout << status_name(report.status) << "  " << report.file;
+  if (report.dataset) {
+    std::cout << "  " << repository::kind_name(report.dataset->kind) << "  " << report.dataset->id.value
+              << "  " << report.dataset->rows_accepted << " accepted";
+    if (report.dataset->rows_refused > 0) std::cout << ", " << report.dataset->rows_refused << " refused";
+  }
+  std::cout << '\n';
+  for (const std::string& warning : report.warnings) std::cout << "  warning: " << warning << '\n';
+  std::cout.flush();
+  for (const std::string& error : report.errors) complain(bad_data, report.file + ": " + error);
+}
+
+int run(const Flags& flags, const Program& program) {
+  ingest::IngestOptions options{.name = flags.name, .kind = {}, .crs = flags.crs, .positive = flags.positive};
+  if (flags.kind != "auto") options.kind = repository::parse_kind(flags.kind);
+
+  auto db = repository::open_store(program.store);
+  json documents = json::array();
+  int exit_code = done;
+  for (const std::string& file : flags.files) {
+    for (const auto& report : ingest::ingest_file(db, file, options, now(), terminal_progress())) {
+      if (report.status == ingest::IngestStatus::refused) exit_code = bad_data;
+      if (!flags.json_out) print(report);
+      documents.push_back(report_document(report));
+      if (!flags.json_out) continue;
+      for (const std::string& error : report.errors) complain(bad_data, report.file + ": " + error);
+    }
+  }
+  if (flags.json_out) std::cout << json{{"datasets", documents}}.dump(2) << '\n';
+  return exit_code;
+}
+
+}  // namespace
+
+void add_ingest(CLI::App& app, Program& program) {
+  auto flags = std::make_shared<Flags>();
+  auto* command = app.add_subcommand("ingest", "Read data files into the store");
+  command->add_option("FILE", flags->files, "Bathymetry, currents, icebergs or coastline")->required();
+  command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
+  command->add_option("--kind", flags->kind, "What to take the file for")
+      ->check(CLI::IsMember({"auto", "bathymetry", "currents", "icebergs", "coastline"}))
+      ->capture_default_str();
+  command->add_option("--crs", flags->crs, "Reference system of a file that states none, as EPSG:4326");
+  command
+      ->add_option("--positive", flags->positive,
+                   "Sign of bathymetry that does not say: up (elevation) or down (depth)")
+      ->check(CLI::IsMember({"up", "down"}));
+  command->add_flag("--json", flags->json_out, "Answer with one JSON document");
+  command->callback([flags, &program] { program.exit_code = run(*flags, program); });
+}
+
+}  // namespace floeplan::cli

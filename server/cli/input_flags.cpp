@@ -1,0 +1,102 @@
+#include "server/cli/input_flags.hpp"
+
+#include <fstream>
+#include <stdexcept>
+
+#include "server/cli/flag_values.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+
+json place_of(const std::string& flag, const std::string& text) {
+  const auto place = parse_place(text);
+  if (!place)
+    throw CLI::ValidationError{flag, text + " is not LON,LAT in degrees; as " + flag + "=-53.2,69.2"};
+  return json::array({place->lon_deg, place->lat_deg});
+}
+
+json read_request(const std::string& file) {
+  std::ifstream stream{file};
+  if (!stream) throw std::runtime_error{"the request file " + file + " cannot be read; check its name"};
+  json request = json::parse(stream, nullptr, false);
+  if (!request.is_object()) throw std::runtime_error{"the request file " + file + " is not a JSON object"};
+  return request;
+}
+
+}  // namespace
+
+void InputFlags::add_common(CLI::App& command) {
+  command.add_option("--depart", depart_, "Departure, ISO 8601 with zone, as 2026-11-20T06:00:00Z");
+  command.add_option("--vehicle", vehicle_, "Vehicle profile; default slocum-g3-200");
+  command.add_option("--speed", speed_m_s_, "Horizontal speed through water, m/s");
+  command.add_option("--dive-depth", dive_depth_m_, "Metres");
+  command.add_option("--currents", currents_,
+                     "ID[,ID...] or none; default: the newest that cover area and departure");
+  command.add_flag("--steady", steady_, "Use the one time step, or the mean of all, for every time");
+  command.add_option("--bathymetry", bathymetry_, "ID or none; default: the newest");
+  command.add_option("--icebergs", icebergs_, "ID or none; default: the newest");
+  command.add_option("--icebergs-as-of", icebergs_as_of_, "Latest sighting to use; default: the departure");
+  command.add_option("--coastline", coastline_, "ID or none; default: the newest");
+  command.add_option("--margin", margin_m_, "Kept from icebergs, metres; default 500");
+  command.add_option("--name", name_, "Name of the plan");
+}
+
+void InputFlags::add_planning(CLI::App& command) {
+  command.add_option("--request", request_file_, "JSON file with the inputs of process plan-route");
+  command.add_option("--from", from_, "Start, LON,LAT in degrees");
+  command.add_option("--to", to_, "Goal, LON,LAT in degrees");
+  command.add_option("--via", via_, "Place to visit on the way; may be repeated, in order")
+      ->allow_extra_args(false);
+  command.add_option("--spacing", spacing_m_,
+                     "Grid step M, or M,M along and across; default distance/200, 250 m to 5 km");
+  command.add_option("--sectors", sectors_, "Reach of the grid's edges, 1 to 5; default 3");
+  command.add_option("--method", method_, "tve, dijkstra, astar, frozen or direct; default astar");
+  command.add_option("--objective", objective_, "time");
+  command.add_option("--max-waypoints", max_waypoints_, "Start and goal included");
+  command.add_flag("--no-refine", no_refine_, "Leave the way as the grid gave it");
+}
+
+json InputFlags::inputs() const {
+  json inputs = request_file_ ? read_request(*request_file_) : json::object();
+  const auto set = [&](const char* key, const auto& flag) {
+    if (flag) inputs[key] = *flag;
+  };
+  if (from_) inputs["from"] = place_of("--from", *from_);
+  if (to_) inputs["to"] = place_of("--to", *to_);
+  if (!via_.empty()) {
+    inputs["via"] = json::array();
+    for (const std::string& via : via_) inputs["via"].push_back(place_of("--via", via));
+  }
+  if (spacing_m_) {
+    const auto numbers = parse_numbers(*spacing_m_);
+    if (!numbers || numbers->size() > 2) {
+      throw CLI::ValidationError{"--spacing", *spacing_m_ + " is not metres; as 1000 or 1000,500"};
+    }
+    inputs["spacing_m"] = numbers->size() == 1 ? json((*numbers)[0]) : json(*numbers);
+  }
+  if (currents_) {
+    const auto ids = split_at_commas(*currents_);
+    inputs["currents"] = ids.size() == 1 ? json(ids.front()) : json(ids);
+  }
+  set("depart", depart_);
+  set("vehicle", vehicle_);
+  set("speed_m_s", speed_m_s_);
+  set("dive_depth_m", dive_depth_m_);
+  set("sectors", sectors_);
+  set("method", method_);
+  set("objective", objective_);
+  set("max_waypoints", max_waypoints_);
+  set("bathymetry", bathymetry_);
+  set("icebergs", icebergs_);
+  set("icebergs_as_of", icebergs_as_of_);
+  set("coastline", coastline_);
+  set("margin_m", margin_m_);
+  set("name", name_);
+  if (steady_) inputs["steady"] = true;
+  if (no_refine_) inputs["refine"] = false;
+  return inputs;
+}
+
+}  // namespace floeplan::cli

@@ -1,0 +1,49 @@
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+namespace floeplan::cli {
+
+/// The flags of `plan` and `evaluate` that are members of a process's `inputs`, under the same names with
+/// underscores. Flags win over the members of a request file.
+class InputFlags {
+ public:
+  /// Departure, vehicle, margin and data: what both commands take.
+  void add_common(CLI::App& command);
+  /// Places, grid, search and refinement: what only `plan` takes.
+  void add_planning(CLI::App& command);
+
+  /// The inputs. Throws CLI::ValidationError (wrong usage) for a flag whose text cannot be read, and
+  /// std::runtime_error for a request file that cannot.
+  [[nodiscard]] nlohmann::json inputs() const;
+
+ private:
+  std::optional<std::string> request_file_;
+  std::optional<std::string> from_;
+  std::optional<std::string> to_;
+  std::vector<std::string> via_;
+  std::optional<std::string> depart_;
+  std::optional<std::string> vehicle_;
+  std::optional<double> speed_m_s_;
+  std::optional<double> dive_depth_m_;
+  std::optional<std::string> spacing_m_;
+  std::optional<int> sectors_;
+  std::optional<std::string> method_;
+  std::optional<std::string> objective_;
+  std::optional<int> max_waypoints_;
+  bool no_refine_{false};
+  std::optional<std::string> currents_;
+  bool steady_{false};
+  std::optional<std::string> bathymetry_;
+  std::optional<std::string> icebergs_;
+  std::optional<std::string> icebergs_as_of_;
+  std::optional<std::string> coastline_;
+  std::optional<double> margin_m_;
+  std::optional<std::string> name_;
+};
+
+}  // namespace floeplan::cli

@@ -1,0 +1,36 @@
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "api/codec/plan_inputs.hpp"
+#include "server/cli/command.hpp"
+#include "server/cli/input_flags.hpp"
+#include "server/cli/plan_output.hpp"
+#include "server/jobs/plan_service.hpp"
+#include "storage/repository/migrations.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+int run(const InputFlags& flags, bool json_out, const Program& program) {
+  const auto inputs = codec::parse_plan_inputs(flags.inputs());
+  if (!inputs) return print_violations(inputs.error(), json_out);
+
+  auto db = repository::open_store(program.store);
+  const auto document = jobs::plan_route_document(db, *inputs, {}, terminal_progress(), now());
+  if (!document) return print_violations(document.error(), json_out);
+  return print_plan(*document, json_out);
+}
+
+}  // namespace
+
+void add_plan(CLI::App& app, Program& program) {
+  auto flags = std::make_shared<InputFlags>();
+  auto json_out = std::make_shared<bool>(false);
+  auto* command = app.add_subcommand("plan", "Plan the fastest route through the stored data");
+  flags->add_planning(*command);
+  flags->add_common(*command);
+  command->add_flag("--json", *json_out, "Answer with one JSON document");
+  command->callback([flags, json_out, &program] { program.exit_code = run(*flags, *json_out, program); });
+}
+
+}  // namespace floeplan::cli

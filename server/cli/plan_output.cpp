@@ -1,0 +1,94 @@
+#include "server/cli/plan_output.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "server/cli/command.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+
+/// "69 10.245 N": whole degrees and decimal minutes, as pilots read positions.
+std::string degrees_minutes(double degrees, char positive, char negative) {
+  const auto thousandths = static_cast<long>(std::llround(std::abs(degrees) * 60'000.0));
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%3ld %06.3f %c", thousandths / 60'000,
+                static_cast<double>(thousandths % 60'000) / 1000.0, degrees < 0.0 ? negative : positive);
+  return text.data();
+}
+
+std::string cell(const json& value, const char* format, double factor = 1.0) {
+  if (!value.is_number()) return "-";
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), format, value.get<double>() * factor);
+  return text.data();
+}
+
+void print_table(const json& plan) {
+  std::printf("%-4s %-14s %-14s %-20s %9s %8s %6s %7s\n", "no.", "latitude", "longitude", "ETA", "leg km",
+              "course", "m/s", "depth m");
+  for (const json& waypoint : plan.at("waypoints")) {
+    std::printf(
+        "%-4d %-14s %-14s %-20s %9s %8s %6s %7s\n", waypoint.at("index").get<int>(),
+        degrees_minutes(waypoint.at("lat"), 'N', 'S').c_str(),
+        degrees_minutes(waypoint.at("lon"), 'E', 'W').c_str(), waypoint.at("eta").get<std::string>().c_str(),
+        cell(waypoint.at("leg_m"), "%.2f", 1e-3).c_str(), cell(waypoint.at("course_deg"), "%.1f").c_str(),
+        cell(waypoint.at("speed_over_ground_m_s"), "%.3f").c_str(),
+        cell(waypoint.at("depth_m"), "%.0f").c_str());
+  }
+}
+
+void print_for_people(const json& plan) {
+  const std::string id = plan.value("plan_id", "");
+  std::printf("%s  %s to %s, %s h, %s km\n", id.empty() ? "route" : id.c_str(),
+              plan.at("departure").get<std::string>().c_str(), plan.at("arrival").get<std::string>().c_str(),
+              cell(plan.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str(),
+              cell(plan.at("distance_m"), "%.1f", 1e-3).c_str());
+  print_table(plan);
+  const json& clear = plan.at("clearances");
+  std::printf("clear of icebergs by %s m, of land by %s m, of the bottom by %s m\n",
+              cell(clear.at("iceberg_m"), "%.0f").c_str(), cell(clear.at("land_m"), "%.0f").c_str(),
+              cell(clear.at("bottom_m"), "%.0f").c_str());
+  for (const json& dataset : plan.at("datasets")) {
+    std::printf("data: %s (%s)\n", dataset.at("id").get<std::string>().c_str(),
+                dataset.at("name").get<std::string>().c_str());
+  }
+  for (const json& warning : plan.at("warnings"))
+    std::printf("warning: %s\n", warning.get<std::string>().c_str());
+}
+
+}  // namespace
+
+int print_plan(const json& document, bool json_out) {
+  const bool ok = document.at("status") == "ok";
+  if (json_out) {
+    std::cout << document.dump(2) << '\n';
+  } else if (ok) {
+    print_for_people(document);
+  }
+  if (ok) return done;
+  const json& at = document.at("at");
+  return complain(could_not, "no plan: " + document.at("explanation").get<std::string>() + " (at " +
+                                 degrees_minutes(at.at("lat"), 'N', 'S') + ' ' +
+                                 degrees_minutes(at.at("lon"), 'E', 'W') + "); " +
+                                 document.at("reason").get<std::string>() + "; " +
+                                 document.at("suggestion").get<std::string>());
+}
+
+int print_violations(const core::Violations& violations, bool json_out) {
+  if (json_out) {
+    json errors = json::array();
+    for (const core::Violation& violation : violations) {
+      errors.push_back({{"pointer", violation.field}, {"detail", violation.rule}});
+    }
+    std::cout << json{{"status", "invalid"}, {"errors", errors}}.dump(2) << '\n';
+  }
+  return complain(bad_data, violations);
+}
+
+}  // namespace floeplan::cli

@@ -1,0 +1,89 @@
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "api/routes/probe_service.hpp"
+#include "engine/core/utc_text.hpp"
+#include "server/cli/command.hpp"
+#include "server/cli/flag_values.hpp"
+#include "storage/repository/migrations.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+struct Flags {
+  std::string at;
+  std::optional<std::string> time;
+  std::optional<double> depth_m;
+  std::optional<std::string> dataset;
+  bool json_out{false};
+};
+
+void print(const codec::Probe& probe) {
+  std::cout << std::fixed << std::setprecision(4) << "place     " << probe.place.lon_deg << ", "
+            << probe.place.lat_deg << " at " << core::iso8601(probe.time) << '\n';
+  if (probe.depth) {
+    std::cout << "depth     " << std::setprecision(1) << probe.depth->value << " m\n";
+  } else {
+    std::cout << "depth     - (" << probe.depth_reason << ")\n";
+  }
+  if (probe.currents.velocity) {
+    std::cout << std::setprecision(3) << "current   " << probe.currents.velocity->east.value << " m/s east, "
+              << probe.currents.velocity->north.value << " m/s north (" << probe.currents.dataset_name
+              << ")\n";
+  } else {
+    std::cout << "current   - (" << probe.currents.reason << ")\n";
+  }
+  for (const auto& near : probe.icebergs) {
+    std::cout << "iceberg   " << near.iceberg.id << ", " << std::setprecision(1)
+              << near.distance.value / 1000.0 << " km away, seen " << core::iso8601(near.iceberg.observed)
+              << '\n';
+  }
+}
+
+int run(const Flags& flags, const Program& program) {
+  const auto place = parse_place(flags.at);
+  if (!place)
+    return complain(wrong_usage, "--at " + flags.at + " is not LON,LAT in degrees; as --at=-53.2,69.2");
+  if (!geo::is_valid(*place)) {
+    return complain(bad_data,
+                    "--at " + flags.at + " is no place on the Earth; longitude comes first, then latitude");
+  }
+  routes::ProbeQuery query{.place = *place, .time = now(), .depth = {}, .dataset_id = flags.dataset};
+  if (flags.time) {
+    const auto time = core::parse_iso8601(*flags.time);
+    if (!time) {
+      return complain(wrong_usage,
+                      "--time " + *flags.time + " is not a time with its zone; as 2026-11-20T06:00:00Z");
+    }
+    query.time = *time;
+  }
+  if (flags.depth_m) query.depth = core::Metres{*flags.depth_m};
+
+  auto db = repository::open_store(program.store);
+  const auto probe = routes::probe(db, query);
+  if (!probe) return complain(bad_data, probe.error());
+  if (flags.json_out) {
+    std::cout << codec::probe_document(*probe).dump(2) << '\n';
+  } else {
+    print(*probe);
+  }
+  return done;
+}
+
+}  // namespace
+
+void add_probe(CLI::App& app, Program& program) {
+  auto flags = std::make_shared<Flags>();
+  auto* command = app.add_subcommand("probe", "Depth, current and icebergs at a place and a time");
+  command->add_option("--at", flags->at, "LON,LAT in degrees")->required();
+  command->add_option("--time", flags->time, "ISO 8601 with zone; default: now");
+  command->add_option("--depth", flags->depth_m, "Metres below the surface, for the current");
+  command->add_option("--dataset", flags->dataset,
+                      "Currents or bathymetry to ask; default: the newest that covers it");
+  command->add_flag("--json", flags->json_out, "Answer with one JSON document");
+  command->callback([flags, &program] { program.exit_code = run(*flags, program); });
+}
+
+}  // namespace floeplan::cli

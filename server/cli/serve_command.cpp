@@ -1,0 +1,21 @@
+#include <memory>
+
+#include "server/cli/command.hpp"
+#include "server/cli/serve.hpp"
+
+namespace floeplan::cli {
+
+void add_serve(CLI::App& app, Program& program) {
+  auto options = std::make_shared<ServeOptions>();
+  auto* command = app.add_subcommand("serve", "HTTP API, map and planning in one process");
+  command->add_option("--listen", options->listen, "ADDR:PORT; port 0: any free port")->capture_default_str();
+  command->add_option("--workers", options->workers, "Planning jobs at the same time")->capture_default_str();
+  command->add_option("--web", options->web, "Folder of the built map client");
+  command->add_option("--public-url", options->public_url, "What links in answers begin with");
+  command->callback([options, &program] {
+    options->store = program.store;
+    program.exit_code = serve(*options);
+  });
+}
+
+}  // namespace floeplan::cli
