@@ -72,7 +72,7 @@ total() {
 }
 
 main() {
-  local full=no needs=(--with-browser)
+  local full=no needs=(--with-tests --with-browser)
   case ${1-} in
     '') ;;
     --full)
