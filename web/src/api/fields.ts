@@ -30,7 +30,7 @@ interface Window {
 function windowFor(dataset: Dataset, seen: View, cell_px: number, most: number, old: Window | undefined): Window | undefined {
   const needed = intersection(seen.box, dataset.bbox);
   if (!needed) return undefined;
-  const sharp = old && width_deg(old.box) < 2.5 * width_deg(intersection(grown(seen.box, 0.3), dataset.bbox) ?? needed);
+  const sharp = old && width_deg(old.box) < 1.8 * width_deg(intersection(grown(seen.box, 0.3), dataset.bbox) ?? needed);
   if (sharp && old.dataset === dataset.id && contains(old.box, rounded(needed).map((v, i) => v + (i < 2 ? 1e-3 : -1e-3)) as Box)) return old;
 
   const box = intersection(grown(seen.box, 0.3), dataset.bbox);

@@ -6,10 +6,10 @@ import type { Position } from '../api/types';
 
 /** The projections a view may have. Coordinates are metres; `lon0_deg` is the meridian that points up the screen. */
 export const projections = {
-  'EPSG:3413': { title: 'Polar, 45° W up', lon0_deg: -45, polar: true, lat_ts_deg: 70 },
-  'EPSG:3995': { title: 'Polar, 0° up', lon0_deg: 0, polar: true, lat_ts_deg: 71 },
-  'EPSG:3996': { title: 'Polar, 0° up (IBCAO)', lon0_deg: 0, polar: true, lat_ts_deg: 75 },
-  'EPSG:3857': { title: 'Web Mercator', lon0_deg: 0, polar: false, lat_ts_deg: 0 },
+  'EPSG:3413': { title: '45° W up', lon0_deg: -45, polar: true, lat_ts_deg: 70 },
+  'EPSG:3995': { title: '0° up', lon0_deg: 0, polar: true, lat_ts_deg: 71 },
+  'EPSG:3996': { title: '0° up, IBCAO', lon0_deg: 0, polar: true, lat_ts_deg: 75 },
+  'EPSG:3857': { title: 'Mercator', lon0_deg: 0, polar: false, lat_ts_deg: 0 },
 } as const;
 
 export type ProjectionCode = keyof typeof projections;

@@ -49,7 +49,7 @@ function tinter(colours: Palette, paintLand: boolean, shallow_m: number): Tinter
   const [land, shallow] = [word(colours.land), word(colours.shallow)];
   return (depth_m, x, y) => {
     if (Number.isNaN(depth_m)) return { colour: 0, tint: -1 };
-    if (depth_m <= 0 && paintLand) return { colour: land, tint: 9 };
+    if (depth_m <= 0) return { colour: paintLand ? land : (tints[0] ?? 0), tint: 9 };
     let tint = 0;
     while (tint < depthLimits_m.length && depth_m > (depthLimits_m[tint] ?? 0)) ++tint;
     const hatched = depth_m > 0 && depth_m < shallow_m && (x + y) % 9 === 0;

@@ -38,7 +38,7 @@ class Stands {
   private known = new Map<string, Stand>();
 
   within(frame: Frame, code: ProjectionCode): Stand[] {
-    const step = 2 ** Math.ceil(Math.log2(spacing_px * frame.resolution));
+    const step = 2 ** (Math.ceil(2 * Math.log2(spacing_px * frame.resolution)) / 2);
     const corners = [[0, 0], [frame.width, 0], [0, frame.height], [frame.width, frame.height]] as const;
     const coordinates = corners.map((corner) => frame.toCoordinate(corner));
     const bounds = (axis: 0 | 1): [number, number] => {

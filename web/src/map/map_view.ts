@@ -108,7 +108,7 @@ function fit(map: Map, places: Position[], time_ms: number): void {
   const code = projection.peek();
   const south_deg = projections[code].polar ? 40 : -84;
   const drawn = toMap(code, places.map(([lon, lat]) => [lon, Math.max(lat, south_deg)]));
-  map.getView().fit(boundingExtent(drawn), { padding: [70, 70, 80, 70], minResolution: 15, duration: time_ms });
+  map.getView().fit(boundingExtent(drawn), { padding: [70, 80, 80, 100], minResolution: 15, duration: time_ms });
 }
 
 function followCommands(map: Map): void {

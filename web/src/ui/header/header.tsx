@@ -19,7 +19,7 @@ export function Header(): VNode {
         <label>
           <span class="visually-hidden">Projection</span>
           <select value={now.projection} onChange={(event) => change({ projection: event.currentTarget.value as ProjectionCode })}>
-            {projectionCodes.map((code) => <option key={code} value={code}>{code.slice(5)} {projections[code].title}</option>)}
+            {projectionCodes.map((code) => <option key={code} value={code}>{code.slice(5)}: {projections[code].title}</option>)}
           </select>
         </label>
         <Switch label="Distances" now={now.distance} choices={[['km', 'km'], ['nm', 'NM']]} choose={(distance) => change({ distance })} />

@@ -36,7 +36,7 @@ export function SetupPanel(): VNode {
       <TextField name="depart" label="Departure" unit="UTC" placeholder="2026-11-20 06:00">
         <IconButton icon="clock" label="Depart at the clock's time" onClick={() => edit({ depart: fieldOf(time_ms.value) })} />
       </TextField>
-      <div class="field-pair">
+      <div class="field-pair wide-first">
         <SelectField
           name="vehicle" label="Vehicle"
           choices={vehicles.value.map(({ name, title }) => ({ value: name, title: title || name }))}

@@ -1,0 +1,26 @@
+import { readFile } from 'node:fs/promises';
+import { expect, open, planByTyping, test } from '../support/page';
+import { findPlaces } from '../support/places';
+
+test('a plan is previewed as the glider will read it, and downloaded', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await planByTyping(page, start, goal);
+
+  await page.getByRole('button', { name: 'Export mission' }).click();
+  const dialog = page.getByRole('dialog');
+  await expect(dialog.getByText('goto_l10.ma').first()).toBeVisible();
+  await expect(dialog.locator('pre')).toContainText('<start:waypoints>');
+  await dialog.getByLabel(/^Number of the waypoint list/).fill('27');
+  await expect(dialog.getByText('goto_l27.ma').first()).toBeVisible();
+
+  for (const [button, ending] of [['Mission files (.zip)', 'zip'], ['GPX', 'gpx'], ['GeoJSON', 'geojson']] as const) {
+    const waiting = page.waitForEvent('download');
+    await dialog.getByRole('link', { name: button, exact: true }).click();
+    const download = await waiting;
+    expect(download.suggestedFilename()).toMatch(new RegExp(`\\.${ending}$`));
+    expect((await readFile(await download.path())).length).toBeGreaterThan(20);
+  }
+  await page.keyboard.press('Escape');
+  await expect(dialog).toBeHidden();
+});

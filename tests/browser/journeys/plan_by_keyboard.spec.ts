@@ -1,0 +1,59 @@
+import { expect, open, test, typed } from '../support/page';
+import { findPlaces } from '../support/places';
+
+test('a first plan is made, read and played back with the keyboard alone', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+
+  await page.keyboard.press('g');
+  await expect(page.getByLabel('Start', { exact: true })).toBeFocused();
+  await page.keyboard.type(typed(start));
+  await page.keyboard.press('Tab');
+  await page.keyboard.press('Tab');
+  await expect(page.getByLabel('Goal', { exact: true })).toBeFocused();
+  await page.keyboard.type(typed(goal));
+  const before = Number(await page.locator('#map').getAttribute('data-plans'));
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 60_000 });
+
+  const table = page.getByRole('region', { name: 'Waypoints' });
+  const second = table.getByRole('button', { name: 'Waypoint 2', exact: true });
+  await expect(second).toBeVisible();
+  await second.focus();
+  await page.keyboard.press('Enter');
+  await expect(second).toHaveAttribute('aria-pressed', 'true');
+
+  const slider = page.getByRole('slider', { name: 'Time' });
+  await page.getByRole('main').locator('#map').focus();
+  await page.keyboard.press('Home');
+  const first = Number(await slider.inputValue());
+  await page.keyboard.press('.');
+  expect(Number(await slider.inputValue())).toBe(first + 3_600_000);
+  await expect(slider).toHaveAttribute('aria-valuetext', /UTC/);
+  await page.keyboard.press('Space');
+  await expect.poll(async () => Number(await slider.inputValue())).toBeGreaterThan(first + 3_600_000);
+  await page.keyboard.press('Space');
+});
+
+test('faults are shown beside their fields, all at once', async ({ page }) => {
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill('somewhere');
+  await page.getByRole('textbox', { name: /^Departure/ }).fill('tomorrow');
+  await page.keyboard.press('Enter');
+  for (const name of ['Start', 'Goal']) {
+    await expect(page.getByLabel(name, { exact: true })).toHaveAttribute('aria-invalid', 'true');
+  }
+  await expect(page.getByRole('textbox', { name: /^Departure/ })).toHaveAttribute('aria-invalid', 'true');
+  await expect(page.getByLabel('Start', { exact: true })).toBeFocused();
+});
+
+test('what the server refuses is shown beside its field', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
+  await page.getByLabel('Ice margin').fill('-5');
+  await page.getByRole('button', { name: /^Plan / }).click();
+  await expect(page.getByLabel('Ice margin')).toHaveAttribute('aria-invalid', 'true');
+  await expect(page.locator('#fault-margin_m')).not.toBeEmpty();
+});

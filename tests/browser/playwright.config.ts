@@ -1,0 +1,31 @@
+import { defineConfig } from '@playwright/test';
+
+const flags = [
+  '--no-sandbox', '--disable-gpu', '--disable-quic', '--no-first-run', '--disable-background-networking',
+  '--disable-component-update', '--disable-sync',
+];
+const launchOptions = { executablePath: process.env['CHROMIUM_BIN'] ?? '/usr/bin/chromium', args: flags };
+
+export default defineConfig({
+  testDir: './journeys',
+  outputDir: process.env['PLAYWRIGHT_OUTPUT'] ?? '/tmp/floeplan-browser-results',
+  workers: 1,
+  timeout: 90_000,
+  expect: { timeout: 20_000 },
+  reporter: 'list',
+  use: {
+    baseURL: process.env['FLOEPLAN_URL'],
+    viewport: { width: 1440, height: 900 },
+    launchOptions,
+    screenshot: 'only-on-failure',
+  },
+  projects: [
+    { name: 'desktop', testIgnore: /narrow/ },
+    {
+      name: 'no-webgl',
+      testMatch: /plan_by_mouse|no_surprises/,
+      use: { launchOptions: { ...launchOptions, args: [...flags, '--disable-3d-apis'] } },
+    },
+    { name: 'phone', testMatch: /narrow/, use: { viewport: { width: 320, height: 640 } } },
+  ],
+});

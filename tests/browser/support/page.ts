@@ -1,0 +1,71 @@
+import { expect, test as base, type Page } from '@playwright/test';
+import proj4 from 'proj4';
+
+proj4.defs('EPSG:3413', '+proj=stere +lat_0=90 +lat_ts=70 +lon_0=-45 +datum=WGS84 +units=m');
+
+export type LonLat = [lon: number, lat: number];
+
+/** Every test fails on an error in the console, on an error of the page and on a request to a foreign host. */
+export const test = base.extend<{ guarded: undefined }>({
+  guarded: [
+    async ({ page, baseURL }, use) => {
+      const faults: string[] = [];
+      page.on('console', (message) => {
+        if (message.type() === 'error') faults.push(`console: ${message.text()}`);
+      });
+      page.on('pageerror', (error) => faults.push(`page: ${error.message}`));
+      page.on('request', (request) => {
+        const { protocol, origin } = new URL(request.url());
+        if (protocol.startsWith('http') && origin !== new URL(baseURL ?? '').origin) faults.push(`foreign host: ${request.url()}`);
+      });
+      await use(undefined);
+      expect(faults.filter((fault) => !isExpected(fault))).toEqual([]);
+    },
+    { auto: true },
+  ],
+});
+
+/** A refused request is reported by the browser as an error of the console, and some journeys provoke one. */
+const isExpected = (fault: string): boolean => /status of 4(00|04|22)/.test(fault);
+
+export { expect };
+
+/** Opens the client and waits until the map shows all it has to show. */
+export async function open(page: Page): Promise<void> {
+  await page.goto('/');
+  await settled(page);
+}
+
+export async function settled(page: Page): Promise<void> {
+  await expect(page.locator('#map')).toHaveAttribute('data-ready', 'true');
+}
+
+/** Where a place is on the screen, from the view that the map publishes. */
+export async function pixelOf(page: Page, place: LonLat): Promise<{ x: number; y: number }> {
+  const map = page.locator('#map');
+  const view = JSON.parse((await map.getAttribute('data-view')) ?? '{}') as { centre: LonLat; resolution: number };
+  const box = await map.boundingBox();
+  if (!box) throw new Error('The map has no place on the screen.');
+  const [x = NaN, y = NaN] = proj4('EPSG:4326', 'EPSG:3413', [...place]);
+  return {
+    x: box.x + box.width / 2 + (x - view.centre[0]) / view.resolution,
+    y: box.y + box.height / 2 - (y - view.centre[1]) / view.resolution,
+  };
+}
+
+export const typed = ([lon, lat]: LonLat): string => `${lat.toFixed(5)}, ${lon.toFixed(5)}`;
+
+/** Presses the button and waits until one more plan is on the map. */
+export async function planAndWait(page: Page): Promise<void> {
+  const before = Number(await page.locator('#map').getAttribute('data-plans'));
+  await page.getByRole('button', { name: /^Plan / }).click();
+  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 60_000 });
+  await settled(page);
+}
+
+/** Types the set-up and waits for its plan. */
+export async function planByTyping(page: Page, from: LonLat, to: LonLat): Promise<void> {
+  await page.getByLabel('Start', { exact: true }).fill(typed(from));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(to));
+  await planAndWait(page);
+}

@@ -1,0 +1,62 @@
+import type { APIRequestContext } from '@playwright/test';
+import type { LonLat } from './page';
+
+interface Dataset {
+  kind: string;
+  bbox: [number, number, number, number];
+  times?: string[];
+  time_start: string | null;
+}
+
+interface Probe {
+  land: boolean | null;
+  depth_m: number | null;
+  currents: { u_m_s: number | null };
+  icebergs_within: { distance_m: number }[];
+}
+
+export interface Places {
+  start: LonLat;
+  goal: LonLat;
+  land: LonLat;
+}
+
+/**
+ * Places that suit whatever is in the store: two at sea, deep and away from ice and about `apart_deg` of latitude from
+ * each other, and one on land. Found by asking the server along a lattice over the area of the currents.
+ */
+export async function findPlaces(request: APIRequestContext): Promise<Places> {
+  const { datasets } = (await (await request.get('/datasets')).json()) as { datasets: Dataset[] };
+  const currents = datasets.find(({ kind }) => kind === 'currents');
+  if (!currents) throw new Error('The store has no currents.');
+  const time = currents.times?.[Math.floor(currents.times.length / 3)] ?? currents.time_start ?? '';
+  const [west, south, east, north] = currents.bbox;
+
+  const sea: LonLat[] = [];
+  const land: LonLat[] = [];
+  const steps = 12;
+  for (let j = 2; j <= steps - 2; ++j) {
+    for (let i = 1; i < steps; ++i) {
+      const place: LonLat = [west + ((east - west) * i) / steps, south + ((north - south) * j) / steps];
+      const response = await request.get('/probe', { params: { lon: place[0].toFixed(6), lat: place[1].toFixed(6), time } });
+      if (!response.ok()) continue;
+      const probe = (await response.json()) as Probe;
+      if (probe.land === true || (probe.depth_m !== null && probe.depth_m < 0)) land.push(place);
+      const clear = probe.icebergs_within.every(({ distance_m }) => distance_m > 4000);
+      if (probe.land !== true && (probe.depth_m ?? 0) > 150 && probe.currents.u_m_s !== null && clear) sea.push(place);
+    }
+  }
+  const pair = nearestPair(sea);
+  const ashore = land[Math.floor(land.length / 2)];
+  if (!pair || !ashore) throw new Error(`Only ${sea.length} places at sea and ${land.length} on land were found.`);
+  return { start: pair[0], goal: pair[1], land: ashore };
+}
+
+/** Two neighbours near the middle of the sea found: their leg is short and has water on all sides. */
+function nearestPair(sea: LonLat[]): [LonLat, LonLat] | undefined {
+  const middle = sea[Math.floor(sea.length / 2)];
+  if (!middle) return undefined;
+  const away = (place: LonLat): number => Math.hypot((place[0] - middle[0]) * 0.4, place[1] - middle[1]);
+  const other = sea.filter((place) => place !== middle).sort((a, b) => away(a) - away(b))[0];
+  return other && [middle, other];
+}
