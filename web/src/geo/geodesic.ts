@@ -44,9 +44,8 @@ export function destination(from: Position, azimuth_deg: number, distance_m: num
   const { A, B } = series(cosSqAlpha);
 
   let sigma = distance_m / (b * A);
-  let cos2m = 0;
   for (let i = 0; i < 100; ++i) {
-    cos2m = Math.cos(2 * sigma1 + sigma);
+    const cos2m = Math.cos(2 * sigma1 + sigma);
     const next = distance_m / (b * A) + deltaSigma(B, Math.sin(sigma), Math.cos(sigma), cos2m);
     const step = Math.abs(next - sigma);
     sigma = next;
@@ -54,7 +53,7 @@ export function destination(from: Position, azimuth_deg: number, distance_m: num
   }
   const sinSigma = Math.sin(sigma);
   const cosSigma = Math.cos(sigma);
-  cos2m = Math.cos(2 * sigma1 + sigma);
+  const cos2m = Math.cos(2 * sigma1 + sigma);
 
   const across = sinU1 * sinSigma - cosU1 * cosSigma * Math.cos(alpha1);
   const lat = Math.atan2(

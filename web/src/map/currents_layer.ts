@@ -27,9 +27,8 @@ export function currentsLayer(): CanvasLayer {
   const layer = new CanvasLayer((frame) => paint(frame, stands.within(frame, projection.peek())), 1);
   effect(() => {
     layer.setVisible(visible.value.currents && currents.value !== undefined);
-    void [currents.value, palette.value, projection.value];
-    layer.changed();
   });
+  for (const cause of [currents, palette, projection]) cause.subscribe(() => layer.changed());
   return layer;
 }
 

@@ -24,10 +24,8 @@ export function graticuleLayer(): CanvasLayer {
   }, 3);
   effect(() => {
     layer.setVisible(visible.value.graticule);
-    // Read so that a change of any of them repaints.
-    void [view.value, palette.value, projection.value];
-    layer.changed();
   });
+  for (const cause of [view, palette, projection]) cause.subscribe(() => layer.changed());
   return layer;
 }
 

@@ -165,7 +165,7 @@ function boxInView(map: Map, code: ProjectionCode, centre: Position, width: numb
   const places: Position[] = [centre];
   for (let i = 0; i <= 8; ++i) {
     for (let j = 0; j <= 8; ++j) {
-      const [x = 0, y = 0] = map.getCoordinateFromPixel([(width * i) / 8, (height * j) / 8]) ?? [];
+      const [x = 0, y = 0] = map.getCoordinateFromPixel([(width * i) / 8, (height * j) / 8]);
       const place = unproject(code, [x, y]);
       if (Number.isFinite(place[0]) && Number.isFinite(place[1])) places.push(place);
     }
@@ -173,7 +173,7 @@ function boxInView(map: Map, code: ProjectionCode, centre: Position, width: numb
   const box = boxAround(places) ?? [-180, 35, 180, 90];
   const south = Math.max(-90, box[1]);
   if (!projections[code].polar) return [box[0], south, box[2], Math.min(90, box[3])];
-  const [poleX = -1, poleY = -1] = map.getPixelFromCoordinate([0, 0]) ?? [];
+  const [poleX = -1, poleY = -1] = map.getPixelFromCoordinate([0, 0]);
   const poleSeen = poleX >= 0 && poleX <= width && poleY >= 0 && poleY <= height;
   return poleSeen ? [-180, Math.max(south, 35), 180, 90] : [box[0], Math.max(south, 35), box[2], box[3]];
 }

@@ -4,7 +4,7 @@ import LineString from 'ol/geom/LineString.js';
 import Point from 'ol/geom/Point.js';
 import VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
-import { Circle, Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
+import { Circle, Fill, Icon, Stroke, Style, Text } from 'ol/style.js';
 import { densify } from '../geo/geodesic';
 import { northAngle, project, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
@@ -119,17 +119,17 @@ function screenTurn(code: ProjectionCode, place: [number, number], course_deg: n
   return Math.PI / 2 - northAngle(code, place) + (course_deg * Math.PI) / 180;
 }
 
+/** An arrow head that points up. */
+function arrowImage(fill: string, casing: string): string {
+  const path = `<path d="M14 3 L23 25 L14 20.5 L5 25 Z" fill="${fill}" stroke="${casing}" stroke-width="2.5" stroke-linejoin="round"/>`;
+  const svg = `<svg xmlns="http://www.w3.org/2000/svg" width="28" height="28">${path}</svg>`;
+  return `data:image/svg+xml,${encodeURIComponent(svg)}`;
+}
+
 function vehicleStyles({ style, letter }: ShownPlan, rotation: number, colours: Palette): Style[] {
   const colour = colours.plans[style] ?? colours.plans[0];
-  const arrow = (radius: number, fill: string): Style =>
-    new Style({
-      image: new RegularShape({
-        points: 3, radius, scale: [0.75, 1.15], rotation, rotateWithView: true, fill: new Fill({ color: fill }),
-      }),
-    });
   return [
-    arrow(15, colours.casing),
-    arrow(11, colour),
+    new Style({ image: new Icon({ src: arrowImage(colour, colours.casing), rotation, rotateWithView: true }) }),
     new Style({
       text: new Text({
         text: letter,

@@ -34,10 +34,8 @@ export function setTime(value_ms: number): void {
 }
 
 export function setSpan(name: string, span: Span | undefined): void {
-  const next = { ...spans.peek() };
-  if (span) next[name] = span;
-  else delete next[name];
-  spans.value = next;
+  const others = Object.entries(spans.peek()).filter(([other]) => other !== name);
+  spans.value = Object.fromEntries(span ? [...others, [name, span]] : others);
   setTime(time_ms.peek());
 }
 
