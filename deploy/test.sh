@@ -99,7 +99,7 @@ main() {
     step "C++ tests, tsan: ${tsan_folders[*]}" folders_of_preset tsan "${tsan_folders[@]}"
   fi
   step "client unit tests" npm --prefix "$root/web" run --silent test
-  step "browser tests" "$root/tests/browser/run.sh"
+  step "browser tests" "$root/tests/browser/run.sh" "$root/build/release/floeplan"
 
   local failed skipped
   failed=$(total failures)
