@@ -1,0 +1,77 @@
+#pragma once
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "api/routes/router.hpp"
+#include "storage/repository/migrations.hpp"
+
+namespace floeplan::support {
+
+/// A queue without workers: jobs stay as they were submitted until a test changes them.
+class IdleJobs : public routes::JobGateway {
+ public:
+  std::optional<repository::JobRecord> submit(sqlite::Connection& db, const std::string& process,
+                                              const std::string& inputs_json, core::UtcTime now) override {
+    repository::JobRecord job;
+    job.id = {"job" + std::to_string(++last_)};
+    job.process = process;
+    job.request_json = inputs_json;
+    job.created = now;
+    job.updated = now;
+    repository::JobRepository{db}.submit(job);
+    return job;
+  }
+  bool dismiss(sqlite::Connection& db, const repository::JobId& id, core::UtcTime now) override {
+    return repository::JobRepository{db}.dismiss(id, now);
+  }
+  std::shared_ptr<void> subscribe(const repository::JobId&, std::function<void()>) override {
+    return nullptr;
+  }
+
+ private:
+  int last_{0};
+};
+
+/// The whole API on an empty store in memory, without a socket.
+class ApiTest : public testing::Test {
+ protected:
+  routes::Response ask(const std::string& method, const std::string& target, const std::string& body = "",
+                       std::map<std::string, std::string> headers = {}) {
+    routes::Request request;
+    auto parsed = routes::parse_target(target);
+    request.method = method;
+    request.path = parsed->path;
+    request.query = parsed->query;
+    request.body = body;
+    request.headers = std::move(headers);
+    request.now = core::UtcTime{core::Seconds{1.8e9}};
+    last_request_ = request;
+    return router_.answer({db_, jobs_, service_}, request);
+  }
+  routes::Response ask_again(const std::string& token, bool last) {
+    last_request_.resumption = routes::Resumption{token, last};
+    return router_.answer({db_, jobs_, service_}, last_request_);
+  }
+
+  sqlite::Connection db_{repository::open_store_in_memory()};
+  IdleJobs jobs_;
+  routes::ServiceInfo service_{"http://127.0.0.1:8080", {}};
+  routes::Router router_{routes::all_routes()};
+  routes::Request last_request_;
+};
+
+inline nlohmann::json json_of(const routes::Response& response) {
+  return nlohmann::json::parse(response.body);
+}
+
+inline std::string header_of(const routes::Response& response, const std::string& name) {
+  for (const auto& [key, value] : response.headers) {
+    if (key == name) return value;
+  }
+  return {};
+}
+
+}  // namespace floeplan::support

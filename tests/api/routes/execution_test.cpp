@@ -1,0 +1,116 @@
+#include "tests/api/routes/api_fixture.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using repository::JobRepository;
+using support::header_of;
+using support::json_of;
+
+constexpr const char* plan_path = "/processes/plan-route/execution";
+constexpr const char* valid_body =
+    R"({"inputs":{"from":[-53,69],"to":[-52.5,69.3],"depart":"2026-11-20T06:00:00Z"}})";
+
+class ExecutionTest : public support::ApiTest {
+ protected:
+  void finish(const std::string& id, const std::string& result) {
+    JobRepository jobs{db_};
+    const core::UtcTime now{core::Seconds{1.8e9}};
+    ASSERT_TRUE(jobs.claim("worker", now, core::Seconds{60.0}).has_value());
+    ASSERT_TRUE(jobs.succeed({id}, "worker", result, now));
+  }
+  std::vector<std::string> pointers(const std::string& body) {
+    const auto response = ask("POST", plan_path, body);
+    EXPECT_EQ(response.status, 400) << response.body;
+    std::vector<std::string> found;
+    const auto document = json_of(response);
+    for (const auto& error : document.value("errors", nlohmann::json::array()))
+      found.push_back(error.at("pointer"));
+    return found;
+  }
+};
+
+TEST_F(ExecutionTest, AnswersWithAJobThatIsInTheStore) {
+  const auto response = ask("POST", plan_path, valid_body);
+  EXPECT_EQ(response.status, 201);
+  EXPECT_EQ(header_of(response, "Location"), "http://127.0.0.1:8080/jobs/job1");
+  EXPECT_EQ(json_of(response).at("status"), "accepted");
+  EXPECT_TRUE(JobRepository{db_}.find({"job1"}).has_value());
+}
+
+TEST_F(ExecutionTest, NamesEveryFaultAtOnce) {
+  EXPECT_THAT(pointers(R"({"inputs":{"from":[-53],"to":[-52.5,99],"sectors":9,"colour":"red"}})"),
+              testing::UnorderedElementsAre("/inputs/from", "/inputs/to", "/inputs/depart", "/inputs/sectors",
+                                            "/inputs/colour"));
+}
+
+TEST_F(ExecutionTest, RefusesEqualEndsAndUnknownDatasets) {
+  EXPECT_THAT(pointers(R"({"inputs":{"from":[1,2],"to":[1,2],"depart":"2026-11-20T06:00:00Z"}})"),
+              testing::ElementsAre("/inputs/to"));
+  EXPECT_THAT(
+      pointers(
+          R"({"inputs":{"from":[1,2],"to":[1,3],"depart":"2026-11-20T06:00:00Z","bathymetry":"bathymetry-00000000"}})"),
+      testing::ElementsAre("/inputs/bathymetry"));
+}
+
+TEST_F(ExecutionTest, RefusesWhatIsNotJson) {
+  for (const std::string body :
+       {"", "{", "NaN", R"({"inputs":{"from":[NaN,1]}})", R"({"inputs":{"speed_m_s":1e999}})"}) {
+    EXPECT_EQ(ask("POST", plan_path, body).status, 400) << body;
+  }
+  EXPECT_EQ(ask("POST", plan_path, valid_body, {{"content-type", "text/plain"}}).status, 415);
+}
+
+TEST_F(ExecutionTest, SurvivesTwoMegabytesOfNestedJson) {
+  EXPECT_EQ(ask("POST", plan_path, std::string(2'000'000, '[')).status, 400);
+  std::string objects;
+  for (int i = 0; i < 300'000; ++i) objects += R"({"a":)";
+  EXPECT_EQ(ask("POST", plan_path, objects).status, 400);
+}
+
+TEST_F(ExecutionTest, WaitsForTheResultsWhenAskedTo) {
+  const auto first = ask("POST", plan_path, valid_body, {{"prefer", "respond-sync"}});
+  ASSERT_TRUE(first.wait.has_value());
+  EXPECT_TRUE(ask_again(first.wait->token, false).wait.has_value());
+
+  finish("job1", R"({"plan":{"status":"ok"}})");
+  const auto answer = ask_again(first.wait->token, false);
+  EXPECT_EQ(answer.status, 200);
+  EXPECT_EQ(answer.body, R"({"plan":{"status":"ok"}})");
+}
+
+TEST_F(ExecutionTest, HandsOutTheJobWhenTheWaitIsTooLong) {
+  const auto first = ask("POST", plan_path, valid_body, {{"prefer", "respond-sync"}});
+  ASSERT_TRUE(first.wait.has_value());
+  EXPECT_EQ(ask_again(first.wait->token, true).status, 201);
+}
+
+TEST_F(ExecutionTest, ResultsAreThereOnlyOnceTheJobHasEnded) {
+  ask("POST", plan_path, valid_body);
+  const auto early = ask("GET", "/jobs/job1/results");
+  EXPECT_EQ(early.status, 404);
+  EXPECT_TRUE(json_of(early).at("type").get<std::string>().ends_with("/result-not-ready"));
+
+  finish("job1", R"({"plan":{}})");
+  EXPECT_EQ(ask("GET", "/jobs/job1/results").status, 200);
+  EXPECT_EQ(json_of(ask("GET", "/jobs/job1")).at("progress"), 100);
+}
+
+TEST_F(ExecutionTest, ALongPollAnswersAtTheNextChange) {
+  ask("POST", plan_path, valid_body);
+  const auto first = ask("GET", "/jobs/job1", "", {{"prefer", "wait=20"}});
+  ASSERT_TRUE(first.wait.has_value());
+  EXPECT_TRUE(ask_again(first.wait->token, false).wait.has_value());
+
+  finish("job1", "{}");
+  EXPECT_EQ(json_of(ask_again(first.wait->token, false)).at("status"), "successful");
+}
+
+TEST_F(ExecutionTest, ADismissedJobSaysSo) {
+  ask("POST", plan_path, valid_body);
+  EXPECT_EQ(json_of(ask("DELETE", "/jobs/job1")).at("status"), "dismissed");
+  EXPECT_EQ(ask("GET", "/jobs/job1/results").status, 410);
+}
+
+}  // namespace
+}  // namespace floeplan::routes

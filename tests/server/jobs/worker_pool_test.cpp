@@ -1,0 +1,92 @@
+#include "server/jobs/worker_pool.hpp"
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+
+#include "storage/repository/migrations.hpp"
+#include "tests/server/jobs/temporary_store.hpp"
+#include "tests/server/jobs/wait_until.hpp"
+
+namespace floeplan::jobs {
+namespace {
+
+using repository::JobRepository;
+using repository::JobStatus;
+using support::wait_until;
+
+constexpr const char* short_plan =
+    R"({"from":[-53,69],"to":[-52.9,69.05],"depart":"2026-11-20T06:00:00Z","method":"direct"})";
+constexpr const char* long_plan =
+    R"({"from":[-53,69],"to":[-50,67],"depart":"2026-11-20T06:00:00Z","spacing_m":250,"sectors":5})";
+constexpr core::UtcTime some_time{core::Seconds{1.8e9}};
+
+class WorkerPoolTest : public testing::Test {
+ protected:
+  OpenStore open_store() {
+    return [path = store_.path()] { return repository::open_store(path); };
+  }
+  repository::JobRecord submit(const std::string& process, const std::string& inputs) {
+    return board_.submit(db_, process, inputs, some_time).value();
+  }
+  bool wait_for(const repository::JobId& id, JobStatus status) {
+    return wait_until([&] { return JobRepository{db_}.find(id)->status == status; });
+  }
+
+  support::TemporaryStore store_;
+  sqlite::Connection db_{repository::open_store(store_.path())};
+  JobBoard board_;
+};
+
+TEST_F(WorkerPoolTest, DoesAJobAndStoresItsResult) {
+  WorkerPool pool{open_store(), board_, 1};
+  const auto job = submit("plan-route", short_plan);
+
+  ASSERT_TRUE(wait_for(job.id, JobStatus::successful)) << JobRepository{db_}.find(job.id)->message;
+  const auto result = JobRepository{db_}.find(job.id)->result_json;
+  EXPECT_NE(result->find("\"status\":\"ok\""), std::string::npos) << *result;
+}
+
+TEST_F(WorkerPoolTest, FailsAJobThatCannotBeDoneWithTheReason) {
+  WorkerPool pool{open_store(), board_, 1};
+  const auto job = submit("no-such-process", "{}");
+
+  ASSERT_TRUE(wait_for(job.id, JobStatus::failed));
+  EXPECT_NE(JobRepository{db_}.find(job.id)->message.find("no-such-process"), std::string::npos);
+}
+
+TEST_F(WorkerPoolTest, StopsADismissedJobWithinASecond) {
+  WorkerPool pool{open_store(), board_, 1};
+  const auto job = submit("plan-route", long_plan);
+  ASSERT_TRUE(wait_for(job.id, JobStatus::running));
+
+  const auto begin = std::chrono::steady_clock::now();
+  ASSERT_TRUE(board_.dismiss(db_, job.id, some_time));
+  ASSERT_TRUE(wait_until([&] { return board_.running().empty(); }));
+  EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds{1});
+  EXPECT_EQ(JobRepository{db_}.find(job.id)->status, JobStatus::dismissed);
+}
+
+TEST_F(WorkerPoolTest, HandsARunningJobBackWhenItStops) {
+  WorkerPool pool{open_store(), board_, 1};
+  const auto job = submit("plan-route", long_plan);
+  ASSERT_TRUE(wait_for(job.id, JobStatus::running));
+
+  pool.stop();
+  const auto handed_back = JobRepository{db_}.find(job.id);
+  EXPECT_EQ(handed_back->status, JobStatus::accepted);
+  EXPECT_EQ(handed_back->attempts, 0);
+}
+
+TEST_F(WorkerPoolTest, WakesThoseWhoWaitForAJob) {
+  const auto job = submit("plan-route", short_plan);
+  std::atomic<int> woken{0};
+  const auto subscription = board_.subscribe(job.id, [&] { ++woken; });
+  WorkerPool pool{open_store(), board_, 1};
+
+  ASSERT_TRUE(wait_for(job.id, JobStatus::successful));
+  EXPECT_TRUE(wait_until([&] { return woken > 0; }));
+}
+
+}  // namespace
+}  // namespace floeplan::jobs
