@@ -30,8 +30,9 @@ stop() {
 }
 trap stop EXIT
 
-"$floeplan" --data "$work/store" demo "$work/demo"
-"$floeplan" --data "$work/store" ingest "$work"/demo/*
+"$floeplan" --data "$work/store" demo "$work/demo" >"$work/files"
+mapfile -t files <"$work/files"
+"$floeplan" --data "$work/store" ingest "${files[@]}"
 
 "$floeplan" --data "$work/store" serve --listen 127.0.0.1:0 --web "$web/dist" 2>"$work/server.log" &
 server=$!

@@ -10,14 +10,11 @@ import { circle } from '../geo/geodesic';
 import { project } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { icebergs } from '../model/field';
-import { isStale, safetyRadii_m, symbolSize_px } from '../model/icebergs';
+import { crowd, isStale, safetyRadii_m, symbolSize_px } from '../model/icebergs';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
 import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
-
-/** Above this many, small bergs become dots without rings. */
-export const crowd = 300;
 
 /** Safety circles: solid what the planner keeps clear of a known position, dashed with the position's uncertainty added. */
 export function safetyLayer(): VectorLayer<VectorSource> {

@@ -5,6 +5,9 @@ import { hour_ms } from './time';
 /** After this a sighting no longer says where the berg is. */
 export const validity_h = 24;
 
+/** Above this many, small bergs are drawn without rings. */
+export const crowd = 300;
+
 const sizes_px: Record<string, number> = {
   growler: 4, bergy_bit: 5, small: 6, medium: 7.5, large: 9, very_large: 11, unknown: 7.5, radar_target: 6.5,
 };

@@ -15,10 +15,11 @@ export type Failure = { kind: 'infeasible'; answer: Infeasible } | { kind: 'fail
 export const failure = signal<Failure | undefined>(undefined);
 
 const stages: Record<string, string> = {
-  load: 'Reading the data',
+  'loading data': 'Reading the data',
   search: 'Searching the route',
-  refine: 'Refining the route',
-  store: 'Storing the plan',
+  environment: 'Preparing the sea',
+  refinement: 'Refining the route',
+  done: 'Storing the plan',
 };
 
 /** A job's stage in words. */

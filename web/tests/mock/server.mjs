@@ -183,7 +183,7 @@ function statusOf(store, job) {
   const progress = done ? 100 : Math.floor(share * 20) * 5;
   return {
     jobID: job.id, type: 'process', processID: 'plan-route', status, message: '', progress,
-    stage: share < 0.25 ? 'load' : share < 0.8 ? 'search' : 'refine', created: world.isoOf(job.created), updated: world.isoOf(Date.now()), links: [],
+    stage: share < 0.25 ? 'loading data' : share < 0.8 ? 'search' : 'refinement', created: world.isoOf(job.created), updated: world.isoOf(Date.now()), links: [],
   };
 }
 

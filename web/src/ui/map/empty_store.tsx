@@ -31,7 +31,7 @@ export function EmptyStore(): VNode | null {
         </li>
         <li>
           Read them into the store
-          <pre>floeplan ingest demo-data/*</pre>
+          <pre>floeplan ingest demo-data/disko-*</pre>
         </li>
       </ol>
       {again}

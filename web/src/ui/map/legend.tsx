@@ -3,7 +3,7 @@ import type { VNode } from 'preact';
 import { chosenBathymetry, chosenCurrents, chosenIcebergs, vehicles } from '../../model/datasets';
 import { draft } from '../../model/draft';
 import { icebergs } from '../../model/field';
-import { validity_h } from '../../model/icebergs';
+import { crowd, validity_h } from '../../model/icebergs';
 import { visible } from '../../model/layers';
 import { speedFigure, speedUnit } from '../../model/units';
 import { currentLimits_m_s, depthLimits_m, palette } from '../../theme/palette';
@@ -79,6 +79,7 @@ function Ice({ circles }: { circles: boolean }): VNode {
         <>
           <p><svg width="22" height="14" aria-hidden="true"><circle class="ring" cx="11" cy="7" r="6" /></svg> hull + {margin || '0'} m margin</p>
           <p><svg width="22" height="14" aria-hidden="true"><circle class="ring dashed" cx="11" cy="7" r="6" /></svg> + position uncertainty</p>
+          {icebergs.value.length > crowd && <p>no rings around small bergs</p>}
         </>
       )}
     </div>
