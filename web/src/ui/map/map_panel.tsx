@@ -2,6 +2,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import type { VNode } from 'preact';
 import { probeAt } from '../../api/session';
 import { createMap } from '../../map/map_view';
+import { isSynthetic } from '../../model/datasets';
 import { currentsFault, isLoading } from '../../model/field';
 import { routeOf, selectedPlan } from '../../model/plans';
 import { ask, tool, view } from '../../model/view';
@@ -36,6 +37,7 @@ export function MapPanel(): VNode {
       </div>
       {currentsFault.value && <p class="map-note" role="status">{currentsFault.value}</p>}
       {isLoading.value && <div class="map-loading" aria-hidden="true" />}
+      <p class="map-disclaimer">{isSynthetic.value ? 'Synthetic data. ' : ''}Not for navigation; check before flight.</p>
       <EmptyStore />
     </main>
   );

@@ -5,6 +5,7 @@ import { time_ms } from '../../model/clock';
 import { isEmptyStore, vehicles } from '../../model/datasets';
 import { draft, edit, faultyAttempts, generalFaults } from '../../model/draft';
 import { running } from '../../model/job';
+import { drawer } from '../../model/screen';
 import { fieldOf } from '../../model/time';
 import { tool, type Tool } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
@@ -66,6 +67,7 @@ function PickButton({ which, label }: { which: Tool; label: string }): VNode {
       icon="crosshair" label={label} pressed={active}
       onClick={() => {
         tool.value = active ? 'pan' : which;
+        drawer.value = undefined;
       }}
     />
   );
