@@ -6,7 +6,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 readonly floeplan=$root/build/release/floeplan
 readonly work=$root/build/quickstart
-readonly from=-53.20,69.20 to=-51.30,69.17 # open bay to the mouth of Ilulissat Icefjord
+readonly from=-53.20,69.20 to=-51.35,69.18 # open bay to the mouth of Ilulissat Icefjord
 readonly hours_after_start=6               # of the demonstration data
 listen=127.0.0.1:8080
 serve=yes
@@ -52,8 +52,9 @@ load_demo_data() {
 plan_mission() {
   local depart
   depart=$(date -u -d "$data_start + $hours_after_start hours" +%Y-%m-%dT%H:%M:%SZ)
-  plan=$("$floeplan" --data "$work/store" plan --from="$from" --to="$to" --depart "$depart" --json) ||
-    fail "no route was found from $from to $to at $depart: $(json_value explanation "${plan-}")" "remove $work and run this again"
+  plan=$("$floeplan" --data "$work/store" plan --from="$from" --to="$to" --depart "$depart" \
+    --max-waypoints 9 --json) ||
+    fail "no route was found from $from to $to at $depart" "the line above says why; remove $work and run this again"
 }
 
 export_mission() {

@@ -131,7 +131,8 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
 /// characters.
 std::string header(const planning::Plan& plan, const GotoListOptions& options) {
   std::string text;
-  text += "# plan " + comment_text(options.plan_name, 80) + "\n";
+  const std::string name = comment_text(options.plan_name, 80);
+  if (!name.empty()) text += "# plan " + name + "\n";
   text += "# plan id " + comment_text(options.plan_id, 70) + "\n";
   text += "# vehicle " + comment_text(plan.vehicle, 70) + "\n";
   text += "# departure " + core::iso8601(plan.departure) + ", arrival " + core::iso8601(plan.arrival) + "\n";

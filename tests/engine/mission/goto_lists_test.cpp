@@ -77,6 +77,13 @@ TEST(GotoLists, ReadAsTheFormatReferencePrintsThem) {
                                 "<end:waypoints>\n"}));
 }
 
+TEST(GotoLists, OfAPlanWithoutANameHaveNoLineForIt) {
+  const auto lists = write_goto_lists(plan_eastwards(3), {.plan_id = "p-01"});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(lists->files.at(0).text, HasSubstr("of 2\n# plan id p-01\n"));
+}
+
 TEST(GotoLists, SplitALongPlanIntoConsecutiveNumbersAndSaySo) {
   const auto lists = write_goto_lists(plan_eastwards(18), {.first_number = 7});
 
