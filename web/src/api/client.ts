@@ -84,9 +84,9 @@ export const deletePlan = async (planId: string): Promise<void> => {
 export const mission = (planId: string, number: number): Promise<MissionPreview> =>
   json(address(`/collections/plans/items/${encodeURIComponent(planId)}/mission`, { number }));
 
-/** Where the browser downloads a plan from. */
+/** Where the browser downloads a plan from; only mission files have a list number. */
 export const downloadAddress = (planId: string, format: 'zip' | 'gpx' | 'geojson', number: number): string =>
-  address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, { number });
+  address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, format === 'zip' ? { number } : {});
 
 export const probe = (lon: number, lat: number, time: string, signal?: AbortSignal): Promise<Probe> =>
   json(address('/probe', { lon, lat, time }), { signal: signal ?? null });
