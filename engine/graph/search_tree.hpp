@@ -58,7 +58,7 @@ class SearchTree {
 /// The vertices from the source to `goal`, both included; empty when the goal was not reached.
 [[nodiscard]] std::vector<Vertex> path_to(const GridGraph& graph, const SearchTree& tree, Vertex goal);
 
-/// Told the number of expansions about every ten thousand of them.
+/// Told the number of expansions every 1024 of them.
 using ExpansionCallback = std::function<void(std::int64_t expansions)>;
 
 }  // namespace floeplan::graph

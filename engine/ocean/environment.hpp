@@ -16,13 +16,13 @@ namespace floeplan::ocean {
 /// A missing part (null, empty) means that nothing is known or that the request left it out; the plan then
 /// warns.
 struct Environment {
-  std::shared_ptr<const CurrentGrid> currents;  // null: still water
+  std::shared_ptr<const CurrentGrid> currents{};  // null: still water
   bool steady_currents{false};                  // `currents` holds one time, meant for every time
-  std::shared_ptr<const Bathymetry> bathymetry;
-  std::vector<geo::Polygon> land;
-  std::vector<Iceberg> icebergs;  // the latest sighting of each berg, none after the moment asked for
-  std::vector<DatasetRef> datasets;
-  std::vector<std::string> warnings;  // what the choice of data implies, for the pilot
+  std::shared_ptr<const Bathymetry> bathymetry{};
+  std::vector<geo::Polygon> land{};
+  std::vector<Iceberg> icebergs{};  // the latest sighting of each berg, none after the moment asked for
+  std::vector<DatasetRef> datasets{};
+  std::vector<std::string> warnings{};  // what the choice of data implies, for the pilot
 };
 
 }  // namespace floeplan::ocean

@@ -31,7 +31,7 @@ struct Words {
   std::string suggestion;
 };
 
-Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& request, core::Seconds when) {
+Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& request, bool out_of_time) {
   switch (closed) {
     case motion::EdgeClosed::current_too_strong:
       return {Reason::current_too_strong,
@@ -39,7 +39,7 @@ Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& re
               "depart at another time, raise the speed, or choose a way with weaker current"};
     case motion::EdgeClosed::outside_data: {
       const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
-      if (end && when >= *end - core::Seconds{1.0}) {
+      if (end && out_of_time) {
         return {
             Reason::outside_data,
             "the stored currents end at " + core::iso8601(clock(request, *end)) + ", before the route does",
@@ -93,7 +93,7 @@ Infeasible explain_place(motion::EdgeClosed closed, RouteEnd end, geo::LonLat pl
 }
 
 Infeasible explain_route(const RouteClosed& closed, const Sea& sea, const PlanRequest& request) {
-  Words words = words_for(closed.reason, sea, request, closed.when);
+  Words words = words_for(closed.reason, sea, request, closed.out_of_time);
   return {words.reason, sea.projection().to_lon_lat(closed.at), clock(request, closed.when),
           std::move(words.explanation), std::move(words.suggestion)};
 }
@@ -111,7 +111,7 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
       binding = kind;
     }
   }
-  Words words = words_for(binding, sea, request, search.nearest_arrival);
+  Words words = words_for(binding, sea, request, search.out_of_time);
   const bool by_data = binding == outside_data || binding == current_too_strong;
   return {by_data ? words.reason : Reason::goal_unreachable, sea.projection().to_lon_lat(search.nearest),
           clock(request, search.nearest_arrival),

@@ -14,11 +14,15 @@ RouteClosed locate(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, cor
     const geo::PlanePoint next{from.x_m + share * (to.x_m - from.x_m),
                                from.y_m + share * (to.y_m - from.y_m)};
     const auto time = sea.leg_time(here, next, now);
-    if (!time) return {time.error(), here, now};
+    if (!time) {
+      const bool out_of_time = time.error() == motion::EdgeClosed::outside_data &&
+                               !sea.safety().closed_between(here, next) && sea.currents_known(next, now);
+      return {time.error(), here, now, out_of_time};
+    }
     here = next;
     now += *time;
   }
-  return {reason, here, now};
+  return {reason, here, now, false};
 }
 
 }  // namespace

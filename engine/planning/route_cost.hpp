@@ -13,6 +13,7 @@ struct RouteClosed {
   motion::EdgeClosed reason{};
   geo::PlanePoint at;
   core::Seconds when{};
+  bool out_of_time{false};  // the data reach on from here, but not long enough
 };
 
 /// Arrival at every point of a route of straight legs, the departure first. The one cost that every plan is

@@ -99,7 +99,13 @@ void describe_end(RouteSearch& result, const Sea& sea, const RouteGrid& grid, co
     const geo::PlanePoint head{result.nearest.x_m + offset.dx * grid.along.x_m + offset.dy * grid.across.x_m,
                                result.nearest.y_m + offset.dx * grid.along.y_m + offset.dy * grid.across.y_m};
     const auto time = sea.leg_time(result.nearest, head, result.nearest_arrival);
-    if (!time) result.closed_at_nearest.push_back(time.error());
+    if (time) continue;
+    result.closed_at_nearest.push_back(time.error());
+    if (time.error() == motion::EdgeClosed::outside_data &&
+        !sea.safety().closed_between(result.nearest, head) &&
+        sea.currents_known(head, result.nearest_arrival)) {
+      result.out_of_time = true;
+    }
   }
 }
 

@@ -20,6 +20,7 @@ struct RouteSearch {
   bool cancelled{false};
   geo::PlanePoint nearest;  // the reached point nearest to the goal: where the search stopped
   core::Seconds nearest_arrival{};
+  bool out_of_time{false};  // some way onward has data now, but they end before it does
   std::vector<motion::EdgeClosed> closed_at_nearest;  // why its outgoing edges were closed, one entry each
 };
 

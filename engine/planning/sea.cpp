@@ -85,6 +85,10 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
   return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest);
 }
 
+bool Sea::currents_known(geo::PlanePoint point, core::Seconds time) const {
+  return !currents_ || (*currents_)(point, time).has_value();
+}
+
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b) const {
   return core::Seconds{least_slowness_s_m_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / largest_scale_};
 }

@@ -32,6 +32,9 @@ class Sea {
   /// Never more than the time of any straight way between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
 
+  /// Whether the currents are known there and then; true in still water.
+  [[nodiscard]] bool currents_known(geo::PlanePoint point, core::Seconds time) const;
+
   [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }
   [[nodiscard]] const SafetyMap& safety() const { return safety_; }
   [[nodiscard]] SafetyMap& safety() { return safety_; }

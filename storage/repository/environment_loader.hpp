@@ -26,8 +26,8 @@ struct EnvironmentQuery {
   DatasetChoice coastline;
 };
 
-/// Icebergs last seen longer ago than this are left out, and the plan says how many (planning.md, moving
-/// obstacles).
+/// Icebergs last seen longer ago than this are left out, by whole UTC days, and the plan says how many: forecasts of
+/// their drift lose about 0.75 km an hour (C-CORE hindcast of 340 displacements, 2023-24), 50 km in this time.
 inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 
 /// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and

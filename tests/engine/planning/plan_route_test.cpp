@@ -1,0 +1,252 @@
+#include "engine/planning/plan_route.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/geo/geodesic.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using support::bathymetry_from;
+using support::currents_from;
+using support::eastward_request;
+
+Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
+  return plan_route(environment, request, {}, {});
+}
+
+geo::VelocityEn tide(geo::LonLat place, double hour) {
+  const double phase = 2.0 * 3.14159265358979 * hour / 12.42;
+  return {{0.15 * std::cos(phase)}, {0.2 * std::sin(phase + place.lon_deg)}};
+}
+
+TEST(PlanRoute, GoesStraightInStillWater) {
+  const PlanRequest request = eastward_request();
+
+  const auto found = plan({}, request);
+
+  ASSERT_TRUE(found.has_value());
+  const double distance_m = geo::geodesic_between(request.from, request.to).length.value;
+  EXPECT_EQ(found->waypoints.size(), 2U);
+  EXPECT_NEAR(found->travel_time().count(), distance_m / 0.35, 1e-4 * distance_m / 0.35);
+  EXPECT_NEAR(found->distance.value, distance_m, 1e-6 * distance_m);
+}
+
+TEST(PlanRoute, BeginsAndEndsWhereItWasAskedTo) {
+  const PlanRequest request = eastward_request();
+
+  const auto found = plan({.currents = currents_from(tide, 72)}, request);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_LT(geo::geodesic_between(found->waypoints.front().place, request.from).length.value, 0.01);
+  EXPECT_LT(geo::geodesic_between(found->waypoints.back().place, request.to).length.value, 0.01);
+  EXPECT_EQ(found->waypoints.front().eta, request.depart);
+  EXPECT_EQ(found->waypoints.back().eta, found->arrival);
+}
+
+TEST(PlanRoute, TakesTheSameTimeByEveryExactSearch) {
+  PlanRequest request = eastward_request();
+  const ocean::Environment environment{.currents = currents_from(tide, 72)};
+
+  request.method = Method::astar;
+  const auto astar = plan(environment, request);
+  request.method = Method::dijkstra;
+  const auto dijkstra = plan(environment, request);
+  request.method = Method::tve;
+  const auto tve = plan(environment, request);
+
+  ASSERT_TRUE(astar && dijkstra && tve);
+  EXPECT_NEAR(astar->travel_time().count(), tve->travel_time().count(), 1e-6);
+  EXPECT_NEAR(dijkstra->travel_time().count(), tve->travel_time().count(), 1e-6);
+  EXPECT_LE(astar->search.expansions, dijkstra->search.expansions);
+  EXPECT_EQ(tve->search.reinsertions, 0);
+}
+
+TEST(PlanRoute, IsNeverSlowerThanTheStraightLineOrTheFrozenSearch) {
+  PlanRequest request = eastward_request();
+  const ocean::Environment environment{.currents = currents_from(tide, 96)};
+  const auto best = plan(environment, request);
+  ASSERT_TRUE(best.has_value());
+
+  for (const Method method : {Method::direct, Method::frozen}) {
+    request.method = method;
+    const auto other = plan(environment, request);
+    if (other.has_value()) {
+      EXPECT_LE(best->travel_time(), other->travel_time() * (1.0 + 2e-4));
+    }
+  }
+}
+
+TEST(PlanRoute, HasTheTimeThatEvaluatingItGives) {
+  const PlanRequest request = eastward_request();
+  const ocean::Environment environment{.currents = currents_from(tide, 72)};
+  const auto found = plan(environment, request);
+  ASSERT_TRUE(found.has_value());
+  std::vector<geo::LonLat> route;
+  for (const Waypoint& waypoint : found->waypoints) route.push_back(waypoint.place);
+
+  const auto evaluated = evaluate_route(environment, route, request);
+
+  ASSERT_TRUE(evaluated.has_value());
+  EXPECT_NEAR(evaluated->travel_time().count(), found->travel_time().count(),
+              1e-4 * found->travel_time().count());
+}
+
+TEST(PlanRoute, GivesTheSameBytesForTheSameInput) {
+  const PlanRequest request = eastward_request();
+  const ocean::Environment environment{.currents = currents_from(tide, 72)};
+
+  const auto first = plan(environment, request);
+  const auto second = plan(environment, request);
+
+  ASSERT_TRUE(first && second);
+  ASSERT_EQ(first->waypoints.size(), second->waypoints.size());
+  for (std::size_t i = 0; i < first->waypoints.size(); ++i) {
+    EXPECT_EQ(first->waypoints[i].place, second->waypoints[i].place);
+    EXPECT_EQ(first->waypoints[i].eta, second->waypoints[i].eta);
+  }
+}
+
+TEST(PlanRoute, PassesAnIcebergOutsideItsMargin) {
+  PlanRequest request = eastward_request();
+  request.iceberg_margin = core::Metres{2000.0};
+  ocean::Environment environment;
+  environment.icebergs = {support::iceberg_at({-53.0, 69.0}, 400.0)};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GT(found->waypoints.size(), 2U);
+  EXPECT_GE(found->clearances.iceberg.value().value, 2000.0);
+}
+
+TEST(PlanRoute, GoesRoundAShoalThatTheStraightLineCrosses) {
+  PlanRequest request = eastward_request();
+  const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat place) {
+                                         const bool shoal =
+                                             std::abs(place.lon_deg + 53.0) < 0.15 && place.lat_deg < 69.1;
+                                         return shoal ? 5.0 : 300.0;
+                                       })};
+
+  const auto found = plan(environment, request);
+  request.method = Method::direct;
+  const auto straight = plan(environment, request);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_GE(found->clearances.bottom.value().value, 10.0 - 1e-9);
+  ASSERT_FALSE(straight.has_value());
+  EXPECT_EQ(straight.error().reason, Reason::too_shallow);
+}
+
+TEST(PlanRoute, VisitsEveryViaInItsOrder) {
+  PlanRequest request = eastward_request();
+  request.via = {{-53.3, 69.08}, {-52.7, 68.95}};
+
+  const auto found = plan({}, request);
+
+  ASSERT_TRUE(found.has_value());
+  std::size_t next = 0;
+  for (const Waypoint& waypoint : found->waypoints) {
+    if (next < request.via.size() &&
+        geo::geodesic_between(waypoint.place, request.via[next]).length.value < 0.01)
+      ++next;
+  }
+  EXPECT_EQ(next, 2U);
+}
+
+TEST(PlanRoute, KeepsToTheNumberOfWaypointsAskedFor) {
+  PlanRequest request = eastward_request();
+  request.refine = false;
+  const ocean::Environment environment{.currents = currents_from(tide, 72)};
+  const auto full = plan(environment, request);
+  ASSERT_TRUE(full.has_value());
+  ASSERT_GT(full->waypoints.size(), 4U);
+
+  request.max_waypoints = 4;
+  const auto cut = plan(environment, request);
+
+  ASSERT_TRUE(cut.has_value());
+  EXPECT_EQ(cut->waypoints.size(), 4U);
+}
+
+TEST(PlanRoute, SaysThatTheStartLiesOnLand) {
+  const ocean::Environment environment{
+      .bathymetry = bathymetry_from([](geo::LonLat place) { return place.lon_deg < -53.2 ? -20.0 : 300.0; })};
+
+  const auto found = plan(environment, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::start_on_land);
+  EXPECT_EQ(found.error().at, eastward_request().from);
+}
+
+TEST(PlanRoute, SaysThatTheGoalLiesInsideThePolygonOfAnIsland) {
+  ocean::Environment environment;
+  environment.land = {
+      {.outer = {{-52.6, 68.95}, {-52.4, 68.95}, {-52.4, 69.05}, {-52.6, 69.05}}, .holes = {}}};
+
+  const auto found = plan(environment, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::goal_on_land);
+}
+
+TEST(PlanRoute, SaysThatAWallOfLandLeavesNoWay) {
+  const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat place) {
+                                         return std::abs(place.lon_deg + 53.0) < 0.15 ? -1.0 : 300.0;
+                                       })};
+
+  const auto found = plan(environment, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::goal_unreachable);
+  EXPECT_LT(found.error().at.lon_deg, -53.0);
+  EXPECT_FALSE(found.error().suggestion.empty());
+}
+
+TEST(PlanRoute, SaysThatTheCurrentIsTooStrong) {
+  const auto westward = [](geo::LonLat, double) { return geo::VelocityEn{{-0.5}, {0.0}}; };
+
+  const auto found = plan({.currents = currents_from(westward, 72)}, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::current_too_strong);
+}
+
+TEST(PlanRoute, SaysThatTheDataEndBeforeTheRoute) {
+  const auto found = plan({.currents = currents_from(tide, 12)}, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::outside_data);
+  EXPECT_NE(found.error().explanation.find("end at"), std::string::npos) << found.error().explanation;
+}
+
+TEST(PlanRoute, StopsWhenAsked) {
+  std::stop_source source;
+  source.request_stop();
+
+  const auto found = plan_route({}, eastward_request(), source.get_token(), {});
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::cancelled);
+}
+
+TEST(PlanRoute, RefusesARequestThatBreaksItsRules) {
+  PlanRequest request = eastward_request();
+  request.to = request.from;
+  EXPECT_THROW((void)plan({}, request), std::invalid_argument);
+}
+
+TEST(PlanRoute, RefusesAGridThatWouldNotFitIntoMemory) {
+  PlanRequest request = eastward_request();
+  request.spacing_along = core::Metres{2.0};
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::too_large);
+}
+
+}  // namespace
+}  // namespace floeplan::planning

@@ -1,0 +1,81 @@
+#include "engine/planning/reproduction.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+namespace floeplan::planning {
+namespace {
+
+struct Golden {
+  std::string row;
+  double verified_s;
+  std::string vertices;
+  std::string edges;
+};
+
+std::vector<Golden> golden(const std::string& file) {
+  std::ifstream stream{std::string{FLOEPLAN_SOURCE_DIR} + "/tests/golden/" + file};
+  std::vector<Golden> rows;
+  std::string line;
+  std::getline(stream, line);  // names of the columns
+  while (std::getline(stream, line)) {
+    std::istringstream cells{line};
+    Golden row;
+    std::string seconds;
+    std::getline(cells, row.row, ',');
+    std::getline(cells, seconds, ',');
+    std::getline(cells, row.vertices, ',');
+    std::getline(cells, row.edges, ',');
+    row.verified_s = std::stod(seconds);
+    rows.push_back(row);
+  }
+  return rows;
+}
+
+void expect_golden(const std::vector<ReproducedRow>& table, const std::string& file, std::size_t rows) {
+  const auto expected = golden(file);
+  ASSERT_EQ(expected.size(), rows);
+  for (const Golden& wanted : expected) {
+    SCOPED_TRACE(wanted.row);
+    const auto found = std::ranges::find(table, wanted.row, &ReproducedRow::row);
+    ASSERT_NE(found, table.end());
+    ASSERT_TRUE(found->ours_s.has_value());
+    EXPECT_NEAR(*found->ours_s, wanted.verified_s, 0.0005) << "to the printed digits";
+    if (!wanted.vertices.empty()) {
+      EXPECT_EQ(std::to_string(found->vertices.value()), wanted.vertices);
+      EXPECT_EQ(std::to_string(found->edges.value()), wanted.edges);
+      EXPECT_NEAR(found->ours_at_default_tolerance_s.value(), wanted.verified_s, 1e-4 * wanted.verified_s);
+    }
+  }
+}
+
+TEST(Reproduction, GivesEveryVerifiedTimeAndCountOfTableTwo) {
+  expect_golden(reproduce_table_2(), "eichhorn_2009_table_2.csv", 11);
+}
+
+TEST(Reproduction, GivesTheStandInOfTableThreeAndNoDirectWay) {
+  const auto table = reproduce_table_3();
+
+  expect_golden(table, "eichhorn_2009_table_3.csv", 3);
+  EXPECT_EQ(table.front().row, "direct drive");
+  EXPECT_FALSE(table.front().ours_s.has_value());
+}
+
+TEST(Reproduction, GivesThePapersPercentages) {
+  const auto table = reproduce_table_2();
+  const auto row = [&](const std::string& name) {
+    return *std::ranges::find(table, name, &ReproducedRow::row);
+  };
+
+  EXPECT_NEAR(row("optimal control").saving_pct.value(), 9.87, 0.005);
+  EXPECT_NEAR(row("direct drive").deviation_pct.value(), 10.96, 0.005);
+  EXPECT_NEAR(row("3-sector").saving_pct.value(), 9.56, 0.005);
+  EXPECT_NEAR(row("3-sector").deviation_pct.value(), 0.35, 0.005);
+}
+
+}  // namespace
+}  // namespace floeplan::planning

@@ -1,0 +1,117 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/server/cli/program.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using support::Outcome;
+using support::Program;
+using ::testing::HasSubstr;
+
+std::vector<std::string> plan(std::vector<std::string> more) {
+  std::vector<std::string> words{"plan", "--json"};
+  words.insert(words.end(), more.begin(), more.end());
+  return words;
+}
+
+void write(const std::filesystem::path& file, const std::string& text) { std::ofstream{file} << text; }
+
+/// Ends with code 3, says this, and leaves the store empty.
+void expect_refused_file(const Program& program, const std::filesystem::path& file,
+                         const std::string& reason) {
+  const Outcome outcome = program.run({"ingest", file.string(), "--json"});
+
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr(reason));
+  EXPECT_EQ(outcome.json()["datasets"][0]["status"], "refused");
+  EXPECT_EQ(program.run({"datasets", "--json"}).json()["datasets"].size(), 0U);
+}
+
+TEST(BadInput, AnEmptyFileIsRefused) {
+  const Program program;
+  write(program.folder() / "empty.nc", "");
+  expect_refused_file(program, program.folder() / "empty.nc", "empty");
+}
+
+TEST(BadInput, TextWithTheNameOfANetcdfIsRefused) {
+  const Program program;
+  write(program.folder() / "notes.nc", "currents will follow tomorrow\n");
+  expect_refused_file(program, program.folder() / "notes.nc", "notes.nc");
+}
+
+TEST(BadInput, AFileThatIsNotThereIsRefused) {
+  const Program program;
+  expect_refused_file(program, program.folder() / "missing.tif", "missing.tif");
+}
+
+TEST(BadInput, ALatitudeOf95NamesItsFlagAndTheOrder) {
+  const Outcome outcome =
+      Program{}.run(plan({"--from=-53,95", "--to=-52,69", "--depart", "2026-11-22T06:00:00Z"}));
+
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("/from"));
+  EXPECT_EQ(outcome.json()["status"], "invalid");
+}
+
+TEST(BadInput, AStartThatIsTheGoalIsRefused) {
+  const Outcome outcome =
+      Program{}.run(plan({"--from=-53,69", "--to=-53,69", "--depart", "2026-11-22T06:00:00Z"}));
+
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("/to"));
+}
+
+TEST(BadInput, EveryViolationIsNamedAtOnce) {
+  const Outcome outcome = Program{}.run(plan({"--from=-53,69", "--sectors", "9", "--method", "guess"}));
+
+  EXPECT_EQ(outcome.exit_code, 3);
+  for (const char* field : {"/to", "/depart", "/sectors", "/method"})
+    EXPECT_THAT(outcome.err, HasSubstr(field));
+}
+
+TEST(BadInput, NotANumberInAFlagIsWrongUsage) {
+  const Outcome outcome =
+      Program{}.run(plan({"--from=nan,69", "--to=-52,69", "--depart", "2026-11-22T06:00:00Z"}));
+
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--from"));
+}
+
+TEST(BadInput, AnUnknownDatasetIsNamed) {
+  const Outcome outcome = Program{}.run(plan({"--from=-53,69", "--to=-52,69", "--depart",
+                                              "2026-11-22T06:00:00Z", "--currents", "currents-00000000"}));
+
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("currents-00000000"));
+}
+
+TEST(BadInput, AnUnknownKeyOfARequestFileIsAnError) {
+  const Program program;
+  write(program.folder() / "request.json",
+        R"({"from":[-53,69],"to":[-52,69],"depart":"2026-11-22T06:00:00Z","sped":1})");
+
+  const Outcome outcome = program.run(plan({"--request", (program.folder() / "request.json").string()}));
+
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("sped"));
+}
+
+TEST(BadInput, AnUnknownFlagOrCommandIsWrongUsage) {
+  EXPECT_EQ(Program{}.run({"plan", "--fast"}).exit_code, 2);
+  EXPECT_EQ(Program{}.run({"dance"}).exit_code, 2);
+  EXPECT_EQ(Program{}.run({}).exit_code, 2);
+}
+
+TEST(BadInput, APlanThatIsNotStoredCannotBeExported) {
+  const Outcome outcome = Program{}.run({"export", "p000000000000", "--format", "gliderdos"});
+
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("p000000000000"));
+}
+
+}  // namespace
+}  // namespace floeplan::cli

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+#include "tests/support/temporary_folder.hpp"
+
+namespace floeplan::support {
+
+/// What a run of the program printed and how it ended.
+struct Outcome {
+  int exit_code{};
+  std::string out;
+  std::string err;
+
+  [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(out, nullptr, false); }
+};
+
+/// The real program on a store of its own.
+class Program {
+ public:
+  [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
+  [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
+
+ private:
+  TemporaryFolder folder_;
+};
+
+/// A file of the shared samples; tests that need one skip where it is not there.
+[[nodiscard]] std::filesystem::path shared_sample(const std::string& name);
+
+}  // namespace floeplan::support
