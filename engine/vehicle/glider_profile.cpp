@@ -55,6 +55,7 @@ core::Violations GliderProfile::violations() const {
   require(depth_rating.value > 0.0 && depth_rating.value <= 11'000.0, "/vehicle",
           "has no plausible depth rating");
   require(minimum_working_depth.value >= 0.0, "/vehicle", "has a negative minimum working depth");
+  require(altimeter_margin.value >= 0.0, "/vehicle", "has a negative altimeter margin");
   require(max_waypoints_per_list >= 1, "/vehicle", "must take at least one waypoint");
   return found;
 }
