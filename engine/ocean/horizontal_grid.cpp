@@ -35,7 +35,7 @@ std::optional<GridPosition> HorizontalGrid::locate(geo::LonLat place) const {
     // Longitudes count eastwards from the first node; a hair west of it is that node, not a whole turn
     // further.
     const double turns = std::floor((point.x - x_.front()) / 360.0 + 1e-9);
-    point.x -= 360.0 * turns;
+    point.x = std::max(point.x - 360.0 * turns, x_.front());
   }
 
   const auto y = y_.locate(point.y);

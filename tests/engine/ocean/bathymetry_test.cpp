@@ -1,0 +1,74 @@
+#include "engine/ocean/bathymetry.hpp"
+
+#include <gtest/gtest.h>
+
+#include <limits>
+#include <stdexcept>
+#include <utility>
+#include <vector>
+
+#include "tests/engine/ocean/even_axis.hpp"
+#include "tests/support/property.hpp"
+
+namespace floeplan::ocean {
+namespace {
+
+constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+
+/// Three columns 54 W to 52 W, two rows 68 N and 69 N.
+Bathymetry small_chart(std::vector<float> depth_m) {
+  return {HorizontalGrid{geo::GeographicFrame{}, even_axis(-54.0, 1.0, 3), even_axis(68.0, 1.0, 2)},
+          std::move(depth_m)};
+}
+
+TEST(Bathymetry, IsExactOnItsNodesAndTheMeanInTheMiddleOfACell) {
+  const Bathymetry chart = small_chart({100.0F, 200.0F, 300.0F,  //
+                                        500.0F, 0.0F, -20.0F});
+
+  EXPECT_EQ(chart.depth({-54.0, 68.0})->value, 100.0);
+  EXPECT_EQ(chart.depth({-52.0, 69.0})->value, -20.0);
+  EXPECT_NEAR(chart.depth({-53.5, 68.5})->value, 200.0, 1e-9);
+  EXPECT_NEAR(chart.depth({-52.5, 69.0})->value, -10.0, 1e-9);
+}
+
+TEST(Bathymetry, IsUnknownBeyondItsGrid) {
+  const Bathymetry chart = small_chart(std::vector<float>(6, 100.0F));
+
+  EXPECT_FALSE(chart.depth({-51.9, 68.5}).has_value());
+  EXPECT_FALSE(chart.depth({-53.0, 69.1}).has_value());
+}
+
+TEST(Bathymetry, IsUnknownWhereANodeItNeedsIsMissingAndKnownBesideIt) {
+  const Bathymetry chart = small_chart({100.0F, 200.0F, missing,  //
+                                        100.0F, 200.0F, 300.0F});
+
+  EXPECT_FALSE(chart.depth({-52.5, 68.5}).has_value());
+  EXPECT_FALSE(chart.depth({-52.0, 68.0}).has_value());
+  EXPECT_TRUE(chart.depth({-53.0, 68.5}).has_value());
+  EXPECT_TRUE(chart.depth({-52.5, 69.0}).has_value());
+}
+
+TEST(Bathymetry, FollowsAPlaneSeaBedExactly) {
+  support::for_each_seed(300, [](std::mt19937_64& rng) {
+    const int east_m = support::uniform_int(rng, -100, 100);
+    const int north_m = support::uniform_int(rng, -100, 100);
+    std::vector<float> depth_m;
+    for (int iy = 0; iy < 2; ++iy) {
+      for (int ix = 0; ix < 3; ++ix) depth_m.push_back(static_cast<float>(500 + east_m * ix + north_m * iy));
+    }
+    const double dx = support::uniform(rng, 0.0, 2.0);
+    const double dy = support::uniform(rng, 0.0, 1.0);
+
+    const auto depth = small_chart(depth_m).depth({-54.0 + dx, 68.0 + dy});
+
+    ASSERT_TRUE(depth.has_value());
+    EXPECT_NEAR(depth->value, 500.0 + east_m * dx + north_m * dy, 1e-3);
+  });
+}
+
+TEST(Bathymetry, NeedsADepthForEachNode) {
+  EXPECT_THROW((void)small_chart({1.0F, 2.0F}), std::invalid_argument);
+}
+
+}  // namespace
+}  // namespace floeplan::ocean
