@@ -10,6 +10,9 @@
 namespace floeplan::demo::disko {
 
 constexpr geo::BoundingBox area{-54.5, 68.4, -50.5, 69.6};
+
+/// Where the coastline is given: farther than the invented data, so that the land does not seem to end with them.
+constexpr geo::BoundingBox coast_area{-56.5, 67.9, -49.0, 70.1};
 constexpr FlatEarth earth{69.0};
 
 /// The moraine that closes the icefjord.

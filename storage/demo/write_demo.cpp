@@ -21,12 +21,12 @@ namespace {
 constexpr auto shoreline_file = "/usr/share/gmt-gshhg/binned_GSHHS_f.nc";
 constexpr int hours = 144;
 
-std::vector<geo::Polygon> shoreline() {
+std::vector<geo::Polygon> shoreline(const geo::BoundingBox& area) {
   if (!std::filesystem::exists(shoreline_file))
     throw std::runtime_error{
         std::string{"the coastline "} + shoreline_file +
         " is missing; the scenario disko is built on it; install the package gmt-gshhg-full"};
-  auto land = ingest::read_gshhg(shoreline_file, disko::area);
+  auto land = ingest::read_gshhg(shoreline_file, area);
   if (!land) throw std::runtime_error{land.error().field + ' ' + land.error().rule};
   return std::move(*land);
 }
@@ -36,7 +36,7 @@ std::vector<std::filesystem::path> write_disko(const std::filesystem::path& dir,
   const std::vector<std::filesystem::path> files{
       dir / "disko-synthetic-bathymetry.tif", dir / "disko-synthetic-currents.nc",
       dir / "disko-synthetic-icebergs.geojson", dir / "disko-coastline.geojson"};
-  const std::vector<geo::Polygon> land = shoreline();
+  const std::vector<geo::Polygon> land = shoreline(disko::area);
   const Relief relief = make_disko_relief(land, seed);
   const DiskoCurrents currents{relief, land, seed, start};
   std::vector<core::UtcTime> times;
@@ -60,7 +60,7 @@ std::vector<std::filesystem::path> write_disko(const std::filesystem::path& dir,
                     return layer;
                   }});
   write_icebergs(files[2], make_disko_icebergs(relief, seed, start));
-  write_coastline(files[3], land, disko::area);
+  write_coastline(files[3], shoreline(disko::coast_area), disko::coast_area);
   return files;
 }
 

@@ -33,7 +33,7 @@ const actions: Record<string, () => void> = {
     leftTab.value = 'setup';
     queueMicrotask(() => focus('#field-from'));
   },
-  l: () => focus('.layers button'),
+  l: () => focus('.layers summary'),
   '?': () => {
     dialog.value = 'help';
   },

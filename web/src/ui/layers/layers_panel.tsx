@@ -1,12 +1,17 @@
 import type { VNode } from 'preact';
+import { useState } from 'preact/hooks';
 import { layerNames, layerTitles, toggleLayer, visible } from '../../model/layers';
 import { IconButton } from '../common/icon';
 
+/** Below this height of the window the list starts folded, so that the set-up and its messages keep their room. */
+const roomy = '(min-height: 800px)';
+
 /** What the map shows, each with an eye. */
 export function LayersPanel(): VNode {
+  const [open] = useState(() => matchMedia(roomy).matches);
   return (
-    <section class="layers" aria-labelledby="layers-title">
-      <h2 id="layers-title">Layers</h2>
+    <details class="layers" open={open}>
+      <summary>Layers</summary>
       <ul>
         {layerNames.map((name) => {
           const on = visible.value[name];
@@ -18,6 +23,6 @@ export function LayersPanel(): VNode {
           );
         })}
       </ul>
-    </section>
+    </details>
   );
 }
