@@ -11,8 +11,8 @@ namespace floeplan::codec {
 inline constexpr int max_json_depth = 64;
 
 /// Parses text from outside. The depth is checked in a first pass that builds nothing, so nested input costs
-/// no stack. Errors  what is wrong and where, for a person; also for NaN, infinity and numbers beyond a
-/// double
+/// no stack.
+/// Errors   what is wrong and where, for a person; also for NaN, infinity and numbers beyond a double
 [[nodiscard]] tl::expected<nlohmann::json, std::string> parse_json(std::string_view text);
 
 }  // namespace floeplan::codec

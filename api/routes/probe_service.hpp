@@ -25,7 +25,8 @@ struct ProbeQuery {
 inline constexpr core::Metres probe_iceberg_range{50'000.0};
 
 /// What the stored data say of a place and a time; nothing is extrapolated. One function for API and command
-/// line. Errors   a violation when `dataset_id` is unknown or of a kind that has no values at a place
+/// line.
+/// Errors   a violation when `dataset_id` is unknown or of a kind that has no values at a place
 [[nodiscard]] tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db,
                                                                  const ProbeQuery& query);
 

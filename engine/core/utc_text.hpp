@@ -13,7 +13,8 @@ namespace floeplan::core {
 
 /// Instant written as ISO 8601 / RFC 3339: date, 'T' or blank, hh:mm[:ss[.fff]], then Z or +-hh:mm.
 /// Edges    a date alone means 00:00:00Z; a time without a zone is refused, since guessing one can be hours
-/// off Outside  nullopt for anything else, for impossible dates (30 February) and for leap seconds
+///          off
+/// Outside  nullopt for anything else, for impossible dates (30 February) and for leap seconds
 [[nodiscard]] std::optional<UtcTime> parse_iso8601(std::string_view text);
 
 /// ISO 8601 duration of days and time ("PT1H", "P1DT30M", "PT90S"); no years or months, which have no fixed

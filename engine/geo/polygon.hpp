@@ -12,7 +12,8 @@ namespace floeplan::geo {
 using Ring = std::vector<LonLat>;
 
 /// Area inside `outer` and outside every hole. Edges are straight in longitude and latitude, as charts draw
-/// them. Edges    a ring may cross the antimeridian (its longitudes jump there); it may not contain a pole
+/// them.
+/// Edges    a ring may cross the antimeridian (its longitudes jump there); it may not contain a pole
 struct Polygon {
   Ring outer;
   std::vector<Ring> holes;

@@ -17,7 +17,9 @@ struct Offset {
 
 /// The steps of a k-sector grid: all (i, j) with max(|i|, |j|) <= k and no common divisor, so that no step
 /// passes over a vertex that a shorter one reaches. 8, 16, 32 steps for k = 1, 2, 3. Counter-clockwise from
-/// east. Source   Eichhorn 2009, Figure 4 Errors   std::invalid_argument unless 1 <= sectors <= 5
+/// east.
+/// Source   Eichhorn 2009, Figure 4
+/// Errors   std::invalid_argument unless 1 <= sectors <= 5
 [[nodiscard]] std::vector<Offset> sector_offsets(int sectors);
 
 /// A directed connection. `step` is the index of its offset.
@@ -28,8 +30,8 @@ struct Edge {
 };
 
 /// Vertices on nx columns and ny rows, numbered row by row, joined by the steps of a k-sector grid; knows no
-/// ocean. A closed vertex has no edges. Edges are not stored. Threads  const members may be called from
-/// several threads at once
+/// ocean. A closed vertex has no edges. Edges are not stored.
+/// Threads  const members may be called from several threads at once
 class GridGraph {
  public:
   /// `open` has nx * ny entries, or none when every vertex is open.

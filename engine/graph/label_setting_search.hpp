@@ -27,10 +27,11 @@ struct NoBound {
 };
 
 /// Earliest arrivals, each vertex expanded once: Dijkstra on arrival times, A* with a bound. Exact under
-/// FIFO. An edge that cannot improve its head even at its least time is not evaluated. Returns  arrival and
-/// predecessor of every vertex expanded before the goal, and of the goal when it can be reached Source
-/// Dreyfus 1969, An appraisal of some shortest-path algorithms, Operations Research 17 (time-dependent case);
-///          Hart, Nilsson and Raphael 1968, doi:10.1109/TSSC.1968.300136 (A*)
+/// FIFO. An edge that cannot improve its head even at its least time is not evaluated.
+/// Returns  arrival and predecessor of every vertex expanded before the goal, and of the goal when it can be
+///          reached
+/// Source   Dreyfus 1969, An appraisal of some shortest-path algorithms, Operations Research
+///          17 (time-dependent case); Hart, Nilsson and Raphael 1968, doi:10.1109/TSSC.1968.300136 (A*)
 /// Stops    early, and says so in the result, once `stop` is requested
 template <EdgeTravelTime TravelTime, TravelTimeBound Bound = NoBound>
 SearchTree find_earliest_arrivals(const GridGraph& graph, const Query& query, const TravelTime& travel_time,

@@ -91,13 +91,12 @@ inline double share_of_step(double gain, double v0, double v1, double wanted) {
 /// Travel time along an edge: the solution of ds/dt = v(x(s), t) from the departure on, where v = c.e +
 /// sqrt(V^2 - (c.n)^2) is the speed over ground on the edge's direction e. Two vehicles on one edge obey the
 /// same scalar equation, and solutions of a scalar equation do not cross: the later one never overtakes.
-/// Hence FIFO: t1 <= t2 implies t1 + w(t1) <= t2 + w(t2), while the edge stays passable. Errors   the reason
-/// why the edge is closed: where the vehicle would be, when it would be there; too_late as soon as it
-///          is certain that the arrival is after `latest`
+/// Hence FIFO: t1 <= t2 implies t1 + w(t1) <= t2 + w(t2), while the edge stays passable.
+/// Errors   the reason why the edge is closed: where the vehicle would be, when it would be there; too_late
+///          as soon as it is certain that the arrival is after `latest`
 /// Source   Eichhorn 2009, section III.C (wfunc); integration by Bogacki and Shampine 1989, A 3(2) pair of
-/// Runge-Kutta
-///          formulas, Appl. Math. Lett. 2, doi:10.1016/0893-9659(89)90079-7, the arrival by its cubic
-///          interpolant
+///          Runge-Kutta formulas, Appl. Math. Lett. 2, doi:10.1016/0893-9659(89)90079-7, the arrival by its
+///          cubic interpolant
 template <PlaneCurrent Current>
 tl::expected<core::Seconds, EdgeClosed> edge_time(const PlaneEdge& edge, core::Seconds depart,
                                                   core::MetresPerSecond through_water, const Current& current,

@@ -15,7 +15,8 @@ struct CurrentXy {
 };
 
 /// The current at a point of the plane at a time (counted from an instant that the caller chose); empty: not
-/// known there. Law   the same arguments give the same answer
+/// known there.
+/// Law      the same arguments give the same answer
 template <class F>
 concept PlaneCurrent = requires(const F& current, geo::PlanePoint point, core::Seconds time) {
   { current(point, time) } -> std::convertible_to<std::optional<CurrentXy>>;

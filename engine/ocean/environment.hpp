@@ -17,7 +17,7 @@ namespace floeplan::ocean {
 /// warns.
 struct Environment {
   std::shared_ptr<const CurrentGrid> currents{};  // null: still water
-  bool steady_currents{false};                  // `currents` holds one time, meant for every time
+  bool steady_currents{false};                    // `currents` holds one time, meant for every time
   std::shared_ptr<const Bathymetry> bathymetry{};
   std::vector<geo::Polygon> land{};
   std::vector<Iceberg> icebergs{};  // the latest sighting of each berg, none after the moment asked for

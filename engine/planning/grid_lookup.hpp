@@ -10,13 +10,12 @@
 namespace floeplan::planning {
 
 /// Where a point of the plane lies in a grid's own coordinates, fast: the smooth map plane -> coordinates is
-/// tabulated and interpolated, so that an inner loop calls no projection. Accuracy   h^2 / (8 rho) on the
-/// ground for a table step h and a distance rho to the pole of the coordinates: below 1 m
-///            at 69 degrees with the steps of at most 2 km used up to 2000 km of extent
-/// Edges      geographic longitudes run continuously from the projection's origin, within 180 degrees of it;
-/// where they
-///            jump (beyond a pole inside the area) the map is computed exactly
-/// Threads    const members may be called from several threads at once
+/// tabulated and interpolated, so that an inner loop calls no projection.
+/// Accuracy h^2 / (8 rho) on the ground for a table step h and a distance rho to the pole of the coordinates:
+///          below 1 m at 69 degrees with the steps of at most 2 km used up to 2000 km of extent
+/// Edges    geographic longitudes run continuously from the projection's origin, within 180 degrees of it;
+///          where they jump (beyond a pole inside the area) the map is computed exactly
+/// Threads  const members may be called from several threads at once
 class GridLookup {
  public:
   GridLookup(const geo::GridFrame& frame, const geo::LocalProjection& projection, const PlaneBox& area);

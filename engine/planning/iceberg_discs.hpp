@@ -18,7 +18,8 @@ struct IcebergDistance {
 };
 
 /// Standing icebergs as discs to keep out of: half the length, the stated uncertainty of the position, and
-/// the margin. Threads  const members may be called from several threads at once
+/// the margin.
+/// Threads  const members may be called from several threads at once
 class IcebergDiscs {
  public:
   IcebergDiscs(const std::vector<ocean::Iceberg>& icebergs, core::Metres margin,

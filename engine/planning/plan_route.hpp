@@ -16,8 +16,9 @@ namespace floeplan::planning {
 
 /// Plans the fastest route of the request through the environment.
 /// Errors   std::invalid_argument when `request.violations()` is not empty; Infeasible when there is no such
-/// route Threads  may be called from several threads at once; reads its arguments only Stops    within 100 ms
-/// of a request of `stop`, with Reason::cancelled
+///          route
+/// Threads  may be called from several threads at once; reads its arguments only
+/// Stops    within 100 ms of a request of `stop`, with Reason::cancelled
 [[nodiscard]] Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
                                       const std::stop_token& stop, const core::ProgressCallback& progress);
 

@@ -12,12 +12,13 @@
 namespace floeplan::planning {
 
 /// The depth-averaged currents of a planning area, turned into the axes of the plane: what the inner loop
-/// asks. Interpolation   the data's own: bilinear between its nodes, linear between its times Coast a node
-/// without water takes the mean of its neighbours with water, one ring deep, because a model's
-///                 land mask is coarser than the coast; `is_extended` tells where
-/// Time            counted from `epoch`; steady currents answer for every time
-/// Outside         empty beyond the nodes with water (and that ring) and beyond the data's period
-/// Threads         const members may be called from several threads at once
+/// asks.
+/// Interpolation  the data's own: bilinear between its nodes, linear between its times Coast a node without
+///          water takes the mean of its neighbours with water, one ring deep, because a model's land mask is
+///          coarser than the coast; `is_extended` tells where
+/// Time     counted from `epoch`; steady currents answer for every time
+/// Outside  empty beyond the nodes with water (and that ring) and beyond the data's period
+/// Threads  const members may be called from several threads at once
 class PlaneCurrents {
  public:
   PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, core::Metres dive_depth,

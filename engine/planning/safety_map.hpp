@@ -14,8 +14,10 @@ namespace floeplan::planning {
 
 /// Where the water is deep enough, as a raster over the plane. A cell is closed when any part of it that the
 /// data know of is: its corners, the nodes of the bathymetry inside it, a coast that runs through it.
-/// Cautious by up to one cell. Edges    bathymetry given but not known in a cell: closed (outside_data). No
-/// bathymetry: every depth will do Threads  const members may be called from several threads at once
+/// Cautious by up to one cell.
+/// Edges    bathymetry given but not known in a cell: closed (outside_data). No bathymetry: every depth will
+///          do
+/// Threads  const members may be called from several threads at once
 class SafetyMap {
  public:
   SafetyMap(const ocean::Environment& environment, core::Metres least_depth,

@@ -14,8 +14,8 @@
 namespace floeplan::planning {
 
 /// The environment of one request laid out in its local plane: the one cost function that searches,
-/// refinement and published plans share. Times are counted from the request's departure. Threads  const
-/// members may be called from several threads at once
+/// refinement and published plans share. Times are counted from the request's departure.
+/// Threads  const members may be called from several threads at once
 class Sea {
  public:
   /// `cell`: step of the safety map. `environment` and `request` are borrowed and outlive the sea.

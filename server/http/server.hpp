@@ -23,7 +23,8 @@ struct Limits {
 };
 
 /// HTTP/1.1 listener. One thread (the caller of run) does all input and output; handlers run on threads of
-/// their own. Errors   std::runtime_error from the constructor when the address cannot be listened on
+/// their own.
+/// Errors   std::runtime_error from the constructor when the address cannot be listened on
 class Server {
  public:
   Server(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads,

@@ -26,7 +26,8 @@ struct SessionShare {
 };
 
 /// One connection: reads requests, has them answered, writes the answers, until the client or the server ends
-/// it. Threads  everything on the I/O thread, but for the handler
+/// it.
+/// Threads  everything on the I/O thread, but for the handler
 class Session {
  public:
   Session(boost::asio::ip::tcp::socket socket, SessionShare& share);

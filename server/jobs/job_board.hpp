@@ -23,7 +23,8 @@ struct RunningJob {
 };
 
 /// What this process knows of its jobs beside the store: who waits for which, and how to stop the ones that
-/// run. Threads  every member may be called from several threads at once
+/// run.
+/// Threads  every member may be called from several threads at once
 class JobBoard : public routes::JobGateway {
  public:
   /// More waiting jobs than this are refused.

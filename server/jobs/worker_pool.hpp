@@ -15,10 +15,11 @@ namespace floeplan::jobs {
 using OpenStore = std::function<sqlite::Connection()>;
 
 /// Threads that take jobs from the queue and do them, at lower priority than the rest of the process, and one
-/// that keeps their leases and writes their progress. Start    jobs that a killed process left running become
-/// free at once Stop     stop() or the destructor: running work is asked to stop and goes back into the queue
+/// that keeps their leases and writes their progress.
+/// Start    jobs that a killed process left running become free at once Stop stop() or the destructor:
+///          running work is asked to stop and goes back into the queue
 /// Errors   what a job throws fails that job; what the store throws while looking for work is logged and
-/// tried again
+///          tried again
 class WorkerPool {
  public:
   WorkerPool(OpenStore open_store, JobBoard& board, std::size_t workers);

@@ -12,8 +12,9 @@ namespace floeplan::demo {
 /// Invented currents of Disko Bay: a tide that turns about every 6.2 hours (M2 with some S2), an
 /// anticlockwise circulation of the bay, the outflow of the icefjord in the upper 70 m with a weak return
 /// flow below, and drifting eddies. Every part follows a stream function that is constant along the coasts,
-/// so no water crosses them. Frame    east-north, m/s; depth positive down Threads  const members may be
-/// called from several threads at once
+/// so no water crosses them.
+/// Frame    east-north, m/s; depth positive down
+/// Threads  const members may be called from several threads at once
 class DiskoCurrents {
  public:
   DiskoCurrents(const Relief& relief, const std::vector<geo::Polygon>& land, std::uint64_t seed,

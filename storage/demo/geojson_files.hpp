@@ -14,7 +14,8 @@ namespace floeplan::demo {
 void write_icebergs(const std::filesystem::path& file, const std::vector<ocean::Iceberg>& icebergs);
 
 /// GSHHG land within an area as GeoJSON polygons, joined across bin borders and cut at the area's edges; five
-/// decimals. Errors   std::runtime_error when the file cannot be written
+/// decimals.
+/// Errors   std::runtime_error when the file cannot be written
 void write_coastline(const std::filesystem::path& file, const std::vector<geo::Polygon>& land,
                      const geo::BoundingBox& area);
 

@@ -8,7 +8,9 @@
 namespace floeplan::demo {
 
 /// Writes the river of the reference paper, equation (1), enlarged to a strait 30 km wide, and a flat sea
-/// bed. Returns  the files written Source   Eichhorn 2009, section IV
+/// bed.
+/// Returns  the files written
+/// Source   Eichhorn 2009, section IV
 [[nodiscard]] std::vector<std::filesystem::path> write_river(const std::filesystem::path& dir,
                                                              core::UtcTime start);
 

@@ -22,10 +22,11 @@ struct Gate {
 
 /// Horizontal flow without sources, of arbitrary scale: it comes in and leaves only through the gates, does
 /// not cross coasts, keeps to where the resistance is small, and turns anticlockwise where `spin` is
-/// positive. Shape    every array over `frame`; resistance must be positive and is ignored on land Method
-/// solves div(resistance grad psi) = spin with land as an almost perfect conductor of psi, so that psi is
-/// constant
-///          along each coast and each island; the flow is (-d psi/dy, d psi/dx)
+/// positive.
+/// Shape    every array over `frame`; resistance must be positive and is ignored on land
+/// Method   solves
+///          div(resistance grad psi) = spin with land as an almost perfect conductor of psi, so that psi is
+///          constant along each coast and each island; the flow is (-d psi/dy, d psi/dx)
 /// Errors   std::invalid_argument when the inflows of the gates do not add up to zero
 [[nodiscard]] Flow stream_flow(const RasterFrame& frame, const std::vector<bool>& land,
                                const std::vector<double>& resistance, const std::vector<Gate>& gates,

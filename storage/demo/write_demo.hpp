@@ -19,10 +19,11 @@ enum class Scenario { disko, river, jet };
 
 /// Writes the demonstration data of a scenario into a directory, which is made when missing: NetCDF, GeoTIFF
 /// and GeoJSON as `ingest` takes them, and README.txt, which says what is invented. Files of the same name
-/// are replaced. Law      the same scenario, seed and start give the same bytes; river and jet do not depend
-/// on the seed Returns  the data files, in the order in which they are best ingested; README.txt is not among
-/// them Errors   std::runtime_error when a file cannot be written, and for disko when the package
-/// gmt-gshhg-full is missing
+/// are replaced.
+/// Law      the same scenario, seed and start give the same bytes; river and jet do not depend on the seed
+/// Returns  the data files, in the order in which they are best ingested; README.txt is not among them
+/// Errors   std::runtime_error when a file cannot be written, and for disko when the package gmt-gshhg-full
+///          is missing
 std::vector<std::filesystem::path> write_demo(const std::filesystem::path& dir, Scenario scenario,
                                               std::uint64_t seed, core::UtcTime start);
 

@@ -13,9 +13,10 @@ enum class CfCalendar { standard, proleptic_gregorian, julian, no_leap, all_leap
 
 /// Decodes the time axis of a NetCDF file: "<unit> since <date>" in a calendar.
 /// Units    weeks, days, hours, minutes, seconds, milliseconds; months and years are refused: their length
-/// varies Edges    a date in a model's own calendar becomes the same date in ours; one that ours lacks (30
-/// February, 29
-///          February of a common year) is refused. "standard" is Julian before 15 October 1582; year 0 exists
+///          varies
+/// Edges    a date in a model's own calendar becomes the same date in ours; one that ours lacks (30 February,
+///          29 February of a common year) is refused. "standard" is Julian before 15 October 1582; year 0
+///          exists
 /// Source   CF conventions 1.8, section 4.4; UDUNITS-2 for the spelling of the reference date
 class CfTime {
  public:

@@ -6,7 +6,8 @@
 namespace floeplan::ingest {
 
 /// Registers the GDAL drivers that this folder reads, and no others: no virtual formats, no network.
-/// Idempotent. Threads  may be called from several threads at once
+/// Idempotent.
+/// Threads  may be called from several threads at once
 void register_drivers();
 
 /// "GDAL 3.6.2"

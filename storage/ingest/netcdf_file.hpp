@@ -37,7 +37,8 @@ class NetcdfVariable {
   [[nodiscard]] std::shared_ptr<OGRSpatialReference> crs() const;
 
   /// Packed values (no scale, no fill) of the block that starts at `start` and has `count` values along each
-  /// dimension. Shape  row-major in the order of dimensions()
+  /// dimension.
+  /// Shape    row-major in the order of dimensions()
   [[nodiscard]] Checked<std::vector<double>> read_packed(const std::vector<std::uint64_t>& start,
                                                          const std::vector<std::size_t>& count) const;
   /// All values of a small variable (coordinates), scale and offset applied, fill as NaN.
@@ -57,7 +58,8 @@ class NetcdfVariable {
 };
 
 /// An open NetCDF file (any variant), seen through its root group. Coordinates are never taken from GDAL's
-/// own guesses. Threads  one thread at a time
+/// own guesses.
+/// Threads  one thread at a time
 class NetcdfFile {
  public:
   /// Errors  GDAL's own words when it cannot open the file

@@ -26,9 +26,9 @@ struct NetcdfLayout {
 };
 
 /// Finds the layout of a variable on a regular grid, longitude and latitude or projected, dimensions in any
-/// order. Errors   curvilinear, staggered, terrain-following and unstructured grids are refused by name; so
-/// are times that cannot
-///          be decoded and sizes that would not fit into memory
+/// order.
+/// Errors   curvilinear, staggered, terrain-following and unstructured grids are refused by name; so are
+///          times that cannot be decoded and sizes that would not fit into memory
 [[nodiscard]] Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& variable);
 
 /// Why the variable is not on a regular grid that this program reads; nullopt when nothing speaks against it.

@@ -32,8 +32,8 @@ struct VerticalFinding {
 
 /// Decides the sense from the user's word, then from the file's words, then from relief that only one sense
 /// explains: a global grid that reaches below -9000 and above 5000 can only be elevation. Never guesses from
-/// the values of a region. Errors   nothing decides it, or the values contradict the file's words: the user
-/// is asked for --positive
+/// the values of a region.
+/// Errors   nothing decides it, or the values contradict the file's words: the user is asked for --positive
 [[nodiscard]] Checked<VerticalFinding> vertical_sense_of(const std::optional<std::string>& user_word,
                                                          const VerticalDescription& description,
                                                          const VerticalEvidence& evidence);
