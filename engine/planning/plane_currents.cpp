@@ -92,14 +92,16 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
   const CoordinateBox box = coordinate_box(lookup_, area);
   Window columns = column_window(grid, box);
   Window rows = window(grid.y(), box.low_y, box.high_y);
-  x_ = ocean::Axis{std::move(columns.nodes)};
-  y_ = ocean::Axis{std::move(rows.nodes)};
+  x_ = FastAxis{std::move(columns.nodes)};
+  y_ = FastAxis{std::move(rows.nodes)};
   columns_ = std::move(columns.indices);
   first_row_ = rows.indices.front();
   if (!steady) {
+    std::vector<double> times;
     for (const double time_s : currents.samples().times_s.nodes()) {
-      times_s_.push_back(time_s - core::unix_seconds(epoch));
+      times.push_back(time_s - core::unix_seconds(epoch));
     }
+    times_s_ = FastAxis{std::move(times)};
   }
   spacing_ = grid.spacing();
   fill(currents, dive_depth, projection);
@@ -110,7 +112,7 @@ void PlaneCurrents::fill(const ocean::CurrentGrid& currents, core::Metres dive_d
                          const geo::LocalProjection& projection) {
   constexpr float missing = std::numeric_limits<float>::quiet_NaN();
   const std::size_t slice = x_.size() * y_.size();
-  const std::size_t slices = std::max<std::size_t>(1, times_s_.size());
+  const std::size_t slices = times_s_ ? times_s_->size() : 1;
   nodes_.assign(slice * slices, Node{missing, missing});
   double strongest = 0.0;
   for (std::size_t iy = 0; iy < y_.size(); ++iy) {
@@ -166,15 +168,11 @@ void PlaneCurrents::extend_to_coast() {
 }
 
 std::optional<PlaneCurrents::Corner> PlaneCurrents::corner(geo::PlanePoint point) const {
-  if (x_.size() < 2 || y_.size() < 2) return std::nullopt;
   const geo::GridPoint at = lookup_.coordinates(point);
   const auto x = x_.locate(at.x);
   const auto y = y_.locate(at.y);
   if (!x || !y) return std::nullopt;
-  // On the last node the cell before it serves, with the whole weight on its far side.
-  const std::size_t ix = std::min(x->lower, x_.size() - 2);
-  const std::size_t iy = std::min(y->lower, y_.size() - 2);
-  return Corner{iy * x_.size() + ix, x->lower > ix ? 1.0 : x->fraction, y->lower > iy ? 1.0 : y->fraction};
+  return Corner{y->cell * x_.size() + x->cell, x->share, y->share};
 }
 
 std::optional<motion::CurrentXy> PlaneCurrents::operator()(geo::PlanePoint point, core::Seconds time) const {
@@ -183,12 +181,11 @@ std::optional<motion::CurrentXy> PlaneCurrents::operator()(geo::PlanePoint point
 
   std::size_t before = 0;
   double share = 0.0;
-  if (!times_s_.empty()) {
-    const double t = time.count();
-    if (!(t >= times_s_.front() && t <= times_s_.back())) return std::nullopt;
-    const auto after = std::ranges::upper_bound(times_s_, t);
-    before = static_cast<std::size_t>(after - times_s_.begin()) - 1;
-    if (after != times_s_.end()) share = (t - times_s_[before]) / (*after - times_s_[before]);
+  if (times_s_) {
+    const auto when = times_s_->locate(time.count());
+    if (!when) return std::nullopt;
+    before = when->cell;
+    share = when->share;
   }
 
   const std::size_t nx = x_.size();
@@ -225,15 +222,16 @@ bool PlaneCurrents::is_extended(geo::PlanePoint point) const {
 }
 
 std::optional<core::Seconds> PlaneCurrents::time_step() const {
-  if (times_s_.size() < 2) return std::nullopt;
+  if (!times_s_ || times_s_->size() < 2) return std::nullopt;
+  const std::vector<double>& times = times_s_->nodes();
   double least = std::numeric_limits<double>::infinity();
-  for (std::size_t i = 1; i < times_s_.size(); ++i) least = std::min(least, times_s_[i] - times_s_[i - 1]);
+  for (std::size_t i = 1; i < times.size(); ++i) least = std::min(least, times[i] - times[i - 1]);
   return core::Seconds{least};
 }
 
 std::optional<core::Seconds> PlaneCurrents::end() const {
-  if (times_s_.empty()) return std::nullopt;
-  return core::Seconds{times_s_.back()};
+  if (!times_s_) return std::nullopt;
+  return core::Seconds{times_s_->nodes().back()};
 }
 
 }  // namespace floeplan::planning

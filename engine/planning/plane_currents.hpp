@@ -6,6 +6,7 @@
 
 #include "engine/motion/plane_current.hpp"
 #include "engine/ocean/current_grid.hpp"
+#include "engine/planning/fast_axis.hpp"
 #include "engine/planning/grid_lookup.hpp"
 #include "engine/planning/plane_box.hpp"
 
@@ -52,11 +53,11 @@ class PlaneCurrents {
   void extend_to_coast();
 
   GridLookup lookup_;
-  ocean::Axis x_;  // the window of the data's axes; longitudes continuous, also across the data's seam
-  ocean::Axis y_;
+  FastAxis x_;  // the window of the data's axes; longitudes continuous, also across the data's seam
+  FastAxis y_;
   std::vector<std::size_t> columns_;  // of the data, for each node of x_
   std::size_t first_row_{};
-  std::vector<double> times_s_;         // since epoch; empty when steady
+  std::optional<FastAxis> times_s_;     // since epoch; empty when steady
   std::vector<Node> nodes_;             // [time][y][x]; NaN where there is no water
   std::vector<std::uint8_t> extended_;  // [y][x]
   core::MetresPerSecond strongest_{};

@@ -51,10 +51,18 @@ struct FrozenTravelTime {
 struct StraightBound {
   const Sea& sea;
   const RouteGrid& grid;
+  std::vector<core::Seconds> least_times;  // of an edge, by its step
 
-  [[nodiscard]] core::Seconds least_time(const Edge& edge) const {
-    return sea.least_time(grid.point(edge.tail), grid.point(edge.head));
+  StraightBound(const Sea& the_sea, const RouteGrid& the_grid, const graph::GridGraph& graph)
+      : sea{the_sea}, grid{the_grid} {
+    for (const graph::Offset offset : graph.offsets()) {
+      least_times.push_back(
+          sea.least_time({0.0, 0.0}, {offset.dx * grid.along.x_m + offset.dy * grid.across.x_m,
+                                      offset.dx * grid.along.y_m + offset.dy * grid.across.y_m}));
+    }
   }
+
+  [[nodiscard]] core::Seconds least_time(const Edge& edge) const { return least_times[edge.step]; }
   [[nodiscard]] core::Seconds remaining(Vertex v) const {
     return sea.least_time(grid.point(v), grid.point(grid.goal));
   }
@@ -62,7 +70,7 @@ struct StraightBound {
 
 /// The same knowledge of edges, none of the way to the goal: Dijkstra's search.
 struct EdgeBound {
-  StraightBound straight;
+  const StraightBound& straight;
 
   [[nodiscard]] core::Seconds least_time(const Edge& edge) const { return straight.least_time(edge); }
   [[nodiscard]] static core::Seconds remaining(Vertex) { return core::Seconds{0.0}; }
@@ -121,7 +129,7 @@ RouteSearch search_route(const Sea& sea, const RouteGrid& grid, const PlanReques
 
   const graph::Query query{grid.start, grid.goal, depart};
   const GridTravelTime travel_time{sea, grid};
-  const StraightBound straight{sea, grid};
+  const StraightBound straight{sea, grid, graph};
   const graph::ExpansionCallback report = [&](std::int64_t expansions) {
     report_fraction(static_cast<double>(expansions) /
                     static_cast<double>(std::max<std::int64_t>(1, result.statistics.vertices)));
