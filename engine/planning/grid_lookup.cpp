@@ -13,7 +13,7 @@ constexpr double jump_deg = 90.0;  // no cell of the table spans this much unles
 }  // namespace
 
 GridLookup::GridLookup(const geo::GridFrame& frame, const geo::LocalProjection& projection,
-                       const PlaneBox& area)
+                       const PlaneBox& area, const std::stop_token& stop)
     : frame_{frame}, projection_{projection}, low_{area.low} {
   const double extent = std::max(area.width_m(), area.height_m());
   const double step = std::max(finest_step_m, extent / most_cells_a_side);
@@ -21,12 +21,13 @@ GridLookup::GridLookup(const geo::GridFrame& frame, const geo::LocalProjection& 
   nx_ = static_cast<std::size_t>(std::ceil(area.width_m() / step)) + 2;
   ny_ = static_cast<std::size_t>(std::ceil(area.height_m() / step)) + 2;
   nodes_.reserve(nx_ * ny_);
-  for (std::size_t iy = 0; iy < ny_; ++iy) {
+  for (std::size_t iy = 0; iy < ny_ && !stop.stop_requested(); ++iy) {
     for (std::size_t ix = 0; ix < nx_; ++ix) {
       nodes_.push_back(
           exact({low_.x_m + step * static_cast<double>(ix), low_.y_m + step * static_cast<double>(iy)}));
     }
   }
+  nodes_.resize(nx_ * ny_);
   if (!std::holds_alternative<geo::GeographicFrame>(frame_)) return;
   for (std::size_t i = 1; i < nodes_.size() && !has_jump_; ++i) {
     has_jump_ = (i % nx_ != 0 && std::abs(nodes_[i].x - nodes_[i - 1].x) > jump_deg) ||

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 #include "engine/geo/local_projection.hpp"
@@ -18,7 +19,9 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class GridLookup {
  public:
-  GridLookup(const geo::GridFrame& frame, const geo::LocalProjection& projection, const PlaneBox& area);
+  /// Once `stop` is requested the table stays incomplete and must not be used.
+  GridLookup(const geo::GridFrame& frame, const geo::LocalProjection& projection, const PlaneBox& area,
+             const std::stop_token& stop);
 
   /// Precondition: `point` lies within the area.
   [[nodiscard]] geo::GridPoint coordinates(geo::PlanePoint point) const;

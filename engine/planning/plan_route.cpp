@@ -174,9 +174,9 @@ Result<Plan> plan_within(GridReach reach, const ocean::Environment& environment,
   progress("environment", 0.0);
   const PlaneBox bounds = bounds_of(grids);
   const core::Metres cell = map_cell(bounds, finest_step_m);
-  Sea sea{environment, request, projection, bounds.grown(2.0 * cell.value), cell};
-  if (auto unusable = check_stops(sea, stops, request)) return tl::unexpected(std::move(*unusable));
+  Sea sea{environment, request, projection, bounds.grown(2.0 * cell.value), cell, stop};
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+  if (auto unusable = check_stops(sea, stops, request)) return tl::unexpected(std::move(*unusable));
 
   Found found{.route = straight, .statistics = {}, .touches_rim = false};
   if (request.method != Method::direct) {
@@ -189,7 +189,8 @@ Result<Plan> plan_within(GridReach reach, const ocean::Environment& environment,
     found = std::move(*searched);
     found.route = join_collinear(found.route);
     progress("refinement", 0.9);
-    if (request.refine) found.route = drop_needless_points(sea, found.route, core::Seconds{0.0});
+    if (request.refine) found.route = drop_needless_points(sea, found.route, core::Seconds{0.0}, stop);
+    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
   }
   touches_rim = found.touches_rim;
   if (request.max_waypoints) {

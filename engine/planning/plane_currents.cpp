@@ -86,8 +86,8 @@ Window column_window(const ocean::HorizontalGrid& grid, const CoordinateBox& box
 
 PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, core::Metres dive_depth,
                              const geo::LocalProjection& projection, const PlaneBox& area,
-                             core::UtcTime epoch)
-    : lookup_{currents.samples().grid.frame(), projection, area}, x_{{0.0}}, y_{{0.0}} {
+                             core::UtcTime epoch, const std::stop_token& stop)
+    : lookup_{currents.samples().grid.frame(), projection, area, stop}, x_{{0.0}}, y_{{0.0}} {
   const ocean::HorizontalGrid& grid = currents.samples().grid;
   const CoordinateBox box = coordinate_box(lookup_, area);
   Window columns = column_window(grid, box);
@@ -104,18 +104,18 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
     times_s_ = FastAxis{std::move(times)};
   }
   spacing_ = grid.spacing();
-  fill(currents, dive_depth, projection);
+  fill(currents, dive_depth, projection, stop);
   extend_to_coast();
 }
 
 void PlaneCurrents::fill(const ocean::CurrentGrid& currents, core::Metres dive_depth,
-                         const geo::LocalProjection& projection) {
+                         const geo::LocalProjection& projection, const std::stop_token& stop) {
   constexpr float missing = std::numeric_limits<float>::quiet_NaN();
   const std::size_t slice = x_.size() * y_.size();
   const std::size_t slices = times_s_ ? times_s_->size() : 1;
   nodes_.assign(slice * slices, Node{missing, missing});
   double strongest = 0.0;
-  for (std::size_t iy = 0; iy < y_.size(); ++iy) {
+  for (std::size_t iy = 0; iy < y_.size() && !stop.stop_requested(); ++iy) {
     for (std::size_t ix = 0; ix < x_.size(); ++ix) {
       const geo::LonLat place = currents.samples().grid.place(columns_[ix], first_row_ + iy);
       const double angle = projection.at(place).convergence.value;

@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "engine/motion/plane_current.hpp"
@@ -22,8 +23,10 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class PlaneCurrents {
  public:
+  /// Once `stop` is requested the currents stay incomplete and must not be used.
   PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, core::Metres dive_depth,
-                const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch);
+                const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch,
+                const std::stop_token& stop = {});
 
   [[nodiscard]] std::optional<motion::CurrentXy> operator()(geo::PlanePoint point, core::Seconds time) const;
   /// Whether the current at this point rests on a node beyond the data's own coast.
@@ -49,7 +52,7 @@ class PlaneCurrents {
   };
   [[nodiscard]] std::optional<Corner> corner(geo::PlanePoint point) const;
   void fill(const ocean::CurrentGrid& currents, core::Metres dive_depth,
-            const geo::LocalProjection& projection);
+            const geo::LocalProjection& projection, const std::stop_token& stop);
   void extend_to_coast();
 
   GridLookup lookup_;

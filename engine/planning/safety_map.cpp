@@ -22,7 +22,8 @@ std::optional<motion::EdgeClosed> judge(std::optional<core::Metres> depth, core:
 }  // namespace
 
 SafetyMap::SafetyMap(const ocean::Environment& environment, core::Metres least_depth,
-                     const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell)
+                     const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
+                     const std::stop_token& stop)
     : environment_{&environment},
       least_depth_{least_depth},
       projection_{projection},
@@ -31,9 +32,9 @@ SafetyMap::SafetyMap(const ocean::Environment& environment, core::Metres least_d
       nx_{std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(area.width_m() / cell.value)))},
       ny_{std::max<std::int64_t>(1, static_cast<std::int64_t>(std::ceil(area.height_m() / cell.value)))},
       cells_(static_cast<std::size_t>(nx_ * ny_), Cell::open) {
-  if (environment.bathymetry) close_shallow_cells();
-  close_land_cells(environment.land);
-  measure_clearance();
+  if (environment.bathymetry) close_shallow_cells(stop);
+  close_land_cells(environment.land, stop);
+  measure_clearance(stop);
 }
 
 std::optional<std::size_t> SafetyMap::index(geo::PlanePoint point) const {
@@ -43,10 +44,10 @@ std::optional<std::size_t> SafetyMap::index(geo::PlanePoint point) const {
   return static_cast<std::size_t>(iy * nx_ + ix);
 }
 
-void SafetyMap::close_shallow_cells() {
+void SafetyMap::close_shallow_cells(const std::stop_token& stop) {
   const ocean::Bathymetry& bathymetry = *environment_->bathymetry;
   const ocean::HorizontalGrid& grid = bathymetry.grid();
-  const GridLookup lookup{grid.frame(), projection_, area_.grown(cell_m_)};
+  const GridLookup lookup{grid.frame(), projection_, area_.grown(cell_m_), stop};
   const bool geographic = std::holds_alternative<geo::GeographicFrame>(grid.frame());
 
   const auto corner_coordinates = [&](std::int64_t ix, std::int64_t iy) {
@@ -78,7 +79,7 @@ void SafetyMap::close_shallow_cells() {
   };
 
   fill_row(0, below, depth_below);
-  for (std::int64_t iy = 0; iy < ny_; ++iy) {
+  for (std::int64_t iy = 0; iy < ny_ && !stop.stop_requested(); ++iy) {
     fill_row(iy + 1, above, depth_above);
     for (std::int64_t ix = 0; ix < nx_; ++ix) {
       const auto i = static_cast<std::size_t>(ix);
@@ -159,7 +160,7 @@ void SafetyMap::close_along(geo::PlanePoint a, geo::PlanePoint b) {
   });
 }
 
-void SafetyMap::close_land_cells(const std::vector<geo::Polygon>& land) {
+void SafetyMap::close_land_cells(const std::vector<geo::Polygon>& land, const std::stop_token& stop) {
   if (land.empty()) return;
   // Even-odd filling by rows through the middle of the cells; every crossing of a row's middle line, holes
   // included.
@@ -203,6 +204,7 @@ void SafetyMap::close_land_cells(const std::vector<geo::Polygon>& land) {
   };
 
   for (const geo::Polygon& polygon : land) {
+    if (stop.stop_requested()) return;
     if (polygon.outer.empty()) continue;
     add_ring(polygon.outer);
     for (const geo::Ring& hole : polygon.holes) add_ring(hole);
@@ -222,7 +224,7 @@ void SafetyMap::close_land_cells(const std::vector<geo::Polygon>& land) {
   }
 }
 
-void SafetyMap::measure_clearance() {
+void SafetyMap::measure_clearance(const std::stop_token& stop) {
   // Distance in cells by two sweeps over the eight neighbours; beyond the raster nothing is open.
   constexpr int most = 255;
   clearance_.assign(cells_.size(), 0);
@@ -230,7 +232,7 @@ void SafetyMap::measure_clearance() {
     if (ix < 0 || ix >= nx_ || iy < 0 || iy >= ny_) return 0;
     return clearance_[static_cast<std::size_t>(iy * nx_ + ix)];
   };
-  for (std::int64_t iy = 0; iy < ny_; ++iy) {
+  for (std::int64_t iy = 0; iy < ny_ && !stop.stop_requested(); ++iy) {
     for (std::int64_t ix = 0; ix < nx_; ++ix) {
       const auto i = static_cast<std::size_t>(iy * nx_ + ix);
       if (cells_[i] != Cell::open) continue;
@@ -238,7 +240,7 @@ void SafetyMap::measure_clearance() {
       clearance_[i] = static_cast<std::uint8_t>(std::min(least + 1, most));
     }
   }
-  for (std::int64_t iy = ny_ - 1; iy >= 0; --iy) {
+  for (std::int64_t iy = ny_ - 1; iy >= 0 && !stop.stop_requested(); --iy) {
     for (std::int64_t ix = nx_ - 1; ix >= 0; --ix) {
       const auto i = static_cast<std::size_t>(iy * nx_ + ix);
       if (cells_[i] != Cell::open) continue;

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <optional>
+#include <stop_token>
 #include <vector>
 
 #include "engine/core/units.hpp"
@@ -20,8 +21,10 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class SafetyMap {
  public:
+  /// Once `stop` is requested the map stays incomplete and must not be used.
   SafetyMap(const ocean::Environment& environment, core::Metres least_depth,
-            const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell);
+            const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
+            const std::stop_token& stop = {});
 
   /// Why the straight line from a to b is closed, by the first closed cell on it; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
@@ -37,10 +40,10 @@ class SafetyMap {
   enum class Cell : std::uint8_t { open, too_shallow, on_land, outside_data };
 
   [[nodiscard]] std::optional<std::size_t> index(geo::PlanePoint point) const;
-  void close_shallow_cells();
-  void close_land_cells(const std::vector<geo::Polygon>& land);
+  void close_shallow_cells(const std::stop_token& stop);
+  void close_land_cells(const std::vector<geo::Polygon>& land, const std::stop_token& stop);
   void close_along(geo::PlanePoint a, geo::PlanePoint b);
-  void measure_clearance();
+  void measure_clearance(const std::stop_token& stop);
   template <class Visit>
   void for_each_cell(geo::PlanePoint a, geo::PlanePoint b, Visit&& visit) const;
 

@@ -10,11 +10,16 @@ constexpr int scale_cells =
     64;  // a side: the scale is smooth, its error over 1/64 of an area far below the tolerance
 
 std::optional<PlaneCurrents> lay_out(const ocean::Environment& environment, const PlanRequest& request,
-                                     const geo::LocalProjection& projection, const PlaneBox& area) {
+                                     const geo::LocalProjection& projection, const PlaneBox& area,
+                                     const std::stop_token& stop) {
   if (!environment.currents) return std::nullopt;
-  return PlaneCurrents{
-      *environment.currents, environment.steady_currents, request.vehicle.dive_depth, projection, area,
-      request.depart};
+  return PlaneCurrents{*environment.currents,
+                       environment.steady_currents,
+                       request.vehicle.dive_depth,
+                       projection,
+                       area,
+                       request.depart,
+                       stop};
 }
 
 /// A step no longer than a cell of the data, nor than the time between two of its slices.
@@ -29,13 +34,14 @@ motion::EdgeAccuracy accuracy(const std::optional<PlaneCurrents>& currents, cons
 }  // namespace
 
 Sea::Sea(const ocean::Environment& environment, const PlanRequest& request,
-         const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell)
+         const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
+         const std::stop_token& stop)
     : projection_{projection},
       area_{area},
       through_water_{request.vehicle.speed_through_water},
-      safety_{environment, request.vehicle.minimum_working_depth, projection, area, cell},
+      safety_{environment, request.vehicle.minimum_working_depth, projection, area, cell, stop},
       icebergs_{environment.icebergs, request.iceberg_margin, projection},
-      currents_{lay_out(environment, request, projection, area)} {
+      currents_{lay_out(environment, request, projection, area, stop)} {
   accuracy_ = accuracy(currents_, request);
   for (int iy = 0; iy <= scale_cells; ++iy) {
     for (int ix = 0; ix <= scale_cells; ++ix) {

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <tl/expected.hpp>
 #include <vector>
 
@@ -18,9 +19,10 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class Sea {
  public:
-  /// `cell`: step of the safety map. `environment` and `request` are borrowed and outlive the sea.
+  /// `cell`: step of the safety map. Once `stop` is requested the sea stays incomplete and must not be used. `environment` and `request` are borrowed and outlive the sea.
   Sea(const ocean::Environment& environment, const PlanRequest& request,
-      const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell);
+      const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
+      const std::stop_token& stop = {});
 
   /// Why the straight leg is closed at any time, by depth, land or icebergs; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;

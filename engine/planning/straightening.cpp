@@ -46,13 +46,15 @@ Route join_collinear(const Route& route) {
   return result;
 }
 
-Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds depart) {
+Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds depart,
+                           const std::stop_token& stop) {
   Route result = route;
   bool changed = true;
   while (changed) {
     changed = false;
     core::Seconds now = depart;
     for (std::size_t i = 1; i + 1 < result.points.size();) {
+      if (stop.stop_requested()) return result;
       const auto to_here = sea.leg_time(result.points[i - 1], result.points[i], now);
       const auto onward =
           to_here ? sea.leg_time(result.points[i], result.points[i + 1], now + *to_here) : to_here;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <stop_token>
 #include <vector>
 
 #include "engine/planning/sea.hpp"
@@ -16,8 +17,9 @@ struct Route {
 /// Joins legs that run on in the same direction; the way is the same.
 [[nodiscard]] Route join_collinear(const Route& route);
 
-/// Takes out points as long as the arrival does not become later.
-[[nodiscard]] Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds depart);
+/// Takes out points as long as the arrival does not become later, or until `stop` is requested.
+[[nodiscard]] Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds depart,
+                                         const std::stop_token& stop = {});
 
 /// Takes out the points that cost least, one at a time, until at most `most` are left or none can go without
 /// the route closing; fixed points stay. The arrival may become later.
