@@ -31,8 +31,9 @@ std::vector<StoredSighting> latest_of_each(sqlite::Connection& db, const reposit
   for (const auto& dataset : repository::DatasetRepository{db}.list()) {
     if (dataset.kind != repository::DatasetKind::icebergs) continue;
     if (filter.dataset && dataset.id != *filter.dataset) continue;
-    for (auto& sighting : repository::IcebergRepository{db}.latest(
-             dataset.id, filter.area.value_or(whole_world), as_of, repository::max_sighting_age)) {
+    for (auto& sighting :
+         repository::IcebergRepository{db}.latest(dataset.id, filter.area.value_or(whole_world), as_of,
+                                                  as_of - repository::oldest_sighting_used(as_of))) {
       const auto [place, added] = newest.try_emplace(sighting.iceberg.id, sighting);
       if (!added && place->second.iceberg.observed < sighting.iceberg.observed)
         place->second = std::move(sighting);

@@ -109,8 +109,8 @@ void read_icebergs(sqlite::Connection& db, const std::vector<Dataset>& datasets,
   const auto area = geo::grown(box_at(probe.place), probe_iceberg_range);
   for (const auto& dataset : datasets) {
     if (dataset.kind != DatasetKind::icebergs) continue;
-    for (const auto& sighting : repository::IcebergRepository{db}.latest(dataset.id, area, probe.time,
-                                                                         repository::max_sighting_age)) {
+    for (const auto& sighting : repository::IcebergRepository{db}.latest(
+             dataset.id, area, probe.time, probe.time - repository::oldest_sighting_used(probe.time))) {
       const auto distance = geo::geodesic_between(probe.place, sighting.iceberg.place).length;
       if (distance <= probe_iceberg_range) probe.icebergs.push_back({sighting.iceberg, distance});
     }

@@ -159,18 +159,13 @@ void add_bathymetry(Draft& draft) {
     warn_of_gap(draft, DatasetKind::bathymetry, query.bathymetry, "the depth of the water is not checked");
 }
 
-/// Feeds often give the day of a sighting alone, so the whole day on which the longest age falls still counts.
-core::UtcTime oldest_used(core::UtcTime as_of) {
-  return std::chrono::floor<std::chrono::days>(as_of - max_sighting_age);
-}
-
 /// Of the candidates the newest with sightings young enough to count, else the newest with any by then.
 std::vector<Dataset> newest_with_sightings(const std::vector<Dataset>& found, core::UtcTime as_of) {
   const auto begun = [&](const Dataset& dataset) {
     return !dataset.time_start || *dataset.time_start <= as_of;
   };
   const auto recent = [&](const Dataset& dataset) {
-    return begun(dataset) && (!dataset.time_end || *dataset.time_end >= oldest_used(as_of));
+    return begun(dataset) && (!dataset.time_end || *dataset.time_end >= oldest_sighting_used(as_of));
   };
   auto chosen = std::ranges::find_if(found, recent);
   if (chosen == found.end()) chosen = std::ranges::find_if(found, begun);
@@ -189,7 +184,7 @@ void add_icebergs(Draft& draft) {
     const auto all = repository.latest(dataset.id, query.area, as_of, any_age);
     std::size_t dropped = 0;
     for (const StoredSighting& sighting : all) {
-      if (sighting.iceberg.observed >= oldest_used(as_of)) {
+      if (sighting.iceberg.observed >= oldest_sighting_used(as_of)) {
         draft.environment.icebergs.push_back(sighting.iceberg);
       } else {
         ++dropped;
@@ -197,7 +192,8 @@ void add_icebergs(Draft& draft) {
     }
     if (dropped > 0) {
       draft.warn(std::to_string(dropped) + " of " + std::to_string(all.size()) + " icebergs of " +
-                 title(dataset) + " left out: last seen before " + core::iso8601(oldest_used(as_of)));
+                 title(dataset) + " left out: last seen before " +
+                 core::iso8601(oldest_sighting_used(as_of)));
     }
     draft.cite(dataset);
   }
@@ -224,6 +220,10 @@ void add_coastline(Draft& draft) {
 }
 
 }  // namespace
+
+core::UtcTime oldest_sighting_used(core::UtcTime as_of) {
+  return std::chrono::floor<std::chrono::days>(as_of - max_sighting_age);
+}
 
 tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Connection& db,
                                                                     const EnvironmentQuery& query) {

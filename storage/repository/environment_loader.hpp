@@ -30,6 +30,10 @@ struct EnvironmentQuery {
 /// their drift lose about 0.75 km an hour (C-CORE hindcast of 340 displacements, 2023-24), 50 km in this time.
 inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 
+/// The earliest sighting that still counts. Feeds often give the day of a sighting alone, so the whole day on which
+/// the longest age falls is taken.
+[[nodiscard]] core::UtcTime oldest_sighting_used(core::UtcTime as_of);
+
 /// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and
 /// the period, all as they stood at one moment.
 /// Errors   a violation for each named dataset that does not exist, is of another kind or shares nothing
