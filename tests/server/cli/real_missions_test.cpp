@@ -5,6 +5,7 @@
 #include <fstream>
 
 #include "tests/server/cli/program.hpp"
+#include "tests/server/cli/served_program.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -105,6 +106,52 @@ TEST(Newfoundland, RefusesADepartureOutsideTheCurrentsUnlessTheyAreHeldSteady) {
 
   EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("--steady"));
+}
+
+/// Everything but how long the search took.
+json without_duration(json plan) {
+  plan["search"].erase("seconds");
+  return plan;
+}
+
+TEST(JuanDeFuca, GivesTheSamePlanOverHttpAsOnTheCommandLine) {
+  if (!have({juan_de_fuca, world_depths})) GTEST_SKIP() << "the shared sample files are not here";
+  const Program program;
+  ingest(program, {juan_de_fuca, world_depths});
+  const support::ServedProgram served{program.folder() / "store"};
+
+  for (const char* depart : {"2023-03-02T12:00:00Z", "2023-03-02T18:00:00Z"}) {
+    const auto answer =
+        served.execute("plan-route", {{"from", {-125.7, 47.2}}, {"to", {-125.4, 47.45}}, {"depart", depart}});
+    const auto printed =
+        program.run({"plan", "--from", "-125.7,47.2", "--to", "-125.4,47.45", "--depart", depart, "--json"});
+
+    ASSERT_EQ(answer.status, 200) << answer.body;
+    EXPECT_EQ(without_duration(answer.json()["plan"]), without_duration(printed.json()));
+  }
+}
+
+TEST(Newfoundland, GivesTheSamePlanOverHttpAsOnTheCommandLine) {
+  if (!have({newfoundland, world_depths, sightings_2014}))
+    GTEST_SKIP() << "the shared sample files are not here";
+  const Program program;
+  ingest(program, {newfoundland, world_depths, sightings_2014});
+  const support::ServedProgram served{program.folder() / "store"};
+
+  const auto answer = served.execute("plan-route", {{"from", {-51.5, 47.8}},
+                                                    {"to", {-47.0, 47.2}},
+                                                    {"depart", "2014-04-30T12:00:00Z"},
+                                                    {"steady", true},
+                                                    {"margin_m", 1000}});
+  const auto printed = program.run({"plan", "--from", "-51.5,47.8", "--to", "-47.0,47.2", "--depart",
+                                    "2014-04-30T12:00:00Z", "--steady", "--margin", "1000", "--json"});
+
+  ASSERT_EQ(answer.status, 200) << answer.body;
+  EXPECT_EQ(without_duration(answer.json()["plan"]), without_duration(printed.json()));
+  const auto mission = served.get("/collections/plans/items/" +
+                                  answer.json()["plan"]["plan_id"].get<std::string>() + "/mission");
+  EXPECT_EQ(mission.status, 200);
+  EXPECT_EQ(mission.json()["files"][0]["name"], "goto_l10.ma");
 }
 
 TEST(RealFiles, AreUnchangedTheSecondTime) {

@@ -8,10 +8,12 @@
 #include <cstdlib>
 #include <fstream>
 #include <memory>
+#include <ostream>
 #include <string>
 
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/recognise.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -93,7 +95,8 @@ TEST_F(GshhgReader, TellsWhyAnotherNetcdfFileIsRefused) {
 }
 
 TEST_F(GshhgReader, RefusesAFileThatIsNoNetcdf) {
-  const auto path = std::filesystem::path{testing::TempDir()} / "no_shoreline.nc";
+  const support::TemporaryFolder folder;
+  const auto path = folder.path() / "no_shoreline.nc";
   std::ofstream{path} << "not NetCDF";
 
   EXPECT_FALSE(is_gshhg(path));
@@ -109,9 +112,10 @@ struct Mask {
 };
 
 Mask mask_by_gmt(const std::string& region) {
-  const auto path = std::filesystem::path{testing::TempDir()} / "floeplan_gmt_mask.tif";
-  const std::string command = "gmt grdlandmask -R" + region + " -I0.02/0.0096 -Df -N0/1/0/1/0 -G" +
-                              path.string() + "=gd:GTiff > /dev/null 2>&1";
+  const support::TemporaryFolder folder;  // also for the history that GMT writes where it runs
+  const auto path = folder.path() / "mask.tif";
+  const std::string command = "cd " + folder.path().string() + " && gmt grdlandmask -R" + region +
+                              " -I0.02/0.0096 -Df -N0/1/0/1/0 -G" + path.string() + "=gd:GTiff > /dev/null 2>&1";
   if (std::system(command.c_str()) != 0) return {};
   register_drivers();
   const std::unique_ptr<GDALDataset> dataset{GDALDataset::Open(path.c_str())};
@@ -129,6 +133,8 @@ struct Region {
   const char* name;
   const char* gmt;  // west/east/south/north, a whole number of steps apart
   geo::BoundingBox box;
+
+  friend void PrintTo(const Region& region, std::ostream* out) { *out << region.name; }
 };
 
 class GshhgReaderAgainstGmt : public testing::TestWithParam<Region> {};

@@ -1,0 +1,94 @@
+#include "tests/server/cli/served_program.hpp"
+
+#include <arpa/inet.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
+#include <sys/wait.h>
+#include <unistd.h>
+
+#include <csignal>
+#include <stdexcept>
+
+namespace floeplan::support {
+namespace {
+
+/// The port in the line "floeplan: serving http://127.0.0.1:PORT".
+std::uint16_t read_port(int descriptor) {
+  const std::string before_port = "serving http://127.0.0.1:";
+  std::string text;
+  char byte = 0;
+  while (read(descriptor, &byte, 1) == 1) {
+    text += byte;
+    const auto found = text.find(before_port);
+    if (byte == '\n' && found != std::string::npos) {
+      return static_cast<std::uint16_t>(std::stoi(text.substr(found + before_port.size())));
+    }
+  }
+  throw std::runtime_error{"the server ended before it listened: " + text};
+}
+
+/// Keeps the other end from filling up while the server runs.
+void drain_in_background(int descriptor) {
+  if (fork() != 0) return;
+  char bytes[4096];
+  while (read(descriptor, bytes, sizeof bytes) > 0) {
+  }
+  _exit(0);
+}
+
+}  // namespace
+
+ServedProgram::ServedProgram(const std::filesystem::path& store) {
+  int ends[2];
+  if (pipe(ends) != 0) throw std::runtime_error{"no pipe"};
+  pid_ = fork();
+  if (pid_ == 0) {
+    dup2(ends[1], STDERR_FILENO);
+    close(ends[0]);
+    close(ends[1]);
+    execl(FLOEPLAN_BINARY_DIR "/floeplan", "floeplan", "--data", store.c_str(), "serve", "--listen",
+          "127.0.0.1:0", nullptr);
+    _exit(127);
+  }
+  close(ends[1]);
+  port_ = read_port(ends[0]);
+  drain_in_background(ends[0]);
+  close(ends[0]);
+}
+
+ServedProgram::~ServedProgram() {
+  kill(pid_, SIGTERM);
+  waitpid(pid_, nullptr, 0);
+  while (waitpid(-1, nullptr, 0) > 0) {
+  }
+}
+
+Answer ServedProgram::request(const std::string& method, const std::string& target,
+                              const std::string& headers, const std::string& body) const {
+  const int connection = socket(AF_INET, SOCK_STREAM, 0);
+  sockaddr_in address{};
+  address.sin_family = AF_INET;
+  address.sin_port = htons(port_);
+  address.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+  if (connect(connection, reinterpret_cast<const sockaddr*>(&address), sizeof address) != 0) {
+    throw std::runtime_error{"the server does not answer"};
+  }
+  const std::string text =
+      method + ' ' + target + " HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n" + headers +
+      "Content-Type: application/json\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
+  if (write(connection, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
+    throw std::runtime_error{"the server took no request"};
+  }
+  std::string reply;
+  char bytes[65536];
+  for (ssize_t count = 0; (count = read(connection, bytes, sizeof bytes)) > 0;) {
+    reply.append(bytes, static_cast<std::size_t>(count));
+  }
+  close(connection);
+  const auto body_begin = reply.find("\r\n\r\n");
+  if (reply.size() < 12 || body_begin == std::string::npos)
+    throw std::runtime_error{"no HTTP answer: " + reply};
+  return {std::stoi(reply.substr(9, 3)), reply.substr(body_begin + 4)};
+}
+
+}  // namespace floeplan::support

@@ -1,0 +1,43 @@
+#pragma once
+
+#include <sys/types.h>
+
+#include <cstdint>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace floeplan::support {
+
+/// An answer over HTTP.
+struct Answer {
+  int status{};
+  std::string body;
+
+  [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(body, nullptr, false); }
+};
+
+/// The real program serving a store on a free port of the loopback address, until the end of the test.
+class ServedProgram {
+ public:
+  explicit ServedProgram(const std::filesystem::path& store);
+  ~ServedProgram();
+  ServedProgram(const ServedProgram&) = delete;
+  ServedProgram& operator=(const ServedProgram&) = delete;
+
+  [[nodiscard]] Answer get(const std::string& target) const { return request("GET", target, "", ""); }
+  /// Executes a process at once (`Prefer: respond-sync`).
+  [[nodiscard]] Answer execute(const std::string& process, const nlohmann::json& inputs) const {
+    return request("POST", "/processes/" + process + "/execution", "Prefer: respond-sync\r\n",
+                   nlohmann::json{{"inputs", inputs}}.dump());
+  }
+
+ private:
+  [[nodiscard]] Answer request(const std::string& method, const std::string& target,
+                               const std::string& headers, const std::string& body) const;
+
+  pid_t pid_{};
+  std::uint16_t port_{};
+};
+
+}  // namespace floeplan::support
