@@ -50,12 +50,10 @@ struct Polar {
   }
 };
 
-struct Conic {
-  LambertConformalConic formula;
-
-  explicit Conic(LonLat origin)
-      : formula{GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f(), origin.lat_deg,
-                1.0} {}
+/// A projection whose formulas are the same to the north and to the south of the equator.
+template <class Formula>
+struct Central {
+  Formula formula;
 
   [[nodiscard]] Projected forward(double lon_from_origin_deg, double lat_deg) const {
     Projected result{};
@@ -71,22 +69,16 @@ struct Conic {
   }
 };
 
-struct Transverse {
-  TransverseMercator formula{GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f(), 1.0};
+using Conic = Central<LambertConformalConic>;
+using Transverse = Central<TransverseMercator>;
 
-  [[nodiscard]] Projected forward(double lon_from_origin_deg, double lat_deg) const {
-    Projected result{};
-    formula.Forward(0.0, lat_deg, lon_from_origin_deg, result.point.x_m, result.point.y_m,
-                    result.convergence_deg, result.scale);
-    return result;
-  }
+Conic conic_at(LonLat origin) {
+  return {{GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f(), origin.lat_deg, 1.0}};
+}
 
-  [[nodiscard]] LonLat reverse(PlanePoint point) const {
-    LonLat place;
-    formula.Reverse(0.0, point.x_m, point.y_m, place.lat_deg, place.lon_deg);
-    return place;
-  }
-};
+Transverse transverse() {
+  return {{GeographicLib::Constants::WGS84_a(), GeographicLib::Constants::WGS84_f(), 1.0}};
+}
 
 }  // namespace
 
@@ -115,8 +107,8 @@ class LocalProjection::Formulas {
 
   static Formula choose(LonLat origin) {
     if (std::abs(origin.lat_deg) >= polar_from_deg) return Polar{origin};
-    if (std::abs(origin.lat_deg) >= conic_from_deg) return Conic{origin};
-    return Transverse{};
+    if (std::abs(origin.lat_deg) >= conic_from_deg) return conic_at(origin);
+    return transverse();
   }
 
   Formula formula_;

@@ -7,8 +7,8 @@
 
 #include "server/jobs/job_board.hpp"
 #include "storage/repository/migrations.hpp"
-#include "tests/server/jobs/temporary_store.hpp"
 #include "tests/server/jobs/wait_until.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -47,7 +47,7 @@ class ServerProcess {
 };
 
 TEST(KilledServer, DoesItsJobOnceMoreAfterTheRestart) {
-  const support::TemporaryStore store;
+  const support::TemporaryFolder store;
   auto db = repository::open_store(store.path());
   JobBoard queue;
   const auto job = queue.submit(

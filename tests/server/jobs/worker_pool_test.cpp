@@ -5,8 +5,8 @@
 #include <atomic>
 
 #include "storage/repository/migrations.hpp"
-#include "tests/server/jobs/temporary_store.hpp"
 #include "tests/server/jobs/wait_until.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -33,7 +33,7 @@ class WorkerPoolTest : public testing::Test {
     return wait_until([&] { return JobRepository{db_}.find(id)->status == status; });
   }
 
-  support::TemporaryStore store_;
+  support::TemporaryFolder store_;
   sqlite::Connection db_{repository::open_store(store_.path())};
   JobBoard board_;
 };
