@@ -3,17 +3,10 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/planning/plane_distance.hpp"
+
 namespace floeplan::planning {
 namespace {
-
-double distance_to_segment(geo::PlanePoint p, geo::PlanePoint a, geo::PlanePoint b) {
-  const double dx = b.x_m - a.x_m;
-  const double dy = b.y_m - a.y_m;
-  const double length2 = dx * dx + dy * dy;
-  const double along =
-      length2 > 0.0 ? std::clamp(((p.x_m - a.x_m) * dx + (p.y_m - a.y_m) * dy) / length2, 0.0, 1.0) : 0.0;
-  return std::hypot(p.x_m - (a.x_m + along * dx), p.y_m - (a.y_m + along * dy));
-}
 
 constexpr double smallest_bucket_m = 1000.0;  // about a grid step, so that an edge meets few buckets
 
@@ -54,7 +47,7 @@ bool IcebergDiscs::crosses(geo::PlanePoint a, geo::PlanePoint b) const {
   const auto [low_x, high_x] = std::minmax(a.x_m, b.x_m);
   const auto [low_y, high_y] = std::minmax(a.y_m, b.y_m);
   const auto touches = [&](std::uint32_t i) {
-    return distance_to_segment(discs_[i].centre, a, b) <= discs_[i].radius_m;
+    return distance_to_line(discs_[i].centre, a, b) <= discs_[i].radius_m;
   };
   for (auto row = bucket_of(low_y); row <= bucket_of(high_y); ++row) {
     for (auto column = bucket_of(low_x); column <= bucket_of(high_x); ++column) {
@@ -69,7 +62,7 @@ std::optional<IcebergDistance> IcebergDiscs::nearest(geo::PlanePoint a, geo::Pla
   std::optional<IcebergDistance> least;
   for (std::size_t i = 0; i < discs_.size(); ++i) {
     const Disc& disc = discs_[i];
-    const double distance = (distance_to_segment(disc.centre, a, b) - disc.hull_radius_m) / disc.scale;
+    const double distance = (distance_to_line(disc.centre, a, b) - disc.hull_radius_m) / disc.scale;
     if (!least || distance < least->from_hull.value) least = IcebergDistance{core::Metres{distance}, i};
   }
   return least;

@@ -7,6 +7,8 @@
 #include <optional>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/planning/coast_lines.hpp"
+#include "engine/planning/plane_distance.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -55,7 +57,7 @@ std::optional<core::Metres> bottom_clearance(const Sea& sea, const ocean::Enviro
   return least;
 }
 
-/// Least distance from the route to the coastline's lines.
+/// Least distance from the route to the lines of the coast.
 std::optional<core::Metres> land_clearance(const Sea& sea, const ocean::Environment& environment,
                                            const std::vector<geo::PlanePoint>& route) {
   if (environment.land.empty()) return std::nullopt;
@@ -64,14 +66,15 @@ std::optional<core::Metres> land_clearance(const Sea& sea, const ocean::Environm
   std::ranges::sort(samples, {}, &geo::PlanePoint::x_m);
 
   double least = std::numeric_limits<double>::infinity();
-  for (const geo::Polygon& polygon : environment.land) {
-    for (const geo::LonLat corner : polygon.outer) {
-      const geo::PlanePoint coast = sea.projection().to_plane(corner);
-      auto sample = std::ranges::lower_bound(samples, coast.x_m - least, {}, &geo::PlanePoint::x_m);
-      for (; sample != samples.end() && sample->x_m <= coast.x_m + least; ++sample) {
-        least = std::min(least, std::hypot(sample->x_m - coast.x_m, sample->y_m - coast.y_m));
-      }
+  const auto approach = [&](geo::PlanePoint a, geo::PlanePoint b) {
+    const auto [west, east] = std::minmax(a.x_m, b.x_m);
+    auto sample = std::ranges::lower_bound(samples, west - least, {}, &geo::PlanePoint::x_m);
+    for (; sample != samples.end() && sample->x_m <= east + least; ++sample) {
+      least = std::min(least, distance_to_line(*sample, a, b));
     }
+  };
+  for (const geo::Polygon& polygon : environment.land) {
+    for_each_coast_line(polygon.outer, sea.projection(), approach);
   }
   if (!std::isfinite(least)) return std::nullopt;
   return core::Metres{least};

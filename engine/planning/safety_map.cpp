@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/planning/coast_lines.hpp"
 #include "engine/planning/grid_lookup.hpp"
 
 namespace floeplan::planning {
@@ -185,29 +186,11 @@ void SafetyMap::close_land_cells(const std::vector<geo::Polygon>& land, const st
                                                          (y_m - a.y_m) / (b.y_m - a.y_m) * (b.x_m - a.x_m));
     }
   };
-  const auto add_ring = [&](const geo::Ring& ring) {
-    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-      const double dlon = geo::longitude_difference(ring[j].lon_deg, ring[i].lon_deg);
-      const double dlat = ring[i].lat_deg - ring[j].lat_deg;
-      const int pieces = std::max(
-          1, static_cast<int>(std::ceil(std::max(std::abs(dlon), std::abs(dlat)) / longest_coast_piece_deg)));
-      geo::PlanePoint last = projection_.to_plane(ring[j]);
-      for (int piece = 1; piece <= pieces; ++piece) {
-        const double share = static_cast<double>(piece) / pieces;
-        const geo::PlanePoint next = projection_.to_plane(
-            piece == pieces ? ring[i]
-                            : geo::LonLat{ring[j].lon_deg + share * dlon, ring[j].lat_deg + share * dlat});
-        add_line(last, next);
-        last = next;
-      }
-    }
-  };
-
   for (const geo::Polygon& polygon : land) {
     if (stop.stop_requested()) return;
     if (polygon.outer.empty()) continue;
-    add_ring(polygon.outer);
-    for (const geo::Ring& hole : polygon.holes) add_ring(hole);
+    for_each_coast_line(polygon.outer, projection_, add_line);
+    for (const geo::Ring& hole : polygon.holes) for_each_coast_line(hole, projection_, add_line);
     for (std::int64_t row = 0; row < ny_; ++row) {
       auto& crossed = crossings[static_cast<std::size_t>(row)];
       std::ranges::sort(crossed);

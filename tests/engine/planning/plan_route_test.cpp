@@ -139,6 +139,19 @@ TEST(PlanRoute, GoesRoundAShoalThatTheStraightLineCrosses) {
   EXPECT_EQ(straight.error().reason, Reason::too_shallow);
 }
 
+TEST(PlanRoute, MeasuresItsDistanceFromTheSidesOfAnIslandNotItsCorners) {
+  ocean::Environment environment;
+  environment.land = {{.outer = {{-54.5, 69.1}, {-51.5, 69.1}, {-53.0, 69.4}}, .holes = {}}};
+  PlanRequest request = eastward_request();
+  request.method = Method::direct;
+
+  const auto found = plan(environment, request);
+
+  ASSERT_TRUE(found.has_value());
+  const double to_the_south_side_m = geo::geodesic_between({-53.5, 69.0}, {-53.5, 69.1}).length.value;
+  EXPECT_NEAR(found->clearances.land.value().value, to_the_south_side_m, 0.02 * to_the_south_side_m);
+}
+
 TEST(PlanRoute, VisitsEveryViaInItsOrder) {
   PlanRequest request = eastward_request();
   request.via = {{-53.3, 69.08}, {-52.7, 68.95}};
