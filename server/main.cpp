@@ -13,6 +13,10 @@ int main(int argc, char** argv) {
   cli::Program program;
   program.store = cli::default_store();
   app.add_option("--data", program.store, "Folder of the store")->capture_default_str();
+  app.add_option("--log-level", program.log_level, "Of a server's log on stderr")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
+      ->capture_default_str();
+  app.set_config("--config", "", "File with options in TOML, a [section] for each command");
   cli::add_serve(app, program);
   cli::add_ingest(app, program);
   cli::add_datasets(app, program);

@@ -15,7 +15,8 @@ enum ExitCode : int { done = 0, could_not = 1, wrong_usage = 2, bad_data = 3 };
 
 /// What every subcommand shares. Subcommands are registered on the parser and set `exit_code` when they run.
 struct Program {
-  std::filesystem::path store;  // --data
+  std::filesystem::path store;    // --data
+  std::string log_level{"info"};  // --log-level, of the lines that a server writes
   int exit_code{done};
 };
 

@@ -17,10 +17,11 @@ namespace {
 constexpr std::size_t handler_threads = 4;
 
 /// Structured lines on stderr; stdout is for answers to people and scripts.
-void log_to_stderr() {
+void log_to_stderr(const std::string& level) {
   auto logger =
       std::make_shared<spdlog::logger>("floeplan", std::make_shared<spdlog::sinks::stderr_sink_mt>());
   logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e%z level=%l %v");
+  logger->set_level(spdlog::level::from_str(level));
   spdlog::set_default_logger(std::move(logger));
 }
 
@@ -76,7 +77,7 @@ int serve(const ServeOptions& options) {
               << " workers are not possible; choose 1 to 64 with --workers\n";
     return 2;
   }
-  log_to_stderr();
+  log_to_stderr(options.log_level);
   try {
     serve_until_stopped(options, *address);
     return 0;

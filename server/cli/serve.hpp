@@ -13,6 +13,7 @@ struct ServeOptions {
   std::string listen{"127.0.0.1:8080"};      // ADDR:PORT; port 0: any free port
   std::size_t workers{1};                    // planning jobs at the same time
   std::optional<std::filesystem::path> web;  // folder of the built client; default: found beside the program
+  std::string log_level{"info"};             // debug, info, warning, error or off
   std::optional<std::string> public_url;     // what links begin with; default: http://ADDR:PORT
 };
 

@@ -14,6 +14,7 @@ void add_serve(CLI::App& app, Program& program) {
   command->add_option("--public-url", options->public_url, "What links in answers begin with");
   command->callback([options, &program] {
     options->store = program.store;
+    options->log_level = program.log_level;
     program.exit_code = serve(*options);
   });
 }

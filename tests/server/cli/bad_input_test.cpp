@@ -11,6 +11,7 @@ namespace {
 using support::Outcome;
 using support::Program;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 std::vector<std::string> plan(std::vector<std::string> more) {
   std::vector<std::string> words{"plan", "--json"};
@@ -104,6 +105,18 @@ TEST(BadInput, AnUnknownFlagOrCommandIsWrongUsage) {
   EXPECT_EQ(Program{}.run({"plan", "--fast"}).exit_code, 2);
   EXPECT_EQ(Program{}.run({"dance"}).exit_code, 2);
   EXPECT_EQ(Program{}.run({}).exit_code, 2);
+}
+
+TEST(Options, MayComeFromAFile) {
+  const Program program;
+  write(program.folder() / "floeplan.toml",
+        "[plan]\nfrom = \"-53,95\"\nto = \"-52,69\"\ndepart = \"2026-11-22T06:00:00Z\"\n");
+
+  const Outcome outcome = program.run({"--config", (program.folder() / "floeplan.toml").string(), "plan"});
+
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("/from"));
+  EXPECT_THAT(outcome.err, Not(HasSubstr("/depart")));
 }
 
 TEST(BadInput, APlanThatIsNotStoredCannotBeExported) {
