@@ -28,5 +28,9 @@ TEST(Bearing, ComesBackInsideOneTurn) {
   });
 }
 
+TEST(Bearing, OfNorthIsZeroAndNeverMinusZero) {
+  EXPECT_FALSE(std::signbit(Bearing::towards(-0.0, 1.0).degrees()));
+}
+
 }  // namespace
 }  // namespace floeplan::geo
