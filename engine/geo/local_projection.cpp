@@ -15,7 +15,7 @@ using GeographicLib::LambertConformalConic;
 using GeographicLib::PolarStereographic;
 using GeographicLib::TransverseMercator;
 
-constexpr double polar_from_deg = 60.0;  // beyond it the cone is so flat that a plane at the pole distorts less
+constexpr double polar_from_deg = 60.0;  // beyond it a plane at the pole distorts less than a cone
 constexpr double conic_from_deg =
     15.0;  // nearer to the equator the cone is almost a cylinder and gains nothing
 
