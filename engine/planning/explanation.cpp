@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdio>
+#include <stdexcept>
 
 #include "engine/core/utc_text.hpp"
 
@@ -63,25 +64,45 @@ Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& re
   return {Reason::goal_unreachable, "", ""};
 }
 
+/// The reason by the kind of stop: start, via, goal.
+Reason reason_at(Stop stop, Reason at_start, Reason on_the_way, Reason at_goal) {
+  switch (stop) {
+    case Stop::start: return at_start;
+    case Stop::via: return on_the_way;
+    case Stop::goal: return at_goal;
+  }
+  throw std::logic_error{"Stop without a reason"};
+}
+
+std::string subject_of(Stop stop) {
+  switch (stop) {
+    case Stop::start: return "the start";
+    case Stop::via: return "a place to visit on the way";
+    case Stop::goal: return "the goal";
+  }
+  throw std::logic_error{"Stop without a name"};
+}
+
 }  // namespace
 
-Infeasible explain_place(motion::EdgeClosed closed, RouteEnd end, geo::LonLat place,
+Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
                          const PlanRequest& request) {
-  const bool start = end == RouteEnd::start;
-  const std::string subject = start ? "the start" : "the goal";
+  const std::string subject = subject_of(stop);
   switch (closed) {
     case motion::EdgeClosed::on_land:
-      return {start ? Reason::start_on_land : Reason::goal_on_land, place, request.depart,
-              subject + " lies on land in the stored bathymetry or coastline",
+      return {reason_at(stop, Reason::start_on_land, Reason::too_shallow, Reason::goal_on_land), place,
+              request.depart, subject + " lies on land in the stored bathymetry or coastline",
               "move it into the water; longitude comes first"};
     case motion::EdgeClosed::too_shallow:
-      return {start ? Reason::start_too_shallow : Reason::goal_too_shallow, place, request.depart,
+      return {reason_at(stop, Reason::start_too_shallow, Reason::too_shallow, Reason::goal_too_shallow),
+              place, request.depart,
               subject + " lies in water shallower than the vehicle's minimum of " +
                   metres_text(request.vehicle.minimum_working_depth),
               "move it into deeper water, or choose a vehicle for shallower water"};
     case motion::EdgeClosed::obstacle:
       return {
-          start ? Reason::start_near_iceberg : Reason::goal_near_iceberg, place, request.depart,
+          reason_at(stop, Reason::start_near_iceberg, Reason::near_iceberg, Reason::goal_near_iceberg), place,
+          request.depart,
           subject + " lies closer to an iceberg than the margin of " + metres_text(request.iceberg_margin),
           "move it, or reduce the margin (--margin)"};
     case motion::EdgeClosed::outside_data:

@@ -8,11 +8,11 @@
 
 namespace floeplan::planning {
 
-/// Which end of a route a place is.
-enum class RouteEnd { start, goal };
+/// What a place is to a route.
+enum class Stop { start, via, goal };
 
 /// Says why a start, goal or via cannot be used.
-[[nodiscard]] Infeasible explain_place(motion::EdgeClosed closed, RouteEnd end, geo::LonLat place,
+[[nodiscard]] Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
                                        const PlanRequest& request);
 
 /// Says why a given route, or the straight line, cannot be travelled.

@@ -78,11 +78,11 @@ std::optional<Infeasible> check_stops(Sea& sea, const std::vector<geo::LonLat>& 
                                       const PlanRequest& request) {
   for (std::size_t i = 0; i < stops.size(); ++i) {
     const geo::PlanePoint point = sea.projection().to_plane(stops[i]);
-    const RouteEnd end = i == 0 ? RouteEnd::start : RouteEnd::goal;
+    const Stop kind = i == 0 ? Stop::start : i + 1 == stops.size() ? Stop::goal : Stop::via;
     if (const auto closed = sea.safety().closed_at(stops[i]))
-      return explain_place(*closed, end, stops[i], request);
+      return explain_place(*closed, kind, stops[i], request);
     if (sea.icebergs().contains(point)) {
-      return explain_place(motion::EdgeClosed::obstacle, end, stops[i], request);
+      return explain_place(motion::EdgeClosed::obstacle, kind, stops[i], request);
     }
     sea.safety().open_around(point);
   }

@@ -205,6 +205,21 @@ TEST(PlanRoute, SaysThatTheGoalLiesInsideThePolygonOfAnIsland) {
   EXPECT_EQ(found.error().reason, Reason::goal_on_land);
 }
 
+TEST(PlanRoute, SaysThatAPlaceToVisitLiesInsideAnIsland) {
+  PlanRequest request = eastward_request();
+  request.via = {{-53.0, 69.1}};
+  ocean::Environment environment;
+  environment.land = {
+      {.outer = {{-53.1, 69.05}, {-52.9, 69.05}, {-52.9, 69.15}, {-53.1, 69.15}}, .holes = {}}};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::too_shallow);
+  EXPECT_EQ(found.error().at, request.via.front());
+  EXPECT_NE(found.error().explanation.find("on the way"), std::string::npos);
+}
+
 TEST(PlanRoute, SaysThatAWallOfLandLeavesNoWay) {
   const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat place) {
                                          return std::abs(place.lon_deg + 53.0) < 0.15 ? -1.0 : 300.0;

@@ -115,7 +115,8 @@ Mask mask_by_gmt(const std::string& region) {
   const support::TemporaryFolder folder;  // also for the history that GMT writes where it runs
   const auto path = folder.path() / "mask.tif";
   const std::string command = "cd " + folder.path().string() + " && gmt grdlandmask -R" + region +
-                              " -I0.02/0.0096 -Df -N0/1/0/1/0 -G" + path.string() + "=gd:GTiff > /dev/null 2>&1";
+                              " -I0.02/0.0096 -Df -N0/1/0/1/0 -G" + path.string() +
+                              "=gd:GTiff > /dev/null 2>&1";
   if (std::system(command.c_str()) != 0) return {};
   register_drivers();
   const std::unique_ptr<GDALDataset> dataset{GDALDataset::Open(path.c_str())};
