@@ -58,12 +58,11 @@ bool IcebergDiscs::crosses(geo::PlanePoint a, geo::PlanePoint b) const {
   return false;
 }
 
-std::optional<IcebergDistance> IcebergDiscs::nearest(geo::PlanePoint a, geo::PlanePoint b) const {
-  std::optional<IcebergDistance> least;
-  for (std::size_t i = 0; i < discs_.size(); ++i) {
-    const Disc& disc = discs_[i];
-    const double distance = (distance_to_line(disc.centre, a, b) - disc.hull_radius_m) / disc.scale;
-    if (!least || distance < least->from_hull.value) least = IcebergDistance{core::Metres{distance}, i};
+std::optional<core::Metres> IcebergDiscs::distance_from_hulls(geo::PlanePoint a, geo::PlanePoint b) const {
+  std::optional<core::Metres> least;
+  for (const Disc& disc : discs_) {
+    const core::Metres distance{(distance_to_line(disc.centre, a, b) - disc.hull_radius_m) / disc.scale};
+    if (!least || distance < *least) least = distance;
   }
   return least;
 }

@@ -11,12 +11,6 @@
 
 namespace floeplan::planning {
 
-/// Distance on the ground from the nearest iceberg's hull and which berg that is.
-struct IcebergDistance {
-  core::Metres from_hull;  // negative inside
-  std::size_t berg{};      // index into the list given
-};
-
 /// Standing icebergs as discs to keep out of: half the length, the stated uncertainty of the position, and
 /// the margin.
 /// Threads  const members may be called from several threads at once
@@ -28,9 +22,9 @@ class IcebergDiscs {
   [[nodiscard]] bool contains(geo::PlanePoint point) const;
   /// Whether the straight line from a to b touches a disc.
   [[nodiscard]] bool crosses(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// Least distance of the line from any hull (half the length, without margin and uncertainty); empty
-  /// without icebergs.
-  [[nodiscard]] std::optional<IcebergDistance> nearest(geo::PlanePoint a, geo::PlanePoint b) const;
+  /// Least distance on the ground of the line from any hull (half the length, without margin and uncertainty),
+  /// negative inside; empty without icebergs.
+  [[nodiscard]] std::optional<core::Metres> distance_from_hulls(geo::PlanePoint a, geo::PlanePoint b) const;
 
  private:
   struct Disc {

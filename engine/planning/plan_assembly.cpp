@@ -35,8 +35,8 @@ void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
 std::optional<core::Metres> iceberg_clearance(const Sea& sea, const std::vector<geo::PlanePoint>& route) {
   std::optional<core::Metres> least;
   for (std::size_t i = 1; i < route.size(); ++i) {
-    const auto nearest = sea.icebergs().nearest(route[i - 1], route[i]);
-    if (nearest && (!least || nearest->from_hull < *least)) least = nearest->from_hull;
+    const auto nearest = sea.icebergs().distance_from_hulls(route[i - 1], route[i]);
+    if (nearest && (!least || *nearest < *least)) least = nearest;
   }
   return least;
 }

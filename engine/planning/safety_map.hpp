@@ -34,8 +34,6 @@ class SafetyMap {
   /// it in.
   void open_around(geo::PlanePoint point);
 
-  [[nodiscard]] core::Metres cell() const { return core::Metres{cell_m_}; }
-
  private:
   enum class Cell : std::uint8_t { open, too_shallow, on_land, outside_data };
 

@@ -22,7 +22,7 @@ TEST(IcebergDiscs, KeepHalfTheLengthTheUncertaintyAndTheMargin) {
 
   EXPECT_TRUE(discs.contains(eastwards(899.0)));
   EXPECT_FALSE(discs.contains(eastwards(901.0)));
-  EXPECT_NEAR(discs.nearest(eastwards(901.0), eastwards(2000.0))->from_hull.value, 801.0, 0.1);
+  EXPECT_NEAR(discs.distance_from_hulls(eastwards(901.0), eastwards(2000.0))->value, 801.0, 0.1);
 }
 
 TEST(IcebergDiscs, AgreeWithTheirBruteForce) {
