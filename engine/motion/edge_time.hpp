@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <concepts>
+#include <optional>
 #include <tl/expected.hpp>
 
 #include "engine/core/units.hpp"
@@ -71,17 +73,45 @@ class SpeedAlongEdge {
   double v_min_;
 };
 
-/// Share of a step after which a way that grows by `gain` from speed v0 to speed v1 (all per step) reaches
-/// `wanted`: the root of the cubic through these values, by Newton's method. Precondition: the root is near 1
-/// or inside [0, 1].
+/// A part of the drive along an edge: the way s(t) is the cubic with these values and slopes at its two ends.
+/// Units    metres on the ground from the edge's start; seconds on the clock of the departure
+struct EdgePiece {
+  double t0_s{};
+  double way0_m{};
+  double v0_m_s{};
+  double t1_s{};
+  double way1_m{};
+  double v1_m_s{};
+};
+
+/// Looks at each part of the drive, in the order it is driven, without a gap; an answer closes the edge.
+template <class F>
+concept EdgePieceVisitor = requires(const F& visit, const EdgePiece& piece) {
+  { visit(piece) } -> std::convertible_to<std::optional<EdgeClosed>>;
+};
+
+/// Costs nothing.
+struct VisitNoPiece {
+  std::optional<EdgeClosed> operator()(const EdgePiece&) const { return std::nullopt; }
+};
+
+/// Speed, per step, at a share of a step in which the way grows by `gain` from speed v0 to speed v1 (all per
+/// step): the slope of the cubic through these values.
+inline double speed_in_step(double gain, double v0, double v1, double share) {
+  const double a = v0 + v1 - 2.0 * gain;
+  const double b = 3.0 * gain - 2.0 * v0 - v1;
+  return v0 + share * (2.0 * b + 3.0 * share * a);
+}
+
+/// Share of a step after which that cubic reaches `wanted`, by Newton's method. Precondition: the root is
+/// near 1 or inside [0, 1].
 inline double share_of_step(double gain, double v0, double v1, double wanted) {
   const double a = v0 + v1 - 2.0 * gain;
   const double b = 3.0 * gain - 2.0 * v0 - v1;
   double share = std::min(wanted / gain, 1.5);
   for (int i = 0; i < 8; ++i) {
     const double value = share * (v0 + share * (b + share * a)) - wanted;
-    const double slope = v0 + share * (2.0 * b + 3.0 * share * a);
-    const double next = share - value / slope;
+    const double next = share - value / speed_in_step(gain, v0, v1, share);
     if (!(std::abs(next - share) > 1e-14)) return next;
     share = next;
   }
@@ -92,16 +122,18 @@ inline double share_of_step(double gain, double v0, double v1, double wanted) {
 /// sqrt(V^2 - (c.n)^2) is the speed over ground on the edge's direction e. Two vehicles on one edge obey the
 /// same scalar equation, and solutions of a scalar equation do not cross: the later one never overtakes.
 /// Hence FIFO: t1 <= t2 implies t1 + w(t1) <= t2 + w(t2), while the edge stays passable.
+/// `visit_piece` sees the drive as it is integrated, up to the arrival, and may close the edge.
 /// Errors   the reason why the edge is closed: where the vehicle would be, when it would be there; too_late
-///          as soon as it is certain that the arrival is after `latest`
+///          as soon as it is certain that the arrival is after `latest`; what `visit_piece` answered
 /// Source   Eichhorn 2009, section III.C (wfunc); integration by Bogacki and Shampine 1989, A 3(2) pair of
 ///          Runge-Kutta formulas, Appl. Math. Lett. 2, doi:10.1016/0893-9659(89)90079-7, the arrival by its
 ///          cubic interpolant
-template <PlaneCurrent Current>
+template <PlaneCurrent Current, EdgePieceVisitor VisitPiece = VisitNoPiece>
 tl::expected<core::Seconds, EdgeClosed> edge_time(const PlaneEdge& edge, core::Seconds depart,
                                                   core::MetresPerSecond through_water, const Current& current,
                                                   const EdgeAccuracy& accuracy,
-                                                  core::Seconds latest = core::Seconds{INFINITY}) {
+                                                  core::Seconds latest = core::Seconds{INFINITY},
+                                                  const VisitPiece& visit_piece = {}) {
   const double length = edge.ground_length.value;
   if (length <= 0.0) return core::Seconds{0.0};
   const SpeedAlongEdge<Current> speed{edge, through_water, current};
@@ -138,11 +170,21 @@ tl::expected<core::Seconds, EdgeClosed> edge_time(const PlaneEdge& edge, core::S
     constexpr double trusted_beyond = 1.05;
     if (way + trusted_beyond * gain >= length) {
       const double share = share_of_step(gain, h * *k1, h * *k4, length - way);
-      if (share <= trusted_beyond) return core::Seconds{t + share * h - depart.count()};
+      if (share <= trusted_beyond) {
+        const double arrival = t + share * h;
+        const double v = speed_in_step(gain, h * *k1, h * *k4, share) / h;
+        if (const auto closed = visit_piece(EdgePiece{t, way, *k1, arrival, length, v})) {
+          return tl::unexpected(*closed);
+        }
+        return core::Seconds{arrival - depart.count()};
+      }
+    }
+    if (t + h > latest.count()) return tl::unexpected(EdgeClosed::too_late);
+    if (const auto closed = visit_piece(EdgePiece{t, way, *k1, t + h, way + gain, *k4})) {
+      return tl::unexpected(*closed);
     }
     way += gain;
     t += h;
-    if (t > latest.count()) return tl::unexpected(EdgeClosed::too_late);
     k1 = k4;
     // Below a hundredth of what is allowed the step quadruples anyway: no root needed.
     step = h * (100.0 * error > allowed ? std::clamp(0.9 * std::cbrt(allowed / error), 0.5, 4.0) : 4.0);

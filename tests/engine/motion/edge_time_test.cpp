@@ -4,6 +4,7 @@
 
 #include <cmath>
 #include <optional>
+#include <vector>
 
 #include "engine/motion/speed_over_ground.hpp"
 #include "tests/support/property.hpp"
@@ -82,6 +83,66 @@ TEST(EdgeTime, OfNoLengthIsNothing) {
   const PlaneEdge nowhere{{1.0, 2.0}, {1.0, 2.0}, {0.0}};
 
   EXPECT_EQ(edge_time(nowhere, core::Seconds{0.0}, glider, uniform_current(9.0, 9.0), {})->count(), 0.0);
+}
+
+/// A current that changes on the way and with the clock, so that several steps are taken.
+auto rolling_current() {
+  return [](geo::PlanePoint p, core::Seconds time) -> std::optional<CurrentXy> {
+    return CurrentXy{0.15 * std::sin(p.x_m / 900.0),
+                     0.1 * std::cos(p.x_m / 1'100.0 + time.count() / 4'000.0)};
+  };
+}
+
+TEST(EdgeTime, ShowsTheDriveInPiecesWithoutAGapFromDepartureToArrival) {
+  std::vector<EdgePiece> pieces;
+  const auto record = [&](const EdgePiece& piece) -> std::optional<EdgeClosed> {
+    pieces.push_back(piece);
+    return std::nullopt;
+  };
+
+  const core::Seconds depart{500.0};
+  const auto time =
+      edge_time(eastward, depart, glider, rolling_current(), {}, core::Seconds{INFINITY}, record);
+
+  ASSERT_TRUE(time.has_value());
+  ASSERT_GT(pieces.size(), 3U);
+  EXPECT_EQ(pieces.front().t0_s, depart.count());
+  EXPECT_EQ(pieces.front().way0_m, 0.0);
+  EXPECT_EQ(pieces.back().t1_s, (depart + *time).count());
+  EXPECT_EQ(pieces.back().way1_m, eastward.ground_length.value);
+  for (std::size_t i = 1; i < pieces.size(); ++i) {
+    EXPECT_EQ(pieces[i].t0_s, pieces[i - 1].t1_s);
+    EXPECT_EQ(pieces[i].way0_m, pieces[i - 1].way1_m);
+    EXPECT_EQ(pieces[i].v0_m_s, pieces[i - 1].v1_m_s);
+  }
+}
+
+TEST(EdgeTime, GivesEveryPieceTheSpeedOfTheVehicleAtItsTwoEnds) {
+  const auto current = rolling_current();
+  const SpeedAlongEdge speed{eastward, glider, current};
+  const auto compare = [&](const EdgePiece& piece) -> std::optional<EdgeClosed> {
+    EXPECT_NEAR(piece.v0_m_s, *speed(piece.way0_m, piece.t0_s), 1e-3);
+    EXPECT_NEAR(piece.v1_m_s, *speed(piece.way1_m, piece.t1_s), 1e-3);
+    return std::nullopt;
+  };
+
+  const auto time =
+      edge_time(eastward, core::Seconds{0.0}, glider, current, {}, core::Seconds{INFINITY}, compare);
+
+  EXPECT_TRUE(time.has_value());
+}
+
+TEST(EdgeTime, IsClosedByTheFirstPieceThatIsRefused) {
+  const auto beyond_half_way = [](const EdgePiece& piece) -> std::optional<EdgeClosed> {
+    if (piece.way1_m > 5'000.0) return EdgeClosed::obstacle;
+    return std::nullopt;
+  };
+
+  const auto time = edge_time(eastward, core::Seconds{0.0}, glider, rolling_current(), {},
+                              core::Seconds{INFINITY}, beyond_half_way);
+
+  ASSERT_FALSE(time.has_value());
+  EXPECT_EQ(time.error(), EdgeClosed::obstacle);
 }
 
 }  // namespace
