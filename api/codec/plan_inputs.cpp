@@ -4,7 +4,7 @@
 
 #include "api/codec/input_reader.hpp"
 #include "engine/core/utc_text.hpp"
-#include "engine/planning/plan_route.hpp"
+#include "engine/planning/layout.hpp"
 
 namespace floeplan::codec {
 namespace {

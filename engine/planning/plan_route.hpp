@@ -11,9 +11,6 @@
 
 namespace floeplan::planning {
 
-/// Area whose data a plan for the request may use: the box around start, vias and goal with room for detours.
-[[nodiscard]] geo::BoundingBox planning_area(const PlanRequest& request);
-
 /// Plans the fastest route of the request through the environment.
 /// Errors   std::invalid_argument when `request.violations()` is not empty; Infeasible when there is no such
 ///          route

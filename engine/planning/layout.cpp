@@ -1,0 +1,106 @@
+#include "engine/planning/layout.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double most_map_cells = 6.4e7;    // two bytes each
+constexpr double map_cells_per_step = 3.0;  // so that passages of about a grid step stay open
+
+// Spacing when the request gives none: command-line contract.
+constexpr double steps_per_distance = 200.0;
+constexpr double least_spacing_m = 250.0;
+constexpr double most_spacing_m = 5000.0;
+
+double length_m(geo::PlanePoint step) { return std::hypot(step.x_m, step.y_m); }
+
+std::vector<geo::LonLat> stops_of(const PlanRequest& request) {
+  std::vector<geo::LonLat> stops{request.from};
+  stops.insert(stops.end(), request.via.begin(), request.via.end());
+  stops.push_back(request.to);
+  return stops;
+}
+
+geo::LonLat centre_of(const std::vector<geo::LonLat>& places) {
+  const geo::BoundingBox box = geo::bounding_box(std::span{places});
+  return {geo::wrap_longitude(box.west_deg + 0.5 * geo::width_deg(box)),
+          0.5 * (box.south_deg + box.north_deg)};
+}
+
+}  // namespace
+
+PlaneBox Layout::bounds() const {
+  PlaneBox box = grids.front().bounds();
+  for (const RouteGrid& grid : grids) {
+    box.include(grid.bounds().low);
+    box.include(grid.bounds().high);
+  }
+  return box;
+}
+
+double Layout::most_vertices() const {
+  double most = 0.0;
+  for (const RouteGrid& grid : grids) most = std::max(most, grid.vertex_count());
+  return most;
+}
+
+core::Metres Layout::map_cell() const {
+  double finest_step_m = INFINITY;
+  for (const RouteGrid& grid : grids) {
+    finest_step_m = std::min({finest_step_m, length_m(grid.along), length_m(grid.across)});
+  }
+  const PlaneBox area = bounds();
+  const double by_memory = std::sqrt(area.width_m() * area.height_m() / most_map_cells);
+  return core::Metres{std::max(finest_step_m / map_cells_per_step, by_memory)};
+}
+
+Layout lay_out(const PlanRequest& request, GridReach reach) {
+  std::vector<geo::LonLat> stops = stops_of(request);
+  const geo::LocalProjection projection{centre_of(stops)};
+  Layout layout{.projection = projection, .stops = std::move(stops), .points = {}, .grids = {}};
+  for (const geo::LonLat stop : layout.stops) layout.points.push_back(projection.to_plane(stop));
+  for (std::size_t i = 1; i < layout.points.size(); ++i) {
+    const geo::PlanePoint from = layout.points[i - 1];
+    const geo::PlanePoint to = layout.points[i];
+    const core::Metres distance{std::hypot(to.x_m - from.x_m, to.y_m - from.y_m)};
+    layout.grids.push_back(lay_grid(from, to, spacing_for(request, distance), reach));
+  }
+  return layout;
+}
+
+GridSpacing spacing_for(const PlanRequest& request, core::Metres distance) {
+  const core::Metres standard{
+      std::clamp(distance.value / steps_per_distance, least_spacing_m, most_spacing_m)};
+  const core::Metres along = request.spacing_along.value_or(standard);
+  return {along, request.spacing_across.value_or(along)};
+}
+
+geo::BoundingBox planning_area(const PlanRequest& request) {
+  const Layout layout = lay_out(request, second_reach);
+  const PlaneBox box = layout.bounds();
+  std::vector<geo::LonLat> rim;
+  constexpr int samples = 32;
+  for (int i = 0; i <= samples; ++i) {
+    const double x = box.low.x_m + box.width_m() * i / samples;
+    const double y = box.low.y_m + box.height_m() * i / samples;
+    for (const geo::PlanePoint point : {geo::PlanePoint{x, box.low.y_m}, geo::PlanePoint{x, box.high.y_m},
+                                        geo::PlanePoint{box.low.x_m, y}, geo::PlanePoint{box.high.x_m, y}}) {
+      rim.push_back(layout.projection.to_lon_lat(point));
+    }
+  }
+  geo::BoundingBox area = geo::bounding_box(std::span<const geo::LonLat>{rim});
+  for (const double pole_deg : {90.0, -90.0}) {
+    const bool same_side = pole_deg * layout.projection.origin().lat_deg > 0.0;
+    if (same_side && box.contains(layout.projection.to_plane({0.0, pole_deg}))) {
+      (pole_deg > 0.0 ? area.north_deg : area.south_deg) = pole_deg;
+      area.west_deg = -180.0;
+      area.east_deg = 180.0;
+    }
+  }
+  return area;
+}
+
+}  // namespace floeplan::planning

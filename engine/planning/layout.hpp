@@ -1,0 +1,39 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/geo/bounding_box.hpp"
+#include "engine/geo/local_projection.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/plane_box.hpp"
+#include "engine/planning/route_grid.hpp"
+
+namespace floeplan::planning {
+
+/// Grids that reach this far are tried first.
+inline constexpr GridReach first_reach{0.5, 0.25};
+/// Tried when the first leave no way, or when the way runs along their rim.
+inline constexpr GridReach second_reach{1.0, 0.75};
+
+/// Where a request takes place: its plane, its stops and the grids between them.
+struct Layout {
+  geo::LocalProjection projection;
+  std::vector<geo::LonLat> stops;       // start, vias, goal
+  std::vector<geo::PlanePoint> points;  // the same in the plane
+  std::vector<RouteGrid> grids;         // one from each stop to the next
+
+  [[nodiscard]] PlaneBox bounds() const;        // of all grids
+  [[nodiscard]] double most_vertices() const;   // of the largest grid
+  [[nodiscard]] core::Metres map_cell() const;  // step of the safety map
+};
+
+/// Precondition: the request is valid.
+[[nodiscard]] Layout lay_out(const PlanRequest& request, GridReach reach);
+
+/// Grid steps for a way of this length: as asked for, or distance/200 within 250 m .. 5 km.
+[[nodiscard]] GridSpacing spacing_for(const PlanRequest& request, core::Metres distance);
+
+/// Area whose data a plan for the request may use: the box around start, vias and goal with room for detours.
+[[nodiscard]] geo::BoundingBox planning_area(const PlanRequest& request);
+
+}  // namespace floeplan::planning

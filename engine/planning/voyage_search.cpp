@@ -1,0 +1,60 @@
+#include "engine/planning/voyage_search.hpp"
+
+#include <algorithm>
+
+#include "engine/planning/explanation.hpp"
+#include "engine/planning/route_cost.hpp"
+#include "engine/planning/route_search.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+bool touches_rim(const std::vector<geo::PlanePoint>& path, const RouteGrid& grid) {
+  const double along2 = grid.along.x_m * grid.along.x_m + grid.along.y_m * grid.along.y_m;
+  const double across2 = grid.across.x_m * grid.across.x_m + grid.across.y_m * grid.across.y_m;
+  return std::ranges::any_of(path, [&](geo::PlanePoint p) {
+    const double dx = p.x_m - grid.origin.x_m;
+    const double dy = p.y_m - grid.origin.y_m;
+    const double column = (dx * grid.along.x_m + dy * grid.along.y_m) / along2;
+    const double row = (dx * grid.across.x_m + dy * grid.across.y_m) / across2;
+    return column < 0.5 || column > grid.nx - 1.5 || row < 0.5 || row > grid.ny - 1.5;
+  });
+}
+
+void add(SearchStatistics& sum, const SearchStatistics& part) {
+  sum.vertices += part.vertices;
+  sum.edges += part.edges;
+  sum.edge_evaluations += part.edge_evaluations;
+  sum.expansions += part.expansions;
+  sum.reinsertions += part.reinsertions;
+}
+
+}  // namespace
+
+Result<FoundWay> search_voyage(const Sea& sea, const std::vector<RouteGrid>& grids,
+                               const PlanRequest& request, core::Seconds depart, const std::stop_token& stop,
+                               const std::function<void(double)>& report_fraction) {
+  FoundWay found;
+  found.route.points.push_back(grids.front().point(grids.front().start));
+  found.route.fixed.push_back(true);
+  for (std::size_t i = 0; i < grids.size(); ++i) {
+    const RouteSearch search = search_route(sea, grids[i], request, depart, stop, [&](double fraction) {
+      report_fraction((static_cast<double>(i) + fraction) / static_cast<double>(grids.size()));
+    });
+    add(found.statistics, search.statistics);
+    if (search.cancelled) return tl::unexpected(explain_cancelled(request));
+    if (search.path.empty()) return tl::unexpected(explain_search(search, sea, request));
+
+    const auto arrivals = arrivals_along(sea, search.path, depart);
+    if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request));
+    depart = arrivals->back();
+    found.touches_rim = found.touches_rim || touches_rim(search.path, grids[i]);
+    for (std::size_t p = 1; p < search.path.size(); ++p) {
+      found.route.points.push_back(search.path[p]);
+      found.route.fixed.push_back(p + 1 == search.path.size());
+    }
+  }
+  return found;
+}
+
+}  // namespace floeplan::planning

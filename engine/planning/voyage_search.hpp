@@ -1,0 +1,32 @@
+#pragma once
+
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/route_grid.hpp"
+#include "engine/planning/sea.hpp"
+#include "engine/planning/straightening.hpp"
+
+namespace floeplan::planning {
+
+/// The way from stop to stop as the grids give it.
+struct FoundWay {
+  Route route;
+  SearchStatistics statistics;
+  bool touches_rim{false};  // it keeps to the rim of a grid, beyond which a better way may lie
+};
+
+/// Searches grid after grid with the request's method (not Method::direct), from `depart` on (counted from the
+/// sea's epoch); under FIFO the earliest arrival at each stop is the best departure from it.
+/// Errors   where and why there is no way
+/// Stops    with Reason::cancelled once `stop` is requested
+[[nodiscard]] Result<FoundWay> search_voyage(const Sea& sea, const std::vector<RouteGrid>& grids,
+                                             const PlanRequest& request, core::Seconds depart,
+                                             const std::stop_token& stop,
+                                             const std::function<void(double)>& report_fraction);
+
+}  // namespace floeplan::planning
