@@ -1,0 +1,72 @@
+#include "api/codec/data_inputs.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+using How = repository::DatasetChoice::How;
+
+constexpr std::size_t max_ensemble = 64;
+
+/// "newest", "none", an id, or (where `several`) an array of ids.
+repository::DatasetChoice read_choice(InputReader& reader, const std::string& key, bool several) {
+  const json* value = reader.member(key);
+  if (value == nullptr) return {};
+  const std::string rule = several ? "must be \"newest\", \"none\", an id or an array of ids, not "
+                                   : "must be \"newest\", \"none\" or an id, not ";
+  if (value->is_string()) {
+    const auto& text = value->get_ref<const std::string&>();
+    if (text == "newest") return {How::newest, {}};
+    if (text == "none") return {How::none, {}};
+    return {How::named, {{text}}};
+  }
+  repository::DatasetChoice choice{How::named, {}};
+  if (!several || !value->is_array() || value->empty() || value->size() > max_ensemble) {
+    reader.refuse("/" + key, rule + shown(*value));
+    return {};
+  }
+  for (std::size_t i = 0; i < value->size(); ++i) {
+    const json& id = (*value)[i];
+    if (id.is_string()) {
+      choice.ids.push_back({id.get<std::string>()});
+    } else {
+      reader.refuse("/" + key + "/" + std::to_string(i), "must be the id of a dataset, not " + shown(id));
+    }
+  }
+  return choice;
+}
+
+json choice_json(const repository::DatasetChoice& choice) {
+  if (choice.how == How::newest) return "newest";
+  if (choice.how == How::none) return "none";
+  if (choice.ids.size() == 1) return choice.ids.front().value;
+  json ids = json::array();
+  for (const auto& id : choice.ids) ids.push_back(id.value);
+  return ids;
+}
+
+}  // namespace
+
+void read_data(InputReader& reader, repository::EnvironmentQuery& data) {
+  data.currents = read_choice(reader, "currents", true);
+  data.steady = reader.boolean("steady").value_or(false);
+  data.bathymetry = read_choice(reader, "bathymetry", false);
+  data.icebergs = read_choice(reader, "icebergs", false);
+  data.icebergs_as_of = reader.time("icebergs_as_of");
+  data.coastline = read_choice(reader, "coastline", false);
+}
+
+void write_data(const repository::EnvironmentQuery& data, json& inputs) {
+  inputs["currents"] = choice_json(data.currents);
+  inputs["steady"] = data.steady;
+  inputs["bathymetry"] = choice_json(data.bathymetry);
+  inputs["icebergs"] = choice_json(data.icebergs);
+  inputs["icebergs_as_of"] = data.icebergs_as_of ? json(core::iso8601(*data.icebergs_as_of)) : json();
+  inputs["coastline"] = choice_json(data.coastline);
+}
+
+}  // namespace floeplan::codec

@@ -1,0 +1,63 @@
+#include "api/codec/search_inputs.hpp"
+
+#include <nlohmann/json.hpp>
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+void read_spacing(InputReader& reader, planning::PlanRequest& request) {
+  constexpr double least_m = 10.0;
+  constexpr double most_m = 100'000.0;
+  const auto valid = [&](const json& value) {
+    return value.is_number() && value.get<double>() >= least_m && value.get<double>() <= most_m;
+  };
+  const json* value = reader.member("spacing_m");
+  if (value == nullptr) return;
+  if (valid(*value)) {
+    request.spacing_along = core::Metres{value->get<double>()};
+  } else if (value->is_array() && value->size() == 2 && valid((*value)[0]) && valid((*value)[1])) {
+    request.spacing_along = core::Metres{(*value)[0].get<double>()};
+    request.spacing_across = core::Metres{(*value)[1].get<double>()};
+  } else {
+    reader.refuse("/spacing_m",
+                  "must be a distance from 10 to 100000 m, or two as [along, across], not " + shown(*value));
+  }
+}
+
+json spacing_json(const planning::PlanRequest& request) {
+  if (!request.spacing_along) return nullptr;
+  if (!request.spacing_across) return request.spacing_along->value;
+  return json::array({request.spacing_along->value, request.spacing_across->value});
+}
+
+}  // namespace
+
+void read_search(InputReader& reader, planning::PlanRequest& request) {
+  read_spacing(reader, request);
+  if (const auto sectors = reader.integer("sectors", 1, 5)) request.sectors = *sectors;
+  if (const auto text = reader.text("method")) {
+    if (const auto method = planning::parse_method(*text)) {
+      request.method = *method;
+    } else {
+      reader.refuse("/method", "must be tve, dijkstra, astar, frozen or direct, not \"" + *text + "\"");
+    }
+  }
+  if (const auto objective = reader.text("objective"); objective && *objective != "time") {
+    reader.refuse("/objective", "must be \"time\", the only objective so far, not \"" + *objective + "\"");
+  }
+  request.max_waypoints = reader.integer("max_waypoints", 2, 10'000);
+  if (const auto refine = reader.boolean("refine")) request.refine = *refine;
+}
+
+void write_search(const planning::PlanRequest& request, json& inputs) {
+  inputs["spacing_m"] = spacing_json(request);
+  inputs["sectors"] = request.sectors;
+  inputs["method"] = planning::method_name(request.method);
+  inputs["objective"] = "time";
+  inputs["max_waypoints"] = request.max_waypoints ? json(*request.max_waypoints) : json();
+  inputs["refine"] = request.refine;
+}
+
+}  // namespace floeplan::codec
