@@ -11,7 +11,7 @@
 namespace floeplan::graph {
 namespace {
 
-constexpr double rounding_s = 1e-6;
+constexpr double rounding_s = 1e-9;  // sums of the same times in the same order
 
 /// Relaxes every edge again and again until nothing changes (Bellman and Ford).
 std::vector<double> arrivals_by_brute_force(const GridGraph& graph, const Query& query,
