@@ -61,7 +61,8 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   FoundWay way = straight_way(chart->layout);
   if (request.method != Method::direct) {
     const auto report = [&](double fraction) { progress("search", 0.1 + 0.8 * fraction); };
-    auto found = search_voyage(chart->sea, chart->layout.grids, request, at_departure, stop, report);
+    const std::vector<OpenGrid> grids = open_grids(chart->sea, chart->layout.grids, request.sectors, stop);
+    auto found = search_voyage(chart->sea, grids, request, at_departure, stop, report);
     if (!found) {
       const bool cancelled = found.error().reason == Reason::cancelled;
       return {tl::unexpected(std::move(found.error())), !cancelled};

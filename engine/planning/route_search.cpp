@@ -15,19 +15,6 @@ namespace {
 using graph::Edge;
 using graph::Vertex;
 
-constexpr Vertex vertices_between_looks = 4096;  // at the stop token: about a millisecond
-
-/// Where a vertex can be: in deep enough water and clear of icebergs.
-std::vector<std::uint8_t> open_vertices(const Sea& sea, const RouteGrid& grid, const std::stop_token& stop) {
-  std::vector<std::uint8_t> open(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
-  for (Vertex v = 0; v < open.size(); ++v) {
-    if (v % vertices_between_looks == 0 && stop.stop_requested()) break;
-    const geo::PlanePoint point = grid.point(v);
-    open[v] = sea.closed_between(point, point) ? 0 : 1;
-  }
-  return open;
-}
-
 /// The paper's wfunc on the plane grid.
 struct GridTravelTime {
   const Sea& sea;
@@ -79,19 +66,6 @@ struct EdgeBound {
   [[nodiscard]] static core::Seconds remaining(Vertex) { return core::Seconds{0.0}; }
 };
 
-std::int64_t count_open_edges(const Sea& sea, const RouteGrid& grid, const graph::GridGraph& graph,
-                              const std::stop_token& stop) {
-  std::int64_t count = 0;
-  for (Vertex v = 0; v < graph.size(); ++v) {
-    if (v % vertices_between_looks == 0 && stop.stop_requested()) break;
-    if (!graph.is_open(v)) continue;
-    graph.for_each_edge(v, [&](const Edge& edge) {
-      if (!sea.closed_between(grid.point(edge.tail), grid.point(edge.head))) ++count;
-    });
-  }
-  return count;
-}
-
 void describe_end(RouteSearch& result, const Sea& sea, const RouteGrid& grid, const graph::GridGraph& graph,
                   const graph::SearchTree& tree) {
   const geo::PlanePoint goal = grid.point(grid.goal);
@@ -124,13 +98,14 @@ void describe_end(RouteSearch& result, const Sea& sea, const RouteGrid& grid, co
 
 }  // namespace
 
-RouteSearch search_route(const Sea& sea, const RouteGrid& grid, const PlanRequest& request,
+RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
                          core::Seconds depart, const std::stop_token& stop,
                          const std::function<void(double)>& report_fraction) {
-  const graph::GridGraph graph{grid.nx, grid.ny, request.sectors, open_vertices(sea, grid, stop)};
+  const RouteGrid& grid = open.grid;
+  const graph::GridGraph& graph = open.graph;
   RouteSearch result;
-  result.statistics.vertices = graph.count_open_vertices();
-  result.statistics.edges = count_open_edges(sea, grid, graph, stop);
+  result.statistics.vertices = open.vertices;
+  result.statistics.edges = open.edges;
 
   const graph::Query query{grid.start, grid.goal, depart};
   const GridTravelTime travel_time{sea, grid};

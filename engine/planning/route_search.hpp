@@ -6,9 +6,9 @@
 
 #include "engine/core/progress.hpp"
 #include "engine/motion/edge_closed.hpp"
+#include "engine/planning/open_grid.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
-#include "engine/planning/route_grid.hpp"
 #include "engine/planning/sea.hpp"
 
 namespace floeplan::planning {
@@ -25,7 +25,7 @@ struct RouteSearch {
 };
 
 /// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct).
-[[nodiscard]] RouteSearch search_route(const Sea& sea, const RouteGrid& grid, const PlanRequest& request,
+[[nodiscard]] RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
                                        core::Seconds depart, const std::stop_token& stop,
                                        const std::function<void(double)>& report_fraction);
 

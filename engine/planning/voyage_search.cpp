@@ -31,11 +31,11 @@ void add(SearchStatistics& sum, const SearchStatistics& part) {
 
 }  // namespace
 
-Result<FoundWay> search_voyage(const Sea& sea, const std::vector<RouteGrid>& grids,
-                               const PlanRequest& request, core::Seconds depart, const std::stop_token& stop,
+Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grids, const PlanRequest& request,
+                               core::Seconds depart, const std::stop_token& stop,
                                const std::function<void(double)>& report_fraction) {
   FoundWay found;
-  found.route.points.push_back(grids.front().point(grids.front().start));
+  found.route.points.push_back(grids.front().grid.point(grids.front().grid.start));
   found.route.fixed.push_back(true);
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const RouteSearch search = search_route(sea, grids[i], request, depart, stop, [&](double fraction) {
@@ -48,7 +48,7 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<RouteGrid>& gri
     const auto arrivals = arrivals_along(sea, search.path, depart);
     if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request));
     depart = arrivals->back();
-    found.touches_rim = found.touches_rim || touches_rim(search.path, grids[i]);
+    found.touches_rim = found.touches_rim || touches_rim(search.path, grids[i].grid);
     for (std::size_t p = 1; p < search.path.size(); ++p) {
       found.route.points.push_back(search.path[p]);
       found.route.fixed.push_back(p + 1 == search.path.size());

@@ -5,9 +5,9 @@
 #include <vector>
 
 #include "engine/planning/infeasible.hpp"
+#include "engine/planning/open_grid.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
-#include "engine/planning/route_grid.hpp"
 #include "engine/planning/sea.hpp"
 #include "engine/planning/straightening.hpp"
 
@@ -24,7 +24,7 @@ struct FoundWay {
 /// sea's epoch); under FIFO the earliest arrival at each stop is the best departure from it.
 /// Errors   where and why there is no way
 /// Stops    with Reason::cancelled once `stop` is requested
-[[nodiscard]] Result<FoundWay> search_voyage(const Sea& sea, const std::vector<RouteGrid>& grids,
+[[nodiscard]] Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grids,
                                              const PlanRequest& request, core::Seconds depart,
                                              const std::stop_token& stop,
                                              const std::function<void(double)>& report_fraction);

@@ -1,0 +1,52 @@
+#include "engine/planning/open_grid.hpp"
+
+#include <utility>
+
+namespace floeplan::planning {
+namespace {
+
+using graph::Edge;
+using graph::Vertex;
+
+constexpr Vertex vertices_between_looks = 4096;  // at the stop token: about a millisecond
+
+std::vector<std::uint8_t> open_vertices(const Sea& sea, const RouteGrid& grid, const std::stop_token& stop) {
+  std::vector<std::uint8_t> open(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));
+  for (Vertex v = 0; v < open.size(); ++v) {
+    if (v % vertices_between_looks == 0 && stop.stop_requested()) break;
+    const geo::PlanePoint point = grid.point(v);
+    open[v] = sea.closed_between(point, point) ? 0 : 1;
+  }
+  return open;
+}
+
+std::int64_t count_open_edges(const Sea& sea, const RouteGrid& grid, const graph::GridGraph& graph,
+                              const std::stop_token& stop) {
+  std::int64_t count = 0;
+  for (Vertex v = 0; v < graph.size(); ++v) {
+    if (v % vertices_between_looks == 0 && stop.stop_requested()) break;
+    if (!graph.is_open(v)) continue;
+    graph.for_each_edge(v, [&](const Edge& edge) {
+      if (!sea.closed_between(grid.point(edge.tail), grid.point(edge.head))) ++count;
+    });
+  }
+  return count;
+}
+
+}  // namespace
+
+OpenGrid open_grid(const Sea& sea, const RouteGrid& grid, int sectors, const std::stop_token& stop) {
+  graph::GridGraph graph{grid.nx, grid.ny, sectors, open_vertices(sea, grid, stop)};
+  const std::int64_t vertices = graph.count_open_vertices();
+  const std::int64_t edges = count_open_edges(sea, grid, graph, stop);
+  return {.grid = grid, .graph = std::move(graph), .vertices = vertices, .edges = edges};
+}
+
+std::vector<OpenGrid> open_grids(const Sea& sea, const std::vector<RouteGrid>& grids, int sectors,
+                                 const std::stop_token& stop) {
+  std::vector<OpenGrid> result;
+  for (const RouteGrid& grid : grids) result.push_back(open_grid(sea, grid, sectors, stop));
+  return result;
+}
+
+}  // namespace floeplan::planning

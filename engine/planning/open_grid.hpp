@@ -1,0 +1,29 @@
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+#include <vector>
+
+#include "engine/graph/grid_graph.hpp"
+#include "engine/planning/route_grid.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// A grid laid into a sea with what is open of it at any time: made once, searched for any departure.
+struct OpenGrid {
+  RouteGrid grid;
+  graph::GridGraph graph;
+  std::int64_t vertices{};  // in deep enough water and clear of icebergs
+  std::int64_t edges{};     // directed, between them
+};
+
+/// Stops    early once `stop` is requested; the grid must then not be used
+[[nodiscard]] OpenGrid open_grid(const Sea& sea, const RouteGrid& grid, int sectors,
+                                 const std::stop_token& stop);
+
+/// The same for each grid.
+[[nodiscard]] std::vector<OpenGrid> open_grids(const Sea& sea, const std::vector<RouteGrid>& grids,
+                                               int sectors, const std::stop_token& stop);
+
+}  // namespace floeplan::planning
