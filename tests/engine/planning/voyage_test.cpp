@@ -29,12 +29,13 @@ TEST(Voyage, WithNothingToCarryArrivesWhenThePlainSearchDoes) {
     const RouteGrid grid = lay_grid({-20'000.0, 0.0}, {20'000.0, 3000.0},
                                     {core::Metres{2000.0}, core::Metres{2000.0}}, {0.5, 0.25});
     const Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{500.0}};
-    const graph::GridGraph graph{grid.nx, grid.ny, request.sectors};
+    const OpenGrid open = open_grid(sea, grid, request.sectors, {});
     const Voyage voyage{sea, grid};
 
-    const auto search = graph::find_best_labels(graph, grid.start, grid.goal, 0.0, {}, voyage, plenty, {});
+    const auto search =
+        graph::find_best_labels(open.graph, grid.start, grid.goal, 0.0, {}, voyage, plenty, {});
 
-    const RouteSearch plain = search_route(sea, grid, request, core::Seconds{0.0}, {}, [](double) {});
+    const RouteSearch plain = search_route(sea, open, request, core::Seconds{0.0}, {}, [](double) {});
     const auto arrivals = arrivals_along(sea, plain.path, core::Seconds{0.0});
     ASSERT_TRUE(search.goal && arrivals);
     EXPECT_NEAR(search.labels[*search.goal].arrival_s, arrivals->back().count(), 1e-6);
