@@ -9,6 +9,7 @@ enum class EdgeClosed {
   too_shallow,
   on_land,
   obstacle,
+  in_zone,  // against the rule of a zone
   too_late  // it would end later than the caller cares for
 };
 

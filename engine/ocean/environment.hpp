@@ -9,6 +9,7 @@
 #include "engine/ocean/current_grid.hpp"
 #include "engine/ocean/dataset_ref.hpp"
 #include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/zone.hpp"
 
 namespace floeplan::ocean {
 
@@ -21,6 +22,7 @@ struct Environment {
   std::shared_ptr<const Bathymetry> bathymetry{};
   std::vector<geo::Polygon> land{};
   std::vector<Iceberg> icebergs{};  // the latest sighting of each berg, none after the moment asked for
+  std::vector<Zone> zones{};        // of stored datasets, all obeyed
   std::vector<DatasetRef> datasets{};
   std::vector<std::string> warnings{};  // what the choice of data implies, for the pilot
 };

@@ -19,6 +19,10 @@ std::optional<Infeasible> check_stops(Sea& sea, const Layout& layout, const Plan
     if (sea.icebergs().contains(layout.points[i])) {
       return explain_place(motion::EdgeClosed::obstacle, kind, layout.stops[i], request);
     }
+    constexpr TimeSpan at_departure{core::Seconds{0.0}, core::Seconds{0.0}};
+    if (kind == Stop::start && sea.timed_zones().forbid(layout.points[i], layout.points[i], at_departure)) {
+      return explain_place(motion::EdgeClosed::in_zone, kind, layout.stops[i], request);
+    }
     sea.safety().open_around(layout.points[i]);
   }
   return std::nullopt;

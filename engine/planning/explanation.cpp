@@ -55,6 +55,9 @@ Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& re
                   metres_text(request.vehicle.minimum_working_depth),
               "go round it, or choose a vehicle for shallower water"};
     case motion::EdgeClosed::on_land: return {Reason::too_shallow, "the way crosses land", "go round it"};
+    case motion::EdgeClosed::in_zone:
+      return {Reason::in_zone, "the way breaks the rule of a zone",
+              "go round it, or change the zone or its times"};
     case motion::EdgeClosed::too_late:
     case motion::EdgeClosed::obstacle:
       return {Reason::near_iceberg,
@@ -105,6 +108,10 @@ Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place
           request.depart,
           subject + " lies closer to an iceberg than the margin of " + metres_text(request.iceberg_margin),
           "move it, or reduce the margin (--margin)"};
+    case motion::EdgeClosed::in_zone:
+      return {reason_at(stop, Reason::start_in_zone, Reason::in_zone, Reason::goal_in_zone), place,
+              request.depart, subject + " lies where a zone does not allow the vehicle to be",
+              "move it, or change the zone"};
     case motion::EdgeClosed::outside_data:
     case motion::EdgeClosed::too_late:
     case motion::EdgeClosed::current_too_strong: break;
@@ -125,7 +132,8 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
   using enum motion::EdgeClosed;
   motion::EdgeClosed binding = on_land;
   std::ptrdiff_t most = 0;
-  for (const motion::EdgeClosed kind : {outside_data, current_too_strong, too_shallow, on_land, obstacle}) {
+  for (const motion::EdgeClosed kind :
+       {outside_data, current_too_strong, too_shallow, on_land, in_zone, obstacle}) {
     const auto count = std::ranges::count(search.closed_at_nearest, kind);
     if (count > most) {
       most = count;

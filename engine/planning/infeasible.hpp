@@ -13,13 +13,16 @@ enum class Reason {
   start_on_land,
   start_too_shallow,
   start_near_iceberg,
+  start_in_zone,
   goal_on_land,
   goal_too_shallow,
   goal_near_iceberg,
+  goal_in_zone,
   outside_data,        // the vehicle would leave the area or the period that the data cover
   current_too_strong,  // no heading holds the course
   too_shallow,         // a given route crosses land or shallow water
   near_iceberg,        // a given route passes an iceberg too closely
+  in_zone,             // a given route breaks the rule of a zone
   goal_unreachable,    // every way is closed
   too_large,           // the grid would not fit into bounded memory
   cancelled

@@ -35,13 +35,16 @@ std::string reason_name(Reason reason) {
     case Reason::start_on_land: return "start_on_land";
     case Reason::start_too_shallow: return "start_too_shallow";
     case Reason::start_near_iceberg: return "start_near_iceberg";
+    case Reason::start_in_zone: return "start_in_zone";
     case Reason::goal_on_land: return "goal_on_land";
     case Reason::goal_too_shallow: return "goal_too_shallow";
     case Reason::goal_near_iceberg: return "goal_near_iceberg";
+    case Reason::goal_in_zone: return "goal_in_zone";
     case Reason::outside_data: return "outside_data";
     case Reason::current_too_strong: return "current_too_strong";
     case Reason::too_shallow: return "too_shallow";
     case Reason::near_iceberg: return "near_iceberg";
+    case Reason::in_zone: return "in_zone";
     case Reason::goal_unreachable: return "goal_unreachable";
     case Reason::too_large: return "too_large";
     case Reason::cancelled: return "cancelled";

@@ -50,6 +50,13 @@ core::Violations PlanRequest::violations() const {
           "must be between 1 m and 100 km");
   require(!max_waypoints || *max_waypoints >= 2, "/max_waypoints",
           "must be at least 2: the start and the goal");
+  require(!max_leg || (max_leg->value >= 100.0 && max_leg->value <= 5e6), "/max_leg_m",
+          "must be between 100 m and 5000 km");
+  for (std::size_t i = 0; i < zones.size(); ++i) {
+    for (const core::Violation& violation : zones[i].violations()) {
+      found.push_back({"/zones/" + std::to_string(i) + violation.field, violation.rule});
+    }
+  }
   require(iceberg_margin.value >= 0.0 && iceberg_margin.value <= 100'000.0, "/margin_m",
           "must be between 0 and 100 km");
   require(edge_tolerance >= 1e-9 && edge_tolerance <= 1e-2, "/edge_tolerance",

@@ -7,6 +7,7 @@
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/ocean/zone.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::planning {
@@ -37,9 +38,11 @@ struct PlanRequest {
   int sectors{3};                              // reach of the grid's edges, 1 to 5
   Method method{Method::astar};
   bool refine{true};
-  std::optional<int> max_waypoints;    // start and goal included
-  core::Metres iceberg_margin{500.0};  // kept from the edge of an iceberg
-  double edge_tolerance{1e-4};         // relative, of an edge's travel time
+  std::optional<int> max_waypoints;     // start and goal included
+  std::optional<core::Metres> max_leg;  // longer legs are parted
+  std::vector<ocean::Zone> zones;       // obeyed beside those of the environment
+  core::Metres iceberg_margin{500.0};   // kept from the edge of an iceberg
+  double edge_tolerance{1e-4};          // relative, of an edge's travel time
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };

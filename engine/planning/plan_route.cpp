@@ -29,8 +29,11 @@ Route improve(const Sea& sea, const Route& route, const PlanRequest& request, co
     improved = join_collinear(improved);
     if (request.refine) improved = drop_needless_points(sea, improved, at_departure, stop);
   }
-  if (!request.max_waypoints) return improved;
-  return drop_to(sea, improved, at_departure, static_cast<std::size_t>(*request.max_waypoints));
+  if (request.max_waypoints) {
+    improved = drop_to(sea, improved, at_departure, static_cast<std::size_t>(*request.max_waypoints));
+  }
+  if (request.max_leg) improved = part_long_legs(sea, improved, *request.max_leg);
+  return improved;
 }
 
 /// The plan of a route, timed once more by the one cost.
@@ -41,7 +44,9 @@ Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, cons
   Plan plan = assemble_plan(sea, environment, request, route.points, *arrivals);
   plan.search = statistics;
   if (request.max_waypoints && plan.waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) {
-    plan.warnings.push_back("the route needs more waypoints than asked for; without them it would be closed");
+    plan.warnings.push_back(
+        "the route needs more waypoints than asked for; without them it would be closed or have longer legs "
+        "than allowed");
   }
   return plan;
 }

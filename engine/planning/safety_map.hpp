@@ -9,12 +9,21 @@
 #include "engine/geo/local_projection.hpp"
 #include "engine/motion/edge_closed.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/plane_box.hpp"
+#include "engine/planning/cell_state.hpp"
+#include "engine/planning/plane_raster.hpp"
 
 namespace floeplan::planning {
 
-/// Where the water is deep enough, as a raster over the plane. A cell is closed when any part of it that the
-/// data know of is: its corners, the nodes of the bathymetry inside it, a coast that runs through it.
+/// Areas with a rule that is always in force.
+struct StandingZones {
+  std::vector<geo::Polygon> no_go;
+  std::vector<geo::Polygon> stay_in;
+  bool confined{false};  // the vehicle must stay in one of `stay_in`, also when there is none
+};
+
+/// Where the water is deep enough and the rules allow it, as a raster over the plane. A cell is closed when any part of it that the
+/// data know of is: its corners, the nodes of the bathymetry inside it, a coast or a zone's border that runs
+/// through it; stay-in zones that only touch each other leave a closed seam between them.
 /// Cautious by up to one cell.
 /// Edges    bathymetry given but not known in a cell: closed (outside_data). No bathymetry: every depth will
 ///          do
@@ -22,7 +31,7 @@ namespace floeplan::planning {
 class SafetyMap {
  public:
   /// Once `stop` is requested the map stays incomplete and must not be used.
-  SafetyMap(const ocean::Environment& environment, core::Metres least_depth,
+  SafetyMap(const ocean::Environment& environment, core::Metres least_depth, StandingZones zones,
             const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
             const std::stop_token& stop = {});
 
@@ -35,24 +44,15 @@ class SafetyMap {
   void open_around(geo::PlanePoint point);
 
  private:
-  enum class Cell : std::uint8_t { open, too_shallow, on_land, outside_data };
-
-  [[nodiscard]] std::optional<std::size_t> index(geo::PlanePoint point) const;
-  void close_shallow_cells(const std::stop_token& stop);
-  void close_land_cells(const std::vector<geo::Polygon>& land, const std::stop_token& stop);
-  void close_along(geo::PlanePoint a, geo::PlanePoint b);
+  void close_cells(const geo::Polygon& polygon, CellState state, const geo::LocalProjection& projection);
+  void close_zones(const geo::LocalProjection& projection, const std::stop_token& stop);
   void measure_clearance(const std::stop_token& stop);
-  template <class Visit>
-  void for_each_cell(geo::PlanePoint a, geo::PlanePoint b, Visit&& visit) const;
 
   const ocean::Environment* environment_;  // borrowed; outlives the map
   core::Metres least_depth_;
-  geo::LocalProjection projection_;
-  PlaneBox area_;
-  double cell_m_;
-  std::int64_t nx_;
-  std::int64_t ny_;
-  std::vector<Cell> cells_;  // [y][x]
+  StandingZones zones_;
+  PlaneRaster raster_;
+  std::vector<CellState> cells_;
   std::vector<std::uint8_t>
       clearance_;  // cells in every direction that are open, 0 on a closed one, at most 255
 };

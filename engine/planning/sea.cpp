@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace floeplan::planning {
 namespace {
@@ -31,15 +32,34 @@ motion::EdgeAccuracy accuracy(const std::optional<PlaneCurrents>& currents, cons
   return result;
 }
 
+/// A glider comes to the surface between its dives.
+ZoneRules zone_rules(const ocean::Environment& environment, const PlanRequest& request) {
+  std::vector<ocean::Zone> zones = environment.zones;
+  zones.insert(zones.end(), request.zones.begin(), request.zones.end());
+  return sort_zones(zones, {core::Metres{0.0}, request.vehicle.dive_depth});
+}
+
 }  // namespace
 
 Sea::Sea(const ocean::Environment& environment, const PlanRequest& request,
          const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
          const std::stop_token& stop)
+    : Sea{environment, request, zone_rules(environment, request), projection, area, cell, stop} {}
+
+Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, ZoneRules zones,
+         const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
+         const std::stop_token& stop)
     : projection_{projection},
       area_{area},
       through_water_{request.vehicle.speed_through_water},
-      safety_{environment, request.vehicle.minimum_working_depth, projection, area, cell, stop},
+      safety_{environment,
+              request.vehicle.minimum_working_depth,
+              std::move(zones.standing),
+              projection,
+              area,
+              cell,
+              stop},
+      timed_zones_{zones.timed, projection, request.depart},
       icebergs_{environment.icebergs, request.iceberg_margin, projection},
       currents_{lay_out(environment, request, projection, area, stop)} {
   accuracy_ = accuracy(currents_, request);
@@ -87,8 +107,19 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
                                                               core::Seconds latest) const {
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
-  if (!currents_) return edge.ground_length / through_water_;
-  return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest);
+  const auto obey_zones = [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+    if (timed_zones_.forbid(edge, piece)) return motion::EdgeClosed::in_zone;
+    return std::nullopt;
+  };
+  if (!currents_) {
+    const core::Seconds time = edge.ground_length / through_water_;
+    if (timed_zones_.forbid(a, b, {depart, depart + time}))
+      return tl::unexpected(motion::EdgeClosed::in_zone);
+    return time;
+  }
+  if (timed_zones_.empty())
+    return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest);
+  return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest, obey_zones);
 }
 
 bool Sea::currents_known(geo::PlanePoint point, core::Seconds time) const {

@@ -11,6 +11,8 @@
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/plane_currents.hpp"
 #include "engine/planning/safety_map.hpp"
+#include "engine/planning/timed_zones.hpp"
+#include "engine/planning/zone_rules.hpp"
 
 namespace floeplan::planning {
 
@@ -24,7 +26,7 @@ class Sea {
       const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
       const std::stop_token& stop = {});
 
-  /// Why the straight leg is closed at any time, by depth, land or icebergs; empty when it is open.
+  /// Why the straight leg is closed at any time, by depth, land, standing zones or icebergs; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
   /// Travel time of a straight leg, or why it is closed; too_late when it would certainly end after `latest`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
@@ -41,10 +43,14 @@ class Sea {
   [[nodiscard]] const SafetyMap& safety() const { return safety_; }
   [[nodiscard]] SafetyMap& safety() { return safety_; }
   [[nodiscard]] const IcebergDiscs& icebergs() const { return icebergs_; }
+  [[nodiscard]] const TimedZones& timed_zones() const { return timed_zones_; }
   [[nodiscard]] const std::optional<PlaneCurrents>& currents() const { return currents_; }
   [[nodiscard]] core::Metres ground_length(geo::PlanePoint a, geo::PlanePoint b) const;
 
  private:
+  Sea(const ocean::Environment& environment, const PlanRequest& request, ZoneRules zones,
+      const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
+      const std::stop_token& stop);
   [[nodiscard]] double scale_at(geo::PlanePoint point) const;
 
   geo::LocalProjection projection_;
@@ -52,6 +58,7 @@ class Sea {
   core::MetresPerSecond through_water_;
   motion::EdgeAccuracy accuracy_;
   SafetyMap safety_;
+  TimedZones timed_zones_;
   IcebergDiscs icebergs_;
   std::optional<PlaneCurrents> currents_;  // empty: still water
   std::vector<double> scales_;             // of the projection, [y][x] on a coarse lattice over the area

@@ -1,5 +1,6 @@
 #include "engine/planning/straightening.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 
@@ -93,6 +94,29 @@ Route drop_to(const Sea& sea, const Route& route, core::Seconds depart, std::siz
     const Route before = result;
     erase(result, *cheapest);
     if (!arrivals_along(sea, result.points, depart)) return before;  // arriving later closed a leg further on
+  }
+  return result;
+}
+
+Route part_long_legs(const Sea& sea, const Route& route, core::Metres longest) {
+  Route result{{route.points.front()}, {route.fixed.front()}};
+  for (std::size_t i = 1; i < route.points.size(); ++i) {
+    const geo::PlanePoint from = route.points[i - 1];
+    const geo::PlanePoint to = route.points[i];
+    // The scale of the plane differs along a leg, so that equal parts are not quite equal on the ground.
+    int parts = std::max(1, static_cast<int>(std::ceil(sea.ground_length(from, to).value / longest.value)));
+    const auto at = [&](int part) {
+      const double share = static_cast<double>(part) / parts;
+      return geo::PlanePoint{from.x_m + share * (to.x_m - from.x_m), from.y_m + share * (to.y_m - from.y_m)};
+    };
+    const auto too_long = [&](int part) { return sea.ground_length(at(part - 1), at(part)) > longest; };
+    while (parts > 1 && (too_long(1) || too_long(parts))) ++parts;
+    for (int part = 1; part < parts; ++part) {
+      result.points.push_back(at(part));
+      result.fixed.push_back(false);
+    }
+    result.points.push_back(to);
+    result.fixed.push_back(route.fixed[i]);
   }
   return result;
 }

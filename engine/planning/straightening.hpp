@@ -25,4 +25,7 @@ struct Route {
 /// the route closing; fixed points stay. The arrival may become later.
 [[nodiscard]] Route drop_to(const Sea& sea, const Route& route, core::Seconds depart, std::size_t most);
 
+/// Parts every leg that is longer than `longest` into equal ones; the way is the same.
+[[nodiscard]] Route part_long_legs(const Sea& sea, const Route& route, core::Metres longest);
+
 }  // namespace floeplan::planning

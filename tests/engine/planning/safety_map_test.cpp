@@ -17,7 +17,7 @@ constexpr core::Metres cell{400.0};
 
 TEST(SafetyMap, IsOpenEverywhereWithoutData) {
   const ocean::Environment nothing;
-  const SafetyMap map{nothing, least_depth, projection, area, cell};
+  const SafetyMap map{nothing, least_depth, {}, projection, area, cell};
 
   EXPECT_FALSE(map.closed_between({-39'000.0, -39'000.0}, {39'000.0, 39'000.0}).has_value());
 }
@@ -27,7 +27,7 @@ TEST(SafetyMap, ClosesEveryLineThatPassesWaterTooShallow) {
       .bathymetry = support::bathymetry_from([](geo::LonLat p) {
         return 120.0 * (1.0 + std::sin(9.0 * p.lon_deg) * std::sin(20.0 * p.lat_deg)) - 10.0;
       })};
-  const SafetyMap map{environment, least_depth, projection, area, cell};
+  const SafetyMap map{environment, least_depth, {}, projection, area, cell};
 
   support::for_each_seed(300, [&](std::mt19937_64& rng) {
     std::uniform_real_distribution<double> coordinate{-38'000.0, 38'000.0};
@@ -53,7 +53,7 @@ TEST(SafetyMap, ClosesEveryLineThatPassesWaterTooShallow) {
 TEST(SafetyMap, ClosesAnIslandSmallerThanACell) {
   ocean::Environment environment;
   environment.land = {{.outer = {{-53.001, 69.0}, {-52.999, 69.0}, {-53.0, 69.0005}}, .holes = {}}};
-  const SafetyMap map{environment, least_depth, projection, area, core::Metres{1000.0}};
+  const SafetyMap map{environment, least_depth, {}, projection, area, core::Metres{1000.0}};
 
   EXPECT_EQ(map.closed_between({-5000.0, 10.0}, {5000.0, 10.0}), EdgeClosed::on_land);
   EXPECT_FALSE(map.closed_between({-5000.0, 3000.0}, {5000.0, 3000.0}).has_value());
@@ -63,7 +63,7 @@ TEST(SafetyMap, LeavesALakeInAnIslandOpen) {
   ocean::Environment environment;
   environment.land = {{.outer = {{-53.4, 68.85}, {-52.6, 68.85}, {-52.6, 69.15}, {-53.4, 69.15}},
                        .holes = {{{-53.2, 68.95}, {-52.8, 68.95}, {-52.8, 69.05}, {-53.2, 69.05}}}}};
-  const SafetyMap map{environment, least_depth, projection, area, cell};
+  const SafetyMap map{environment, least_depth, {}, projection, area, cell};
 
   EXPECT_FALSE(map.closed_between({-2000.0, 0.0}, {2000.0, 0.0}).has_value());
   EXPECT_EQ(map.closed_between({0.0, 0.0}, {0.0, 12'000.0}), EdgeClosed::on_land);
@@ -75,7 +75,7 @@ TEST(SafetyMap, IsClosedBeyondTheBathymetry) {
   const ocean::Environment environment{.bathymetry =
                                            support::bathymetry_from([](geo::LonLat) { return 300.0; })};
   const geo::LocalProjection at_edge{{-50.2, 69.0}};
-  const SafetyMap map{environment, least_depth, at_edge, area, cell};
+  const SafetyMap map{environment, least_depth, {}, at_edge, area, cell};
 
   EXPECT_FALSE(map.closed_between({-5000.0, 0.0}, {0.0, 0.0}).has_value());
   EXPECT_EQ(map.closed_between({0.0, 0.0}, {20'000.0, 0.0}), EdgeClosed::outside_data);
@@ -84,7 +84,7 @@ TEST(SafetyMap, IsClosedBeyondTheBathymetry) {
 TEST(SafetyMap, OpensTheCellOfAPlaceThatIsOpenItself) {
   ocean::Environment environment;
   environment.land = {{.outer = {{-53.01, 69.002}, {-52.99, 69.002}, {-53.0, 69.02}}, .holes = {}}};
-  SafetyMap map{environment, least_depth, projection, area, core::Metres{1000.0}};
+  SafetyMap map{environment, least_depth, {}, projection, area, core::Metres{1000.0}};
   const geo::PlanePoint start{100.0, 50.0};
   ASSERT_TRUE(map.closed_between(start, start).has_value());
   ASSERT_FALSE(map.closed_at(projection.to_lon_lat(start)).has_value());

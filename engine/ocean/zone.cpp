@@ -1,0 +1,53 @@
+#include "engine/ocean/zone.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+namespace floeplan::ocean {
+
+core::Violations Zone::violations() const {
+  core::Violations found;
+  const auto require = [&](bool holds, const char* field, const char* rule) {
+    if (!holds) found.push_back({field, rule});
+  };
+  const auto is_ring = [](const geo::Ring& ring) {
+    return ring.size() >= 3 && std::ranges::all_of(ring, geo::is_valid);
+  };
+  require(is_ring(area.outer) && std::ranges::all_of(area.holes, is_ring), "/area",
+          "must be a polygon of rings of at least three places, longitude first");
+  const auto finite = [](const std::optional<core::UtcTime>& time) {
+    return !time || std::isfinite(core::unix_seconds(*time));
+  };
+  require(finite(from), "/from", "must be a time");
+  require(finite(until), "/until", "must be a time");
+  require(!from || !until || *from <= *until, "/until", "must not be before \"from\"");
+  require(std::isfinite(top.value) && top.value >= 0.0, "/top_m", "must be a depth of at least 0 m");
+  require(bottom.value >= top.value, "/bottom_m", "must not be above \"top_m\"");
+  return found;
+}
+
+bool concerns(const Zone& zone, core::Metres shallowest, core::Metres deepest) {
+  return zone.kind == ZoneKind::stay_in || (zone.top <= deepest && zone.bottom >= shallowest);
+}
+
+bool holds_depths(const Zone& zone, core::Metres shallowest, core::Metres deepest) {
+  return zone.top <= shallowest && zone.bottom >= deepest;
+}
+
+std::string zone_kind_name(ZoneKind kind) {
+  switch (kind) {
+    case ZoneKind::no_go: return "no_go";
+    case ZoneKind::stay_in: return "stay_in";
+  }
+  throw std::logic_error{"ZoneKind without a name"};
+}
+
+std::optional<ZoneKind> parse_zone_kind(const std::string& name) {
+  for (const ZoneKind kind : {ZoneKind::no_go, ZoneKind::stay_in}) {
+    if (name == zone_kind_name(kind)) return kind;
+  }
+  return std::nullopt;
+}
+
+}  // namespace floeplan::ocean

@@ -1,0 +1,199 @@
+#include <gtest/gtest.h>
+
+#include "engine/geo/geodesic.hpp"
+#include "engine/planning/plan_route.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using ocean::Zone;
+using ocean::ZoneKind;
+using support::eastward_request;
+
+geo::Polygon box(double west, double south, double east, double north) {
+  return {.outer = {{west, south}, {east, south}, {east, north}, {west, north}}, .holes = {}};
+}
+
+Zone no_go(geo::Polygon area) {
+  return {.name = "", .kind = ZoneKind::no_go, .area = std::move(area), .from = {}, .until = {}};
+}
+Zone stay_in(geo::Polygon area) {
+  return {.name = "", .kind = ZoneKind::stay_in, .area = std::move(area), .from = {}, .until = {}};
+}
+
+Result<Plan> plan(const PlanRequest& request, const ocean::Environment& environment = {}) {
+  return plan_route(environment, request, {}, {});
+}
+
+/// Whether any of many points of the plan's legs lies in the area, some room inside its border left out.
+bool enters(const Plan& found, const geo::Polygon& area) {
+  for (std::size_t i = 1; i < found.waypoints.size(); ++i) {
+    const geo::LonLat a = found.waypoints[i - 1].place;
+    const geo::LonLat b = found.waypoints[i].place;
+    for (int k = 0; k <= 400; ++k) {
+      const double share = k / 400.0;
+      const geo::LonLat here{a.lon_deg + share * (b.lon_deg - a.lon_deg),
+                             a.lat_deg + share * (b.lat_deg - a.lat_deg)};
+      if (geo::contains(area, here)) return true;
+    }
+  }
+  return false;
+}
+
+/// A wall across the straight way with its ends well inside the grid.
+geo::Polygon wall(const PlanRequest& request) {
+  const double middle = 0.5 * (request.from.lon_deg + request.to.lon_deg);
+  return box(middle - 0.02, request.from.lat_deg - 0.05, middle + 0.02, request.from.lat_deg + 0.09);
+}
+
+TEST(PlanZones, GoRoundAnAreaThatIsClosed) {
+  PlanRequest request = eastward_request();
+  const auto straight = plan(request);
+  const geo::Polygon closed = wall(request);
+  request.zones = {no_go(closed)};
+
+  const auto found = plan(request);
+
+  ASSERT_TRUE(straight && found);
+  EXPECT_TRUE(enters(*straight, closed));
+  EXPECT_FALSE(enters(*found, closed));
+  EXPECT_GT(found->arrival, straight->arrival);
+}
+
+TEST(PlanZones, ObeyZonesOfTheEnvironmentAsThoseOfTheRequest) {
+  PlanRequest request = eastward_request();
+  const Zone closed = no_go(wall(request));
+  ocean::Environment environment;
+  environment.zones = {closed};
+
+  const auto by_environment = plan(request, environment);
+  request.zones = {closed};
+  const auto by_request = plan(request);
+
+  ASSERT_TRUE(by_environment && by_request);
+  EXPECT_EQ(by_environment->arrival, by_request->arrival);
+}
+
+TEST(PlanZones, PassUnderAnAreaThatIsClosedOnlyBelowTheDive) {
+  PlanRequest request = eastward_request();
+  const auto straight = plan(request);
+  Zone deep = no_go(wall(request));
+  deep.top = core::Metres{request.vehicle.dive_depth.value + 1.0};
+  request.zones = {deep};
+
+  const auto found = plan(request);
+
+  ASSERT_TRUE(straight && found);
+  EXPECT_EQ(found->arrival, straight->arrival);
+}
+
+TEST(PlanZones, CrossAnAreaOutsideItsTimeAndGoRoundItWithin) {
+  PlanRequest request = eastward_request();
+  const auto straight = plan(request);
+  ASSERT_TRUE(straight.has_value());
+  Zone timed = no_go(wall(request));
+
+  timed.from = request.depart;
+  timed.until = straight->arrival;
+  request.zones = {timed};
+  const auto while_closed = plan(request);
+
+  timed.from = straight->arrival;
+  timed.until.reset();
+  request.zones = {timed};
+  const auto before_it_closes = plan(request);
+
+  ASSERT_TRUE(while_closed && before_it_closes);
+  EXPECT_FALSE(enters(*while_closed, timed.area));
+  EXPECT_EQ(before_it_closes->arrival, straight->arrival);
+}
+
+TEST(PlanZones, KeepTheWayInsideAnAreaToStayIn) {
+  PlanRequest request = eastward_request();
+  const double middle = 0.5 * (request.from.lon_deg + request.to.lon_deg);
+  // A horseshoe: from the start up, across and down to the goal.
+  const double south = request.from.lat_deg - 0.02;
+  const double north = request.from.lat_deg + 0.12;
+  geo::Polygon horseshoe = box(request.from.lon_deg - 0.1, south, request.to.lon_deg + 0.1, north);
+  horseshoe.holes = {{{middle - 0.05, south},
+                      {middle + 0.05, south},
+                      {middle + 0.05, north - 0.05},
+                      {middle - 0.05, north - 0.05}}};
+  request.zones = {stay_in(horseshoe)};
+
+  const auto found = plan(request);
+
+  ASSERT_TRUE(found.has_value());
+  for (const Waypoint& waypoint : found->waypoints) EXPECT_TRUE(geo::contains(horseshoe, waypoint.place));
+  EXPECT_FALSE(enters(*found, {.outer = horseshoe.holes.front(), .holes = {}}));
+}
+
+TEST(PlanZones, RefuseAStartThatIsNotAllowedAndSayWhere) {
+  PlanRequest request = eastward_request();
+  request.zones = {no_go(box(request.from.lon_deg - 0.01, request.from.lat_deg - 0.01,
+                             request.from.lon_deg + 0.01, request.from.lat_deg + 0.01))};
+  const auto in_closed_area = plan(request);
+
+  request.zones = {stay_in(box(request.from.lon_deg - 0.3, request.from.lat_deg - 0.1,
+                               request.to.lon_deg - 0.05, request.to.lat_deg + 0.1))};
+  const auto goal_outside = plan(request);
+
+  request.zones.front().from = request.depart;
+  request.zones.front().area = box(10.0, 10.0, 11.0, 11.0);
+  const auto start_outside_now = plan(request);
+
+  ASSERT_FALSE(in_closed_area || goal_outside || start_outside_now);
+  EXPECT_EQ(in_closed_area.error().reason, Reason::start_in_zone);
+  EXPECT_EQ(goal_outside.error().reason, Reason::goal_in_zone);
+  EXPECT_EQ(start_outside_now.error().reason, Reason::start_in_zone);
+}
+
+TEST(PlanZones, LeaveNoRoomInAnAreaToStayInThatIsTooShallowForTheDive) {
+  PlanRequest request = eastward_request();
+  Zone shallow = stay_in(box(-56.0, 67.5, -50.0, 70.5));
+  shallow.bottom = core::Metres{request.vehicle.dive_depth.value - 1.0};
+  request.zones = {shallow};
+
+  const auto found = plan(request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::start_in_zone);
+}
+
+TEST(PlanZones, AreNamedWithEveryFault) {
+  PlanRequest request = eastward_request();
+  Zone broken = no_go({.outer = {{0.0, 0.0}, {1.0, 95.0}}, .holes = {}});
+  broken.from = request.depart;
+  broken.until = request.depart - core::Seconds{1.0};
+  broken.top = core::Metres{30.0};
+  broken.bottom = core::Metres{20.0};
+  request.zones = {no_go(box(0.0, 0.0, 1.0, 1.0)), broken};
+
+  const core::Violations found = request.violations();
+
+  ASSERT_EQ(found.size(), 3U);
+  EXPECT_EQ(found[0].field, "/zones/1/area");
+  EXPECT_EQ(found[1].field, "/zones/1/until");
+  EXPECT_EQ(found[2].field, "/zones/1/bottom_m");
+}
+
+TEST(PlanLegs, AreNoLongerThanAskedForAndTheWayStaysTheSame) {
+  PlanRequest request = eastward_request();
+  const auto whole = plan(request);
+  request.max_leg = core::Metres{3000.0};
+
+  const auto parted = plan(request);
+
+  ASSERT_TRUE(whole && parted);
+  for (std::size_t i = 1; i < parted->waypoints.size(); ++i) {
+    EXPECT_LE(parted->waypoints[i].leg_length->value, 3000.0 * (1.0 + 1e-6));
+  }
+  EXPECT_NEAR(parted->travel_time().count(), whole->travel_time().count(),
+              1e-4 * whole->travel_time().count());
+  EXPECT_EQ(parted->waypoints.size(),
+            static_cast<std::size_t>(std::ceil(whole->distance.value / 3000.0)) + 1);
+}
+
+}  // namespace
+}  // namespace floeplan::planning
