@@ -2,6 +2,7 @@
 
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
@@ -14,6 +15,12 @@ namespace floeplan::ocean {
 ///         large 121-200 m, very large > 200 m
 enum class IcebergSize { growler, bergy_bit, small, medium, large, very_large, unknown, radar_target };
 
+/// Where an iceberg was, and when.
+struct IcebergFix {
+  geo::LonLat place;
+  core::UtcTime time;
+};
+
 /// One sighting of an iceberg.
 struct Iceberg {
   std::string id;  // the berg's name or number in its source; sightings of one berg share it
@@ -23,8 +30,9 @@ struct Iceberg {
   std::optional<core::Metres> length;                // at the waterline, where the source states it
   std::optional<core::Metres> draft;                 // where the source states it
   std::optional<core::Metres> position_uncertainty;  // where the source states it
-  std::string shape;   // the source's own code ("TAB", "DOM"), empty when not given
-  std::string method;  // how it was seen ("R/V", "SAT-HIGH"), empty when not given
+  std::string shape;                  // the source's own code ("TAB", "DOM"), empty when not given
+  std::string method;                 // how it was seen ("R/V", "SAT-HIGH"), empty when not given
+  std::vector<IcebergFix> earlier{};  // sightings of the same berg before this one, oldest first
 };
 
 /// Length to keep clear of: the stated one, else the upper end of the size class. A size that is not known

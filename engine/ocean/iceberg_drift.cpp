@@ -1,0 +1,134 @@
+#include "engine/ocean/iceberg_drift.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <ranges>
+
+#include "engine/geo/geodesic.hpp"
+#include "engine/ocean/iceberg_draft.hpp"
+
+namespace floeplan::ocean {
+namespace {
+
+constexpr core::Seconds hour{3600.0};
+/// The weather that pushed a berg aside does not last much longer.
+constexpr core::Seconds fading{24.0 * 3600.0};
+/// Sightings closer in time tell more of their errors (kilometres) than of the drift, those further apart more of
+/// past weather than of the next day's.
+constexpr core::Seconds shortest_observation{6.0 * 3600.0};
+constexpr core::Seconds longest_observation{72.0 * 3600.0};
+/// Faster than any current: two bergs under one name.
+constexpr core::MetresPerSecond fastest_drift{2.0};
+
+geo::VelocityEn mean_velocity(const IcebergFix& from, const IcebergFix& to) {
+  const geo::GeodesicLine line = geo::geodesic_between(from.place, to.place);
+  const core::MetresPerSecond speed{line.length.value / (to.time - from.time).count()};
+  return {line.course_at_start.east() * speed, line.course_at_start.north() * speed};
+}
+
+geo::LonLat moved(geo::LonLat from, geo::VelocityEn velocity, core::Seconds duration) {
+  const core::Metres distance{geo::strength(velocity).value * duration.count()};
+  return geo::geodesic_destination(from, geo::Bearing::towards(velocity.east.value, velocity.north.value),
+                                   distance);
+}
+
+/// What moves one iceberg.
+class Drift {
+ public:
+  Drift(const Iceberg& iceberg, const Environment& environment)
+      : environment_{environment},
+        draft_{drift_draft(iceberg)},
+        last_{iceberg.place, iceberg.observed},
+        observed_{observe(iceberg)} {
+    if (observed_) besides_current_ = besides_current(*observed_from_);
+  }
+
+  [[nodiscard]] geo::VelocityEn velocity(const IcebergFix& at) const {
+    const auto current = over_draft(at);
+    if (!current) return observed_.value_or(geo::VelocityEn{});
+    const double left = std::exp(-((at.time - last_.time) / fading));
+    return {current->east + left * besides_current_.east, current->north + left * besides_current_.north};
+  }
+
+  [[nodiscard]] bool is_aground(geo::LonLat place) const {
+    if (!environment_.bathymetry) return false;
+    const auto bed = environment_.bathymetry->depth(place);
+    return bed && *bed <= draft_;
+  }
+
+ private:
+  std::optional<geo::VelocityEn> observe(const Iceberg& iceberg) {
+    for (const IcebergFix& fix : std::views::reverse(iceberg.earlier)) {
+      const core::Seconds span = last_.time - fix.time;
+      if (span < shortest_observation) continue;
+      if (span > longest_observation) return std::nullopt;
+      const geo::VelocityEn velocity = mean_velocity(fix, last_);
+      if (geo::strength(velocity) > fastest_drift) return std::nullopt;
+      observed_from_ = fix;
+      return velocity;
+    }
+    return std::nullopt;
+  }
+
+  /// The current's mean over the draft; empty where or when it is not known.
+  [[nodiscard]] std::optional<geo::VelocityEn> over_draft(const IcebergFix& at) const {
+    if (!environment_.currents) return std::nullopt;
+    const CurrentGrid& currents = *environment_.currents;
+    if (environment_.steady_currents) return currents.depth_average(at.place, draft_, 0);
+    const auto when = currents.samples().times_s.locate(core::unix_seconds(at.time));
+    if (!when) return std::nullopt;
+    const auto before = currents.depth_average(at.place, draft_, when->lower);
+    if (!before || when->fraction == 0.0) return before;
+    const auto after = currents.depth_average(at.place, draft_, when->upper);
+    if (!after) return std::nullopt;
+    return geo::VelocityEn{before->east + when->fraction * (after->east - before->east),
+                           before->north + when->fraction * (after->north - before->north)};
+  }
+
+  /// The observed drift without the part of the current, zero where the current is not known all the way.
+  [[nodiscard]] geo::VelocityEn besides_current(const IcebergFix& from) const {
+    const core::Seconds span = last_.time - from.time;
+    const int samples = static_cast<int>(std::ceil(span / hour));
+    const core::Seconds step = span / samples;
+    geo::VelocityEn sum{};
+    for (int i = 0; i < samples; ++i) {
+      const core::Seconds elapsed = (i + 0.5) * step;
+      const auto current = over_draft({moved(from.place, *observed_, elapsed), from.time + elapsed});
+      if (!current) return {};
+      sum = {sum.east + current->east, sum.north + current->north};
+    }
+    const double share = 1.0 / samples;
+    return {observed_->east - share * sum.east, observed_->north - share * sum.north};
+  }
+
+  const Environment& environment_;
+  core::Metres draft_;
+  IcebergFix last_;
+  std::optional<IcebergFix> observed_from_;
+  std::optional<geo::VelocityEn> observed_;
+  geo::VelocityEn besides_current_{};
+};
+
+}  // namespace
+
+std::vector<IcebergFix> forecast_drift(const Iceberg& iceberg, const Environment& environment,
+                                       core::UtcTime until, const std::stop_token& stop) {
+  const Drift drift{iceberg, environment};
+  std::vector<IcebergFix> fixes{{iceberg.place, iceberg.observed}};
+  while (fixes.back().time < until && !stop.stop_requested()) {
+    const IcebergFix& at = fixes.back();
+    const IcebergFix middle{moved(at.place, drift.velocity(at), 0.5 * hour), at.time + 0.5 * hour};
+    const geo::LonLat next = moved(at.place, drift.velocity(middle), hour);
+    fixes.push_back({drift.is_aground(next) ? at.place : next, at.time + hour});
+  }
+  return fixes;
+}
+
+core::Metres expected_error(const Iceberg& iceberg, core::UtcTime time) {
+  const double stated_m = iceberg.position_uncertainty.value_or(core::Metres{0.0}).value;
+  const core::Seconds age = time - iceberg.observed;
+  return {stated_m + error_growth.value * std::abs(age.count())};
+}
+
+}  // namespace floeplan::ocean
