@@ -29,4 +29,11 @@ std::string packed_degrees(double angle_deg) {
   return text.data();
 }
 
+UnpackedAngle unpack_degrees(double packed) {
+  const double size = std::abs(packed);
+  const double degrees = std::floor(size / 100.0);
+  const double minutes = size - 100.0 * degrees;
+  return {std::copysign(degrees + minutes / 60.0, packed), minutes >= 60.0};
+}
+
 }  // namespace floeplan::mission

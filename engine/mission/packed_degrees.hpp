@@ -11,4 +11,13 @@ namespace floeplan::mission {
 /// Errors   std::invalid_argument unless `angle_deg` is finite and within [-180, 180]
 [[nodiscard]] std::string packed_degrees(double angle_deg);
 
+/// A packed angle that was read.
+struct UnpackedAngle {
+  double degrees{};
+  bool sixty_minutes{};  // the minutes were 60 or more: defined, yet no writer should produce it
+};
+
+/// The angle of a packed number; the sign belongs to all of it, so -30.5 is half a degree and a bit west.
+[[nodiscard]] UnpackedAngle unpack_degrees(double packed);
+
 }  // namespace floeplan::mission

@@ -1,0 +1,103 @@
+#include "engine/mission/argument_rules.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/mission/behavior_table.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+constexpr int largest_file_number = 99;  // names are 8.3, so two digits are left for the number
+
+void report(Messages& messages, int line, Severity severity, const char* code, std::string text) {
+  messages.push_back({line, severity, code, std::move(text)});
+}
+
+void check_unknown(const Behavior& behavior, const BehaviorRule& rule, const Argument& argument,
+                   Messages& messages) {
+  if (!rule.complete) return;
+  if (const BehaviorRule* owner = sole_owner(argument.name)) {
+    report(messages, argument.line, Severity::warning, "b_arg_of_another_behavior",
+           argument.name + " is an argument of " + std::string{owner->name} + ", not of " + behavior.name);
+    return;
+  }
+  report(messages, argument.line, Severity::note, "unknown_b_arg",
+         argument.name + " is not among the arguments of " + behavior.name + " in firmware 10.5");
+}
+
+void check_known(const Argument& argument, const ArgumentRule& rule, Messages& messages) {
+  if (!argument.unit.empty() && argument.unit != rule.unit) {
+    report(messages, argument.line, Severity::note, "unit_differs",
+           "the dictionary writes " + argument.name + "(" + std::string{rule.unit} + ")");
+  }
+  if (argument.value >= first_mission_parameter) {
+    report(messages, argument.line, Severity::note, "mission_parameter",
+           argument.name + " names a mission parameter of back-seat firmware");
+    return;
+  }
+  const bool below = rule.least && argument.value < *rule.least;
+  const bool above = rule.most && argument.value > *rule.most;
+  if (below || above) {
+    report(messages, argument.line, Severity::note, "value_out_of_dictionary_range",
+           argument.name + " " + argument.raw + " lies outside of the dictionary's range");
+  }
+}
+
+void check_file_number(const Behavior& behavior, const Argument& argument, Messages& messages) {
+  if (argument.value != std::floor(argument.value) || argument.value < -1.0) {
+    report(messages, argument.line, Severity::warning, "bad_file_number",
+           "args_from_file must be a whole number, or -1 for none");
+  } else if (argument.value > largest_file_number) {
+    report(messages, argument.line, Severity::warning, "file_number_above_99",
+           "args_from_file above 99 gives a file name of more than eight characters");
+  } else if ((behavior.name == "goto_list" && argument.value >= 98.0) ||
+             (behavior.name == "yo" && argument.value == 99.0)) {
+    report(messages, argument.line, Severity::note, "file_number_of_firmware",
+           "the firmware's recovery under ice uses goto_l98, goto_l99 and yo99 itself");
+  }
+}
+
+}  // namespace
+
+void check_duplicates(const std::vector<Argument>& settings, bool conflicts, Messages& messages) {
+  std::map<std::string_view, const Argument*> seen;
+  for (const Argument& setting : settings) {
+    const auto [first, fresh] = seen.emplace(setting.name, &setting);
+    if (fresh) continue;
+    const bool equal = first->second->value == setting.value;
+    const Severity of_equal = conflicts ? Severity::warning : Severity::note;
+    report(messages, setting.line, equal || !conflicts ? of_equal : Severity::error,
+           conflicts ? "duplicate_b_arg" : "duplicate_sensor",
+           setting.name + " is given again, first in line " + std::to_string(first->second->line) +
+               (equal ? ", with the same value" : ", with another value; nobody knows which one counts"));
+  }
+}
+
+void check_arguments(const Behavior& behavior, Messages& messages) {
+  check_duplicates(behavior.arguments, true, messages);
+  const BehaviorRule* rule = find_behavior(behavior.name);
+  if (rule == nullptr) {
+    if (!behavior.name.empty()) {
+      report(messages, behavior.line, Severity::note, "unknown_behavior",
+             "firmware 10.5 has no behavior " + behavior.name +
+                 "; firmware before 10.04 crashes on unknown ones");
+    }
+    return;
+  }
+  if (behavior.name != behavior.written) {
+    report(messages, behavior.line, Severity::note, "capital_letters",
+           "the dictionary writes " + behavior.name + ", not " + behavior.written);
+  }
+  for (const Argument& argument : behavior.arguments) {
+    if (argument.name == "args_from_file") check_file_number(behavior, argument, messages);
+    if (const ArgumentRule* known = rule->find(argument.name)) {
+      check_known(argument, *known, messages);
+    } else {
+      check_unknown(behavior, *rule, argument, messages);
+    }
+  }
+}
+
+}  // namespace floeplan::mission

@@ -1,0 +1,73 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/geo/lon_lat.hpp"
+#include "engine/mission/message.hpp"
+
+namespace floeplan::mission {
+
+/// A mission (`.mi`) lists behaviors; an argument file (`.ma`) holds the arguments of one.
+enum class DocumentKind { mission, arguments };
+
+/// A b_arg or a sensor setting, as `name(unit) value`.
+struct Argument {
+  std::string name;
+  std::string unit;
+  std::string raw;  // the value as it was written
+  double value{};
+  int line{};
+};
+
+struct WaypointRow {
+  std::string lon_raw;
+  std::string lat_raw;
+  geo::LonLat place;
+  int line{};
+};
+
+struct Behavior {
+  std::string name;     // lower case, as the firmware's dictionary has it
+  std::string written;  // as the file has it
+  int line{};
+  std::vector<Argument> arguments;
+
+  /// The first of that name; nothing when there is none.
+  [[nodiscard]] const Argument* find(std::string_view argument_name) const;
+};
+
+/// A line of the file, kept so that it can be written again.
+struct SourceLine {
+  std::string content;  // what the vehicle reads, with blanks as this program writes them; often empty
+  std::string comment;  // from its '#', UTF-8
+};
+
+/// How the bytes were laid out.
+struct FileFormat {
+  std::size_t bytes{};
+  std::string encoding;      // "ascii", "utf-8" or "iso-8859-1"
+  std::string line_endings;  // "LF", "CRLF", "CR", "CRLF+LF", "mixed" or "none"
+  bool ends_with_newline{};
+};
+
+/// A mission file as it was understood, with all that was noticed. Only a document whose verdict is not
+/// `reject` may be used for anything but showing it.
+struct Document {
+  std::string name;  // of the file, without its folder
+  DocumentKind kind{};
+  FileFormat format;
+  std::vector<Argument> sensors;
+  std::vector<Behavior>
+      behaviors;  // in order of priority; of an argument file exactly one, or none if broken
+  std::vector<WaypointRow> waypoints;     // rows of a list, or places given inline by longitude and latitude
+  std::optional<int> waypoints_declared;  // num_waypoints of a list
+  std::vector<SourceLine> lines;
+  Messages messages;  // by line
+
+  [[nodiscard]] Verdict verdict() const { return verdict_of(messages); }
+};
+
+}  // namespace floeplan::mission

@@ -1,0 +1,17 @@
+#pragma once
+
+#include "engine/mission/document.hpp"
+
+namespace floeplan::mission {
+
+/// Judges a goto_list that has its rows in the same file.
+void check_list(const Behavior& list, const std::vector<WaypointRow>& rows, Messages& messages);
+
+/// Judges a goto_list of a mission, which has its rows inline or in another file.
+void check_inline_list(const Behavior& list, Messages& messages);
+
+/// The places that a goto_list or goto_wpt of a mission gives inline by longitude and latitude; what is given in
+/// local metres or UTM is left out, with a note.
+[[nodiscard]] std::vector<WaypointRow> inline_waypoints(const Behavior& behavior, Messages& messages);
+
+}  // namespace floeplan::mission
