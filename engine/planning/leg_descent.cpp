@@ -1,0 +1,237 @@
+#include "engine/planning/leg_descent.hpp"
+
+#include <cmath>
+
+namespace floeplan::planning {
+namespace {
+
+constexpr int most_iterations = 40;
+constexpr double converged = 1e-9;
+/// A gain this small may drown in the errors of the legs' times; then the way is as good as can be told.
+constexpr double drowned = 1e-7;
+/// Of a leg, for difference quotients: small beside the bends of a way, large beside the errors of its time.
+constexpr double difference_step = 0.02;
+constexpr double least_step = 1e-3;  // share of Newton's step that is still tried
+// Levenberg's weight, in units of the stiffness of a straight leg: least, factor, and when to give up.
+constexpr double least_weight = 1e-4;
+constexpr double weight_factor = 8.0;
+constexpr double most_weight = 1e6;
+
+/// Slopes and bends of a leg's end time over the offsets a and b of its two ends and its departure t.
+struct LegSlopes {
+  double a{}, b{}, t{};
+  double aa{}, ab{}, bb{}, at{}, bt{}, tt{};
+};
+
+/// Quadratic model of the arrival at the goal over the offset q of a point and the time t there.
+struct ArrivalModel {
+  double q{}, t{1.0};
+  double qq{}, qt{}, tt{};
+};
+
+/// How a point's offset shall follow from the offset before it and the time there.
+struct Policy {
+  double constant{};
+  double by_offset{};
+  double by_time{};
+};
+
+struct Policies {
+  std::vector<Policy> of_point;
+  double gain{};  // by the model, for the full step
+};
+
+geo::PlanePoint unit_across(geo::PlanePoint from, geo::PlanePoint to) {
+  const double length = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
+  if (!(length > 0.0)) return {0.0, 1.0};
+  return {-(to.y_m - from.y_m) / length, (to.x_m - from.x_m) / length};
+}
+
+/// The route with its directions across and the derivatives of its legs.
+class Neighbourhood {
+ public:
+  Neighbourhood(const TimedRoute& route, const LegTime& leg_time) : route_{route}, leg_time_{leg_time} {
+    const auto& points = route.points;
+    across_.assign(points.size(), {});
+    for (std::size_t i = 1; i + 1 < points.size(); ++i) {
+      across_[i] = unit_across(points[i - 1], points[i + 1]);
+    }
+  }
+
+  [[nodiscard]] std::size_t legs() const { return route_.points.size() - 1; }
+  [[nodiscard]] geo::PlanePoint moved(std::size_t point, double offset) const {
+    return {route_.points[point].x_m + offset * across_[point].x_m,
+            route_.points[point].y_m + offset * across_[point].y_m};
+  }
+  [[nodiscard]] double length(std::size_t leg) const {
+    return std::hypot(route_.points[leg + 1].x_m - route_.points[leg].x_m,
+                      route_.points[leg + 1].y_m - route_.points[leg].y_m);
+  }
+  [[nodiscard]] double duration(std::size_t leg) const {
+    return (route_.times[leg + 1] - route_.times[leg]).count();
+  }
+
+  /// By difference quotients; empty where a neighbour of the leg cannot be travelled.
+  [[nodiscard]] std::optional<LegSlopes> slopes(std::size_t leg) const {
+    const double h = difference_step * length(leg);
+    const double s = difference_step * duration(leg);
+    bool open = true;
+    const auto end = [&](int a, int b, int t) {
+      const core::Seconds depart = route_.times[leg] + core::Seconds{s * t};
+      const auto time = leg_time_(moved(leg, h * a), moved(leg + 1, h * b), depart);
+      open = open && time.has_value();
+      return time ? (depart + *time - route_.times[leg]).count() : 0.0;
+    };
+    const double here = end(0, 0, 0);
+    const double a_up = end(1, 0, 0), a_down = end(-1, 0, 0);
+    const double b_up = end(0, 1, 0), b_down = end(0, -1, 0);
+    const double t_up = end(0, 0, 1), t_down = end(0, 0, -1);
+    const auto mixed = [&](double up, double down, double own_1, double own_2) {
+      return up + down + 2.0 * here - own_1 - own_2;
+    };
+    const LegSlopes result{
+        .a = (a_up - a_down) / (2.0 * h),
+        .b = (b_up - b_down) / (2.0 * h),
+        .t = (t_up - t_down) / (2.0 * s),
+        .aa = (a_up + a_down - 2.0 * here) / (h * h),
+        .ab = mixed(end(1, 1, 0), end(-1, -1, 0), a_up + a_down, b_up + b_down) / (2.0 * h * h),
+        .bb = (b_up + b_down - 2.0 * here) / (h * h),
+        .at = mixed(end(1, 0, 1), end(-1, 0, -1), a_up + a_down, t_up + t_down) / (2.0 * h * s),
+        .bt = mixed(end(0, 1, 1), end(0, -1, -1), b_up + b_down, t_up + t_down) / (2.0 * h * s),
+        .tt = (t_up + t_down - 2.0 * here) / (s * s)};
+    if (!open) return std::nullopt;
+    return result;
+  }
+
+  /// Follows the policies, `share` of their constant part.
+  [[nodiscard]] std::optional<TimedRoute> follow(const std::vector<Policy>& policies, double share) const {
+    TimedRoute next{.points = {route_.points.front()}, .times = {route_.times.front()}};
+    double offset = 0.0;
+    for (std::size_t i = 1; i < route_.points.size(); ++i) {
+      const double late = (next.times.back() - route_.times[i - 1]).count();
+      const Policy& policy = policies[i];
+      offset = share * policy.constant + policy.by_offset * offset + policy.by_time * late;
+      if (!std::isfinite(offset)) return std::nullopt;
+      const geo::PlanePoint point = moved(i, offset);
+      const auto time = leg_time_(next.points.back(), point, next.times.back());
+      if (!time) return std::nullopt;
+      next.points.push_back(point);
+      next.times.push_back(next.times.back() + *time);
+    }
+    return next;
+  }
+
+ private:
+  const TimedRoute& route_;
+  const LegTime& leg_time_;
+  std::vector<geo::PlanePoint> across_;  // nothing at the ends, which stay
+};
+
+/// Backwards from the goal: the best offset of every point for each state before it; empty when the model has
+/// no minimum with this weight.
+std::optional<Policies> best_policies(const Neighbourhood& near, const std::vector<LegSlopes>& slopes,
+                                      double weight) {
+  Policies result{.of_point = std::vector<Policy>(slopes.size() + 1)};
+  ArrivalModel after;  // of the leg's end
+  for (std::size_t leg = slopes.size(); leg-- > 0;) {
+    const LegSlopes& f = slopes[leg];
+    ArrivalModel here{.q = after.t * f.a,
+                      .t = after.t * f.t,
+                      .qq = after.tt * f.a * f.a + after.t * f.aa,
+                      .qt = after.tt * f.a * f.t + after.t * f.at,
+                      .tt = after.tt * f.t * f.t + after.t * f.tt};
+    if (leg + 1 < slopes.size()) {
+      const double stiffness = near.duration(leg) / (near.length(leg) * near.length(leg));
+      const double slope = after.q + after.t * f.b;
+      const double bend = after.qq + 2.0 * after.qt * f.b + after.tt * f.b * f.b + after.t * f.bb +
+                          weight * after.t * stiffness;
+      const double with_offset = after.qt * f.a + after.tt * f.a * f.b + after.t * f.ab;
+      const double with_time = after.qt * f.t + after.tt * f.b * f.t + after.t * f.bt;
+      if (!(bend > 0.0)) return std::nullopt;
+      result.of_point[leg + 1] = {-slope / bend, -with_offset / bend, -with_time / bend};
+      result.gain += 0.5 * slope * slope / bend;
+      here.q -= with_offset * slope / bend;
+      here.t -= with_time * slope / bend;
+      here.qq -= with_offset * with_offset / bend;
+      here.qt -= with_offset * with_time / bend;
+      here.tt -= with_time * with_time / bend;
+    }
+    after = here;
+  }
+  return result;
+}
+
+std::optional<std::vector<LegSlopes>> all_slopes(const Neighbourhood& near) {
+  std::vector<LegSlopes> slopes;
+  for (std::size_t leg = 0; leg < near.legs(); ++leg) {
+    const auto of_leg = near.slopes(leg);
+    if (!of_leg) return std::nullopt;
+    slopes.push_back(*of_leg);
+  }
+  return slopes;
+}
+
+/// The first shorter route on the way to what the policies aim at.
+std::optional<TimedRoute> shorter_route(const Neighbourhood& near, const Policies& policies,
+                                        core::Seconds duration) {
+  for (double share = 1.0; share >= least_step; share *= 0.5) {
+    auto next = near.follow(policies.of_point, share);
+    if (next && next->duration() < duration) return next;
+  }
+  return std::nullopt;
+}
+
+/// A step down from a route and the weight that it took.
+struct Step {
+  std::optional<TimedRoute> next;  // empty: none was found
+  double weight{};
+  bool at_minimum{false};  // none was found because nothing is left to gain that could be told
+};
+
+/// Raises the weight, which shortens the step, until the route does become shorter.
+Step step_down(const TimedRoute& route, const LegTime& leg_time, double weight) {
+  const Neighbourhood near{route, leg_time};
+  Step step{.next = {}, .weight = weight};
+  const auto slopes = all_slopes(near);
+  if (!slopes) return step;
+  for (; step.weight <= most_weight; step.weight *= weight_factor) {
+    const auto policies = best_policies(near, *slopes, step.weight);
+    if (!policies) continue;
+    const double gain = policies->gain / route.duration().count();
+    if (step.weight <= 1.0 && gain <= drowned) step.at_minimum = true;
+    if (gain <= converged) return step;
+    step.next = shorter_route(near, *policies, route.duration());
+    if (step.next) return step;
+  }
+  return step;
+}
+
+}  // namespace
+
+Descent descend(const TimedRoute& start, const LegTime& leg_time, const std::stop_token& stop) {
+  Descent descent{.route = start};
+  double weight = least_weight;
+  for (int i = 0; i < most_iterations && !stop.stop_requested(); ++i) {
+    Step step = step_down(descent.route, leg_time, weight);
+    if (!step.next) {
+      descent.converged = step.at_minimum;
+      return descent;
+    }
+    descent.route = std::move(*step.next);
+    weight = std::max(least_weight, step.weight / weight_factor);
+  }
+  return descent;
+}
+
+Descent descend_with_legs(const TimedRoute& start, std::size_t legs, const LegTime& leg_time,
+                          const std::stop_token& stop) {
+  Descent descent{.route = start};
+  for (int round = 0; round < 2; ++round) {
+    auto even = time_route(cut_evenly(descent.route, legs), start.times.front(), leg_time);
+    if (!even) return {descent.route, false};
+    descent = descend(*even, leg_time, stop);
+  }
+  return descent;
+}
+
+}  // namespace floeplan::planning
