@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/core/utc_text.hpp"
 
@@ -37,9 +38,12 @@ std::string shown(const json& value) {
   return text;
 }
 
-InputReader::InputReader(const json& object) : object_{object} {
-  if (!object_.is_object()) refuse("", "must be an object, not " + shown(object_));
+InputReader::InputReader(const json& object, std::string pointer)
+    : object_{object}, pointer_{std::move(pointer)} {
+  if (!object_.is_object()) refuse(pointer_, "must be an object, not " + shown(object_));
 }
+
+std::string InputReader::pointer_to(const std::string& key) const { return pointer_ + "/" + escaped(key); }
 
 const json* InputReader::member(const std::string& key) {
   known_.insert(key);
@@ -52,12 +56,12 @@ std::optional<std::string> InputReader::text(const std::string& key, std::size_t
   const json* value = member(key);
   if (value == nullptr) return std::nullopt;
   if (!value->is_string()) {
-    refuse("/" + key, "must be a text, not " + shown(*value));
+    refuse(pointer_to(key), "must be a text, not " + shown(*value));
     return std::nullopt;
   }
   const auto& text = value->get_ref<const std::string&>();
   if (text.size() > max_length) {
-    refuse("/" + key,
+    refuse(pointer_to(key),
            "must have at most " + std::to_string(max_length) + " bytes, not " + std::to_string(text.size()));
     return std::nullopt;
   }
@@ -68,7 +72,7 @@ std::optional<bool> InputReader::boolean(const std::string& key) {
   const json* value = member(key);
   if (value == nullptr) return std::nullopt;
   if (value->is_boolean()) return value->get<bool>();
-  refuse("/" + key, "must be true or false, not " + shown(*value));
+  refuse(pointer_to(key), "must be true or false, not " + shown(*value));
   return std::nullopt;
 }
 
@@ -79,8 +83,8 @@ std::optional<double> InputReader::number(const std::string& key, NumberRange ra
     const double number = value->get<double>();
     if (std::isfinite(number) && number >= range.from && number <= range.to) return number;
   }
-  refuse("/" + key, "must be a number from " + written(range.from) + " to " + written(range.to) + ", not " +
-                        shown(*value));
+  refuse(pointer_to(key), "must be a number from " + written(range.from) + " to " + written(range.to) +
+                              ", not " + shown(*value));
   return std::nullopt;
 }
 
@@ -91,8 +95,8 @@ std::optional<int> InputReader::integer(const std::string& key, int from, int to
     const double number = value->get<double>();
     if (number >= from && number <= to && number == std::floor(number)) return static_cast<int>(number);
   }
-  refuse("/" + key, "must be a whole number from " + std::to_string(from) + " to " + std::to_string(to) +
-                        ", not " + shown(*value));
+  refuse(pointer_to(key), "must be a whole number from " + std::to_string(from) + " to " +
+                              std::to_string(to) + ", not " + shown(*value));
   return std::nullopt;
 }
 
@@ -104,7 +108,7 @@ std::optional<core::UtcTime> InputReader::time(const std::string& key) {
       return core::from_unix_seconds(std::round(core::unix_seconds(*time)));
     }
   }
-  refuse("/" + key,
+  refuse(pointer_to(key),
          "must be a time in ISO 8601 with its zone, as 2026-11-20T06:00:00Z, not " + shown(*value));
   return std::nullopt;
 }
@@ -126,7 +130,7 @@ std::optional<geo::LonLat> InputReader::to_place(const json& value, const std::s
 
 std::optional<geo::LonLat> InputReader::place(const std::string& key) {
   const json* value = member(key);
-  return value == nullptr ? std::nullopt : to_place(*value, "/" + key);
+  return value == nullptr ? std::nullopt : to_place(*value, pointer_to(key));
 }
 
 std::optional<std::vector<geo::LonLat>> InputReader::places(const json& value, const std::string& pointer,
@@ -147,16 +151,20 @@ std::optional<std::vector<geo::LonLat>> InputReader::places(const json& value, c
 std::optional<std::vector<geo::LonLat>> InputReader::places(const std::string& key, std::size_t least,
                                                             std::size_t most) {
   const json* value = member(key);
-  return value == nullptr ? std::nullopt : places(*value, "/" + key, least, most);
+  return value == nullptr ? std::nullopt : places(*value, pointer_to(key), least, most);
 }
 
 void InputReader::require(const std::string& key, const std::string& rule) {
   const bool absent = object_.is_object() && member(key) == nullptr;
-  if (absent) refuse("/" + key, rule);
+  if (absent) refuse(pointer_to(key), rule);
 }
 
 void InputReader::refuse(const std::string& pointer, const std::string& rule) {
   violations_.push_back({pointer, rule});
+}
+
+void InputReader::refuse_all(const std::string& pointer, const core::Violations& violations) {
+  for (const core::Violation& violation : violations) refuse(pointer + violation.field, violation.rule);
 }
 
 void InputReader::refuse_unknown() {
@@ -164,7 +172,7 @@ void InputReader::refuse_unknown() {
   std::string names;
   for (const auto& name : known_) names += (names.empty() ? "" : ", ") + name;
   for (const auto& [key, value] : object_.items()) {
-    if (!known_.contains(key)) refuse("/" + escaped(key), "is not known; the known keys are " + names);
+    if (!known_.contains(key)) refuse(pointer_to(key), "is not known; the known keys are " + names);
   }
 }
 

@@ -23,7 +23,8 @@ struct NumberRange {
 /// is empty; a wrong one is empty and noted.
 class InputReader {
  public:
-  explicit InputReader(const nlohmann::json& object);
+  /// `pointer` is the place of the object inside the whole document, "" for the document itself.
+  explicit InputReader(const nlohmann::json& object, std::string pointer = "");
 
   [[nodiscard]] const nlohmann::json* member(const std::string& key);
   [[nodiscard]] std::optional<std::string> text(const std::string& key, std::size_t max_length = 200);
@@ -42,7 +43,10 @@ class InputReader {
 
   /// Notes that a member must be there, unless something is noted for it already.
   void require(const std::string& key, const std::string& rule);
+  /// `pointer` is that of the whole document.
   void refuse(const std::string& pointer, const std::string& rule);
+  /// Notes what is wrong with the members of the object at `pointer`.
+  void refuse_all(const std::string& pointer, const core::Violations& violations);
   /// Notes every member that nobody asked for, with the known ones.
   void refuse_unknown();
   [[nodiscard]] bool refused(const std::string& pointer) const;
@@ -51,7 +55,11 @@ class InputReader {
  private:
   [[nodiscard]] std::optional<geo::LonLat> to_place(const nlohmann::json& value, const std::string& pointer);
 
+  /// Of a member, below the object's own.
+  [[nodiscard]] std::string pointer_to(const std::string& key) const;
+
   const nlohmann::json& object_;  // borrowed
+  std::string pointer_;
   std::set<std::string> known_;
   core::Violations violations_;
 };

@@ -6,6 +6,7 @@
 #include "api/codec/input_reader.hpp"
 #include "api/codec/search_inputs.hpp"
 #include "api/codec/vehicle_inputs.hpp"
+#include "api/codec/zone_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/planning/layout.hpp"
 
@@ -26,6 +27,8 @@ void read_common(InputReader& reader, planning::PlanRequest& request, repository
 
   read_vehicle(reader, request.vehicle);
   if (const auto margin = reader.number("margin_m", {0.0, 100'000.0})) request.iceberg_margin = {*margin};
+
+  request.zones = read_areas(reader);
 
   read_data(reader, data);
   name = reader.text("name").value_or("");
@@ -89,6 +92,7 @@ json common_json(const planning::PlanRequest& request, const repository::Environ
   json inputs{
       {"depart", core::iso8601(request.depart)}, {"margin_m", request.iceberg_margin.value}, {"name", name}};
   write_vehicle(request.vehicle, inputs);
+  inputs["areas"] = request.zones.empty() ? json() : areas_json(request.zones);
   write_data(data, inputs);
   return inputs;
 }

@@ -41,6 +41,11 @@ json common_inputs() {
       {"speed_m_s", input("Speed through the water, m/s", number_schema(0.05, 5.0))},
       {"dive_depth_m", input("Depth of the dives, metres", number_schema(1.0, 10000.0))},
       {"margin_m", input("Distance kept from the edge of an iceberg, metres", number_schema(0.0, 1e5))},
+      {"areas",
+       input(
+           "Areas to keep out of or to stay in: GeoJSON polygons with the properties kind (no_go, stay_in), "
+           "from, until, top_m, bottom_m",
+           json{{"type", "object"}})},
       {"currents", input("Currents: newest, none, an id or several ids", several_datasets_schema())},
       {"steady", input("Use one time step, or the mean, of the currents at any time", {{"type", "boolean"}})},
       {"bathymetry", input("Bathymetry: newest, none or an id", dataset_schema())},
@@ -62,6 +67,8 @@ json plan_inputs() {
   inputs["objective"] = input("What to minimise", one_of({"time"}));
   inputs["max_waypoints"] =
       input("Waypoints at most", {{"type", "integer"}, {"minimum", 2}, {"maximum", 10000}});
+  inputs["max_leg_m"] =
+      input("Length of the longest leg, metres; longer ones are parted", number_schema(100.0, 5e6));
   inputs["refine"] = input("Move waypoints off the grid where that saves time", {{"type", "boolean"}});
   return inputs;
 }

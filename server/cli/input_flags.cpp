@@ -17,12 +17,13 @@ json place_of(const std::string& flag, const std::string& text) {
   return json::array({place->lon_deg, place->lat_deg});
 }
 
-json read_request(const std::string& file) {
+/// `what` names the file in a message.
+json read_object(const std::string& file, const std::string& what) {
   std::ifstream stream{file};
-  if (!stream) throw std::runtime_error{"the request file " + file + " cannot be read; check its name"};
-  json request = json::parse(stream, nullptr, false);
-  if (!request.is_object()) throw std::runtime_error{"the request file " + file + " is not a JSON object"};
-  return request;
+  if (!stream) throw std::runtime_error{"the " + what + " " + file + " cannot be read; check its name"};
+  json object = json::parse(stream, nullptr, false);
+  if (!object.is_object()) throw std::runtime_error{"the " + what + " " + file + " is not a JSON object"};
+  return object;
 }
 
 }  // namespace
@@ -40,6 +41,7 @@ void InputFlags::add_common(CLI::App& command) {
   command.add_option("--icebergs-as-of", icebergs_as_of_, "Latest sighting to use; default: the departure");
   command.add_option("--coastline", coastline_, "ID or none; default: the newest");
   command.add_option("--margin", margin_m_, "Kept from icebergs, metres; default 500");
+  command.add_option("--areas", areas_file_, "GeoJSON file of areas to keep out of or to stay in");
   command.add_option("--name", name_, "Name of the plan");
 }
 
@@ -55,11 +57,12 @@ void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--method", method_, "tve, dijkstra, astar, frozen or direct; default astar");
   command.add_option("--objective", objective_, "time");
   command.add_option("--max-waypoints", max_waypoints_, "Start and goal included");
+  command.add_option("--max-leg", max_leg_m_, "Longest leg, metres; longer ones are parted");
   command.add_flag("--no-refine", no_refine_, "Leave the way as the grid gave it");
 }
 
 json InputFlags::inputs() const {
-  json inputs = request_file_ ? read_request(*request_file_) : json::object();
+  json inputs = request_file_ ? read_object(*request_file_, "request file") : json::object();
   const auto set = [&](const char* key, const auto& flag) {
     if (flag) inputs[key] = *flag;
   };
@@ -80,6 +83,7 @@ json InputFlags::inputs() const {
     const auto ids = split_at_commas(*currents_);
     inputs["currents"] = ids.size() == 1 ? json(ids.front()) : json(ids);
   }
+  if (areas_file_) inputs["areas"] = read_object(*areas_file_, "file of areas");
   set("depart", depart_);
   set("vehicle", vehicle_);
   set("speed_m_s", speed_m_s_);
@@ -88,6 +92,7 @@ json InputFlags::inputs() const {
   set("method", method_);
   set("objective", objective_);
   set("max_waypoints", max_waypoints_);
+  set("max_leg_m", max_leg_m_);
   set("bathymetry", bathymetry_);
   set("icebergs", icebergs_);
   set("icebergs_as_of", icebergs_as_of_);

@@ -35,6 +35,7 @@ class InputFlags {
   std::optional<std::string> method_;
   std::optional<std::string> objective_;
   std::optional<int> max_waypoints_;
+  std::optional<double> max_leg_m_;
   bool no_refine_{false};
   std::optional<std::string> currents_;
   bool steady_{false};
@@ -43,6 +44,7 @@ class InputFlags {
   std::optional<std::string> icebergs_as_of_;
   std::optional<std::string> coastline_;
   std::optional<double> margin_m_;
+  std::optional<std::string> areas_file_;
   std::optional<std::string> name_;
 };
 

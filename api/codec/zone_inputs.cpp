@@ -1,0 +1,177 @@
+#include "api/codec/zone_inputs.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <utility>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t max_features = 1'000;
+constexpr std::size_t max_corners = 100'000;  // tested for every leg where a zone has its times
+constexpr double deepest_m = 11'000.0;
+
+/// The corners of a closed ring, its first not repeated.
+std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const std::string& pointer) {
+  auto places = reader.places(value, pointer, 4, max_corners);
+  if (!places) return std::nullopt;
+  if (places->front() != places->back()) {
+    reader.refuse(pointer, "must be closed: its last position the same as its first");
+    return std::nullopt;
+  }
+  places->pop_back();
+  return places;
+}
+
+std::optional<geo::Polygon> read_polygon(InputReader& reader, const json& rings, const std::string& pointer) {
+  if (!rings.is_array() || rings.empty()) {
+    reader.refuse(pointer, "must be an array of rings, the outer one first");
+    return std::nullopt;
+  }
+  geo::Polygon polygon;
+  for (std::size_t i = 0; i < rings.size(); ++i) {
+    auto ring = read_ring(reader, rings[i], pointer + "/" + std::to_string(i));
+    if (!ring) return std::nullopt;
+    if (i == 0) {
+      polygon.outer = std::move(*ring);
+    } else {
+      polygon.holes.push_back(std::move(*ring));
+    }
+  }
+  return polygon;
+}
+
+std::vector<geo::Polygon> read_geometry(InputReader& reader, const json& feature,
+                                        const std::string& pointer) {
+  const json* geometry = feature.contains("geometry") ? &feature.at("geometry") : nullptr;
+  const std::string here = pointer + "/geometry";
+  const bool known = geometry != nullptr && geometry->is_object() && geometry->contains("coordinates");
+  const std::string type = known ? geometry->value("type", json{}).dump() : "";
+  if (type != "\"Polygon\"" && type != "\"MultiPolygon\"") {
+    reader.refuse(here, "must be a GeoJSON Polygon or MultiPolygon");
+    return {};
+  }
+  const json& coordinates = geometry->at("coordinates");
+  std::vector<geo::Polygon> polygons;
+  const auto add = [&](const json& rings, const std::string& at) {
+    if (auto polygon = read_polygon(reader, rings, at)) polygons.push_back(std::move(*polygon));
+  };
+  if (type == "\"Polygon\"") {
+    add(coordinates, here + "/coordinates");
+  } else if (!coordinates.is_array() || coordinates.empty()) {
+    reader.refuse(here + "/coordinates", "must be an array of polygons");
+  } else {
+    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+      add(coordinates[i], here + "/coordinates/" + std::to_string(i));
+    }
+  }
+  return polygons;
+}
+
+/// Everything of a zone but its area.
+ocean::Zone read_properties(InputReader& reader, const json& feature, const std::string& pointer) {
+  static const json none = json::object();
+  const json* properties = feature.contains("properties") ? &feature.at("properties") : &none;
+  InputReader members{properties->is_null() ? none : *properties, pointer + "/properties"};
+  ocean::Zone zone;
+  const std::string kinds = "\"no_go\" (keep out) or \"stay_in\" (keep inside)";
+  members.require("kind", "is required: " + kinds);
+  if (const auto kind = members.text("kind")) {
+    const auto known = ocean::parse_zone_kind(*kind);
+    if (!known) members.refuse(pointer + "/properties/kind", "must be " + kinds + ", not \"" + *kind + "\"");
+    zone.kind = known.value_or(ocean::ZoneKind::no_go);
+  }
+  zone.name = members.text("name").value_or("");
+  zone.from = members.time("from");
+  zone.until = members.time("until");
+  if (const auto top = members.number("top_m", {0.0, deepest_m})) zone.top = {*top};
+  if (const auto bottom = members.number("bottom_m", {0.0, deepest_m})) zone.bottom = {*bottom};
+  if (zone.from && zone.until && *zone.until < *zone.from) {
+    members.refuse(pointer + "/properties/until", "must not be before \"from\"");
+  }
+  if (zone.bottom < zone.top) {
+    members.refuse(pointer + "/properties/bottom_m", "must not be above \"top_m\"");
+  }
+  reader.refuse_all("", members.violations());
+  return zone;
+}
+
+std::size_t corners_of(const geo::Polygon& polygon) {
+  std::size_t corners = polygon.outer.size();
+  for (const geo::Ring& hole : polygon.holes) corners += hole.size();
+  return corners;
+}
+
+json ring_json(const geo::Ring& ring) {
+  json places = json::array();
+  for (const geo::LonLat place : ring) places.push_back(json::array({place.lon_deg, place.lat_deg}));
+  places.push_back(json::array({ring.front().lon_deg, ring.front().lat_deg}));
+  return places;
+}
+
+json zone_json(const ocean::Zone& zone) {
+  json rings = json::array({ring_json(zone.area.outer)});
+  for (const geo::Ring& hole : zone.area.holes) rings.push_back(ring_json(hole));
+  return {{"type", "Feature"},
+          {"geometry", {{"type", "Polygon"}, {"coordinates", std::move(rings)}}},
+          {"properties",
+           {{"kind", ocean::zone_kind_name(zone.kind)},
+            {"name", zone.name},
+            {"from", zone.from ? json(core::iso8601(*zone.from)) : json()},
+            {"until", zone.until ? json(core::iso8601(*zone.until)) : json()},
+            {"top_m", zone.top.value},
+            {"bottom_m", std::isfinite(zone.bottom.value) ? json(zone.bottom.value) : json()}}}};
+}
+
+}  // namespace
+
+std::vector<ocean::Zone> read_areas(InputReader& reader) {
+  const json* areas = reader.member("areas");
+  if (areas == nullptr) return {};
+  const json type = areas->is_object() ? areas->value("type", json{}) : json{};
+  const bool collection =
+      type == "FeatureCollection" && areas->contains("features") && areas->at("features").is_array();
+  if (!collection && type != "Feature") {
+    reader.refuse("/areas", "must be a GeoJSON FeatureCollection of polygons, not " + shown(*areas));
+    return {};
+  }
+  const json features = collection ? areas->at("features") : json::array({*areas});
+  if (features.size() > max_features) {
+    reader.refuse("/areas", "must have at most " + std::to_string(max_features) + " features, not " +
+                                std::to_string(features.size()));
+    return {};
+  }
+  std::vector<ocean::Zone> zones;
+  std::size_t corners = 0;
+  for (std::size_t i = 0; i < features.size(); ++i) {
+    const std::string pointer = collection ? "/areas/features/" + std::to_string(i) : "/areas";
+    if (!features[i].is_object()) {
+      reader.refuse(pointer, "must be a GeoJSON Feature, not " + shown(features[i]));
+      continue;
+    }
+    ocean::Zone zone = read_properties(reader, features[i], pointer);
+    for (geo::Polygon& polygon : read_geometry(reader, features[i], pointer)) {
+      corners += corners_of(polygon);
+      zone.area = std::move(polygon);
+      zones.push_back(zone);
+    }
+  }
+  if (corners > max_corners) {
+    reader.refuse("/areas", "must have at most " + std::to_string(max_corners) + " corners in all, not " +
+                                std::to_string(corners) + "; simplify the outlines");
+  }
+  return zones;
+}
+
+json areas_json(const std::vector<ocean::Zone>& zones) {
+  json features = json::array();
+  for (const ocean::Zone& zone : zones) features.push_back(zone_json(zone));
+  return {{"type", "FeatureCollection"}, {"features", std::move(features)}};
+}
+
+}  // namespace floeplan::codec

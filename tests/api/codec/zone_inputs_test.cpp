@@ -1,0 +1,112 @@
+#include "api/codec/zone_inputs.hpp"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::SizeIs;
+
+const json square = json::parse("[[[-54,69],[-53,69],[-53,69.5],[-54,69.5],[-54,69]]]");
+
+json feature(json properties, json coordinates = square, const std::string& type = "Polygon") {
+  return {{"type", "Feature"},
+          {"properties", std::move(properties)},
+          {"geometry", {{"type", type}, {"coordinates", std::move(coordinates)}}}};
+}
+
+json inputs(std::vector<json> features) {
+  return {{"areas", {{"type", "FeatureCollection"}, {"features", std::move(features)}}}};
+}
+
+std::vector<std::string> faults(const json& document) {
+  InputReader reader{document};
+  EXPECT_NO_THROW((void)read_areas(reader));
+  std::vector<std::string> fields;
+  for (const core::Violation& violation : reader.violations()) fields.push_back(violation.field);
+  return fields;
+}
+
+TEST(Areas, AreReadWithTheirDepthsAndTimes) {
+  const json document = inputs({feature({{"kind", "stay_in"},
+                                         {"name", "box"},
+                                         {"from", "2026-11-20T06:00:00Z"},
+                                         {"top_m", 0},
+                                         {"bottom_m", 300},
+                                         {"fill", "#ff0000"}})});
+  InputReader reader{document};
+
+  const auto zones = read_areas(reader);
+
+  EXPECT_THAT(reader.violations(), SizeIs(0));
+  ASSERT_THAT(zones, SizeIs(1));
+  EXPECT_EQ(zones[0].kind, ocean::ZoneKind::stay_in);
+  EXPECT_EQ(zones[0].name, "box");
+  EXPECT_EQ(zones[0].from, core::parse_iso8601("2026-11-20T06:00:00Z"));
+  EXPECT_FALSE(zones[0].until.has_value());
+  EXPECT_EQ(zones[0].bottom, core::Metres{300.0});
+  EXPECT_THAT(zones[0].area.outer, SizeIs(4));
+}
+
+TEST(Areas, BecomeOneZoneForEachPartOfAMultipolygon) {
+  const json document = inputs({feature({{"kind", "no_go"}}, json::array({square, square}), "MultiPolygon")});
+  InputReader reader{document};
+
+  EXPECT_THAT(read_areas(reader), SizeIs(2));
+  EXPECT_THAT(reader.violations(), SizeIs(0));
+}
+
+TEST(Areas, ComeBackTheSameFromTheirOwnText) {
+  const json document =
+      inputs({feature({{"kind", "no_go"}, {"until", "2026-11-20T06:00:00Z"}, {"top_m", 20}})});
+  InputReader first{document};
+  const json written = areas_json(read_areas(first));
+  const json again_document{{"areas", written}};
+  InputReader second{again_document};
+
+  EXPECT_EQ(areas_json(read_areas(second)), written);
+  EXPECT_THAT(second.violations(), SizeIs(0));
+}
+
+TEST(Areas, AreRefusedWithThePlaceOfEveryFault) {
+  const json open_ring = json::parse("[[[-54,69],[-53,69],[-53,69.5],[-54,69.5]]]");
+  const json beyond_the_pole = json::parse("[[[-54,69],[-53,99],[-53,69.5],[-54,69]]]");
+  const json document =
+      inputs({feature({{"kind", "keep_out"}}), feature({{"name", "no kind"}}),
+              feature({{"kind", "no_go"}}, open_ring), feature({{"kind", "no_go"}}, beyond_the_pole), json(7),
+              feature({{"kind", "no_go"}}, json::array({1, 2}), "Point"),
+              feature({{"kind", "no_go"}, {"top_m", 30}, {"bottom_m", 20}, {"from", "yesterday"}})});
+
+  EXPECT_THAT(
+      faults(document),
+      ElementsAre("/areas/features/0/properties/kind", "/areas/features/1/properties/kind",
+                  "/areas/features/2/geometry/coordinates/0", "/areas/features/3/geometry/coordinates/0/1",
+                  "/areas/features/4", "/areas/features/5/geometry", "/areas/features/6/properties/from",
+                  "/areas/features/6/properties/bottom_m"));
+}
+
+TEST(Areas, AreRefusedWhenTheyAreNoGeoJson) {
+  EXPECT_THAT(faults({{"areas", "everywhere"}}), ElementsAre("/areas"));
+  EXPECT_THAT(faults({{"areas", {{"type", "FeatureCollection"}}}}), ElementsAre("/areas"));
+  EXPECT_THAT(faults({{"areas", {{"type", "Feature"}, {"properties", nullptr}}}}),
+              ElementsAre("/areas/properties/kind", "/areas/geometry"));
+}
+
+TEST(Areas, AreBoundedInNumberAndInCorners) {
+  EXPECT_THAT(faults(inputs(std::vector<json>(1001, feature({{"kind", "no_go"}})))), ElementsAre("/areas"));
+
+  json ring = json::array();
+  for (int i = 0; i < 60'000; ++i) ring.push_back({-53.0 + 1e-6 * i, 69.0 + 1e-9 * (i % 7)});
+  ring.push_back(ring.front());
+  const json many = json::array({ring});
+  EXPECT_THAT(faults(inputs({feature({{"kind", "no_go"}}, many), feature({{"kind", "no_go"}}, many)})),
+              ElementsAre("/areas"));
+}
+
+}  // namespace
+}  // namespace floeplan::codec
