@@ -3,6 +3,8 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <type_traits>
+#include <variant>
 
 #include "engine/core/utc_text.hpp"
 
@@ -100,6 +102,25 @@ planning::Plan parse_members(const json& document) {
   return plan;
 }
 
+json change_json(const planning::Change& change) {
+  const auto value = [](const planning::Change::Value& alternative) {
+    return std::visit(
+        [](const auto& held) -> json {
+          using T = std::decay_t<decltype(held)>;
+          if constexpr (std::is_same_v<T, core::UtcTime>) {
+            return core::iso8601(held);
+          } else if constexpr (std::is_same_v<T, geo::LonLat>) {
+            return json::array({position(held.lon_deg), position(held.lat_deg)});
+          } else {
+            return held;
+          }
+        },
+        alternative);
+  };
+  return {
+      {"input", change.input}, {"from", value(change.from)}, {"to", value(change.to)}, {"text", change.text}};
+}
+
 }  // namespace
 
 json plan_document(const planning::Plan& plan, const std::string& plan_id, const std::string& name) {
@@ -134,12 +155,17 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
 }
 
 json infeasible_document(const planning::Infeasible& infeasible, const ocean::Environment& environment) {
+  json changes = json::array();
+  for (const planning::Change& change : infeasible.changes) changes.push_back(change_json(change));
   return {{"status", "infeasible"},
           {"reason", planning::reason_name(infeasible.reason)},
           {"at", {{"lon", position(infeasible.at.lon_deg)}, {"lat", position(infeasible.at.lat_deg)}}},
           {"when", core::iso8601(infeasible.when)},
           {"explanation", infeasible.explanation},
           {"suggestion", infeasible.suggestion},
+          {"binding_constraint", planning::constraint_name(infeasible.binding)},
+          {"smallest_change", changes.empty() ? json() : changes.front()},
+          {"changes", std::move(changes)},
           {"warnings", environment.warnings},
           {"datasets", datasets_json(environment.datasets)}};
 }

@@ -1,29 +1,57 @@
 #include "engine/planning/chart.hpp"
 
+#include <cstdio>
 #include <optional>
+#include <string>
 #include <utility>
+#include <vector>
 
+#include "engine/geo/geodesic.hpp"
 #include "engine/planning/explanation.hpp"
+#include "engine/planning/usable_place.hpp"
 
 namespace floeplan::planning {
 namespace {
 
 constexpr double most_vertices = 2.5e7;  // about 1 GB with the queue and the maps
 
+Stop kind_of(std::size_t stop, const Layout& layout) {
+  if (stop == 0) return Stop::start;
+  return stop + 1 == layout.stops.size() ? Stop::goal : Stop::via;
+}
+
+std::optional<motion::EdgeClosed> closed_stop(const Sea& sea, const Layout& layout, std::size_t stop) {
+  if (const auto closed = sea.safety().closed_at(layout.stops[stop])) return closed;
+  const geo::PlanePoint point = layout.points[stop];
+  if (sea.icebergs().contains(point)) return motion::EdgeClosed::obstacle;
+  constexpr TimeSpan at_departure{core::Seconds{0.0}, core::Seconds{0.0}};
+  if (stop == 0 && sea.timed_zones().forbid(point, point, at_departure)) return motion::EdgeClosed::in_zone;
+  return std::nullopt;
+}
+
+/// The stop moved to where the vehicle may be.
+std::vector<Change> moves_of(const Sea& sea, const Layout& layout, std::size_t stop) {
+  const auto place = nearest_usable_place(sea, layout.points[stop]);
+  if (!place) return {};
+  const Stop kind = kind_of(stop, layout);
+  const std::string input = kind == Stop::start  ? "from"
+                            : kind == Stop::goal ? "to"
+                                                 : "via/" + std::to_string(stop - 1);
+  char text[64];
+  std::snprintf(text, sizeof text, "move it by %.1f km",
+                1e-3 * geo::geodesic_between(layout.stops[stop], *place).length.value);
+  return {{.input = input, .from = layout.stops[stop], .to = *place, .text = text}};
+}
+
 /// Why a stop cannot be used; opens the map around each one that can.
 std::optional<Infeasible> check_stops(Sea& sea, const Layout& layout, const PlanRequest& request) {
-  for (std::size_t i = 0; i < layout.stops.size(); ++i) {
-    const Stop kind = i == 0 ? Stop::start : i + 1 == layout.stops.size() ? Stop::goal : Stop::via;
-    if (const auto closed = sea.safety().closed_at(layout.stops[i]))
-      return explain_place(*closed, kind, layout.stops[i], request);
-    if (sea.icebergs().contains(layout.points[i])) {
-      return explain_place(motion::EdgeClosed::obstacle, kind, layout.stops[i], request);
+  for (std::size_t stop = 0; stop < layout.stops.size(); ++stop) {
+    if (const auto closed = closed_stop(sea, layout, stop)) {
+      Infeasible infeasible = explain_place(*closed, kind_of(stop, layout), layout.stops[stop], request);
+      infeasible.changes = moves_of(sea, layout, stop);
+      return infeasible;
     }
-    constexpr TimeSpan at_departure{core::Seconds{0.0}, core::Seconds{0.0}};
-    if (kind == Stop::start && sea.timed_zones().forbid(layout.points[i], layout.points[i], at_departure)) {
-      return explain_place(motion::EdgeClosed::in_zone, kind, layout.stops[i], request);
-    }
-    sea.safety().open_around(layout.points[i]);
+    sea.safety().open_around(layout.points[stop]);
   }
   return std::nullopt;
 }

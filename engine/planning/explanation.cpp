@@ -67,6 +67,20 @@ Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& re
   return {Reason::goal_unreachable, "", ""};
 }
 
+Constraint constraint_of(motion::EdgeClosed closed, bool out_of_time) {
+  switch (closed) {
+    case motion::EdgeClosed::current_too_strong: return Constraint::current;
+    case motion::EdgeClosed::outside_data:
+      return out_of_time ? Constraint::data_period : Constraint::data_area;
+    case motion::EdgeClosed::too_shallow: return Constraint::depth;
+    case motion::EdgeClosed::on_land: return Constraint::land;
+    case motion::EdgeClosed::in_zone: return Constraint::zone;
+    case motion::EdgeClosed::too_late:
+    case motion::EdgeClosed::obstacle: return Constraint::iceberg;
+  }
+  throw std::logic_error{"EdgeClosed without a constraint"};
+}
+
 /// The reason by the kind of stop: start, via, goal.
 Reason reason_at(Stop stop, Reason at_start, Reason on_the_way, Reason at_goal) {
   switch (stop) {
@@ -86,10 +100,8 @@ std::string subject_of(Stop stop) {
   throw std::logic_error{"Stop without a name"};
 }
 
-}  // namespace
-
-Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
-                         const PlanRequest& request) {
+Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
+                           const PlanRequest& request) {
   const std::string subject = subject_of(stop);
   switch (closed) {
     case motion::EdgeClosed::on_land:
@@ -120,10 +132,23 @@ Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place
           "ingest data that cover it, or leave the kind of data out (for example --bathymetry none)"};
 }
 
+}  // namespace
+
+Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
+                         const PlanRequest& request) {
+  Infeasible infeasible = words_for_place(closed, stop, place, request);
+  infeasible.binding = constraint_of(closed, false);
+  return infeasible;
+}
+
 Infeasible explain_route(const RouteClosed& closed, const Sea& sea, const PlanRequest& request) {
   Words words = words_for(closed.reason, sea, request, closed.out_of_time);
-  return {words.reason, sea.projection().to_lon_lat(closed.at), clock(request, closed.when),
-          std::move(words.explanation), std::move(words.suggestion)};
+  return {words.reason,
+          sea.projection().to_lon_lat(closed.at),
+          clock(request, closed.when),
+          std::move(words.explanation),
+          std::move(words.suggestion),
+          constraint_of(closed.reason, closed.out_of_time)};
 }
 
 Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanRequest& request) {
@@ -142,14 +167,17 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
   }
   Words words = words_for(binding, sea, request, search.out_of_time);
   const bool by_data = binding == outside_data || binding == current_too_strong;
-  return {by_data ? words.reason : Reason::goal_unreachable, sea.projection().to_lon_lat(search.nearest),
+  return {by_data ? words.reason : Reason::goal_unreachable,
+          sea.projection().to_lon_lat(search.nearest),
           clock(request, search.nearest_arrival),
           "no way was found to the goal; the nearest place reached is marked, where " + words.explanation,
-          words.suggestion + "; a finer grid (--spacing) finds narrower passages"};
+          words.suggestion + "; a finer grid (--spacing) finds narrower passages",
+          constraint_of(binding, search.out_of_time)};
 }
 
 Infeasible explain_cancelled(const PlanRequest& request) {
-  return {Reason::cancelled, request.from, request.depart, "the search was cancelled", "start it again"};
+  return {Reason::cancelled,          request.from,     request.depart,
+          "the search was cancelled", "start it again", Constraint::caller};
 }
 
 Infeasible explain_too_large(double vertices, const PlanRequest& request) {
@@ -157,7 +185,8 @@ Infeasible explain_too_large(double vertices, const PlanRequest& request) {
   std::snprintf(text, sizeof text,
                 "the grid would have %.0f million vertices, more than memory is set aside for",
                 vertices / 1e6);
-  return {Reason::too_large, request.from, request.depart, text, "choose a wider spacing or plan in parts"};
+  return {Reason::too_large, request.from, request.depart, text, "choose a wider spacing or plan in parts",
+          Constraint::memory};
 }
 
 }  // namespace floeplan::planning

@@ -2,6 +2,8 @@
 
 #include <string>
 #include <tl/expected.hpp>
+#include <variant>
+#include <vector>
 
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
@@ -30,12 +32,28 @@ enum class Reason {
 
 [[nodiscard]] std::string reason_name(Reason reason);
 
+/// What stands in the way, whatever it makes impossible.
+enum class Constraint { current, depth, land, iceberg, zone, data_area, data_period, memory, caller };
+
+[[nodiscard]] std::string constraint_name(Constraint constraint);
+
+/// Another value for one input, by its name in the inputs; everything else as it was asked for.
+struct Change {
+  using Value = std::variant<double, bool, core::UtcTime, geo::LonLat, std::string>;
+  std::string input;
+  Value from;
+  Value to;
+  std::string text;  // for a person: "raise the speed through the water from 0.35 to 0.42 m/s"
+};
+
 struct Infeasible {
   Reason reason{};
   geo::LonLat at;           // where the search or the vehicle stopped
   core::UtcTime when;       // and at what time it would have been there
   std::string explanation;  // for a person, one sentence
   std::string suggestion;   // what would help, one sentence
+  Constraint binding{};
+  std::vector<Change> changes{};  // found to make it possible, each alone; the smallest first
 };
 
 template <class T>

@@ -52,4 +52,19 @@ std::string reason_name(Reason reason) {
   throw std::logic_error{"Reason without a name"};
 }
 
+std::string constraint_name(Constraint constraint) {
+  switch (constraint) {
+    case Constraint::current: return "current";
+    case Constraint::depth: return "depth";
+    case Constraint::land: return "land";
+    case Constraint::iceberg: return "iceberg";
+    case Constraint::zone: return "zone";
+    case Constraint::data_area: return "data_area";
+    case Constraint::data_period: return "data_period";
+    case Constraint::memory: return "memory";
+    case Constraint::caller: return "caller";
+  }
+  throw std::logic_error{"Constraint without a name"};
+}
+
 }  // namespace floeplan::planning

@@ -6,6 +6,7 @@
 #include "engine/planning/chart.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/plan_assembly.hpp"
+#include "engine/planning/relaxation.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/straightening.hpp"
 #include "engine/planning/voyage_search.hpp"
@@ -83,6 +84,31 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   return {std::move(plan), way.touches_rim};
 }
 
+/// Plans on the nearer grids, and on the wider ones where they may do better.
+Result<Plan> plan_anywhere(const ocean::Environment& environment, const PlanRequest& request,
+                           const std::stop_token& stop, const core::ProgressCallback& progress) {
+  const Attempt first = plan_within(first_reach, environment, request, stop, progress);
+  if (!first.wider_may_help) return first.plan;
+
+  const Attempt second = plan_within(second_reach, environment, request, stop, progress);
+  if (first.plan && (!second.plan || first.plan->arrival <= second.plan->arrival)) return first.plan;
+  return second.plan;
+}
+
+/// Inputs whose change makes a way possible. The trials are searches alone, on a grid of bounded size.
+std::vector<Change> changes_that_help(const ocean::Environment& environment, const PlanRequest& request,
+                                      Constraint binding, const std::stop_token& stop) {
+  constexpr double most_vertices_of_a_trial = 1e5;  // a few tenths of a second each
+  if (lay_out(request, first_reach).most_vertices() > most_vertices_of_a_trial) return {};
+  const Trial trial = [&](const PlanRequest& changed) {
+    PlanRequest plain = changed;
+    plain.refine = false;
+    plain.max_waypoints.reset();
+    return plan_anywhere(environment, plain, stop, [](std::string_view, double) {}).has_value();
+  };
+  return find_changes(environment, request, binding, trial, stop);
+}
+
 void refuse_invalid(const PlanRequest& request) {
   const core::Violations violations = request.violations();
   if (!violations.empty())
@@ -95,12 +121,11 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
                         const std::stop_token& stop, const core::ProgressCallback& report) {
   refuse_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
-  const Attempt first = plan_within(first_reach, environment, request, stop, progress);
-  if (!first.wider_may_help) return first.plan;
-
-  const Attempt second = plan_within(second_reach, environment, request, stop, progress);
-  if (first.plan && (!second.plan || first.plan->arrival <= second.plan->arrival)) return first.plan;
-  return second.plan;
+  Result<Plan> plan = plan_anywhere(environment, request, stop, progress);
+  if (plan || !plan.error().changes.empty()) return plan;
+  progress("what would help", 0.95);
+  plan.error().changes = changes_that_help(environment, request, plan.error().binding, stop);
+  return plan;
 }
 
 Result<Plan> evaluate_route(const ocean::Environment& environment, const std::vector<geo::LonLat>& route,

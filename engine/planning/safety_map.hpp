@@ -39,6 +39,7 @@ class SafetyMap {
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
   /// Why a place is closed by the data themselves, not by its cell; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_at(geo::LonLat place) const;
+  [[nodiscard]] core::Metres cell() const { return core::Metres{raster_.cell_m()}; }
   /// Opens the cell of a place that is open itself, so that caution about the rest of the cell does not lock
   /// it in.
   void open_around(geo::PlanePoint point);

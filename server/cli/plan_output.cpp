@@ -73,11 +73,16 @@ int print_plan(const json& document, bool json_out) {
   }
   if (ok) return done;
   const json& at = document.at("at");
+  std::string helps;
+  for (const json& change : document.at("changes")) {
+    helps +=
+        (helps.empty() ? "; it would be possible to " : ", or to ") + change.at("text").get<std::string>();
+  }
   return complain(could_not, "no plan: " + document.at("explanation").get<std::string>() + " (at " +
                                  degrees_minutes(at.at("lat"), 'N', 'S') + ' ' +
                                  degrees_minutes(at.at("lon"), 'E', 'W') + "); " +
                                  document.at("reason").get<std::string>() + "; " +
-                                 document.at("suggestion").get<std::string>());
+                                 document.at("suggestion").get<std::string>() + helps);
 }
 
 int print_violations(const core::Violations& violations, bool json_out) {

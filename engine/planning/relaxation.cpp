@@ -1,0 +1,173 @@
+#include "engine/planning/relaxation.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <optional>
+#include <string>
+#include <utility>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double fastest_m_s = 5.0;  // the most that a request may ask for
+constexpr int halvings = 5;  // to about a twentieth, with a speed or margin rounded to what one would type
+
+std::string written(const char* format, double from, double to) {
+  char text[120];
+  std::snprintf(text, sizeof text, format, from, to);
+  return text;
+}
+
+/// Carries the request and what may be asked of it through the search for changes.
+class Relaxation {
+ public:
+  Relaxation(const ocean::Environment& environment, const PlanRequest& request, const Trial& trial,
+             const std::stop_token& stop)
+      : environment_{environment}, request_{request}, trial_{trial}, stop_{stop} {}
+
+  void raise_speed() {
+    const double now = request_.vehicle.speed_through_water.value;
+    const auto with = [&](double speed) {
+      PlanRequest changed = request_;
+      changed.vehicle.speed_through_water = {speed};
+      return changed;
+    };
+    const auto needed = nearest_that_helps(now, std::min(fastest_m_s, 8.0 * now), 0.01, with);
+    if (!needed) return;
+    add("speed_m_s", now, *needed, *needed / now,
+        written("raise the speed through the water from %.2f to %.2f m/s", now, *needed));
+  }
+
+  void shrink_margin() {
+    const double now = request_.iceberg_margin.value;
+    const auto with = [&](double margin) {
+      PlanRequest changed = request_;
+      changed.iceberg_margin = {margin};
+      return changed;
+    };
+    const auto needed = nearest_that_helps(now, 0.0, 10.0, with);
+    if (!needed) return;
+    add("margin_m", now, *needed, 2.0 - *needed / now,
+        written("reduce the margin around icebergs from %.0f to %.0f m", now, *needed));
+  }
+
+  /// Later departures within the period of the data, closer ones first: half a tide, then whole tides and days.
+  void depart_later() {
+    if (environment_.steady_currents || !environment_.currents) return;
+    const double end_s = environment_.currents->samples().times_s.back();
+    for (const double hours : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 9.0, 12.0, 18.0, 24.0, 48.0}) {
+      const core::UtcTime later = request_.depart + core::Seconds{3600.0 * hours};
+      if (stop_.stop_requested() || core::unix_seconds(later) >= end_s) return;
+      PlanRequest changed = request_;
+      changed.depart = later;
+      if (!works(changed)) continue;
+      add("depart", request_.depart, later, 1.0 + hours / 24.0,
+          "depart " + written("%.0f h later, at ", hours, 0.0) + core::iso8601(later));
+      return;
+    }
+  }
+
+  void leave_out_a_zone() {
+    for (std::size_t i = 0; i < request_.zones.size() && i < most_zones; ++i) {
+      PlanRequest changed = request_;
+      changed.zones.erase(changed.zones.begin() + static_cast<std::ptrdiff_t>(i));
+      if (stop_.stop_requested()) return;
+      if (!works(changed)) continue;
+      const std::string& name = request_.zones[i].name;
+      add("areas/features/" + std::to_string(i), name, std::string{}, 2.0,
+          "leave out the area " + (name.empty() ? "number " + std::to_string(i + 1) : "\"" + name + "\""));
+    }
+  }
+
+  void refine_the_grid() {
+    if (!request_.spacing_along) return;
+    const double now = request_.spacing_along->value;
+    for (const double share : {0.5, 0.25}) {
+      PlanRequest changed = request_;
+      changed.spacing_along = core::Metres{share * now};
+      if (request_.spacing_across)
+        changed.spacing_across = core::Metres{share * request_.spacing_across->value};
+      if (stop_.stop_requested() || !changed.violations().empty()) return;
+      if (!works(changed)) continue;
+      add("spacing_m", now, share * now, 1.0 / share,
+          written("search on a grid of %.0f m instead of %.0f m", share * now, now));
+      return;
+    }
+  }
+
+  [[nodiscard]] std::vector<Change> changes() && {
+    std::ranges::stable_sort(found_, {}, &Found::effort);
+    std::vector<Change> changes;
+    for (Found& found : found_) changes.push_back(std::move(found.change));
+    return changes;
+  }
+
+ private:
+  static constexpr std::size_t most_zones = 10;
+
+  struct Found {
+    Change change;
+    double effort;  // how much is asked: 1 for nothing, 2 for twice the value or a day
+  };
+
+  bool works(const PlanRequest& request) const { return request.violations().empty() && trial_(request); }
+
+  /// The value nearest to `now` that helps, on the way to `extreme`, as a multiple of `unit`.
+  template <class With>
+  std::optional<double> nearest_that_helps(double now, double extreme, double unit, const With& with) const {
+    if (now == extreme || stop_.stop_requested() || !works(with(extreme))) return std::nullopt;
+    double fails = now;
+    double helps = extreme;
+    for (int i = 0; i < halvings && !stop_.stop_requested(); ++i) {
+      const double raw = 0.5 * (fails + helps);
+      // Rounded towards the generous end, so that what is named is what was tried.
+      const double middle = unit * (extreme > now ? std::ceil(raw / unit) : std::floor(raw / unit));
+      if (middle == helps || middle == fails) break;
+      (works(with(middle)) ? helps : fails) = middle;
+    }
+    return helps;
+  }
+
+  void add(std::string input, Change::Value from, Change::Value to, double effort, std::string text) {
+    found_.push_back({{std::move(input), std::move(from), std::move(to), std::move(text)}, effort});
+  }
+
+  const ocean::Environment& environment_;
+  const PlanRequest& request_;
+  const Trial& trial_;
+  const std::stop_token& stop_;
+  std::vector<Found> found_;
+};
+
+}  // namespace
+
+std::vector<Change> find_changes(const ocean::Environment& environment, const PlanRequest& request,
+                                 Constraint binding, const Trial& trial, const std::stop_token& stop) {
+  Relaxation relaxation{environment, request, trial, stop};
+  switch (binding) {
+    case Constraint::current:
+      relaxation.depart_later();
+      relaxation.raise_speed();
+      break;
+    case Constraint::data_period: relaxation.raise_speed(); break;
+    case Constraint::iceberg:
+      relaxation.shrink_margin();
+      relaxation.refine_the_grid();
+      break;
+    case Constraint::zone:
+      relaxation.leave_out_a_zone();
+      relaxation.refine_the_grid();
+      break;
+    case Constraint::depth:
+    case Constraint::land: relaxation.refine_the_grid(); break;
+    case Constraint::data_area:
+    case Constraint::memory:
+    case Constraint::caller: break;
+  }
+  return std::move(relaxation).changes();
+}
+
+}  // namespace floeplan::planning

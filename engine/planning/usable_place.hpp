@@ -1,0 +1,13 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// The nearest place that the vehicle may be in at departure, in rings of the safety map's cells around a place
+/// that it may not; empty when there is none within 100 km. The middle of a cell that is open as a whole.
+[[nodiscard]] std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint around);
+
+}  // namespace floeplan::planning

@@ -1,0 +1,155 @@
+#include "engine/planning/relaxation.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/planning/plan_route.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using support::bathymetry_from;
+using support::currents_from;
+using support::eastward_request;
+
+Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
+  return plan_route(environment, request, {}, {});
+}
+
+const Change* change_of(const Infeasible& infeasible, const std::string& input) {
+  for (const Change& change : infeasible.changes) {
+    if (change.input == input) return &change;
+  }
+  return nullptr;
+}
+
+/// A stream against the way everywhere, 0.6 m/s until the given hour, weak afterwards.
+ocean::Environment headwind_until(double hour_of_change) {
+  return {.currents = currents_from(
+              [=](geo::LonLat, double hour) {
+                return geo::VelocityEn{{hour < hour_of_change ? -0.6 : -0.02}, {0.0}};
+              },
+              120)};
+}
+
+TEST(Relaxation, NamesTheSpeedThatIsJustEnoughAgainstACurrent) {
+  const ocean::Environment environment = headwind_until(1000.0);
+  PlanRequest request = eastward_request();
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().binding, Constraint::current);
+  const Change* faster = change_of(found.error(), "speed_m_s");
+  ASSERT_NE(faster, nullptr);
+  request.vehicle.speed_through_water = {std::get<double>(faster->to)};
+  EXPECT_TRUE(plan(environment, request).has_value()) << "the change that is named is enough";
+  EXPECT_GT(std::get<double>(faster->to), 0.6);
+  EXPECT_LT(std::get<double>(faster->to), 0.75) << "and not much more than enough";
+}
+
+TEST(Relaxation, NamesTheNextDepartureThatACurrentLetsPass) {
+  // So long that the vehicle, which may drift back and come again, would drift out of every grid.
+  const ocean::Environment environment = headwind_until(26.0);
+  PlanRequest request = eastward_request();
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  const Change* later = change_of(found.error(), "depart");
+  ASSERT_NE(later, nullptr);
+  request.depart = std::get<core::UtcTime>(later->to);
+  EXPECT_TRUE(plan(environment, request).has_value());
+  EXPECT_LE(request.depart - std::get<core::UtcTime>(later->from), core::Seconds{24.0 * 3600.0});
+}
+
+TEST(Relaxation, NamesTheMarginThatLetsTheVehicleThroughBetweenIcebergs) {
+  PlanRequest request = eastward_request();
+  ocean::Environment environment;
+  // A picket line across every way, bergs of 200 m 2.2 km apart: 1 km free to either side of the middle.
+  for (int i = -60; i <= 60; ++i) {
+    environment.icebergs.push_back(support::iceberg_at({-53.0, 69.0 + 0.0198 * i}, 200.0));
+    environment.icebergs.back().id = std::to_string(i);
+    environment.icebergs.back().observed = request.depart;
+  }
+  request.iceberg_margin = core::Metres{1500.0};
+  request.spacing_along = core::Metres{500.0};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().binding, Constraint::iceberg);
+  const Change* margin = change_of(found.error(), "margin_m");
+  ASSERT_NE(margin, nullptr);
+  EXPECT_LT(std::get<double>(margin->to), 1000.0);
+  EXPECT_GT(std::get<double>(margin->to), 500.0);
+  request.iceberg_margin = core::Metres{std::get<double>(margin->to)};
+  EXPECT_TRUE(plan(environment, request).has_value());
+}
+
+TEST(Relaxation, NamesTheOneAreaThatIsInTheWay) {
+  PlanRequest request = eastward_request();
+  const auto wall = [](double west, double east) {
+    return geo::Polygon{.outer = {{west, 67.6}, {east, 67.6}, {east, 70.4}, {west, 70.4}}, .holes = {}};
+  };
+  const auto no_go = [](std::string name, geo::Polygon area) {
+    return ocean::Zone{.name = std::move(name),
+                       .kind = ocean::ZoneKind::no_go,
+                       .area = std::move(area),
+                       .from = {},
+                       .until = {}};
+  };
+  request.zones = {no_go("harmless", wall(-50.5, -50.4)), no_go("wall", wall(-53.01, -52.99))};
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().binding, Constraint::zone);
+  ASSERT_FALSE(found.error().changes.empty());
+  EXPECT_EQ(found.error().changes.front().input, "areas/features/1");
+  EXPECT_EQ(std::get<std::string>(found.error().changes.front().from), "wall");
+}
+
+TEST(Relaxation, MovesAStopThatIsNotUsableToTheNearestPlaceThatIs) {
+  PlanRequest request = eastward_request();
+  const ocean::Environment environment{
+      .bathymetry = bathymetry_from([](geo::LonLat p) { return p.lon_deg < -53.3 ? 5.0 : 300.0; })};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::start_too_shallow);
+  const Change* moved = change_of(found.error(), "from");
+  ASSERT_NE(moved, nullptr);
+  request.from = std::get<geo::LonLat>(moved->to);
+  EXPECT_NEAR(request.from.lat_deg, 69.0, 0.01);
+  EXPECT_TRUE(plan(environment, request).has_value());
+}
+
+TEST(Relaxation, FindsNothingWhereNoInputHelps) {
+  const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
+                                         return std::abs(p.lon_deg + 53.0) < 0.15 ? -5.0 : 300.0;
+                                       })};
+
+  const auto found = plan(environment, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().binding, Constraint::land);
+  EXPECT_TRUE(found.error().changes.empty());
+}
+
+TEST(Relaxation, LooksForNothingOnceItIsToStop) {
+  std::stop_source source;
+  source.request_stop();
+  int trials = 0;
+  const Trial count = [&](const PlanRequest&) {
+    ++trials;
+    return true;
+  };
+
+  EXPECT_TRUE(find_changes({}, eastward_request(), Constraint::iceberg, count, source.get_token()).empty());
+  EXPECT_EQ(trials, 0);
+}
+
+}  // namespace
+}  // namespace floeplan::planning
