@@ -23,6 +23,8 @@ class FastAxis {
     if (nodes_.size() < 2) return;
     const double step = (nodes_.back() - nodes_.front()) / static_cast<double>(nodes_.size() - 1);
     inverse_step_ = 1.0 / step;
+    for (std::size_t i = 1; i < nodes_.size(); ++i)
+      inverse_widths_.push_back(1.0 / (nodes_[i] - nodes_[i - 1]));
     uniform_ = true;
     for (std::size_t i = 0; i < nodes_.size(); ++i) {
       uniform_ =
@@ -43,9 +45,11 @@ class FastAxis {
     if (!(value >= nodes_.front() && value <= nodes_.back())) return std::nullopt;
     const auto above = std::upper_bound(nodes_.begin(), nodes_.end(), value);
     const auto cell = std::min(static_cast<std::size_t>(above - nodes_.begin()) - 1, last_cell);
-    return CellPosition{cell, (value - nodes_[cell]) / (nodes_[cell + 1] - nodes_[cell])};
+    return CellPosition{cell, (value - nodes_[cell]) * inverse_widths_[cell]};
   }
 
+  [[nodiscard]] double mean_step() const { return 1.0 / inverse_step_; }
+  [[nodiscard]] double inverse_width(std::size_t cell) const { return inverse_widths_[cell]; }
   [[nodiscard]] std::size_t size() const { return nodes_.size(); }
   [[nodiscard]] const std::vector<double>& nodes() const { return nodes_; }
 
@@ -53,6 +57,7 @@ class FastAxis {
   static constexpr double slack = 1e-6;  // of a step: the rounding of float32 coordinates
 
   std::vector<double> nodes_;
+  std::vector<double> inverse_widths_;  // of the cells
   double inverse_step_{};
   bool uniform_{false};
 };

@@ -66,4 +66,30 @@ geo::GridPoint GridLookup::coordinates(geo::PlanePoint point) const {
           south_y + fy * (nw.y + fx * (ne.y - nw.y) - south_y)};
 }
 
+geo::GridPoint GridLookup::bend() const {
+  geo::GridPoint straight{};
+  geo::GridPoint mixed{};
+  const auto worsen = [](geo::GridPoint& bend, double x, double y) {
+    bend = {std::max(bend.x, std::abs(x)), std::max(bend.y, std::abs(y))};
+  };
+  for (std::size_t iy = 0; iy < ny_; ++iy) {
+    for (std::size_t ix = 0; ix < nx_; ++ix) {
+      const geo::GridPoint* at = nodes_.data() + iy * nx_ + ix;
+      if (ix + 2 < nx_)
+        worsen(straight, at[0].x - 2.0 * at[1].x + at[2].x, at[0].y - 2.0 * at[1].y + at[2].y);
+      if (iy + 2 < ny_) {
+        worsen(straight, at[0].x - 2.0 * at[nx_].x + at[2 * nx_].x,
+               at[0].y - 2.0 * at[nx_].y + at[2 * nx_].y);
+      }
+      if (ix + 1 < nx_ && iy + 1 < ny_) {
+        worsen(mixed, at[0].x - at[1].x - at[nx_].x + at[nx_ + 1].x,
+               at[0].y - at[1].y - at[nx_].y + at[nx_ + 1].y);
+      }
+    }
+  }
+  // Along a unit vector (p, q) it is p^2 f_xx + 2 p q f_xy + q^2 f_yy, with 2 p q <= 1.
+  const double per_square_metre = inverse_step_ * inverse_step_;
+  return {per_square_metre * (straight.x + mixed.x), per_square_metre * (straight.y + mixed.y)};
+}
+
 }  // namespace floeplan::planning

@@ -25,6 +25,11 @@ class GridLookup {
 
   /// Precondition: `point` lies within the area.
   [[nodiscard]] geo::GridPoint coordinates(geo::PlanePoint point) const;
+  /// Whether longitudes jump somewhere in the area.
+  [[nodiscard]] bool has_jump() const { return has_jump_; }
+  /// How much each coordinate bends at most: its second derivative along any straight line of the plane, in
+  /// coordinate units for each square metre. Meaningless where there is a jump.
+  [[nodiscard]] geo::GridPoint bend() const;
 
  private:
   [[nodiscard]] geo::GridPoint exact(geo::PlanePoint point) const;

@@ -8,6 +8,9 @@
 namespace floeplan::planning {
 namespace {
 
+constexpr double most_beside_chord =
+    2.5e-4;  // of a cell: so small a share of what the current changes over the cell goes unseen
+
 struct Window {
   std::vector<double> nodes;
   std::vector<std::size_t> indices;
@@ -104,6 +107,10 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
     times_s_ = FastAxis{std::move(times)};
   }
   spacing_ = grid.spacing();
+  const geo::GridPoint bend = lookup_.bend();
+  // A chord of length h misses a curve by h^2 / 8 of its bend.
+  straight_parts_per_metre_ =
+      std::sqrt(std::max(bend.x / x_.mean_step(), bend.y / y_.mean_step()) / (8.0 * most_beside_chord));
   fill(currents, dive_depth, projection, stop);
   extend_to_coast();
 }
@@ -212,6 +219,8 @@ std::optional<motion::CurrentXy> PlaneCurrents::operator()(geo::PlanePoint point
   if (std::isnan(result.x_m_s)) return std::nullopt;
   return result;
 }
+
+CurrentLine PlaneCurrents::line(const motion::PlaneEdge& edge) const { return {*this, edge}; }
 
 bool PlaneCurrents::is_extended(geo::PlanePoint point) const {
   const auto cell = corner(point);

@@ -6,7 +6,9 @@
 #include <vector>
 
 #include "engine/motion/plane_current.hpp"
+#include "engine/motion/plane_edge.hpp"
 #include "engine/ocean/current_grid.hpp"
+#include "engine/planning/current_line.hpp"
 #include "engine/planning/fast_axis.hpp"
 #include "engine/planning/grid_lookup.hpp"
 #include "engine/planning/plane_box.hpp"
@@ -29,6 +31,10 @@ class PlaneCurrents {
                 const std::stop_token& stop = {});
 
   [[nodiscard]] std::optional<motion::CurrentXy> operator()(geo::PlanePoint point, core::Seconds time) const;
+  /// The current along an edge, cell by cell. Precondition: `has_lines()`.
+  [[nodiscard]] CurrentLine line(const motion::PlaneEdge& edge) const;
+  /// Not where the data's longitudes jump inside the area.
+  [[nodiscard]] bool has_lines() const { return !lookup_.has_jump(); }
   /// Whether the current at this point rests on a node beyond the data's own coast.
   [[nodiscard]] bool is_extended(geo::PlanePoint point) const;
 
@@ -41,6 +47,8 @@ class PlaneCurrents {
   [[nodiscard]] std::optional<core::Seconds> end() const;
 
  private:
+  friend class CurrentLine;
+
   struct Corner {
     std::size_t first;  // index of the south-western node
     double fx;
@@ -65,6 +73,7 @@ class PlaneCurrents {
   std::vector<std::uint8_t> extended_;  // [y][x]
   core::MetresPerSecond strongest_{};
   core::Metres spacing_{};
+  double straight_parts_per_metre_{};  // of a line: so many are straight in the data's coordinates, too
 };
 
 }  // namespace floeplan::planning

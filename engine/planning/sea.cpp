@@ -117,9 +117,15 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
       return tl::unexpected(motion::EdgeClosed::in_zone);
     return time;
   }
-  if (timed_zones_.empty())
-    return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest);
-  return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest, obey_zones);
+  const auto integrate = [&](const auto& visit_piece) {
+    if (currents_->has_lines())
+      return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest, visit_piece);
+    const auto point_by_point = [this](geo::PlanePoint point, core::Seconds time) {
+      return (*currents_)(point, time);
+    };
+    return motion::edge_time(edge, depart, through_water_, point_by_point, accuracy_, latest, visit_piece);
+  };
+  return timed_zones_.empty() ? integrate(motion::VisitNoPiece{}) : integrate(obey_zones);
 }
 
 bool Sea::currents_known(geo::PlanePoint point, core::Seconds time) const {

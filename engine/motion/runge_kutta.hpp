@@ -1,0 +1,105 @@
+#pragma once
+
+#include <cmath>
+#include <tl/expected.hpp>
+
+#include "engine/motion/edge_closed.hpp"
+
+namespace floeplan::motion {
+
+/// A step from s to s + h in which t grows by `gain`, and the cubic through both ends with the slopes there.
+struct StepCubic {
+  double h{};
+  double gain{};
+  double k_start{};
+  double k_end{};
+
+  /// Gain of t over a share of the step.
+  [[nodiscard]] double gain_at(double share) const {
+    const double from = h * k_start;
+    const double to = h * k_end;
+    return share * (from + share * (3.0 * gain - 2.0 * from - to + share * (from + to - 2.0 * gain)));
+  }
+};
+
+/// The share of a step at which the gain of t is `wanted`. Precondition: 0 <= wanted <= gain.
+inline double share_with_gain(const StepCubic& step, double wanted) {
+  double low = 0.0;
+  double high = 1.0;
+  double share = wanted / step.gain;
+  for (int i = 0; i < 60; ++i) {
+    const double miss = wanted - step.gain_at(share);
+    (miss > 0.0 ? low : high) = share;
+    // The slopes at both ends tell those between them roughly: a digit or two a round, halving where not.
+    const double slope = step.h * (step.k_start + share * (step.k_end - step.k_start));
+    const double guess = share + miss / slope;
+    const double next = guess > low && guess < high ? guess : 0.5 * (low + high);
+    if (std::abs(next - share) <= 1e-13) break;
+    share = next;
+  }
+  return share;
+}
+
+// Steps by embedded pairs of Runge-Kutta formulas for dt/ds = k(s, t). The gain of t is that of the higher
+// formula; `error` estimates that of the lower one. `is_its_cubic`: the cubic is as good as the formula, so
+// that a step may be cut short anywhere. The function k takes (s, t) and gives
+// tl::expected<double, EdgeClosed>.
+
+/// A 3(2) pair: three new values of k for a step.
+/// Source   Bogacki and Shampine 1989, A 3(2) pair of Runge-Kutta formulas, Appl. Math. Lett. 2,
+///          doi:10.1016/0893-9659(89)90079-7; between its ends the cubic through values and slopes
+struct BogackiShampine : StepCubic {
+  double error{};
+  static constexpr bool is_its_cubic = true;
+
+  template <class K>
+  static tl::expected<BogackiShampine, EdgeClosed> step(const K& k, double s, double t, double h, double k1) {
+    const auto k2 = k(s + 0.5 * h, t + 0.5 * h * k1);
+    if (!k2) return tl::unexpected(k2.error());
+    const auto k3 = k(s + 0.75 * h, t + 0.75 * h * *k2);
+    if (!k3) return tl::unexpected(k3.error());
+    const double gain = h * (2.0 / 9.0 * k1 + 1.0 / 3.0 * *k2 + 4.0 / 9.0 * *k3);
+    const auto k4 = k(s + h, t + gain);
+    if (!k4) return tl::unexpected(k4.error());
+    const double error = h * std::abs(5.0 / 72.0 * k1 - 1.0 / 12.0 * *k2 - 1.0 / 9.0 * *k3 + 1.0 / 8.0 * *k4);
+    return BogackiShampine{{h, gain, k1, *k4}, error};
+  }
+
+  /// How much longer a step may be whose error for each second should be `ratio` times as large.
+  static double lengthening(double ratio) { return std::sqrt(ratio); }
+};
+
+/// A 5(4) pair: six new values of k for a step, worth it for tight tolerances.
+/// Source   Dormand and Prince 1980, A family of embedded Runge-Kutta formulae, J. Comput. Appl. Math. 6,
+///          doi:10.1016/0771-050X(80)90013-3
+struct DormandPrince : StepCubic {
+  double error{};
+  static constexpr bool is_its_cubic = false;
+
+  template <class K>
+  static tl::expected<DormandPrince, EdgeClosed> step(const K& k, double s, double t, double h, double k1) {
+    const auto k2 = k(s + h / 5.0, t + h / 5.0 * k1);
+    if (!k2) return tl::unexpected(k2.error());
+    const auto k3 = k(s + 0.3 * h, t + h * (3.0 / 40.0 * k1 + 9.0 / 40.0 * *k2));
+    if (!k3) return tl::unexpected(k3.error());
+    const auto k4 = k(s + 0.8 * h, t + h * (44.0 / 45.0 * k1 - 56.0 / 15.0 * *k2 + 32.0 / 9.0 * *k3));
+    if (!k4) return tl::unexpected(k4.error());
+    const auto k5 = k(s + 8.0 / 9.0 * h, t + h * (19372.0 / 6561.0 * k1 - 25360.0 / 2187.0 * *k2 +
+                                                  64448.0 / 6561.0 * *k3 - 212.0 / 729.0 * *k4));
+    if (!k5) return tl::unexpected(k5.error());
+    const auto k6 = k(s + h, t + h * (9017.0 / 3168.0 * k1 - 355.0 / 33.0 * *k2 + 46732.0 / 5247.0 * *k3 +
+                                      49.0 / 176.0 * *k4 - 5103.0 / 18656.0 * *k5));
+    if (!k6) return tl::unexpected(k6.error());
+    const double gain = h * (35.0 / 384.0 * k1 + 500.0 / 1113.0 * *k3 + 125.0 / 192.0 * *k4 -
+                             2187.0 / 6784.0 * *k5 + 11.0 / 84.0 * *k6);
+    const auto k7 = k(s + h, t + gain);
+    if (!k7) return tl::unexpected(k7.error());
+    const double error = h * std::abs(71.0 / 57600.0 * k1 - 71.0 / 16695.0 * *k3 + 71.0 / 1920.0 * *k4 -
+                                      17253.0 / 339200.0 * *k5 + 22.0 / 525.0 * *k6 - 1.0 / 40.0 * *k7);
+    return DormandPrince{{h, gain, k1, *k7}, error};
+  }
+
+  static double lengthening(double ratio) { return std::sqrt(std::sqrt(ratio)); }
+};
+
+}  // namespace floeplan::motion
