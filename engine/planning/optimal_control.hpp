@@ -5,14 +5,14 @@
 #include <vector>
 
 #include "engine/motion/edge_time.hpp"
-#include "engine/planning/leg_descent.hpp"
+#include "engine/planning/way_descent.hpp"
 #include "engine/planning/zermelo.hpp"
 
 namespace floeplan::planning {
 
 /// The travel times of straight legs in a plane current, exact enough for `descend`; the current is borrowed.
 template <motion::PlaneCurrent Current>
-LegTime legs_in(const Current& current, core::MetresPerSecond through_water) {
+LegTimer legs_in(const Current& current, core::MetresPerSecond through_water) {
   constexpr double tolerance = 1e-6;
   return [&current, through_water](geo::PlanePoint from, geo::PlanePoint to,
                                    core::Seconds depart) -> std::optional<core::Seconds> {
@@ -34,13 +34,13 @@ tl::expected<Extremal, NoExtremal> find_extremal(const Crossing& crossing, const
                                                  const std::stop_token& stop = {}) {
   constexpr std::size_t pieces = 64;
   constexpr double steps_of_piece = 8.0;
-  const LegTime leg_time = legs_in(current, crossing.through_water);
+  const LegTimer leg_timer = legs_in(current, crossing.through_water);
   tl::expected<Extremal, NoExtremal> best = tl::unexpected(NoExtremal::outside_data);
   for (const std::vector<geo::PlanePoint>& points : starts) {
-    const auto start = time_route(points, crossing.depart, leg_time);
+    const auto start = time_way(points, crossing.depart, leg_timer);
     if (!start) continue;
-    const Descent bent = descend_with_legs(descend(*start, leg_time, stop).route, pieces, leg_time, stop);
-    const auto guess = guess_along(bent.route, current, pieces);
+    const WayDescent bent = descend_with_legs(descend(*start, leg_timer, stop).way, pieces, leg_timer, stop);
+    const auto guess = guess_along(bent.way, current, pieces);
     if (!guess) continue;
     const ZermeloFlow flow{current, crossing.through_water, guess->duration / (pieces * steps_of_piece)};
     auto extremal = solve_extremal(crossing, flow, *guess, stop);

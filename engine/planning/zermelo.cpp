@@ -167,7 +167,7 @@ tl::expected<Vector, NoExtremal> solve(const Shooting& shooting, Vector z, const
 }  // namespace
 
 std::optional<ExtremalGuess> guess_along(
-    const TimedRoute& route,
+    const TimedWay& route,
     const std::function<std::optional<motion::CurrentXy>(geo::PlanePoint, core::Seconds)>& current,
     std::size_t pieces) {
   if (route.points.size() < 2 || pieces < 2) {

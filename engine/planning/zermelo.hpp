@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/motion/sloped_current.hpp"
-#include "engine/planning/timed_route.hpp"
+#include "engine/planning/timed_way.hpp"
 
 namespace floeplan::planning {
 
@@ -100,7 +100,7 @@ struct ExtremalGuess {
 /// The route cut into `pieces`; empty where the current is not known.
 /// Precondition  two points or more, two pieces or more
 [[nodiscard]] std::optional<ExtremalGuess> guess_along(
-    const TimedRoute& route,
+    const TimedWay& route,
     const std::function<std::optional<motion::CurrentXy>(geo::PlanePoint, core::Seconds)>& current,
     std::size_t pieces);
 

@@ -1,17 +1,18 @@
 #include <array>
+#include <cmath>
 #include <cstdio>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "engine/planning/reproduction.hpp"
+#include "engine/reproduction/tables.hpp"
 #include "server/cli/command.hpp"
 
 namespace floeplan::cli {
 namespace {
 
 using nlohmann::json;
-using planning::ReproducedRow;
+using reproduction::ReproducedRow;
 
 template <class T>
 json or_null(const std::optional<T>& value) {
@@ -21,16 +22,17 @@ json or_null(const std::optional<T>& value) {
 json table_document(const std::vector<ReproducedRow>& rows) {
   json table = json::array();
   for (const ReproducedRow& row : rows) {
-    table.push_back({{"row", row.row},
-                     {"paper_s", or_null(row.paper_s)},
-                     {"verified_s", or_null(row.verified_s)},
+    table.push_back({{"row", row.printed.row},
+                     {"paper_s", or_null(row.printed.paper_s)},
+                     {"verified_s", or_null(row.printed.verified_s)},
                      {"ours_s", or_null(row.ours_s)},
                      {"ours_at_default_tolerance_s", or_null(row.ours_at_default_tolerance_s)},
                      {"vertices", or_null(row.vertices)},
                      {"edges", or_null(row.edges)},
+                     {"paper_edges", or_null(row.printed.paper_edges)},
                      {"saving_pct", or_null(row.saving_pct)},
                      {"deviation_pct", or_null(row.deviation_pct)},
-                     {"remark", row.remark}});
+                     {"remark", row.printed.remark}});
   }
   return table;
 }
@@ -43,22 +45,28 @@ std::string cell(const std::optional<T>& value, const char* format) {
   return text.data();
 }
 
+/// A percentage; what rounds to zero from below is zero.
+std::optional<double> percent(const std::optional<double>& value) {
+  if (!value || std::abs(*value) >= 0.005) return value;
+  return 0.0;
+}
+
 void print_table(const char* title, const std::vector<ReproducedRow>& rows) {
-  std::printf("%s\n%-18s %9s %9s %9s %10s %8s %7s %8s %8s\n", title, "method", "paper", "verified", "ours",
-              "at 1e-4", "vertices", "edges", "saving %", "dev. %");
+  std::printf("%s\n%-23s %8s %8s %8s %8s %8s %6s %6s %8s %7s\n", title, "method", "paper", "verified", "ours",
+              "at 1e-4", "vertices", "edges", "print", "saving %", "dev. %");
   for (const ReproducedRow& row : rows) {
-    std::printf("%-18s %9s %9s %9s %10s %8s %7s %8s %8s  %s\n", row.row.c_str(),
-                cell(row.paper_s, "%.3f").c_str(), cell(row.verified_s, "%.3f").c_str(),
+    std::printf("%-23s %8s %8s %8s %8s %8s %6s %6s %8s %7s  %s\n", row.printed.row.c_str(),
+                cell(row.printed.paper_s, "%.3f").c_str(), cell(row.printed.verified_s, "%.3f").c_str(),
                 cell(row.ours_s, "%.3f").c_str(), cell(row.ours_at_default_tolerance_s, "%.3f").c_str(),
                 cell(row.vertices, "%.0f").c_str(), cell(row.edges, "%.0f").c_str(),
-                cell(row.saving_pct, "%.2f").c_str(), cell(row.deviation_pct, "%.2f").c_str(),
-                row.remark.c_str());
+                cell(row.printed.paper_edges, "%.0f").c_str(), cell(percent(row.saving_pct), "%.2f").c_str(),
+                cell(percent(row.deviation_pct), "%.2f").c_str(), row.printed.remark.c_str());
   }
 }
 
 int run(bool json_out) {
-  const auto table_2 = planning::reproduce_table_2();
-  const auto table_3 = planning::reproduce_table_3();
+  const auto table_2 = reproduction::reproduce_table_2();
+  const auto table_3 = reproduction::reproduce_table_3();
   if (json_out) {
     std::cout << json{{"table_2", table_document(table_2)}, {"table_3", table_document(table_3)}}.dump(2)
               << '\n';

@@ -27,6 +27,7 @@ const std::map<std::string, Folder>& folders() {
       {"engine/ocean", {{"engine/geo"}}},
       {"engine/vehicle", {{"engine/geo"}}},
       {"engine/planning", {{"engine/graph", "engine/motion", "engine/ocean", "engine/vehicle"}}},
+      {"engine/reproduction", {{"engine/planning"}}},
       {"engine/mission", {{"engine/planning"}}},
       {"engine/avoidance", {{"engine/graph", "engine/motion", "engine/vehicle"}}},
       {"engine/simulation", {{"engine/mission", "engine/avoidance"}}},
@@ -41,7 +42,7 @@ const std::map<std::string, Folder>& folders() {
       // The listener speaks in messages and problems; it knows no resource.
       {"server/http",
        {{"engine/core"}, {"api/codec/sha256.hpp", "api/routes/message.hpp", "api/routes/reply.hpp"}}},
-      {"server/cli", {{"api/routes", "server/jobs", "server/http", "storage/demo"}}},
+      {"server/cli", {{"api/routes", "server/jobs", "server/http", "storage/demo", "engine/reproduction"}}},
       {"server", {{"server/cli"}}},
   };
   return all;

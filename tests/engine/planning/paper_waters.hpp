@@ -16,12 +16,12 @@ inline const Crossing along_the_jet{{-8.0, -2.0}, {10.0, 1.0}, core::Seconds{0.0
 inline std::vector<std::vector<geo::PlanePoint>> ways_along_the_jet(std::size_t most) {
   const graph::GridGraph grid{41, 21, 3};
   const MeanderingJet jet;
-  const LegTime leg_time = legs_in(jet, along_the_jet.through_water);
+  const LegTimer leg_timer = legs_in(jet, along_the_jet.through_water);
   const auto point = [&](graph::Vertex v) {
     return geo::PlanePoint{-10.0 + 0.5 * grid.column(v), -5.0 + 0.5 * grid.row(v)};
   };
   const auto travel_time = [&](const graph::Edge& edge, core::Seconds depart, core::Seconds) {
-    return leg_time(point(edge.tail), point(edge.head), depart);
+    return leg_timer(point(edge.tail), point(edge.head), depart);
   };
   const graph::Query query{grid.vertex(4, 6), grid.vertex(40, 12), along_the_jet.depart};
   std::vector<std::vector<geo::PlanePoint>> ways;

@@ -41,15 +41,15 @@ struct FencedJet {
 /// The extremal near a route that is driven in `duration` at a steady pace over the ground.
 template <motion::SlopedPlaneCurrent Current>
 tl::expected<Extremal, NoExtremal> solve_near(const Crossing& crossing, const Current& current,
-                                              const TimedRoute& route, const std::stop_token& stop = {}) {
+                                              const TimedWay& route, const std::stop_token& stop = {}) {
   const auto guess = guess_along(route, current, pieces);
   if (!guess) return tl::unexpected(NoExtremal::outside_data);
   const core::Seconds step = guess->duration / (8.0 * pieces);
   return solve_extremal(crossing, ZermeloFlow{current, crossing.through_water, step}, *guess, stop);
 }
 
-const TimedRoute straight_over_the_river{{over_the_river.from, over_the_river.to},
-                                         {core::Seconds{0.0}, core::Seconds{179.0}}};
+const TimedWay straight_over_the_river{{over_the_river.from, over_the_river.to},
+                                       {core::Seconds{0.0}, core::Seconds{179.0}}};
 
 TEST(Zermelo, GoesStraightInASteadyCurrent) {
   support::for_each_seed(50, [](std::mt19937_64& rng) {
@@ -60,8 +60,8 @@ TEST(Zermelo, GoesStraightInASteadyCurrent) {
     const double length = std::hypot(3000.0, 1000.0);
     const auto exact =
         motion::edge_time({crossing.from, crossing.to, {length}}, crossing.depart, {0.35}, current, {});
-    const TimedRoute detour{{crossing.from, {1200.0, 900.0}, crossing.to},
-                            {core::Seconds{500.0}, core::Seconds{6000.0}, core::Seconds{15000.0}}};
+    const TimedWay detour{{crossing.from, {1200.0, 900.0}, crossing.to},
+                          {core::Seconds{500.0}, core::Seconds{6000.0}, core::Seconds{15000.0}}};
 
     const auto extremal = solve_near(crossing, current, detour);
 
@@ -98,8 +98,8 @@ TEST(Zermelo, KeepsItsConstantOnTheWayOverTheRiver) {
 }
 
 TEST(Zermelo, SaysThatTheGuessLeavesTheData) {
-  const TimedRoute northward{{along_the_jet.from, {0.0, 4.0}, along_the_jet.to},
-                             {core::Seconds{0.0}, core::Seconds{10.0}, core::Seconds{20.0}}};
+  const TimedWay northward{{along_the_jet.from, {0.0, 4.0}, along_the_jet.to},
+                           {core::Seconds{0.0}, core::Seconds{10.0}, core::Seconds{20.0}}};
 
   const auto extremal = solve_near(along_the_jet, FencedJet{}, northward);
 

@@ -1,4 +1,4 @@
-#include "engine/planning/reproduction.hpp"
+#include "engine/reproduction/tables.hpp"
 
 #include <gtest/gtest.h>
 
@@ -7,7 +7,9 @@
 #include <sstream>
 #include <string>
 
-namespace floeplan::planning {
+#include "engine/planning/river_extremal.hpp"
+
+namespace floeplan::reproduction {
 namespace {
 
 struct Golden {
@@ -36,12 +38,16 @@ std::vector<Golden> golden(const std::string& file) {
   return rows;
 }
 
+auto find_row(const std::vector<ReproducedRow>& table, const std::string& name) {
+  return std::ranges::find_if(table, [&](const ReproducedRow& row) { return row.printed.row == name; });
+}
+
 void expect_golden(const std::vector<ReproducedRow>& table, const std::string& file, std::size_t rows) {
   const auto expected = golden(file);
   ASSERT_EQ(expected.size(), rows);
   for (const Golden& wanted : expected) {
     SCOPED_TRACE(wanted.row);
-    const auto found = std::ranges::find(table, wanted.row, &ReproducedRow::row);
+    const auto found = find_row(table, wanted.row);
     ASSERT_NE(found, table.end());
     ASSERT_TRUE(found->ours_s.has_value());
     EXPECT_NEAR(*found->ours_s, wanted.verified_s, 0.0005) << "to the printed digits";
@@ -53,23 +59,32 @@ void expect_golden(const std::vector<ReproducedRow>& table, const std::string& f
   }
 }
 
-TEST(Reproduction, GivesEveryVerifiedTimeAndCountOfTableTwo) {
+TEST(Tables, GiveEveryVerifiedTimeAndCountOfTableTwo) {
   expect_golden(reproduce_table_2(), "eichhorn_2009_table_2.csv", 11);
 }
 
-TEST(Reproduction, GivesTheStandInOfTableThreeAndNoDirectWay) {
+TEST(Tables, GiveTheStandInOfTableThreeAndNoDirectWay) {
   const auto table = reproduce_table_3();
 
-  expect_golden(table, "eichhorn_2009_table_3.csv", 3);
-  EXPECT_EQ(table.front().row, "direct drive");
+  expect_golden(table, "eichhorn_2009_table_3.csv", 9);
+  EXPECT_EQ(table.front().printed.row, "direct drive");
   EXPECT_FALSE(table.front().ours_s.has_value());
+  EXPECT_NEAR(find_row(table, "1-sector")->deviation_pct.value(), 14.26, 0.005);
+  EXPECT_NEAR(find_row(table, "2-sector")->deviation_pct.value(), 4.94, 0.005);
+  EXPECT_NEAR(find_row(table, "3-sector")->deviation_pct.value(), 3.33, 0.005);
 }
 
-TEST(Reproduction, GivesThePapersPercentages) {
+TEST(Tables, GiveTheExtremalOfTheRiverAsTheClosedSolutionHasIt) {
   const auto table = reproduce_table_2();
-  const auto row = [&](const std::string& name) {
-    return *std::ranges::find(table, name, &ReproducedRow::row);
-  };
+
+  const double closed_s =
+      planning::river_crossing_by_optimal_control(planning::RiverCurrent{}, river_speed).count();
+  EXPECT_NEAR(find_row(table, "optimal control")->ours_s.value(), closed_s, 1e-6);
+}
+
+TEST(Tables, GiveThePapersPercentages) {
+  const auto table = reproduce_table_2();
+  const auto row = [&](const std::string& name) { return *find_row(table, name); };
 
   EXPECT_NEAR(row("optimal control").saving_pct.value(), 9.87, 0.005);
   EXPECT_NEAR(row("direct drive").deviation_pct.value(), 10.96, 0.005);
@@ -78,4 +93,4 @@ TEST(Reproduction, GivesThePapersPercentages) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::reproduction

@@ -1,4 +1,4 @@
-#include "engine/planning/leg_descent.hpp"
+#include "engine/planning/way_descent.hpp"
 
 #include <cmath>
 
@@ -47,28 +47,28 @@ geo::PlanePoint unit_across(geo::PlanePoint from, geo::PlanePoint to) {
   return {-(to.y_m - from.y_m) / length, (to.x_m - from.x_m) / length};
 }
 
-/// The route with its directions across and the derivatives of its legs.
+/// The way with its directions across and the derivatives of its legs.
 class Neighbourhood {
  public:
-  Neighbourhood(const TimedRoute& route, const LegTime& leg_time) : route_{route}, leg_time_{leg_time} {
-    const auto& points = route.points;
+  Neighbourhood(const TimedWay& way, const LegTimer& leg_timer) : way_{way}, leg_timer_{leg_timer} {
+    const auto& points = way.points;
     across_.assign(points.size(), {});
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       across_[i] = unit_across(points[i - 1], points[i + 1]);
     }
   }
 
-  [[nodiscard]] std::size_t legs() const { return route_.points.size() - 1; }
+  [[nodiscard]] std::size_t legs() const { return way_.points.size() - 1; }
   [[nodiscard]] geo::PlanePoint moved(std::size_t point, double offset) const {
-    return {route_.points[point].x_m + offset * across_[point].x_m,
-            route_.points[point].y_m + offset * across_[point].y_m};
+    return {way_.points[point].x_m + offset * across_[point].x_m,
+            way_.points[point].y_m + offset * across_[point].y_m};
   }
   [[nodiscard]] double length(std::size_t leg) const {
-    return std::hypot(route_.points[leg + 1].x_m - route_.points[leg].x_m,
-                      route_.points[leg + 1].y_m - route_.points[leg].y_m);
+    return std::hypot(way_.points[leg + 1].x_m - way_.points[leg].x_m,
+                      way_.points[leg + 1].y_m - way_.points[leg].y_m);
   }
   [[nodiscard]] double duration(std::size_t leg) const {
-    return (route_.times[leg + 1] - route_.times[leg]).count();
+    return (way_.times[leg + 1] - way_.times[leg]).count();
   }
 
   /// By difference quotients; empty where a neighbour of the leg cannot be travelled.
@@ -77,10 +77,10 @@ class Neighbourhood {
     const double s = difference_step * duration(leg);
     bool open = true;
     const auto end = [&](int a, int b, int t) {
-      const core::Seconds depart = route_.times[leg] + core::Seconds{s * t};
-      const auto time = leg_time_(moved(leg, h * a), moved(leg + 1, h * b), depart);
+      const core::Seconds depart = way_.times[leg] + core::Seconds{s * t};
+      const auto time = leg_timer_(moved(leg, h * a), moved(leg + 1, h * b), depart);
       open = open && time.has_value();
-      return time ? (depart + *time - route_.times[leg]).count() : 0.0;
+      return time ? (depart + *time - way_.times[leg]).count() : 0.0;
     };
     const double here = end(0, 0, 0);
     const double a_up = end(1, 0, 0), a_down = end(-1, 0, 0);
@@ -104,16 +104,16 @@ class Neighbourhood {
   }
 
   /// Follows the policies, `share` of their constant part.
-  [[nodiscard]] std::optional<TimedRoute> follow(const std::vector<Policy>& policies, double share) const {
-    TimedRoute next{.points = {route_.points.front()}, .times = {route_.times.front()}};
+  [[nodiscard]] std::optional<TimedWay> follow(const std::vector<Policy>& policies, double share) const {
+    TimedWay next{.points = {way_.points.front()}, .times = {way_.times.front()}};
     double offset = 0.0;
-    for (std::size_t i = 1; i < route_.points.size(); ++i) {
-      const double late = (next.times.back() - route_.times[i - 1]).count();
+    for (std::size_t i = 1; i < way_.points.size(); ++i) {
+      const double late = (next.times.back() - way_.times[i - 1]).count();
       const Policy& policy = policies[i];
       offset = share * policy.constant + policy.by_offset * offset + policy.by_time * late;
       if (!std::isfinite(offset)) return std::nullopt;
       const geo::PlanePoint point = moved(i, offset);
-      const auto time = leg_time_(next.points.back(), point, next.times.back());
+      const auto time = leg_timer_(next.points.back(), point, next.times.back());
       if (!time) return std::nullopt;
       next.points.push_back(point);
       next.times.push_back(next.times.back() + *time);
@@ -122,8 +122,8 @@ class Neighbourhood {
   }
 
  private:
-  const TimedRoute& route_;
-  const LegTime& leg_time_;
+  const TimedWay& way_;
+  const LegTimer& leg_timer_;
   std::vector<geo::PlanePoint> across_;  // nothing at the ends, which stay
 };
 
@@ -171,9 +171,9 @@ std::optional<std::vector<LegSlopes>> all_slopes(const Neighbourhood& near) {
   return slopes;
 }
 
-/// The first shorter route on the way to what the policies aim at.
-std::optional<TimedRoute> shorter_route(const Neighbourhood& near, const Policies& policies,
-                                        core::Seconds duration) {
+/// The first shorter way on the way to what the policies aim at.
+std::optional<TimedWay> shorter_way(const Neighbourhood& near, const Policies& policies,
+                                    core::Seconds duration) {
   for (double share = 1.0; share >= least_step; share *= 0.5) {
     auto next = near.follow(policies.of_point, share);
     if (next && next->duration() < duration) return next;
@@ -181,26 +181,28 @@ std::optional<TimedRoute> shorter_route(const Neighbourhood& near, const Policie
   return std::nullopt;
 }
 
-/// A step down from a route and the weight that it took.
+/// A step down from a way and the weight that it took.
 struct Step {
-  std::optional<TimedRoute> next;  // empty: none was found
+  std::optional<TimedWay> next;  // empty: none was found
   double weight{};
   bool at_minimum{false};  // none was found because nothing is left to gain that could be told
+  bool closed{false};      // none was found because a neighbouring way cannot be travelled
 };
 
-/// Raises the weight, which shortens the step, until the route does become shorter.
-Step step_down(const TimedRoute& route, const LegTime& leg_time, double weight) {
-  const Neighbourhood near{route, leg_time};
+/// Raises the weight, which shortens the step, until the way does become shorter.
+Step step_down(const TimedWay& way, const LegTimer& leg_timer, double weight) {
+  const Neighbourhood near{way, leg_timer};
   Step step{.next = {}, .weight = weight};
   const auto slopes = all_slopes(near);
+  step.closed = !slopes;
   if (!slopes) return step;
   for (; step.weight <= most_weight; step.weight *= weight_factor) {
     const auto policies = best_policies(near, *slopes, step.weight);
     if (!policies) continue;
-    const double gain = policies->gain / route.duration().count();
+    const double gain = policies->gain / way.duration().count();
     if (step.weight <= 1.0 && gain <= drowned) step.at_minimum = true;
     if (gain <= converged) return step;
-    step.next = shorter_route(near, *policies, route.duration());
+    step.next = shorter_way(near, *policies, way.duration());
     if (step.next) return step;
   }
   return step;
@@ -208,28 +210,29 @@ Step step_down(const TimedRoute& route, const LegTime& leg_time, double weight) 
 
 }  // namespace
 
-Descent descend(const TimedRoute& start, const LegTime& leg_time, const std::stop_token& stop) {
-  Descent descent{.route = start};
+WayDescent descend(const TimedWay& start, const LegTimer& leg_timer, const std::stop_token& stop) {
+  WayDescent descent{.way = start};
   double weight = least_weight;
   for (int i = 0; i < most_iterations && !stop.stop_requested(); ++i) {
-    Step step = step_down(descent.route, leg_time, weight);
+    Step step = step_down(descent.way, leg_timer, weight);
     if (!step.next) {
       descent.converged = step.at_minimum;
+      descent.closed = step.closed;
       return descent;
     }
-    descent.route = std::move(*step.next);
+    descent.way = std::move(*step.next);
     weight = std::max(least_weight, step.weight / weight_factor);
   }
   return descent;
 }
 
-Descent descend_with_legs(const TimedRoute& start, std::size_t legs, const LegTime& leg_time,
-                          const std::stop_token& stop) {
-  Descent descent{.route = start};
+WayDescent descend_with_legs(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
+                             const std::stop_token& stop) {
+  WayDescent descent{.way = start};
   for (int round = 0; round < 2; ++round) {
-    auto even = time_route(cut_evenly(descent.route, legs), start.times.front(), leg_time);
-    if (!even) return {descent.route, false};
-    descent = descend(*even, leg_time, stop);
+    auto even = time_way(cut_evenly(descent.way, legs), start.times.front(), leg_timer);
+    if (!even) return {.way = descent.way, .converged = false, .closed = true};
+    descent = descend(*even, leg_timer, stop);
   }
   return descent;
 }

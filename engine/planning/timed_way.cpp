@@ -1,10 +1,10 @@
-#include "engine/planning/timed_route.hpp"
+#include "engine/planning/timed_way.hpp"
 
 #include <algorithm>
 
 namespace floeplan::planning {
 
-geo::PlanePoint TimedRoute::at(core::Seconds time) const {
+geo::PlanePoint TimedWay::at(core::Seconds time) const {
   const auto next = std::ranges::upper_bound(times, time);
   if (next == times.begin()) return points.front();
   if (next == times.end()) return points.back();
@@ -14,24 +14,24 @@ geo::PlanePoint TimedRoute::at(core::Seconds time) const {
           points[i - 1].y_m + share * (points[i].y_m - points[i - 1].y_m)};
 }
 
-std::optional<TimedRoute> time_route(std::vector<geo::PlanePoint> points, core::Seconds depart,
-                                     const LegTime& leg_time) {
-  TimedRoute route{.points = std::move(points), .times = {depart}};
-  for (std::size_t i = 1; i < route.points.size(); ++i) {
-    const auto time = leg_time(route.points[i - 1], route.points[i], route.times.back());
+std::optional<TimedWay> time_way(std::vector<geo::PlanePoint> points, core::Seconds depart,
+                                 const LegTimer& leg_timer) {
+  TimedWay way{.points = std::move(points), .times = {depart}};
+  for (std::size_t i = 1; i < way.points.size(); ++i) {
+    const auto time = leg_timer(way.points[i - 1], way.points[i], way.times.back());
     if (!time) return std::nullopt;
-    route.times.push_back(route.times.back() + *time);
+    way.times.push_back(way.times.back() + *time);
   }
-  return route;
+  return way;
 }
 
-std::vector<geo::PlanePoint> cut_evenly(const TimedRoute& route, std::size_t legs) {
+std::vector<geo::PlanePoint> cut_evenly(const TimedWay& way, std::size_t legs) {
   std::vector<geo::PlanePoint> points;
   for (std::size_t i = 0; i <= legs; ++i) {
     const double share = static_cast<double>(i) / static_cast<double>(legs);
-    points.push_back(route.at(route.times.front() + share * route.duration()));
+    points.push_back(way.at(way.times.front() + share * way.duration()));
   }
-  points.back() = route.points.back();
+  points.back() = way.points.back();
   return points;
 }
 
