@@ -1,18 +1,43 @@
 #pragma once
 
+#include <optional>
+#include <string>
 #include <tl/expected.hpp>
 
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
-#include "engine/mission/goto_lists.hpp"
+#include "engine/mission/mission_set.hpp"
 #include "storage/repository/plan_repository.hpp"
+#include "storage/sqlite/connection.hpp"
 
 namespace floeplan::routes {
 
-/// The GliderDOS goto lists of a stored plan, within the limits of its vehicle. One function for API and
-/// command line. `number`  of the first list; `generated`: the time that the files' comments name
-/// Errors   every fault of plan or options, as mission::write_goto_lists
-[[nodiscard]] tl::expected<mission::GotoLists, core::Violations> mission_of(
-    const repository::PlanRecord& record, int number, core::UtcTime generated);
+/// Which files of a plan are wanted. One struct for API and command line.
+struct MissionRequest {
+  int number{10};            // NN of the first list and of all other files
+  bool full{false};          // with mission, yo and so on, not the lists alone
+  std::string name{"plan"};  // of the mission
+  mission::Firmware firmware{};
+  std::optional<mission::UnderIce> under_ice{};  // asks for the full set, too
+};
+
+/// The GliderDOS files of a stored plan, within the limits of its vehicle. `generated`: the time that the files'
+/// comments name
+/// Errors   every fault of plan or options, as mission::write_mission_set
+[[nodiscard]] tl::expected<mission::MissionFiles, core::Violations> mission_of(
+    const repository::PlanRecord& record, const MissionRequest& request, core::UtcTime generated);
+
+/// "10.5". Nothing for any other text.
+[[nodiscard]] std::optional<mission::Firmware> parse_firmware(const std::string& text);
+
+/// What newer data than those it was made with say of a stored plan.
+struct PlanCheck {
+  std::vector<std::string> dangers;   // the plan must not be flown as it is
+  std::vector<std::string> warnings;  // what could not be found out
+};
+
+/// Follows a stored plan once more through the newest data of its choice. A plan whose data are unchanged has been
+/// checked when it was made.
+[[nodiscard]] PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record);
 
 }  // namespace floeplan::routes

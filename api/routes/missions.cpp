@@ -1,3 +1,5 @@
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "api/codec/plan_document.hpp"
@@ -8,6 +10,7 @@
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/mission/comment_text.hpp"
 #include "storage/repository/plan_repository.hpp"
 
 namespace floeplan::routes {
@@ -15,6 +18,8 @@ namespace {
 
 using nlohmann::json;
 using repository::PlanRecord;
+
+constexpr std::size_t longest_header = 300;
 
 Response download(const PlanRecord& plan, const std::string& ending, const std::string& type,
                   std::string bytes) {
@@ -26,55 +31,105 @@ Response download(const PlanRecord& plan, const std::string& ending, const std::
   return response;
 }
 
-/// Calls `answer` with the stored plan that the path names.
+Response refuse_dangerous(const Request& request, const PlanCheck& check) {
+  core::Violations found;
+  for (const std::string& danger : check.dangers) found.push_back({"/plan", danger});
+  return problem_reply(
+      request,
+      {409, "dangerous-plan", "The plan has become dangerous",
+       "The newest data close legs of the plan; plan anew, or repeat with force=true.", std::move(found)});
+}
+
+/// Calls `answer` with the stored plan that the path names and with what newer data say of it. A plan that would
+/// endanger the vehicle is refused unless the request insists.
 template <class Answer>
 Response with_plan(const Context& context, const Request& request, const PathParameters& path,
                    const Answer& answer) {
   const auto plan = repository::PlanRepository{context.db}.find({path.at("plan_id")});
   if (!plan) return not_found(request, "unknown-plan", "No plan has the id " + path.at("plan_id") + ".");
-  return answer(*plan);
-}
-
-/// Writes the goto lists and hands them to `answer`; every fault of request or plan is listed instead.
-template <class Answer>
-Response with_lists(const Request& request, const PlanRecord& record, const Answer& answer) {
   ParameterReader reader{request};
-  const auto number = reader.integer("number", 0, 97);
+  const bool force = reader.flag("force");
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
-  const auto lists = mission_of(record, static_cast<int>(number.value_or(10)), request.now);
-  return lists ? answer(*lists) : invalid(request, lists.error());
+  PlanCheck check = check_plan(context.db, *plan);
+  if (!check.dangers.empty() && !force) return refuse_dangerous(request, check);
+  std::ranges::move(check.dangers, std::back_inserter(check.warnings));
+  Response response = answer(*plan, check.warnings);
+  for (const std::string& warning : check.warnings)
+    response.headers.emplace_back("Floeplan-Warning", mission::comment_text(warning, longest_header));
+  return response;
+}
+
+/// "lon,lat;lon,lat": places in open water.
+std::optional<mission::UnderIce> read_under_ice(ParameterReader& reader) {
+  const auto draft = reader.number("iceberg_depth_m", 1.0, 1000.0);
+  const auto safe = reader.places("safe");
+  if (!safe) {
+    if (draft) reader.require("safe", "places in open water, since iceberg_depth_m asks for work under ice");
+    return std::nullopt;
+  }
+  mission::UnderIce ice;
+  ice.safe_places = *safe;
+  if (draft) ice.deepest_expected_iceberg = core::Metres{*draft};
+  return ice;
+}
+
+/// Writes the mission files and hands them to `answer`; every fault of request or plan is listed instead.
+template <class Answer>
+Response with_files(const Request& request, const PlanRecord& record,
+                    const std::vector<std::string>& warnings, const Answer& answer) {
+  ParameterReader reader{request};
+  MissionRequest wanted;
+  wanted.number = static_cast<int>(reader.integer("number", 0, 97).value_or(wanted.number));
+  wanted.full = reader.flag("full");
+  wanted.name = request.parameter("mission").value_or(wanted.name);
+  wanted.under_ice = read_under_ice(reader);
+  core::Violations faults = reader.violations();
+  if (const auto text = request.parameter("firmware")) {
+    const auto firmware = parse_firmware(*text);
+    if (!firmware) faults.push_back({"?firmware", "must be a version, as 10.5"});
+    wanted.firmware = firmware.value_or(wanted.firmware);
+  }
+  if (!faults.empty()) return invalid(request, faults);
+
+  auto files = mission_of(record, wanted, request.now);
+  if (!files) return invalid(request, files.error());
+  files->warnings.insert(files->warnings.begin(), warnings.begin(), warnings.end());
+  return answer(*files);
 }
 
 Response show_mission(const Context& context, const Request& request, const PathParameters& path) {
-  return with_plan(context, request, path, [&](const PlanRecord& plan) {
-    return with_lists(request, plan, [](const mission::GotoLists& lists) {
-      json files = json::array();
-      for (const auto& file : lists.files) files.push_back({{"name", file.name}, {"text", file.text}});
-      return json_reply({{"files", std::move(files)}, {"warnings", lists.warnings}});
-    });
-  });
+  return with_plan(context, request, path,
+                   [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
+                     return with_files(request, plan, warnings, [](const mission::MissionFiles& set) {
+                       json files = json::array();
+                       for (const auto& file : set.files)
+                         files.push_back({{"name", file.name}, {"text", file.text}});
+                       return json_reply({{"files", std::move(files)}, {"warnings", set.warnings}});
+                     });
+                   });
 }
 
 Response download_zip(const Context& context, const Request& request, const PathParameters& path) {
-  return with_plan(context, request, path, [&](const PlanRecord& plan) {
-    return with_lists(request, plan, [&](const mission::GotoLists& lists) {
-      std::vector<codec::ArchivedFile> files;
-      for (const auto& file : lists.files) files.push_back({file.name, file.text});
-      return download(plan, ".zip", "application/zip", codec::zip_archive(files, request.now));
-    });
-  });
+  return with_plan(
+      context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
+        return with_files(request, plan, warnings, [&](const mission::MissionFiles& set) {
+          std::vector<codec::ArchivedFile> files;
+          for (const auto& file : set.files) files.push_back({file.name, file.text});
+          return download(plan, ".zip", "application/zip", codec::zip_archive(files, request.now));
+        });
+      });
 }
 
 Response download_gpx(const Context& context, const Request& request, const PathParameters& path) {
-  return with_plan(context, request, path, [](const PlanRecord& plan) {
+  return with_plan(context, request, path, [](const PlanRecord& plan, const auto&) {
     const auto parsed = codec::parse_plan_document(json::parse(plan.document_json));
     return download(plan, ".gpx", "application/gpx+xml", codec::plan_gpx(parsed, plan.id.value, plan.name));
   });
 }
 
 Response download_geojson(const Context& context, const Request& request, const PathParameters& path) {
-  return with_plan(context, request, path, [](const PlanRecord& plan) {
+  return with_plan(context, request, path, [](const PlanRecord& plan, const auto&) {
     return download(plan, ".geojson", "application/geo+json", codec::plan_geojson(plan).dump());
   });
 }
@@ -83,10 +138,12 @@ Response download_geojson(const Context& context, const Request& request, const 
 
 std::vector<Route> mission_routes() {
   const std::string plan = "/collections/plans/items/{plan_id}";
-  return {{"GET", plan + "/mission", {"number"}, show_mission},
-          {"GET", plan + "/mission.zip", {"number"}, download_zip},
-          {"GET", plan + "/mission.gpx", {}, download_gpx},
-          {"GET", plan + "/mission.geojson", {}, download_geojson}};
+  const std::vector<std::string> of_files{"number",          "full", "mission", "firmware", "safe",
+                                          "iceberg_depth_m", "force"};
+  return {{"GET", plan + "/mission", of_files, show_mission},
+          {"GET", plan + "/mission.zip", of_files, download_zip},
+          {"GET", plan + "/mission.gpx", {"force"}, download_gpx},
+          {"GET", plan + "/mission.geojson", {"force"}, download_geojson}};
 }
 
 }  // namespace floeplan::routes

@@ -11,6 +11,8 @@
 namespace floeplan::routes {
 namespace {
 
+constexpr std::size_t most_places = 1000;
+
 std::optional<double> parse_number(std::string_view text) {
   if (text.starts_with('+')) text.remove_prefix(1);
   double value = 0.0;
@@ -109,6 +111,23 @@ std::optional<geo::BoundingBox> ParameterReader::bbox() {
     return std::nullopt;
   }
   return normalised(west, south, east, north);
+}
+
+std::optional<std::vector<geo::LonLat>> ParameterReader::places(const std::string& name) {
+  const auto text = request_.parameter(name);
+  if (!text) return std::nullopt;
+  std::vector<geo::LonLat> places;
+  std::string_view rest = *text;
+  while (places.size() <= most_places) {
+    const auto end = rest.find(';');
+    const auto numbers = parse_numbers(rest.substr(0, end));
+    if (!numbers || numbers->size() != 2 || !geo::is_valid({(*numbers)[0], (*numbers)[1]})) break;
+    places.push_back({(*numbers)[0], (*numbers)[1]});
+    if (end == std::string_view::npos) return places;
+    rest.remove_prefix(end + 1);
+  }
+  refuse(name, "must be places as lon,lat;lon,lat in degrees, at most 1000");
+  return std::nullopt;
 }
 
 std::optional<core::UtcTime> ParameterReader::time(const std::string& name) {

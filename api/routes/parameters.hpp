@@ -3,11 +3,13 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "api/routes/message.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/geo/bounding_box.hpp"
+#include "engine/geo/lon_lat.hpp"
 
 namespace floeplan::routes {
 
@@ -32,6 +34,8 @@ class ParameterReader {
   [[nodiscard]] std::int64_t after();
   /// Four numbers, or six with heights, which are left out. Longitudes may run past 180.
   [[nodiscard]] std::optional<geo::BoundingBox> bbox();
+  /// Places as "lon,lat;lon,lat", at most 1000.
+  [[nodiscard]] std::optional<std::vector<geo::LonLat>> places(const std::string& name);
   /// ISO 8601; a time without zone counts as UTC, as some clients of the standard write it.
   [[nodiscard]] std::optional<core::UtcTime> time(const std::string& name);
   /// An instant, or a period with ".." or nothing for an open end.

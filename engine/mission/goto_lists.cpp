@@ -6,10 +6,8 @@
 #include <cstdio>
 #include <span>
 
-#include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
-#include "engine/mission/comment_text.hpp"
-#include "engine/mission/packed_degrees.hpp"
+#include "engine/mission/argument_lines.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -127,31 +125,10 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
   return warnings;
 }
 
-/// Comments that tell whoever finds the file what it is. User text is cut so that every line stays below 100
-/// characters.
-std::string header(const planning::Plan& plan, const GotoListOptions& options) {
-  std::string text;
-  const std::string name = comment_text(options.plan_name, 80);
-  if (!name.empty()) text += "# plan " + name + "\n";
-  text += "# plan id " + comment_text(options.plan_id, 70) + "\n";
-  text += "# vehicle " + comment_text(plan.vehicle, 70) + "\n";
-  text += "# departure " + core::iso8601(plan.departure) + ", arrival " + core::iso8601(plan.arrival) + "\n";
-  for (const ocean::DatasetRef& dataset : plan.datasets) {
-    text += "# data " + comment_text(dataset.id, 60) + " sha256 " + comment_text(dataset.sha256, 12) + "\n";
-  }
-  text += "# written by " + comment_text(options.written_by, 40) + " at " + core::iso8601(options.generated) +
-          "\n";
-  text += "# The start of the plan is left out: the vehicle is there and heads for the first row.\n";
-  text += "# No exported file has been tried on a vehicle. Check it before use.\n";
-  return text;
-}
-
-std::string file_name(int number) { return print("goto_l%02d.ma", number); }
-
 }  // namespace
 
-tl::expected<GotoLists, core::Violations> write_goto_lists(const planning::Plan& plan,
-                                                           const GotoListOptions& options) {
+tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Plan& plan,
+                                                              const GotoListOptions& options) {
   if (core::Violations found = violations_of(plan, options); !found.empty())
     return tl::unexpected(std::move(found));
 
@@ -162,31 +139,30 @@ tl::expected<GotoLists, core::Violations> write_goto_lists(const planning::Plan&
   const auto per_list = static_cast<std::size_t>(options.max_waypoints);
   const std::size_t lists = (targets.size() + per_list - 1) / per_list;
 
-  GotoLists written;
+  MissionFiles written;
   std::vector<std::string> names;
   for (std::size_t i = 0; i < lists; ++i) {
     const std::size_t first = i * per_list;
     const auto rows = targets.subspan(first, std::min(per_list, targets.size() - first));
-    names.push_back(file_name(options.first_number + static_cast<int>(i)));
+    names.push_back(argument_file_name("goto_list", options.first_number + static_cast<int>(i)));
 
-    std::string text = "behavior_name=goto_list\n";
-    text += print("# %s, list %zu of %zu: waypoints %zu to %zu of %zu\n", names.back().c_str(), i + 1, lists,
-                  first + 1, first + rows.size(), targets.size());
-    text += header(plan, options);
-    text += "\n<start:b_arg>\n";
-    text += "\tb_arg: num_legs_to_run(nodim) -2\n";
-    text += "\tb_arg: start_when(enum) 0\n";
-    text += "\tb_arg: list_stop_when(enum) 7\n";
-    text += print("\tb_arg: list_when_wpt_dist(m) %.0f\n", radius_m);
-    text += print("\tb_arg: initial_wpt(enum) %d\n", i == 0 ? options.initial_waypoint : 0);
-    text += print("\tb_arg: num_waypoints(nodim) %zu\n", rows.size());
-    text += "<end:b_arg>\n<start:waypoints>\n";
-    for (const planning::Waypoint& row : rows) {
-      text += packed_degrees(geo::wrap_longitude(row.place.lon_deg)) + "\t" +
-              packed_degrees(row.place.lat_deg) + "\n";
-    }
-    text += "<end:waypoints>\n";
-    written.files.push_back({names.back(), std::move(text)});
+    const std::string comments =
+        print("# %s, list %zu of %zu: waypoints %zu to %zu of %zu\n", names.back().c_str(), i + 1, lists,
+              first + 1, first + rows.size(), targets.size()) +
+        origin_comments(plan, options.origin) +
+        "# The start of the plan is left out: the vehicle is there and heads for the first row.\n";
+    std::vector<geo::LonLat> places;
+    for (const planning::Waypoint& row : rows) places.push_back(row.place);
+    const int initial = i == 0 ? options.initial_waypoint : 0;
+    written.files.push_back(
+        {names.back(), argument_file("goto_list", comments,
+                                     {{"num_legs_to_run", "-2"},
+                                      {"start_when", "0"},
+                                      {"list_stop_when", "7"},
+                                      {"list_when_wpt_dist", whole(radius_m)},
+                                      {"initial_wpt", whole(initial)},
+                                      {"num_waypoints", whole(static_cast<double>(rows.size()))}}) +
+                           waypoint_section(places)});
   }
   written.warnings = warnings_for(plan, options, legs, radius_m, names);
   return written;

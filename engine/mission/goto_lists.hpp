@@ -1,12 +1,11 @@
 #pragma once
 
 #include <optional>
-#include <string>
 #include <tl/expected.hpp>
-#include <vector>
 
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
+#include "engine/mission/file_origin.hpp"
 #include "engine/mission/mission_file.hpp"
 #include "engine/planning/plan.hpp"
 
@@ -18,15 +17,7 @@ struct GotoListOptions {
   int max_waypoints{8};                  // of one list: GliderProfile::max_waypoints_per_list
   std::optional<core::Metres> radius{};  // in which a waypoint is reached; default: see write_goto_lists
   int initial_waypoint{0};  // of the first list: its row from 0, -1 after the last achieved, -2 the closest
-  std::string plan_id{};
-  std::string plan_name{};
-  core::UtcTime generated{};
-  std::string written_by{"floeplan"};  // program and version
-};
-
-struct GotoLists {
-  std::vector<MissionFile> files;     // in the order in which the vehicle needs them
-  std::vector<std::string> warnings;  // for the pilot, one sentence or two each
+  FileOrigin origin{};
 };
 
 /// Writes the plan as GliderDOS goto lists (`goto_lNN.ma`), each to be flown once, from first row to last.
@@ -39,7 +30,7 @@ struct GotoLists {
 /// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints,
 ///          options out of range
 /// Threads  may be called from several threads at once
-[[nodiscard]] tl::expected<GotoLists, core::Violations> write_goto_lists(const planning::Plan& plan,
-                                                                         const GotoListOptions& options);
+[[nodiscard]] tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Plan& plan,
+                                                                            const GotoListOptions& options);
 
 }  // namespace floeplan::mission

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 namespace floeplan::mission {
 
@@ -10,6 +11,12 @@ struct MissionFile {
   std::string text;
 
   friend bool operator==(const MissionFile&, const MissionFile&) = default;
+};
+
+/// Files for a vehicle and what the pilot has to know about them.
+struct MissionFiles {
+  std::vector<MissionFile> files;     // in the order in which the vehicle needs them
+  std::vector<std::string> warnings;  // one sentence or two each
 };
 
 }  // namespace floeplan::mission

@@ -8,7 +8,7 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "tests/engine/mission/list_reader.hpp"
-#include "tests/support/property.hpp"
+#include "tests/engine/mission/random_plan.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -42,10 +42,10 @@ TEST(GotoLists, ReadAsTheFormatReferencePrintsThem) {
   plan.datasets = {
       {.id = "currents-1234abcd", .kind = "currents", .name = "demo", .sha256 = "1234abcd5678ef90aabb"}};
 
-  const auto lists = write_goto_lists(plan, {.plan_id = "p-0123456789ab",
-                                             .plan_name = "to the mouth",
-                                             .generated = utc("2026-11-19T12:00:00Z"),
-                                             .written_by = "floeplan 0.1.0"});
+  const auto lists = write_goto_lists(plan, {.origin = {.plan_id = "p-0123456789ab",
+                                                        .plan_name = "to the mouth",
+                                                        .generated = utc("2026-11-19T12:00:00Z"),
+                                                        .written_by = "floeplan 0.1.0"}});
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(lists->warnings, IsEmpty());
@@ -59,9 +59,9 @@ TEST(GotoLists, ReadAsTheFormatReferencePrintsThem) {
                                 "# departure 2026-11-20T06:00:00Z, arrival 2026-11-21T18:30:00Z\n"
                                 "# data currents-1234abcd sha256 1234abcd5678\n"
                                 "# written by floeplan 0.1.0 at 2026-11-19T12:00:00Z\n"
+                                "# No exported file has been tried on a vehicle. Check it before use.\n"
                                 "# The start of the plan is left out: the vehicle is there and heads for the "
                                 "first row.\n"
-                                "# No exported file has been tried on a vehicle. Check it before use.\n"
                                 "\n"
                                 "<start:b_arg>\n"
                                 "\tb_arg: num_legs_to_run(nodim) -2\n"
@@ -78,7 +78,7 @@ TEST(GotoLists, ReadAsTheFormatReferencePrintsThem) {
 }
 
 TEST(GotoLists, OfAPlanWithoutANameHaveNoLineForIt) {
-  const auto lists = write_goto_lists(plan_eastwards(3), {.plan_id = "p-01"});
+  const auto lists = write_goto_lists(plan_eastwards(3), {.origin = {.plan_id = "p-01"}});
 
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(lists->files.at(0).text, HasSubstr("of 2\n# plan id p-01\n"));
@@ -115,9 +115,9 @@ TEST(GotoLists, CannotBeInjectedIntoByNames) {
   plan.datasets = {{.id = "d\n<end:waypoints>", .kind = "", .name = "", .sha256 = "\r\n1"}};
 
   const auto lists =
-      write_goto_lists(plan, {.plan_id = std::string(300, 'x') + "\n1 2",
-                              .plan_name = "bay\n\tb_arg: num_waypoints(nodim) 1\n\xe2\x80\xa8",
-                              .written_by = "\n7 7\n"});
+      write_goto_lists(plan, {.origin = {.plan_id = std::string(300, 'x') + "\n1 2",
+                                         .plan_name = "bay\n\tb_arg: num_waypoints(nodim) 1\n\xe2\x80\xa8",
+                                         .written_by = "\n7 7\n"}});
 
   ASSERT_TRUE(lists.has_value());
   const support::ReadList list = support::read_goto_list(lists->files.at(0).text);
@@ -193,22 +193,9 @@ TEST(GotoLists, ContinueOnlyTheFirstListWhenAskedTo) {
   EXPECT_FALSE(write_goto_lists(plan_eastwards(3), {.initial_waypoint = 2}).has_value());
 }
 
-/// Places anywhere the format allows, often at degree lines, the equator, Greenwich and the antimeridian.
-geo::LonLat random_place(std::mt19937_64& rng) {
-  geo::LonLat place{support::uniform(rng, -180.0, 360.0), support::uniform(rng, -89.0, 89.0)};
-  if (support::uniform_int(rng, 0, 2) == 0) place.lon_deg = 180.0 * support::uniform_int(rng, -1, 2);
-  if (support::uniform_int(rng, 0, 2) == 0) place.lon_deg += support::uniform(rng, -1e-6, 0.0);
-  if (support::uniform_int(rng, 0, 2) == 0)
-    place.lat_deg = std::round(place.lat_deg) + support::uniform(rng, -1e-7, 0.0);
-  place.lon_deg = std::max(place.lon_deg, -180.0);
-  place.lat_deg = std::max(place.lat_deg, -89.0);
-  return place;
-}
-
 TEST(GotoLists, OfAnyPlanReadBackWithinATenthOfAMetreOnEachAxis) {
   support::for_each_seed(300, [](std::mt19937_64& rng) {
-    std::vector<geo::LonLat> places(static_cast<std::size_t>(support::uniform_int(rng, 2, 60)));
-    std::generate(places.begin(), places.end(), [&] { return random_place(rng); });
+    const auto places = support::random_places(rng, 2, 60);
     const int max_waypoints = support::uniform_int(rng, 1, 12);
 
     const auto lists =

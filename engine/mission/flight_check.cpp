@@ -1,0 +1,184 @@
+#include "engine/mission/flight_check.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+
+#include "engine/core/utc_text.hpp"
+#include "engine/geo/geodesic.hpp"
+#include "engine/mission/argument_rules.hpp"
+#include "engine/mission/behavior_table.hpp"
+#include "engine/mission/document_text.hpp"
+#include "engine/mission/line_words.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+void report(Document& document, int line, Severity severity, const char* code, std::string text) {
+  document.messages.push_back({line, severity, code, std::move(text)});
+}
+
+/// The value of an argument of a behavior, or the dictionary's default; nothing where neither is known.
+std::optional<double> value_of(const Behavior& behavior, std::string_view name) {
+  if (const Argument* given = behavior.find(name)) {
+    if (given->value >= first_mission_parameter) return std::nullopt;
+    return given->value;
+  }
+  const BehaviorRule* rule = find_behavior(behavior.name);
+  const ArgumentRule* known = rule == nullptr ? nullptr : rule->find(name);
+  return known == nullptr ? std::nullopt : known->by_default;
+}
+
+bool reads_file(const Behavior& behavior) {
+  const Argument* file = behavior.find("args_from_file");
+  return file != nullptr && file->value >= 0.0;
+}
+
+const Behavior* first_of(const Document& document, std::string_view name) {
+  const auto found = std::ranges::find(document.behaviors, name, &Behavior::name);
+  return found == document.behaviors.end() ? nullptr : &*found;
+}
+
+void check_files(Document& mission, const std::vector<Document>& documents) {
+  for (const std::string& name : files_referenced(mission)) {
+    const bool there = std::ranges::any_of(
+        documents, [&](const Document& document) { return lower_case(document.name) == name; });
+    if (!there)
+      report(mission, 0, Severity::warning, "file_missing",
+             "asks for " + name + ", which is not among the files; the vehicle must have it");
+  }
+}
+
+/// A list without a yo, or the reverse, leaves pitch or heading to nobody.
+void check_commands(Document& mission) {
+  const bool steers =
+      first_of(mission, "goto_list") || first_of(mission, "goto_wpt") || first_of(mission, "set_heading");
+  const bool dives =
+      first_of(mission, "yo") || first_of(mission, "drift_at_depth") || first_of(mission, "dive_to");
+  if (steers && !dives)
+    report(mission, 0, Severity::error, "nothing_dives",
+           "a list but no yo: with nobody commanding pitch it aborts");
+  if (dives && !steers)
+    report(mission, 0, Severity::warning, "nothing_steers", "a yo but no list: nobody commands the heading");
+}
+
+void check_overdepth(Document& mission, const std::optional<DiveArguments>& dive) {
+  const Behavior* abend = first_of(mission, "abend");
+  if (abend == nullptr) {
+    if (!mission.behaviors.empty())
+      report(mission, 0, Severity::error, "no_abend_to_fly", "without abend the vehicle aborts at once");
+    return;
+  }
+  const auto limit = value_of(*abend, "overdepth");
+  if (!dive || !limit || *limit < 0.0 || dive->target_depth.value < *limit) return;
+  report(mission, abend->line, Severity::error, "target_below_overdepth",
+         "the yo dives to " + std::to_string(std::lround(dive->target_depth.value)) +
+             " m, at or below the overdepth of abend: the mission aborts on its first dive");
+}
+
+void check_distances(Document& mission, const std::vector<geo::LonLat>& places) {
+  const Behavior* abend = first_of(mission, "abend");
+  const auto limit_m = abend == nullptr ? std::nullopt : value_of(*abend, "max_wpt_distance");
+  if (!limit_m || *limit_m < 0.0) return;
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double leg_m = geo::geodesic_between(places[i - 1], places[i]).length.value;
+    if (leg_m <= *limit_m) continue;
+    report(mission, abend->line, Severity::error, "waypoint_too_far",
+           "leg " + std::to_string(i) + " is " + std::to_string(std::lround(leg_m)) +
+               " m long, beyond max_wpt_distance: the mission aborts");
+    return;
+  }
+}
+
+std::vector<geo::LonLat> with_start(std::optional<geo::LonLat> start, const FlightRoute& route) {
+  std::vector<geo::LonLat> places = route.places();
+  if (start) places.insert(places.begin(), *start);
+  return places;
+}
+
+void note_timing(Document& document, const planning::Plan& timing) {
+  char text[200];
+  std::snprintf(text, sizeof text, "clear; %.1f km in %.1f h, from %s to %s", timing.distance.value / 1000.0,
+                timing.travel_time().count() / 3600.0, core::iso8601(timing.departure).c_str(),
+                core::iso8601(timing.arrival).c_str());
+  report(document, 0, Severity::note, "route_clear", text);
+}
+
+void check_mission(Document& mission, const std::vector<Document>& documents,
+                   const std::optional<DiveArguments>& dive, const std::vector<geo::LonLat>& places) {
+  check_files(mission, documents);
+  check_commands(mission);
+  check_overdepth(mission, dive);
+  check_distances(mission, places);
+}
+
+void check_sea(std::vector<Document>& documents, const ocean::Environment& environment,
+               const FlightRoute& route, std::optional<geo::LonLat> start,
+               const std::optional<DiveArguments>& dive, planning::PlanRequest request) {
+  const std::vector<geo::LonLat> places = with_start(start, route);
+  if (dive && dive->target_depth.value >= 1.0)
+    request.vehicle.dive_depth = std::min(dive->target_depth, request.vehicle.depth_rating);
+  Document& first = documents[route.stops.front().document];
+  if (places.size() < 2) {
+    return report(first, route.stops.front().line, Severity::warning, "no_leg",
+                  "one waypoint and no start: there is no leg to check");
+  }
+  RouteCheck check = check_route(environment, places, request);
+  if (dive) std::ranges::move(check_depths(environment, places, *dive), std::back_inserter(check.findings));
+
+  const std::size_t before_first = start ? 1 : 0;
+  for (const RouteFinding& finding : check.findings) {
+    const auto& stop = route.stops[finding.place < before_first ? 0 : finding.place - before_first];
+    report(documents[stop.document], stop.line, finding.dangerous ? Severity::error : Severity::warning,
+           finding.code.c_str(), finding.text);
+  }
+  if (check.findings.empty() && check.timing) note_timing(first, *check.timing);
+}
+
+}  // namespace
+
+std::vector<geo::LonLat> FlightRoute::places() const {
+  std::vector<geo::LonLat> places;
+  for (const Stop& stop : stops) places.push_back(stop.place);
+  return places;
+}
+
+FlightRoute route_of(const std::vector<Document>& documents) {
+  FlightRoute route;
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    const Document& document = documents[i];
+    if (document.verdict() == Verdict::reject || document.waypoints.empty()) continue;
+    const bool list = document.kind == DocumentKind::arguments;
+    for (const WaypointRow& row : document.waypoints) route.stops.push_back({row.place, i, row.line});
+    const auto legs = list ? value_of(document.behaviors.front(), "num_legs_to_run") : std::nullopt;
+    if (legs == -1.0 && document.waypoints.size() > 2)
+      route.stops.push_back({document.waypoints.front().place, i, document.waypoints.front().line});
+  }
+  return route;
+}
+
+std::optional<DiveArguments> dive_of(const std::vector<Document>& documents) {
+  for (const Document& document : documents) {
+    const Behavior* yo = document.verdict() == Verdict::reject ? nullptr : first_of(document, "yo");
+    if (yo == nullptr || reads_file(*yo)) continue;
+    const auto depth = value_of(*yo, "d_target_depth");
+    const auto altitude = value_of(*yo, "d_target_altitude");
+    if (depth) return DiveArguments{core::Metres{*depth}, !altitude || *altitude >= 0.0};
+  }
+  return std::nullopt;
+}
+
+void check_flight(std::vector<Document>& documents, const ocean::Environment& environment,
+                  std::optional<geo::LonLat> start, planning::PlanRequest request) {
+  const FlightRoute route = route_of(documents);
+  const auto dive = dive_of(documents);
+  if (!route.stops.empty()) check_sea(documents, environment, route, start, dive, std::move(request));
+  for (Document& document : documents) {
+    if (document.kind == DocumentKind::mission && !document.lines.empty())
+      check_mission(document, documents, dive, with_start(start, route));
+    std::ranges::stable_sort(document.messages, {}, &Message::line);
+  }
+}
+
+}  // namespace floeplan::mission

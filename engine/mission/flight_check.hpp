@@ -1,0 +1,40 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/mission/document.hpp"
+#include "engine/mission/route_check.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/plan_request.hpp"
+
+namespace floeplan::mission {
+
+/// Rows of the documents' lists as one route: lists are flown one after the other, in the order of the documents,
+/// and a list that goes round for ever returns to its first row once.
+struct FlightRoute {
+  struct Stop {
+    geo::LonLat place;
+    std::size_t document{};
+    int line{};
+  };
+  std::vector<Stop> stops;
+
+  [[nodiscard]] std::vector<geo::LonLat> places() const;
+};
+
+/// Rejected documents have no part in it.
+[[nodiscard]] FlightRoute route_of(const std::vector<Document>& documents);
+
+/// How the documents dive: the yo among them, or the one that a mission gives inline. Nothing without one.
+[[nodiscard]] std::optional<DiveArguments> dive_of(const std::vector<Document>& documents);
+
+/// Judges files that are to fly together and adds to the messages of each.
+/// Together  argument files that a mission asks for and that are not among them; arguments that abort the mission
+///           (a target below `overdepth`, a leg beyond `max_wpt_distance`, a list without a yo and the reverse)
+/// Sea       every leg from `start` (or the first row) at the time at which the vehicle is on it: errors for what
+///           endangers the vehicle, warnings for what is not known, a note with the times when all is clear
+/// `request` departure, vehicle and margins; the target depth of a yo among the files replaces the vehicle's
+void check_flight(std::vector<Document>& documents, const ocean::Environment& environment,
+                  std::optional<geo::LonLat> start, planning::PlanRequest request);
+
+}  // namespace floeplan::mission

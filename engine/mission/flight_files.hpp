@@ -1,0 +1,30 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/mission/mission_file.hpp"
+#include "engine/mission/mission_set.hpp"
+
+namespace floeplan::mission {
+
+/// A surfacing of the mission: what causes it, and its own argument file.
+struct Surfacing {
+  int number{};  // NN of surfacNN.ma
+  std::string why;
+};
+
+/// The surfacings of a mission, in order of priority.
+[[nodiscard]] std::vector<Surfacing> surfacings_of(const MissionSetOptions& options);
+
+/// The depth that a yo turns at.
+[[nodiscard]] core::Metres target_depth(const vehicle::GliderProfile& vehicle);
+
+/// How long the vehicle goes without contact before it comes up to seek it.
+[[nodiscard]] core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOptions& options);
+
+/// The argument files of yo, surface, sample and prepare_to_dive.
+[[nodiscard]] std::vector<MissionFile> flight_files(const planning::Plan& plan,
+                                                    const MissionSetOptions& options);
+
+}  // namespace floeplan::mission

@@ -1,0 +1,94 @@
+#include "engine/mission/ice_files.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "engine/mission/argument_lines.hpp"
+#include "engine/mission/flight_files.hpp"
+#include "engine/mission/packed_degrees.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+constexpr int recovery_list = 98;            // read by the stock mission recov.mi
+constexpr std::size_t most_safe_places = 8;  // slots of a goto list in the vendor's data dictionary
+constexpr const char* recovery_radius_m = "500";
+constexpr double max_latitude_deg = 89.0;
+constexpr double watchdog_s = 48'600.0;    // no_cop_tickle_for, the dictionary's default
+constexpr Firmware first_with_ice{10, 0};  // the stock ice missions date from 2018
+
+std::string name_of_settings(const MissionSetOptions& options) {
+  return "ice_" + argument_file_name("yo", options.lists.first_number).substr(2, 2) + ".mi";
+}
+
+}  // namespace
+
+std::string ice_settings(const UnderIce& ice) {
+  const geo::LonLat refuge = ice.safe_places.front();
+  return "sensor: u_expect_ice_near_surface(bool) 1\n"
+         "sensor: u_always_cop_tickle_hardware(bool) 1\n"
+         "sensor: u_lat_goto_l99(lat) " +
+         packed_degrees(refuge.lat_deg) + "\nsensor: u_lon_goto_l99(lon) " +
+         packed_degrees(geo::wrap_longitude(refuge.lon_deg)) + "\nsensor: u_max_expected_iceberg_depth(m) " +
+         whole(std::ceil(ice.deepest_expected_iceberg.value)) + "\n";
+}
+
+std::vector<MissionFile> ice_files(const planning::Plan& plan, const MissionSetOptions& options) {
+  const UnderIce& ice = *options.under_ice;
+  const std::string origin = origin_comments(plan, options.lists.origin);
+  const std::string name = argument_file_name("goto_list", recovery_list);
+  const auto rows = static_cast<double>(ice.safe_places.size());
+  return {{name, argument_file("goto_list",
+                               "# " + name + ": open water to recover to, flown by recov.mi\n" + origin,
+                               {{"num_legs_to_run", "-1"},
+                                {"start_when", "0"},
+                                {"list_stop_when", "7"},
+                                {"list_when_wpt_dist", recovery_radius_m},
+                                {"initial_wpt", "-2"},
+                                {"num_waypoints", whole(rows)}}) +
+                     waypoint_section(ice.safe_places)},
+          {name_of_settings(options),
+           "# " + name_of_settings(options) +
+               ": settings for ice; load with loadmission, or copy into autoexec.mi so "
+               "that\n# they survive a reset under water\n" +
+               origin + ice_settings(ice)}};
+}
+
+core::Violations ice_violations(const MissionSetOptions& options) {
+  core::Violations found;
+  if (!options.under_ice) return found;
+  const UnderIce& ice = *options.under_ice;
+  if (options.firmware < first_with_ice)
+    found.push_back(
+        {"/firmware", "must be 10.0 or later for work under ice: older ones have no response to it"});
+  if (ice.safe_places.empty() || ice.safe_places.size() > most_safe_places) {
+    found.push_back({"/safe", "must name one to eight places in open water that the vehicle can recover to"});
+  }
+  for (std::size_t i = 0; i < ice.safe_places.size(); ++i) {
+    if (!geo::is_valid(ice.safe_places[i]) || std::abs(ice.safe_places[i].lat_deg) > max_latitude_deg)
+      found.push_back({"/safe/" + std::to_string(i), "must be a place between 89 degrees south and north"});
+  }
+  const double draft_m = ice.deepest_expected_iceberg.value;
+  if (!(draft_m > 0.0 && draft_m < target_depth(options.vehicle).value))
+    found.push_back({"/iceberg_depth_m", "must be more than 0 m and less than the depth to dive to"});
+  return found;
+}
+
+std::vector<std::string> ice_warnings(const planning::Plan& plan) {
+  std::vector<std::string> warnings{
+      "Under ice the vehicle's own response needs breadcr.mi, freewig.mi and recov.mi on board, with dive "
+      "depths for this water; these stock missions are not written here.",
+      "goto_l98.ma replaces the list of safe places on board; the firmware writes goto_l99.ma itself."};
+  if (plan.travel_time().count() > watchdog_s) {
+    char text[200];
+    std::snprintf(
+        text, sizeof text,
+        "The plan takes %.1f h without contact, yet abend no_cop_tickle_for is left at 13.5 h: make sure "
+        "that u_always_cop_tickle_hardware holds the watchdog off.",
+        plan.travel_time().count() / 3600.0);
+    warnings.emplace_back(text);
+  }
+  return warnings;
+}
+
+}  // namespace floeplan::mission

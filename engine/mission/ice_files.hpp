@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/mission/mission_file.hpp"
+#include "engine/mission/mission_set.hpp"
+
+namespace floeplan::mission {
+
+/// The sensor lines that tell the firmware to expect ice: its own response to a blocked surface, the place to
+/// head for without any fix, and the draft of icebergs.
+/// Source   the vendor's stock settings ice.mi of firmware 10.5
+[[nodiscard]] std::string ice_settings(const UnderIce& ice);
+
+/// The list of safe places that the stock recovery mission (recov.mi) flies, and the settings as a mission of
+/// their own, to be loaded or copied into autoexec.mi.
+[[nodiscard]] std::vector<MissionFile> ice_files(const planning::Plan& plan,
+                                                 const MissionSetOptions& options);
+
+/// What is wrong with the safe places and the draft of icebergs.
+[[nodiscard]] core::Violations ice_violations(const MissionSetOptions& options);
+
+/// What the vehicle must hold besides these files, for the pilot.
+[[nodiscard]] std::vector<std::string> ice_warnings(const planning::Plan& plan);
+
+}  // namespace floeplan::mission

@@ -1,0 +1,126 @@
+#include "engine/mission/mission_set.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <iterator>
+
+#include "engine/mission/argument_lines.hpp"
+#include "engine/mission/flight_files.hpp"
+#include "engine/mission/ice_files.hpp"
+#include "engine/mission/line_words.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+constexpr int last_free_number = 97;  // the firmware's recovery under ice owns 98 and 99
+constexpr Firmware oldest{7, 0};      // older documents describe other behaviors
+constexpr Firmware newest{11, 99};
+constexpr double room_for_detours = 1.5;  // of max_wpt_distance over the longest leg
+
+/// Names that come with every vehicle, and must not be replaced by a plan.
+/// Source   the vendor's release 10.5, missions of the 200 m and 1000 m vehicles
+bool is_stock_mission(const std::string& name) {
+  static constexpr const char* stock[] = {
+      "astock",  "autoexec", "bathtub",  "breadcr",  "clrabort", "freewig",  "hold",    "ice",
+      "ini0",    "ini_ice",  "initial",  "lastgasp", "loadsim",  "nocop",    "nofly",   "recov",
+      "sci_off", "sci_on",   "setpitch", "status",   "stock",    "thrstock", "waterclr"};
+  return std::ranges::find(stock, name) != std::end(stock);
+}
+
+core::Violations violations_of(const MissionSetOptions& options) {
+  core::Violations found = ice_violations(options);
+  const std::string& name = options.name;
+  if (!is_name(name) || name.size() > 8 || name != lower_case(name))
+    found.push_back({"/mission", "must have one to eight small letters, digits or underscores"});
+  if (is_stock_mission(name))
+    found.push_back({"/mission", "must not be " + name + ", a mission that every vehicle has on board"});
+  if (options.firmware < oldest || newest < options.firmware)
+    found.push_back({"/firmware", "must be a version from 7.0 to 11.99"});
+  const int last = surfacings_of(options).back().number;
+  if (options.lists.first_number < 0 || last > last_free_number) {
+    found.push_back({"/number", "the files take the numbers from the given one on to " +
+                                    std::to_string(last) +
+                                    "; all must lie between 0 and 97 (98 and 99 belong to the firmware)"});
+  }
+  return found;
+}
+
+/// Farthest that a waypoint may lie from where the vehicle is when it turns to it, before it aborts.
+double max_waypoint_distance_m(const planning::Plan& plan) {
+  double longest_m = 0.0;
+  for (const planning::Waypoint& waypoint : plan.waypoints) {
+    if (waypoint.leg_length) longest_m = std::max(longest_m, waypoint.leg_length->value);
+  }
+  return 1000.0 * std::ceil(room_for_detours * longest_m / 1000.0);
+}
+
+std::string behavior_from_file(const char* behavior, int number) {
+  return std::string{"\nbehavior: "} + behavior + "\n" +
+         argument_lines(behavior, {{"args_from_file", whole(number)}});
+}
+
+std::string mission_text(const planning::Plan& plan, const MissionSetOptions& options) {
+  const int number = options.lists.first_number;
+  std::string text = "# " + options.name + ".mi for firmware " + std::to_string(options.firmware.major) +
+                     "." + std::to_string(options.firmware.minor) + "\n" +
+                     origin_comments(plan, options.lists.origin) +
+                     "\nsensor: u_use_current_correction(nodim) 1\n"
+                     "sensor: c_science_all_on_enabled(bool) 1\n";
+  if (options.under_ice) text += ice_settings(*options.under_ice);
+  text += "\nbehavior: abend\n" +
+          argument_lines("abend", {{"overdepth", whole(options.vehicle.depth_rating.value)},
+                                   {"overtime", "-1"},
+                                   {"samedepth_for", "1800"},
+                                   {"stalled_for", "1800"},
+                                   {"no_cop_tickle_for", "48600"},
+                                   {"max_wpt_distance", whole(max_waypoint_distance_m(plan))}});
+  for (const Surfacing& surfacing : surfacings_of(options)) {
+    text += "\n# Comes up when " + surfacing.why + ".";
+    text += behavior_from_file("surface", surfacing.number);
+  }
+  text += behavior_from_file("goto_list", number);
+  text += behavior_from_file("yo", number);
+  text += behavior_from_file("sample", number);
+  text += behavior_from_file("prepare_to_dive", number);
+  return text + "\nbehavior: sensors_in\n";
+}
+
+std::string shallower_target_warning(const vehicle::GliderProfile& vehicle) {
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "The yo turns at %.0f m, not at the plan's %.0f m, to keep clear of the rating of %.0f m where the "
+      "vehicle aborts.",
+      target_depth(vehicle).value, vehicle.dive_depth.value, vehicle.depth_rating.value);
+  return text;
+}
+
+}  // namespace
+
+tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::Plan& plan,
+                                                               const MissionSetOptions& options) {
+  core::Violations found = violations_of(options);
+  auto lists = write_goto_lists(plan, options.lists);
+  if (!lists) std::ranges::copy(lists.error(), std::back_inserter(found));
+  if (!found.empty()) return tl::unexpected(std::move(found));
+
+  MissionFiles set;
+  set.files.push_back({options.name + ".mi", mission_text(plan, options)});
+  std::ranges::move(lists->files, std::back_inserter(set.files));
+  std::ranges::move(flight_files(plan, options), std::back_inserter(set.files));
+  set.warnings = std::move(lists->warnings);
+  if (target_depth(options.vehicle) < core::Metres{std::floor(options.vehicle.dive_depth.value)})
+    set.warnings.push_back(shallower_target_warning(options.vehicle));
+  set.warnings.push_back(
+      "Pump and pitch are left to the vehicle's own defaults, and ballast is not checked: look at yo and "
+      "surfac "
+      "files before use.");
+  if (options.under_ice) {
+    std::ranges::move(ice_files(plan, options), std::back_inserter(set.files));
+    std::ranges::move(ice_warnings(plan), std::back_inserter(set.warnings));
+  }
+  return set;
+}
+
+}  // namespace floeplan::mission

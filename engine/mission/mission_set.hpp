@@ -1,0 +1,52 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "engine/core/violation.hpp"
+#include "engine/geo/lon_lat.hpp"
+#include "engine/mission/goto_lists.hpp"
+#include "engine/mission/mission_file.hpp"
+#include "engine/planning/plan.hpp"
+#include "engine/vehicle/glider_profile.hpp"
+
+namespace floeplan::mission {
+
+/// Version of the firmware that shall read the files.
+struct Firmware {
+  int major{10};
+  int minor{5};
+
+  friend auto operator<=>(const Firmware&, const Firmware&) = default;
+};
+
+/// What work under ice needs besides the plan.
+struct UnderIce {
+  std::vector<geo::LonLat> safe_places;         // open water to head for in an emergency, one to eight
+  core::Metres deepest_expected_iceberg{20.0};  // default as in the vendor's stock settings
+};
+
+struct MissionSetOptions {
+  GotoListOptions lists{};           // `first_number` numbers the other files too
+  std::string name{"plan"};          // of the mission, without its ending
+  vehicle::GliderProfile vehicle{};  // with the depth to dive to
+  Firmware firmware{};
+  std::optional<UnderIce> under_ice{};
+};
+
+/// Writes all that a vehicle needs to fly the plan: a mission, the goto lists, and an argument file each for yo,
+/// sample and prepare_to_dive and for three or four surfacings.
+/// Values   depths, pitch and altitude come from vehicle and plan; waiting times and the order of behaviors are
+///          those of the vendor's stock missions; what neither gives is left to the vehicle's dictionary. No
+///          factory setting (f_...) and no calibration is ever written.
+/// Depth    the target stays 2 % above the rating, since a glider overshoots and aborts at its working depth
+/// Ice      no surfacing at waypoints; the list of safe places that the stock recovery mission flies
+///          (goto_l98.ma), the settings for ice in the mission, and once more as `ice_NN.mi` to be loaded alone
+/// Errors   every violation at once; those of write_goto_lists too
+/// Threads  may be called from several threads at once
+[[nodiscard]] tl::expected<MissionFiles, core::Violations> write_mission_set(
+    const planning::Plan& plan, const MissionSetOptions& options);
+
+}  // namespace floeplan::mission

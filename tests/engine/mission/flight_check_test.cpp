@@ -1,0 +1,191 @@
+#include "engine/mission/flight_check.hpp"
+
+#include <gmock/gmock.h>
+
+#include "engine/mission/mission_set.hpp"
+#include "engine/mission/read_document.hpp"
+#include "tests/engine/mission/random_plan.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+using testing::AllOf;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Field;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+/// Eastwards along 69 N in three legs of 20 km.
+const std::vector<geo::LonLat> eastwards{{-53.5, 69.0}, {-53.0, 69.0}, {-52.5, 69.0}, {-52.0, 69.0}};
+
+ocean::Environment deep_sea() {
+  ocean::Environment sea;
+  sea.bathymetry = support::bathymetry_from([](geo::LonLat) { return 500.0; });
+  return sea;
+}
+
+planning::PlanRequest request() { return support::eastward_request(); }
+
+Document list(const std::string& rows, int count, int legs = -2) {
+  return read_document(
+      "goto_l10.ma",
+      "behavior_name=goto_list\n<start:b_arg>\nb_arg: num_legs_to_run(nodim) " + std::to_string(legs) +
+          "\nb_arg: list_when_wpt_dist(m) 500\nb_arg: num_waypoints(nodim) " + std::to_string(count) +
+          "\n<end:b_arg>\n<start:waypoints>\n" + rows + "<end:waypoints>\n");
+}
+
+Document yo(double depth_m, double altitude_m) {
+  return read_document("yo10.ma", "behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) " +
+                                      std::to_string(depth_m) + "\nb_arg: d_target_altitude(m) " +
+                                      std::to_string(altitude_m) + "\n<end:b_arg>\n");
+}
+
+auto has(const std::string& code, Severity severity, int line) {
+  return Contains(
+      AllOf(Field(&Message::code, code), Field(&Message::severity, severity), Field(&Message::line, line)));
+}
+
+TEST(RouteCheck, FindsNothingInAClearSeaAndTimesTheRoute) {
+  const RouteCheck check = check_route(deep_sea(), eastwards, request());
+
+  EXPECT_THAT(check.findings, IsEmpty());
+  ASSERT_TRUE(check.timing.has_value());
+  EXPECT_NEAR(check.timing->travel_time().count(), check.timing->distance.value / 0.35, 60.0);
+}
+
+TEST(RouteCheck, NamesEveryClosedLegAndNoOther) {
+  ocean::Environment sea = deep_sea();
+  sea.icebergs = {support::iceberg_at({-53.25, 69.0}, 200.0), support::iceberg_at({-52.25, 69.0}, 200.0)};
+
+  const RouteCheck check = check_route(sea, eastwards, request());
+
+  ASSERT_THAT(check.findings, SizeIs(2));
+  EXPECT_EQ(check.findings[0].place, 1U);
+  EXPECT_EQ(check.findings[1].place, 3U);
+  EXPECT_EQ(check.findings[0].code, "near_iceberg");
+  EXPECT_TRUE(check.findings[0].dangerous);
+  EXPECT_FALSE(check.timing.has_value());
+}
+
+TEST(RouteCheck, NamesAShallowStartAndAShallowGoal) {
+  ocean::Environment sea;
+  sea.bathymetry = support::bathymetry_from(
+      [](geo::LonLat place) { return place.lon_deg < -53.2 || place.lon_deg > -52.3 ? 5.0 : 500.0; });
+
+  const RouteCheck check = check_route(sea, eastwards, request());
+
+  ASSERT_FALSE(check.findings.empty());
+  EXPECT_EQ(check.findings.front().place, 0U);
+  EXPECT_EQ(check.findings.front().code, "start_too_shallow");
+  EXPECT_EQ(check.findings.back().place, 3U);
+}
+
+TEST(RouteCheck, DoesNotCallTheUnknownDangerous) {
+  const auto currents = support::currents_from([](geo::LonLat, double) { return geo::VelocityEn{}; }, 6);
+  ocean::Environment sea = deep_sea();
+  sea.currents = currents;
+
+  const RouteCheck check = check_route(sea, eastwards, request());
+
+  ASSERT_THAT(check.findings, SizeIs(1));
+  EXPECT_EQ(check.findings[0].code, "outside_data");
+  EXPECT_FALSE(check.findings[0].dangerous);
+}
+
+TEST(RouteCheck, TakesRepeatedAndFarPlacesAsTheyAre) {
+  EXPECT_THAT(check_route(deep_sea(), {eastwards[0], eastwards[0]}, request()).findings, IsEmpty());
+  EXPECT_THAT(check_route(deep_sea(), {}, request()).findings, IsEmpty());
+  const RouteCheck far = check_route(deep_sea(), {eastwards[0], {120.0, -40.0}}, request());
+  ASSERT_THAT(far.findings, SizeIs(1));
+  EXPECT_EQ(far.findings[0].code, "leg_too_long");
+  EXPECT_THROW((void)check_route(deep_sea(), {{0.0, 99.0}, {0.0, 0.0}}, request()), std::invalid_argument);
+}
+
+TEST(DepthCheck, FindsTheLegOnWhichABlindYoMeetsTheBed) {
+  ocean::Environment sea;
+  sea.bathymetry =
+      support::bathymetry_from([](geo::LonLat place) { return place.lon_deg > -52.4 ? 100.0 : 500.0; });
+
+  const auto blind = check_depths(sea, eastwards, {core::Metres{180.0}, false});
+  ASSERT_THAT(blind, SizeIs(1));
+  EXPECT_EQ(blind[0].place, 3U);
+  EXPECT_THAT(check_depths(sea, eastwards, {core::Metres{180.0}, true}), IsEmpty());
+  EXPECT_THAT(check_depths(sea, eastwards, {core::Metres{80.0}, false}), IsEmpty());
+}
+
+TEST(FlightCheck, PutsWhatTheSeaDoesToALegAtItsRow) {
+  ocean::Environment sea = deep_sea();
+  sea.icebergs = {support::iceberg_at({-52.75, 69.0}, 200.0)};
+  std::vector<Document> files{list("-5300.0 6900.0\n-5230.0 6900.0\n", 2)};
+
+  check_flight(files, sea, eastwards[0], request());
+
+  EXPECT_EQ(files[0].verdict(), Verdict::reject);
+  EXPECT_THAT(files[0].messages, has("near_iceberg", Severity::error, 9));
+}
+
+TEST(FlightCheck, NotesTheTimesOfAClearRoute) {
+  std::vector<Document> files{list("-5300.0 6900.0\n-5230.0 6900.0\n", 2)};
+
+  check_flight(files, deep_sea(), std::nullopt, request());
+
+  EXPECT_EQ(files[0].verdict(), Verdict::ok);
+  EXPECT_THAT(files[0].messages, has("route_clear", Severity::note, 0));
+}
+
+TEST(FlightCheck, FollowsAListThatGoesRoundBackToItsFirstRow) {
+  const std::vector<Document> files{list("-5300.0 6900.0\n-5230.0 6900.0\n-5230.0 6912.0\n", 3, -1)};
+
+  const FlightRoute route = route_of(files);
+
+  ASSERT_THAT(route.stops, SizeIs(4));
+  EXPECT_EQ(route.stops[3].place, route.stops[0].place);
+}
+
+TEST(FlightCheck, RejectsABlindYoAboveAShallowBed) {
+  ocean::Environment sea;
+  sea.bathymetry = support::bathymetry_from([](geo::LonLat) { return 150.0; });
+  std::vector<Document> files{list("-5300.0 6900.0\n-5230.0 6900.0\n", 2), yo(180.0, -1.0)};
+
+  check_flight(files, sea, std::nullopt, request());
+
+  EXPECT_THAT(files[0].messages, has("bottom_above_target", Severity::error, 9));
+}
+
+TEST(FlightCheck, NamesWhatAbortsAMission) {
+  const std::string head = "behavior: abend\nb_arg: overdepth(m) 150\nb_arg: max_wpt_distance(m) 5000\n";
+  std::vector<Document> files{
+      read_document("a.mi", head + "behavior: goto_list\nb_arg: args_from_file(enum) 10\nbehavior: yo\n"
+                                   "b_arg: args_from_file(enum) 11\n"),
+      list("-5300.0 6900.0\n-5230.0 6900.0\n", 2), yo(180.0, 5.0)};
+
+  check_flight(files, deep_sea(), std::nullopt, request());
+
+  EXPECT_THAT(files[0].messages, has("file_missing", Severity::warning, 0));
+  EXPECT_THAT(files[0].messages, has("target_below_overdepth", Severity::error, 1));
+  EXPECT_THAT(files[0].messages, has("waypoint_too_far", Severity::error, 1));
+  std::vector<Document> listless{read_document("b.mi", "behavior: abend\nbehavior: goto_list\n")};
+  check_flight(listless, deep_sea(), std::nullopt, request());
+  EXPECT_THAT(listless[0].messages, has("nothing_dives", Severity::error, 0));
+}
+
+TEST(FlightCheck, HasNothingAgainstWhatTheWriterMakes) {
+  MissionSetOptions options;
+  options.vehicle = *vehicle::find_profile("slocum-g3-200");
+  options.under_ice = UnderIce{{eastwards[0]}};
+  const auto set = write_mission_set(support::plan_of(eastwards), options);
+  ASSERT_TRUE(set.has_value());
+  std::vector<Document> files;
+  for (const MissionFile& file : set->files) {
+    if (file.name != "goto_l98.ma") files.push_back(read_document(file.name, file.text));
+  }
+
+  check_flight(files, deep_sea(), eastwards[0], request());
+
+  for (const Document& file : files) EXPECT_EQ(file.verdict(), Verdict::ok) << file.name;
+}
+
+}  // namespace
+}  // namespace floeplan::mission

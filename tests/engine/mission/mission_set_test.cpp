@@ -1,0 +1,196 @@
+#include "engine/mission/mission_set.hpp"
+
+#include <gmock/gmock.h>
+
+#include <set>
+#include <sstream>
+
+#include "engine/mission/document_text.hpp"
+#include "engine/mission/read_document.hpp"
+#include "tests/engine/mission/random_plan.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+using support::plan_of;
+using testing::Contains;
+using testing::ElementsAre;
+using testing::Field;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+MissionSetOptions options_for(const char* vehicle) {
+  MissionSetOptions options;
+  options.vehicle = *vehicle::find_profile(vehicle);
+  options.lists.origin.plan_id = "p-01";
+  return options;
+}
+
+MissionSetOptions under_ice() {
+  MissionSetOptions options = options_for("slocum-g3-200");
+  options.under_ice = UnderIce{{{-53.5, 69.0}, {-53.25, 69.1}}, core::Metres{35.0}};
+  return options;
+}
+
+planning::Plan two_legs() { return plan_of({{-53.0, 69.0}, {-52.75, 69.0}, {-51.5, 69.175}}); }
+
+std::vector<std::string> names_of(const MissionFiles& set) {
+  std::vector<std::string> names;
+  for (const MissionFile& file : set.files) names.push_back(file.name);
+  return names;
+}
+
+Document read_of(const MissionFiles& set, const std::string& name) {
+  const auto file = std::ranges::find(set.files, name, &MissionFile::name);
+  return file == set.files.end() ? Document{} : read_document(name, file->text);
+}
+
+double value_of(const Document& document, const char* argument) {
+  const Argument* found = document.behaviors.at(0).find(argument);
+  return found == nullptr ? -9e9 : found->value;
+}
+
+TEST(MissionSet, HoldsEveryFileThatItsMissionAsksFor) {
+  const auto set = write_mission_set(two_legs(), options_for("slocum-g3-200"));
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_THAT(names_of(*set), ElementsAre("plan.mi", "goto_l10.ma", "yo10.ma", "surfac10.ma", "surfac11.ma",
+                                          "surfac12.ma", "surfac13.ma", "sample10.ma", "prepar10.ma"));
+  const Document mission = read_of(*set, "plan.mi");
+  std::vector<std::string> behaviors;
+  for (const Behavior& behavior : mission.behaviors) behaviors.push_back(behavior.name);
+  EXPECT_THAT(behaviors, ElementsAre("abend", "surface", "surface", "surface", "surface", "goto_list", "yo",
+                                     "sample", "prepare_to_dive", "sensors_in"));
+  for (const std::string& name : files_referenced(mission)) EXPECT_THAT(names_of(*set), Contains(name));
+}
+
+TEST(MissionSet, TakesDepthsAndDistancesFromVehicleAndPlan) {
+  const auto set = write_mission_set(two_legs(), options_for("slocum-g3-1000"));
+
+  ASSERT_TRUE(set.has_value());
+  const Document mission = read_of(*set, "plan.mi");
+  EXPECT_EQ(value_of(mission, "overdepth"), 1000.0);
+  EXPECT_EQ(value_of(mission, "max_wpt_distance"), 81000.0) << "one and a half times 53.4 km";
+  EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "d_target_depth"), 980.0);
+  EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "d_target_altitude"), 20.0);
+  EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 28800.0);
+  EXPECT_THAT(set->warnings, Contains(HasSubstr("turns at 980 m")));
+}
+
+TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
+  const auto set = write_mission_set(two_legs(), under_ice());
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_THAT(names_of(*set),
+              ElementsAre("plan.mi", "goto_l10.ma", "yo10.ma", "surfac10.ma", "surfac11.ma", "surfac12.ma",
+                          "sample10.ma", "prepar10.ma", "goto_l98.ma", "ice_10.mi"));
+  const Document safe = read_of(*set, "goto_l98.ma");
+  ASSERT_EQ(safe.waypoints.size(), 2U);
+  EXPECT_DOUBLE_EQ(safe.waypoints[1].place.lon_deg, -53.25);
+  for (const char* name : {"plan.mi", "ice_10.mi"}) {
+    const Document settings = read_of(*set, name);
+    const auto sensor = [&](const std::string& wanted) {
+      const auto found = std::ranges::find(settings.sensors, wanted, &Argument::name);
+      return found == settings.sensors.end() ? -9e9 : found->value;
+    };
+    EXPECT_EQ(sensor("u_expect_ice_near_surface"), 1.0);
+    EXPECT_EQ(sensor("u_always_cop_tickle_hardware"), 1.0);
+    EXPECT_EQ(sensor("u_lat_goto_l99"), 6900.0);
+    EXPECT_EQ(sensor("u_lon_goto_l99"), -5330.0);
+    EXPECT_EQ(sensor("u_max_expected_iceberg_depth"), 35.0);
+  }
+  EXPECT_THAT(set->warnings, Contains(HasSubstr("recov.mi")));
+}
+
+TEST(MissionSet, RefusesEveryBadOptionAtOnce) {
+  MissionSetOptions options = under_ice();
+  options.name = "Too Long Name";
+  options.firmware = {6, 0};
+  options.under_ice->safe_places = {{0.0, 95.0}};
+  options.under_ice->deepest_expected_iceberg = core::Metres{500.0};
+  options.lists.first_number = 96;
+  const auto set = write_mission_set(two_legs(), options);
+
+  ASSERT_FALSE(set.has_value());
+  for (const char* field : {"/mission", "/firmware", "/safe/0", "/iceberg_depth_m", "/number"})
+    EXPECT_THAT(set.error(), Contains(Field(&core::Violation::field, field))) << field;
+}
+
+TEST(MissionSet, NeverReplacesAStockMission) {
+  MissionSetOptions options = options_for("slocum-g3-200");
+  for (const char* name : {"recov", "stock", "autoexec", "ice"}) {
+    options.name = name;
+    EXPECT_FALSE(write_mission_set(two_legs(), options).has_value()) << name;
+  }
+}
+
+TEST(MissionSet, NeverWritesAFactorySettingOrWhatANameSmugglesIn) {
+  MissionSetOptions options = under_ice();
+  options.lists.origin.plan_name = "x\nsensor: f_max_working_depth(m) 2000\n";
+  options.lists.origin.written_by = "y\r\nbehavior: yo";
+  const auto set = write_mission_set(two_legs(), options);
+
+  ASSERT_TRUE(set.has_value());
+  const std::set<std::string> allowed{
+      "u_use_current_correction",     "c_science_all_on_enabled", "u_expect_ice_near_surface",
+      "u_always_cop_tickle_hardware", "u_lat_goto_l99",           "u_lon_goto_l99",
+      "u_max_expected_iceberg_depth"};
+  for (const MissionFile& file : set->files) {
+    for (const Argument& sensor : read_document(file.name, file.text).sensors)
+      EXPECT_TRUE(allowed.contains(sensor.name)) << file.name << ": " << sensor.name;
+  }
+  EXPECT_EQ(read_of(*set, "plan.mi").behaviors.size(), 9U);
+}
+
+TEST(MissionSet, IsTheSameEveryTime) {
+  const auto once = write_mission_set(two_legs(), under_ice());
+  const auto again = write_mission_set(two_legs(), under_ice());
+
+  EXPECT_EQ(once->files, again->files);
+}
+
+void expect_text_of_a_vehicle(const MissionFile& file) {
+  EXPECT_LE(file.name.find('.'), 8U) << file.name;
+  std::istringstream lines{file.text};
+  for (std::string line; std::getline(lines, line);) {
+    EXPECT_LT(line.size(), 100U) << line;
+    EXPECT_TRUE(std::ranges::all_of(line, [](char c) { return (c >= ' ' && c <= '~') || c == '\t'; }))
+        << line;
+  }
+}
+
+TEST(MissionSet, OfAnyPlanIsAcceptedReadBackAndWrittenAgainAlike) {
+  support::for_each_seed(150, [](std::mt19937_64& rng) {
+    const auto places = support::random_places(rng, 2, 40);
+    const auto profiles = vehicle::known_profiles();
+    MissionSetOptions options;
+    options.vehicle = profiles[static_cast<std::size_t>(
+        support::uniform_int(rng, 0, static_cast<int>(profiles.size()) - 1))];
+    options.vehicle.dive_depth.value = support::uniform(rng, 25.0, options.vehicle.depth_rating.value);
+    options.lists.first_number = support::uniform_int(rng, 0, 50);
+    options.lists.max_waypoints = support::uniform_int(rng, 1, 12);
+    for (int i = support::uniform_int(rng, 0, 30); i > 0; --i)
+      options.lists.origin.plan_name += static_cast<char>(support::uniform_int(rng, 0, 255));
+    if (support::uniform_int(rng, 0, 1) == 1) options.under_ice = UnderIce{support::random_places(rng, 1, 8)};
+
+    const auto set = write_mission_set(plan_of(places), options);
+
+    ASSERT_TRUE(set.has_value());
+    std::vector<geo::LonLat> read;
+    for (const MissionFile& file : set->files) {
+      expect_text_of_a_vehicle(file);
+      const Document document = read_document(file.name, file.text);
+      ASSERT_EQ(document.verdict(), Verdict::ok) << file.name << document.messages.front().text << file.text;
+      EXPECT_EQ(write_document(document), file.text);
+      if (file.name == "goto_l98.ma") continue;
+      for (const WaypointRow& row : document.waypoints) read.push_back(row.place);
+    }
+    ASSERT_EQ(read.size(), places.size() - 1);
+    for (std::size_t i = 0; i < read.size(); ++i)
+      EXPECT_LT(geo::geodesic_between(places[i + 1], read[i]).length.value, 0.14) << "0.1 m on each axis";
+  });
+}
+
+}  // namespace
+}  // namespace floeplan::mission
