@@ -24,6 +24,7 @@ int main(int argc, char** argv) {
   cli::add_plan(app, program);
   cli::add_evaluate(app, program);
   cli::add_export(app, program);
+  cli::add_check(app, program);
   cli::add_reproduce(app, program);
   cli::add_demo(app, program);
 

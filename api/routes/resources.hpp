@@ -12,9 +12,10 @@ namespace floeplan::routes {
 [[nodiscard]] std::vector<Route> collection_routes();  // descriptions of the feature collections
 [[nodiscard]] std::vector<Route> iceberg_routes();
 [[nodiscard]] std::vector<Route> plan_routes();
-[[nodiscard]] std::vector<Route> mission_routes();    // a plan as files for vehicles and chart plotters
-[[nodiscard]] std::vector<Route> process_routes();    // list and descriptions
-[[nodiscard]] std::vector<Route> execution_routes();  // POST that starts a job
+[[nodiscard]] std::vector<Route> mission_routes();        // a plan as files for vehicles and chart plotters
+[[nodiscard]] std::vector<Route> mission_check_routes();  // verdicts on files that come from outside
+[[nodiscard]] std::vector<Route> process_routes();        // list and descriptions
+[[nodiscard]] std::vector<Route> execution_routes();      // POST that starts a job
 [[nodiscard]] std::vector<Route> job_routes();
 [[nodiscard]] std::vector<Route> dataset_routes();
 [[nodiscard]] std::vector<Route> vehicle_routes();

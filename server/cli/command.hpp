@@ -40,6 +40,7 @@ void add_probe(CLI::App& app, Program& program);
 void add_plan(CLI::App& app, Program& program);
 void add_evaluate(CLI::App& app, Program& program);
 void add_export(CLI::App& app, Program& program);
+void add_check(CLI::App& app, Program& program);
 void add_reproduce(CLI::App& app, Program& program);
 void add_demo(CLI::App& app, Program& program);
 void add_serve(CLI::App& app, Program& program);

@@ -1,0 +1,73 @@
+#include "api/codec/mission_document.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "engine/mission/document_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+json settings_json(const std::vector<mission::Argument>& settings) {
+  json result = json::array();
+  for (const auto& setting : settings) {
+    result.push_back({{"name", setting.name},
+                      {"unit", setting.unit},
+                      {"value", setting.value},
+                      {"raw", setting.raw},
+                      {"line", setting.line}});
+  }
+  return result;
+}
+
+json behaviors_json(const mission::Document& document) {
+  json result = json::array();
+  for (const auto& behavior : document.behaviors) {
+    result.push_back(
+        {{"name", behavior.name}, {"line", behavior.line}, {"b_args", settings_json(behavior.arguments)}});
+  }
+  return result;
+}
+
+json waypoints_json(const mission::Document& document) {
+  json result = json::array();
+  for (const auto& row : document.waypoints) {
+    result.push_back({{"lon", row.place.lon_deg}, {"lat", row.place.lat_deg}, {"line", row.line}});
+  }
+  return result;
+}
+
+json messages_json(const mission::Messages& messages) {
+  json result = json::array();
+  for (const auto& message : messages) {
+    result.push_back({{"line", message.line},
+                      {"severity", mission::severity_name(message.severity)},
+                      {"code", message.code},
+                      {"text", message.text}});
+  }
+  return result;
+}
+
+}  // namespace
+
+json mission_document(const mission::Document& document, const std::string& file) {
+  const bool arguments = document.kind == mission::DocumentKind::arguments;
+  const bool one = arguments && !document.behaviors.empty();
+  return {{"file", file},
+          {"kind", arguments ? "ma" : "mi"},
+          {"verdict", mission::verdict_name(document.verdict())},
+          {"behavior", one ? json(document.behaviors.front().name) : json()},
+          {"b_args", one ? settings_json(document.behaviors.front().arguments) : json::array()},
+          {"sensors", settings_json(document.sensors)},
+          {"behaviors", behaviors_json(document)},
+          {"waypoints", waypoints_json(document)},
+          {"waypoints_declared", document.waypoints_declared ? json(*document.waypoints_declared) : json()},
+          {"files_referenced", mission::files_referenced(document)},
+          {"bytes", document.format.bytes},
+          {"encoding", document.format.encoding},
+          {"line_endings", document.format.line_endings},
+          {"messages", messages_json(document.messages)}};
+}
+
+}  // namespace floeplan::codec

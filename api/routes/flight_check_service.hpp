@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <vector>
+
+#include "engine/core/violation.hpp"
+#include "engine/geo/lon_lat.hpp"
+#include "engine/mission/document.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::routes {
+
+/// Judges mission files that are to fly together in the stored data, and adds to their messages.
+/// `inputs`  what a plan takes besides its places: departure, vehicle, margins, choice of data
+/// `start`   where the vehicle is; without it the first waypoint is the start
+/// Errors    every violation of the inputs and of the choice of data
+[[nodiscard]] core::Violations check_flight(sqlite::Connection& db, nlohmann::json inputs,
+                                            std::optional<geo::LonLat> start,
+                                            std::vector<mission::Document>& documents);
+
+}  // namespace floeplan::routes

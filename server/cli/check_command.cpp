@@ -1,0 +1,117 @@
+#include <cstdio>
+#include <fstream>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "api/codec/mission_document.hpp"
+#include "api/routes/flight_check_service.hpp"
+#include "engine/mission/file_text.hpp"
+#include "engine/mission/read_document.hpp"
+#include "server/cli/command.hpp"
+#include "server/cli/flag_values.hpp"
+#include "server/cli/input_flags.hpp"
+#include "server/cli/plan_output.hpp"
+#include "storage/repository/migrations.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+
+struct Flags {
+  std::vector<std::string> files;
+  std::optional<std::string> from;
+  InputFlags sea;
+  bool json_out{false};
+};
+
+/// A file's bytes, at most one more than the reader takes, so that it can tell a file that is too large.
+std::optional<std::string> read_bytes(const std::string& file) {
+  std::ifstream stream{file, std::ios::binary};
+  std::string bytes(mission::max_file_bytes + 1, '\0');
+  if (!stream.read(bytes.data(), static_cast<std::streamsize>(bytes.size())) && !stream.eof())
+    return std::nullopt;
+  bytes.resize(static_cast<std::size_t>(stream.gcount()));
+  return bytes;
+}
+
+mission::Document document_of(const std::string& file) {
+  const std::string name = std::filesystem::path{file}.filename().string();
+  if (const auto bytes = read_bytes(file)) return mission::read_document(name, *bytes);
+  mission::Document unreadable;
+  unreadable.name = name;
+  unreadable.messages.push_back(
+      {0, mission::Severity::error, "unreadable", "the file cannot be read; check its name and rights"});
+  return unreadable;
+}
+
+void print(const mission::Document& document, const std::string& file) {
+  std::printf("%s: %s", file.c_str(), mission::verdict_name(document.verdict()).c_str());
+  if (document.kind == mission::DocumentKind::arguments && !document.behaviors.empty())
+    std::printf(", %s", document.behaviors.front().name.c_str());
+  if (document.kind == mission::DocumentKind::mission)
+    std::printf(", mission of %zu behaviors", document.behaviors.size());
+  if (!document.waypoints.empty()) std::printf(", %zu waypoints", document.waypoints.size());
+  std::printf("\n");
+  for (const auto& message : document.messages) {
+    std::printf("  line %d: %s: %s [%s]\n", message.line, mission::severity_name(message.severity).c_str(),
+                message.text.c_str(), message.code.c_str());
+  }
+}
+
+/// The files as they were read; with a departure also judged in the stored data.
+tl::expected<std::vector<mission::Document>, core::Violations> judged(const Flags& flags,
+                                                                      const Program& program) {
+  std::vector<mission::Document> documents;
+  for (const std::string& file : flags.files) documents.push_back(document_of(file));
+  const json inputs = flags.sea.inputs();
+  if (inputs.empty() && !flags.from) return documents;
+
+  std::optional<geo::LonLat> start;
+  if (flags.from) {
+    start = parse_place(*flags.from);
+    if (!start)
+      throw CLI::ValidationError{"--from", *flags.from + " is not LON,LAT in degrees; as --from=-53.2,69.2"};
+  }
+  auto db = repository::open_store(program.store);
+  const core::Violations faults = routes::check_flight(db, inputs, start, documents);
+  if (!faults.empty()) return tl::unexpected(faults);
+  return documents;
+}
+
+int run(const Flags& flags, const Program& program) {
+  const auto documents = judged(flags, program);
+  if (!documents) return print_violations(documents.error(), flags.json_out);
+  bool rejected = false;
+  json answers = json::array();
+  for (std::size_t i = 0; i < documents->size(); ++i) {
+    const mission::Document& document = (*documents)[i];
+    rejected = rejected || document.verdict() == mission::Verdict::reject;
+    if (flags.json_out) {
+      answers.push_back(codec::mission_document(document, flags.files[i]));
+    } else {
+      print(document, flags.files[i]);
+    }
+  }
+  if (flags.json_out) std::cout << answers.dump(2, ' ', false, json::error_handler_t::replace) << '\n';
+  return rejected ? bad_data : done;
+}
+
+}  // namespace
+
+void add_check(CLI::App& app, Program& program) {
+  auto flags = std::make_shared<Flags>();
+  auto* command =
+      app.add_subcommand("check",
+                         "Read mission files (.ma, .mi) and judge them; with --depart as one flight "
+                         "through the stored data");
+  command->add_option("FILE", flags->files, "Mission files, lists in the order in which they are flown")
+      ->required();
+  command->add_option("--from", flags->from, "Where the vehicle is, LON,LAT; default: the first waypoint");
+  flags->sea.add_common(*command);
+  command->add_flag("--json", flags->json_out, "Answer with one JSON document");
+  command->callback([flags, &program] { program.exit_code = run(*flags, program); });
+}
+
+}  // namespace floeplan::cli

@@ -1,0 +1,77 @@
+#include "api/codec/plan_document.hpp"
+#include "storage/repository/plan_repository.hpp"
+#include "tests/api/routes/api_fixture.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using nlohmann::json;
+using support::json_of;
+using testing::Contains;
+using testing::HasSubstr;
+
+/// A plan of one leg, made in data that the store no longer has.
+class MissionFilesTest : public support::ApiTest {
+ protected:
+  MissionFilesTest() {
+    planning::Plan plan;
+    plan.vehicle = "slocum-g3-200";
+    plan.departure = core::UtcTime{core::Seconds{1.8e9}};
+    plan.arrival = plan.departure + core::Seconds{30'000.0};
+    plan.waypoints.resize(2);
+    plan.waypoints[0].place = {-53.0, 69.0};
+    plan.waypoints[0].eta = plan.departure;
+    plan.waypoints[1].place = {-52.75, 69.0};
+    plan.waypoints[1].eta = plan.arrival;
+    plan.waypoints[1].leg_length = core::Metres{10'000.0};
+    plan.datasets = {{.id = "icebergs-00000000", .kind = "icebergs", .name = "old", .sha256 = "0"}};
+    repository::PlanRecord record;
+    record.id = {"p1"};
+    record.departure = plan.departure;
+    record.arrival = plan.arrival;
+    record.request_json = R"({"from":[-53,69],"to":[-52.75,69],"depart":"2027-01-15T08:00:00Z"})";
+    record.document_json = codec::plan_document(plan, "p1", "").dump();
+    repository::PlanRepository{db_}.insert(record);
+  }
+
+  json ask_for(const std::string& query) {
+    return json_of(ask("GET", "/collections/plans/items/p1/mission" + query));
+  }
+};
+
+TEST_F(MissionFilesTest, AreTheListsAloneUnlessAllAreAskedFor) {
+  const json lists = ask_for("");
+  ASSERT_EQ(lists["files"].size(), 1U);
+  EXPECT_EQ(lists["files"][0]["name"], "goto_l10.ma");
+
+  const json all = ask_for("?full=true&mission=disko&number=20");
+  ASSERT_EQ(all["files"].size(), 9U);
+  EXPECT_EQ(all["files"][0]["name"], "disko.mi");
+  EXPECT_EQ(all["files"][1]["name"], "goto_l20.ma");
+}
+
+TEST_F(MissionFilesTest, UnderIceHoldTheSafePlaces) {
+  const json all = ask_for("?safe=-53.5,69;-53.25,69.1&iceberg_depth_m=35");
+
+  std::vector<std::string> names;
+  for (const json& file : all["files"]) names.push_back(file["name"]);
+  EXPECT_THAT(names, Contains("goto_l98.ma"));
+  EXPECT_THAT(all["files"][0]["text"].get<std::string>(), HasSubstr("u_max_expected_iceberg_depth(m) 35\n"));
+}
+
+TEST_F(MissionFilesTest, SayThatTheDataHaveChangedSinceThePlanWasMade) {
+  const auto response = ask("GET", "/collections/plans/items/p1/mission.gpx");
+
+  EXPECT_EQ(response.status, 200);
+  EXPECT_THAT(support::header_of(response, "Floeplan-Warning"), HasSubstr("data have changed"));
+}
+
+TEST_F(MissionFilesTest, RefuseBadOptions) {
+  const std::string path = "/collections/plans/items/p1/mission?";
+  for (const char* query : {"number=98", "firmware=ten", "safe=here", "iceberg_depth_m=20",
+                            "full=true&mission=recov", "safe=-53,69&iceberg_depth_m=900", "force=maybe"})
+    EXPECT_EQ(ask("GET", path + query).status, 400) << query;
+}
+
+}  // namespace
+}  // namespace floeplan::routes
