@@ -1,32 +1,200 @@
 #include "api/codec/vehicle_inputs.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 namespace floeplan::codec {
+namespace {
 
 using nlohmann::json;
+using vehicle::GliderProfile;
 
-void read_vehicle(InputReader& reader, vehicle::GliderProfile& profile) {
-  profile = vehicle::known_profiles().front();
-  if (const auto name = reader.text("vehicle")) {
-    if (const auto known = vehicle::find_profile(*name)) {
-      profile = *known;
-    } else {
-      std::string names;
-      for (const auto& each : vehicle::known_profiles()) names += (names.empty() ? "" : ", ") + each.name;
-      reader.refuse("/vehicle", "must be one of " + names + ", not \"" + *name + "\"");
-    }
+constexpr double cm3_per_m3 = 1e6;
+constexpr double deepest_m = 11'000.0;
+
+/// Whether the inputs say the speed themselves, or what it follows from.
+struct SpeedGiven {
+  bool itself{false};
+  bool by_glide{false};
+};
+
+void set(std::optional<double> value, double& member) {
+  if (value) member = *value;
+}
+
+/// What a pilot sets from mission to mission.
+void read_flight(InputReader& reader, GliderProfile& profile, SpeedGiven& given) {
+  if (const auto speed = reader.number("speed_m_s", {0.05, 5.0})) {
+    profile.speed_through_water = {*speed};
+    given.itself = true;
   }
-  if (const auto speed = reader.number("speed_m_s", {0.05, 5.0})) profile.speed_through_water = {*speed};
-  if (const auto depth = reader.number("dive_depth_m", {1.0, profile.depth_rating.value})) {
-    profile.dive_depth = {*depth};
+  if (const auto pitch = reader.number("pitch_deg", {vehicle::least_pitch_deg, vehicle::most_pitch_deg})) {
+    profile.pitch = {core::degrees_to_radians(*pitch)};
+    given.by_glide = true;
+  }
+  set(reader.number("climb_to_m", {0.0, deepest_m}), profile.climb_to.value);
+  set(reader.number("dive_depth_m", {1.0, profile.depth_rating.value}), profile.dive_depth.value);
+  set(reader.number("altimeter_margin_m", {0.0, 1000.0}), profile.altimeter_margin.value);
+  set(reader.number("battery_j", {1.0, 1e10}), profile.energy.battery.value);
+  set(reader.number("battery_start_share", {0.0, 1.0}), profile.energy.battery_start_share);
+}
+
+void read_thruster(InputReader& reader, GliderProfile& profile) {
+  const json* value = reader.member("thruster");
+  if (value == nullptr) return;
+  if (value->is_boolean()) {
+    if (!value->get<bool>()) profile.thruster.reset();
+    if (value->get<bool>() && !profile.thruster) {
+      reader.refuse("/thruster", "must say its speed_m_s, because the profile has no thruster");
+    }
+    return;
+  }
+  InputReader members{*value};
+  vehicle::Thruster thruster = profile.thruster.value_or(vehicle::Thruster{});
+  set(members.number("speed_m_s", {0.05, 5.0}), thruster.speed.value);
+  thruster.power = vehicle::thruster_power(thruster.speed);
+  set(members.number("power_w", {0.0, 10'000.0}), thruster.power.value);
+  members.refuse_unknown();
+  reader.refuse_all("/thruster", members.violations());
+  profile.thruster = thruster;
+}
+
+/// What the vehicle is.
+void read_build(InputReader& reader, GliderProfile& profile, SpeedGiven& given) {
+  if (auto name = reader.text("name")) profile.name = std::move(*name);
+  if (auto title = reader.text("title")) profile.title = std::move(*title);
+  if (const auto volume = reader.number("buoyancy_cm3", {10.0, 10'000.0})) {
+    profile.buoyancy = {*volume / cm3_per_m3};
+    given.by_glide = true;
+  }
+  set(reader.number("parasite_drag", {0.01, 10.0}), profile.hydrodynamics.parasite_drag);
+  set(reader.number("induced_drag", {0.0, 100.0}), profile.hydrodynamics.induced_drag);
+  set(reader.number("lift_slope", {0.1, 100.0}), profile.hydrodynamics.lift_slope);
+  set(reader.number("drag_area_m2", {0.001, 10.0}), profile.hydrodynamics.area_m2);
+  if (const auto rating = reader.number("depth_rating_m", {2.0, deepest_m})) {
+    profile.depth_rating = {*rating};
+    profile.dive_depth = std::min(profile.dive_depth, profile.depth_rating);
+  }
+  set(reader.number("minimum_working_depth_m", {0.0, deepest_m}), profile.minimum_working_depth.value);
+  vehicle::EnergyModel& energy = profile.energy;
+  set(reader.number("hotel_w", {0.0, 1000.0}), energy.hotel.value);
+  set(reader.number("pump_efficiency", {0.01, 1.0}), energy.pump_efficiency);
+  set(reader.number("pump_loss_j_cm3", {0.0, 1000.0}), energy.pump_loss_j_cm3);
+  set(reader.number("intake_j_cm3", {0.0, 1000.0}), energy.intake_j_cm3);
+  set(reader.number("inflection_j", {0.0, 1e6}), energy.inflection.value);
+  set(reader.number("surfacing_j", {0.0, 1e7}), energy.surfacing.value);
+  if (const auto interval = reader.number("surfacing_interval_s", {60.0, 1e7})) {
+    energy.surfacing_interval = core::Seconds{*interval};
+  }
+  set(reader.number("battery_reserve_share", {0.0, 1.0}), energy.battery_reserve_share);
+  read_thruster(reader, profile);
+  if (const auto waypoints = reader.integer("max_waypoints_per_list", 1, 10'000)) {
+    profile.max_waypoints_per_list = *waypoints;
   }
 }
 
-void write_vehicle(const vehicle::GliderProfile& profile, json& inputs) {
-  inputs["vehicle"] = profile.name;
-  inputs["speed_m_s"] = profile.speed_through_water.value;
-  inputs["dive_depth_m"] = profile.dive_depth.value;
+/// The known profile of this name; the default and a note at `pointer` when there is none.
+GliderProfile known(InputReader& reader, const std::string& pointer, const std::string& name) {
+  if (const auto profile = vehicle::find_profile(name)) return *profile;
+  std::string names;
+  for (const auto& each : vehicle::known_profiles()) names += (names.empty() ? "" : ", ") + each.name;
+  reader.refuse(pointer, "must be one of " + names + ", not \"" + name + "\"");
+  return vehicle::known_profiles().front();
+}
+
+GliderProfile read_object(InputReader& reader, const json& object, SpeedGiven& given) {
+  InputReader members{object};
+  GliderProfile profile = vehicle::known_profiles().front();
+  if (const auto name = members.text("profile")) profile = known(members, "/profile", *name);
+  read_build(members, profile, given);
+  read_flight(members, profile, given);
+  members.refuse_unknown();
+  reader.refuse_all("/vehicle", members.violations());
+  return profile;
+}
+
+/// The speed of the steady glide, when the inputs leave the speed to pitch and buoyancy.
+void glide(GliderProfile& profile, SpeedGiven given) {
+  if (given.itself || !given.by_glide) return;
+  const auto steady = vehicle::steady_glide(profile.hydrodynamics, profile.pitch, profile.buoyancy);
+  if (steady) profile.speed_through_water = steady->horizontal;
+}
+
+json flight_json(const GliderProfile& profile) {
+  return {{"speed_m_s", profile.speed_through_water.value},
+          {"pitch_deg", core::radians_to_degrees(profile.pitch.value)},
+          {"climb_to_m", profile.climb_to.value},
+          {"dive_depth_m", profile.dive_depth.value},
+          {"altimeter_margin_m", profile.altimeter_margin.value},
+          {"battery_j", profile.energy.battery.value},
+          {"battery_start_share", profile.energy.battery_start_share}};
+}
+
+/// Whether only the flight differs from the known profile of the same name.
+bool is_known(const GliderProfile& profile) {
+  auto same = vehicle::find_profile(profile.name);
+  if (!same) return false;
+  same->speed_through_water = profile.speed_through_water;
+  same->pitch = profile.pitch;
+  same->climb_to = profile.climb_to;
+  same->dive_depth = profile.dive_depth;
+  same->altimeter_margin = profile.altimeter_margin;
+  same->energy.battery = profile.energy.battery;
+  same->energy.battery_start_share = profile.energy.battery_start_share;
+  return *same == profile;
+}
+
+}  // namespace
+
+void read_vehicle(InputReader& reader, GliderProfile& profile) {
+  SpeedGiven given;
+  profile = vehicle::known_profiles().front();
+  const json* value = reader.member("vehicle");
+  if (value != nullptr && value->is_object()) {
+    profile = read_object(reader, *value, given);
+  } else if (const auto name = reader.text("vehicle")) {
+    profile = known(reader, "/vehicle", *name);
+  }
+  read_flight(reader, profile, given);
+  glide(profile, given);
+  for (const core::Violation& violation : profile.violations()) {
+    if (!reader.refused(violation.field)) reader.refuse(violation.field, violation.rule);
+  }
+}
+
+json vehicle_json(const GliderProfile& profile) {
+  json result = flight_json(profile);
+  const vehicle::EnergyModel& energy = profile.energy;
+  result.update({{"name", profile.name},
+                 {"title", profile.title},
+                 {"buoyancy_cm3", profile.buoyancy.value * cm3_per_m3},
+                 {"parasite_drag", profile.hydrodynamics.parasite_drag},
+                 {"induced_drag", profile.hydrodynamics.induced_drag},
+                 {"lift_slope", profile.hydrodynamics.lift_slope},
+                 {"drag_area_m2", profile.hydrodynamics.area_m2},
+                 {"depth_rating_m", profile.depth_rating.value},
+                 {"minimum_working_depth_m", profile.minimum_working_depth.value},
+                 {"hotel_w", energy.hotel.value},
+                 {"pump_efficiency", energy.pump_efficiency},
+                 {"pump_loss_j_cm3", energy.pump_loss_j_cm3},
+                 {"intake_j_cm3", energy.intake_j_cm3},
+                 {"inflection_j", energy.inflection.value},
+                 {"surfacing_j", energy.surfacing.value},
+                 {"surfacing_interval_s",
+                  energy.surfacing_interval ? json(energy.surfacing_interval->count()) : json()},
+                 {"battery_reserve_share", energy.battery_reserve_share},
+                 {"thruster", false},
+                 {"max_waypoints_per_list", profile.max_waypoints_per_list}});
+  if (profile.thruster) {
+    result["thruster"] = {{"speed_m_s", profile.thruster->speed.value},
+                          {"power_w", profile.thruster->power.value}};
+  }
+  return result;
+}
+
+void write_vehicle(const GliderProfile& profile, json& inputs) {
+  inputs["vehicle"] = is_known(profile) ? json(profile.name) : vehicle_json(profile);
+  inputs.update(flight_json(profile));
 }
 
 }  // namespace floeplan::codec

@@ -1,6 +1,7 @@
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -33,13 +34,25 @@ json spacing_schema() {
   return {{"oneOf", json::array({number_schema(10.0, 1e5), pair})}};
 }
 
+json vehicle_schema() {
+  return {{"oneOf", json::array({json{{"type", "string"}}, json{{"type", "object"}}})}};
+}
+
 json common_inputs() {
   const json time{{"type", "string"}, {"format", "date-time"}};
   return {
       {"depart", input("Departure, ISO 8601 with its zone", time, true)},
-      {"vehicle", input("Name of the vehicle, see /vehicles", {{"type", "string"}})},
-      {"speed_m_s", input("Speed through the water, m/s", number_schema(0.05, 5.0))},
-      {"dive_depth_m", input("Depth of the dives, metres", number_schema(1.0, 10000.0))},
+      {"vehicle",
+       input("Vehicle: a name of /vehicles, or an object with one as profile and the members changed",
+             vehicle_schema())},
+      {"speed_m_s", input("Horizontal speed through the water, m/s", number_schema(0.05, 5.0))},
+      {"pitch_deg", input("Pitch of dives and climbs; without a speed it gives that of the steady glide",
+                          number_schema(vehicle::least_pitch_deg, vehicle::most_pitch_deg))},
+      {"climb_to_m", input("Top of the saw-tooth, metres", number_schema(0.0, 11000.0))},
+      {"dive_depth_m", input("Bottom of the saw-tooth in deep water, metres", number_schema(1.0, 11000.0))},
+      {"altimeter_margin_m", input("Kept above the sea bed, metres", number_schema(0.0, 1000.0))},
+      {"battery_j", input("Energy of the full battery, joules", number_schema(1.0, 1e10))},
+      {"battery_start_share", input("Share of it at the departure", number_schema(0.0, 1.0))},
       {"margin_m", input("Distance kept from the edge of an iceberg, metres", number_schema(0.0, 1e5))},
       {"areas",
        input(

@@ -24,7 +24,9 @@ struct Quantity {
 using Metres = Quantity<struct MetresTag>;
 using MetresPerSecond = Quantity<struct MetresPerSecondTag>;
 using Radians = Quantity<struct RadiansTag>;
+using CubicMetres = Quantity<struct CubicMetresTag>;
 using Joules = Quantity<struct JoulesTag>;
+using Watts = Quantity<struct WattsTag>;
 
 using Seconds = std::chrono::duration<double>;   // a length of time
 using UtcTime = std::chrono::sys_time<Seconds>;  // an instant; adding two instants does not compile
@@ -32,6 +34,8 @@ using UtcTime = std::chrono::sys_time<Seconds>;  // an instant; adding two insta
 constexpr Seconds operator/(Metres distance, MetresPerSecond speed) {
   return Seconds{distance.value / speed.value};
 }
+
+constexpr Joules operator*(Watts power, Seconds duration) { return {power.value * duration.count()}; }
 
 constexpr double degrees_to_radians(double angle_deg) { return angle_deg * (std::numbers::pi / 180.0); }
 constexpr double radians_to_degrees(double angle_rad) { return angle_rad * (180.0 / std::numbers::pi); }

@@ -52,7 +52,7 @@ Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& re
     case motion::EdgeClosed::too_shallow:
       return {Reason::too_shallow,
               "the water is shallower than the vehicle's minimum of " +
-                  metres_text(request.vehicle.minimum_working_depth),
+                  metres_text(request.vehicle.least_water()),
               "go round it, or choose a vehicle for shallower water"};
     case motion::EdgeClosed::on_land: return {Reason::too_shallow, "the way crosses land", "go round it"};
     case motion::EdgeClosed::in_zone:
@@ -112,7 +112,7 @@ Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat pla
       return {reason_at(stop, Reason::start_too_shallow, Reason::too_shallow, Reason::goal_too_shallow),
               place, request.depart,
               subject + " lies in water shallower than the vehicle's minimum of " +
-                  metres_text(request.vehicle.minimum_working_depth),
+                  metres_text(request.vehicle.least_water()),
               "move it into deeper water, or choose a vehicle for shallower water"};
     case motion::EdgeClosed::obstacle:
       return {

@@ -2,67 +2,60 @@
 
 #include <algorithm>
 #include <cmath>
-#include <vector>
 
 namespace floeplan::vehicle {
-namespace {
-
-/// Sources: horizontal speed 0.35 m/s on average and the depth ratings: Teledyne Webb Research, Slocum G3
-/// glider data sheet. Waypoints in a list: eight slots in the vendor's data dictionary of firmware 10.5,
-/// behavior goto_list. Minimum working depths leave the surface layer a glider climbs into (about 4 m), the
-/// altimeter margin and some metres in which to saw-tooth; the deep vehicle's larger pump turns more slowly,
-/// hence its 40 m (the data sheet's lower limit).
-std::vector<GliderProfile> make_profiles() {
-  return {
-      {.name = "slocum-g3-200",
-       .title = "Slocum G3, 200 m",
-       .speed_through_water = {0.35},
-       .dive_depth = {200.0},
-       .depth_rating = {200.0},
-       .minimum_working_depth = {20.0},
-       .altimeter_margin = {10.0},
-       .max_waypoints_per_list = 8},
-      {.name = "slocum-g3-1000",
-       .title = "Slocum G3, 1000 m",
-       .speed_through_water = {0.35},
-       .dive_depth = {1000.0},
-       .depth_rating = {1000.0},
-       .minimum_working_depth = {40.0},
-       .altimeter_margin = {20.0},
-       .max_waypoints_per_list = 8},
-      {.name = "slocum-g3-30",
-       .title = "Slocum G3, 30 m",
-       .speed_through_water = {0.35},
-       .dive_depth = {30.0},
-       .depth_rating = {30.0},
-       .minimum_working_depth = {12.0},
-       .altimeter_margin = {5.0},
-       .max_waypoints_per_list = 8},
-  };
-}
-
-}  // namespace
 
 core::Violations GliderProfile::violations() const {
   core::Violations found;
   const auto require = [&](bool holds, const char* field, const char* rule) {
     if (!holds) found.push_back({field, rule});
   };
-  require(speed_through_water.value >= 0.05 && speed_through_water.value <= 5.0, "/speed_m_s",
-          "must be between 0.05 and 5 m/s");
+  const auto within = [](double value, double low, double high) { return value >= low && value <= high; };
+  require(within(speed_through_water.value, 0.05, 5.0), "/speed_m_s", "must be between 0.05 and 5 m/s");
+  const double pitch_deg = core::radians_to_degrees(pitch.value);
+  require(within(pitch_deg, least_pitch_deg - 1e-9, most_pitch_deg + 1e-9) &&
+              glide_path_angle(hydrodynamics, pitch).has_value(),
+          "/pitch_deg", "must be between 10 and 60 degrees, steep enough for a steady glide");
+  require(within(buoyancy.value, 1e-5, 1e-2), "/vehicle/buoyancy_cm3", "must be between 10 and 10000 cm3");
+  require(within(depth_rating.value, 2.0, 11'000.0), "/vehicle/depth_rating_m",
+          "must be between 2 and 11000 m");
   require(dive_depth.value >= 1.0 && dive_depth.value <= depth_rating.value, "/dive_depth_m",
           "must be at least 1 m and no deeper than the vehicle's rating");
-  require(depth_rating.value > 0.0 && depth_rating.value <= 11'000.0, "/vehicle",
-          "has no plausible depth rating");
-  require(minimum_working_depth.value >= 0.0, "/vehicle", "has a negative minimum working depth");
-  require(altimeter_margin.value >= 0.0, "/vehicle", "has a negative altimeter margin");
-  require(max_waypoints_per_list >= 1, "/vehicle", "must take at least one waypoint");
+  require(climb_to.value >= 0.0, "/climb_to_m", "must not be negative");
+  require(!(dive_depth.value < climb_to.value + lowest_tooth.value), "/climb_to_m",
+          "must be at least 2 m above the depth of the dives");
+  require(within(minimum_working_depth.value, 0.0, 11'000.0), "/vehicle/minimum_working_depth_m",
+          "must be between 0 and 11000 m");
+  require(within(altimeter_margin.value, 0.0, 1000.0), "/altimeter_margin_m", "must be between 0 and 1000 m");
+  require(within(energy.hotel.value, 0.0, 1000.0), "/vehicle/hotel_w", "must be between 0 and 1000 W");
+  require(within(energy.pump_efficiency, 0.01, 1.0), "/vehicle/pump_efficiency",
+          "must be between 0.01 and 1");
+  require(within(energy.pump_loss_j_cm3, 0.0, 1000.0), "/vehicle/pump_loss_j_cm3",
+          "must be between 0 and 1000 J/cm3");
+  require(within(energy.intake_j_cm3, 0.0, 1000.0), "/vehicle/intake_j_cm3",
+          "must be between 0 and 1000 J/cm3");
+  require(within(energy.inflection.value, 0.0, 1e6), "/vehicle/inflection_j", "must be between 0 and 1e6 J");
+  require(within(energy.surfacing.value, 0.0, 1e7), "/vehicle/surfacing_j", "must be between 0 and 1e7 J");
+  require(!energy.surfacing_interval || within(energy.surfacing_interval->count(), 60.0, 1e7),
+          "/vehicle/surfacing_interval_s", "must be between 60 and 1e7 s");
+  require(within(energy.battery.value, 1.0, 1e10), "/battery_j", "must be between 1 and 1e10 J");
+  require(within(energy.battery_start_share, 0.0, 1.0), "/battery_start_share", "must be between 0 and 1");
+  require(within(energy.battery_reserve_share, 0.0, 1.0), "/vehicle/battery_reserve_share",
+          "must be between 0 and 1");
+  require(!thruster || within(thruster->speed.value, 0.05, 5.0), "/vehicle/thruster/speed_m_s",
+          "must be between 0.05 and 5 m/s");
+  require(!thruster || within(thruster->power.value, 0.0, 10'000.0), "/vehicle/thruster/power_w",
+          "must be between 0 and 10000 W");
+  require(max_waypoints_per_list >= 1, "/vehicle/max_waypoints_per_list", "must be at least 1");
   return found;
 }
 
-std::span<const GliderProfile> known_profiles() {
-  static const std::vector<GliderProfile> profiles = make_profiles();
-  return profiles;
+core::Metres GliderProfile::least_water() const {
+  return std::max(minimum_working_depth, climb_to + lowest_tooth + altimeter_margin);
+}
+
+core::MetresPerSecond GliderProfile::vertical_speed(core::MetresPerSecond horizontal) const {
+  return {horizontal.value * std::tan(glide_path_angle(hydrodynamics, pitch).value().value)};
 }
 
 std::optional<GliderProfile> find_profile(std::string_view name) {

@@ -30,9 +30,17 @@ json read_object(const std::string& file, const std::string& what) {
 
 void InputFlags::add_common(CLI::App& command) {
   command.add_option("--depart", depart_, "Departure, ISO 8601 with zone, as 2026-11-20T06:00:00Z");
-  command.add_option("--vehicle", vehicle_, "Vehicle profile; default slocum-g3-200");
+  command.add_option(
+      "--vehicle", vehicle_,
+      "Vehicle profile; default slocum-g3-200. One of your own: the object \"vehicle\" of --request");
   command.add_option("--speed", speed_m_s_, "Horizontal speed through water, m/s");
-  command.add_option("--dive-depth", dive_depth_m_, "Metres");
+  command.add_option("--pitch", pitch_deg_,
+                     "Of dives and climbs, degrees; without --speed it gives the speed of the steady glide");
+  command.add_option("--climb-to", climb_to_m_, "Top of the saw-tooth, metres");
+  command.add_option("--dive-depth", dive_depth_m_, "Bottom of the saw-tooth in deep water, metres");
+  command.add_option("--altimeter-margin", altimeter_margin_m_, "Kept above the sea bed, metres");
+  command.add_option("--battery", battery_j_, "Energy of the full battery, joules");
+  command.add_option("--battery-start", battery_start_share_, "Share of it at the departure, 0 to 1");
   command.add_option("--currents", currents_,
                      "ID[,ID...] or none; default: the newest that cover area and departure");
   command.add_flag("--steady", steady_, "Use the one time step, or the mean of all, for every time");
@@ -87,7 +95,12 @@ json InputFlags::inputs() const {
   set("depart", depart_);
   set("vehicle", vehicle_);
   set("speed_m_s", speed_m_s_);
+  set("pitch_deg", pitch_deg_);
+  set("climb_to_m", climb_to_m_);
   set("dive_depth_m", dive_depth_m_);
+  set("altimeter_margin_m", altimeter_margin_m_);
+  set("battery_j", battery_j_);
+  set("battery_start_share", battery_start_share_);
   set("sectors", sectors_);
   set("method", method_);
   set("objective", objective_);

@@ -29,7 +29,12 @@ class InputFlags {
   std::optional<std::string> depart_;
   std::optional<std::string> vehicle_;
   std::optional<double> speed_m_s_;
+  std::optional<double> pitch_deg_;
+  std::optional<double> climb_to_m_;
   std::optional<double> dive_depth_m_;
+  std::optional<double> altimeter_margin_m_;
+  std::optional<double> battery_j_;
+  std::optional<double> battery_start_share_;
   std::optional<std::string> spacing_m_;
   std::optional<int> sectors_;
   std::optional<std::string> method_;

@@ -48,7 +48,8 @@ TEST(GliderProfile, IsNotFoundByAnotherName) {
 TEST(GliderProfile, TakesTheLimitsThemselves) {
   GliderProfile profile;
   profile.speed_through_water = {0.05};
-  profile.dive_depth = {1.0};
+  profile.climb_to = {0.0};
+  profile.dive_depth = {2.0};
   EXPECT_TRUE(profile.violations().empty());
 
   profile.speed_through_water = {5.0};
@@ -79,12 +80,27 @@ INSTANTIATE_TEST_SUITE_P(
         Fault{"SpeedNotANumber",
               [](GliderProfile& p) { p.speed_through_water = {std::numeric_limits<double>::quiet_NaN()}; },
               "/speed_m_s"},
-        Fault{"DivesTooShallow", [](GliderProfile& p) { p.dive_depth = {0.9}; }, "/dive_depth_m"},
+        Fault{"DivesNoDeeperThanItClimbs", [](GliderProfile& p) { p.dive_depth = {6.9}; }, "/climb_to_m"},
+        Fault{"ClimbsOutOfTheWater", [](GliderProfile& p) { p.climb_to = {-1.0}; }, "/climb_to_m"},
         Fault{"DivesBelowItsRating", [](GliderProfile& p) { p.dive_depth = {200.1}; }, "/dive_depth_m"},
-        Fault{"RatedBeyondTheDeepestSea", [](GliderProfile& p) { p.depth_rating = {12'000.0}; }, "/vehicle"},
-        Fault{"NegativeWorkingDepth", [](GliderProfile& p) { p.minimum_working_depth = {-1.0}; }, "/vehicle"},
-        Fault{"NegativeAltimeterMargin", [](GliderProfile& p) { p.altimeter_margin = {-1.0}; }, "/vehicle"},
-        Fault{"TakesNoWaypoint", [](GliderProfile& p) { p.max_waypoints_per_list = 0; }, "/vehicle"}),
+        Fault{"RatedBeyondTheDeepestSea", [](GliderProfile& p) { p.depth_rating = {12'000.0}; },
+              "/vehicle/depth_rating_m"},
+        Fault{"NegativeWorkingDepth", [](GliderProfile& p) { p.minimum_working_depth = {-1.0}; },
+              "/vehicle/minimum_working_depth_m"},
+        Fault{"NegativeAltimeterMargin", [](GliderProfile& p) { p.altimeter_margin = {-1.0}; },
+              "/altimeter_margin_m"},
+        Fault{"TakesNoWaypoint", [](GliderProfile& p) { p.max_waypoints_per_list = 0; },
+              "/vehicle/max_waypoints_per_list"},
+        Fault{"TooFlat", [](GliderProfile& p) { p.pitch = {0.1}; }, "/pitch_deg"},
+        Fault{"PumpsNothing", [](GliderProfile& p) { p.buoyancy = {0.0}; }, "/vehicle/buoyancy_cm3"},
+        Fault{"PumpBeatsNature", [](GliderProfile& p) { p.energy.pump_efficiency = 1.1; },
+              "/vehicle/pump_efficiency"},
+        Fault{"NegativeBattery", [](GliderProfile& p) { p.energy.battery = {-1.0}; }, "/battery_j"},
+        Fault{"OverchargedBattery", [](GliderProfile& p) { p.energy.battery_start_share = 1.1; },
+              "/battery_start_share"},
+        Fault{"NegativeHotelLoad", [](GliderProfile& p) { p.energy.hotel = {-0.1}; }, "/vehicle/hotel_w"},
+        Fault{"IdleThruster", [](GliderProfile& p) { p.thruster = Thruster{.speed = {0.0}}; },
+              "/vehicle/thruster/speed_m_s"}),
     [](const auto& fault) { return fault.param.title; });
 
 TEST(GliderProfile, TellsAllFaultsAtOnce) {
@@ -95,10 +111,37 @@ TEST(GliderProfile, TellsAllFaultsAtOnce) {
 
   const core::Violations found = profile.violations();
 
-  EXPECT_EQ(found.size(), 3U);
-  EXPECT_THAT(found, Contains(Field(&core::Violation::field, "/speed_m_s")));
-  EXPECT_THAT(found, Contains(Field(&core::Violation::field, "/dive_depth_m")));
-  EXPECT_THAT(found, Contains(Field(&core::Violation::field, "/vehicle")));
+  for (const char* field : {"/speed_m_s", "/dive_depth_m", "/climb_to_m", "/vehicle/depth_rating_m"}) {
+    EXPECT_THAT(found, Contains(Field(&core::Violation::field, field)));
+  }
+}
+
+TEST(GliderProfile, KnowsEveryDepthClassOfBothGenerationsWithAndWithoutThruster) {
+  for (const char* base : {"slocum-g3-200", "slocum-g3-1000", "slocum-g3-30", "slocum-g2-200",
+                           "slocum-g2-1000", "slocum-g2-30"}) {
+    const auto plain = find_profile(base);
+    const auto driven = find_profile(std::string{base} + "-thruster");
+
+    ASSERT_TRUE(plain && driven) << base;
+    EXPECT_FALSE(plain->thruster.has_value());
+    ASSERT_TRUE(driven->thruster.has_value());
+    EXPECT_GT(driven->thruster->speed, driven->speed_through_water);
+  }
+}
+
+TEST(GliderProfile, LeavesRoomForASawToothInTheShallowestWater) {
+  GliderProfile profile;
+  EXPECT_EQ(profile.least_water(), profile.minimum_working_depth);
+
+  profile.altimeter_margin = {50.0};
+  EXPECT_EQ(profile.least_water(), core::Metres{57.0});
+}
+
+TEST(GliderProfile, SinksAlongThePathOfItsPitch) {
+  const GliderProfile profile;
+  const auto glide = steady_glide(profile.hydrodynamics, profile.pitch, profile.buoyancy);
+
+  EXPECT_NEAR(profile.vertical_speed(glide->horizontal).value, glide->vertical.value, 1e-12);
 }
 
 }  // namespace

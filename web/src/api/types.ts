@@ -27,7 +27,7 @@ export interface Dataset {
 export interface Vehicle {
   name: string;
   title: string;
-  speed_through_water_m_s: number;
+  speed_m_s: number;
   dive_depth_m: number;
   depth_rating_m: number;
   minimum_working_depth_m: number;

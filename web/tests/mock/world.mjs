@@ -98,6 +98,6 @@ export const datasets = [
 ];
 
 export const vehicles = [
-  { name: 'slocum-g3-200', title: 'Slocum G3, 200 m', speed_through_water_m_s: 0.35, dive_depth_m: 180, depth_rating_m: 200, minimum_working_depth_m: 20, max_waypoints_per_list: 8 },
-  { name: 'slocum-g3-1000', title: 'Slocum G3, 1000 m', speed_through_water_m_s: 0.35, dive_depth_m: 900, depth_rating_m: 1000, minimum_working_depth_m: 40, max_waypoints_per_list: 8 },
+  { name: 'slocum-g3-200', title: 'Slocum G3, 200 m', speed_m_s: 0.35, dive_depth_m: 180, depth_rating_m: 200, minimum_working_depth_m: 20, max_waypoints_per_list: 8 },
+  { name: 'slocum-g3-1000', title: 'Slocum G3, 1000 m', speed_m_s: 0.35, dive_depth_m: 900, depth_rating_m: 1000, minimum_working_depth_m: 40, max_waypoints_per_list: 8 },
 ];

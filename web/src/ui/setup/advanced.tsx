@@ -33,7 +33,7 @@ export function Advanced(): VNode {
       <div class="field-pair">
         <TextField
           name="speed_m_s" label="Water speed" unit="m/s" inputMode="decimal"
-          placeholder={vehicle?.speed_through_water_m_s.toString()}
+          placeholder={vehicle?.speed_m_s.toString()}
         />
         <TextField name="dive_depth_m" label="Dive depth" unit="m" inputMode="decimal" placeholder={vehicle?.dive_depth_m.toString()} />
       </div>
