@@ -64,46 +64,31 @@ std::optional<geo::VelocityEn> CurrentGrid::at(geo::LonLat place, core::Metres d
   return blend(*before, *after, when->fraction);
 }
 
+std::optional<CurrentColumn> CurrentGrid::column(const GridPosition& at, std::size_t time_index) const {
+  std::vector<double> depths_m;
+  std::vector<geo::VelocityEn> levels;
+  for (std::size_t i = 0; i < depth_count(samples_); ++i) {
+    const auto water = level(at, time_index, i);
+    if (!water) break;  // the sea bed
+    depths_m.push_back(samples_.depths_m ? (*samples_.depths_m)[i] : 0.0);
+    levels.push_back(*water);
+  }
+  if (levels.empty()) return std::nullopt;
+  return CurrentColumn{depths_m, levels};
+}
+
+std::optional<CurrentColumn> CurrentGrid::column_at_node(std::size_t ix, std::size_t iy,
+                                                         std::size_t time_index) const {
+  return column({{ix, ix, 0.0}, {iy, iy, 0.0}}, time_index);
+}
+
 std::optional<geo::VelocityEn> CurrentGrid::depth_average(geo::LonLat place, core::Metres dive_depth,
                                                           std::size_t time_index) const {
   const auto position = samples_.grid.locate(place);
   if (!position) return std::nullopt;
-  return depth_average(*position, dive_depth, time_index);
-}
-
-std::optional<geo::VelocityEn> CurrentGrid::depth_average_at_node(std::size_t ix, std::size_t iy,
-                                                                  core::Metres dive_depth,
-                                                                  std::size_t time_index) const {
-  return depth_average({{ix, ix, 0.0}, {iy, iy, 0.0}}, dive_depth, time_index);
-}
-
-std::optional<geo::VelocityEn> CurrentGrid::depth_average(const GridPosition& at, core::Metres dive_depth,
-                                                          std::size_t time_index) const {
-  const auto top = level(at, time_index, 0);
-  if (!top || !samples_.depths_m) return top;
-
-  // Above the first level the water moves as that level does; the mean reaches as deep as there is water.
-  const Axis& depths = *samples_.depths_m;
-  double reached_m = std::max(0.0, std::min(depths.front(), dive_depth.value));
-  double east = top->east.value * reached_m;
-  double north = top->north.value * reached_m;
-  geo::VelocityEn upper = *top;
-  for (std::size_t i = 1; i < depths.size() && depths[i - 1] < dive_depth.value; ++i) {
-    auto lower = level(at, time_index, i);
-    if (!lower) break;  // the sea bed
-    double bottom_m = depths[i];
-    if (bottom_m > dive_depth.value) {
-      lower = blend(upper, *lower, (dive_depth.value - depths[i - 1]) / (bottom_m - depths[i - 1]));
-      bottom_m = dive_depth.value;
-    }
-    const double thickness_m = bottom_m - depths[i - 1];
-    east += 0.5 * thickness_m * (upper.east.value + lower->east.value);
-    north += 0.5 * thickness_m * (upper.north.value + lower->north.value);
-    reached_m = bottom_m;
-    upper = *lower;
-  }
-  if (reached_m <= 0.0) return top;
-  return geo::VelocityEn{{east / reached_m}, {north / reached_m}};
+  const auto water = column(*position, time_index);
+  if (!water) return std::nullopt;
+  return water->mean({0.0}, dive_depth);
 }
 
 CurrentGrid CurrentGrid::time_mean() const {

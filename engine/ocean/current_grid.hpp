@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/ocean/axis.hpp"
+#include "engine/ocean/current_column.hpp"
 #include "engine/ocean/current_field.hpp"
 #include "engine/ocean/horizontal_grid.hpp"
 
@@ -35,10 +36,10 @@ class CurrentGrid : public CurrentField {
   /// levels below the bottom are left out. Data with one level or none answer with that level.
   [[nodiscard]] std::optional<geo::VelocityEn> depth_average(geo::LonLat place, core::Metres dive_depth,
                                                              std::size_t time_index) const;
-  /// The same at a node of the grid.
-  [[nodiscard]] std::optional<geo::VelocityEn> depth_average_at_node(std::size_t ix, std::size_t iy,
-                                                                     core::Metres dive_depth,
-                                                                     std::size_t time_index) const;
+  /// All levels with water at a node of the grid, down to the first one without; empty over land. Data without
+  /// a depth axis give a column that is the same at every depth.
+  [[nodiscard]] std::optional<CurrentColumn> column_at_node(std::size_t ix, std::size_t iy,
+                                                            std::size_t time_index) const;
   [[nodiscard]] const Samples& samples() const { return samples_; }
   /// The mean over all times as a field with a single time; a node is missing where it is missing at any
   /// time.
@@ -47,8 +48,7 @@ class CurrentGrid : public CurrentField {
  private:
   [[nodiscard]] std::optional<geo::VelocityEn> level(const GridPosition& at, std::size_t time_index,
                                                      std::size_t depth_index) const;
-  [[nodiscard]] std::optional<geo::VelocityEn> depth_average(const GridPosition& at, core::Metres dive_depth,
-                                                             std::size_t time_index) const;
+  [[nodiscard]] std::optional<CurrentColumn> column(const GridPosition& at, std::size_t time_index) const;
 
   Samples samples_;
 };

@@ -10,95 +10,73 @@ namespace {
 
 constexpr double most_beside_chord =
     2.5e-4;  // of a cell: so small a share of what the current changes over the cell goes unseen
+constexpr int most_parts = 4;  // of a side of a cell: beyond it memory and time outgrow the gain
+constexpr std::size_t most_nodes = 1 << 22;  // over all times: 32 MB
 
-struct Window {
-  std::vector<double> nodes;
-  std::vector<std::size_t> indices;
-};
-
-/// The nodes of an axis from the last one below `low` to the first one above `high`.
-Window window(const ocean::Axis& axis, double low, double high) {
-  const auto& nodes = axis.nodes();
-  auto first = static_cast<std::size_t>(std::ranges::lower_bound(nodes, low) - nodes.begin());
-  auto last = static_cast<std::size_t>(std::ranges::upper_bound(nodes, high) - nodes.begin());
-  first = std::min(first > 0 ? first - 1 : 0, nodes.size() - 1);
-  last = std::max(std::min(last, nodes.size() - 1), first);
-  Window result;
-  for (std::size_t i = first; i <= last; ++i) {
-    result.nodes.push_back(nodes[i]);
-    result.indices.push_back(i);
-  }
-  return result;
-}
-
-/// The same for longitudes: whole turns are added so that the window runs from west to east without a jump.
-Window longitude_window(const ocean::HorizontalGrid& grid, double west, double east) {
-  const ocean::Axis& axis = grid.x();
-  Window result;
-  for (int turn = -2; turn <= 2; ++turn) {
-    for (std::size_t i = 0; i < axis.size(); ++i) {
-      const double lon = axis[i] + 360.0 * turn;
-      const double step = std::max(axis.mean_step(), 1e-6);
-      if (lon < west - 1.5 * step || lon > east + 1.5 * step) continue;
-      // A grid that repeats its first column a turn later would stand twice at one place.
-      if (!result.nodes.empty() && lon <= result.nodes.back() + 1e-6 * step) continue;
-      // Columns a turn apart are neighbours only where the grid closes the circle.
-      if (!result.nodes.empty() && !grid.wraps() && lon - result.nodes.back() > 1.5 * step &&
-          result.indices.back() + 1 != i) {
-        return result;
-      }
-      result.nodes.push_back(lon);
-      result.indices.push_back(i);
+/// Each step of the axis cut into equal parts.
+std::vector<double> cut(const std::vector<double>& nodes, int parts) {
+  std::vector<double> result;
+  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
+    for (int part = 0; part < parts; ++part) {
+      result.push_back(nodes[i] + (nodes[i + 1] - nodes[i]) * part / parts);
     }
   }
+  result.push_back(nodes.back());
   return result;
 }
 
-struct CoordinateBox {
-  double low_x{std::numeric_limits<double>::infinity()};
-  double high_x{-std::numeric_limits<double>::infinity()};
-  double low_y{std::numeric_limits<double>::infinity()};
-  double high_y{-std::numeric_limits<double>::infinity()};
-};
+/// Where node `i` of a cut axis lies on the axis itself.
+CellPosition on_uncut(std::size_t i, int parts, std::size_t nodes) {
+  const std::size_t cell = i / static_cast<std::size_t>(parts);
+  const double share = static_cast<double>(i % static_cast<std::size_t>(parts)) / parts;
+  return cell + 1 < nodes ? CellPosition{cell, share} : CellPosition{nodes - 1, 0.0};
+}
 
-CoordinateBox coordinate_box(const GridLookup& lookup, const PlaneBox& area) {
-  constexpr int samples = 64;
-  CoordinateBox box;
-  for (int j = 0; j <= samples; ++j) {
-    for (int i = 0; i <= samples; ++i) {
-      const geo::GridPoint at = lookup.coordinates(
-          {area.low.x_m + area.width_m() * i / samples, area.low.y_m + area.height_m() * j / samples});
-      box.low_x = std::min(box.low_x, at.x);
-      box.high_x = std::max(box.high_x, at.x);
-      box.low_y = std::min(box.low_y, at.y);
-      box.high_y = std::max(box.high_y, at.y);
+/// The depths flown at the nodes of a window whose cells are cut into parts.
+std::vector<vehicle::DiveBand> bands_over(const FlownDepths& depths, const geo::GridFrame& frame,
+                                          const NodeWindow& window, int parts) {
+  std::vector<vehicle::DiveBand> bands;
+  for (const double y : cut(window.y, parts)) {
+    for (const double x : cut(window.x, parts)) bands.push_back(depths.at(geo::to_lon_lat(frame, {x, y})));
+  }
+  return bands;
+}
+
+/// Parts to cut the data's cells into so that a bank of the bathymetry inside one of them is felt.
+int parts_for(const FlownDepths& depths, const ocean::HorizontalGrid& grid, const NodeWindow& window,
+              std::size_t slices) {
+  if (!depths.bathymetry()) return 1;
+  const double wanted = std::ceil(grid.spacing() / depths.bathymetry()->grid().spacing());
+  int parts = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most_parts)));
+  const auto too_many = [&] {
+    return window.size() * static_cast<std::size_t>(parts * parts) * slices > most_nodes;
+  };
+  while (parts > 1 && too_many()) --parts;
+  const std::vector<vehicle::DiveBand> bands = bands_over(depths, grid.frame(), window, parts);
+  const bool same = std::ranges::all_of(bands, [&](const auto& band) { return band == bands.front(); });
+  return same ? 1 : parts;
+}
+
+std::vector<NodeTurn> turns_of(const ocean::HorizontalGrid& grid, const NodeWindow& window,
+                               const geo::LocalProjection& projection) {
+  std::vector<NodeTurn> turns;
+  for (std::size_t iy = 0; iy < window.y.size(); ++iy) {
+    for (const std::size_t column : window.columns) {
+      const double angle = projection.at(grid.place(column, window.first_row + iy)).convergence.value;
+      turns.push_back({std::cos(angle), std::sin(angle)});
     }
   }
-  return box;
-}
-
-Window column_window(const ocean::HorizontalGrid& grid, const CoordinateBox& box) {
-  Window result = std::holds_alternative<geo::GeographicFrame>(grid.frame())
-                      ? longitude_window(grid, box.low_x, box.high_x)
-                      : window(grid.x(), box.low_x, box.high_x);
-  if (result.nodes.empty()) result = {{grid.x().front()}, {0}};  // nothing in common: every point is outside
-  return result;
+  return turns;
 }
 
 }  // namespace
 
-PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, core::Metres dive_depth,
+PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, const FlownDepths& depths,
                              const geo::LocalProjection& projection, const PlaneBox& area,
                              core::UtcTime epoch, const std::stop_token& stop)
     : lookup_{currents.samples().grid.frame(), projection, area, stop}, x_{{0.0}}, y_{{0.0}} {
   const ocean::HorizontalGrid& grid = currents.samples().grid;
-  const CoordinateBox box = coordinate_box(lookup_, area);
-  Window columns = column_window(grid, box);
-  Window rows = window(grid.y(), box.low_y, box.high_y);
-  x_ = FastAxis{std::move(columns.nodes)};
-  y_ = FastAxis{std::move(rows.nodes)};
-  columns_ = std::move(columns.indices);
-  first_row_ = rows.indices.front();
+  const NodeWindow window = node_window(grid, lookup_, area);
   if (!steady) {
     std::vector<double> times;
     for (const double time_s : currents.samples().times_s.nodes()) {
@@ -106,72 +84,45 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
     }
     times_s_ = FastAxis{std::move(times)};
   }
-  spacing_ = grid.spacing();
+  const int parts = parts_for(depths, grid, window, times_s_ ? times_s_->size() : 1);
+  x_ = FastAxis{cut(window.x, parts)};
+  y_ = FastAxis{cut(window.y, parts)};
+  spacing_ = (1.0 / parts) * grid.spacing();
   const geo::GridPoint bend = lookup_.bend();
   // A chord of length h misses a curve by h^2 / 8 of its bend.
   straight_parts_per_metre_ =
       std::sqrt(std::max(bend.x / x_.mean_step(), bend.y / y_.mean_step()) / (8.0 * most_beside_chord));
-  fill(currents, dive_depth, projection, stop);
-  extend_to_coast();
+  fill(currents, window, parts, bands_over(depths, grid.frame(), window, parts),
+       turns_of(grid, window, projection), stop);
 }
 
-void PlaneCurrents::fill(const ocean::CurrentGrid& currents, core::Metres dive_depth,
-                         const geo::LocalProjection& projection, const std::stop_token& stop) {
+void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& window, int parts,
+                         const std::vector<vehicle::DiveBand>& bands, const std::vector<NodeTurn>& turns,
+                         const std::stop_token& stop) {
   constexpr float missing = std::numeric_limits<float>::quiet_NaN();
   const std::size_t slice = x_.size() * y_.size();
   const std::size_t slices = times_s_ ? times_s_->size() : 1;
   nodes_.assign(slice * slices, Node{missing, missing});
+  extended_.assign(slice, 0);
   double strongest = 0.0;
-  for (std::size_t iy = 0; iy < y_.size() && !stop.stop_requested(); ++iy) {
-    for (std::size_t ix = 0; ix < x_.size(); ++ix) {
-      const geo::LonLat place = currents.samples().grid.place(columns_[ix], first_row_ + iy);
-      const double angle = projection.at(place).convergence.value;
-      const double cosine = std::cos(angle);
-      const double sine = std::sin(angle);
-      for (std::size_t t = 0; t < slices; ++t) {
-        const auto c = currents.depth_average_at_node(columns_[ix], first_row_ + iy, dive_depth, t);
-        if (!c) continue;
-        const double east = c->east.value;
-        const double north = c->north.value;
-        strongest = std::max(strongest, std::hypot(east, north));
-        nodes_[t * slice + iy * x_.size() + ix] = {static_cast<float>(east * cosine - north * sine),
-                                                   static_cast<float>(east * sine + north * cosine)};
+  for (std::size_t t = 0; t < slices; ++t) {
+    const CurrentSlice water{currents, window, turns, t};
+    for (std::size_t iy = 0; iy < y_.size(); ++iy) {
+      if (stop.stop_requested()) return;
+      for (std::size_t ix = 0; ix < x_.size(); ++ix) {
+        const std::size_t node = iy * x_.size() + ix;
+        const auto mean = water.mean(on_uncut(ix, parts, window.x.size()),
+                                     on_uncut(iy, parts, window.y.size()), bands[node]);
+        if (!mean) continue;
+        strongest = std::max(strongest, std::hypot(mean->current.x_m_s, mean->current.y_m_s));
+        nodes_[t * slice + node] = {static_cast<float>(mean->current.x_m_s),
+                                    static_cast<float>(mean->current.y_m_s)};
+        if (mean->extended) extended_[node] = 1;
       }
     }
   }
   // Rounding to float may lengthen a vector by 1e-7 of itself; a bound must not be below it.
   strongest_ = core::MetresPerSecond{strongest * (1.0 + 1e-6)};
-}
-
-void PlaneCurrents::extend_to_coast() {
-  const std::size_t nx = x_.size();
-  const std::size_t ny = y_.size();
-  const std::size_t slice = nx * ny;
-  extended_.assign(slice, 0);
-  std::vector<Node> original(slice);
-  for (std::size_t begin = 0; begin < nodes_.size(); begin += slice) {
-    std::copy_n(nodes_.begin() + static_cast<std::ptrdiff_t>(begin), slice, original.begin());
-    for (std::size_t iy = 0; iy < ny; ++iy) {
-      for (std::size_t ix = 0; ix < nx; ++ix) {
-        if (!std::isnan(original[iy * nx + ix].x_m_s)) continue;
-        double sum_x = 0.0;
-        double sum_y = 0.0;
-        int wet = 0;
-        for (std::size_t jy = iy > 0 ? iy - 1 : 0; jy <= std::min(iy + 1, ny - 1); ++jy) {
-          for (std::size_t jx = ix > 0 ? ix - 1 : 0; jx <= std::min(ix + 1, nx - 1); ++jx) {
-            const Node& neighbour = original[jy * nx + jx];
-            if (std::isnan(neighbour.x_m_s)) continue;
-            sum_x += static_cast<double>(neighbour.x_m_s);
-            sum_y += static_cast<double>(neighbour.y_m_s);
-            ++wet;
-          }
-        }
-        if (wet == 0) continue;
-        nodes_[begin + iy * nx + ix] = {static_cast<float>(sum_x / wet), static_cast<float>(sum_y / wet)};
-        extended_[iy * nx + ix] = 1;
-      }
-    }
-  }
 }
 
 std::optional<PlaneCurrents::Corner> PlaneCurrents::corner(geo::PlanePoint point) const {

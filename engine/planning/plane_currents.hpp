@@ -9,24 +9,32 @@
 #include "engine/motion/plane_edge.hpp"
 #include "engine/ocean/current_grid.hpp"
 #include "engine/planning/current_line.hpp"
+#include "engine/planning/current_slice.hpp"
 #include "engine/planning/fast_axis.hpp"
+#include "engine/planning/flown_depths.hpp"
 #include "engine/planning/grid_lookup.hpp"
+#include "engine/planning/node_window.hpp"
 #include "engine/planning/plane_box.hpp"
 
 namespace floeplan::planning {
 
-/// The depth-averaged currents of a planning area, turned into the axes of the plane: what the inner loop
-/// asks.
-/// Interpolation  the data's own: bilinear between its nodes, linear between its times Coast a node without
-///          water takes the mean of its neighbours with water, one ring deep, because a model's land mask is
-///          coarser than the coast; `is_extended` tells where
+/// The currents of a planning area, averaged over the depths that the glider flies at each place, turned into
+/// the axes of the plane: what the inner loop asks. A steady saw-tooth spends the same time at every depth of
+/// its band, so the mean over depth is the mean over its time.
+/// Depths   each column of the data is averaged over the band that is flown at the place asked for, not at the
+///          column, so that a bank inside a cell of the data changes the field. Where the bands differ, a cell
+///          is cut into as many parts as the bathymetry has, up to four a side; in between, linear
+/// Interpolation
+///          the data's own: bilinear between its nodes, linear between its times
+/// Coast    a node without water takes the mean of its neighbours with water, one ring deep, because a model's
+///          land mask is coarser than the coast; `is_extended` tells where
 /// Time     counted from `epoch`; steady currents answer for every time
 /// Outside  empty beyond the nodes with water (and that ring) and beyond the data's period
 /// Threads  const members may be called from several threads at once
 class PlaneCurrents {
  public:
   /// Once `stop` is requested the currents stay incomplete and must not be used.
-  PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, core::Metres dive_depth,
+  PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, const FlownDepths& depths,
                 const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch,
                 const std::stop_token& stop = {});
 
@@ -39,7 +47,7 @@ class PlaneCurrents {
   [[nodiscard]] bool is_extended(geo::PlanePoint point) const;
 
   [[nodiscard]] core::MetresPerSecond strongest() const { return strongest_; }
-  /// Distance between the data's nodes: the scale on which the current changes.
+  /// Distance between the nodes: the scale on which the current changes.
   [[nodiscard]] core::Metres spacing() const { return spacing_; }
   /// Least time between two steps of the data; empty when there is one step only.
   [[nodiscard]] std::optional<core::Seconds> time_step() const;
@@ -59,15 +67,13 @@ class PlaneCurrents {
     float y_m_s;
   };
   [[nodiscard]] std::optional<Corner> corner(geo::PlanePoint point) const;
-  void fill(const ocean::CurrentGrid& currents, core::Metres dive_depth,
-            const geo::LocalProjection& projection, const std::stop_token& stop);
-  void extend_to_coast();
+  void fill(const ocean::CurrentGrid& currents, const NodeWindow& window, int parts,
+            const std::vector<vehicle::DiveBand>& bands, const std::vector<NodeTurn>& turns,
+            const std::stop_token& stop);
 
   GridLookup lookup_;
-  FastAxis x_;  // the window of the data's axes; longitudes continuous, also across the data's seam
+  FastAxis x_;  // of the data's window, cut; longitudes continuous, also across the data's seam
   FastAxis y_;
-  std::vector<std::size_t> columns_;  // of the data, for each node of x_
-  std::size_t first_row_{};
   std::optional<FastAxis> times_s_;     // since epoch; empty when steady
   std::vector<Node> nodes_;             // [time][y][x]; NaN where there is no water
   std::vector<std::uint8_t> extended_;  // [y][x]

@@ -16,7 +16,7 @@ std::optional<PlaneCurrents> lay_out(const ocean::Environment& environment, cons
   if (!environment.currents) return std::nullopt;
   return PlaneCurrents{*environment.currents,
                        environment.steady_currents,
-                       request.vehicle.dive_depth,
+                       FlownDepths{request.vehicle.dive_limits(), environment.bathymetry},
                        projection,
                        area,
                        request.depart,

@@ -70,7 +70,7 @@ TEST(DepthAverage, IsUnknownOverLandAndBeyondTheGrid) {
   const CurrentGrid sea = same_column(Axis{{0.0, 10.0}}, {0.1F, 0.1F});
 
   EXPECT_FALSE(land.depth_average(place, {10.0}, 0).has_value());
-  EXPECT_FALSE(land.depth_average_at_node(0, 0, {10.0}, 0).has_value());
+  EXPECT_FALSE(land.column_at_node(0, 0, 0).has_value());
   EXPECT_FALSE(sea.depth_average(geo::LonLat{0.0, 0.0}, {10.0}, 0).has_value());
 }
 
@@ -80,11 +80,11 @@ TEST(DepthAverage, AtANodeIsThatOfTheNodesPlace) {
            0.2F * static_cast<float>(i.time);
   });
 
-  const auto at_node = currents.depth_average_at_node(2, 1, {40.0}, 1);
+  const auto at_node = currents.column_at_node(2, 1, 1);
 
   ASSERT_TRUE(at_node.has_value());
-  EXPECT_EQ(at_node, currents.depth_average(currents.samples().grid.place(2, 1), {40.0}, 1));
-  EXPECT_NE(at_node, currents.depth_average_at_node(2, 1, {40.0}, 0));
+  EXPECT_EQ(at_node->mean({0.0}, {40.0}),
+            currents.depth_average(currents.samples().grid.place(2, 1), {40.0}, 1));
 }
 
 }  // namespace

@@ -15,7 +15,7 @@ namespace {
 
 constexpr int hours = 48;
 constexpr core::MetresPerSecond glider{0.35};
-constexpr core::Metres dive{200.0};
+const FlownDepths dive{{}, nullptr};
 const geo::LocalProjection projection{{-53.0, 69.0}};
 const PlaneBox area{{-60'000.0, -60'000.0}, {60'000.0, 60'000.0}};
 

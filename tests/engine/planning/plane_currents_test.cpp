@@ -15,7 +15,7 @@ const geo::LocalProjection projection{{-53.0, 69.0}};
 const PlaneBox area{{-60'000.0, -60'000.0}, {60'000.0, 60'000.0}};
 
 PlaneCurrents lay_out(const ocean::CurrentGrid& grid, bool steady = false) {
-  return {grid, steady, core::Metres{200.0}, projection, area, core::from_unix_seconds(sea_start_s)};
+  return {grid, steady, FlownDepths{{}, nullptr}, projection, area, core::from_unix_seconds(sea_start_s)};
 }
 
 TEST(PlaneCurrents, AgreeWithTheFieldTheyWereMadeOf) {

@@ -1,0 +1,143 @@
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/planning/plane_currents.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using support::sea_grid;
+using support::sea_start_s;
+using support::steps;
+
+const geo::LocalProjection projection{{-53.0, 69.0}};
+const PlaneBox area{{-30'000.0, -30'000.0}, {30'000.0, 30'000.0}};
+constexpr vehicle::DiveLimits limits{.climb_to = {5.0}, .dive_to = {200.0}, .altimeter_margin = {10.0}};
+constexpr double level_m[] = {0.0, 10.0, 30.0, 75.0, 150.0, 300.0};
+constexpr double east_m_s[] = {0.5, 0.45, 0.2, -0.1, -0.2, -0.25};
+
+/// The same sheared eastward current everywhere: fast at the surface, turned round at depth.
+ocean::CurrentGrid sheared() {
+  const ocean::HorizontalGrid grid = sea_grid();
+  ocean::CurrentGrid::Samples samples{.grid = grid,
+                                      .depths_m = ocean::Axis{{std::begin(level_m), std::end(level_m)}},
+                                      .times_s = ocean::Axis{{sea_start_s}},
+                                      .u = {},
+                                      .v = {}};
+  for (const double east : east_m_s) {
+    samples.u.insert(samples.u.end(), grid.size(), static_cast<float>(east));
+    samples.v.insert(samples.v.end(), grid.size(), 0.0F);
+  }
+  return ocean::CurrentGrid{std::move(samples)};
+}
+
+double sheared_at(double depth_m) {
+  for (std::size_t i = 1; i < std::size(level_m); ++i) {
+    if (depth_m > level_m[i]) continue;
+    const double share = (depth_m - level_m[i - 1]) / (level_m[i] - level_m[i - 1]);
+    return east_m_s[i - 1] + share * (east_m_s[i] - east_m_s[i - 1]);
+  }
+  return east_m_s[std::size(level_m) - 1];
+}
+
+/// A bank of 40 m in a sea of 400 m, hardly wider than a cell of the currents.
+double bank_m(geo::LonLat place) {
+  const double away = std::abs(place.lon_deg + 53.05) / 0.06;
+  return 400.0 - 360.0 * std::exp(-away * away);
+}
+
+std::shared_ptr<const ocean::Bathymetry> fine_bathymetry() {
+  const ocean::HorizontalGrid grid{geo::GeographicFrame{}, steps(-54.0, 0.01, 201), steps(68.5, 0.01, 101)};
+  std::vector<float> depth_m;
+  for (std::size_t iy = 0; iy < grid.y().size(); ++iy) {
+    for (std::size_t ix = 0; ix < grid.x().size(); ++ix) {
+      depth_m.push_back(static_cast<float>(bank_m(grid.place(ix, iy))));
+    }
+  }
+  return std::make_shared<const ocean::Bathymetry>(grid, std::move(depth_m));
+}
+
+PlaneCurrents over_the_bank() {
+  return {sheared(),  true, {limits, fine_bathymetry()},
+          projection, area, core::from_unix_seconds(sea_start_s)};
+}
+
+/// Mean of the current over the time of a saw-tooth that stays at one place.
+double mean_of_a_yo(double top_m, double bottom_m) {
+  double sum = 0.0;
+  constexpr int samples = 20'000;
+  for (int i = 0; i < samples; ++i) {
+    const double phase = 2.0 * (i + 0.5) / samples;  // down in the first half, up in the second
+    const double share = phase < 1.0 ? phase : 2.0 - phase;
+    sum += sheared_at(top_m + share * (bottom_m - top_m));
+  }
+  return sum / samples;
+}
+
+TEST(FlownCurrents, AreTheMeanOfAYoOverTheSeaBedAtEveryNodeOfTheCutCells) {
+  const PlaneCurrents currents = over_the_bank();
+
+  for (int i = 0; i <= 8; ++i) {  // cells of 0.1 degrees in four parts
+    const geo::LonLat place{-53.1 + 0.025 * i, 69.0};
+    const double bottom_m = std::min(200.0, bank_m(place) - 10.0);
+    const auto flown = currents(projection.to_plane(place), core::Seconds{0.0});
+
+    ASSERT_TRUE(flown.has_value());
+    EXPECT_NEAR(std::hypot(flown->x_m_s, flown->y_m_s), std::abs(mean_of_a_yo(5.0, bottom_m)), 5e-3) << i;
+  }
+}
+
+TEST(FlownCurrents, CarryAGliderOverABankAsItsSimulatedYoDoes) {
+  const PlaneCurrents currents = over_the_bank();
+  constexpr double sink_m_s = 0.19;
+  constexpr double speed_m_s = 0.35;
+  constexpr double step_s = 5.0;
+  constexpr int starts = 10;  // of the saw-tooth, whose phase over the bank is nobody's choice
+  double drift_yo_m = 0.0;
+  double drift_plane_m = 0.0;
+
+  for (int start = 0; start < starts; ++start) {
+    double depth_m = 5.0 + 195.0 * start / starts;
+    double direction = start % 2 == 0 ? 1.0 : -1.0;
+    for (double x_m = -12'000.0; x_m < 8'000.0; x_m += speed_m_s * step_s) {
+      const geo::PlanePoint point{x_m, 0.0};
+      const double bottom_m = std::min(200.0, bank_m(projection.to_lon_lat(point)) - 10.0);
+      if (depth_m >= bottom_m) direction = -1.0;
+      if (depth_m <= 5.0) direction = 1.0;
+      depth_m += direction * sink_m_s * step_s;
+      drift_yo_m += sheared_at(depth_m) * step_s / starts;
+      drift_plane_m += currents(point, core::Seconds{0.0})->x_m_s * step_s / starts;
+    }
+  }
+
+  const double over_deep_water_m = mean_of_a_yo(5.0, 200.0) * 20'000.0 / speed_m_s;
+  EXPECT_GT(std::abs(drift_yo_m - over_deep_water_m), 1'500.0);  // the bank matters
+  EXPECT_NEAR(drift_plane_m, drift_yo_m, 0.06 * std::abs(drift_yo_m - over_deep_water_m));
+}
+
+TEST(FlownCurrents, NeedNoFinerCellsWhereTheSeaBedIsOutOfReach) {
+  const auto deep = support::bathymetry_from([](geo::LonLat) { return 500.0; });
+  const PlaneCurrents plain{sheared(),  true, {limits, nullptr},
+                            projection, area, core::from_unix_seconds(0.0)};
+  const PlaneCurrents over_deep{sheared(),  true, {limits, deep},
+                                projection, area, core::from_unix_seconds(0.0)};
+
+  EXPECT_EQ(over_deep.spacing(), plain.spacing());
+  EXPECT_LT(over_the_bank().spacing(), plain.spacing());
+}
+
+TEST(FlownCurrents, BeginAtTheTopOfTheSawTooth) {
+  const PlaneCurrents deeper{
+      sheared(),  true, {{.climb_to = {75.0}, .dive_to = {200.0}, .altimeter_margin = {10.0}}, nullptr},
+      projection, area, core::from_unix_seconds(0.0)};
+
+  const auto current = deeper({0.0, 0.0}, core::Seconds{0.0});
+
+  EXPECT_LT(current->x_m_s, -0.1);
+}
+
+}  // namespace
+}  // namespace floeplan::planning
