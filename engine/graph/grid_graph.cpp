@@ -27,13 +27,14 @@ std::vector<Offset> sector_offsets(int sectors) {
 }
 
 GridGraph::GridGraph(int nx, int ny, int sectors, std::vector<std::uint8_t> open)
-    : nx_{nx}, ny_{ny}, offsets_{sector_offsets(sectors)}, open_{std::move(open)} {
+    : nx_{nx}, ny_{ny}, reach_{sectors}, offsets_{sector_offsets(sectors)}, open_{std::move(open)} {
   if (nx < 1 || ny < 1 || std::int64_t{nx} * ny > std::numeric_limits<std::int32_t>::max()) {
     throw std::invalid_argument{"a grid needs at least one vertex and at most 2^31"};
   }
   if (!open_.empty() && open_.size() != size()) {
     throw std::invalid_argument{"a grid needs one open flag for each vertex"};
   }
+  for (const Offset o : offsets_) strides_.push_back(static_cast<Vertex>(o.dy * nx_ + o.dx));
 }
 
 std::int64_t GridGraph::count_open_vertices() const {

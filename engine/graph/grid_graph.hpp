@@ -63,19 +63,25 @@ class GridGraph {
   void for_each_edge(Vertex tail, Visit&& visit) const {
     const int x = column(tail);
     const int y = row(tail);
-    for (std::size_t step = 0; step < offsets_.size(); ++step) {
-      const int head_x = x + offsets_[step].dx;
-      const int head_y = y + offsets_[step].dy;
-      if (head_x < 0 || head_x >= nx_ || head_y < 0 || head_y >= ny_) continue;
-      const Vertex head = vertex(head_x, head_y);
-      if (is_open(head)) visit(Edge{tail, head, static_cast<std::uint8_t>(step)});
+    const bool is_inside = x >= reach_ && x < nx_ - reach_ && y >= reach_ && y < ny_ - reach_;
+    const auto steps = static_cast<std::uint8_t>(offsets_.size());
+    for (std::uint8_t step = 0; step < steps; ++step) {
+      if (!is_inside) {
+        const int head_x = x + offsets_[step].dx;
+        const int head_y = y + offsets_[step].dy;
+        if (head_x < 0 || head_x >= nx_ || head_y < 0 || head_y >= ny_) continue;
+      }
+      const Vertex head = tail + strides_[step];
+      if (is_open(head)) visit(Edge{tail, head, step});
     }
   }
 
  private:
   int nx_;
   int ny_;
+  int reach_;  // of the longest step, in columns and in rows
   std::vector<Offset> offsets_;
+  std::vector<Vertex> strides_;  // of the offsets, from vertex number to vertex number, modulo 2^32
   std::vector<std::uint8_t> open_;
 };
 

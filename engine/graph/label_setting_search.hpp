@@ -60,8 +60,8 @@ SearchTree find_earliest_arrivals(const GridGraph& graph, const Query& query, co
 
     const double arrival_u = tree.arrival_s(u);
     graph.for_each_edge(u, [&](const Edge& edge) {
-      if (settled[edge.head]) return;
       if (arrival_u + core::Seconds{bound.least_time(edge)}.count() >= tree.arrival_s(edge.head)) return;
+      if (settled[edge.head]) return;
       ++tree.counters.edge_evaluations;
       const auto duration =
           travel_time(edge, core::Seconds{arrival_u}, core::Seconds{tree.arrival_s(edge.head)});

@@ -1,0 +1,31 @@
+#!/usr/bin/env bash
+# Builds and runs the benchmarks and prints one table: what, ours, the comparator, the ratio, all measured in this run
+# on one core, in processor time. Takes about a minute beside the building, and 2 GB of memory.
+# usage: deploy/bench.sh [--json]      with --json the table alone goes to standard output, as JSON
+source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
+
+readonly longest=600 # seconds
+
+build_bench() {
+  "$root/deploy/install-deps"
+  say "building the benchmarks"
+  run_or_fail "cmake could not configure the build" "run deploy/install-deps; if that is done, read the message above" \
+    cmake -S "$root" --preset release
+  run_or_fail "the benchmarks do not compile" "read the first error above" \
+    cmake --build "$root/build/release" -j "$(build_jobs)" --target floeplan_bench
+}
+
+main() {
+  local options=()
+  case ${1-} in
+    '') ;;
+    --json) options+=(--json) ;;
+    *) fail "unknown option $1" "use: deploy/bench.sh [--json]" ;;
+  esac
+  build_bench >&2
+  say "measuring" >&2
+  run_or_fail "the benchmarks failed" "read the message above; they take 2 GB of memory and at most $longest seconds" \
+    timeout "$longest" "$root/build/release/floeplan_bench" "${options[@]}"
+}
+
+main "$@"

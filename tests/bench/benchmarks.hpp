@@ -1,0 +1,14 @@
+#pragma once
+
+#include <vector>
+
+#include "tests/bench/report.hpp"
+
+namespace floeplan::bench {
+
+/// The search itself: edges, all arrivals on a million vertices beside the Boost Graph Library's, memory, growth.
+std::vector<Row> search_rows();
+/// What the product does: its edge cost, and whole plans by each method.
+std::vector<Row> plan_rows();
+
+}  // namespace floeplan::bench
