@@ -80,6 +80,10 @@ planning::Plan parse_members(const json& document) {
   plan.arrival = time_at(document, "arrival");
   plan.distance = {document.at("distance_m").get<double>()};
   for (const auto& waypoint : document.at("waypoints")) plan.waypoints.push_back(parse_waypoint(waypoint));
+  if (const auto order = document.find("via_order"); order != document.end() && !order->is_null()) {
+    plan.via_order =
+        planning::ViaOrder{order->at("vias").get<std::vector<std::size_t>>(), order->at("exact").get<bool>()};
+  }
   const json& search = document.at("search");
   plan.search = {.vertices = search.at("vertices").get<std::int64_t>(),
                  .edges = search.at("edges").get<std::int64_t>(),
@@ -100,6 +104,11 @@ planning::Plan parse_members(const json& document) {
   }
   plan.warnings = document.at("warnings").get<std::vector<std::string>>();
   return plan;
+}
+
+json via_order_json(const std::optional<planning::ViaOrder>& order) {
+  if (!order) return nullptr;
+  return {{"vias", order->vias}, {"exact", order->exact}};
 }
 
 json change_json(const planning::Change& change) {
@@ -139,6 +148,7 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
           {"optimality_gap", optional_number(plan.optimality_gap)},
           {"optimality_gap_reason", plan.optimality_gap_reason},
           {"waypoints", std::move(waypoints)},
+          {"via_order", via_order_json(plan.via_order)},
           {"search",
            {{"vertices", plan.search.vertices},
             {"edges", plan.search.edges},

@@ -40,6 +40,12 @@ void read_places(InputReader& reader, planning::PlanRequest& request) {
   const auto from = reader.place("from");
   const auto to = reader.place("to");
   request.via = reader.places("via", 0, max_vias).value_or(std::vector<geo::LonLat>{});
+  if (const auto order = reader.text("via_order")) {
+    request.via_in_best_order = *order == "best";
+    if (*order != "best" && *order != "given") {
+      reader.refuse("/via_order", "must be \"given\" or \"best\", not \"" + *order + "\"");
+    }
+  }
   if (from) request.from = *from;
   if (to) request.to = *to;
   if (from && to && *from == *to && request.via.empty()) {
@@ -141,6 +147,7 @@ json to_json(const PlanInputs& inputs) {
   result["from"] = place_json(request.from);
   result["to"] = place_json(request.to);
   result["via"] = places_json(request.via);
+  result["via_order"] = request.via_in_best_order ? "best" : "given";
   write_search(request, result);
   return result;
 }

@@ -73,6 +73,9 @@ json plan_inputs() {
   inputs["from"] = input("Start, [longitude, latitude] in degrees", position_schema(), true);
   inputs["to"] = input("Goal, [longitude, latitude] in degrees", position_schema(), true);
   inputs["via"] = input("Places to visit in this order", {{"type", "array"}, {"items", position_schema()}});
+  inputs["via_order"] =
+      input("Visit the places in the order given or in the one that reaches the goal earliest",
+            one_of({"given", "best"}));
   inputs["spacing_m"] = input("Spacing of the search grid, metres, or [along, across]", spacing_schema());
   inputs["sectors"] =
       input("Reach of the grid's edges", {{"type", "integer"}, {"minimum", 1}, {"maximum", 5}});

@@ -39,6 +39,12 @@ struct Clearances {
   std::optional<core::Metres> bottom;  // from the deepest point of the dive to the sea bed
 };
 
+/// In which order the places to visit are visited.
+struct ViaOrder {
+  std::vector<std::size_t> vias;  // indices of the request's
+  bool exact{};                   // no other order would be better, as far as travel times on a coarse grid tell
+};
+
 /// A route with times.
 struct Plan {
   Method method{};
@@ -47,6 +53,7 @@ struct Plan {
   core::UtcTime arrival;
   core::Metres distance;
   std::vector<Waypoint> waypoints;
+  std::optional<ViaOrder> via_order;  // when the request left the order open
   SearchStatistics search;
   Clearances clearances;
   std::optional<core::Joules> energy;

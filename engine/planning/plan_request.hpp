@@ -28,7 +28,8 @@ enum class Method {
 struct PlanRequest {
   geo::LonLat from;
   geo::LonLat to;
-  std::vector<geo::LonLat> via;  // to be visited in this order
+  std::vector<geo::LonLat> via;  // to be visited in this order, unless
+  bool via_in_best_order{false};  // in the order that reaches the goal earliest
   core::UtcTime depart;
   vehicle::GliderProfile vehicle;
 

@@ -9,6 +9,8 @@
 #include "engine/planning/relaxation.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/straightening.hpp"
+#include "engine/planning/tour_legs.hpp"
+#include "engine/planning/visiting_order.hpp"
 #include "engine/planning/voyage_search.hpp"
 
 namespace floeplan::planning {
@@ -109,6 +111,36 @@ std::vector<Change> changes_that_help(const ocean::Environment& environment, con
   return find_changes(environment, request, binding, trial, stop);
 }
 
+/// The order of the vias that reaches the goal earliest; empty when no order leads there.
+std::optional<ViaOrder> best_via_order(const ocean::Environment& environment, const PlanRequest& request,
+                                       const std::stop_token& stop) {
+  const Result<Chart> chart = draw_chart(environment, request, second_reach, stop);
+  if (!chart) return std::nullopt;
+  TourLegs legs{chart->sea, chart->layout, request, stop};
+  const TourLegTime leg_time = [&](std::size_t from, std::size_t to, core::Seconds depart) {
+    return legs.time(from, to, depart);
+  };
+  const auto order = best_visiting_order(request.via.size(), at_departure, leg_time, stop);
+  if (!order) return std::nullopt;
+  ViaOrder result{{}, order->exact};
+  for (const std::size_t place : order->places) result.vias.push_back(place - 1);
+  return result;
+}
+
+/// Plans the visits in their best order; where no order is possible, in the order given, which then says why.
+Result<Plan> plan_survey(const ocean::Environment& environment, const PlanRequest& request,
+                         const std::stop_token& stop, const core::ProgressCallback& progress) {
+  progress("order of visits", 0.0);
+  const auto order = best_via_order(environment, request, stop);
+  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+  PlanRequest ordered = request;
+  ordered.via_in_best_order = false;
+  for (std::size_t i = 0; order && i < order->vias.size(); ++i) ordered.via[i] = request.via[order->vias[i]];
+  Result<Plan> plan = plan_route(environment, ordered, stop, progress);
+  if (plan) plan->via_order = order;
+  return plan;
+}
+
 void refuse_invalid(const PlanRequest& request) {
   const core::Violations violations = request.violations();
   if (!violations.empty())
@@ -121,6 +153,7 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
                         const std::stop_token& stop, const core::ProgressCallback& report) {
   refuse_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
+  if (request.via_in_best_order) return plan_survey(environment, request, stop, progress);
   Result<Plan> plan = plan_anywhere(environment, request, stop, progress);
   if (plan || !plan.error().changes.empty()) return plan;
   progress("what would help", 0.95);

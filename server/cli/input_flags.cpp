@@ -59,6 +59,7 @@ void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--to", to_, "Goal, LON,LAT in degrees");
   command.add_option("--via", via_, "Place to visit on the way; may be repeated, in order")
       ->allow_extra_args(false);
+  command.add_flag("--best-order", best_order_, "Visit the places of --via in the order that ends earliest");
   command.add_option("--spacing", spacing_m_,
                      "Grid step M, or M,M along and across; default distance/200, 250 m to 5 km");
   command.add_option("--sectors", sectors_, "Reach of the grid's edges, 1 to 5; default 3");
@@ -112,6 +113,7 @@ json InputFlags::inputs() const {
   set("coastline", coastline_);
   set("margin_m", margin_m_);
   set("name", name_);
+  if (best_order_) inputs["via_order"] = "best";
   if (steady_) inputs["steady"] = true;
   if (no_refine_) inputs["refine"] = false;
   return inputs;

@@ -35,6 +35,7 @@ class InputFlags {
   std::optional<double> altimeter_margin_m_;
   std::optional<double> battery_j_;
   std::optional<double> battery_start_share_;
+  bool best_order_{false};
   std::optional<std::string> spacing_m_;
   std::optional<int> sectors_;
   std::optional<std::string> method_;

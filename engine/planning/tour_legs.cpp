@@ -1,0 +1,63 @@
+#include "engine/planning/tour_legs.hpp"
+
+#include <cmath>
+
+#include "engine/planning/route_cost.hpp"
+#include "engine/planning/route_search.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double steps_per_leg = 32.0;               // of the grid: a few milliseconds a search
+constexpr core::Seconds between_departures{7200.0};  // a sixth of a half-day tide
+constexpr GridReach reach{0.5, 0.25};
+
+}  // namespace
+
+TourLegs::TourLegs(const Sea& sea, const Layout& layout, const PlanRequest& request,
+                   const std::stop_token& stop)
+    : sea_{sea}, layout_{layout}, request_{request}, stop_{stop} {
+  request_.method = Method::astar;
+}
+
+TourLegs::Leg& TourLegs::leg(Pair pair) {
+  const auto known = legs_.find(pair);
+  if (known != legs_.end()) return known->second;
+  const geo::PlanePoint from = layout_.points[pair.first];
+  const geo::PlanePoint to = layout_.points[pair.second];
+  const core::Metres step{std::hypot(to.x_m - from.x_m, to.y_m - from.y_m) / steps_per_leg};
+  const RouteGrid grid = lay_grid(from, to, {step, step}, reach);
+  return legs_.emplace(pair, Leg{open_grid(sea_, grid, request_.sectors, stop_), {}}).first->second;
+}
+
+std::optional<core::Seconds> TourLegs::searched(Leg& leg, long departure) {
+  const auto known = leg.times.find(departure);
+  if (known != leg.times.end()) return known->second;
+  const core::Seconds depart = static_cast<double>(departure) * between_departures;
+  const RouteSearch search = search_route(sea_, leg.open, request_, depart, stop_, [](double) {});
+  if (search.cancelled) return std::nullopt;
+  std::optional<core::Seconds> time;
+  if (!search.path.empty()) {
+    const auto arrivals = arrivals_along(sea_, search.path, depart);
+    if (arrivals) time = arrivals->back() - depart;
+  }
+  leg.times.emplace(departure, time);
+  return time;
+}
+
+std::optional<core::Seconds> TourLegs::time(std::size_t from, std::size_t to, core::Seconds depart) {
+  if (stop_.stop_requested()) return std::nullopt;
+  const geo::PlanePoint a = layout_.points[from];
+  const geo::PlanePoint b = layout_.points[to];
+  if (a.x_m == b.x_m && a.y_m == b.y_m) return core::Seconds{0.0};
+  Leg& on_grid = leg({from, to});
+  const double position = depart / between_departures;
+  const auto before = static_cast<long>(std::floor(position));
+  const auto early = searched(on_grid, before);
+  const auto late = searched(on_grid, before + 1);
+  // Where only one of the two departures has a way, at the end of the data for instance, it stands for both.
+  if (!early || !late) return early ? early : late;
+  return *early + (position - static_cast<double>(before)) * (*late - *early);
+}
+
+}  // namespace floeplan::planning

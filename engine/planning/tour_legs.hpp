@@ -1,0 +1,45 @@
+#pragma once
+
+#include <map>
+#include <optional>
+#include <stop_token>
+#include <utility>
+#include <vector>
+
+#include "engine/planning/layout.hpp"
+#include "engine/planning/open_grid.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// Travel times between the stops of a layout, for comparing orders of visits: each pair is searched on a coarse grid
+/// of its own, at departures a fixed time apart, when first asked for; between two departures arrivals are linear,
+/// which keeps FIFO.
+/// Accuracy  some percent: a plan is searched on its own grid once the order is known
+/// Threads   one thread at a time; answers are remembered
+class TourLegs {
+ public:
+  /// `sea`, `layout` and `request` are borrowed and outlive the legs.
+  TourLegs(const Sea& sea, const Layout& layout, const PlanRequest& request, const std::stop_token& stop);
+
+  /// Empty when there is no way then, or once it is to stop.
+  [[nodiscard]] std::optional<core::Seconds> time(std::size_t from, std::size_t to, core::Seconds depart);
+
+ private:
+  using Pair = std::pair<std::size_t, std::size_t>;
+  struct Leg {
+    OpenGrid open;
+    std::map<long, std::optional<core::Seconds>> times;  // by number of the departure
+  };
+  [[nodiscard]] Leg& leg(Pair pair);
+  [[nodiscard]] std::optional<core::Seconds> searched(Leg& leg, long departure);
+
+  const Sea& sea_;
+  const Layout& layout_;
+  PlanRequest request_;
+  std::stop_token stop_;
+  std::map<Pair, Leg> legs_;
+};
+
+}  // namespace floeplan::planning

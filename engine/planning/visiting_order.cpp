@@ -1,0 +1,192 @@
+#include "engine/planning/visiting_order.hpp"
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <numeric>
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double never = std::numeric_limits<double>::infinity();
+
+double arrival_s(const TourLegTime& leg_time, std::size_t from, std::size_t to, double depart_s) {
+  if (!(depart_s < never)) return never;
+  const auto time = leg_time(from, to, core::Seconds{depart_s});
+  return time ? depart_s + time->count() : never;
+}
+
+/// Arrival at the goal by this order, `never` when a leg has no way.
+double end_of_tour_s(const std::vector<std::size_t>& order, std::size_t goal, double depart_s,
+                     const TourLegTime& leg_time) {
+  double now = depart_s;
+  std::size_t here = 0;
+  for (const std::size_t next : order) {
+    now = arrival_s(leg_time, here, next, now);
+    here = next;
+  }
+  return arrival_s(leg_time, here, goal, now);
+}
+
+/// Earliest arrival at the last place of each set of places, and which place was visited before it.
+struct SetTable {
+  explicit SetTable(std::size_t n) : places{n}, earliest_s(n << n, never), before(n << n, std::uint8_t{0}) {}
+
+  [[nodiscard]] std::size_t at(std::size_t set, std::size_t last) const { return set * places + last; }
+
+  std::size_t places;
+  std::vector<double> earliest_s;    // [set][last]
+  std::vector<std::uint8_t> before;  // [set][last]
+};
+
+std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const TourLegTime& leg_time,
+                                         const std::stop_token& stop) {
+  const std::size_t goal = n + 1;
+  if (n == 0) {
+    const double end = arrival_s(leg_time, 0, goal, depart_s);
+    return end < never ? std::optional{VisitingOrder{{}, core::Seconds{end}, true}} : std::nullopt;
+  }
+  SetTable table{n};
+  for (std::size_t first = 0; first < n; ++first) {
+    table.earliest_s[table.at(std::size_t{1} << first, first)] = arrival_s(leg_time, 0, first + 1, depart_s);
+  }
+  const std::size_t all = (std::size_t{1} << n) - 1;
+  for (std::size_t set = 1; set < all; ++set) {
+    if (stop.stop_requested()) return std::nullopt;
+    for (std::size_t last = 0; last < n; ++last) {
+      const double here_s = table.earliest_s[table.at(set, last)];
+      if (!(here_s < never)) continue;
+      for (std::size_t next = 0; next < n; ++next) {
+        if ((set >> next & 1) != 0) continue;
+        const double next_s = arrival_s(leg_time, last + 1, next + 1, here_s);
+        const std::size_t entry = table.at(set | std::size_t{1} << next, next);
+        if (!(next_s < table.earliest_s[entry])) continue;
+        table.earliest_s[entry] = next_s;
+        table.before[entry] = static_cast<std::uint8_t>(last);
+      }
+    }
+  }
+
+  double best_s = never;
+  std::size_t last = 0;
+  for (std::size_t candidate = 0; candidate < n; ++candidate) {
+    const double end_s = arrival_s(leg_time, candidate + 1, goal, table.earliest_s[table.at(all, candidate)]);
+    if (end_s < best_s) {
+      best_s = end_s;
+      last = candidate;
+    }
+  }
+  if (!(best_s < never)) return std::nullopt;
+
+  VisitingOrder result{{}, core::Seconds{best_s}, true};
+  for (std::size_t set = all; set != 0;) {
+    result.places.push_back(last + 1);
+    const std::size_t before = table.before[table.at(set, last)];
+    set &= ~(std::size_t{1} << last);
+    last = before;
+  }
+  std::ranges::reverse(result.places);
+  return result;
+}
+
+/// A tour while it is improved.
+class Tour {
+ public:
+  Tour(std::size_t n, double depart_s, const TourLegTime& leg_time, const std::stop_token& stop)
+      : goal_{n + 1}, depart_s_{depart_s}, leg_time_{leg_time}, stop_{stop} {
+    insert_all(n);
+  }
+
+  void improve() {
+    while (!stop_.stop_requested() && (reverse_a_stretch() || move_neighbours())) {
+    }
+  }
+
+  [[nodiscard]] const std::vector<std::size_t>& order() const { return order_; }
+  [[nodiscard]] double end_s() const { return end_s_; }
+
+ private:
+  /// Takes the place and the position that end the tour earliest, one after the other.
+  void insert_all(std::size_t n) {
+    std::vector<std::size_t> left(n);
+    std::iota(left.begin(), left.end(), std::size_t{1});
+    while (!left.empty()) {
+      std::vector<std::size_t> best;
+      double best_s = never;
+      std::size_t taken = 0;
+      for (std::size_t i = 0; i < left.size() && !stop_.stop_requested(); ++i) {
+        for (std::size_t position = 0; position <= order_.size(); ++position) {
+          std::vector<std::size_t> tried = order_;
+          tried.insert(tried.begin() + static_cast<std::ptrdiff_t>(position), left[i]);
+          const double tried_s = end_of_tour_s(tried, goal_, depart_s_, leg_time_);
+          if (!best.empty() && !(tried_s < best_s)) continue;
+          best = std::move(tried);
+          best_s = tried_s;
+          taken = i;
+        }
+      }
+      if (best.empty()) return;
+      order_ = std::move(best);
+      end_s_ = best_s;
+      left.erase(left.begin() + static_cast<std::ptrdiff_t>(taken));
+    }
+  }
+
+  bool adopt(std::vector<std::size_t> tried) {
+    const double tried_s = end_of_tour_s(tried, goal_, depart_s_, leg_time_);
+    if (!(tried_s < end_s_)) return false;
+    order_ = std::move(tried);
+    end_s_ = tried_s;
+    return true;
+  }
+
+  bool reverse_a_stretch() {
+    for (std::size_t from = 0; from + 1 < order_.size(); ++from) {
+      for (std::size_t to = from + 2; to <= order_.size() && !stop_.stop_requested(); ++to) {
+        std::vector<std::size_t> tried = order_;
+        std::reverse(tried.begin() + static_cast<std::ptrdiff_t>(from),
+                     tried.begin() + static_cast<std::ptrdiff_t>(to));
+        if (adopt(std::move(tried))) return true;
+      }
+    }
+    return false;
+  }
+
+  bool move_neighbours() {
+    for (std::size_t count = 1; count <= 3 && count < order_.size(); ++count) {
+      for (std::size_t from = 0; from + count <= order_.size(); ++from) {
+        for (std::size_t to = 0; to + count <= order_.size() && !stop_.stop_requested(); ++to) {
+          if (to == from) continue;
+          const auto first = order_.begin() + static_cast<std::ptrdiff_t>(from);
+          const std::vector<std::size_t> moved(first, first + static_cast<std::ptrdiff_t>(count));
+          std::vector<std::size_t> tried = order_;
+          tried.erase(tried.begin() + static_cast<std::ptrdiff_t>(from),
+                      tried.begin() + static_cast<std::ptrdiff_t>(from + count));
+          tried.insert(tried.begin() + static_cast<std::ptrdiff_t>(to), moved.begin(), moved.end());
+          if (adopt(std::move(tried))) return true;
+        }
+      }
+    }
+    return false;
+  }
+
+  std::size_t goal_;
+  double depart_s_;
+  const TourLegTime& leg_time_;
+  const std::stop_token& stop_;
+  std::vector<std::size_t> order_;
+  double end_s_{never};
+};
+
+}  // namespace
+
+std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Seconds depart,
+                                                 const TourLegTime& leg_time, const std::stop_token& stop) {
+  if (places <= most_places_ordered_exactly) return exact_order(places, depart.count(), leg_time, stop);
+  Tour tour{places, depart.count(), leg_time, stop};
+  tour.improve();
+  if (tour.order().size() != places || !(tour.end_s() < never)) return std::nullopt;
+  return VisitingOrder{tour.order(), core::Seconds{tour.end_s()}, false};
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "engine/core/units.hpp"
+
+namespace floeplan::planning {
+
+/// Time to travel from one place of a tour to another, leaving at a time; empty: no way then. Places are numbered:
+/// 0 the start, 1 .. n those to visit, n + 1 the goal.
+/// Law (FIFO)  leaving later never arrives earlier
+using TourLegTime =
+    std::function<std::optional<core::Seconds>(std::size_t from, std::size_t to, core::Seconds depart)>;
+
+/// In which order to visit places, and when the tour then ends.
+struct VisitingOrder {
+  std::vector<std::size_t> places;  // 1 .. n in the order of the visits
+  core::Seconds arrival{};          // at the goal
+  bool exact{false};                // no other order ends earlier
+};
+
+/// As many places are ordered exactly; more by the heuristic.
+inline constexpr std::size_t most_places_ordered_exactly = 12;
+
+/// The order of visits that reaches the goal earliest. Up to 12 places exactly, by dynamic programming over the sets
+/// of places visited so far: under FIFO the earliest arrival at the last place of a set is all that counts of it.
+/// More by the cheapest insertion of one place after the other into the tour, followed by reversals of a stretch and
+/// moves of up to three neighbours as long as one ends the tour earlier; every tour is timed from its departure.
+/// Returns  empty when no order leads to the goal, or when `stop` was requested before one was found
+/// Source   Held and Karp 1962, A dynamic programming approach to sequencing problems, J. SIAM 10, with arrivals for
+///          distances; insertion and 2-opt: Rosenkrantz, Stearns and Lewis 1977, doi:10.1137/0206041, Croes 1958,
+///          doi:10.1287/opre.6.6.791; moves of neighbours: Or 1976
+[[nodiscard]] std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Seconds depart,
+                                                               const TourLegTime& leg_time,
+                                                               const std::stop_token& stop);
+
+}  // namespace floeplan::planning

@@ -1,0 +1,80 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/planning/plan_route.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using support::currents_from;
+using support::eastward_request;
+
+geo::VelocityEn tide(geo::LonLat place, double hour) {
+  const double phase = 2.0 * 3.14159265358979 * hour / 12.42;
+  return {{0.2 * std::cos(phase)}, {0.2 * std::sin(phase + 3.0 * place.lon_deg)}};
+}
+
+PlanRequest survey() {
+  PlanRequest request = eastward_request();
+  request.to = {-53.45, 69.02};
+  request.spacing_along = core::Metres{2000.0};
+  request.via = {{-53.0, 69.15}, {-52.8, 69.0}, {-53.3, 69.15}};
+  request.via_in_best_order = true;
+  request.refine = false;
+  return request;
+}
+
+TEST(PlanSurvey, IsAsFastAsTheFastestOfAllOrdersPlannedOneByOne) {
+  const ocean::Environment environment{.currents = currents_from(tide, 240)};
+  const PlanRequest request = survey();
+
+  const auto found = plan_route(environment, request, {}, {});
+
+  ASSERT_TRUE(found.has_value());
+  PlanRequest each = request;
+  each.via_in_best_order = false;
+  std::vector<std::size_t> order{0, 1, 2};
+  double best_s = INFINITY;
+  do {
+    for (std::size_t i = 0; i < order.size(); ++i) each.via[i] = request.via[order[i]];
+    const auto plan = plan_route(environment, each, {}, {});
+    if (plan) best_s = std::min(best_s, plan->travel_time().count());
+  } while (std::ranges::next_permutation(order).found);
+  // The order is chosen by travel times on coarse grids.
+  EXPECT_LE(found->travel_time().count(), 1.01 * best_s);
+  ASSERT_TRUE(found->via_order.has_value());
+  EXPECT_TRUE(found->via_order->exact);
+}
+
+TEST(PlanSurvey, VisitsEveryPlaceInTheOrderThatItNames) {
+  const ocean::Environment environment{.currents = currents_from(tide, 240)};
+  const PlanRequest request = survey();
+
+  const auto found = plan_route(environment, request, {}, {});
+
+  ASSERT_TRUE(found && found->via_order);
+  auto from = found->waypoints.begin();
+  for (const std::size_t via : found->via_order->vias) {
+    from = std::find_if(from, found->waypoints.end(), [&](const Waypoint& waypoint) {
+      return std::abs(waypoint.place.lon_deg - request.via[via].lon_deg) < 1e-6 &&
+             std::abs(waypoint.place.lat_deg - request.via[via].lat_deg) < 1e-6;
+    });
+    ASSERT_NE(from, found->waypoints.end()) << "place " << via;
+  }
+}
+
+TEST(PlanSurvey, SaysWhyWhenAPlaceCannotBeVisited) {
+  PlanRequest request = survey();
+  const ocean::Environment environment{.bathymetry = support::bathymetry_from(
+                                           [](geo::LonLat p) { return p.lon_deg > -52.9 ? -10.0 : 300.0; })};
+
+  const auto found = plan_route(environment, request, {}, {});
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().binding, Constraint::land);
+}
+
+}  // namespace
+}  // namespace floeplan::planning
