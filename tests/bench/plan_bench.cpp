@@ -6,6 +6,7 @@
 
 #include "engine/graph/grid_graph.hpp"
 #include "engine/motion/edge_time.hpp"
+#include "engine/planning/flown_depths.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/plane_currents.hpp"
 #include "tests/bench/benchmarks.hpp"
@@ -42,7 +43,7 @@ ocean::Environment environment() {
 Row edge_row(const ocean::Environment& sea) {
   const geo::LocalProjection projection{{-53.0, 69.0}};
   const planning::PlaneBox area{{-60'000.0, -60'000.0}, {60'000.0, 60'000.0}};
-  const planning::PlaneCurrents currents{*sea.currents, false, core::Metres{200.0},
+  const planning::PlaneCurrents currents{*sea.currents, false, planning::FlownDepths{{}, nullptr},
                                          projection,    area,  core::from_unix_seconds(support::sea_start_s)};
   const auto point_by_point = [&](geo::PlanePoint point, core::Seconds time) {
     return currents(point, time);
@@ -91,8 +92,7 @@ Measured plan_by(planning::Method method, const ocean::Environment& sea) {
   Measured result;
   result.seconds = least_seconds(3, [&] {
     auto plan = planning::plan_route(sea, request, {}, {});
-    if (!plan)
-      throw std::runtime_error{"the benchmark's route is closed"};
+    if (!plan) throw std::runtime_error{"the benchmark's route is closed"};
     result.plan = std::move(*plan);
   });
   return result;
