@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/codec/data_inputs.hpp"
+#include "api/codec/iceberg_inputs.hpp"
 #include "api/codec/input_reader.hpp"
 #include "api/codec/search_inputs.hpp"
 #include "api/codec/vehicle_inputs.hpp"
@@ -26,11 +27,9 @@ void read_common(InputReader& reader, planning::PlanRequest& request, repository
   request.depart = reader.time("depart").value_or(core::UtcTime{});
 
   read_vehicle(reader, request.vehicle);
-  if (const auto margin = reader.number("margin_m", {0.0, 100'000.0})) request.iceberg_margin = {*margin};
-
   request.zones = read_areas(reader);
-
   read_data(reader, data);
+  read_iceberg_rules(reader, request.icebergs, data);
   name = reader.text("name").value_or("");
 }
 
@@ -95,11 +94,11 @@ json places_json(const std::vector<geo::LonLat>& places) {
 
 json common_json(const planning::PlanRequest& request, const repository::EnvironmentQuery& data,
                  const std::string& name) {
-  json inputs{
-      {"depart", core::iso8601(request.depart)}, {"margin_m", request.iceberg_margin.value}, {"name", name}};
+  json inputs{{"depart", core::iso8601(request.depart)}, {"name", name}};
   write_vehicle(request.vehicle, inputs);
   inputs["areas"] = request.zones.empty() ? json() : areas_json(request.zones);
   write_data(data, inputs);
+  write_iceberg_rules(request.icebergs, data, inputs);
   return inputs;
 }
 

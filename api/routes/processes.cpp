@@ -59,6 +59,12 @@ json common_inputs() {
            "Areas to keep out of or to stay in: GeoJSON polygons with the properties kind (no_go, stay_in), "
            "from, until, top_m, bottom_m",
            json{{"type", "object"}})},
+      {"icebergs_drift", input("Let icebergs drift and their positions age; false: they stay where seen",
+                               {{"type", "boolean"}})},
+      {"max_inflation_m", input("Most that is kept from an iceberg for the error of its position, metres",
+                                number_schema(0.0, 1e5))},
+      {"max_sighting_age_days",
+       input("Leave out icebergs last seen longer ago, by whole UTC days", number_schema(0.0, 30.0))},
       {"currents", input("Currents: newest, none, an id or several ids", several_datasets_schema())},
       {"steady", input("Use one time step, or the mean, of the currents at any time", {{"type", "boolean"}})},
       {"bathymetry", input("Bathymetry: newest, none or an id", dataset_schema())},

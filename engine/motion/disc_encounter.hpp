@@ -18,7 +18,8 @@ struct MovingDisc {
   double growth_m_s{};
 };
 
-/// A vehicle that moves straight and evenly from one place and time to another.
+/// A vehicle that moves straight and evenly from one place and time to another. Precondition: it takes time,
+/// or both places are the same.
 struct EvenMove {
   geo::PlanePoint from;
   geo::PlanePoint to;
@@ -50,12 +51,12 @@ struct HalvedPiece {
 [[nodiscard]] HalvedPiece halve(const EdgePiece& piece);
 
 /// Calls `visit(move, deviation_m)` for even moves that follow the piece one after the other, each within
-/// `most_deviation_m` of it; ends with the first answer of `visit` that is not empty, and returns it.
+/// `most_deviation_m` of it; precondition: the edge has a length. Ends with the first answer of `visit` that is not empty, and returns it.
 template <class Visit>
 auto follow_piece(const PlaneEdge& edge, const EdgePiece& piece, double most_deviation_m, Visit&& visit)
     -> decltype(visit(EvenMove{}, 0.0)) {
   const ChordOfPiece chord = chord_of(edge, piece);
-  if (chord.deviation_m <= most_deviation_m) return visit(chord.move, chord.deviation_m);
+  if (!(chord.deviation_m > most_deviation_m)) return visit(chord.move, chord.deviation_m);
   const HalvedPiece halves = halve(piece);
   if (auto answer = follow_piece(edge, halves.first, most_deviation_m, visit)) return answer;
   return follow_piece(edge, halves.second, most_deviation_m, visit);

@@ -1,5 +1,6 @@
 #include "engine/planning/chart.hpp"
 
+#include <cmath>
 #include <cstdio>
 #include <optional>
 #include <string>
@@ -13,17 +14,26 @@
 namespace floeplan::planning {
 namespace {
 
-constexpr double most_vertices = 2.5e7;  // about 1 GB with the queue and the maps
+constexpr double most_vertices = 2.5e7;        // about 1 GB with the queue and the maps
+constexpr std::size_t most_icebergs = 20'000;  // some seconds of forecasts, 100 MB of them and their index
 
 Stop kind_of(std::size_t stop, const Layout& layout) {
   if (stop == 0) return Stop::start;
   return stop + 1 == layout.stops.size() ? Stop::goal : Stop::via;
 }
 
+/// An iceberg keeps the vehicle from a start that it covers at the departure, from the others if it covers them for
+/// ever.
+bool is_kept_by_iceberg(const Sea& sea, geo::PlanePoint stop, bool is_start) {
+  const std::vector<TimeSpan> closed = sea.icebergs().closed_times(stop);
+  if (closed.empty() || closed.front().from > core::Seconds{0.0}) return false;
+  return is_start || !std::isfinite(closed.front().until.count());
+}
+
 std::optional<motion::EdgeClosed> closed_stop(const Sea& sea, const Layout& layout, std::size_t stop) {
   if (const auto closed = sea.safety().closed_at(layout.stops[stop])) return closed;
   const geo::PlanePoint point = layout.points[stop];
-  if (sea.icebergs().contains(point)) return motion::EdgeClosed::obstacle;
+  if (is_kept_by_iceberg(sea, point, stop == 0)) return motion::EdgeClosed::obstacle;
   constexpr TimeSpan at_departure{core::Seconds{0.0}, core::Seconds{0.0}};
   if (stop == 0 && sea.timed_zones().forbid(point, point, at_departure)) return motion::EdgeClosed::in_zone;
   return std::nullopt;
@@ -47,7 +57,7 @@ std::vector<Change> moves_of(const Sea& sea, const Layout& layout, std::size_t s
 std::optional<Infeasible> check_stops(Sea& sea, const Layout& layout, const PlanRequest& request) {
   for (std::size_t stop = 0; stop < layout.stops.size(); ++stop) {
     if (const auto closed = closed_stop(sea, layout, stop)) {
-      Infeasible infeasible = explain_place(*closed, kind_of(stop, layout), layout.stops[stop], request);
+      Infeasible infeasible = explain_place(*closed, kind_of(stop, layout), layout.stops[stop], sea, request);
       infeasible.changes = moves_of(sea, layout, stop);
       return infeasible;
     }
@@ -60,6 +70,9 @@ std::optional<Infeasible> check_stops(Sea& sea, const Layout& layout, const Plan
 
 Result<Chart> draw_chart(const ocean::Environment& environment, const PlanRequest& request, GridReach reach,
                          const std::stop_token& stop) {
+  if (environment.icebergs.size() > most_icebergs) {
+    return tl::unexpected(explain_too_many_icebergs(environment.icebergs.size(), request));
+  }
   Layout layout = lay_out(request, reach);
   if (request.method != Method::direct && layout.most_vertices() > most_vertices) {
     return tl::unexpected(explain_too_large(layout.most_vertices(), request));

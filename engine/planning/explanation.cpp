@@ -32,7 +32,21 @@ struct Words {
   std::string suggestion;
 };
 
-Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& request, bool out_of_time) {
+/// "iceberg 57 at 2026-11-21T05:12:00Z (800 m from its hull, where 500 m of margin and ... are kept)".
+std::string iceberg_text(const Sea& sea, geo::PlanePoint place, core::Seconds when,
+                         const PlanRequest& request) {
+  const auto berg = sea.icebergs().nearest(place, when);
+  if (!berg) return "an iceberg";
+  const core::Metres error = berg->kept_off - request.icebergs.margin;
+  std::string text = berg->name.empty() ? "an iceberg without a name" : "iceberg " + berg->name;
+  text += " at " + core::iso8601(clock(request, when)) + ", from whose hull " +
+          metres_text(request.icebergs.margin) + " of margin";
+  if (error.value >= 1.0) text += " and " + metres_text(error) + " for the error of its position";
+  return text + " are kept";
+}
+
+Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& request, bool out_of_time,
+                geo::PlanePoint at, core::Seconds when) {
   switch (closed) {
     case motion::EdgeClosed::current_too_strong:
       return {Reason::current_too_strong,
@@ -60,9 +74,10 @@ Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& re
               "go round it, or change the zone or its times"};
     case motion::EdgeClosed::too_late:
     case motion::EdgeClosed::obstacle:
-      return {Reason::near_iceberg,
-              "the way comes closer to an iceberg than the margin of " + metres_text(request.iceberg_margin),
-              "go round it, or reduce the margin (--margin)"};
+      return {
+          Reason::near_iceberg, "the way comes too close to " + iceberg_text(sea, at, when, request),
+          "go round it, depart at another time, or reduce the margin (--margin) or the error that is allowed "
+          "for (--max-inflation)"};
   }
   return {Reason::goal_unreachable, "", ""};
 }
@@ -100,7 +115,7 @@ std::string subject_of(Stop stop) {
   throw std::logic_error{"Stop without a name"};
 }
 
-Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
+Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, const Sea& sea,
                            const PlanRequest& request) {
   const std::string subject = subject_of(stop);
   switch (closed) {
@@ -114,16 +129,18 @@ Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat pla
               subject + " lies in water shallower than the vehicle's minimum of " +
                   metres_text(request.vehicle.least_water()),
               "move it into deeper water, or choose a vehicle for shallower water"};
-    case motion::EdgeClosed::obstacle:
-      return {
-          reason_at(stop, Reason::start_near_iceberg, Reason::near_iceberg, Reason::goal_near_iceberg), place,
-          request.depart,
-          subject + " lies closer to an iceberg than the margin of " + metres_text(request.iceberg_margin),
-          "move it, or reduce the margin (--margin)"};
     case motion::EdgeClosed::in_zone:
       return {reason_at(stop, Reason::start_in_zone, Reason::in_zone, Reason::goal_in_zone), place,
               request.depart, subject + " lies where a zone does not allow the vehicle to be",
               "move it, or change the zone"};
+    case motion::EdgeClosed::obstacle:
+      return {
+          reason_at(stop, Reason::start_near_iceberg, Reason::near_iceberg, Reason::goal_near_iceberg), place,
+          request.depart,
+          subject + " lies too close to " +
+              iceberg_text(sea, sea.projection().to_plane(place), core::Seconds{0.0}, request),
+          "move it, depart at another time, or reduce the margin (--margin) or the error that is allowed for "
+          "(--max-inflation)"};
     case motion::EdgeClosed::outside_data:
     case motion::EdgeClosed::too_late:
     case motion::EdgeClosed::current_too_strong: break;
@@ -134,15 +151,15 @@ Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat pla
 
 }  // namespace
 
-Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
+Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, const Sea& sea,
                          const PlanRequest& request) {
-  Infeasible infeasible = words_for_place(closed, stop, place, request);
+  Infeasible infeasible = words_for_place(closed, stop, place, sea, request);
   infeasible.binding = constraint_of(closed, false);
   return infeasible;
 }
 
 Infeasible explain_route(const RouteClosed& closed, const Sea& sea, const PlanRequest& request) {
-  Words words = words_for(closed.reason, sea, request, closed.out_of_time);
+  Words words = words_for(closed.reason, sea, request, closed.out_of_time, closed.at, closed.when);
   return {words.reason,
           sea.projection().to_lon_lat(closed.at),
           clock(request, closed.when),
@@ -165,7 +182,8 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
       binding = kind;
     }
   }
-  Words words = words_for(binding, sea, request, search.out_of_time);
+  Words words = words_for(binding, sea, request, search.out_of_time, search.nearest, search.nearest_arrival);
+  if (search.cut_short) words.explanation += " (the search for ways that open later was cut short)";
   const bool by_data = binding == outside_data || binding == current_too_strong;
   return {by_data ? words.reason : Reason::goal_unreachable,
           sea.projection().to_lon_lat(search.nearest),
@@ -186,6 +204,15 @@ Infeasible explain_too_large(double vertices, const PlanRequest& request) {
                 "the grid would have %.0f million vertices, more than memory is set aside for",
                 vertices / 1e6);
   return {Reason::too_large, request.from, request.depart, text, "choose a wider spacing or plan in parts",
+          Constraint::memory};
+}
+
+Infeasible explain_too_many_icebergs(std::size_t icebergs, const PlanRequest& request) {
+  return {Reason::too_large,
+          request.from,
+          request.depart,
+          "the area holds " + std::to_string(icebergs) + " icebergs, more than are forecast at once",
+          "plan in parts, or use younger sightings only (--max-sighting-age)",
           Constraint::memory};
 }
 

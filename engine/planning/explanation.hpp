@@ -13,7 +13,7 @@ enum class Stop { start, via, goal };
 
 /// Says why a start, goal or via cannot be used.
 [[nodiscard]] Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
-                                       const PlanRequest& request);
+                                       const Sea& sea, const PlanRequest& request);
 
 /// Says why a given route, or the straight line, cannot be travelled.
 [[nodiscard]] Infeasible explain_route(const RouteClosed& closed, const Sea& sea, const PlanRequest& request);
@@ -24,5 +24,6 @@ enum class Stop { start, via, goal };
 
 [[nodiscard]] Infeasible explain_cancelled(const PlanRequest& request);
 [[nodiscard]] Infeasible explain_too_large(double vertices, const PlanRequest& request);
+[[nodiscard]] Infeasible explain_too_many_icebergs(std::size_t icebergs, const PlanRequest& request);
 
 }  // namespace floeplan::planning

@@ -2,67 +2,233 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
-#include "engine/planning/plane_distance.hpp"
+#include "engine/planning/iceberg_track.hpp"
 
 namespace floeplan::planning {
 namespace {
 
-constexpr double smallest_bucket_m = 1000.0;  // about a grid step, so that an edge meets few buckets
+constexpr double forever = std::numeric_limits<double>::infinity();
+constexpr double most_deviation_m = 1.0;   // of chords from the drive: far below any margin
+constexpr double most_slots = 96.0;        // of the index; more would be mostly copies
+constexpr double least_slot_s = 3600.0;    // the step of the forecast
+constexpr double most_index_cells = 64.0;  // a side
+constexpr double least_index_cells = 8.0;
+
+PlaneBox box_around(geo::PlanePoint centre, double radius_m) {
+  return PlaneBox{centre, centre}.grown(radius_m);
+}
+
+void include(PlaneBox& box, const PlaneBox& other) {
+  box.include(other.low);
+  box.include(other.high);
+}
+
+bool overlap(const PlaneBox& a, const PlaneBox& b) {
+  return a.low.x_m <= b.high.x_m && b.low.x_m <= a.high.x_m && a.low.y_m <= b.high.y_m &&
+         b.low.y_m <= a.high.y_m;
+}
+
+PlaneBox box_of(const motion::EvenMove& move) {
+  PlaneBox box{move.from, move.from};
+  box.include(move.to);
+  return box;
+}
+
+geo::PlanePoint place_at(const motion::EvenMove& move, double t_s) {
+  const double duration = move.t1_s - move.t0_s;
+  const double share = duration > 0.0 ? (t_s - move.t0_s) / duration : 0.0;
+  return {move.from.x_m + share * (move.to.x_m - move.from.x_m),
+          move.from.y_m + share * (move.to.y_m - move.from.y_m)};
+}
+
+/// The same in reversed time.
+motion::EvenMove reversed(const motion::EvenMove& move) {
+  return {move.to, move.from, -move.t1_s, -move.t0_s};
+}
+
+motion::MovingDisc reversed(const motion::MovingDisc& disc) {
+  const double duration = disc.t1_s - disc.t0_s;
+  return {
+      -disc.t1_s,
+      -disc.t0_s,
+      {disc.centre0.x_m + duration * disc.velocity.x_m_s, disc.centre0.y_m + duration * disc.velocity.y_m_s},
+      {-disc.velocity.x_m_s, -disc.velocity.y_m_s},
+      disc.radius0_m + duration * disc.growth_m_s,
+      -disc.growth_m_s};
+}
+
+/// When a disc covers a point; empty: never. Distance less radius is convex in time, so it is one span.
+std::optional<TimeSpan> covered_by(const motion::MovingDisc& disc, geo::PlanePoint point) {
+  const motion::EvenMove standing{point, point, disc.t0_s, disc.t1_s};
+  const auto first = motion::first_touch(standing, disc);
+  if (!first) return std::nullopt;
+  if (disc.t1_s == forever) return TimeSpan{core::Seconds{*first}, core::Seconds{forever}};
+  const auto last = motion::first_touch(reversed(standing), reversed(disc));
+  return TimeSpan{core::Seconds{*first}, core::Seconds{last ? -*last : *first}};
+}
 
 }  // namespace
 
-IcebergDiscs::IcebergDiscs(const std::vector<ocean::Iceberg>& icebergs, core::Metres margin,
-                           const geo::LocalProjection& projection) {
-  double largest = smallest_bucket_m;
-  for (const ocean::Iceberg& berg : icebergs) {
-    const double scale = projection.at(berg.place).scale;
-    const double hull = 0.5 * ocean::safe_length(berg).value;
-    const double uncertainty = berg.position_uncertainty.value_or(core::Metres{0.0}).value;
-    discs_.push_back(
-        {projection.to_plane(berg.place), scale * (hull + uncertainty + margin.value), scale * hull, scale});
-    largest = std::max(largest, discs_.back().radius_m);
+IcebergDiscs::IcebergDiscs(const ocean::Environment& environment, const IcebergRules& rules,
+                           const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch,
+                           core::Seconds horizon, const std::stop_token& stop)
+    : standing_{!rules.drift || environment.icebergs.empty()} {
+  for (const ocean::Iceberg& iceberg : environment.icebergs) {
+    if (stop.stop_requested()) return;
+    const auto track = track_of(iceberg, environment, rules, projection, epoch, horizon, stop);
+    const double hull_m = 0.5 * ocean::safe_length(iceberg).value;
+    Berg berg{.name = iceberg.id,
+              .hull_radius_m = track.front().scale * hull_m,
+              .scale = track.front().scale,
+              .swept = {track.front().centre, track.front().centre},
+              .knots = {}};
+    for (const TrackPoint& point : track) {
+      const double radius_m = point.scale * (hull_m + rules.margin.value + point.error.value);
+      berg.knots.push_back({point.t_s, point.centre, radius_m});
+      include(berg.swept, box_around(point.centre, radius_m));
+    }
+    bergs_.push_back(std::move(berg));
   }
-  bucket_m_ = 2.0 * largest;
-  for (std::uint32_t i = 0; i < discs_.size(); ++i) {
-    const Disc& disc = discs_[i];
-    for (auto row = bucket_of(disc.centre.y_m - disc.radius_m);
-         row <= bucket_of(disc.centre.y_m + disc.radius_m); ++row) {
-      for (auto column = bucket_of(disc.centre.x_m - disc.radius_m);
-           column <= bucket_of(disc.centre.x_m + disc.radius_m); ++column) {
-        buckets_[bucket_key(column, row)].push_back(i);
+  index(area, horizon);
+}
+
+void IcebergDiscs::index(const PlaneBox& area, core::Seconds horizon) {
+  slot_s_ = std::max(least_slot_s, horizon.count() / most_slots);
+  double largest_m = 0.0;
+  std::vector<DiscIndex::Entry> entries;
+  for (std::uint32_t i = 0; i < bergs_.size(); ++i) {
+    const Berg& berg = bergs_[i];
+    if (!overlap(berg.swept, area)) continue;
+    for (const Knot& knot : berg.knots) largest_m = std::max(largest_m, knot.radius_m);
+    // Every piece of the track in each slot it lasts into; the last knot stays for ever.
+    for (std::size_t k = 0; k < berg.knots.size(); ++k) {
+      const bool last = k + 1 == berg.knots.size();
+      PlaneBox box = box_around(berg.knots[k].centre, berg.knots[k].radius_m);
+      if (!last) include(box, box_around(berg.knots[k + 1].centre, berg.knots[k + 1].radius_m));
+      const double until_s = last ? forever : berg.knots[k + 1].t_s;
+      const bool same_slot =
+          !entries.empty() && entries.back().item == i && !last &&
+          std::floor(entries.back().span.from.count() / slot_s_) == std::floor(until_s / slot_s_);
+      if (same_slot) {
+        include(entries.back().box, box);
+        entries.back().span.until = core::Seconds{until_s};
+      } else {
+        entries.push_back({i, box, {core::Seconds{berg.knots[k].t_s}, core::Seconds{until_s}}});
       }
     }
   }
+  if (entries.empty()) return;
+  const double side_m = std::max(area.width_m(), area.height_m());
+  const double cell_m = std::clamp(largest_m, side_m / most_index_cells, side_m / least_index_cells);
+  index_ =
+      DiscIndex{area, cell_m, core::Seconds{slot_s_}, standing_ ? core::Seconds{slot_s_} : horizon, entries};
 }
 
-std::int64_t IcebergDiscs::bucket_of(double coordinate_m) const {
-  return static_cast<std::int64_t>(std::floor(coordinate_m / bucket_m_));
+motion::MovingDisc IcebergDiscs::disc(const Berg& berg, std::size_t knot, double slack_m) {
+  const Knot& a = berg.knots[knot];
+  if (knot + 1 == berg.knots.size()) return {a.t_s, forever, a.centre, {}, a.radius_m + slack_m, 0.0};
+  const Knot& b = berg.knots[knot + 1];
+  const double duration = b.t_s - a.t_s;
+  return {a.t_s,
+          b.t_s,
+          a.centre,
+          {(b.centre.x_m - a.centre.x_m) / duration, (b.centre.y_m - a.centre.y_m) / duration},
+          a.radius_m + slack_m,
+          (b.radius_m - a.radius_m) / duration};
 }
 
-bool IcebergDiscs::contains(geo::PlanePoint point) const { return crosses(point, point); }
+/// Calls `visit(disc)` for the pieces of the track that last into the span, in order, until it answers true.
+template <class Visit>
+void IcebergDiscs::for_each_disc(const Berg& berg, double from_s, double until_s, double slack_m,
+                                 Visit&& visit) {
+  const auto after = std::ranges::upper_bound(berg.knots, from_s, {}, &Knot::t_s);
+  auto knot = static_cast<std::size_t>(after - berg.knots.begin());
+  if (knot > 0) --knot;
+  for (; knot < berg.knots.size() && berg.knots[knot].t_s <= until_s; ++knot) {
+    if (visit(disc(berg, knot, slack_m))) return;
+  }
+}
 
-bool IcebergDiscs::crosses(geo::PlanePoint a, geo::PlanePoint b) const {
-  if (discs_.empty()) return false;
-  const auto [low_x, high_x] = std::minmax(a.x_m, b.x_m);
-  const auto [low_y, high_y] = std::minmax(a.y_m, b.y_m);
-  const auto touches = [&](std::uint32_t i) {
-    return distance_to_line(discs_[i].centre, a, b) <= discs_[i].radius_m;
-  };
-  for (auto row = bucket_of(low_y); row <= bucket_of(high_y); ++row) {
-    for (auto column = bucket_of(low_x); column <= bucket_of(high_x); ++column) {
-      const auto bucket = buckets_.find(bucket_key(column, row));
-      if (bucket != buckets_.end() && std::ranges::any_of(bucket->second, touches)) return true;
-    }
+std::optional<double> IcebergDiscs::touch(const Berg& berg, const motion::EvenMove& move, double slack_m) {
+  std::optional<double> first;
+  for_each_disc(berg, move.t0_s, move.t1_s, slack_m, [&](const motion::MovingDisc& disc) {
+    first = motion::first_touch(move, disc);
+    return first.has_value();
+  });
+  return first;
+}
+
+bool IcebergDiscs::touched(const motion::EvenMove& move, double slack_m) const {
+  if (bergs_.empty()) return false;
+  // Slot by slot, because over a longer time the box of a long move meets discs that the vehicle does not.
+  double from_s = move.t0_s;
+  for (double slot = std::floor(move.t0_s / slot_s_); from_s <= move.t1_s; slot += 1.0) {
+    const double end_s = (slot + 1.0) * slot_s_;
+    const double until_s = std::clamp(end_s, from_s, move.t1_s);
+    const motion::EvenMove part{place_at(move, from_s), place_at(move, until_s), from_s, until_s};
+    const bool met =
+        index_.any_in(box_of(part).grown(slack_m), {core::Seconds{from_s}, core::Seconds{until_s}},
+                      [&](std::uint32_t i) { return touch(bergs_[i], part, slack_m).has_value(); });
+    if (met) return true;
+    if (end_s >= move.t1_s) return false;
+    from_s = until_s;
   }
   return false;
 }
 
-std::optional<core::Metres> IcebergDiscs::distance_from_hulls(geo::PlanePoint a, geo::PlanePoint b) const {
+bool IcebergDiscs::touched(const motion::PlaneEdge& edge, const motion::EdgePiece& piece,
+                           double slack_m) const {
+  if (bergs_.empty()) return false;
+  const auto met = motion::follow_piece(
+      edge, piece, most_deviation_m, [&](const motion::EvenMove& move, double deviation_m) {
+        return touched(move, slack_m + deviation_m) ? std::optional{true} : std::nullopt;
+      });
+  return met.has_value();
+}
+
+std::vector<TimeSpan> IcebergDiscs::closed_times(geo::PlanePoint point) const {
+  std::vector<TimeSpan> closed;
+  for (const Berg& berg : bergs_) {
+    if (!berg.swept.contains(point)) continue;
+    for_each_disc(berg, 0.0, forever, 0.0, [&](const motion::MovingDisc& disc) {
+      if (const auto span = covered_by(disc, point)) closed.push_back(*span);
+      return false;
+    });
+  }
+  return joined(std::move(closed));
+}
+
+std::optional<IcebergDiscs::Nearest> IcebergDiscs::nearest(geo::PlanePoint point, core::Seconds time) const {
+  std::optional<Nearest> result;
+  const motion::EvenMove here{point, point, time.count(), time.count()};
+  double least_m = forever;
+  for (const Berg& berg : bergs_) {
+    for_each_disc(berg, time.count(), time.count(), 0.0, [&](const motion::MovingDisc& disc) {
+      const auto distance_m = motion::least_distance(here, disc);
+      const double radius_m = disc.radius0_m + (time.count() - disc.t0_s) * disc.growth_m_s;
+      if (!distance_m || *distance_m - radius_m >= least_m) return false;
+      least_m = *distance_m - radius_m;
+      result = Nearest{berg.name,
+                       {(*distance_m - berg.hull_radius_m) / berg.scale},
+                       {(radius_m - berg.hull_radius_m) / berg.scale}};
+      return false;
+    });
+  }
+  return result;
+}
+
+std::optional<core::Metres> IcebergDiscs::distance_from_hulls(const motion::EvenMove& move) const {
   std::optional<core::Metres> least;
-  for (const Disc& disc : discs_) {
-    const core::Metres distance{(distance_to_line(disc.centre, a, b) - disc.hull_radius_m) / disc.scale};
-    if (!least || distance < *least) least = distance;
+  for (const Berg& berg : bergs_) {
+    for_each_disc(berg, move.t0_s, move.t1_s, 0.0, [&](const motion::MovingDisc& disc) {
+      const auto distance_m = motion::least_distance(move, disc);
+      if (!distance_m) return false;
+      const core::Metres clear{(*distance_m - berg.hull_radius_m) / berg.scale};
+      if (!least || clear < *least) least = clear;
+      return false;
+    });
   }
   return least;
 }

@@ -32,11 +32,16 @@ void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
   }
 }
 
-std::optional<core::Metres> iceberg_clearance(const Sea& sea, const std::vector<geo::PlanePoint>& route) {
+/// From the hulls where they are forecast to be as the vehicle passes.
+std::optional<core::Metres> iceberg_clearance(const Sea& sea, const std::vector<geo::PlanePoint>& route,
+                                              const std::vector<core::Seconds>& arrivals) {
   std::optional<core::Metres> least;
+  if (sea.icebergs().empty()) return least;
   for (std::size_t i = 1; i < route.size(); ++i) {
-    const auto nearest = sea.icebergs().distance_from_hulls(route[i - 1], route[i]);
-    if (nearest && (!least || *nearest < *least)) least = nearest;
+    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], arrivals[i - 1])) {
+      const auto nearest = sea.icebergs().distance_from_hulls(move);
+      if (nearest && (!least || *nearest < *least)) least = nearest;
+    }
   }
   return least;
 }
@@ -121,7 +126,7 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
     }
     plan.waypoints.push_back(waypoint);
   }
-  plan.clearances.iceberg = iceberg_clearance(sea, route);
+  plan.clearances.iceberg = iceberg_clearance(sea, route, arrivals);
   plan.clearances.bottom = bottom_clearance(sea, environment, request, route);
   plan.clearances.land = land_clearance(sea, environment, route);
   plan.optimality_gap_reason = "not computed for routes in stored data";

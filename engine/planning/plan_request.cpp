@@ -57,10 +57,10 @@ core::Violations PlanRequest::violations() const {
       found.push_back({"/zones/" + std::to_string(i) + violation.field, violation.rule});
     }
   }
-  require(iceberg_margin.value >= 0.0 && iceberg_margin.value <= 100'000.0, "/margin_m",
-          "must be between 0 and 100 km");
   require(edge_tolerance >= 1e-9 && edge_tolerance <= 1e-2, "/edge_tolerance",
           "must be between 1e-9 and 1e-2");
+  const core::Violations of_icebergs = icebergs.violations();
+  found.insert(found.end(), of_icebergs.begin(), of_icebergs.end());
   return found;
 }
 

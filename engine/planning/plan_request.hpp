@@ -8,6 +8,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/zone.hpp"
+#include "engine/planning/iceberg_rules.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::planning {
@@ -42,8 +43,8 @@ struct PlanRequest {
   std::optional<int> max_waypoints;     // start and goal included
   std::optional<core::Metres> max_leg;  // longer legs are parted
   std::vector<ocean::Zone> zones;       // obeyed beside those of the environment
-  core::Metres iceberg_margin{500.0};   // kept from the edge of an iceberg
-  double edge_tolerance{1e-4};          // relative, of an edge's travel time
+  IcebergRules icebergs;
+  double edge_tolerance{1e-4};  // relative, of an edge's travel time
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };

@@ -82,6 +82,10 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   const Route route = improve(chart->sea, way.route, request, stop);
   if (stop.stop_requested()) return {tl::unexpected(explain_cancelled(request))};
   Result<Plan> plan = publish(chart->sea, environment, request, route, way.statistics);
+  if (plan && way.cut_short) {
+    plan->warnings.push_back(
+        "the search for better ways past what clears later was cut short at its bound on memory");
+  }
   progress("done", 1.0);
   return {std::move(plan), way.touches_rim};
 }

@@ -42,16 +42,30 @@ class Relaxation {
   }
 
   void shrink_margin() {
-    const double now = request_.iceberg_margin.value;
+    const double now = request_.icebergs.margin.value;
     const auto with = [&](double margin) {
       PlanRequest changed = request_;
-      changed.iceberg_margin = {margin};
+      changed.icebergs.margin = {margin};
       return changed;
     };
     const auto needed = nearest_that_helps(now, 0.0, 10.0, with);
     if (!needed) return;
     add("margin_m", now, *needed, 2.0 - *needed / now,
         written("reduce the margin around icebergs from %.0f to %.0f m", now, *needed));
+  }
+
+  void allow_for_less_error() {
+    if (!request_.icebergs.drift) return;
+    const double now = request_.icebergs.max_inflation.value;
+    const auto with = [&](double error) {
+      PlanRequest changed = request_;
+      changed.icebergs.max_inflation = {error};
+      return changed;
+    };
+    const auto needed = nearest_that_helps(now, 0.0, 100.0, with);
+    if (!needed) return;
+    add("max_inflation_m", now, *needed, 2.0 - *needed / now,
+        written("reduce what is allowed for the error of icebergs' positions from %.0f to %.0f m", now, *needed));
   }
 
   /// Later departures within the period of the data, closer ones first: half a tide, then whole tides and days.
@@ -155,6 +169,7 @@ std::vector<Change> find_changes(const ocean::Environment& environment, const Pl
     case Constraint::data_period: relaxation.raise_speed(); break;
     case Constraint::iceberg:
       relaxation.shrink_margin();
+      relaxation.allow_for_less_error();
       relaxation.refine_the_grid();
       break;
     case Constraint::zone:

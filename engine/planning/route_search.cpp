@@ -8,12 +8,21 @@
 
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/graph/tve_search.hpp"
+#include "engine/planning/openings.hpp"
+#include "engine/planning/route_cost.hpp"
+#include "engine/planning/voyage.hpp"
 
 namespace floeplan::planning {
 namespace {
 
 using graph::Edge;
 using graph::Vertex;
+
+/// Bounds on a search among later arrivals, each label some ten microseconds: more where no way is known yet.
+constexpr std::size_t most_labels_for_a_way = 100'000;
+constexpr std::size_t most_labels_for_a_better_way = 50'000;
+/// Of the travel time: a better way past what opens later is not looked for where it could gain less.
+constexpr double least_gain = 1e-3;
 
 /// The paper's wfunc on the plane grid.
 struct GridTravelTime {
@@ -23,6 +32,17 @@ struct GridTravelTime {
   tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds depart,
                                                              core::Seconds latest) const {
     return sea.leg_time(grid.point(edge.tail), grid.point(edge.head), depart, latest);
+  }
+};
+
+/// The same as if nothing closed and opened in time.
+struct UntimedTravelTime {
+  const Sea& sea;
+  const RouteGrid& grid;
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds depart,
+                                                             core::Seconds latest) const {
+    return sea.leg_time_without_timed_closures(grid.point(edge.tail), grid.point(edge.head), depart, latest);
   }
 };
 
@@ -96,6 +116,27 @@ void describe_end(RouteSearch& result, const Sea& sea, const RouteGrid& grid, co
   }
 }
 
+/// Replaces the way by one that arrives before `latest` although it arrives later somewhere, if there is one.
+void look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& open, core::Seconds depart,
+                         core::Seconds latest, const std::stop_token& stop) {
+  const Openings openings{sea, open, latest, stop};
+  result.cancelled = stop.stop_requested();
+  if (result.cancelled || openings.empty()) return;
+
+  const Voyage voyage{sea, open.grid, openings, latest};
+  const auto search = graph::find_best_labels(
+      open.graph, open.grid.start, open.grid.goal, depart.count(), {}, voyage,
+      result.path.empty() ? most_labels_for_a_way : most_labels_for_a_better_way, stop);
+  result.statistics.expansions += search.counters.expansions;
+  result.statistics.edge_evaluations += search.counters.edge_evaluations;
+  result.cancelled = search.stopped;
+  result.cut_short = search.full;
+  if (!search.goal) return;
+  result.path.clear();
+  for (const auto& label : graph::way_to(search, *search.goal))
+    result.path.push_back(open.grid.point(label.vertex));
+}
+
 }  // namespace
 
 RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
@@ -108,13 +149,12 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
   result.statistics.edges = open.edges;
 
   const graph::Query query{grid.start, grid.goal, depart};
-  const GridTravelTime travel_time{sea, grid};
   const StraightBound straight{sea, grid, graph};
   const graph::ExpansionCallback report = [&](std::int64_t expansions) {
     report_fraction(static_cast<double>(expansions) /
                     static_cast<double>(std::max<std::int64_t>(1, result.statistics.vertices)));
   };
-  const auto search = [&]() -> graph::SearchTree {
+  const auto search = [&](const auto& travel_time) -> graph::SearchTree {
     switch (request.method) {
       case Method::tve: return graph::find_earliest_arrivals_tve(graph, query, travel_time, stop, report);
       case Method::dijkstra:
@@ -122,19 +162,36 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
       case Method::astar:
         return graph::find_earliest_arrivals(graph, query, travel_time, stop, straight, report);
       case Method::frozen:
-        return graph::find_earliest_arrivals(graph, query, FrozenTravelTime{travel_time, depart}, stop,
+        return graph::find_earliest_arrivals(graph, query, FrozenTravelTime{{sea, grid}, depart}, stop,
                                              EdgeBound{straight}, report);
       case Method::direct: break;
     }
     throw std::invalid_argument{"the direct way needs no search"};
   };
-  const graph::SearchTree tree = search();
+  const auto adopt = [&](const graph::SearchTree& tree) {
+    result.cancelled = tree.stopped;
+    result.statistics.edge_evaluations += tree.counters.edge_evaluations;
+    result.statistics.expansions += tree.counters.expansions;
+    result.statistics.reinsertions += tree.counters.reinsertions;
+    result.path.clear();
+    for (const Vertex v : graph::path_to(graph, tree, grid.goal)) result.path.push_back(grid.point(v));
+  };
 
-  result.cancelled = tree.stopped;
-  result.statistics.edge_evaluations = tree.counters.edge_evaluations;
-  result.statistics.expansions = tree.counters.expansions;
-  result.statistics.reinsertions = tree.counters.reinsertions;
-  for (const Vertex v : graph::path_to(graph, tree, grid.goal)) result.path.push_back(grid.point(v));
+  // What no timed closure meets on the best way without any is the best way with all of them.
+  const bool in_time = sea.has_timed_closures() && request.method != Method::frozen;
+  graph::SearchTree tree = in_time ? search(UntimedTravelTime{sea, grid}) : search(GridTravelTime{sea, grid});
+  adopt(tree);
+  if (in_time && !result.path.empty() && !arrivals_along(sea, result.path, depart)) {
+    const double least_s = tree.arrival_s(grid.goal);
+    tree = search(GridTravelTime{sea, grid});
+    adopt(tree);
+    const double arrival_s = tree.arrival_s(grid.goal);
+    const bool may_gain =
+        result.path.empty() || arrival_s - least_s > least_gain * (arrival_s - depart.count());
+    if (!result.cancelled && may_gain) {
+      look_for_later_ways(result, sea, open, depart, core::Seconds{tree.arrival_s(grid.goal)}, stop);
+    }
+  }
   if (result.path.empty() && !result.cancelled) describe_end(result, sea, grid, graph, tree);
   return result;
 }

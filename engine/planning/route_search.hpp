@@ -18,13 +18,16 @@ struct RouteSearch {
   std::vector<geo::PlanePoint> path;  // start and goal included; empty when the goal was not reached
   SearchStatistics statistics;
   bool cancelled{false};
+  bool cut_short{false};    // a bound on memory was met: a better way past what opens again may exist
   geo::PlanePoint nearest;  // the reached point nearest to the goal: where the search stopped
   core::Seconds nearest_arrival{};
   bool out_of_time{false};  // some way onward has data now, but they end before it does
   std::vector<motion::EdgeClosed> closed_at_nearest;  // why its outgoing edges were closed, one entry each
 };
 
-/// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct).
+/// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct). Where
+/// something that is closed for a while opens again before that arrival, also for ways that arrive somewhere later
+/// than they could.
 [[nodiscard]] RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
                                        core::Seconds depart, const std::stop_token& stop,
                                        const std::function<void(double)>& report_fraction);

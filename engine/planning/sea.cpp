@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/geo/geodesic.hpp"
+
 namespace floeplan::planning {
 namespace {
 
@@ -32,6 +34,21 @@ motion::EdgeAccuracy accuracy(const std::optional<PlaneCurrents>& currents, cons
   return result;
 }
 
+/// How long drift matters: six times the straight way, for detours and head currents, and a day; not beyond 30
+/// days, after which the International Ice Patrol itself gives up a berg that was not seen again.
+core::Seconds forecast_horizon(const PlanRequest& request) {
+  constexpr double detours = 6.0;
+  constexpr core::Seconds day{86'400.0};
+  core::Metres way{0.0};
+  geo::LonLat last = request.from;
+  for (const geo::LonLat via : request.via) {
+    way = way + geo::geodesic_between(last, via).length;
+    last = via;
+  }
+  way = way + geo::geodesic_between(last, request.to).length;
+  return std::min(detours * (way / request.vehicle.speed_through_water) + day, 30.0 * day);
+}
+
 /// A glider comes to the surface between its dives.
 ZoneRules zone_rules(const ocean::Environment& environment, const PlanRequest& request) {
   std::vector<ocean::Zone> zones = environment.zones;
@@ -52,10 +69,12 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
     : projection_{projection},
       area_{area},
       through_water_{request.vehicle.speed_through_water},
+      edge_tolerance_{request.edge_tolerance},
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{zones.timed, projection, request.depart},
-      icebergs_{environment.icebergs, request.iceberg_margin, projection},
+      icebergs_{environment,    request.icebergs,          projection, area,
+                request.depart, forecast_horizon(request), stop},
       currents_{lay_out(environment, request, projection, area, stop)} {
   accuracy_ = accuracy(currents_, request);
   for (int iy = 0; iy <= scale_cells; ++iy) {
@@ -93,34 +112,79 @@ core::Metres Sea::ground_length(geo::PlanePoint a, geo::PlanePoint b) const {
 
 std::optional<motion::EdgeClosed> Sea::closed_between(geo::PlanePoint a, geo::PlanePoint b) const {
   if (const auto closed = safety_.closed_between(a, b)) return closed;
-  if (icebergs_.crosses(a, b)) return motion::EdgeClosed::obstacle;
+  constexpr double at_any_time_s = 1.0;
+  if (icebergs_.standing() && icebergs_.touched({a, b, 0.0, at_any_time_s}))
+    return motion::EdgeClosed::obstacle;
   return std::nullopt;
+}
+
+/// The one integration of a drive, whoever looks at its pieces.
+template <class VisitPiece>
+tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time(const motion::PlaneEdge& edge,
+                                                                core::Seconds depart, core::Seconds latest,
+                                                                const VisitPiece& visit) const {
+  if (currents_ && currents_->has_lines())
+    return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest, visit);
+  if (currents_) {
+    const auto point_by_point = [this](geo::PlanePoint point, core::Seconds time) {
+      return (*currents_)(point, time);
+    };
+    return motion::edge_time(edge, depart, through_water_, point_by_point, accuracy_, latest, visit);
+  }
+  const core::Seconds time = edge.ground_length / through_water_;
+  if (time.count() <= 0.0) return time;
+  const double v_m_s = through_water_.value;
+  const motion::EdgePiece whole{depart.count(),           0.0,  v_m_s, (depart + time).count(),
+                                edge.ground_length.value, v_m_s};
+  if (const auto closed = visit(whole)) return tl::unexpected(*closed);
+  return time;
 }
 
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                               core::Seconds depart,
                                                               core::Seconds latest) const {
+  if (!has_timed_closures()) return leg_time_without_timed_closures(a, b, depart, latest);
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
-  const auto obey_zones = [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
-    if (timed_zones_.forbid(edge, piece)) return motion::EdgeClosed::in_zone;
-    return std::nullopt;
+  const double error_m = edge_tolerance_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+  return drive_time(edge, depart, latest,
+                    [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+                      if (timed_zones_.forbid(edge, piece)) return motion::EdgeClosed::in_zone;
+                      if (!icebergs_.standing() && icebergs_.touched(edge, piece, error_m))
+                        return motion::EdgeClosed::obstacle;
+                      return std::nullopt;
+                    });
+}
+
+tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_without_timed_closures(
+    geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const {
+  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
+  return drive_time({a, b, ground_length(a, b)}, depart, latest, motion::VisitNoPiece{});
+}
+
+std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) const {
+  std::vector<motion::EvenMove> moves;
+  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  const auto follow = [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+    constexpr double most_deviation_m = 1.0;
+    return motion::follow_piece(
+        edge, piece, most_deviation_m,
+        [&](const motion::EvenMove& move, double) -> std::optional<motion::EdgeClosed> {
+          moves.push_back(move);
+          return std::nullopt;
+        });
   };
-  if (!currents_) {
-    const core::Seconds time = edge.ground_length / through_water_;
-    if (timed_zones_.forbid(a, b, {depart, depart + time}))
-      return tl::unexpected(motion::EdgeClosed::in_zone);
-    return time;
+  (void)drive_time(edge, depart, core::Seconds{INFINITY}, follow);
+  return moves;
+}
+
+std::vector<TimeSpan> Sea::closed_times(geo::PlanePoint point) const {
+  std::vector<TimeSpan> closed = timed_zones_.closed_times(point);
+  if (!icebergs_.standing()) {
+    const std::vector<TimeSpan> by_icebergs = icebergs_.closed_times(point);
+    closed.insert(closed.end(), by_icebergs.begin(), by_icebergs.end());
   }
-  const auto integrate = [&](const auto& visit_piece) {
-    if (currents_->has_lines())
-      return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest, visit_piece);
-    const auto point_by_point = [this](geo::PlanePoint point, core::Seconds time) {
-      return (*currents_)(point, time);
-    };
-    return motion::edge_time(edge, depart, through_water_, point_by_point, accuracy_, latest, visit_piece);
-  };
-  return timed_zones_.empty() ? integrate(motion::VisitNoPiece{}) : integrate(obey_zones);
+  return joined(std::move(closed));
 }
 
 bool Sea::currents_known(geo::PlanePoint point, core::Seconds time) const {

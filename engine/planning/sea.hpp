@@ -26,23 +26,35 @@ class Sea {
       const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
       const std::stop_token& stop = {});
 
-  /// Why the straight leg is closed at any time, by depth, land, standing zones or icebergs; empty when it is open.
+  /// Why the straight leg is closed at any time, by depth, land, standing zones or standing
+  /// icebergs; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
   /// Travel time of a straight leg, or why it is closed; too_late when it would certainly end after `latest`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                                          core::Seconds depart,
                                                                          core::Seconds latest = core::Seconds{
                                                                              INFINITY}) const;
+  /// The same as if nothing closed and opened in time: never more than `leg_time`, for it drives the same way.
+  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_without_timed_closures(
+      geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const;
+  /// The drive along a leg that is open, as even moves one after the other, each within a metre of it.
+  [[nodiscard]] std::vector<motion::EvenMove> drive(geo::PlanePoint a, geo::PlanePoint b,
+                                                    core::Seconds depart) const;
+  /// When a timed zone or an iceberg that moves closes the point: ascending, apart from each other.
+  [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point) const;
   /// Never more than the time of any straight way between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
 
   /// Whether the currents are known there and then; true in still water.
   [[nodiscard]] bool currents_known(geo::PlanePoint point, core::Seconds time) const;
 
+  [[nodiscard]] core::MetresPerSecond through_water() const { return through_water_; }
   [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }
   [[nodiscard]] const SafetyMap& safety() const { return safety_; }
   [[nodiscard]] SafetyMap& safety() { return safety_; }
   [[nodiscard]] const IcebergDiscs& icebergs() const { return icebergs_; }
+  /// Whether something is closed at some times only, so that arriving later can be better.
+  [[nodiscard]] bool has_timed_closures() const { return !timed_zones_.empty() || !icebergs_.standing(); }
   [[nodiscard]] const TimedZones& timed_zones() const { return timed_zones_; }
   [[nodiscard]] const std::optional<PlaneCurrents>& currents() const { return currents_; }
   [[nodiscard]] core::Metres ground_length(geo::PlanePoint a, geo::PlanePoint b) const;
@@ -52,10 +64,16 @@ class Sea {
       const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
       const std::stop_token& stop);
   [[nodiscard]] double scale_at(geo::PlanePoint point) const;
+  template <class VisitPiece>
+  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time(const motion::PlaneEdge& edge,
+                                                                           core::Seconds depart,
+                                                                           core::Seconds latest,
+                                                                           const VisitPiece& visit) const;
 
   geo::LocalProjection projection_;
   PlaneBox area_;
   core::MetresPerSecond through_water_;
+  double edge_tolerance_;
   motion::EdgeAccuracy accuracy_;
   SafetyMap safety_;
   TimedZones timed_zones_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 namespace floeplan::planning {
 namespace {
@@ -26,19 +27,6 @@ double way_at(const motion::EdgePiece& piece, double t_s) {
   const double v0 = h * piece.v0_m_s;
   const double v1 = h * piece.v1_m_s;
   return piece.way0_m + x * (v0 + x * (3.0 * gain - 2.0 * v0 - v1 + x * (v0 + v1 - 2.0 * gain)));
-}
-
-/// Joins spans that touch. Precondition: ascending by their start.
-std::vector<TimeSpan> joined(const std::vector<TimeSpan>& spans) {
-  std::vector<TimeSpan> result;
-  for (const TimeSpan& span : spans) {
-    if (result.empty() || span.from > result.back().until) {
-      result.push_back(span);
-    } else {
-      result.back().until = std::max(result.back().until, span.until);
-    }
-  }
-  return result;
 }
 
 }  // namespace
@@ -118,8 +106,7 @@ std::vector<TimeSpan> TimedZones::closed_times(geo::PlanePoint point) const {
     }
     if (confined && !inside) closed.push_back(span);
   }
-  std::ranges::sort(closed, {}, &TimeSpan::from);
-  return joined(closed);
+  return joined(std::move(closed));
 }
 
 }  // namespace floeplan::planning

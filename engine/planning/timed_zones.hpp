@@ -6,14 +6,9 @@
 #include "engine/motion/edge_time.hpp"
 #include "engine/ocean/zone.hpp"
 #include "engine/planning/plane_polygon.hpp"
+#include "engine/planning/time_span.hpp"
 
 namespace floeplan::planning {
-
-/// A length of time with both ends, counted from the epoch of its user.
-struct TimeSpan {
-  core::Seconds from;
-  core::Seconds until;
-};
 
 /// Zones whose rule is in force for a while, tested along the drive itself, not at sample points.
 /// Time     counted from `epoch`

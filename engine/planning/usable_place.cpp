@@ -12,7 +12,8 @@ constexpr int most_rings = 400;
 
 bool is_usable(const Sea& sea, geo::PlanePoint point) {
   constexpr TimeSpan at_departure{core::Seconds{0.0}, core::Seconds{0.0}};
-  return !sea.closed_between(point, point) && !sea.timed_zones().forbid(point, point, at_departure);
+  return !sea.closed_between(point, point) && !sea.timed_zones().forbid(point, point, at_departure) &&
+         !sea.icebergs().touched({point, point, 0.0, 0.0});
 }
 
 }  // namespace

@@ -1,12 +1,23 @@
 #include "engine/planning/voyage.hpp"
 
+#include <algorithm>
+#include <cmath>
+
 namespace floeplan::planning {
 
-Voyage::Voyage(const Sea& sea, const RouteGrid& grid) : sea_{sea}, grid_{grid} {}
+Voyage::Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, core::Seconds latest)
+    : sea_{sea}, grid_{grid}, openings_{openings}, goal_{grid.point(grid.goal)}, latest_s_{latest.count()} {
+  const double step_m =
+      std::min(std::hypot(grid.along.x_m, grid.along.y_m), std::hypot(grid.across.x_m, grid.across.y_m));
+  span_s_ = (core::Metres{step_m} / sea.through_water()).count();
+}
 
-bool Voyage::dominates(graph::Vertex, const graph::Label<State>& a, const graph::Label<State>& b) const {
-  return a.arrival_s <= b.arrival_s && a.state.energy_j <= b.state.energy_j &&
-         a.state.since_surfacing_s <= b.state.since_surfacing_s && a.state.interval == b.state.interval;
+bool Voyage::dominates(graph::Vertex v, const graph::Label<State>& a, const graph::Label<State>& b) const {
+  const bool no_worse = a.arrival_s <= b.arrival_s && a.state.energy_j <= b.state.energy_j &&
+                        a.state.since_surfacing_s <= b.state.since_surfacing_s &&
+                        a.state.interval == b.state.interval;
+  if (!no_worse || !openings_.matter(v, b.arrival_s)) return no_worse;
+  return std::floor(a.arrival_s / span_s_) == std::floor(b.arrival_s / span_s_);
 }
 
 }  // namespace floeplan::planning

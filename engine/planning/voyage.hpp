@@ -1,9 +1,9 @@
 #pragma once
 
 #include <cstdint>
-#include <vector>
 
 #include "engine/graph/label_search.hpp"
+#include "engine/planning/openings.hpp"
 #include "engine/planning/route_grid.hpp"
 #include "engine/planning/sea.hpp"
 
@@ -18,23 +18,30 @@ struct VoyageState {
 };
 
 /// The rules of a glider's voyage over a grid: the model of `graph::find_best_labels`.
-/// Threads  one search at a time
+/// Closures  near what opens again, an earlier arrival dominates a later one only within the same span of time, the
+///           time the vehicle needs for a step of the grid; elsewhere always. So arriving later can be the only way
+///           through, and is found to within that span
+/// Threads   one search at a time
 class Voyage {
  public:
   using State = VoyageState;
 
-  /// `sea` and `grid` are borrowed and outlive the voyage.
-  Voyage(const Sea& sea, const RouteGrid& grid);
+  /// `latest`: an arrival at the goal that is not before it is of no use. Everything is borrowed and outlives the
+  /// voyage.
+  Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, core::Seconds latest);
 
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) const {
-    const auto time = sea_.leg_time(grid_.point(edge.tail), grid_.point(edge.head), core::Seconds{arrival_s});
-    if (time) emit(arrival_s + time->count(), state, 0U);
+    const geo::PlanePoint head = grid_.point(edge.head);
+    const double latest_s = latest_s_ - sea_.least_time(head, goal_).count();
+    const auto time =
+        sea_.leg_time(grid_.point(edge.tail), head, core::Seconds{arrival_s}, core::Seconds{latest_s});
+    if (time && arrival_s + time->count() < latest_s) emit(arrival_s + time->count(), state, 0U);
   }
 
   void wait(graph::Vertex, double, const State&, auto&&) const {}
 
   [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State&) const {
-    return arrival_s + sea_.least_time(grid_.point(v), grid_.point(grid_.goal)).count();
+    return arrival_s + sea_.least_time(grid_.point(v), goal_).count();
   }
 
   [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
@@ -43,6 +50,10 @@ class Voyage {
  private:
   const Sea& sea_;
   const RouteGrid& grid_;
+  const Openings& openings_;
+  geo::PlanePoint goal_;
+  double latest_s_;
+  double span_s_;
 };
 
 }  // namespace floeplan::planning

@@ -42,6 +42,7 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grid
       report_fraction((static_cast<double>(i) + fraction) / static_cast<double>(grids.size()));
     });
     add(found.statistics, search.statistics);
+    found.cut_short = found.cut_short || search.cut_short;
     if (search.cancelled) return tl::unexpected(explain_cancelled(request));
     if (search.path.empty()) return tl::unexpected(explain_search(search, sea, request));
 

@@ -17,6 +17,7 @@ namespace floeplan::planning {
 struct FoundWay {
   Route route;
   SearchStatistics statistics;
+  bool cut_short{false};    // a better way past something that opens again may exist
   bool touches_rim{false};  // it keeps to the rim of a grid, beyond which a better way may lie
 };
 

@@ -50,6 +50,11 @@ void InputFlags::add_common(CLI::App& command) {
   command.add_option("--coastline", coastline_, "ID or none; default: the newest");
   command.add_option("--margin", margin_m_, "Kept from icebergs, metres; default 500");
   command.add_option("--areas", areas_file_, "GeoJSON file of areas to keep out of or to stay in");
+  command.add_flag("--no-iceberg-drift", no_iceberg_drift_, "Take icebergs to stay where they were seen");
+  command.add_option("--max-inflation", max_inflation_m_,
+                     "Kept from icebergs for the error of their positions, metres at most; default 5000");
+  command.add_option("--max-sighting-age", max_sighting_age_days_,
+                     "Leave out icebergs last seen longer ago, days; default 3");
   command.add_option("--name", name_, "Name of the plan");
 }
 
@@ -112,9 +117,12 @@ json InputFlags::inputs() const {
   set("icebergs_as_of", icebergs_as_of_);
   set("coastline", coastline_);
   set("margin_m", margin_m_);
+  set("max_inflation_m", max_inflation_m_);
+  set("max_sighting_age_days", max_sighting_age_days_);
   set("name", name_);
   if (best_order_) inputs["via_order"] = "best";
   if (steady_) inputs["steady"] = true;
+  if (no_iceberg_drift_) inputs["icebergs_drift"] = false;
   if (no_refine_) inputs["refine"] = false;
   return inputs;
 }

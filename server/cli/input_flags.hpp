@@ -51,6 +51,9 @@ class InputFlags {
   std::optional<std::string> coastline_;
   std::optional<double> margin_m_;
   std::optional<std::string> areas_file_;
+  bool no_iceberg_drift_{false};
+  std::optional<double> max_inflation_m_;
+  std::optional<double> max_sighting_age_days_;
   std::optional<std::string> name_;
 };
 

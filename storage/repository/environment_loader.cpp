@@ -18,6 +18,8 @@ namespace floeplan::repository {
 namespace {
 
 constexpr core::Metres coarse_spacing{5000.0};
+/// How far a berg drifts at 0.4 m/s in three days: from that far outside it may come into the area.
+constexpr core::Metres reach_of_drift{100'000.0};
 
 /// The environment while it is put together.
 struct Draft {
@@ -30,6 +32,13 @@ struct Draft {
   void warn(std::string text) { environment.warnings.push_back(std::move(text)); }
   void refuse(DatasetKind kind, std::string rule) {
     violations.push_back({"/" + kind_name(kind), std::move(rule)});
+  }
+  /// Takes over what another part of the same environment has to say.
+  void append_report(const Draft& part) {
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(environment.warnings, part.environment.warnings);
+    append(environment.datasets, part.environment.datasets);
+    append(violations, part.violations);
   }
   void cite(const Dataset& dataset) {
     environment.datasets.push_back(
@@ -94,6 +103,14 @@ void adopt_currents(Draft& draft, const Dataset& dataset, ocean::CurrentGrid cur
   draft.cite(dataset);
 }
 
+/// From when on currents are needed: an iceberg drifts from its sighting on.
+core::UtcTime drift_start(const Draft& draft) {
+  core::UtcTime start = draft.query.depart;
+  if (!draft.query.iceberg_drift) return start;
+  for (const ocean::Iceberg& iceberg : draft.environment.icebergs) start = std::min(start, iceberg.observed);
+  return start;
+}
+
 /// `periods` says which dataset covers which period.
 void refuse_departure(Draft& draft, const std::string& periods) {
   draft.violations.push_back({"/depart", core::iso8601(draft.query.depart) +
@@ -119,7 +136,7 @@ void add_currents(Draft& draft) {
           (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
       continue;
     }
-    if (period) period->from = query.depart;
+    if (period) period->from = drift_start(draft);
     auto currents = FieldRepository{draft.db}.load_currents(dataset.id, query.area, period, query.dive_depth);
     if (currents) return adopt_currents(draft, dataset, std::move(*currents));
   }
@@ -159,13 +176,23 @@ void add_bathymetry(Draft& draft) {
     warn_of_gap(draft, DatasetKind::bathymetry, query.bathymetry, "the depth of the water is not checked");
 }
 
+/// The first ten names and how many more there are.
+std::string shortened_list(const std::vector<std::string>& names) {
+  constexpr std::size_t most = 10;
+  std::string text;
+  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i > 0 ? ", " : "") + names[i];
+  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
+  return text;
+}
+
 /// Of the candidates the newest with sightings young enough to count, else the newest with any by then.
-std::vector<Dataset> newest_with_sightings(const std::vector<Dataset>& found, core::UtcTime as_of) {
+std::vector<Dataset> newest_with_sightings(const std::vector<Dataset>& found, core::UtcTime as_of,
+                                           core::UtcTime oldest) {
   const auto begun = [&](const Dataset& dataset) {
     return !dataset.time_start || *dataset.time_start <= as_of;
   };
   const auto recent = [&](const Dataset& dataset) {
-    return begun(dataset) && (!dataset.time_end || *dataset.time_end >= oldest_sighting_used(as_of));
+    return begun(dataset) && (!dataset.time_end || *dataset.time_end >= oldest);
   };
   auto chosen = std::ranges::find_if(found, recent);
   if (chosen == found.end()) chosen = std::ranges::find_if(found, begun);
@@ -175,25 +202,30 @@ std::vector<Dataset> newest_with_sightings(const std::vector<Dataset>& found, co
 void add_icebergs(Draft& draft) {
   const EnvironmentQuery& query = draft.query;
   const core::UtcTime as_of = query.icebergs_as_of.value_or(query.depart);
+  const core::UtcTime oldest = oldest_sighting_used(as_of, query.max_sighting_age);
+  const geo::BoundingBox area = query.iceberg_drift ? geo::grown(query.area, reach_of_drift) : query.area;
   auto chosen = candidates(draft.stored, DatasetKind::icebergs, query.icebergs, query.area, draft.violations);
-  if (query.icebergs.how == DatasetChoice::How::newest) chosen = newest_with_sightings(chosen, as_of);
+  if (query.icebergs.how == DatasetChoice::How::newest) chosen = newest_with_sightings(chosen, as_of, oldest);
 
   const IcebergRepository repository{draft.db};
   for (const Dataset& dataset : chosen) {
     constexpr core::Seconds any_age{std::numeric_limits<double>::infinity()};
-    const auto all = repository.latest(dataset.id, query.area, as_of, any_age);
-    std::size_t dropped = 0;
+    const auto all = repository.latest(dataset.id, area, as_of, any_age);
+    std::vector<std::string> dropped;
     for (const StoredSighting& sighting : all) {
-      if (sighting.iceberg.observed >= oldest_sighting_used(as_of)) {
-        draft.environment.icebergs.push_back(sighting.iceberg);
-      } else {
-        ++dropped;
+      if (sighting.iceberg.observed < oldest) {
+        dropped.push_back(sighting.iceberg.id.empty() ? "one without a name" : sighting.iceberg.id);
+        continue;
+      }
+      draft.environment.icebergs.push_back(sighting.iceberg);
+      if (query.iceberg_drift) {
+        draft.environment.icebergs.back().earlier = repository.earlier(sighting, query.max_sighting_age);
       }
     }
-    if (dropped > 0) {
-      draft.warn(std::to_string(dropped) + " of " + std::to_string(all.size()) + " icebergs of " +
-                 title(dataset) + " left out: last seen before " +
-                 core::iso8601(oldest_sighting_used(as_of)));
+    if (!dropped.empty()) {
+      draft.warn(std::to_string(dropped.size()) + " of " + std::to_string(all.size()) + " icebergs of " +
+                 title(dataset) + " left out: last seen before " + core::iso8601(oldest) + ": " +
+                 shortened_list(dropped));
     }
     draft.cite(dataset);
   }
@@ -221,8 +253,8 @@ void add_coastline(Draft& draft) {
 
 }  // namespace
 
-core::UtcTime oldest_sighting_used(core::UtcTime as_of) {
-  return std::chrono::floor<std::chrono::days>(as_of - max_sighting_age);
+core::UtcTime oldest_sighting_used(core::UtcTime as_of, core::Seconds max_age) {
+  return std::chrono::floor<std::chrono::days>(as_of - max_age);
 }
 
 tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Connection& db,
@@ -230,9 +262,13 @@ tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Conn
   const sqlite::Snapshot snapshot{db};
   Draft draft{
       .db = db, .query = query, .stored = DatasetRepository{db}.list(), .environment = {}, .violations = {}};
+  // The oldest sighting says from when on currents are needed; in the report icebergs come after the depths.
+  Draft icebergs = draft;
+  add_icebergs(icebergs);
+  draft.environment.icebergs = std::move(icebergs.environment.icebergs);
   add_currents(draft);
   add_bathymetry(draft);
-  add_icebergs(draft);
+  draft.append_report(icebergs);
   add_coastline(draft);
   if (!draft.violations.empty()) return tl::unexpected(std::move(draft.violations));
   return std::move(draft.environment);

@@ -13,6 +13,11 @@
 
 namespace floeplan::repository {
 
+/// Icebergs last seen longer ago than this are left out unless the query says otherwise, by whole UTC days, and the
+/// plan names them: forecasts of their drift lose about 0.75 km an hour (C-CORE hindcast of 340 displacements, 2023-24),
+/// 50 km in this time.
+inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
+
 /// What a job wants to know of the sea.
 struct EnvironmentQuery {
   geo::BoundingBox area;
@@ -23,24 +28,24 @@ struct EnvironmentQuery {
   DatasetChoice bathymetry;
   DatasetChoice icebergs;
   std::optional<core::UtcTime> icebergs_as_of;  // default: the departure
+  core::Seconds max_sighting_age{repository::max_sighting_age};
+  bool iceberg_drift{true};  // also what their drift needs: tracks, and currents from the sightings on
   DatasetChoice coastline;
 };
 
-/// Icebergs last seen longer ago than this are left out, by whole UTC days, and the plan says how many: forecasts of
-/// their drift lose about 0.75 km an hour (C-CORE hindcast of 340 displacements, 2023-24), 50 km in this time.
-inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
-
 /// The earliest sighting that still counts. Feeds often give the day of a sighting alone, so the whole day on which
 /// the longest age falls is taken.
-[[nodiscard]] core::UtcTime oldest_sighting_used(core::UtcTime as_of);
+[[nodiscard]] core::UtcTime oldest_sighting_used(core::UtcTime as_of,
+                                                 core::Seconds max_age = max_sighting_age);
 
 /// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and
 /// the period, all as they stood at one moment.
 /// Errors   a violation for each named dataset that does not exist, is of another kind or shares nothing
 ///          with the area, and for a departure outside the period of the currents unless they are held
 ///          steady
-/// Edges    currents are read from the last step before departure to their end: how long a plan takes is
-///          not yet known. Currents without time are held steady.
+/// Edges    currents are read from the last step before departure (before the oldest iceberg sighting in use,
+///          when icebergs drift) to their end: how long a plan takes is not yet known. Currents without time are
+///          held steady. Drifting icebergs are also read up to 100 km beyond the area.
 [[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(
     sqlite::Connection& db, const EnvironmentQuery& query);
 

@@ -108,6 +108,21 @@ std::int64_t IcebergRepository::count(const SightingFilter& filter) const {
   return sightings;
 }
 
+std::vector<ocean::IcebergFix> IcebergRepository::earlier(const StoredSighting& sighting,
+                                                          core::Seconds max_age) const {
+  std::vector<ocean::IcebergFix> fixes;
+  if (sighting.iceberg.id.empty()) return fixes;
+  // Of several sightings at one moment the one stored last, as for the newest of all.
+  sqlite::Statement query{db_,
+                          "SELECT lon_deg, lat_deg, observed_s, max(row) FROM sighting WHERE dataset_row = "
+                          "(SELECT row FROM dataset WHERE id = ?1) AND berg_id = ?2 AND observed_s < ?3 AND "
+                          "observed_s >= ?4 GROUP BY observed_s ORDER BY observed_s"};
+  query.bind_all(sighting.dataset.value, sighting.iceberg.id, sighting.iceberg.observed,
+                 sighting.iceberg.observed - max_age);
+  while (query.step()) fixes.push_back({{query.real(0), query.real(1)}, query.time(2)});
+  return fixes;
+}
+
 std::vector<StoredSighting> IcebergRepository::latest(const DatasetId& dataset, const geo::BoundingBox& area,
                                                       core::UtcTime as_of, core::Seconds max_age) const {
   // The area comes last: a berg that has left it must not be found where it was before. A sighting without a

@@ -40,6 +40,10 @@ class IcebergRepository {
   [[nodiscard]] std::vector<StoredSighting> list(const SightingFilter& filter, std::int64_t after,
                                                  int limit) const;
   [[nodiscard]] std::int64_t count(const SightingFilter& filter) const;
+  /// Where the berg of a sighting was seen before it, no longer ago than `max_age` before it: oldest first, one fix
+  /// for each moment, none for a berg without a name.
+  [[nodiscard]] std::vector<ocean::IcebergFix> earlier(const StoredSighting& sighting,
+                                                       core::Seconds max_age) const;
   /// Of each berg of the dataset the newest sighting that is not after `as_of` and not older than `max_age`
   /// before it; in the area; by ascending row.
   [[nodiscard]] std::vector<StoredSighting> latest(const DatasetId& dataset, const geo::BoundingBox& area,

@@ -63,6 +63,7 @@ inline ocean::Iceberg iceberg_at(geo::LonLat place, double length_m) {
   berg.id = "berg";
   berg.place = place;
   berg.length = core::Metres{length_m};
+  berg.observed = core::from_unix_seconds(sea_start_s);
   return berg;
 }
 

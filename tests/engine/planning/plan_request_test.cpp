@@ -25,7 +25,7 @@ TEST(PlanRequest, NamesEveryFieldThatBreaksARuleAtOnce) {
   request.to = {std::nan(""), 69.0};
   request.sectors = 0;
   request.max_waypoints = 1;
-  request.iceberg_margin = core::Metres{-1.0};
+  request.icebergs.margin = core::Metres{-1.0};
   request.spacing_along = core::Metres{0.0};
   request.vehicle.speed_through_water = core::MetresPerSecond{0.0};
 

@@ -110,7 +110,7 @@ TEST(PlanRoute, GivesTheSameBytesForTheSameInput) {
 
 TEST(PlanRoute, PassesAnIcebergOutsideItsMargin) {
   PlanRequest request = eastward_request();
-  request.iceberg_margin = core::Metres{2000.0};
+  request.icebergs.margin = core::Metres{2000.0};
   ocean::Environment environment;
   environment.icebergs = {support::iceberg_at({-53.0, 69.0}, 400.0)};
 

@@ -70,9 +70,9 @@ TEST(Relaxation, NamesTheMarginThatLetsTheVehicleThroughBetweenIcebergs) {
   for (int i = -60; i <= 60; ++i) {
     environment.icebergs.push_back(support::iceberg_at({-53.0, 69.0 + 0.0198 * i}, 200.0));
     environment.icebergs.back().id = std::to_string(i);
-    environment.icebergs.back().observed = request.depart;
   }
-  request.iceberg_margin = core::Metres{1500.0};
+  request.icebergs.drift = false;
+  request.icebergs.margin = core::Metres{1500.0};
   request.spacing_along = core::Metres{500.0};
 
   const auto found = plan(environment, request);
@@ -83,7 +83,7 @@ TEST(Relaxation, NamesTheMarginThatLetsTheVehicleThroughBetweenIcebergs) {
   ASSERT_NE(margin, nullptr);
   EXPECT_LT(std::get<double>(margin->to), 1000.0);
   EXPECT_GT(std::get<double>(margin->to), 500.0);
-  request.iceberg_margin = core::Metres{std::get<double>(margin->to)};
+  request.icebergs.margin = core::Metres{std::get<double>(margin->to)};
   EXPECT_TRUE(plan(environment, request).has_value());
 }
 

@@ -30,7 +30,9 @@ TEST(Voyage, WithNothingToCarryArrivesWhenThePlainSearchDoes) {
                                     {core::Metres{2000.0}, core::Metres{2000.0}}, {0.5, 0.25});
     const Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{500.0}};
     const OpenGrid open = open_grid(sea, grid, request.sectors, {});
-    const Voyage voyage{sea, grid};
+    const core::Seconds whenever{INFINITY};
+    const Openings openings{sea, open, whenever, {}};
+    const Voyage voyage{sea, grid, openings, whenever};
 
     const auto search =
         graph::find_best_labels(open.graph, grid.start, grid.goal, 0.0, {}, voyage, plenty, {});

@@ -257,7 +257,67 @@ TEST_F(EnvironmentLoaderTest, SaysHowManyBergsWereSeenTooLongAgo) {
 
   ASSERT_EQ(environment.icebergs.size(), 1U);
   EXPECT_EQ(environment.icebergs[0].id, "young");
-  EXPECT_THAT(environment.warnings, Contains(HasSubstr("1 of 2 icebergs")));
+  EXPECT_THAT(environment.warnings,
+              Contains(AllOf(HasSubstr("1 of 2 icebergs"), testing::EndsWith(": old"))));
+}
+
+TEST_F(EnvironmentLoaderTest, LeavesOutIcebergsOlderThanAsked) {
+  add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - 2 * day),
+                         sample_berg("b", {-52.1, 69.0}, sample_time - 8 * day)});
+
+  query_.max_sighting_age = 10 * day;
+  EXPECT_EQ(load().icebergs.size(), 2U);
+  query_.max_sighting_age = 1 * day;
+  EXPECT_EQ(load().icebergs.size(), 0U);
+}
+
+TEST_F(EnvironmentLoaderTest, KnowsWhereADriftingBergWasSeenBefore) {
+  add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - 20 * hour),
+                         sample_berg("a", {-52.1, 69.1}, sample_time - 8 * hour),
+                         sample_berg("a", {-52.2, 69.2}, sample_time - 2 * hour),
+                         sample_berg("a", {-52.3, 69.3}, sample_time - 200 * hour),
+                         sample_berg("b", {-52.4, 69.0}, sample_time - 30 * hour)});
+
+  const ocean::Environment environment = load();
+
+  ASSERT_EQ(environment.icebergs.size(), 2U);
+  const auto& a = environment.icebergs[0];
+  ASSERT_EQ(a.id, "a");
+  EXPECT_EQ(a.place.lon_deg, -52.2);
+  ASSERT_EQ(a.earlier.size(), 2U);
+  EXPECT_EQ(a.earlier[0].place.lon_deg, -52.0);
+  EXPECT_EQ(a.earlier[0].time, sample_time - 20 * hour);
+  EXPECT_EQ(a.earlier[1].place.lon_deg, -52.1);
+  EXPECT_THAT(environment.icebergs[1].earlier, IsEmpty());
+
+  query_.iceberg_drift = false;
+  EXPECT_THAT(load().icebergs[0].earlier, IsEmpty());
+}
+
+TEST_F(EnvironmentLoaderTest, ReadsCurrentsFromTheOldestDriftingBergOn) {
+  add_currents("flow", sample_time - 40 * hour, 60, levels_);
+  const auto first_step = [&] { return core::from_unix_seconds(load().currents->samples().times_s.front()); };
+  EXPECT_EQ(first_step(), sample_time);
+
+  add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - 30 * hour),
+                         sample_berg("b", {-52.1, 69.0}, sample_time - 75 * hour)});
+
+  EXPECT_EQ(first_step(), sample_time - 40 * hour);
+  query_.max_sighting_age = core::Seconds{0.0};
+  query_.icebergs_as_of = sample_time - 30 * hour;
+  EXPECT_EQ(first_step(), sample_time - 30 * hour);
+  query_.iceberg_drift = false;
+  EXPECT_EQ(first_step(), sample_time);
+}
+
+TEST_F(EnvironmentLoaderTest, TakesDriftingBergsFromBeyondTheArea) {
+  add_icebergs("bergs", {sample_berg("near", {-52.0, 69.9}, sample_time - hour),
+                         sample_berg("far", {-52.0, 71.0}, sample_time - hour)});
+
+  ASSERT_EQ(load().icebergs.size(), 1U);
+  EXPECT_EQ(load().icebergs[0].id, "near");
+  query_.iceberg_drift = false;
+  EXPECT_THAT(load().icebergs, IsEmpty());
 }
 
 TEST_F(EnvironmentLoaderTest, TakesIcebergsAsOfTheTimeAskedFor) {

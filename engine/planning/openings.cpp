@@ -1,0 +1,55 @@
+#include "engine/planning/openings.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace floeplan::planning {
+namespace {
+
+constexpr int reach = 6;  // steps of the grid
+constexpr graph::Vertex vertices_between_looks = 256;
+
+}  // namespace
+
+Openings::Openings(const Sea& sea, const OpenGrid& grid, core::Seconds latest, const std::stop_token& stop) {
+  const double step_m = std::max(std::hypot(grid.grid.along.x_m, grid.grid.along.y_m),
+                                 std::hypot(grid.grid.across.x_m, grid.grid.across.y_m));
+  const double before_s = 2.0 * reach * (core::Metres{step_m} / sea.through_water()).count();
+  bool any = false;
+  std::vector<Window> windows(grid.graph.size());
+  for (graph::Vertex v = 0; v < windows.size(); ++v) {
+    if (v % vertices_between_looks == 0 && stop.stop_requested()) return;
+    if (!grid.graph.is_open(v)) continue;
+    for (const TimeSpan& closed : sea.closed_times(grid.grid.point(v))) {
+      if (closed.until > latest || !std::isfinite(closed.until.count())) continue;
+      any = true;
+      windows[v].include({closed.from.count() - before_s, closed.until.count()});
+    }
+  }
+  if (!any) return;
+  windows_ = std::move(windows);
+  widen(grid.grid.nx, grid.grid.ny);
+}
+
+/// Gives every vertex the windows of those within reach: along the rows, then along the columns.
+void Openings::widen(int nx, int ny) {
+  const auto spread = [&](int count, int lines, std::size_t step, std::size_t line_step) {
+    std::vector<Window> line(static_cast<std::size_t>(count));
+    for (int l = 0; l < lines; ++l) {
+      const std::size_t first = static_cast<std::size_t>(l) * line_step;
+      for (int i = 0; i < count; ++i)
+        line[static_cast<std::size_t>(i)] = windows_[first + static_cast<std::size_t>(i) * step];
+      for (int i = 0; i < count; ++i) {
+        Window& here = windows_[first + static_cast<std::size_t>(i) * step];
+        for (int j = std::max(0, i - reach); j <= std::min(count - 1, i + reach); ++j) {
+          here.include(line[static_cast<std::size_t>(j)]);
+        }
+      }
+    }
+  };
+  const auto row = static_cast<std::size_t>(nx);
+  spread(nx, ny, 1, row);
+  spread(ny, nx, row, 1);
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,44 @@
+#pragma once
+
+#include <algorithm>
+#include <cmath>
+#include <stop_token>
+#include <vector>
+
+#include "engine/planning/open_grid.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// Where and when a later arrival can be better, because something that is closed near the vertex opens again:
+/// only there a search must keep more than the earliest arrival. A disc that only grows never opens anything.
+/// Reach    six steps of the grid, two of its longest edges, about each vertex, and as long before the closure as
+///          the vehicle needs to go there and back
+/// Threads  const members may be called from several threads at once
+class Openings {
+ public:
+  /// `latest`: what opens after it is of no use. Stops early once `stop` is requested; then not to be used.
+  Openings(const Sea& sea, const OpenGrid& grid, core::Seconds latest, const std::stop_token& stop);
+
+  /// Whether there are none at all.
+  [[nodiscard]] bool empty() const { return windows_.empty(); }
+  [[nodiscard]] bool matter(graph::Vertex v, double arrival_s) const {
+    return !windows_.empty() && windows_[v].from_s <= arrival_s && arrival_s <= windows_[v].until_s;
+  }
+
+ private:
+  struct Window {
+    double from_s{INFINITY};
+    double until_s{-INFINITY};
+
+    void include(const Window& other) {
+      from_s = std::min(from_s, other.from_s);
+      until_s = std::max(until_s, other.until_s);
+    }
+  };
+  void widen(int nx, int ny);
+
+  std::vector<Window> windows_;  // of each vertex; none at all when nothing opens
+};
+
+}  // namespace floeplan::planning
