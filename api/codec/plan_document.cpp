@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "api/codec/uncertainty_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -149,6 +150,7 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
           {"optimality_gap_reason", plan.optimality_gap_reason},
           {"waypoints", std::move(waypoints)},
           {"via_order", via_order_json(plan.via_order)},
+          {"uncertainty", plan.uncertainty ? uncertainty_document(*plan.uncertainty) : json()},
           {"search",
            {{"vertices", plan.search.vertices},
             {"edges", plan.search.edges},

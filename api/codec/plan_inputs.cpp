@@ -6,6 +6,7 @@
 #include "api/codec/iceberg_inputs.hpp"
 #include "api/codec/input_reader.hpp"
 #include "api/codec/search_inputs.hpp"
+#include "api/codec/uncertainty_inputs.hpp"
 #include "api/codec/vehicle_inputs.hpp"
 #include "api/codec/zone_inputs.hpp"
 #include "engine/core/utc_text.hpp"
@@ -110,6 +111,7 @@ tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs)
   read_places(reader, result.request);
   read_common(reader, result.request, result.data, result.name);
   read_search(reader, result.request);
+  result.request.uncertainty = read_uncertainty(reader);
   reader.refuse_unknown();
   if (!reader.violations().empty()) return tl::unexpected(reader.violations());
 
@@ -146,6 +148,7 @@ json to_json(const PlanInputs& inputs) {
   result["from"] = place_json(request.from);
   result["to"] = place_json(request.to);
   result["via"] = places_json(request.via);
+  result["uncertainty"] = uncertainty_json(request.uncertainty);
   result["via_order"] = request.via_in_best_order ? "best" : "given";
   write_search(request, result);
   return result;

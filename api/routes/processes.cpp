@@ -79,6 +79,10 @@ json plan_inputs() {
   inputs["from"] = input("Start, [longitude, latitude] in degrees", position_schema(), true);
   inputs["to"] = input("Goal, [longitude, latitude] in degrees", position_schema(), true);
   inputs["via"] = input("Places to visit in this order", {{"type", "array"}, {"items", position_schema()}});
+  inputs["uncertainty"] = input(
+      "How certain the currents are and what to make the best of: members, current_error_m_s, "
+      "length_scale_m, time_scale_s, seed, objective (mean, quantile), quantile, arrive_before",
+      {{"type", "object"}});
   inputs["via_order"] =
       input("Visit the places in the order given or in the one that reaches the goal earliest",
             one_of({"given", "best"}));

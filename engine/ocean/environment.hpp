@@ -19,6 +19,7 @@ namespace floeplan::ocean {
 struct Environment {
   std::shared_ptr<const CurrentGrid> currents{};  // null: still water
   bool steady_currents{false};                    // `currents` holds one time, meant for every time
+  std::vector<std::shared_ptr<const CurrentGrid>> members{};  // of an ensemble, `currents` first; else empty
   std::shared_ptr<const Bathymetry> bathymetry{};
   std::vector<geo::Polygon> land{};
   std::vector<Iceberg> icebergs{};  // the latest sighting of each berg, none after the moment asked for

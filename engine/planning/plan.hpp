@@ -9,6 +9,7 @@
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/dataset_ref.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/uncertainty_report.hpp"
 
 namespace floeplan::planning {
 
@@ -42,7 +43,7 @@ struct Clearances {
 /// In which order the places to visit are visited.
 struct ViaOrder {
   std::vector<std::size_t> vias;  // indices of the request's
-  bool exact{};                   // no other order would be better, as far as travel times on a coarse grid tell
+  bool exact{};  // no other order would be better, as far as travel times on a coarse grid tell
 };
 
 /// A route with times.
@@ -53,7 +54,8 @@ struct Plan {
   core::UtcTime arrival;
   core::Metres distance;
   std::vector<Waypoint> waypoints;
-  std::optional<ViaOrder> via_order;  // when the request left the order open
+  std::optional<ViaOrder> via_order;             // when the request left the order open
+  std::optional<UncertaintyReport> uncertainty;  // when the currents are not certain
   SearchStatistics search;
   Clearances clearances;
   std::optional<core::Joules> energy;

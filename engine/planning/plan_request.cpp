@@ -57,6 +57,9 @@ core::Violations PlanRequest::violations() const {
       found.push_back({"/zones/" + std::to_string(i) + violation.field, violation.rule});
     }
   }
+  for (const core::Violation& violation : uncertainty.violations()) {
+    found.push_back({"/uncertainty" + violation.field, violation.rule});
+  }
   require(edge_tolerance >= 1e-9 && edge_tolerance <= 1e-2, "/edge_tolerance",
           "must be between 1e-9 and 1e-2");
   const core::Violations of_icebergs = icebergs.violations();

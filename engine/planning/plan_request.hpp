@@ -9,6 +9,7 @@
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/zone.hpp"
 #include "engine/planning/iceberg_rules.hpp"
+#include "engine/planning/uncertainty_rules.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::planning {
@@ -29,7 +30,7 @@ enum class Method {
 struct PlanRequest {
   geo::LonLat from;
   geo::LonLat to;
-  std::vector<geo::LonLat> via;  // to be visited in this order, unless
+  std::vector<geo::LonLat> via;   // to be visited in this order, unless
   bool via_in_best_order{false};  // in the order that reaches the goal earliest
   core::UtcTime depart;
   vehicle::GliderProfile vehicle;
@@ -44,6 +45,7 @@ struct PlanRequest {
   std::optional<core::Metres> max_leg;  // longer legs are parted
   std::vector<ocean::Zone> zones;       // obeyed beside those of the environment
   IcebergRules icebergs;
+  UncertaintyRules uncertainty;
   double edge_tolerance{1e-4};  // relative, of an edge's travel time
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them

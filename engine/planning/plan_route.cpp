@@ -7,6 +7,7 @@
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/plan_assembly.hpp"
 #include "engine/planning/relaxation.hpp"
+#include "engine/planning/robust_plan.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/straightening.hpp"
 #include "engine/planning/tour_legs.hpp"
@@ -158,7 +159,12 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
   refuse_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
   if (request.via_in_best_order) return plan_survey(environment, request, stop, progress);
-  Result<Plan> plan = plan_anywhere(environment, request, stop, progress);
+  const PlanIn plan_in = [&](const ocean::Environment& sea) {
+    return plan_anywhere(sea, request, stop, progress);
+  };
+  Result<Plan> plan = has_uncertain_currents(environment, request)
+                          ? plan_uncertain(environment, request, plan_in, stop, progress)
+                          : plan_in(environment);
   if (plan || !plan.error().changes.empty()) return plan;
   progress("what would help", 0.95);
   plan.error().changes = changes_that_help(environment, request, plan.error().binding, stop);

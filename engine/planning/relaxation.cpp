@@ -65,7 +65,8 @@ class Relaxation {
     const auto needed = nearest_that_helps(now, 0.0, 100.0, with);
     if (!needed) return;
     add("max_inflation_m", now, *needed, 2.0 - *needed / now,
-        written("reduce what is allowed for the error of icebergs' positions from %.0f to %.0f m", now, *needed));
+        written("reduce what is allowed for the error of icebergs' positions from %.0f to %.0f m", now,
+                *needed));
   }
 
   /// Later departures within the period of the data, closer ones first: half a tide, then whole tides and days.

@@ -17,6 +17,16 @@ json place_of(const std::string& flag, const std::string& text) {
   return json::array({place->lon_deg, place->lat_deg});
 }
 
+/// "mean", or the share that a quantile is of.
+void set_robust(json& uncertainty, const std::string& text) {
+  const auto numbers = parse_numbers(text);
+  if (text != "mean" && (!numbers || numbers->size() != 1)) {
+    throw CLI::ValidationError{"--robust", text + " is neither mean nor a share such as 0.9"};
+  }
+  uncertainty["objective"] = numbers ? "quantile" : "mean";
+  if (numbers) uncertainty["quantile"] = numbers->front();
+}
+
 /// `what` names the file in a message.
 json read_object(const std::string& file, const std::string& what) {
   std::ifstream stream{file};
@@ -64,6 +74,15 @@ void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--to", to_, "Goal, LON,LAT in degrees");
   command.add_option("--via", via_, "Place to visit on the way; may be repeated, in order")
       ->allow_extra_args(false);
+  command.add_option("--members", members_,
+                     "Draw this many errors of the currents (2 to 64) and show the spread");
+  command.add_option("--current-error", current_error_m_s_,
+                     "Standard deviation of each component's error, m/s");
+  command.add_option("--error-length", error_length_m_, "Over how far the error is alike, metres");
+  command.add_option("--error-time", error_time_s_, "Over how long the error is alike, seconds");
+  command.add_option("--robust", robust_,
+                     "Make the best of all members: mean, or a share such as 0.9 that is to arrive early");
+  command.add_option("--arrive-before", arrive_before_, "Show the chance to be there by then");
   command.add_flag("--best-order", best_order_, "Visit the places of --via in the order that ends earliest");
   command.add_option("--spacing", spacing_m_,
                      "Grid step M, or M,M along and across; default distance/200, 250 m to 5 km");
@@ -120,6 +139,12 @@ json InputFlags::inputs() const {
   set("max_inflation_m", max_inflation_m_);
   set("max_sighting_age_days", max_sighting_age_days_);
   set("name", name_);
+  if (members_) inputs["uncertainty"]["members"] = *members_;
+  if (current_error_m_s_) inputs["uncertainty"]["current_error_m_s"] = *current_error_m_s_;
+  if (error_length_m_) inputs["uncertainty"]["length_scale_m"] = *error_length_m_;
+  if (error_time_s_) inputs["uncertainty"]["time_scale_s"] = *error_time_s_;
+  if (arrive_before_) inputs["uncertainty"]["arrive_before"] = *arrive_before_;
+  if (robust_) set_robust(inputs["uncertainty"], *robust_);
   if (best_order_) inputs["via_order"] = "best";
   if (steady_) inputs["steady"] = true;
   if (no_iceberg_drift_) inputs["icebergs_drift"] = false;

@@ -36,6 +36,12 @@ class InputFlags {
   std::optional<double> battery_j_;
   std::optional<double> battery_start_share_;
   bool best_order_{false};
+  std::optional<int> members_;
+  std::optional<double> current_error_m_s_;
+  std::optional<double> error_length_m_;
+  std::optional<double> error_time_s_;
+  std::optional<std::string> robust_;
+  std::optional<std::string> arrive_before_;
   std::optional<std::string> spacing_m_;
   std::optional<int> sectors_;
   std::optional<std::string> method_;

@@ -50,6 +50,17 @@ void print_for_people(const json& plan) {
               cell(plan.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str(),
               cell(plan.at("distance_m"), "%.1f", 1e-3).c_str());
   print_table(plan);
+  if (const json& spread = plan.at("uncertainty"); !spread.is_null()) {
+    std::printf("%d of %d members arrive: mean %s h, standard deviation %s h, 90 %% within %s h\n",
+                spread.at("arrived").get<int>(), spread.at("members").get<int>(),
+                cell(spread.at("mean_s"), "%.2f", 1.0 / 3600.0).c_str(),
+                cell(spread.at("standard_deviation_s"), "%.2f", 1.0 / 3600.0).c_str(),
+                cell(spread.at("quantiles_s").at("p90"), "%.2f", 1.0 / 3600.0).c_str());
+    if (!spread.at("chance").is_null()) {
+      std::printf("chance to be there by %s: %s %%\n", spread.at("arrive_before").get<std::string>().c_str(),
+                  cell(spread.at("chance"), "%.0f", 100.0).c_str());
+    }
+  }
   const json& clear = plan.at("clearances");
   std::printf("clear of icebergs by %s m, of land by %s m, of the bottom by %s m\n",
               cell(clear.at("iceberg_m"), "%.0f").c_str(), cell(clear.at("land_m"), "%.0f").c_str(),

@@ -118,14 +118,45 @@ void refuse_departure(Draft& draft, const std::string& periods) {
                                              ". Depart within it, or hold the currents steady (--steady)"});
 }
 
+/// Several currents are the members of an ensemble: every one must serve, the first is the one planned in.
+void add_ensemble(Draft& draft, const std::vector<Dataset>& found) {
+  const EnvironmentQuery& query = draft.query;
+  std::vector<std::shared_ptr<const ocean::CurrentGrid>> members;
+  bool all_steady = true;
+  bool none_steady = true;
+  for (const Dataset& dataset : found) {
+    auto period = query.steady ? std::nullopt : period_of(dataset);
+    if (period && !covers(*period, query.depart)) {
+      refuse_departure(draft, title(dataset) + " covers " + period_text(*period));
+      continue;
+    }
+    if (period) period->from = drift_start(draft);
+    auto currents = FieldRepository{draft.db}.load_currents(dataset.id, query.area, period, query.dive_depth);
+    if (!currents) {
+      draft.refuse(DatasetKind::currents, title(dataset) + " has no node near the area");
+      continue;
+    }
+    adopt_currents(draft, dataset, std::move(*currents));
+    members.push_back(draft.environment.currents);
+    all_steady = all_steady && draft.environment.steady_currents;
+    none_steady = none_steady && !draft.environment.steady_currents;
+  }
+  if (!all_steady && !none_steady) {
+    draft.refuse(DatasetKind::currents,
+                 "some members have times and some have none; hold them all steady (--steady)");
+  }
+  if (members.empty()) return;
+  draft.environment.currents = members.front();
+  draft.environment.members = std::move(members);
+}
+
 void add_currents(Draft& draft) {
   const EnvironmentQuery& query = draft.query;
   const auto found =
       candidates(draft.stored, DatasetKind::currents, query.currents, query.area, draft.violations);
   const bool named = query.currents.how == DatasetChoice::How::named;
   if (named && query.currents.ids.size() > 1) {
-    draft.refuse(DatasetKind::currents, "one dataset at a time; name the one to plan with");
-    return;
+    return add_ensemble(draft, found);
   }
 
   std::string periods_missed;

@@ -1,0 +1,117 @@
+#include "engine/planning/robust_plan.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/planning/plan_route.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using support::currents_from;
+using support::eastward_request;
+
+Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
+  return plan_route(environment, request, {}, {});
+}
+
+/// A stream along the way, north of it or south of it.
+std::shared_ptr<const ocean::CurrentGrid> stream(double middle_lat, double speed_m_s) {
+  return currents_from(
+      [=](geo::LonLat p, double) {
+        const double across = (p.lat_deg - middle_lat) / 0.06;
+        return geo::VelocityEn{{speed_m_s * std::exp(-across * across)}, {0.0}};
+      },
+      120);
+}
+
+PlanRequest coarse_request() {
+  PlanRequest request = eastward_request();
+  request.spacing_along = core::Metres{2000.0};
+  return request;
+}
+
+ocean::Environment ensemble(std::vector<std::shared_ptr<const ocean::CurrentGrid>> members) {
+  ocean::Environment environment{.currents = members.front()};
+  environment.members = std::move(members);
+  return environment;
+}
+
+TEST(RobustPlan, SaysHowTheRouteFaresInEveryMember) {
+  const ocean::Environment environment = ensemble({stream(69.0, 0.1), stream(69.0, 0.0), stream(69.0, -0.1)});
+  PlanRequest request = coarse_request();
+  request.method = Method::direct;
+
+  const auto found = plan(environment, request);
+
+  ASSERT_TRUE(found && found->uncertainty);
+  const ArrivalSpread& spread = found->uncertainty->spread;
+  EXPECT_EQ(spread.arrived(), 3U);
+  for (std::size_t i = 0; i < 3; ++i) {
+    const auto alone = plan({.currents = environment.members[i]}, request);
+    ASSERT_TRUE(alone.has_value());
+    EXPECT_NEAR(spread.travel_times()[i]->count(), alone->travel_time().count(), 1.0);
+  }
+  EXPECT_LT(*spread.travel_times()[0], *spread.travel_times()[2]);
+}
+
+TEST(RobustPlan, TakesTheRouteThatIsBestOnAverageAndNotThatOfTheFirstMember) {
+  // The first member has a helpful stream in the north; in the others the same place runs against the vehicle.
+  const ocean::Environment environment =
+      ensemble({stream(69.1, 0.25), stream(69.1, -0.3), stream(69.1, -0.3), stream(69.1, -0.3)});
+  PlanRequest request = coarse_request();
+  const auto trusting = plan(environment, request);
+  request.uncertainty.objective = RobustObjective::mean;
+
+  const auto robust = plan(environment, request);
+
+  ASSERT_TRUE(trusting && robust);
+  EXPECT_LT(*robust->uncertainty->spread.mean(), *trusting->uncertainty->spread.mean());
+  EXPECT_GE(robust->travel_time(), trusting->travel_time())
+      << "in the first member nothing beats its own route";
+  EXPECT_GT(robust->uncertainty->candidates, 1U);
+}
+
+TEST(RobustPlan, IsNeverWorseInItsObjectiveThanThePlanOfTheFirstMember) {
+  PlanRequest request = coarse_request();
+  const ocean::Environment environment{.currents = stream(69.05, 0.15)};
+  request.uncertainty.drawn_members = 6;
+  request.uncertainty.error = {{0.08}, {20'000.0}, core::Seconds{43'200.0}};
+  request.uncertainty.arrive_before = request.depart + core::Seconds{36.0 * 3600.0};
+  const auto trusting = plan(environment, request);
+  request.uncertainty.objective = RobustObjective::quantile;
+  request.uncertainty.quantile = 0.8;
+
+  const auto robust = plan(environment, request);
+  const auto again = plan(environment, request);
+
+  ASSERT_TRUE(trusting && robust && again);
+  EXPECT_LE(*robust->uncertainty->spread.quantile(0.8), *trusting->uncertainty->spread.quantile(0.8));
+  EXPECT_GT(robust->uncertainty->spread.standard_deviation()->count(), 100.0);
+  EXPECT_EQ(robust->arrival, again->arrival) << "the same seed, the same plan";
+  EXPECT_DOUBLE_EQ(*robust->uncertainty->chance,
+                   robust->uncertainty->spread.chance_within(core::Seconds{36.0 * 3600.0}));
+}
+
+TEST(RobustPlan, CountsAMemberThatDoesNotLetTheRouteThrough) {
+  const ocean::Environment environment = ensemble({stream(69.0, 0.0), stream(69.0, -0.8)});
+  PlanRequest request = coarse_request();
+  request.method = Method::direct;
+
+  const auto found = plan(environment, request);
+
+  ASSERT_TRUE(found && found->uncertainty);
+  EXPECT_EQ(found->uncertainty->spread.arrived(), 1U);
+  EXPECT_FALSE(found->uncertainty->spread.travel_times()[1].has_value());
+}
+
+TEST(RobustPlan, NamesEveryFaultOfItsRules) {
+  PlanRequest request = eastward_request();
+  request.uncertainty.drawn_members = 1;
+  request.uncertainty.quantile = 1.0;
+
+  EXPECT_EQ(request.violations().size(), 5U) << "members, quantile and the three numbers of the error model";
+}
+
+}  // namespace
+}  // namespace floeplan::planning
