@@ -31,7 +31,7 @@ class EdgeDrive {
         crabbing_{through_water},
         length_{length.value},
         shortest_{1e-6 * length.value},
-        tolerance_{share_for_a_step * relative_tolerance} {}
+        tolerance_{Step::share_for_a_step * relative_tolerance} {}
 
   template <EdgePieceVisitor VisitPiece>
   tl::expected<core::Seconds, EdgeClosed> run(core::Seconds depart, core::Seconds latest,
@@ -62,9 +62,6 @@ class EdgeDrive {
   }
 
  private:
-  // What a step may err, as a share of the tolerance: a delay grows on the rest of the way.
-  static constexpr double share_for_a_step = 0.1;
-
   using Stretch = std::remove_cvref_t<decltype(std::declval<Line&>().stretch())>;
 
   struct Position {
@@ -73,7 +70,7 @@ class EdgeDrive {
     double slowness_s_m{};
   };
 
-  tl::expected<double, EdgeClosed> slowness(double way_m, double t_s) {
+  [[gnu::always_inline]] tl::expected<double, EdgeClosed> slowness(double way_m, double t_s) {
     const auto c = line_.stretch().at(way_m, t_s);
     if (!c) return tl::unexpected(EdgeClosed::outside_data);
     if constexpr (!Stretch::is_bounded) {
