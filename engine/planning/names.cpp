@@ -4,6 +4,7 @@
 
 #include "engine/planning/infeasible.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/refinement_report.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -13,6 +14,12 @@ constexpr std::array<std::pair<Method, const char*>, 5> methods{{{Method::tve, "
                                                                  {Method::astar, "astar"},
                                                                  {Method::frozen, "frozen"},
                                                                  {Method::direct, "direct"}}};
+
+constexpr std::array<std::pair<RefinementEnd, const char*>, 4> refinement_ends{
+    {{RefinementEnd::converged, "converged"},
+     {RefinementEnd::evaluations, "evaluations"},
+     {RefinementEnd::time, "time"},
+     {RefinementEnd::cancelled, "cancelled"}}};
 
 }  // namespace
 
@@ -26,6 +33,20 @@ std::string method_name(Method method) {
 std::optional<Method> parse_method(std::string_view name) {
   for (const auto& [method, candidate] : methods) {
     if (name == candidate) return method;
+  }
+  return std::nullopt;
+}
+
+std::string refinement_end_name(RefinementEnd end) {
+  for (const auto& [candidate, name] : refinement_ends) {
+    if (candidate == end) return name;
+  }
+  throw std::logic_error{"RefinementEnd without a name"};
+}
+
+std::optional<RefinementEnd> parse_refinement_end(std::string_view name) {
+  for (const auto& [end, candidate] : refinement_ends) {
+    if (name == candidate) return end;
   }
   return std::nullopt;
 }

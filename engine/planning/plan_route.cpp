@@ -10,6 +10,7 @@
 #include "engine/planning/robust_plan.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/straightening.hpp"
+#include "engine/planning/thinning.hpp"
 #include "engine/planning/tour_legs.hpp"
 #include "engine/planning/visiting_order.hpp"
 #include "engine/planning/voyage_search.hpp"
@@ -34,7 +35,12 @@ Route improve(const Sea& sea, const Route& route, const PlanRequest& request, co
     if (request.refine) improved = drop_needless_points(sea, improved, at_departure, stop);
   }
   if (request.max_waypoints) {
-    improved = drop_to(sea, improved, at_departure, static_cast<std::size_t>(*request.max_waypoints));
+    const auto leg_time = [&sea](geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) {
+      return sea.leg_time(a, b, depart);
+    };
+    LegMeter legs{leg_time, {.stop = stop}};
+    const auto most = static_cast<std::size_t>(*request.max_waypoints) - 1;
+    if (auto timed = legs.timed(improved, at_departure)) improved = thin_to(legs, *timed, most).route;
   }
   if (request.max_leg) improved = part_long_legs(sea, improved, *request.max_leg);
   return improved;

@@ -81,31 +81,6 @@ Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds dep
   return result;
 }
 
-Route drop_to(const Sea& sea, const Route& route, core::Seconds depart, std::size_t most) {
-  Route result = route;
-  while (result.points.size() > most) {
-    const auto arrivals = arrivals_along(sea, result.points, depart);
-    if (!arrivals) return result;
-    std::optional<std::size_t> cheapest;
-    core::Seconds least_loss{};
-    for (std::size_t i = 1; i + 1 < result.points.size(); ++i) {
-      if (result.fixed[i]) continue;
-      const auto without = arrival_without(sea, result, i, (*arrivals)[i - 1]);
-      if (!without) continue;
-      const core::Seconds loss = *without - (*arrivals)[i + 1];
-      if (!cheapest || loss < least_loss) {
-        cheapest = i;
-        least_loss = loss;
-      }
-    }
-    if (!cheapest) return result;
-    const Route before = result;
-    erase(result, *cheapest);
-    if (!arrivals_along(sea, result.points, depart)) return before;  // arriving later closed a leg further on
-  }
-  return result;
-}
-
 Route part_long_legs(const Sea& sea, const Route& route, core::Metres longest) {
   Route result{{route.points.front()}, {route.fixed.front()}};
   for (std::size_t i = 1; i < route.points.size(); ++i) {

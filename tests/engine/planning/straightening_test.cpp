@@ -65,16 +65,5 @@ TEST(Straightening, JoinsLegsOfOneDirectionAndOnlyThose) {
             (std::vector<geo::PlanePoint>{{0.0, 0.0}, {2000.0, 1000.0}, {3000.0, 1000.0}, {2000.0, 1000.0}}));
 }
 
-TEST(Straightening, CutsToTheNumberAskedForButKeepsFixedPoints) {
-  const Scene scene = tidal_scene();
-  support::for_each_seed(10, [&](std::mt19937_64& rng) {
-    const Route route = random_route(rng);
-
-    EXPECT_EQ(drop_to(scene.sea, route, core::Seconds{0.0}, 5).points.size(), 5U);
-    EXPECT_EQ(drop_to(scene.sea, route, core::Seconds{0.0}, 2).points.size(), 3U)
-        << "start, via and goal stay";
-  });
-}
-
 }  // namespace
 }  // namespace floeplan::planning

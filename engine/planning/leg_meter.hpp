@@ -1,0 +1,78 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <stop_token>
+#include <utility>
+
+#include "engine/planning/leg_time.hpp"
+#include "engine/planning/refinement_report.hpp"
+#include "engine/planning/route.hpp"
+
+namespace floeplan::planning {
+
+/// How long refinement may go on.
+struct RefinementBudget {
+  std::int64_t most_evaluations{1'000'000};  // of a leg
+  std::function<bool()> out_of_time{};       // the caller's clock; empty: no limit
+  std::stop_token stop{};
+};
+
+/// Times legs and keeps count. Once the budget has ended every leg counts as closed, so that nothing which
+/// is found afterwards can be taken.
+/// Threads  one at a time
+template <LegTime Timer>
+class LegMeter {
+ public:
+  LegMeter(const Timer& leg_time, RefinementBudget budget)
+      : leg_time_{leg_time}, budget_{std::move(budget)} {}
+
+  [[nodiscard]] std::optional<core::Seconds> operator()(geo::PlanePoint a, geo::PlanePoint b,
+                                                        core::Seconds depart) {
+    if (has_ended()) return std::nullopt;
+    ++evaluations_;
+    const auto time = leg_time_(a, b, depart);
+    if (!time.has_value()) return std::nullopt;
+    return *time;
+  }
+
+  /// The route with its times; empty when a leg is closed.
+  [[nodiscard]] std::optional<Itinerary> timed(Route route, core::Seconds depart) {
+    Itinerary result{std::move(route), {depart}};
+    const auto& points = result.route.points;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      const auto time = (*this)(points[i - 1], points[i], result.times.back());
+      if (!time) return std::nullopt;
+      result.times.push_back(result.times.back() + *time);
+    }
+    return result;
+  }
+
+  [[nodiscard]] std::int64_t evaluations() const { return evaluations_; }
+  /// Share of the evaluations that are allowed.
+  [[nodiscard]] double spent() const {
+    return static_cast<double>(evaluations_) / static_cast<double>(budget_.most_evaluations);
+  }
+  [[nodiscard]] RefinementEnd end() const { return end_; }
+
+ private:
+  bool has_ended() {
+    if (end_ != RefinementEnd::converged) return true;
+    if (budget_.stop.stop_requested()) {
+      end_ = RefinementEnd::cancelled;
+    } else if (evaluations_ >= budget_.most_evaluations) {
+      end_ = RefinementEnd::evaluations;
+    } else if (budget_.out_of_time && budget_.out_of_time()) {
+      end_ = RefinementEnd::time;
+    }
+    return end_ != RefinementEnd::converged;
+  }
+
+  const Timer& leg_time_;
+  RefinementBudget budget_;
+  std::int64_t evaluations_{};
+  RefinementEnd end_{RefinementEnd::converged};
+};
+
+}  // namespace floeplan::planning
