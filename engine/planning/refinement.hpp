@@ -1,0 +1,118 @@
+#pragma once
+
+#include <algorithm>
+#include <bit>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/planning/hat_moves.hpp"
+#include "engine/planning/leg_meter.hpp"
+#include "engine/planning/leg_trade.hpp"
+#include "engine/planning/smooth_moves.hpp"
+#include "engine/planning/thinning.hpp"
+
+namespace floeplan::planning {
+
+/// How many legs a refined route may have.
+struct RefinementLimits {
+  std::size_t finest_legs{128};            // to work with, unless the route comes with more
+  std::optional<std::size_t> most_legs{};  // of the result; empty: as many as serve
+  double least_gain{5e-4};                 // share of the travel time for which twice as many legs are taken
+};
+
+/// A route after its points were moved.
+struct Refined {
+  Itinerary itinerary{};
+  RefinementReport report;
+};
+
+/// The refinement of one route.
+template <LegTime Timer>
+class Refiner {
+ public:
+  Refiner(const Timer& leg_time, const RefinementLimits& limits, const RefinementBudget& budget)
+      : legs_{leg_time, budget}, limits_{limits} {}
+
+  Refined operator()(const Itinerary& start) {
+    found_.offer(start);
+    fewer_and_fewer(more_and_more(start));
+    place_better(found_.choose(limits_.least_gain, limits_.most_legs));
+    const Itinerary& chosen = found_.choose(limits_.least_gain, limits_.most_legs);
+    const bool is_slower = chosen.arrival() > start.arrival();
+    const Itinerary& kept = is_slower ? found_.choose(0.0, limits_.most_legs) : chosen;
+    return {kept,
+            {start.travel_time(), kept.travel_time(), legs_.evaluations(), legs_.end(), found_.trade()}};
+  }
+
+ private:
+  /// Moves the points of a route until that gains nothing more.
+  Itinerary settle(Itinerary timed) {
+    constexpr double worth_a_step = 5e-7;  // shares of the travel time
+    constexpr double worth_a_round = 1e-5;
+    for (;;) {
+      const core::Seconds before = timed.travel_time();
+      SmoothMoves moves = descend_smoothly(legs_, std::move(timed), worth_a_step);
+      timed = moves.met_closed ? HatMoves{legs_, std::move(moves.itinerary)}() : std::move(moves.itinerary);
+      if (before - timed.travel_time() <= worth_a_round * before) return timed;
+    }
+  }
+
+  /// Doubles the legs and settles until that gains too little.
+  Itinerary more_and_more(const Itinerary& start) {
+    constexpr std::size_t at_first = 32;   // fewer lose the corridor's bends, or its way round an obstacle
+    constexpr double spent_on_more = 0.2;  // a round costs twice the last one, and thinning must be paid
+    Itinerary best = start;
+    std::size_t wanted = std::bit_ceil(std::max(at_first, start.route.legs()));
+    for (;;) {
+      Itinerary finer = settle(split_to(legs_, best, wanted));
+      found_.offer(finer);
+      const bool gains = best.travel_time() - finer.travel_time() > limits_.least_gain * best.travel_time();
+      if (finer.arrival() < best.arrival()) best = std::move(finer);
+      wanted *= 2;
+      // Points are well placed for so many legs when they were chosen from twice as many.
+      const bool enough = !gains && wanted > 2 * limits_.most_legs.value_or(0);
+      if (legs_.spent() > spent_on_more) return best;
+      if (enough || wanted > limits_.finest_legs) return best;
+    }
+  }
+
+  /// Halves the legs and settles until the route would close.
+  void fewer_and_fewer(Itinerary timed) {
+    while (timed.route.legs() > 1) {
+      const std::size_t legs = timed.route.legs();
+      const std::size_t most = limits_.most_legs.value_or(0);
+      const std::size_t half = std::bit_ceil(legs) / 2;
+      Itinerary thinned = thin_to(legs_, std::move(timed), half < most && most < legs ? most : half);
+      if (thinned.route.legs() == legs) return;
+      timed = settle(std::move(thinned));
+      found_.offer(timed);
+    }
+  }
+
+  /// Twice the legs and back to as many as before, so that the points end up where they serve best.
+  void place_better(const Itinerary& chosen) {
+    const std::size_t legs = chosen.route.legs();
+    Itinerary finer = settle(split_to(legs_, chosen, 2 * legs));
+    found_.offer(settle(thin_to(legs_, std::move(finer), legs)));
+  }
+
+  LegMeter<Timer> legs_;
+  RefinementLimits limits_;
+  LegTradeOff found_;
+};
+
+/// Moves the free points of a route until the travel time stops falling: first with many legs, then with
+/// fewer and fewer, each time from the best way with more of them.
+/// Returns  the route with the fewest legs of which twice as many would not gain `least_gain`; fixed points
+///          stay, no leg is closed, and it is not slower than the route that came unless `most_legs` forces it
+/// Stops    when the budget ends, with the best found until then
+template <LegTime Timer>
+Refined refine_route(const Timer& leg_time, const Itinerary& start, const RefinementLimits& limits,
+                     const RefinementBudget& budget) {
+  return Refiner<Timer>{leg_time, limits, budget}(start);
+}
+
+}  // namespace floeplan::planning

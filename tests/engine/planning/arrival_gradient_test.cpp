@@ -1,0 +1,64 @@
+#include "engine/planning/arrival_gradient.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/motion/edge_time.hpp"
+#include "engine/planning/analytic_currents.hpp"
+#include "tests/support/property.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+const auto in_the_jet = [](geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) {
+  const core::Metres length{std::hypot(b.x_m - a.x_m, b.y_m - a.y_m)};
+  return motion::edge_time({a, b, length}, depart, core::MetresPerSecond{2.0}, MeanderingJet{},
+                           {.relative_tolerance = 1e-8});
+};
+
+Route random_route(std::mt19937_64& rng) {
+  Route route;
+  for (int i = 0; i <= 6; ++i) {
+    route.points.push_back({1.5 * i, support::uniform(rng, -1.0, 1.0)});
+    route.fixed.push_back(i % 6 == 0);
+  }
+  return route;
+}
+
+TEST(ArrivalGradient, IsTheDifferenceQuotientOfTheWholeRoutesArrival) {
+  support::for_each_seed(20, [](std::mt19937_64& rng) {
+    LegMeter legs{in_the_jet, RefinementBudget{}};
+    const Route route = random_route(rng);
+    const ArrivalGradient gradient = arrival_gradient(legs, *legs.timed(route, core::Seconds{3.0}));
+
+    const auto i = static_cast<std::size_t>(support::uniform_int(rng, 0, 6));
+    constexpr double h = 1e-4;
+    const auto arrival_with = [&](double dx, double dy) {
+      Route moved = route;
+      moved.points[i].x_m += dx;
+      moved.points[i].y_m += dy;
+      return legs.timed(moved, core::Seconds{3.0})->arrival().count();
+    };
+
+    EXPECT_NEAR(gradient.x[i], (arrival_with(h, 0.0) - arrival_with(-h, 0.0)) / (2.0 * h), 1e-3);
+    EXPECT_NEAR(gradient.y[i], (arrival_with(0.0, h) - arrival_with(0.0, -h)) / (2.0 * h), 1e-3);
+  });
+}
+
+TEST(ArrivalGradient, LooksToTheOpenSideBesideAClosedArea) {
+  const auto closed_north_of_the_way = [](geo::PlanePoint a, geo::PlanePoint b,
+                                          core::Seconds) -> tl::expected<core::Seconds, motion::EdgeClosed> {
+    if (std::max(a.y_m, b.y_m) > 0.0) return tl::unexpected(motion::EdgeClosed::obstacle);
+    return core::Seconds{std::hypot(b.x_m - a.x_m, b.y_m - a.y_m)};
+  };
+  LegMeter legs{closed_north_of_the_way, RefinementBudget{}};
+  const Route route{{{0.0, 0.0}, {100.0, 0.0}, {200.0, -50.0}}, {true, false, true}};
+
+  const ArrivalGradient gradient = arrival_gradient(legs, *legs.timed(route, core::Seconds{0.0}));
+
+  EXPECT_NEAR(gradient.y[1], 50.0 / std::hypot(100.0, 50.0), 0.01) << "southwards it gets shorter";
+}
+
+}  // namespace
+}  // namespace floeplan::planning
