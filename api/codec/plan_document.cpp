@@ -72,6 +72,41 @@ planning::Waypoint parse_waypoint(const json& object) {
   return waypoint;
 }
 
+json refinement_json(const std::optional<planning::RefinementReport>& refinement) {
+  if (!refinement) return nullptr;
+  return {{"before_s", refinement->before.count()},
+          {"after_s", refinement->after.count()},
+          {"evaluations", refinement->evaluations},
+          {"stopped_by", planning::refinement_end_name(refinement->end)}};
+}
+
+/// What more legs are worth; empty without refinement.
+json leg_trade_json(const std::optional<planning::RefinementReport>& refinement) {
+  json result = json::array();
+  if (!refinement) return result;
+  for (const planning::LegTrade& entry : refinement->trade) {
+    result.push_back({{"legs", entry.legs}, {"travel_time_s", entry.travel_time.count()}});
+  }
+  return result;
+}
+
+/// Plans stored before there was refinement have neither member.
+std::optional<planning::RefinementReport> parse_refinement(const json& document) {
+  const json refinement = document.value("refinement", json());
+  if (refinement.is_null()) return std::nullopt;
+  planning::RefinementReport report{
+      .before = core::Seconds{refinement.at("before_s").get<double>()},
+      .after = core::Seconds{refinement.at("after_s").get<double>()},
+      .evaluations = refinement.at("evaluations").get<std::int64_t>(),
+      .end = planning::parse_refinement_end(refinement.at("stopped_by").get<std::string>())
+                 .value_or(planning::RefinementEnd::converged)};
+  for (const json& entry : document.at("leg_trade")) {
+    report.trade.push_back({.legs = entry.at("legs").get<std::size_t>(),
+                            .travel_time = core::Seconds{entry.at("travel_time_s").get<double>()}});
+  }
+  return report;
+}
+
 planning::Plan parse_members(const json& document) {
   planning::Plan plan;
   plan.method =
@@ -92,6 +127,7 @@ planning::Plan parse_members(const json& document) {
                  .expansions = search.at("expansions").get<std::int64_t>(),
                  .reinsertions = search.at("reinsertions").get<std::int64_t>(),
                  .duration = core::Seconds{search.at("seconds").get<double>()}};
+  plan.refinement = parse_refinement(document);
   const json& clearances = document.at("clearances");
   plan.clearances = {.iceberg = metres_at(clearances, "iceberg_m"),
                      .land = metres_at(clearances, "land_m"),
@@ -158,6 +194,8 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
             {"expansions", plan.search.expansions},
             {"reinsertions", plan.search.reinsertions},
             {"seconds", plan.search.duration.count()}}},
+          {"refinement", refinement_json(plan.refinement)},
+          {"leg_trade", leg_trade_json(plan.refinement)},
           {"clearances",
            {{"iceberg_m", optional_value(plan.clearances.iceberg)},
             {"land_m", optional_value(plan.clearances.land)},

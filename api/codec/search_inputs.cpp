@@ -50,6 +50,8 @@ void read_search(InputReader& reader, planning::PlanRequest& request) {
   request.max_waypoints = reader.integer("max_waypoints", 2, 10'000);
   if (const auto longest = reader.number("max_leg_m", {100.0, 5e6})) request.max_leg = core::Metres{*longest};
   if (const auto refine = reader.boolean("refine")) request.refine = *refine;
+  if (const auto most = reader.number("refine_seconds", {0.05, 60.0}))
+    request.refine_time = core::Seconds{*most};
 }
 
 void write_search(const planning::PlanRequest& request, json& inputs) {
@@ -60,6 +62,7 @@ void write_search(const planning::PlanRequest& request, json& inputs) {
   inputs["max_waypoints"] = request.max_waypoints ? json(*request.max_waypoints) : json();
   inputs["max_leg_m"] = request.max_leg ? json(request.max_leg->value) : json();
   inputs["refine"] = request.refine;
+  inputs["refine_seconds"] = request.refine_time.count();
 }
 
 }  // namespace floeplan::codec

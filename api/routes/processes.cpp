@@ -95,6 +95,8 @@ json plan_inputs() {
       input("Waypoints at most", {{"type", "integer"}, {"minimum", 2}, {"maximum", 10000}});
   inputs["max_leg_m"] =
       input("Length of the longest leg, metres; longer ones are parted", number_schema(100.0, 5e6));
+  inputs["refine_seconds"] =
+      input("Computing time for refinement at most, seconds; default 1", number_schema(0.05, 60.0));
   inputs["refine"] = input("Move waypoints off the grid where that saves time", {{"type", "boolean"}});
   return inputs;
 }

@@ -9,6 +9,7 @@
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/dataset_ref.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/refinement_report.hpp"
 #include "engine/planning/uncertainty_report.hpp"
 
 namespace floeplan::planning {
@@ -57,6 +58,7 @@ struct Plan {
   std::optional<ViaOrder> via_order;             // when the request left the order open
   std::optional<UncertaintyReport> uncertainty;  // when the currents are not certain
   SearchStatistics search;
+  std::optional<RefinementReport> refinement;  // empty: the way is the grid's, or was given
   Clearances clearances;
   std::optional<core::Joules> energy;
   std::optional<double> optimality_gap;

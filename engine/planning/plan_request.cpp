@@ -48,6 +48,8 @@ core::Violations PlanRequest::violations() const {
   };
   require(spacing_holds(spacing_along) && spacing_holds(spacing_across), "/spacing_m",
           "must be between 1 m and 100 km");
+  require(refine_time.count() >= 0.05 && refine_time.count() <= 60.0, "/refine_seconds",
+          "must be between 0.05 and 60");
   require(!max_waypoints || *max_waypoints >= 2, "/max_waypoints",
           "must be at least 2: the start and the goal");
   require(!max_leg || (max_leg->value >= 100.0 && max_leg->value <= 5e6), "/max_leg_m",

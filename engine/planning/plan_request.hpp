@@ -41,6 +41,7 @@ struct PlanRequest {
   int sectors{3};                              // reach of the grid's edges, 1 to 5
   Method method{Method::astar};
   bool refine{true};
+  core::Seconds refine_time{1.0};       // refinement at most
   std::optional<int> max_waypoints;     // start and goal included
   std::optional<core::Metres> max_leg;  // longer legs are parted
   std::vector<ocean::Zone> zones;       // obeyed beside those of the environment

@@ -5,12 +5,11 @@
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/chart.hpp"
 #include "engine/planning/explanation.hpp"
+#include "engine/planning/improvement.hpp"
 #include "engine/planning/plan_assembly.hpp"
 #include "engine/planning/relaxation.hpp"
 #include "engine/planning/robust_plan.hpp"
 #include "engine/planning/route_cost.hpp"
-#include "engine/planning/straightening.hpp"
-#include "engine/planning/thinning.hpp"
 #include "engine/planning/tour_legs.hpp"
 #include "engine/planning/visiting_order.hpp"
 #include "engine/planning/voyage_search.hpp"
@@ -27,32 +26,19 @@ FoundWay straight_way(const Layout& layout) {
   return way;
 }
 
-/// What is done to the way of the grid before it is published.
-Route improve(const Sea& sea, const Route& route, const PlanRequest& request, const std::stop_token& stop) {
-  Route improved = route;
-  if (request.method != Method::direct) {
-    improved = join_collinear(improved);
-    if (request.refine) improved = drop_needless_points(sea, improved, at_departure, stop);
-  }
-  if (request.max_waypoints) {
-    const auto leg_time = [&sea](geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) {
-      return sea.leg_time(a, b, depart);
-    };
-    LegMeter legs{leg_time, {.stop = stop}};
-    const auto most = static_cast<std::size_t>(*request.max_waypoints) - 1;
-    if (auto timed = legs.timed(improved, at_departure)) improved = thin_to(legs, *timed, most).route;
-  }
-  if (request.max_leg) improved = part_long_legs(sea, improved, *request.max_leg);
-  return improved;
-}
-
 /// The plan of a route, timed once more by the one cost.
 Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, const PlanRequest& request,
-                     const Route& route, const SearchStatistics& statistics) {
-  const auto arrivals = arrivals_along(sea, route.points, at_departure);
+                     const Improved& improved, const SearchStatistics& statistics) {
+  const std::vector<geo::PlanePoint>& points = improved.route.points;
+  const auto arrivals = arrivals_along(sea, points, at_departure);
   if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request));
-  Plan plan = assemble_plan(sea, environment, request, route.points, *arrivals);
+  Plan plan = assemble_plan(sea, environment, request, points, *arrivals);
   plan.search = statistics;
+  plan.refinement = improved.refinement;
+  if (plan.refinement && plan.refinement->end == RefinementEnd::time) {
+    plan.warnings.push_back(
+        "refinement ran out of its time; with more, or on another machine, the route may be a little faster");
+  }
   if (request.max_waypoints && plan.waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) {
     plan.warnings.push_back(
         "the route needs more waypoints than asked for; without them it would be closed or have longer legs "
@@ -68,7 +54,8 @@ struct Attempt {
 };
 
 Attempt plan_within(GridReach reach, const ocean::Environment& environment, const PlanRequest& request,
-                    const std::stop_token& stop, const core::ProgressCallback& progress) {
+                    const std::stop_token& stop, const core::ProgressCallback& progress,
+                    const core::SteadyClock& clock) {
   progress("environment", 0.0);
   const Result<Chart> chart = draw_chart(environment, request, reach, stop);
   if (!chart) return {tl::unexpected(chart.error())};
@@ -86,9 +73,9 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   }
 
   progress("refinement", 0.9);
-  const Route route = improve(chart->sea, way.route, request, stop);
+  const Improved improved = improve(chart->sea, way.route, request, stop, clock);
   if (stop.stop_requested()) return {tl::unexpected(explain_cancelled(request))};
-  Result<Plan> plan = publish(chart->sea, environment, request, route, way.statistics);
+  Result<Plan> plan = publish(chart->sea, environment, request, improved, way.statistics);
   if (plan && way.cut_short) {
     plan->warnings.push_back(
         "the search for better ways past what clears later was cut short at its bound on memory");
@@ -99,11 +86,12 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
 
 /// Plans on the nearer grids, and on the wider ones where they may do better.
 Result<Plan> plan_anywhere(const ocean::Environment& environment, const PlanRequest& request,
-                           const std::stop_token& stop, const core::ProgressCallback& progress) {
-  const Attempt first = plan_within(first_reach, environment, request, stop, progress);
+                           const std::stop_token& stop, const core::ProgressCallback& progress,
+                           const core::SteadyClock& clock) {
+  const Attempt first = plan_within(first_reach, environment, request, stop, progress, clock);
   if (!first.wider_may_help) return first.plan;
 
-  const Attempt second = plan_within(second_reach, environment, request, stop, progress);
+  const Attempt second = plan_within(second_reach, environment, request, stop, progress, clock);
   if (first.plan && (!second.plan || first.plan->arrival <= second.plan->arrival)) return first.plan;
   return second.plan;
 }
@@ -117,7 +105,7 @@ std::vector<Change> changes_that_help(const ocean::Environment& environment, con
     PlanRequest plain = changed;
     plain.refine = false;
     plain.max_waypoints.reset();
-    return plan_anywhere(environment, plain, stop, [](std::string_view, double) {}).has_value();
+    return plan_anywhere(environment, plain, stop, [](std::string_view, double) {}, {}).has_value();
   };
   return find_changes(environment, request, binding, trial, stop);
 }
@@ -140,14 +128,15 @@ std::optional<ViaOrder> best_via_order(const ocean::Environment& environment, co
 
 /// Plans the visits in their best order; where no order is possible, in the order given, which then says why.
 Result<Plan> plan_survey(const ocean::Environment& environment, const PlanRequest& request,
-                         const std::stop_token& stop, const core::ProgressCallback& progress) {
+                         const std::stop_token& stop, const core::ProgressCallback& progress,
+                         const core::SteadyClock& clock) {
   progress("order of visits", 0.0);
   const auto order = best_via_order(environment, request, stop);
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
   PlanRequest ordered = request;
   ordered.via_in_best_order = false;
   for (std::size_t i = 0; order && i < order->vias.size(); ++i) ordered.via[i] = request.via[order->vias[i]];
-  Result<Plan> plan = plan_route(environment, ordered, stop, progress);
+  Result<Plan> plan = plan_route(environment, ordered, stop, progress, clock);
   if (plan) plan->via_order = order;
   return plan;
 }
@@ -161,12 +150,13 @@ void refuse_invalid(const PlanRequest& request) {
 }  // namespace
 
 Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
-                        const std::stop_token& stop, const core::ProgressCallback& report) {
+                        const std::stop_token& stop, const core::ProgressCallback& report,
+                        const core::SteadyClock& clock) {
   refuse_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
-  if (request.via_in_best_order) return plan_survey(environment, request, stop, progress);
+  if (request.via_in_best_order) return plan_survey(environment, request, stop, progress, clock);
   const PlanIn plan_in = [&](const ocean::Environment& sea) {
-    return plan_anywhere(sea, request, stop, progress);
+    return plan_anywhere(sea, request, stop, progress, clock);
   };
   Result<Plan> plan = has_uncertain_currents(environment, request)
                           ? plan_uncertain(environment, request, plan_in, stop, progress)
@@ -194,7 +184,7 @@ Result<Plan> evaluate_route(const ocean::Environment& environment, const std::ve
     on_route.spacing_along = spacing_for(request, length).along;
   }
   refuse_invalid(on_route);
-  return plan_within(first_reach, environment, on_route, {}, [](std::string_view, double) {}).plan;
+  return plan_within(first_reach, environment, on_route, {}, [](std::string_view, double) {}, {}).plan;
 }
 
 }  // namespace floeplan::planning

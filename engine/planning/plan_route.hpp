@@ -3,6 +3,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/infeasible.hpp"
@@ -15,9 +16,12 @@ namespace floeplan::planning {
 /// Errors   std::invalid_argument when `request.violations()` is not empty; Infeasible when there is no such
 ///          route
 /// Threads  may be called from several threads at once; reads its arguments only
-/// Stops    within 100 ms of a request of `stop`, with Reason::cancelled
+/// Stops    within 100 ms of a request of `stop`, with Reason::cancelled; refinement also once `clock` has
+///          gone on by the request's `refine_time`, and then, as the plan says, the route may differ from one
+///          machine to the next
 [[nodiscard]] Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
-                                      const std::stop_token& stop, const core::ProgressCallback& progress);
+                                      const std::stop_token& stop, const core::ProgressCallback& progress,
+                                      const core::SteadyClock& clock = {});
 
 /// Times a given route (at least two places): the same legs, the same edge integration, the same rules.
 /// `request` gives departure, vehicle, margin and tolerance; its places and method are not used.

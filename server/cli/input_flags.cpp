@@ -91,6 +91,8 @@ void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--objective", objective_, "time");
   command.add_option("--max-waypoints", max_waypoints_, "Start and goal included");
   command.add_option("--max-leg", max_leg_m_, "Longest leg, metres; longer ones are parted");
+  command.add_option("--refine-seconds", refine_seconds_,
+                     "Computing time for moving waypoints off the grid, 0.05 to 60; default 1");
   command.add_flag("--no-refine", no_refine_, "Leave the way as the grid gave it");
 }
 
@@ -131,6 +133,7 @@ json InputFlags::inputs() const {
   set("objective", objective_);
   set("max_waypoints", max_waypoints_);
   set("max_leg_m", max_leg_m_);
+  set("refine_seconds", refine_seconds_);
   set("bathymetry", bathymetry_);
   set("icebergs", icebergs_);
   set("icebergs_as_of", icebergs_as_of_);

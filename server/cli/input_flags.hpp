@@ -48,6 +48,7 @@ class InputFlags {
   std::optional<std::string> objective_;
   std::optional<int> max_waypoints_;
   std::optional<double> max_leg_m_;
+  std::optional<double> refine_seconds_;
   bool no_refine_{false};
   std::optional<std::string> currents_;
   bool steady_{false};

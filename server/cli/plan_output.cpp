@@ -43,6 +43,22 @@ void print_table(const json& plan) {
   }
 }
 
+/// What refinement saved, and what more legs are worth.
+void print_refinement(const json& plan) {
+  const json refinement = plan.value("refinement", json());
+  if (refinement.is_null()) return;
+  const std::string stopped_by = refinement.at("stopped_by");
+  std::printf("refined from %s h to %s h%s\n", cell(refinement.at("before_s"), "%.2f", 1.0 / 3600.0).c_str(),
+              cell(refinement.at("after_s"), "%.2f", 1.0 / 3600.0).c_str(),
+              stopped_by == "converged" ? "" : (" until stopped by its limit of " + stopped_by).c_str());
+  std::printf("hours by legs:");
+  for (const json& entry : plan.at("leg_trade")) {
+    std::printf("  %d: %s", entry.at("legs").get<int>(),
+                cell(entry.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str());
+  }
+  std::printf("\n");
+}
+
 void print_for_people(const json& plan) {
   const std::string id = plan.value("plan_id", "");
   std::printf("%s  %s to %s, %s h, %s km\n", id.empty() ? "route" : id.c_str(),
@@ -50,6 +66,7 @@ void print_for_people(const json& plan) {
               cell(plan.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str(),
               cell(plan.at("distance_m"), "%.1f", 1e-3).c_str());
   print_table(plan);
+  print_refinement(plan);
   if (const json& spread = plan.at("uncertainty"); !spread.is_null()) {
     std::printf("%d of %d members arrive: mean %s h, standard deviation %s h, 90 %% within %s h\n",
                 spread.at("arrived").get<int>(), spread.at("members").get<int>(),

@@ -1,6 +1,7 @@
 #include "server/jobs/plan_service.hpp"
 
 #include <chrono>
+#include <ctime>
 #include <nlohmann/json.hpp>
 
 #include "api/codec/plan_document.hpp"
@@ -36,6 +37,14 @@ class Stopwatch {
   std::chrono::steady_clock::time_point begin_{std::chrono::steady_clock::now()};
 };
 
+/// Computing time of the calling thread: what limits refinement, because how busy the machine is must not
+/// change a plan.
+core::Seconds thread_time() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
+}
+
 }  // namespace
 
 tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
@@ -48,7 +57,7 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
   if (!environment) return tl::unexpected(environment.error());
 
   const Stopwatch watch;
-  auto plan = planning::plan_route(*environment, inputs.request, stop, progress);
+  auto plan = planning::plan_route(*environment, inputs.request, stop, progress, thread_time);
   if (!plan) return codec::infeasible_document(plan.error(), *environment);
   plan->search.duration = watch.elapsed();
 

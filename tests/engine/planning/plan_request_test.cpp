@@ -24,13 +24,14 @@ TEST(PlanRequest, NamesEveryFieldThatBreaksARuleAtOnce) {
   request.from = {-53.0, 95.0};
   request.to = {std::nan(""), 69.0};
   request.sectors = 0;
+  request.refine_time = core::Seconds{0.01};
   request.max_waypoints = 1;
   request.icebergs.margin = core::Metres{-1.0};
   request.spacing_along = core::Metres{0.0};
   request.vehicle.speed_through_water = core::MetresPerSecond{0.0};
 
   EXPECT_EQ(fields(request.violations()),
-            "/speed_m_s /from /to /sectors /spacing_m /max_waypoints /margin_m ");
+            "/speed_m_s /from /to /sectors /spacing_m /refine_seconds /max_waypoints /margin_m ");
 }
 
 TEST(PlanRequest, RefusesAGoalThatIsTheStart) {

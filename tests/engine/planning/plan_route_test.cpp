@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/geo/geodesic.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -47,6 +49,7 @@ TEST(PlanRoute, BeginsAndEndsWhereItWasAskedTo) {
 
 TEST(PlanRoute, TakesTheSameTimeByEveryExactSearch) {
   PlanRequest request = eastward_request();
+  request.refine = false;
   const ocean::Environment environment{.currents = currents_from(tide, 72)};
 
   request.method = Method::astar;
@@ -181,6 +184,64 @@ TEST(PlanRoute, KeepsToTheNumberOfWaypointsAskedFor) {
 
   ASSERT_TRUE(cut.has_value());
   EXPECT_EQ(cut->waypoints.size(), 4U);
+}
+
+TEST(PlanRoute, IsRefinedUnlessAskedNotToAndSaysWhatThatSaved) {
+  PlanRequest request = eastward_request();
+  const ocean::Environment environment{.currents = currents_from(tide, 72)};
+
+  const auto refined = plan(environment, request);
+  request.refine = false;
+  const auto on_grid = plan(environment, request);
+
+  ASSERT_TRUE(refined && on_grid);
+  ASSERT_TRUE(refined->refinement.has_value());
+  EXPECT_FALSE(on_grid->refinement.has_value());
+  EXPECT_NEAR(refined->refinement->before.count(), on_grid->travel_time().count(), 1e-6);
+  EXPECT_NEAR(refined->refinement->after.count(), refined->travel_time().count(), 1e-6);
+  EXPECT_LT(refined->travel_time(), on_grid->travel_time());
+  EXPECT_EQ(refined->refinement->end, RefinementEnd::converged);
+  EXPECT_FALSE(refined->refinement->trade.empty());
+}
+
+TEST(PlanRoute, RefinesToTheNumberOfWaypointsAskedFor) {
+  PlanRequest request = eastward_request();
+  request.via = {{-53.0, 69.08}};
+  request.max_waypoints = 5;
+
+  const auto found = plan({.currents = currents_from(tide, 72)}, request);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_LE(found->waypoints.size(), 5U);
+  EXPECT_TRUE(std::ranges::any_of(found->waypoints, [&](const Waypoint& waypoint) {
+    return geo::geodesic_between(waypoint.place, request.via.front()).length.value < 0.01;
+  }));
+}
+
+TEST(PlanRoute, IsTheSameWithAClockThatDoesNotRunOut) {
+  const ocean::Environment environment{.currents = currents_from(tide, 72)};
+  const auto standing = [] { return core::Seconds{5.0}; };
+
+  const auto timed = plan_route(environment, eastward_request(), {}, {}, standing);
+  const auto untimed = plan(environment, eastward_request());
+
+  ASSERT_TRUE(timed && untimed);
+  EXPECT_EQ(timed->arrival, untimed->arrival);
+  EXPECT_EQ(timed->refinement->evaluations, untimed->refinement->evaluations);
+}
+
+TEST(PlanRoute, KeepsAGoodRouteAndSaysSoWhenRefinementRunsOutOfTime) {
+  const ocean::Environment environment{.currents = currents_from(tide, 72)};
+  core::Seconds now{0.0};
+  const auto running = [&now] { return now += core::Seconds{0.01}; };
+
+  const auto found = plan_route(environment, eastward_request(), {}, {}, running);
+
+  ASSERT_TRUE(found.has_value());
+  EXPECT_EQ(found->refinement->end, RefinementEnd::time);
+  EXPECT_LE(found->refinement->after, found->refinement->before);
+  ASSERT_EQ(found->warnings.size(), 1U);
+  EXPECT_NE(found->warnings.front().find("ran out of its time"), std::string::npos);
 }
 
 TEST(PlanRoute, SaysThatTheStartLiesOnLand) {

@@ -89,6 +89,7 @@ export interface PlanInputs {
   objective?: 'time';
   max_waypoints?: number;
   refine?: boolean;
+  refine_seconds?: number;
   currents?: string | string[];
   steady?: boolean;
   bathymetry?: string;
@@ -139,6 +140,13 @@ export interface Plan {
     reinsertions: number;
     seconds: number;
   };
+  refinement?: {
+    before_s: number;
+    after_s: number;
+    evaluations: number;
+    stopped_by: 'converged' | 'evaluations' | 'time' | 'cancelled';
+  } | null;
+  leg_trade?: { legs: number; travel_time_s: number }[];
   clearances: { iceberg_m: number | null; land_m: number | null; bottom_m: number | null };
   datasets: DatasetRef[];
   warnings: string[];

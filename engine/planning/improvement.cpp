@@ -1,0 +1,79 @@
+#include "engine/planning/improvement.hpp"
+
+#include <cmath>
+#include <utility>
+
+#include "engine/planning/refinement.hpp"
+#include "engine/planning/straightening.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr core::Seconds at_departure{0.0};
+
+/// Legs timed for each second that refinement may take: so few that hardly any machine runs out of time first,
+/// and the same request gives the same route everywhere.
+constexpr double evaluations_per_second = 200'000.0;
+
+/// What asks the sea, in the shape that refinement wants.
+struct SeaTimer {
+  const Sea& sea;
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(geo::PlanePoint a, geo::PlanePoint b,
+                                                             core::Seconds depart) const {
+    return sea.leg_time(a, b, depart);
+  }
+};
+
+RefinementBudget budget_of(const PlanRequest& request, const std::stop_token& stop,
+                           const core::SteadyClock& clock) {
+  RefinementBudget budget{
+      .most_evaluations = std::llround(evaluations_per_second * request.refine_time.count()), .stop = stop};
+  if (clock) {
+    budget.out_of_time = [&clock, end = clock() + request.refine_time] { return clock() >= end; };
+  }
+  return budget;
+}
+
+std::optional<std::size_t> most_legs(const PlanRequest& request) {
+  if (!request.max_waypoints) return std::nullopt;
+  return static_cast<std::size_t>(*request.max_waypoints) - 1;
+}
+
+/// The way of a grid after refinement; as it is when it is closed, for publishing to tell why.
+Improved refined(const Sea& sea, const Route& way, const PlanRequest& request, const std::stop_token& stop,
+                 const core::SteadyClock& clock) {
+  const SeaTimer timer{sea};
+  LegMeter legs{timer, {}};
+  const auto on_grid = legs.timed(way, at_departure);
+  const auto start = legs.timed(drop_needless_points(sea, way, at_departure, stop), at_departure);
+  if (!on_grid || !start) return {way, std::nullopt};
+  Refined result =
+      refine_route(timer, *start, {.most_legs = most_legs(request)}, budget_of(request, stop, clock));
+  result.report.before = on_grid->travel_time();
+  return {std::move(result.itinerary.route), std::move(result.report)};
+}
+
+Route thinned(const Sea& sea, const Route& route, std::size_t most, const std::stop_token& stop) {
+  const SeaTimer timer{sea};
+  LegMeter legs{timer, {.stop = stop}};
+  auto timed = legs.timed(route, at_departure);
+  return timed ? thin_to(legs, std::move(*timed), most).route : route;
+}
+
+}  // namespace
+
+Improved improve(const Sea& sea, const Route& way, const PlanRequest& request, const std::stop_token& stop,
+                 const core::SteadyClock& clock) {
+  Improved improved{way, std::nullopt};
+  if (request.method != Method::direct) {
+    improved.route = join_collinear(way);
+    if (request.refine) improved = refined(sea, improved.route, request, stop, clock);
+  }
+  // Refinement has cut the number already; where it could not, this cannot either.
+  if (const auto most = most_legs(request)) improved.route = thinned(sea, improved.route, *most, stop);
+  if (request.max_leg) improved.route = part_long_legs(sea, improved.route, *request.max_leg);
+  return improved;
+}
+
+}  // namespace floeplan::planning

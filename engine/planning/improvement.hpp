@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "engine/core/clock.hpp"
+#include "engine/planning/refinement_report.hpp"
+#include "engine/planning/route.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// The route to publish and what its refinement did.
+struct Improved {
+  Route route;
+  std::optional<RefinementReport> refinement;
+};
+
+/// What is done to the way of a grid before it is published: needless points dropped, the others moved, their
+/// number cut and long legs parted as the request has it.
+/// Stops  refinement once `clock` has gone on by the request's `refine_time` or `stop` is requested
+[[nodiscard]] Improved improve(const Sea& sea, const Route& way, const PlanRequest& request,
+                               const std::stop_token& stop, const core::SteadyClock& clock);
+
+}  // namespace floeplan::planning
