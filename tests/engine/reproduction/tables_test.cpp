@@ -92,5 +92,28 @@ TEST(Tables, GiveThePapersPercentages) {
   EXPECT_NEAR(row("3-sector").deviation_pct.value(), 0.35, 0.005);
 }
 
+TEST(Tables, GiveRefinedWaysAsNearTheOptimumAsTheirLegsAllow) {
+  struct Expected {
+    const char* row;
+    double most_deviation_pct;
+  };
+  const auto check = [](const std::vector<ReproducedRow>& table, const std::vector<Expected>& rows) {
+    for (const Expected& expected : rows) {
+      SCOPED_TRACE(expected.row);
+      const auto row = find_row(table, expected.row);
+      ASSERT_NE(row, table.end());
+      EXPECT_GT(row->deviation_pct.value(), 0.0);
+      EXPECT_LE(row->deviation_pct.value(), expected.most_deviation_pct);
+    }
+  };
+
+  check(reproduce_table_2(),
+        {{"refined, 8 legs", 0.39}, {"refined, 10 legs", 0.32}, {"refined, 16 legs", 0.11}});
+  check(reproduce_table_3(), {{"refined, 12 legs", 2.11},
+                              {"refined, 21 legs", 0.81},
+                              {"refined, 42 legs", 0.23},
+                              {"refined, 84 legs", 0.07}});
+}
+
 }  // namespace
 }  // namespace floeplan::reproduction
