@@ -43,6 +43,15 @@ json waypoint_json(const planning::Waypoint& waypoint, std::size_t index) {
           {"depth_m", optional_value(waypoint.depth)}};
 }
 
+json late_opening_json(const std::optional<planning::LateOpening>& opening) {
+  if (!opening) return nullptr;
+  return {{"lon", position(opening->place.lon_deg)},
+          {"lat", position(opening->place.lat_deg)},
+          {"refused", core::iso8601(opening->refused)},
+          {"opens", core::iso8601(opening->opens)},
+          {"gain_s", opening->gain ? json(opening->gain->count()) : json()}};
+}
+
 core::UtcTime time_at(const json& object, const char* key) {
   const auto time = core::parse_iso8601(object.at(key).get<std::string>());
   if (!time) throw std::runtime_error{std::string{"a stored plan has no valid time "} + key};
@@ -107,6 +116,19 @@ std::optional<planning::RefinementReport> parse_refinement(const json& document)
   return report;
 }
 
+/// Plans stored by older versions do not have it.
+std::optional<planning::LateOpening> parse_late_opening(const json& search) {
+  if (!search.contains("worst_fifo_violation") || search.at("worst_fifo_violation").is_null())
+    return std::nullopt;
+  const json& object = search.at("worst_fifo_violation");
+  planning::LateOpening opening{.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
+                                .refused = time_at(object, "refused"),
+                                .opens = time_at(object, "opens"),
+                                .gain = std::nullopt};
+  if (const auto gain_s = number_at(object, "gain_s")) opening.gain = core::Seconds{*gain_s};
+  return opening;
+}
+
 planning::Plan parse_members(const json& document) {
   planning::Plan plan;
   plan.method =
@@ -126,6 +148,8 @@ planning::Plan parse_members(const json& document) {
                  .edge_evaluations = search.at("edge_evaluations").get<std::int64_t>(),
                  .expansions = search.at("expansions").get<std::int64_t>(),
                  .reinsertions = search.at("reinsertions").get<std::int64_t>(),
+                 .fifo_violations = search.value("fifo_violations", std::int64_t{0}),
+                 .worst_fifo_violation = parse_late_opening(search),
                  .duration = core::Seconds{search.at("seconds").get<double>()}};
   plan.refinement = parse_refinement(document);
   const json& clearances = document.at("clearances");
@@ -193,6 +217,8 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
             {"edge_evaluations", plan.search.edge_evaluations},
             {"expansions", plan.search.expansions},
             {"reinsertions", plan.search.reinsertions},
+            {"fifo_violations", plan.search.fifo_violations},
+            {"worst_fifo_violation", late_opening_json(plan.search.worst_fifo_violation)},
             {"seconds", plan.search.duration.count()}}},
           {"refinement", refinement_json(plan.refinement)},
           {"leg_trade", leg_trade_json(plan.refinement)},

@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/planning/late_openings.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -169,6 +170,11 @@ Infeasible explain_route(const RouteClosed& closed, const Sea& sea, const PlanRe
 }
 
 Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanRequest& request) {
+  if (const auto& opening = search.statistics.worst_fifo_violation; opening && !opening->gain) {
+    return {Reason::current_too_strong, opening->place, opening->refused,
+            "no way was found to the goal: " + describe(*opening),
+            "depart later, or have the departure searched in a window (--depart-until)"};
+  }
   // What closes most of the ways onward from the place nearest to the goal binds there; equal counts: the
   // first kind.
   using enum motion::EdgeClosed;

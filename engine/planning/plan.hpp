@@ -24,6 +24,15 @@ struct Waypoint {
   std::optional<core::Metres> depth;                       // of the sea bed here
 };
 
+/// A leg that the current closed when the search came to its start and that opens later: arriving later there
+/// arrives earlier beyond, which a search for earliest arrivals does not see.
+struct LateOpening {
+  geo::LonLat place;  // start of the leg
+  core::UtcTime refused;
+  core::UtcTime opens;                // earliest departure found to get through
+  std::optional<core::Seconds> gain;  // at the leg's end, against the way found there; empty: none was
+};
+
 /// What the search did, for comparison and for honest progress.
 struct SearchStatistics {
   std::int64_t vertices{};
@@ -31,6 +40,8 @@ struct SearchStatistics {
   std::int64_t edge_evaluations{};
   std::int64_t expansions{};
   std::int64_t reinsertions{};
+  std::int64_t fifo_violations{};  // such legs, where the goal might be reached earlier through them
+  std::optional<LateOpening> worst_fifo_violation{};
   core::Seconds duration{};  // filled by the caller that owns a clock
 };
 

@@ -6,6 +6,7 @@
 #include "engine/planning/chart.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/improvement.hpp"
+#include "engine/planning/late_openings.hpp"
 #include "engine/planning/plan_assembly.hpp"
 #include "engine/planning/relaxation.hpp"
 #include "engine/planning/robust_plan.hpp"
@@ -39,6 +40,7 @@ Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, cons
     plan.warnings.push_back(
         "refinement ran out of its time; with more, or on another machine, the route may be a little faster");
   }
+  if (statistics.worst_fifo_violation) plan.warnings.push_back(describe(*statistics.worst_fifo_violation));
   if (request.max_waypoints && plan.waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) {
     plan.warnings.push_back(
         "the route needs more waypoints than asked for; without them it would be closed or have longer legs "

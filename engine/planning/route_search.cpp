@@ -8,6 +8,8 @@
 
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/graph/tve_search.hpp"
+#include "engine/planning/grid_travel.hpp"
+#include "engine/planning/late_openings.hpp"
 #include "engine/planning/openings.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/voyage.hpp"
@@ -24,25 +26,17 @@ constexpr std::size_t most_labels_for_a_better_way = 50'000;
 /// Of the travel time: a better way past what opens later is not looked for where it could gain less.
 constexpr double least_gain = 1e-3;
 
-/// The paper's wfunc on the plane grid.
-struct GridTravelTime {
-  const Sea& sea;
-  const RouteGrid& grid;
-
-  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds depart,
-                                                             core::Seconds latest) const {
-    return sea.leg_time(grid.point(edge.tail), grid.point(edge.head), depart, latest);
-  }
-};
-
-/// The same as if nothing closed and opened in time.
+/// The same travel times as if nothing closed and opened in time.
 struct UntimedTravelTime {
   const Sea& sea;
   const RouteGrid& grid;
+  RefusedEdges* refused;
 
   tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds depart,
                                                              core::Seconds latest) const {
-    return sea.leg_time_without_timed_closures(grid.point(edge.tail), grid.point(edge.head), depart, latest);
+    return note_refusal(
+        refused, edge, depart,
+        sea.leg_time_without_timed_closures(grid.point(edge.tail), grid.point(edge.head), depart, latest));
   }
 };
 
@@ -55,35 +49,6 @@ struct FrozenTravelTime {
                                                              core::Seconds) const {
     return now(edge, depart, core::Seconds{INFINITY});
   }
-};
-
-/// Straight to the goal with the strongest current astern all the way.
-struct StraightBound {
-  const Sea& sea;
-  const RouteGrid& grid;
-  std::vector<core::Seconds> least_times;  // of an edge, by its step
-
-  StraightBound(const Sea& the_sea, const RouteGrid& the_grid, const graph::GridGraph& graph)
-      : sea{the_sea}, grid{the_grid} {
-    for (const graph::Offset offset : graph.offsets()) {
-      least_times.push_back(
-          sea.least_time({0.0, 0.0}, {offset.dx * grid.along.x_m + offset.dy * grid.across.x_m,
-                                      offset.dx * grid.along.y_m + offset.dy * grid.across.y_m}));
-    }
-  }
-
-  [[nodiscard]] core::Seconds least_time(const Edge& edge) const { return least_times[edge.step]; }
-  [[nodiscard]] core::Seconds remaining(Vertex v) const {
-    return sea.least_time(grid.point(v), grid.point(grid.goal));
-  }
-};
-
-/// The same knowledge of edges, none of the way to the goal: Dijkstra's search.
-struct EdgeBound {
-  const StraightBound& straight;
-
-  [[nodiscard]] core::Seconds least_time(const Edge& edge) const { return straight.least_time(edge); }
-  [[nodiscard]] static core::Seconds remaining(Vertex) { return core::Seconds{0.0}; }
 };
 
 void describe_end(RouteSearch& result, const Sea& sea, const RouteGrid& grid, const graph::GridGraph& graph,
@@ -149,7 +114,8 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
   result.statistics.edges = open.edges;
 
   const graph::Query query{grid.start, grid.goal, depart};
-  const StraightBound straight{sea, grid, graph};
+  const StraightBound straight{sea, grid, graph, grid.goal};
+  RefusedEdges refused;
   const graph::ExpansionCallback report = [&](std::int64_t expansions) {
     report_fraction(static_cast<double>(expansions) /
                     static_cast<double>(std::max<std::int64_t>(1, result.statistics.vertices)));
@@ -179,17 +145,27 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
 
   // What no timed closure meets on the best way without any is the best way with all of them.
   const bool in_time = sea.has_timed_closures() && request.method != Method::frozen;
-  graph::SearchTree tree = in_time ? search(UntimedTravelTime{sea, grid}) : search(GridTravelTime{sea, grid});
+  graph::SearchTree tree =
+      in_time ? search(UntimedTravelTime{sea, grid, &refused}) : search(GridTravelTime{sea, grid, &refused});
   adopt(tree);
   if (in_time && !result.path.empty() && !arrivals_along(sea, result.path, depart)) {
     const double least_s = tree.arrival_s(grid.goal);
-    tree = search(GridTravelTime{sea, grid});
+    refused.edges.clear();
+    tree = search(GridTravelTime{sea, grid, &refused});
     adopt(tree);
     const double arrival_s = tree.arrival_s(grid.goal);
     const bool may_gain =
         result.path.empty() || arrival_s - least_s > least_gain * (arrival_s - depart.count());
     if (!result.cancelled && may_gain) {
       look_for_later_ways(result, sea, open, depart, core::Seconds{tree.arrival_s(grid.goal)}, stop);
+    }
+  }
+  // With weights fixed at departure nothing opens later.
+  if (!result.cancelled && request.method != Method::frozen) {
+    const auto openings = find_late_openings(sea, request.depart, open, tree, refused, straight, stop);
+    result.statistics.fifo_violations = static_cast<std::int64_t>(openings.size());
+    for (const LateOpening& opening : openings) {
+      result.statistics.worst_fifo_violation = worse_of(result.statistics.worst_fifo_violation, opening);
     }
   }
   if (result.path.empty() && !result.cancelled) describe_end(result, sea, grid, graph, tree);

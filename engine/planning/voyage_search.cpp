@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/planning/explanation.hpp"
+#include "engine/planning/late_openings.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/route_search.hpp"
 
@@ -27,6 +28,8 @@ void add(SearchStatistics& sum, const SearchStatistics& part) {
   sum.edge_evaluations += part.edge_evaluations;
   sum.expansions += part.expansions;
   sum.reinsertions += part.reinsertions;
+  sum.fifo_violations += part.fifo_violations;
+  sum.worst_fifo_violation = worse_of(sum.worst_fifo_violation, part.worst_fifo_violation);
 }
 
 }  // namespace

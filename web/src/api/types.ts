@@ -138,6 +138,8 @@ export interface Plan {
     edge_evaluations: number;
     expansions: number;
     reinsertions: number;
+    fifo_violations: number;
+    worst_fifo_violation: { lon: number; lat: number; refused: string; opens: string; gain_s: number | null } | null;
     seconds: number;
   };
   refinement?: {

@@ -1,0 +1,111 @@
+#include "engine/planning/late_openings.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/planning/plan_route.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double wall_end_deg = 69.25;
+constexpr double no_end_deg = 90.0;
+
+/// A wall of land across the way with a strait in it, which the vehicle reaches after about 11 hours. Until the
+/// hour `opens` the water in the strait runs against it at 0.6 m/s, an hour later it stands. The wall ends in
+/// the north at `end_deg`.
+ocean::Environment strait(double opens_h, double end_deg) {
+  const auto currents = [=](geo::LonLat place, double hour) {
+    const bool in_strait = std::abs(place.lon_deg + 53.0) < 0.25 && std::abs(place.lat_deg - 69.0) < 0.12;
+    return geo::VelocityEn{{in_strait && hour <= opens_h ? -0.6 : 0.0}, {0.0}};
+  };
+  const auto depth_m = [=](geo::LonLat place) {
+    const bool wall = std::abs(place.lon_deg + 53.0) < 0.15 && std::abs(place.lat_deg - 69.0) > 0.04 &&
+                      place.lat_deg < end_deg;
+    return wall ? -1.0 : 300.0;
+  };
+  return {.currents = support::currents_from(currents, 240), .bathymetry = support::bathymetry_from(depth_m)};
+}
+
+PlanRequest coarse_request() {
+  PlanRequest request = support::eastward_request();
+  request.spacing_along = core::Metres{2000.0};
+  return request;
+}
+
+core::UtcTime at_hour(double hour) { return core::from_unix_seconds(support::sea_start_s + 3600.0 * hour); }
+
+TEST(LateOpenings, AreReportedWhereAStraitOpensAfterTheSearchWasThere) {
+  const PlanRequest request = coarse_request();
+  const ocean::Environment environment = strait(20.0, wall_end_deg);
+
+  const auto found = plan_route(environment, request, {}, {});
+
+  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  EXPECT_GT(found->search.fifo_violations, 0);
+  ASSERT_TRUE(found->search.worst_fifo_violation.has_value());
+  const LateOpening& worst = *found->search.worst_fifo_violation;
+  EXPECT_NEAR(worst.place.lon_deg, -53.0, 0.35);
+  EXPECT_NEAR(worst.place.lat_deg, 69.0, 0.15);
+  EXPECT_LT(worst.refused, worst.opens);
+  EXPECT_LT(worst.opens, at_hour(21.0));
+  EXPECT_GT(worst.gain.value().count(), 60.0);
+  EXPECT_NE(found->warnings.back().find("too strong"), std::string::npos) << found->warnings.back();
+}
+
+TEST(LateOpenings, AreThereForThoseWhoDepartLater) {
+  PlanRequest request = coarse_request();
+  const ocean::Environment environment = strait(20.0, wall_end_deg);
+  const auto early = plan_route(environment, request, {}, {});
+
+  request.depart = at_hour(10.0);
+  const auto late = plan_route(environment, request, {}, {});
+
+  ASSERT_TRUE(early && late);
+  EXPECT_LT(late->arrival, early->arrival) << "leaving later arrives earlier: this sea is not FIFO";
+}
+
+TEST(LateOpenings, AreWhatHelpsWhenThereIsNoOtherWay) {
+  const auto found = plan_route(strait(60.0, no_end_deg), coarse_request(), {}, {});
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::current_too_strong);
+  EXPECT_NE(found.error().explanation.find("lets it through from"), std::string::npos)
+      << found.error().explanation;
+  EXPECT_NE(found.error().suggestion.find("depart later"), std::string::npos);
+}
+
+TEST(LateOpenings, AreTheSameForEveryExactSearch) {
+  PlanRequest request = coarse_request();
+  const ocean::Environment environment = strait(20.0, wall_end_deg);
+  for (const Method method : {Method::tve, Method::dijkstra, Method::astar}) {
+    request.method = method;
+
+    const auto found = plan_route(environment, request, {}, {});
+
+    ASSERT_TRUE(found.has_value());
+    EXPECT_GT(found->search.fifo_violations, 0) << method_name(method);
+    EXPECT_EQ(found->search.reinsertions, 0) << "positive times: no vertex is expanded twice";
+  }
+}
+
+TEST(LateOpenings, AreNoneWhereTheCurrentNeverBeatsTheVehicle) {
+  support::for_each_seed(5, [](std::mt19937_64& rng) {
+    const double phase = support::uniform(rng, 0.0, 6.28);
+    const auto tide = [&](geo::LonLat place, double hour) {
+      return geo::VelocityEn{{0.2 * std::cos(0.5 * hour + phase)},
+                             {0.2 * std::sin(0.5 * hour + 3.0 * place.lon_deg)}};
+    };
+
+    const auto found =
+        plan_route({.currents = support::currents_from(tide, 96)}, coarse_request(), {}, {});
+
+    ASSERT_TRUE(found.has_value());
+    EXPECT_EQ(found->search.fifo_violations, 0);
+    EXPECT_FALSE(found->search.worst_fifo_violation.has_value());
+  });
+}
+
+}  // namespace
+}  // namespace floeplan::planning
