@@ -27,7 +27,8 @@ struct NoBound {
 };
 
 /// Earliest arrivals, each vertex expanded once: Dijkstra on arrival times, A* with a bound. Exact under
-/// FIFO. An edge that cannot improve its head even at its least time is not evaluated.
+/// FIFO. An edge that cannot improve its head even at its least time, or from whose head the goal cannot be
+/// reached by `query.latest`, is not evaluated.
 /// Returns  arrival and predecessor of every vertex expanded before the goal, and of the goal when it can be
 ///          reached
 /// Source   Dreyfus 1969, An appraisal of some shortest-path algorithms, Operations Research
@@ -43,9 +44,10 @@ SearchTree find_earliest_arrivals(const GridGraph& graph, const Query& query, co
   if (!graph.is_open(query.source)) return tree;
 
   const auto remaining_s = [&](Vertex v) { return core::Seconds{bound.remaining(v)}.count(); };
+  const bool bounded = query.latest.count() < SearchTree::never;
   tree.start(query.source, query.depart.count());
   queue.insert(query.source, query.depart.count() + remaining_s(query.source));
-  while (!queue.empty()) {
+  while (!queue.empty() && queue.smallest_key() <= query.latest.count()) {
     if (tree.counters.expansions % expansions_between_looks == 0) {
       if (stop.stop_requested()) {
         tree.stopped = true;
@@ -60,8 +62,10 @@ SearchTree find_earliest_arrivals(const GridGraph& graph, const Query& query, co
 
     const double arrival_u = tree.arrival_s(u);
     graph.for_each_edge(u, [&](const Edge& edge) {
-      if (arrival_u + core::Seconds{bound.least_time(edge)}.count() >= tree.arrival_s(edge.head)) return;
+      const double least_s = arrival_u + core::Seconds{bound.least_time(edge)}.count();
+      if (least_s >= tree.arrival_s(edge.head)) return;
       if (settled[edge.head]) return;
+      if (bounded && least_s + remaining_s(edge.head) > query.latest.count()) return;
       ++tree.counters.edge_evaluations;
       const auto duration =
           travel_time(edge, core::Seconds{arrival_u}, core::Seconds{tree.arrival_s(edge.head)});

@@ -16,6 +16,7 @@ struct Query {
   Vertex source{};
   std::optional<Vertex> goal;  // empty: to every vertex that can be reached
   core::Seconds depart{};
+  core::Seconds latest{std::numeric_limits<double>::infinity()};  // arrivals after it are of no use
 };
 
 /// What a search did.

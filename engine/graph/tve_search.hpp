@@ -13,7 +13,7 @@ namespace floeplan::graph {
 inline constexpr std::int64_t expansions_between_looks = 1024;
 
 /// Earliest arrivals in a time-varying environment; label-correcting, exact under FIFO. Runs until the queue
-/// is empty, as printed: a goal in the query does not end it early.
+/// is empty, as printed: a goal or a latest arrival in the query do not end it early.
 /// Returns  arrival and predecessor of every vertex that can be reached, counters of the search
 /// Source   Eichhorn 2009, Table I, right column; d: arrival, pi: predecessor, t_0: query.depart. A vertex is
 ///          GRAY while the queue holds it; the paper prints pi <- infinity at the start, here a vertex has no

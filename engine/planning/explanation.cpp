@@ -171,9 +171,12 @@ Infeasible explain_route(const RouteClosed& closed, const Sea& sea, const PlanRe
 
 Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanRequest& request) {
   if (const auto& opening = search.statistics.worst_fifo_violation; opening && !opening->gain) {
-    return {Reason::current_too_strong, opening->place, opening->refused,
+    return {Reason::current_too_strong,
+            opening->place,
+            opening->refused,
             "no way was found to the goal: " + describe(*opening),
-            "depart later, or have the departure searched in a window (--depart-until)"};
+            "depart later, or have the departure searched in a window (--depart-until)",
+            Constraint::current};
   }
   // What closes most of the ways onward from the place nearest to the goal binds there; equal counts: the
   // first kind.

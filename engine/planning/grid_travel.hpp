@@ -47,6 +47,18 @@ struct GridTravelTime {
   }
 };
 
+/// The same on the film run backwards, whose clock shows -t: an edge from tail to head there is the leg that ends
+/// at the tail at the time -depart.
+struct GridTravelTimeBack {
+  const Sea& sea;
+  const RouteGrid& grid;
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const graph::Edge& edge, core::Seconds depart,
+                                                             core::Seconds latest) const {
+    return sea.leg_time_back(grid.point(edge.head), grid.point(edge.tail), -depart, -latest);
+  }
+};
+
 /// Straight to a vertex with the strongest current astern all the way.
 struct StraightBound {
   const Sea& sea;

@@ -26,6 +26,7 @@ enum class Reason {
   near_iceberg,        // a given route passes an iceberg too closely
   in_zone,             // a given route breaks the rule of a zone
   goal_unreachable,    // every way is closed
+  arrival_too_early,   // even the earliest departure arrives later than asked for
   too_large,           // the grid would not fit into bounded memory
   cancelled
 };

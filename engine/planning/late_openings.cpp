@@ -8,12 +8,12 @@
 namespace floeplan::planning {
 namespace {
 
-constexpr std::size_t most_legs = 4096;
-constexpr int most_tries = 96;  // a day in quarters of an hour
+constexpr std::size_t most_legs = 128;
+constexpr int most_tries = 48;  // a tidal cycle in quarters of an hour
 constexpr double tries_per_time_step = 4.0;
 constexpr int halvings = 10;         // of the span in which a leg opens
 constexpr double least_gain_s = 60;  // below it nothing would be planned otherwise
-constexpr std::size_t legs_between_looks = 16;
+constexpr std::size_t legs_between_looks = 4;
 
 /// A refused leg that may matter, and the latest arrival at its end that would.
 struct Suspect {

@@ -15,7 +15,7 @@ namespace floeplan::planning {
 
 /// Looks for legs whose later opening breaks FIFO where it could matter: beyond which the goal might still be
 /// reached earlier than it was. Open legs need no look: on one leg the later vehicle never overtakes.
-/// Cost     bounded: the 4096 refused legs that promise most, each tried at no more than 96 later departures
+/// Cost     bounded: the 128 refused legs that promise most, each tried at no more than 48 later departures
 /// Returns  each one found among these; none where the currents are steady. `epoch`: of the sea's clock
 [[nodiscard]] std::vector<LateOpening> find_late_openings(const Sea& sea, core::UtcTime epoch,
                                                           const OpenGrid& open, const graph::SearchTree& tree,

@@ -67,6 +67,7 @@ std::string reason_name(Reason reason) {
     case Reason::near_iceberg: return "near_iceberg";
     case Reason::in_zone: return "in_zone";
     case Reason::goal_unreachable: return "goal_unreachable";
+    case Reason::arrival_too_early: return "arrival_too_early";
     case Reason::too_large: return "too_large";
     case Reason::cancelled: return "cancelled";
   }

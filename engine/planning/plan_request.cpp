@@ -1,6 +1,8 @@
 #include "engine/planning/plan_request.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <string>
 
 #include "engine/geo/geodesic.hpp"
@@ -42,6 +44,7 @@ core::Violations PlanRequest::violations() const {
     }
   }
   require(std::isfinite(core::unix_seconds(depart)), "/depart", "must be a time");
+  std::ranges::move(departures.violations(depart), std::back_inserter(found));
   require(sectors >= 1 && sectors <= 5, "/sectors", "must be 1, 2, 3, 4 or 5");
   const auto spacing_holds = [](std::optional<core::Metres> spacing) {
     return !spacing || (spacing->value >= 1.0 && spacing->value <= 100'000.0);

@@ -8,6 +8,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/zone.hpp"
+#include "engine/planning/departure_rules.hpp"
 #include "engine/planning/iceberg_rules.hpp"
 #include "engine/planning/uncertainty_rules.hpp"
 #include "engine/vehicle/glider_profile.hpp"
@@ -33,6 +34,7 @@ struct PlanRequest {
   std::vector<geo::LonLat> via;   // to be visited in this order, unless
   bool via_in_best_order{false};  // in the order that reaches the goal earliest
   core::UtcTime depart;
+  DepartureRules departures;
   vehicle::GliderProfile vehicle;
 
   std::optional<core::Metres>

@@ -12,7 +12,8 @@
 
 namespace floeplan::planning {
 
-/// Plans the fastest route of the request through the environment.
+/// Plans the fastest route of the request through the environment for its departure; a window of departures and
+/// a wanted arrival are for `compare_departures` and `plan_arrival`.
 /// Errors   std::invalid_argument when `request.violations()` is not empty; Infeasible when there is no such
 ///          route
 /// Threads  may be called from several threads at once; reads its arguments only

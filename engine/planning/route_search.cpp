@@ -106,14 +106,14 @@ void look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& op
 
 RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
                          core::Seconds depart, const std::stop_token& stop,
-                         const std::function<void(double)>& report_fraction) {
+                         const std::function<void(double)>& report_fraction, core::Seconds latest) {
   const RouteGrid& grid = open.grid;
   const graph::GridGraph& graph = open.graph;
   RouteSearch result;
   result.statistics.vertices = open.vertices;
   result.statistics.edges = open.edges;
 
-  const graph::Query query{grid.start, grid.goal, depart};
+  const graph::Query query{grid.start, grid.goal, depart, latest};
   const StraightBound straight{sea, grid, graph, grid.goal};
   RefusedEdges refused;
   const graph::ExpansionCallback report = [&](std::int64_t expansions) {
@@ -161,7 +161,8 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
     }
   }
   // With weights fixed at departure nothing opens later.
-  if (!result.cancelled && request.method != Method::frozen) {
+  const bool look = std::isinf(latest.count()) && request.method != Method::frozen;
+  if (look && !result.cancelled) {
     const auto openings = find_late_openings(sea, request.depart, open, tree, refused, straight, stop);
     result.statistics.fifo_violations = static_cast<std::int64_t>(openings.size());
     for (const LateOpening& opening : openings) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <functional>
 #include <stop_token>
 #include <vector>
@@ -28,8 +29,10 @@ struct RouteSearch {
 /// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct). Where
 /// something that is closed for a while opens again before that arrival, also for ways that arrive somewhere later
 /// than they could.
+/// `latest`: when the goal can certainly be reached by then, later ways need not be looked at, nor legs that open later.
 [[nodiscard]] RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
                                        core::Seconds depart, const std::stop_token& stop,
-                                       const std::function<void(double)>& report_fraction);
+                                       const std::function<void(double)>& report_fraction,
+                                       core::Seconds latest = core::Seconds{INFINITY});
 
 }  // namespace floeplan::planning

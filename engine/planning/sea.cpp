@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/motion/edge_time_back.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -185,6 +186,21 @@ std::vector<TimeSpan> Sea::closed_times(geo::PlanePoint point) const {
     closed.insert(closed.end(), by_icebergs.begin(), by_icebergs.end());
   }
   return joined(std::move(closed));
+}
+
+tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoint a, geo::PlanePoint b,
+                                                                   core::Seconds arrive,
+                                                                   core::Seconds earliest) const {
+  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
+  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  const auto time =
+      currents_ ? motion::edge_time_back(edge, arrive, through_water_, *currents_, accuracy_, earliest)
+                : edge.ground_length / through_water_;
+  if (!time || !has_timed_closures()) return time;
+  // What closes for a while is tested along the drive itself.
+  const auto forwards = leg_time(a, b, arrive - *time);
+  if (!forwards) return tl::unexpected(forwards.error());
+  return time;
 }
 
 bool Sea::currents_known(geo::PlanePoint point, core::Seconds time) const {

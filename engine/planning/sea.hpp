@@ -42,6 +42,13 @@ class Sea {
                                                     core::Seconds depart) const;
   /// When a timed zone or an iceberg that moves closes the point: ascending, apart from each other.
   [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point) const;
+  /// Travel time of the straight leg for a vehicle that is to be at its end at `arrive`: it leaves that much
+  /// earlier. Closed where the vehicle that leaves then finds the leg closed; too_late when it would certainly have
+  /// to leave before `earliest`.
+  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_back(geo::PlanePoint a,
+                                                                              geo::PlanePoint b,
+                                                                              core::Seconds arrive,
+                                                                              core::Seconds earliest) const;
   /// Never more than the time of any straight way between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
 

@@ -1,6 +1,7 @@
 #include "engine/planning/voyage_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/late_openings.hpp"
@@ -32,18 +33,50 @@ void add(SearchStatistics& sum, const SearchStatistics& part) {
   sum.worst_fifo_violation = worse_of(sum.worst_fifo_violation, part.worst_fifo_violation);
 }
 
+/// The part of a way between two stops: `part` counts from 0.
+std::vector<geo::PlanePoint> part_of(const Route& route, std::size_t part) {
+  std::vector<geo::PlanePoint> points;
+  std::size_t stops = 0;
+  for (std::size_t i = 0; i < route.points.size(); ++i) {
+    if (route.fixed[i]) ++stops;
+    if (stops == part + 1 || (stops == part + 2 && route.fixed[i])) points.push_back(route.points[i]);
+  }
+  return points;
+}
+
+/// An arrival at the end of a part that is certainly possible, with room for the tolerance of its times;
+/// infinite when the other departure's way is closed now.
+core::Seconds arrival_by(const Sea& sea, const FoundWay& other, std::size_t part, core::Seconds depart) {
+  constexpr double slack = 1e-3;
+  const auto arrivals = arrivals_along(sea, part_of(other.route, part), depart);
+  if (!arrivals) return core::Seconds{INFINITY};
+  return arrivals->back() + slack * (arrivals->back() - depart);
+}
+
 }  // namespace
 
 Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grids, const PlanRequest& request,
                                core::Seconds depart, const std::stop_token& stop,
-                               const std::function<void(double)>& report_fraction) {
+                               const std::function<void(double)>& report_fraction,
+                               const FoundWay* other_departure) {
   FoundWay found;
   found.route.points.push_back(grids.front().grid.point(grids.front().grid.start));
   found.route.fixed.push_back(true);
   for (std::size_t i = 0; i < grids.size(); ++i) {
-    const RouteSearch search = search_route(sea, grids[i], request, depart, stop, [&](double fraction) {
-      report_fraction((static_cast<double>(i) + fraction) / static_cast<double>(grids.size()));
-    });
+    const auto search_by = [&](core::Seconds latest) {
+      const auto report = [&](double fraction) {
+        report_fraction((static_cast<double>(i) + fraction) / static_cast<double>(grids.size()));
+      };
+      return search_route(sea, grids[i], request, depart, stop, report, latest);
+    };
+    const bool bounded = other_departure != nullptr && !sea.has_timed_closures();
+    const core::Seconds latest =
+        bounded ? arrival_by(sea, *other_departure, i, depart) : core::Seconds{INFINITY};
+    RouteSearch search = search_by(latest);
+    // Where FIFO does not hold the search may miss the way that gave the bound.
+    if (search.path.empty() && std::isfinite(latest.count()) && !search.cancelled) {
+      search = search_by(core::Seconds{INFINITY});
+    }
     add(found.statistics, search.statistics);
     found.cut_short = found.cut_short || search.cut_short;
     if (search.cancelled) return tl::unexpected(explain_cancelled(request));
@@ -58,6 +91,7 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grid
       found.route.fixed.push_back(p + 1 == search.path.size());
     }
   }
+  found.arrival = depart;
   return found;
 }
 

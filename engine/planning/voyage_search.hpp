@@ -16,6 +16,7 @@ namespace floeplan::planning {
 /// The way from stop to stop as the grids give it.
 struct FoundWay {
   Route route;
+  core::Seconds arrival{};
   SearchStatistics statistics;
   bool cut_short{false};    // a better way past something that opens again may exist
   bool touches_rim{false};  // it keeps to the rim of a grid, beyond which a better way may lie
@@ -23,11 +24,14 @@ struct FoundWay {
 
 /// Searches grid after grid with the request's method (not Method::direct), from `depart` on (counted from the
 /// sea's epoch); under FIFO the earliest arrival at each stop is the best departure from it.
+/// `other_departure`: a way on the same grids, which bounds the search and changes no result (not used where something
+/// closes for a while); without it legs that open later are looked for.
 /// Errors   where and why there is no way
 /// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grids,
                                              const PlanRequest& request, core::Seconds depart,
                                              const std::stop_token& stop,
-                                             const std::function<void(double)>& report_fraction);
+                                             const std::function<void(double)>& report_fraction,
+                                             const FoundWay* other_departure = nullptr);
 
 }  // namespace floeplan::planning

@@ -1,0 +1,52 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "engine/core/clock.hpp"
+#include "engine/core/progress.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan.hpp"
+#include "engine/planning/plan_request.hpp"
+
+namespace floeplan::planning {
+
+/// What leaving at one moment leads to.
+struct DepartureOutcome {
+  core::UtcTime departure;
+  std::optional<core::Seconds> travel_time;  // of the grid's way, before refinement; empty: there is none
+  std::optional<core::Joules> energy;
+  std::optional<Infeasible> closed;  // why there is none
+
+  [[nodiscard]] core::UtcTime arrival() const { return departure + travel_time.value(); }
+};
+
+/// Plans for each departure of the request's window, as for this departure alone but for the refinement.
+/// Exact for every departure: the curve has no gaps, so none is left out because it cannot win. The way of one
+/// departure bounds the search for the next, which changes no result.
+/// Returns  an outcome for each departure, in their order
+/// Errors   Reason::cancelled alone, within 100 ms of a request of `stop`
+/// Throws   std::invalid_argument when `request.violations()` is not empty
+[[nodiscard]] Result<std::vector<DepartureOutcome>> compare_departures(
+    const ocean::Environment& environment, const PlanRequest& request, const std::stop_token& stop,
+    const core::ProgressCallback& progress);
+
+/// A window's outcomes and the plan for the best of its departures: the plan for this departure alone. Its travel
+/// time may be less than the curve's, because only this way is refined.
+struct WindowPlan {
+  std::vector<DepartureOutcome> departures;
+  Result<Plan> plan;  // the reason of the first departure when every one is closed
+};
+
+/// `clock`: as plan_route's.
+[[nodiscard]] WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
+                                     const std::stop_token& stop, const core::ProgressCallback& progress,
+                                     const core::SteadyClock& clock = {});
+
+/// The departure with the least travel time, the first of equals; empty when every one is closed.
+[[nodiscard]] std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes);
+
+}  // namespace floeplan::planning

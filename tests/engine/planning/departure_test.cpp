@@ -1,0 +1,162 @@
+#include "engine/planning/departure.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/planning/plan_route.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using support::currents_from;
+
+PlanRequest window_request(double hours, double step_s) {
+  PlanRequest request = support::eastward_request();
+  request.spacing_along = core::Metres{2000.0};
+  request.refine = false;
+  request.departures.until = request.depart + core::Seconds{3600.0 * hours};
+  request.departures.step = core::Seconds{step_s};
+  return request;
+}
+
+geo::VelocityEn tide(geo::LonLat place, double hour) {
+  const double phase = 2.0 * 3.14159265358979 * hour / 12.42;
+  return {{0.15 * std::cos(phase)}, {0.2 * std::sin(phase + place.lon_deg)}};
+}
+
+std::vector<DepartureOutcome> curve(const ocean::Environment& environment, const PlanRequest& request) {
+  return compare_departures(environment, request, {}, {}).value();
+}
+
+PlanRequest alone(const PlanRequest& request, core::UtcTime depart) {
+  PlanRequest result = request;
+  result.depart = depart;
+  result.departures = {};
+  return result;
+}
+
+/// The curve has for each departure what a plan for it alone has.
+void expect_brute_force(const ocean::Environment& environment, const PlanRequest& request) {
+  for (const DepartureOutcome& outcome : curve(environment, request)) {
+    const auto plan = plan_route(environment, alone(request, outcome.departure), {}, {});
+    ASSERT_EQ(outcome.travel_time.has_value(), plan.has_value());
+    if (plan) {
+      // Straight runs of legs are joined in the plan: the same way, integrated in fewer pieces.
+      EXPECT_NEAR(outcome.travel_time->count(), plan->travel_time().count(),
+                  2e-4 * plan->travel_time().count());
+    } else {
+      EXPECT_EQ(outcome.closed->reason, plan.error().reason);
+    }
+  }
+}
+
+TEST(CompareDepartures, EqualsPlanningForEachDepartureAlone) {
+  support::for_each_seed(2, [](std::mt19937_64& rng) {
+    const double phase = support::uniform(rng, 0.0, 6.28);
+    const double strength_m_s = support::uniform(rng, 0.1, 0.25);
+    const auto currents = currents_from(
+        [&](geo::LonLat p, double hour) {
+          return geo::VelocityEn{{strength_m_s * std::cos(hour / 2.0 + phase)},
+                                 {strength_m_s * std::sin(hour / 3.0 + 4.0 * p.lon_deg)}};
+        },
+        120);
+    expect_brute_force({.currents = currents}, window_request(12.0, 10800.0));
+  });
+}
+
+TEST(CompareDepartures, EqualsPlanningAloneWhereTheCurrentClosesLegsAndDataEnd) {
+  const auto currents = currents_from(
+      [](geo::LonLat p, double hour) {
+        const bool strait = std::abs(p.lon_deg + 53.0) < 0.2;
+        return geo::VelocityEn{{strait ? -0.6 * std::abs(std::sin(hour / 4.0)) : 0.0},
+                               {0.1 * std::sin(hour)}};
+      },
+      60);
+  PlanRequest request = window_request(48.0, 24.0 * 3600.0);
+  request.spacing_along = core::Metres{4000.0};
+  expect_brute_force({.currents = currents}, request);
+}
+
+TEST(CompareDepartures, EqualsPlanningAloneWithPlacesToVisit) {
+  PlanRequest request = window_request(6.0, 7200.0);
+  request.via = {{-53.2, 69.08}, {-52.8, 68.95}};
+  expect_brute_force({.currents = currents_from(tide, 120)}, request);
+}
+
+TEST(CompareDepartures, EqualsPlanningAloneAlongTheStraightLine) {
+  PlanRequest request = window_request(12.0, 7200.0);
+  request.method = Method::direct;
+  expect_brute_force({.currents = currents_from(tide, 120)}, request);
+}
+
+TEST(CompareDepartures, LooksAtEveryStepOfTheWindowItsEndIncluded) {
+  const auto outcomes = curve({}, window_request(3.0, 3600.0));
+
+  ASSERT_EQ(outcomes.size(), 4U);
+  EXPECT_EQ(outcomes.front().departure, support::eastward_request().depart);
+  EXPECT_EQ(outcomes.back().departure, *window_request(3.0, 3600.0).departures.until);
+}
+
+TEST(CompareDepartures, SaysOfEachDepartureWhyItIsClosed) {
+  const auto outcomes = curve({.currents = currents_from(tide, 48)}, window_request(24.0, 12.0 * 3600.0));
+
+  ASSERT_EQ(outcomes.size(), 3U);
+  EXPECT_TRUE(outcomes[0].travel_time.has_value());
+  ASSERT_TRUE(outcomes[2].closed.has_value());
+  EXPECT_EQ(outcomes[2].closed->reason, Reason::outside_data);
+}
+
+TEST(CompareDepartures, ArriveInTheOrderOfDepartureUnderFifo) {
+  const auto outcomes = curve({.currents = currents_from(tide, 120)}, window_request(24.0, 7200.0));
+
+  for (std::size_t i = 1; i < outcomes.size(); ++i) {
+    EXPECT_GE(outcomes[i].arrival() + core::Seconds{30.0}, outcomes[i - 1].arrival());
+  }
+}
+
+TEST(CompareDepartures, StopsWhenAsked) {
+  std::stop_source source;
+  source.request_stop();
+
+  const auto found = compare_departures({}, window_request(3.0, 3600.0), source.get_token(), {});
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::cancelled);
+}
+
+TEST(PlanWindow, PlansTheBestDepartureAsForItAlone) {
+  const ocean::Environment environment{.currents = currents_from(tide, 120)};
+  PlanRequest request = window_request(12.0, 3600.0);
+  request.refine = true;
+
+  const WindowPlan window = plan_window(environment, request, {}, {});
+
+  ASSERT_TRUE(window.plan.has_value());
+  const DepartureOutcome& best = window.departures[best_departure(window.departures).value()];
+  EXPECT_EQ(window.plan->departure, best.departure);
+  EXPECT_EQ(window.plan->arrival, plan_route(environment, alone(request, best.departure), {}, {})->arrival);
+  EXPECT_LE(window.plan->travel_time(), *best.travel_time * (1.0 + 2e-4));
+}
+
+TEST(PlanWindow, GivesTheReasonOfTheFirstDepartureWhenEveryOneIsClosed) {
+  const WindowPlan window =
+      plan_window({.currents = currents_from(tide, 12)}, window_request(6.0, 3600.0), {}, {});
+
+  ASSERT_FALSE(window.plan.has_value());
+  EXPECT_EQ(window.plan.error().reason, Reason::outside_data);
+  EXPECT_EQ(window.departures.size(), 7U);
+}
+
+TEST(BestDeparture, IsTheFirstOfTheFastest) {
+  std::vector<DepartureOutcome> outcomes(4);
+  outcomes[1].travel_time = core::Seconds{50.0};
+  outcomes[2].travel_time = core::Seconds{40.0};
+  outcomes[3].travel_time = core::Seconds{40.0};
+
+  EXPECT_EQ(best_departure(outcomes), 2U);
+  EXPECT_EQ(best_departure({}), std::nullopt);
+}
+
+}  // namespace
+}  // namespace floeplan::planning

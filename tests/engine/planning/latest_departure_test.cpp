@@ -1,0 +1,134 @@
+#include "engine/planning/latest_departure.hpp"
+
+#include <gtest/gtest.h>
+
+#include "engine/planning/chart.hpp"
+#include "engine/planning/plan_route.hpp"
+#include "engine/planning/voyage_search.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using support::currents_from;
+
+PlanRequest coarse_request() {
+  PlanRequest request = support::eastward_request();
+  request.spacing_along = core::Metres{2000.0};
+  return request;
+}
+
+PlanRequest arriving_after(double hours) {
+  PlanRequest request = coarse_request();
+  request.departures.arrive_by = request.depart + core::Seconds{3600.0 * hours};
+  return request;
+}
+
+ocean::Environment random_tide(std::mt19937_64& rng, int hours) {
+  const double phase = support::uniform(rng, 0.0, 6.28);
+  const double strength_m_s = support::uniform(rng, 0.1, 0.25);
+  return {.currents = currents_from(
+              [&](geo::LonLat p, double hour) {
+                return geo::VelocityEn{{strength_m_s * std::cos(hour / 2.0 + phase)},
+                                       {strength_m_s * std::sin(hour / 3.0 + 4.0 * p.lon_deg)}};
+              },
+              hours)};
+}
+
+TEST(LatestDeparture, ArrivesWhenItWasAskedToAndAnyLaterOneArrivesLater) {
+  support::for_each_seed(6, [](std::mt19937_64& rng) {
+    PlanRequest request = coarse_request();
+    if (support::uniform_int(rng, 0, 1) == 1) request.via = {{-53.1, 69.1}};
+    const ocean::Environment environment = random_tide(rng, 200);
+    const auto chart = draw_chart(environment, request, first_reach, {});
+    ASSERT_TRUE(chart.has_value());
+    const auto grids = open_grids(chart->sea, chart->layout.grids, request.sectors, {});
+    const core::Seconds wanted{3600.0 * support::uniform(rng, 90.0, 180.0)};
+
+    const auto depart = latest_departure(chart->sea, grids, wanted, core::Seconds{0.0}, {});
+    ASSERT_TRUE(depart.has_value());
+    const auto arrive = [&](core::Seconds when) {
+      return search_voyage(chart->sea, grids, request, when, {}, [](double) {})->arrival;
+    };
+    const double travel_s = (wanted - *depart).count();
+
+    EXPECT_NEAR(arrive(*depart).count(), wanted.count(), 2e-4 * travel_s);
+    EXPECT_GT(arrive(*depart + 1e-3 * (wanted - *depart) + core::Seconds{600.0}), wanted);
+  });
+}
+
+TEST(LatestDeparture, IsNoneWhenTheEarliestOneComesTooLate) {
+  const PlanRequest request = coarse_request();
+  const auto chart = draw_chart({}, request, first_reach, {});
+  const auto grids = open_grids(chart->sea, chart->layout.grids, request.sectors, {});
+
+  EXPECT_FALSE(latest_departure(chart->sea, grids, core::Seconds{3600.0}, core::Seconds{0.0}, {}));
+}
+
+TEST(PlanArrival, ArrivesInTimeAndHardlyBefore) {
+  support::for_each_seed(3, [](std::mt19937_64& rng) {
+    const ocean::Environment environment = random_tide(rng, 200);
+    const PlanRequest request = arriving_after(support::uniform(rng, 90.0, 180.0));
+
+    const auto plan = plan_arrival(environment, request, {}, {});
+
+    ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
+    EXPECT_LE(plan->arrival, *request.departures.arrive_by);
+    EXPECT_GT(plan->arrival,
+              *request.departures.arrive_by - 2e-3 * plan->travel_time() - core::Seconds{60.0});
+  });
+}
+
+TEST(PlanArrival, IsThePlanForItsDepartureAlone) {
+  std::mt19937_64 rng{4};
+  const ocean::Environment environment = random_tide(rng, 150);
+  PlanRequest request = arriving_after(100.0);
+  const auto plan = plan_arrival(environment, request, {}, {});
+  ASSERT_TRUE(plan.has_value());
+
+  request.depart = plan->departure;
+  request.departures = {};
+  const auto again = plan_route(environment, request, {}, {});
+
+  EXPECT_EQ(again->arrival, plan->arrival);
+  EXPECT_EQ(again->waypoints.size(), plan->waypoints.size());
+}
+
+TEST(PlanArrival, LeavesAtTheStraightLinesTimeInStillWater) {
+  PlanRequest request = arriving_after(72.0);
+  for (const Method method : {Method::astar, Method::direct}) {
+    request.method = method;
+
+    const auto plan = plan_arrival({}, request, {}, {});
+
+    ASSERT_TRUE(plan.has_value());
+    EXPECT_LE(plan->arrival, *request.departures.arrive_by);
+    EXPECT_NEAR((*request.departures.arrive_by - plan->arrival).count(), 0.0,
+                1e-3 * plan->travel_time().count());
+  }
+}
+
+TEST(PlanArrival, SaysWhenTheEarliestDepartureArrives) {
+  const PlanRequest request = arriving_after(10.0);
+
+  const auto plan = plan_arrival({}, request, {}, {});
+
+  ASSERT_FALSE(plan.has_value());
+  EXPECT_EQ(plan.error().reason, Reason::arrival_too_early);
+  EXPECT_NE(plan.error().explanation.find("arrives at"), std::string::npos) << plan.error().explanation;
+}
+
+TEST(PlanArrival, SaysWhyThereIsNoWayAtAll) {
+  const ocean::Environment environment{.bathymetry = support::bathymetry_from([](geo::LonLat place) {
+                                         return std::abs(place.lon_deg + 53.0) < 0.15 ? -1.0 : 300.0;
+                                       })};
+
+  const auto plan = plan_arrival(environment, arriving_after(100.0), {}, {});
+
+  ASSERT_FALSE(plan.has_value());
+  EXPECT_EQ(plan.error().reason, Reason::goal_unreachable);
+}
+
+}  // namespace
+}  // namespace floeplan::planning
