@@ -1,0 +1,242 @@
+#include "engine/planning/reach.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+#include <utility>
+
+#include "engine/geo/antimeridian.hpp"
+#include "engine/graph/contour.hpp"
+#include "engine/graph/label_setting_search.hpp"
+#include "engine/planning/explanation.hpp"
+#include "engine/planning/grid_travel.hpp"
+#include "engine/planning/open_grid.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using graph::Vertex;
+using Direction = ReachRequest::Direction;
+
+constexpr double most_vertices = 1e7;          // some minutes and half a gigabyte
+constexpr std::size_t most_icebergs = 20'000;  // some seconds of forecasts
+constexpr double map_cells_per_step = 3.0;     // of the safety map
+constexpr int halvings = 8;                    // of a line between two vertices, where something closes it
+// Legs of a k-sector grid pass over k vertices at most: those next to the border then have their own arrivals.
+constexpr double steps_beyond = 3.0;
+
+PlaneBox box_around(geo::PlanePoint centre, double radius_m) {
+  return PlaneBox{centre, centre}.grown(radius_m);
+}
+
+/// A square grid with the place in its middle. Start and goal are the place.
+RouteGrid grid_around(geo::PlanePoint centre, core::Metres radius, core::Metres step) {
+  const int steps = static_cast<int>(std::ceil(radius / step));
+  RouteGrid grid;
+  grid.origin = {centre.x_m - steps * step.value, centre.y_m - steps * step.value};
+  grid.along = {step.value, 0.0};
+  grid.across = {0.0, step.value};
+  grid.nx = 2 * steps + 1;
+  grid.ny = grid.nx;
+  grid.start = static_cast<Vertex>(steps * grid.nx + steps);
+  grid.goal = grid.start;
+  return grid;
+}
+
+/// No further than the strongest current can carry the vehicle, and some steps.
+core::Metres grid_radius(const Sea& sea, const ReachRequest& request) {
+  const core::MetresPerSecond current =
+      sea.currents() ? sea.currents()->strongest() : core::MetresPerSecond{0.0};
+  const double fastest_m_s = request.vehicle.speed_through_water.value + current.value;
+  const double farthest_m = 1.01 * fastest_m_s * request.reach().count() + 2.0 * request.step().value;
+  return std::min(request.data_radius(), core::Metres{farthest_m});
+}
+
+/// The search and what its clock means: forwards it shows the time since the sea's epoch; backwards it is that of
+/// the film run backwards.
+class ReachSearch {
+ public:
+  ReachSearch(const Sea& sea, const OpenGrid& open, const ReachRequest& request)
+      : sea_{sea},
+        open_{open},
+        direction_{request.direction},
+        begin_{direction_ == Direction::from ? core::Seconds{0.0} : -request.reach()} {
+    const double step_s = request.step().value / request.vehicle.speed_through_water.value;
+    latest_ = begin_ + request.reach() + core::Seconds{steps_beyond * step_s};
+  }
+
+  graph::SearchTree run(const std::stop_token& stop, const graph::ExpansionCallback& report) const {
+    const graph::Query query{
+        .source = open_.grid.start, .goal = std::nullopt, .depart = begin_, .latest = latest_};
+    const StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.start};
+    const EdgeBound bound{straight};
+    if (direction_ == Direction::from) {
+      return graph::find_earliest_arrivals(open_.graph, query, GridTravelTime{sea_, open_.grid}, stop, bound,
+                                           report);
+    }
+    return graph::find_earliest_arrivals(open_.graph, query, GridTravelTimeBack{sea_, open_.grid}, stop,
+                                         bound, report);
+  }
+
+  /// Polygons of the vertices that the tree reaches within the span.
+  std::vector<graph::GridPolygon> within(core::Seconds span, const graph::SearchTree& tree) const {
+    const double level_s = (begin_ + span).count();
+    std::vector<std::uint8_t> inside(open_.graph.size());
+    for (Vertex v = 0; v < inside.size(); ++v) inside[v] = tree.arrival_s(v) <= level_s ? 1 : 0;
+    return graph::contour(open_.grid.nx, open_.grid.ny, inside, [&](Vertex in, Vertex out) {
+      const bool open = tree.is_reached(out) && !closed_between(in, out);
+      if (!open) return share_travelled(tree, in, out, level_s);
+      return (level_s - tree.arrival_s(in)) / (tree.arrival_s(out) - tree.arrival_s(in));
+    });
+  }
+
+ private:
+  bool closed_between(Vertex in, Vertex out) const {
+    return sea_.closed_between(open_.grid.point(in), open_.grid.point(out)).has_value();
+  }
+
+  /// How far the vehicle comes on the straight line towards a vertex that it does not reach that way.
+  double share_travelled(const graph::SearchTree& tree, Vertex in, Vertex out, double level_s) const {
+    const geo::PlanePoint from = open_.grid.point(in);
+    const geo::PlanePoint to = open_.grid.point(out);
+    const core::Seconds here{tree.arrival_s(in)};
+    const core::Seconds level{level_s};
+    double reached = 0.0;
+    double not_reached = 1.0;
+    for (int i = 0; i < halvings; ++i) {
+      const double share = 0.5 * (reached + not_reached);
+      const geo::PlanePoint there{from.x_m + share * (to.x_m - from.x_m),
+                                  from.y_m + share * (to.y_m - from.y_m)};
+      const auto time = direction_ == Direction::from ? sea_.leg_time(from, there, here, level)
+                                                      : sea_.leg_time_back(there, from, -here, -level);
+      (time && here + *time <= level ? reached : not_reached) = share;
+    }
+    return reached;
+  }
+
+  const Sea& sea_;
+  const OpenGrid& open_;
+  Direction direction_;
+  core::Seconds begin_;
+  core::Seconds latest_{};
+};
+
+double area_m2(const graph::GridRing& ring, double cell_m2) {
+  double doubled = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const graph::GridPlace& a = ring[i];
+    const graph::GridPlace& b = ring[(i + 1) % ring.size()];
+    doubled += a.column * b.row - b.column * a.row;
+  }
+  return 0.5 * doubled * cell_m2;
+}
+
+geo::Ring to_ring(const graph::GridRing& ring, const RouteGrid& grid,
+                  const geo::LocalProjection& projection) {
+  geo::Ring result;
+  for (const graph::GridPlace place : ring) {
+    result.push_back(projection.to_lon_lat(
+        {grid.origin.x_m + place.column * grid.along.x_m + place.row * grid.across.x_m,
+         grid.origin.y_m + place.column * grid.along.y_m + place.row * grid.across.y_m}));
+  }
+  return result;
+}
+
+ReachArea to_area(const std::vector<graph::GridPolygon>& polygons, const RouteGrid& grid, const Sea& sea) {
+  const double cell_m2 = grid.along.x_m * grid.across.y_m;
+  ReachArea area;
+  for (const graph::GridPolygon& polygon : polygons) {
+    geo::Polygon on_globe{.outer = to_ring(polygon.outer, grid, sea.projection()), .holes = {}};
+    area.area_m2 += area_m2(polygon.outer, cell_m2);
+    for (const graph::GridRing& hole : polygon.holes) {
+      on_globe.holes.push_back(to_ring(hole, grid, sea.projection()));
+      area.area_m2 += area_m2(hole, cell_m2);
+    }
+    std::ranges::move(geo::split_at_antimeridian(on_globe), std::back_inserter(area.polygons));
+  }
+  return area;
+}
+
+/// Why the vehicle cannot be at the place when it leaves or is to arrive.
+std::optional<motion::EdgeClosed> closed_place(const Sea& sea, geo::PlanePoint place,
+                                               const ReachRequest& request) {
+  if (const auto closed = sea.safety().closed_at(request.place)) return closed;
+  const core::Seconds then = request.time - request.begin();
+  for (const TimeSpan& span : sea.closed_times(place)) {
+    if (span.from <= then && then <= span.until) return motion::EdgeClosed::obstacle;
+  }
+  return std::nullopt;
+}
+
+/// Whether the search came to the rim of its grid in time, beyond which the area goes on.
+bool touches_rim(const graph::SearchTree& tree, const RouteGrid& grid, double level_s) {
+  const auto reached = [&](int column, int row) {
+    return tree.arrival_s(static_cast<Vertex>(row * grid.nx + column)) <= level_s;
+  };
+  for (int i = 0; i < grid.nx; ++i) {
+    if (reached(i, 0) || reached(i, grid.ny - 1) || reached(0, i) || reached(grid.nx - 1, i)) return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+Result<Reach> find_reach(const ocean::Environment& environment, const ReachRequest& request,
+                         const std::stop_token& stop, const core::ProgressCallback& report) {
+  if (!request.violations().empty()) throw std::invalid_argument{request.violations().front().rule};
+  const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
+  progress("environment", 0.0);
+  const PlanRequest voyage = voyage_of(request);
+  const double side = 2.0 * request.data_radius() / request.step() + 1.0;
+  if (side * side > most_vertices) return tl::unexpected(explain_too_large(side * side, voyage));
+  if (environment.icebergs.size() > most_icebergs) {
+    return tl::unexpected(explain_too_many_icebergs(environment.icebergs.size(), voyage));
+  }
+
+  const geo::LocalProjection projection{request.place};
+  const geo::PlanePoint place = projection.to_plane(request.place);
+  const core::Metres cell{request.step().value / map_cells_per_step};
+  const PlaneBox area = box_around(place, request.data_radius().value + 2.0 * request.step().value);
+  Sea sea{environment, voyage, projection, area, cell, stop};
+  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(voyage));
+  if (const auto closed = closed_place(sea, place, request)) {
+    const Stop kind = request.direction == Direction::from ? Stop::start : Stop::goal;
+    return tl::unexpected(explain_place(*closed, kind, request.place, sea, voyage));
+  }
+  sea.safety().open_around(place);
+
+  const OpenGrid open =
+      open_grid(sea, grid_around(place, grid_radius(sea, request), request.step()), request.sectors, stop);
+  const ReachSearch search{sea, open, request};
+  const graph::SearchTree tree = search.run(stop, [&](std::int64_t expansions) {
+    progress("search", 0.1 + 0.8 * static_cast<double>(expansions) / static_cast<double>(open.vertices));
+  });
+  if (tree.stopped || stop.stop_requested()) return tl::unexpected(explain_cancelled(voyage));
+
+  Reach reach;
+  reach.search.vertices = open.vertices;
+  reach.search.edges = open.edges;
+  reach.search.edge_evaluations = tree.counters.edge_evaluations;
+  reach.search.expansions = tree.counters.expansions;
+  reach.datasets = environment.datasets;
+  reach.warnings = environment.warnings;
+  std::vector<core::Seconds> spans = request.spans;
+  std::ranges::sort(spans);
+  spans.erase(std::ranges::unique(spans).begin(), spans.end());
+  const core::Seconds begin = request.direction == Direction::from ? core::Seconds{0.0} : -request.reach();
+  for (const core::Seconds span : spans) {
+    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(voyage));
+    ReachArea one = to_area(search.within(span, tree), open.grid, sea);
+    one.span = span;
+    one.time = request.direction == Direction::from ? request.time + span : request.time - span;
+    reach.areas.push_back(std::move(one));
+  }
+  if (touches_rim(tree, open.grid, (begin + spans.back()).count())) {
+    reach.warnings.push_back(
+        "the area is cut where it leaves the data that were looked at: currents carry the vehicle further");
+  }
+  return reach;
+}
+
+}  // namespace floeplan::planning
