@@ -111,11 +111,22 @@ core::UtcTime drift_start(const Draft& draft) {
   return start;
 }
 
-/// `periods` says which dataset covers which period.
-void refuse_departure(Draft& draft, const std::string& periods) {
-  draft.violations.push_back({"/depart", core::iso8601(draft.query.depart) +
-                                             " is outside the currents' period: " + periods +
-                                             ". Depart within it, or hold the currents steady (--steady)"});
+bool covers_begin(const Period& period, const EnvironmentQuery& query) {
+  return covers(period, query.depart) || (query.may_begin_later && query.depart <= period.to);
+}
+
+bool covers_end(const Period& period, const EnvironmentQuery& query) {
+  return !query.until || covers(period, query.until->time);
+}
+
+/// `periods` says which dataset covers which period; `begins` whether one of them covers the departure.
+void refuse_period(Draft& draft, const std::string& periods, bool begins) {
+  const bool at_end = begins && draft.query.until;
+  const std::string input = at_end ? draft.query.until->input : "depart";
+  const core::UtcTime time = at_end ? draft.query.until->time : draft.query.depart;
+  draft.violations.push_back(
+      {"/" + input, core::iso8601(time) + " is outside the currents' period: " + periods + ". " +
+                        (at_end ? "Stay" : "Depart") + " within it, or hold the currents steady (--steady)"});
 }
 
 /// Several currents are the members of an ensemble: every one must serve, the first is the one planned in.
@@ -126,8 +137,8 @@ void add_ensemble(Draft& draft, const std::vector<Dataset>& found) {
   bool none_steady = true;
   for (const Dataset& dataset : found) {
     auto period = query.steady ? std::nullopt : period_of(dataset);
-    if (period && !covers(*period, query.depart)) {
-      refuse_departure(draft, title(dataset) + " covers " + period_text(*period));
+    if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
+      refuse_period(draft, title(dataset) + " covers " + period_text(*period), covers_begin(*period, query));
       continue;
     }
     if (period) period->from = drift_start(draft);
@@ -160,9 +171,11 @@ void add_currents(Draft& draft) {
   }
 
   std::string periods_missed;
+  bool begins = false;
   for (const Dataset& dataset : found) {
     auto period = query.steady ? std::nullopt : period_of(dataset);
-    if (period && !covers(*period, query.depart)) {
+    begins = begins || (period && covers_begin(*period, query));
+    if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
       periods_missed +=
           (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
       continue;
@@ -172,7 +185,7 @@ void add_currents(Draft& draft) {
     if (currents) return adopt_currents(draft, dataset, std::move(*currents));
   }
 
-  if (!periods_missed.empty()) return refuse_departure(draft, periods_missed);
+  if (!periods_missed.empty()) return refuse_period(draft, periods_missed, begins);
   if (named && !found.empty())
     draft.refuse(DatasetKind::currents, title(found.front()) + " has no node near the area");
   if (!named) warn_of_gap(draft, DatasetKind::currents, query.currents, "planned in still water");
@@ -232,7 +245,8 @@ std::vector<Dataset> newest_with_sightings(const std::vector<Dataset>& found, co
 
 void add_icebergs(Draft& draft) {
   const EnvironmentQuery& query = draft.query;
-  const core::UtcTime as_of = query.icebergs_as_of.value_or(query.depart);
+  const core::UtcTime last_moment = query.may_begin_later && query.until ? query.until->time : query.depart;
+  const core::UtcTime as_of = query.icebergs_as_of.value_or(last_moment);
   const core::UtcTime oldest = oldest_sighting_used(as_of, query.max_sighting_age);
   const geo::BoundingBox area = query.iceberg_drift ? geo::grown(query.area, reach_of_drift) : query.area;
   auto chosen = candidates(draft.stored, DatasetKind::icebergs, query.icebergs, query.area, draft.violations);

@@ -18,16 +18,25 @@ namespace floeplan::repository {
 /// 50 km in this time.
 inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 
+/// The last moment that the data have to cover, and the input that asks for it.
+struct CoveredUntil {
+  std::string input;
+  core::UtcTime time;
+};
+
 /// What a job wants to know of the sea.
 struct EnvironmentQuery {
   geo::BoundingBox area;
   core::UtcTime depart;
+  std::optional<CoveredUntil> until;  // covered too; empty: however long it takes
+  bool may_begin_later{false};        // `depart` is the earliest possible one: data may begin after it
   core::Metres dive_depth{200.0};
   DatasetChoice currents;
   bool steady{false};  // one time step, or the mean of all, for every time
   DatasetChoice bathymetry;
   DatasetChoice icebergs;
-  std::optional<core::UtcTime> icebergs_as_of;  // default: the departure
+  std::optional<core::UtcTime>
+      icebergs_as_of;  // default: the departure, or `until` where data may begin later
   core::Seconds max_sighting_age{repository::max_sighting_age};
   bool iceberg_drift{true};  // also what their drift needs: tracks, and currents from the sightings on
   DatasetChoice coastline;
@@ -41,8 +50,8 @@ struct EnvironmentQuery {
 /// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and
 /// the period, all as they stood at one moment.
 /// Errors   a violation for each named dataset that does not exist, is of another kind or shares nothing
-///          with the area, and for a departure outside the period of the currents unless they are held
-///          steady
+///          with the area, and for a departure (or a moment to cover) outside the period of the currents
+///          unless they are held steady
 /// Edges    currents are read from the last step before departure (before the oldest iceberg sighting in use,
 ///          when icebergs drift) to their end: how long a plan takes is not yet known. Currents without time are
 ///          held steady. Drifting icebergs are also read up to 100 km beyond the area.

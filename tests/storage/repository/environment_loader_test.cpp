@@ -198,6 +198,33 @@ TEST_F(EnvironmentLoaderTest, RefusesADepartureOutsideTheCurrents) {
   EXPECT_THAT(violations(), ElementsAre(HasSubstr("/depart")));
 }
 
+TEST_F(EnvironmentLoaderTest, TakesTheDatasetThatCoversAWholeWindow) {
+  add_currents("currents-long", sample_time, 10, levels_);
+  add_currents("currents-short", sample_time, 3, levels_);
+  query_.until = {"depart_until", sample_time + 5 * hour};
+
+  EXPECT_THAT(cited(load()), ElementsAre("currents-long"));
+}
+
+TEST_F(EnvironmentLoaderTest, RefusesAWindowThatRunsOutOfTheCurrents) {
+  add_currents("currents", sample_time, 5, levels_);
+  query_.until = {"depart_until", sample_time + 5 * hour};
+
+  EXPECT_THAT(violations(), ElementsAre(AllOf(HasSubstr("/depart_until"), HasSubstr("Stay within"))));
+}
+
+TEST_F(EnvironmentLoaderTest, ReadsCurrentsFromTheirBeginningForAWantedArrival) {
+  add_currents("currents", sample_time, 5, levels_);
+  query_.depart = sample_time - day;
+  query_.until = {"arrive_by", sample_time + 4 * hour};
+  query_.may_begin_later = true;
+
+  EXPECT_EQ(load().currents->samples().times_s.front(), core::unix_seconds(sample_time));
+
+  query_.until = {"arrive_by", sample_time + 5 * hour};
+  EXPECT_THAT(violations(), ElementsAre(HasSubstr("/arrive_by")));
+}
+
 TEST_F(EnvironmentLoaderTest, HoldsCurrentsSteadyAtTheirMeanAtAnyTime) {
   add_currents("currents", sample_time + day, 5, levels_);
   query_.steady = true;
