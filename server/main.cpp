@@ -23,6 +23,7 @@ int main(int argc, char** argv) {
   cli::add_probe(app, program);
   cli::add_plan(app, program);
   cli::add_evaluate(app, program);
+  cli::add_reach(app, program);
   cli::add_export(app, program);
   cli::add_check(app, program);
   cli::add_reproduce(app, program);

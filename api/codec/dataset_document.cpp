@@ -39,4 +39,13 @@ nlohmann::json dataset_document(const repository::Dataset& dataset, const std::v
   return document;
 }
 
+nlohmann::json dataset_refs_json(const std::vector<ocean::DatasetRef>& datasets) {
+  nlohmann::json result = nlohmann::json::array();
+  for (const auto& dataset : datasets) {
+    result.push_back(
+        {{"id", dataset.id}, {"kind", dataset.kind}, {"name", dataset.name}, {"sha256", dataset.sha256}});
+  }
+  return result;
+}
+
 }  // namespace floeplan::codec

@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
+#include "engine/ocean/dataset_ref.hpp"
 #include "storage/repository/dataset.hpp"
 
 namespace floeplan::codec {
@@ -15,5 +16,8 @@ inline constexpr std::size_t max_listed_times = 2000;
 /// empty.
 [[nodiscard]] nlohmann::json dataset_document(const repository::Dataset& dataset,
                                               const std::vector<core::UtcTime>& times = {});
+
+/// The data that a result rests on.
+[[nodiscard]] nlohmann::json dataset_refs_json(const std::vector<ocean::DatasetRef>& datasets);
 
 }  // namespace floeplan::codec

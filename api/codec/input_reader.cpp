@@ -113,6 +113,17 @@ std::optional<core::UtcTime> InputReader::time(const std::string& key) {
   return std::nullopt;
 }
 
+std::optional<core::Seconds> InputReader::duration(const std::string& key) {
+  const json* value = member(key);
+  if (value == nullptr) return std::nullopt;
+  if (value->is_string()) {
+    if (const auto duration = core::parse_iso8601_duration(value->get_ref<const std::string&>()))
+      return duration;
+  }
+  refuse("/" + key, "must be a duration in ISO 8601, as PT1H or P1DT30M, not " + shown(*value));
+  return std::nullopt;
+}
+
 std::optional<geo::LonLat> InputReader::to_place(const json& value, const std::string& pointer) {
   const bool pair = value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
   if (!pair) {

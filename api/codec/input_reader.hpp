@@ -33,6 +33,8 @@ class InputReader {
   [[nodiscard]] std::optional<int> integer(const std::string& key, int from, int to);
   /// ISO 8601 with a zone, rounded to the whole second.
   [[nodiscard]] std::optional<core::UtcTime> time(const std::string& key);
+  /// An ISO 8601 duration of days and time, as "PT1H".
+  [[nodiscard]] std::optional<core::Seconds> duration(const std::string& key);
   [[nodiscard]] std::optional<geo::LonLat> place(const std::string& key);
   /// An array of places with `least` to `most` elements.
   [[nodiscard]] std::optional<std::vector<geo::LonLat>> places(const std::string& key, std::size_t least,

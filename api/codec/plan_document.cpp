@@ -6,6 +6,7 @@
 #include <type_traits>
 #include <variant>
 
+#include "api/codec/dataset_document.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 
@@ -22,15 +23,6 @@ json optional_value(const std::optional<core::Quantity<Tag>>& quantity) {
 }
 
 json optional_number(const std::optional<double>& number) { return number ? json(*number) : json(); }
-
-json datasets_json(const std::vector<ocean::DatasetRef>& datasets) {
-  json result = json::array();
-  for (const auto& dataset : datasets) {
-    result.push_back(
-        {{"id", dataset.id}, {"kind", dataset.kind}, {"name", dataset.name}, {"sha256", dataset.sha256}});
-  }
-  return result;
-}
 
 json waypoint_json(const planning::Waypoint& waypoint, std::size_t index) {
   return {{"index", index},
@@ -226,7 +218,7 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
            {{"iceberg_m", optional_value(plan.clearances.iceberg)},
             {"land_m", optional_value(plan.clearances.land)},
             {"bottom_m", optional_value(plan.clearances.bottom)}}},
-          {"datasets", datasets_json(plan.datasets)},
+          {"datasets", dataset_refs_json(plan.datasets)},
           {"warnings", plan.warnings}};
 }
 
@@ -243,7 +235,7 @@ json infeasible_document(const planning::Infeasible& infeasible, const ocean::En
           {"smallest_change", changes.empty() ? json() : changes.front()},
           {"changes", std::move(changes)},
           {"warnings", environment.warnings},
-          {"datasets", datasets_json(environment.datasets)}};
+          {"datasets", dataset_refs_json(environment.datasets)}};
 }
 
 planning::Plan parse_plan_document(const json& document) {

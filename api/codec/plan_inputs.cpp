@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/codec/data_inputs.hpp"
+#include "api/codec/departure_inputs.hpp"
 #include "api/codec/iceberg_inputs.hpp"
 #include "api/codec/input_reader.hpp"
 #include "api/codec/search_inputs.hpp"
@@ -20,13 +21,9 @@ using nlohmann::json;
 constexpr std::size_t max_vias = 50;
 constexpr std::size_t max_route_places = 10'000;
 
-/// What both processes share: departure, vehicle, margin, data and name.
+/// What both processes share: vehicle, margin, data and name.
 void read_common(InputReader& reader, planning::PlanRequest& request, repository::EnvironmentQuery& data,
                  std::string& name) {
-  reader.require("depart",
-                 "is required: the time of departure in ISO 8601 with its zone, as 2026-11-20T06:00:00Z");
-  request.depart = reader.time("depart").value_or(core::UtcTime{});
-
   read_vehicle(reader, request.vehicle);
   request.zones = read_areas(reader);
   read_data(reader, data);
@@ -56,7 +53,7 @@ void read_places(InputReader& reader, planning::PlanRequest& request) {
 
 void fill_data(const planning::PlanRequest& request, repository::EnvironmentQuery& data) {
   data.area = planning::planning_area(request);
-  data.depart = request.depart;
+  fill_period(request, data);
   data.dive_depth = request.vehicle.dive_depth;
 }
 
@@ -95,7 +92,7 @@ json places_json(const std::vector<geo::LonLat>& places) {
 
 json common_json(const planning::PlanRequest& request, const repository::EnvironmentQuery& data,
                  const std::string& name) {
-  json inputs{{"depart", core::iso8601(request.depart)}, {"name", name}};
+  json inputs{{"name", name}};
   write_vehicle(request.vehicle, inputs);
   inputs["areas"] = request.zones.empty() ? json() : areas_json(request.zones);
   write_data(data, inputs);
@@ -109,6 +106,7 @@ tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs)
   InputReader reader{inputs};
   PlanInputs result;
   read_places(reader, result.request);
+  read_departures(reader, result.request);
   read_common(reader, result.request, result.data, result.name);
   read_search(reader, result.request);
   result.request.uncertainty = read_uncertainty(reader);
@@ -126,6 +124,7 @@ tl::expected<EvaluateInputs, core::Violations> parse_evaluate_inputs(const json&
   InputReader reader{inputs};
   EvaluateInputs result;
   read_route(reader, result);
+  read_departure(reader, result.request);
   read_common(reader, result.request, result.data, result.name);
   reader.refuse_unknown();
   if (!reader.violations().empty()) return tl::unexpected(reader.violations());
@@ -150,12 +149,14 @@ json to_json(const PlanInputs& inputs) {
   result["via"] = places_json(request.via);
   result["uncertainty"] = uncertainty_json(request.uncertainty);
   result["via_order"] = request.via_in_best_order ? "best" : "given";
+  write_departures(request, result);
   write_search(request, result);
   return result;
 }
 
 json to_json(const EvaluateInputs& inputs) {
   json result = common_json(inputs.request, inputs.data, inputs.name);
+  result["depart"] = core::iso8601(inputs.request.depart);
   if (inputs.plan_id) {
     result["plan_id"] = *inputs.plan_id;
   } else {

@@ -3,6 +3,7 @@
 #include "api/codec/job_document.hpp"
 #include "api/codec/json_text.hpp"
 #include "api/codec/plan_inputs.hpp"
+#include "api/codec/reach_inputs.hpp"
 #include "api/routes/job_reply.hpp"
 #include "api/routes/preferences.hpp"
 #include "api/routes/reply.hpp"
@@ -66,6 +67,24 @@ tl::expected<json, core::Violations> checked_evaluate_inputs(sqlite::Connection&
   return codec::to_json(*parsed);
 }
 
+tl::expected<json, core::Violations> checked_reach_inputs(sqlite::Connection& db, const json& inputs) {
+  const auto parsed = codec::parse_reach_inputs(inputs);
+  if (!parsed) return tl::unexpected(parsed.error());
+  auto violations = check_data(db, parsed->data);
+  if (!violations.empty()) return tl::unexpected(std::move(violations));
+  return codec::to_json(*parsed);
+}
+
+using CheckInputs = tl::expected<json, core::Violations> (*)(sqlite::Connection&, const json&);
+
+/// Null when there is no such process.
+CheckInputs check_of(const std::string& process) {
+  if (process == "plan-route") return checked_plan_inputs;
+  if (process == "evaluate-route") return checked_evaluate_inputs;
+  if (process == "reach") return checked_reach_inputs;
+  return nullptr;
+}
+
 /// The `inputs` of an execute request.
 tl::expected<json, core::Violations> inputs_of(const json& body) {
   if (!body.is_object()) return tl::unexpected(core::Violations{{"", "must be an object with \"inputs\""}});
@@ -106,8 +125,8 @@ Response execute(const Context& context, const Request& request, const PathParam
   if (request.resumption) return resume(context, request);
 
   const std::string& process = path.at("process_id");
-  const bool plans = process == "plan-route";
-  if (!plans && process != "evaluate-route") {
+  const CheckInputs check = check_of(process);
+  if (check == nullptr) {
     return not_found(request, "http://www.opengis.net/def/exceptions/ogcapi-processes-1/1.0/no-such-process",
                      "No process has the id " + process + ".");
   }
@@ -121,8 +140,7 @@ Response execute(const Context& context, const Request& request, const PathParam
   if (!body) return problem_reply(request, {400, "invalid-json", "Invalid JSON", body.error(), {}});
   const auto raw = inputs_of(*body);
   if (!raw) return invalid(request, raw.error());
-  const auto inputs =
-      plans ? checked_plan_inputs(context.db, *raw) : checked_evaluate_inputs(context.db, *raw);
+  const auto inputs = check(context.db, *raw);
   if (!inputs) return invalid(request, under_inputs(inputs.error()));
 
   const auto job = context.jobs.submit(context.db, process, inputs->dump(), request.now);

@@ -75,7 +75,15 @@ json common_inputs() {
 }
 
 json plan_inputs() {
+  const json time{{"type", "string"}, {"format", "date-time"}};
   json inputs = common_inputs();
+  inputs["depart"] = input("Departure, ISO 8601 with its zone; required unless arrive_by is given", time);
+  inputs["depart_until"] =
+      input("Last departure of a window that begins at depart; the best one is planned", time);
+  inputs["depart_step"] = input("From one departure of the window to the next, ISO 8601; default PT1H",
+                                {{"type", "string"}, {"format", "duration"}});
+  inputs["arrive_by"] =
+      input("Leave as late as this arrival allows; depart is then the earliest departure", time);
   inputs["from"] = input("Start, [longitude, latitude] in degrees", position_schema(), true);
   inputs["to"] = input("Goal, [longitude, latitude] in degrees", position_schema(), true);
   inputs["via"] = input("Places to visit in this order", {{"type", "array"}, {"items", position_schema()}});
@@ -110,6 +118,26 @@ json evaluate_inputs() {
   return inputs;
 }
 
+json reach_inputs() {
+  const json time{{"type", "string"}, {"format", "date-time"}};
+  const json hours = number_schema(0.0, 720.0);
+  json inputs = common_inputs();
+  inputs["depart"] = input("Departure, with from", time);
+  inputs["arrive_by"] = input("Latest arrival, with to", time);
+  inputs["from"] =
+      input("Where the vehicle leaves, [longitude, latitude] in degrees; else to", position_schema());
+  inputs["to"] = input("Where it is to arrive, [longitude, latitude] in degrees", position_schema());
+  inputs["hours"] = input(
+      "Hours after the departure, or before the arrival; one number or several",
+      {{"oneOf",
+        json::array({hours, json{{"type", "array"}, {"items", hours}, {"minItems", 1}, {"maxItems", 48}}})}},
+      true);
+  inputs["spacing_m"] = input("Spacing of the search grid, metres", number_schema(10.0, 1e5));
+  inputs["sectors"] =
+      input("Reach of the grid's edges", {{"type", "integer"}, {"minimum", 1}, {"maximum", 5}});
+  return inputs;
+}
+
 json process(const std::string& id, const std::string& title, const std::string& description) {
   return {{"id", id},
           {"title", title},
@@ -119,13 +147,29 @@ json process(const std::string& id, const std::string& title, const std::string&
           {"outputTransmission", json::array({"value"})}};
 }
 
-json summaries() {
-  return json::array(
+/// What a process takes and gives beside its summary.
+struct Description {
+  json summary;
+  json (*inputs)();
+  std::string output;
+  std::string output_title;
+};
+
+std::vector<Description> descriptions() {
+  return {
       {process("plan-route", "Plan a route",
-               "The fastest route through currents, past land, shallows and icebergs. When there is none, "
-               "the result says where, why and what would help."),
-       process("evaluate-route", "Time a given route",
-               "Travel time and clearances of a given route, by the rules that planning follows.")});
+               "The fastest route through currents, past land, shallows and icebergs: for one departure, for "
+               "the best of a window, or for the latest that arrives in time. When there is none, the result "
+               "says where, why and what would help."),
+       plan_inputs, "plan", "The plan"},
+      {process("evaluate-route", "Time a given route",
+               "Travel time and clearances of a given route, by the rules that planning follows."),
+       evaluate_inputs, "evaluation", "The timed route"},
+      {process("reach", "Show what can be reached",
+               "The places that the vehicle can reach within given times, or from which it can still be "
+               "somewhere "
+               "in time, as GeoJSON polygons."),
+       reach_inputs, "reach", "A GeoJSON FeatureCollection, one MultiPolygon for each time"}};
 }
 
 json with_links(json summary, const std::string& url) {
@@ -141,8 +185,8 @@ Response list_processes(const Context& context, const Request& request, const Pa
   const auto limit = static_cast<std::size_t>(reader.limit());
   if (!reader.violations().empty()) return invalid(request, reader.violations());
   json processes = json::array();
-  for (const auto& summary : summaries()) {
-    if (processes.size() < limit) processes.push_back(with_links(summary, context.service.public_url));
+  for (const auto& known : descriptions()) {
+    if (processes.size() < limit) processes.push_back(with_links(known.summary, context.service.public_url));
   }
   const std::string self = context.service.public_url + "/processes";
   return json_reply(
@@ -151,13 +195,11 @@ Response list_processes(const Context& context, const Request& request, const Pa
 
 Response show_process(const Context& context, const Request& request, const PathParameters& path) {
   const std::string& id = path.at("process_id");
-  for (const auto& summary : summaries()) {
-    if (summary.at("id") != id) continue;
-    json description = with_links(summary, context.service.public_url);
-    const bool plans = id == "plan-route";
-    const json output{{"title", plans ? "The plan" : "The timed route"}, {"schema", {{"type", "object"}}}};
-    description["inputs"] = plans ? plan_inputs() : evaluate_inputs();
-    description["outputs"][plans ? "plan" : "evaluation"] = output;
+  for (const auto& known : descriptions()) {
+    if (known.summary.at("id") != id) continue;
+    json description = with_links(known.summary, context.service.public_url);
+    description["inputs"] = known.inputs();
+    description["outputs"][known.output] = {{"title", known.output_title}, {"schema", {{"type", "object"}}}};
     return json_reply(description);
   }
   return not_found(request, "http://www.opengis.net/def/exceptions/ogcapi-processes-1/1.0/no-such-process",

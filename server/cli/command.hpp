@@ -39,6 +39,7 @@ void add_datasets(CLI::App& app, Program& program);
 void add_probe(CLI::App& app, Program& program);
 void add_plan(CLI::App& app, Program& program);
 void add_evaluate(CLI::App& app, Program& program);
+void add_reach(CLI::App& app, Program& program);
 void add_export(CLI::App& app, Program& program);
 void add_check(CLI::App& app, Program& program);
 void add_reproduce(CLI::App& app, Program& program);

@@ -84,6 +84,12 @@ void InputFlags::add_planning(CLI::App& command) {
                      "Make the best of all members: mean, or a share such as 0.9 that is to arrive early");
   command.add_option("--arrive-before", arrive_before_, "Show the chance to be there by then");
   command.add_flag("--best-order", best_order_, "Visit the places of --via in the order that ends earliest");
+  command.add_option("--depart-until", depart_until_,
+                     "Last departure of a window that starts at --depart; the best one is planned");
+  command.add_option("--depart-step", depart_step_,
+                     "From one departure of the window to the next, as PT1H (the default)");
+  command.add_option("--arrive-by", arrive_by_,
+                     "Leave as late as this arrival allows; --depart is then the earliest departure");
   command.add_option("--spacing", spacing_m_,
                      "Grid step M, or M,M along and across; default distance/200, 250 m to 5 km");
   command.add_option("--sectors", sectors_, "Reach of the grid's edges, 1 to 5; default 3");
@@ -94,6 +100,17 @@ void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--refine-seconds", refine_seconds_,
                      "Computing time for moving waypoints off the grid, 0.05 to 60; default 1");
   command.add_flag("--no-refine", no_refine_, "Leave the way as the grid gave it");
+}
+
+void InputFlags::add_reach(CLI::App& command) {
+  command.add_option("--request", request_file_, "JSON file with the inputs of process reach");
+  command.add_option("--from", from_, "Where the vehicle leaves at --depart, LON,LAT in degrees");
+  command.add_option("--to", to_, "Where it is to be at --arrive-by, LON,LAT in degrees");
+  command.add_option("--arrive-by", arrive_by_, "Latest arrival at --to, ISO 8601 with zone");
+  command.add_option("--hours", hours_, "Hours after the departure, or before the arrival, as 6,12,24");
+  command.add_option("--spacing", spacing_m_,
+                     "Grid step, metres; default a hundredth of the way in still water, 100 m to 5 km");
+  command.add_option("--sectors", sectors_, "Reach of the grid's edges, 1 to 5; default 3");
 }
 
 json InputFlags::inputs() const {
@@ -114,12 +131,20 @@ json InputFlags::inputs() const {
     }
     inputs["spacing_m"] = numbers->size() == 1 ? json((*numbers)[0]) : json(*numbers);
   }
+  if (hours_) {
+    const auto numbers = parse_numbers(*hours_);
+    if (!numbers) throw CLI::ValidationError{"--hours", *hours_ + " is not hours; as 6 or 6,12,24"};
+    inputs["hours"] = *numbers;
+  }
   if (currents_) {
     const auto ids = split_at_commas(*currents_);
     inputs["currents"] = ids.size() == 1 ? json(ids.front()) : json(ids);
   }
   if (areas_file_) inputs["areas"] = read_object(*areas_file_, "file of areas");
   set("depart", depart_);
+  set("depart_until", depart_until_);
+  set("depart_step", depart_step_);
+  set("arrive_by", arrive_by_);
   set("vehicle", vehicle_);
   set("speed_m_s", speed_m_s_);
   set("pitch_deg", pitch_deg_);

@@ -8,7 +8,7 @@
 
 namespace floeplan::cli {
 
-/// The flags of `plan` and `evaluate` that are members of a process's `inputs`, under the same names with
+/// The flags of `plan`, `evaluate` and `reach` that are members of a process's `inputs`, under the same names with
 /// underscores. Flags win over the members of a request file.
 class InputFlags {
  public:
@@ -16,6 +16,9 @@ class InputFlags {
   void add_common(CLI::App& command);
   /// Places, grid, search and refinement: what only `plan` takes.
   void add_planning(CLI::App& command);
+
+  /// Place, times and grid: what only `reach` takes.
+  void add_reach(CLI::App& command);
 
   /// The inputs. Throws CLI::ValidationError (wrong usage) for a flag whose text cannot be read, and
   /// std::runtime_error for a request file that cannot.
@@ -27,6 +30,10 @@ class InputFlags {
   std::optional<std::string> to_;
   std::vector<std::string> via_;
   std::optional<std::string> depart_;
+  std::optional<std::string> depart_until_;
+  std::optional<std::string> depart_step_;
+  std::optional<std::string> arrive_by_;
+  std::optional<std::string> hours_;
   std::optional<std::string> vehicle_;
   std::optional<double> speed_m_s_;
   std::optional<double> pitch_deg_;

@@ -59,6 +59,21 @@ void print_refinement(const json& plan) {
   std::printf("\n");
 }
 
+/// The curve of a window of departures, the planned one marked.
+void print_departures(const json& document) {
+  if (!document.contains("departures")) return;
+  const std::string planned = document.value("departure", "");
+  std::printf("%-22s %9s  %s\n", "departure", "hours", "");
+  for (const json& entry : document.at("departures")) {
+    const auto departure = entry.at("departure").get<std::string>();
+    const std::string remark = entry.at("status") != "ok" ? entry.at("reason").get<std::string>()
+                               : departure == planned     ? "best"
+                                                          : "";
+    std::printf("%-22s %9s  %s\n", departure.c_str(),
+                cell(entry.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str(), remark.c_str());
+  }
+}
+
 void print_for_people(const json& plan) {
   const std::string id = plan.value("plan_id", "");
   std::printf("%s  %s to %s, %s h, %s km\n", id.empty() ? "route" : id.c_str(),
@@ -88,6 +103,7 @@ void print_for_people(const json& plan) {
   }
   for (const json& warning : plan.at("warnings"))
     std::printf("warning: %s\n", warning.get<std::string>().c_str());
+  print_departures(plan);
 }
 
 }  // namespace
@@ -98,6 +114,8 @@ int print_plan(const json& document, bool json_out) {
     std::cout << document.dump(2) << '\n';
   } else if (ok) {
     print_for_people(document);
+  } else {
+    print_departures(document);
   }
   if (ok) return done;
   const json& at = document.at("at");

@@ -4,8 +4,11 @@
 #include <ctime>
 #include <nlohmann/json.hpp>
 
+#include "api/codec/departure_document.hpp"
 #include "api/codec/plan_document.hpp"
 #include "api/codec/sha256.hpp"
+#include "engine/planning/departure.hpp"
+#include "engine/planning/latest_departure.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/plan_repository.hpp"
@@ -45,6 +48,23 @@ core::Seconds thread_time() {
   return std::chrono::seconds{time.tv_sec} + std::chrono::nanoseconds{time.tv_nsec};
 }
 
+/// The plan for the departure, for the best one of a window, or for the latest one that arrives in time.
+planning::WindowPlan make_plan(const ocean::Environment& environment, const planning::PlanRequest& request,
+                               const std::stop_token& stop, const core::ProgressCallback& progress) {
+  if (request.departures.until)
+    return planning::plan_window(environment, request, stop, progress, thread_time);
+  if (request.departures.arrive_by) {
+    return {.departures = {},
+            .plan = planning::plan_arrival(environment, request, stop, progress, thread_time)};
+  }
+  return {.departures = {}, .plan = planning::plan_route(environment, request, stop, progress, thread_time)};
+}
+
+/// Documents of a window carry its curve.
+void add_departures(json& document, const std::vector<planning::DepartureOutcome>& departures) {
+  if (!departures.empty()) document["departures"] = codec::departures_json(departures);
+}
+
 }  // namespace
 
 tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
@@ -57,13 +77,18 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
   if (!environment) return tl::unexpected(environment.error());
 
   const Stopwatch watch;
-  auto plan = planning::plan_route(*environment, inputs.request, stop, progress, thread_time);
-  if (!plan) return codec::infeasible_document(plan.error(), *environment);
+  auto [departures, plan] = make_plan(*environment, inputs.request, stop, progress);
+  if (!plan) {
+    json document = codec::infeasible_document(plan.error(), *environment);
+    add_departures(document, departures);
+    return document;
+  }
   plan->search.duration = watch.elapsed();
 
   const json request = codec::to_json(inputs);
   const std::string id = plan_id(request, *environment);
   json document = codec::plan_document(*plan, id, inputs.name);
+  add_departures(document, departures);
   repository::PlanRepository{db}.insert({.row = 0,
                                          .id = {id},
                                          .name = inputs.name,

@@ -3,7 +3,9 @@
 #include <nlohmann/json.hpp>
 
 #include "api/codec/plan_inputs.hpp"
+#include "api/codec/reach_inputs.hpp"
 #include "server/jobs/plan_service.hpp"
+#include "server/jobs/reach_service.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -40,6 +42,11 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
     const auto inputs = codec::parse_evaluate_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
     return result("evaluation", evaluate_route_document(db, *inputs));
+  }
+  if (job.process == "reach") {
+    const auto inputs = codec::parse_reach_inputs(request);
+    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
+    return result("reach", reach_document(db, *inputs, stop, progress));
   }
   return tl::unexpected("this version knows no process " + job.process);
 }

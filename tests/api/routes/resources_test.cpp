@@ -11,8 +11,8 @@ TEST_F(ResourcesTest, EveryPlainPathAnswers) {
   for (const char* path :
        {"/", "/conformance", "/api", "/collections", "/collections/icebergs", "/collections/plans",
         "/collections/icebergs/items", "/collections/plans/items", "/processes", "/processes/plan-route",
-        "/processes/evaluate-route", "/jobs", "/datasets", "/vehicles", "/healthz", "/version",
-        "/map/coast?bbox=-54,68,-50,70", "/probe?lon=-53&lat=69"}) {
+        "/processes/evaluate-route", "/processes/reach", "/jobs", "/datasets", "/vehicles", "/healthz",
+        "/version", "/map/coast?bbox=-54,68,-50,70", "/probe?lon=-53&lat=69"}) {
     EXPECT_EQ(ask("GET", path).status, 200) << path;
   }
 }

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <vector>
+
+#include "engine/planning/departure.hpp"
+
+namespace floeplan::codec {
+
+/// The curve of a window of departures: one entry for each, in their order.
+[[nodiscard]] nlohmann::json departures_json(const std::vector<planning::DepartureOutcome>& outcomes);
+
+}  // namespace floeplan::codec

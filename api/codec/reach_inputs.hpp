@@ -1,0 +1,28 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <tl/expected.hpp>
+
+#include "engine/core/violation.hpp"
+#include "engine/planning/reach_request.hpp"
+#include "storage/repository/environment_loader.hpp"
+
+namespace floeplan::codec {
+
+/// Inputs of process reach. `data`'s area, period and dive depth follow from the request.
+struct ReachInputs {
+  planning::ReachRequest request;
+  repository::EnvironmentQuery data;
+  std::string name;
+};
+
+/// "from" and "depart", or "to" and "arrive_by"; "hours" as one number or several; grid, vehicle, margin and data as
+/// process plan-route reads them.
+/// Errors   every violation at once, each with the JSON pointer of its value relative to `inputs`
+[[nodiscard]] tl::expected<ReachInputs, core::Violations> parse_reach_inputs(const nlohmann::json& inputs);
+
+/// The inputs with every default written out and keys in a fixed order.
+[[nodiscard]] nlohmann::json to_json(const ReachInputs& inputs);
+
+}  // namespace floeplan::codec

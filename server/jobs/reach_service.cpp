@@ -1,0 +1,28 @@
+#include "server/jobs/reach_service.hpp"
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+
+#include "api/codec/plan_document.hpp"
+#include "api/codec/reach_document.hpp"
+#include "engine/planning/reach.hpp"
+#include "storage/repository/environment_loader.hpp"
+
+namespace floeplan::jobs {
+
+tl::expected<nlohmann::json, core::Violations> reach_document(sqlite::Connection& db,
+                                                              const codec::ReachInputs& inputs,
+                                                              const std::stop_token& stop,
+                                                              const core::ProgressCallback& progress) {
+  if (progress) progress("loading data", 0.0);
+  const auto environment = repository::load_environment(db, inputs.data);
+  if (!environment) return tl::unexpected(environment.error());
+
+  const auto begin = std::chrono::steady_clock::now();
+  auto reach = planning::find_reach(*environment, inputs.request, stop, progress);
+  if (!reach) return codec::infeasible_document(reach.error(), *environment);
+  reach->search.duration = std::chrono::steady_clock::now() - begin;
+  return codec::reach_document(*reach, inputs.request, inputs.name);
+}
+
+}  // namespace floeplan::jobs

@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <stop_token>
+#include <tl/expected.hpp>
+
+#include "api/codec/reach_inputs.hpp"
+#include "engine/core/progress.hpp"
+#include "engine/core/violation.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::jobs {
+
+/// What can be reached in the stored data; stores nothing.
+/// Returns  a GeoJSON FeatureCollection with status "ok", or a document with status "infeasible" and the reason
+///          ("cancelled" when `stop` was requested)
+/// Errors   violations of the choice of data, as for a plan
+[[nodiscard]] tl::expected<nlohmann::json, core::Violations> reach_document(
+    sqlite::Connection& db, const codec::ReachInputs& inputs, const std::stop_token& stop,
+    const core::ProgressCallback& progress);
+
+}  // namespace floeplan::jobs

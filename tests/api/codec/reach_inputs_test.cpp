@@ -1,0 +1,95 @@
+#include "api/codec/reach_inputs.hpp"
+
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "api/codec/reach_document.hpp"
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+using planning::ReachRequest;
+using testing::UnorderedElementsAre;
+
+const json from{{"from", {-53.0, 69.0}}, {"depart", "2026-11-20T06:00:00Z"}, {"hours", {6, 12.5}}};
+const json to{{"to", {-53.0, 69.0}}, {"arrive_by", "2026-11-22T06:00:00Z"}, {"hours", 24}};
+
+std::vector<std::string> faults(const json& inputs) {
+  const auto parsed = parse_reach_inputs(inputs);
+  std::vector<std::string> fields;
+  if (!parsed) {
+    for (const auto& violation : parsed.error()) fields.push_back(violation.field);
+  }
+  return fields;
+}
+
+json with(json inputs, const json& more) {
+  inputs.update(more);
+  return inputs;
+}
+
+TEST(ReachInputs, ReadAPlaceAndItsDeparture) {
+  const auto parsed = parse_reach_inputs(from);
+
+  ASSERT_TRUE(parsed.has_value());
+  EXPECT_EQ(parsed->request.direction, ReachRequest::Direction::from);
+  EXPECT_EQ(parsed->request.spans,
+            (std::vector<core::Seconds>{core::Seconds{21600.0}, core::Seconds{45000.0}}));
+  EXPECT_EQ(parsed->data.depart, core::parse_iso8601("2026-11-20T06:00:00Z"));
+  EXPECT_EQ(parsed->data.until->time, core::parse_iso8601("2026-11-20T18:30:00Z"));
+}
+
+TEST(ReachInputs, ReadAPlaceAndTheArrivalThere) {
+  const auto parsed = parse_reach_inputs(to);
+
+  ASSERT_TRUE(parsed.has_value());
+  EXPECT_EQ(parsed->request.direction, ReachRequest::Direction::to);
+  EXPECT_EQ(parsed->data.depart, core::parse_iso8601("2026-11-21T06:00:00Z"));
+  EXPECT_EQ(parsed->data.until->time, core::parse_iso8601("2026-11-22T06:00:00Z"));
+}
+
+TEST(ReachInputs, ReadBackWhatTheyWrite) {
+  for (const json& given : {from, to}) {
+    const json canonical = to_json(parse_reach_inputs(given).value());
+    EXPECT_EQ(to_json(parse_reach_inputs(canonical).value()), canonical);
+  }
+}
+
+TEST(ReachInputs, NameEveryFault) {
+  EXPECT_THAT(faults(json::object()), UnorderedElementsAre("/from", "/hours"));
+  EXPECT_THAT(faults(with(from, {{"to", {1, 2}}})), UnorderedElementsAre("/from"));
+  EXPECT_THAT(faults(with(from, {{"arrive_by", "2026-11-22T06:00:00Z"}})),
+              UnorderedElementsAre("/arrive_by"));
+  EXPECT_THAT(faults({{"to", {1, 2}}, {"hours", 6}}), UnorderedElementsAre("/arrive_by"));
+  EXPECT_THAT(faults(with(from, {{"hours", json::array()}})), UnorderedElementsAre("/hours"));
+  EXPECT_THAT(faults(with(from, {{"hours", {6, 0, -1, 721, "x"}}, {"colour", "red"}})),
+              UnorderedElementsAre("/hours/1", "/hours/2", "/hours/3", "/hours/4", "/colour"));
+  EXPECT_THAT(faults(with(from, {{"from", {1, 99}}, {"spacing_m", 1}, {"sectors", 6}})),
+              UnorderedElementsAre("/from", "/spacing_m", "/sectors"));
+}
+
+TEST(ReachDocument, IsGeoJsonWithClosedRings) {
+  planning::Reach reach;
+  reach.areas.push_back({.span = core::Seconds{21600.0},
+                         .time = core::parse_iso8601("2026-11-20T12:00:00Z").value(),
+                         .polygons = {{.outer = {{-53.0, 69.0}, {-52.0, 69.0}, {-52.0, 70.0}}, .holes = {}}},
+                         .area_m2 = 2.5e9});
+
+  const json document = reach_document(reach, parse_reach_inputs(from)->request, "round the bay");
+
+  EXPECT_EQ(document["type"], "FeatureCollection");
+  EXPECT_EQ(document["status"], "ok");
+  const json& feature = document["features"][0];
+  EXPECT_EQ(feature["geometry"]["type"], "MultiPolygon");
+  const json& ring = feature["geometry"]["coordinates"][0][0];
+  EXPECT_EQ(ring.size(), 4U);
+  EXPECT_EQ(ring.front(), ring.back());
+  EXPECT_EQ(feature["properties"]["hours"], 6.0);
+  EXPECT_EQ(feature["properties"]["area_km2"], 2500.0);
+}
+
+}  // namespace
+}  // namespace floeplan::codec

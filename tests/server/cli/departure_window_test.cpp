@@ -1,0 +1,130 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/server/cli/program.hpp"
+#include "tests/server/cli/served_program.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+using support::Program;
+using ::testing::HasSubstr;
+
+const char* const from = "-53.20,69.20";
+const char* const to = "-52.90,69.18";
+
+/// The demonstration data: currents from 2026-11-22T00:00:00Z on, tides and all.
+class DemoStore : public testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    program_ = new Program;
+    const std::string demo = (program_->folder() / "demo").string();
+    ASSERT_EQ(program_->run({"demo", demo}).exit_code, 0);
+    std::vector<std::string> words{"ingest"};
+    for (const auto& entry : std::filesystem::directory_iterator{demo}) {
+      if (entry.path().extension() != ".txt" && entry.path().extension() != ".md")
+        words.push_back(entry.path());
+    }
+    ASSERT_EQ(program_->run(words).exit_code, 0);
+    for (const json& dataset : program_->run({"datasets", "--json"}).json()["datasets"]) {
+      if (dataset["kind"] == "currents") times_ = dataset["times"];
+    }
+    ASSERT_GT(times_.size(), 30U);
+  }
+  static void TearDownTestSuite() {
+    delete program_;
+    program_ = nullptr;
+  }
+
+  static std::string time(std::size_t step) { return times_.at(step).get<std::string>(); }
+  static support::Outcome plan(std::vector<std::string> more) {
+    more.insert(more.begin(), {"plan", "--from", from, "--to", to, "--json"});
+    return program_->run(more);
+  }
+
+  static Program* program_;
+  static json times_;
+};
+
+Program* DemoStore::program_ = nullptr;
+json DemoStore::times_;
+
+TEST_F(DemoStore, PlansTheBestDepartureOfAWindowAndShowsTheCurve) {
+  const auto outcome = plan({"--depart", time(0), "--depart-until", time(6), "--depart-step", "PT2H"});
+
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json document = outcome.json();
+  ASSERT_EQ(document["departures"].size(), 4U);
+  double least_s = 1e12;
+  std::string best;
+  for (const json& entry : document["departures"]) {
+    ASSERT_EQ(entry["status"], "ok") << entry;
+    if (entry["travel_time_s"].get<double>() >= least_s) continue;
+    least_s = entry["travel_time_s"];
+    best = entry["departure"];
+  }
+  EXPECT_EQ(document["departure"], best);
+  EXPECT_LE(document["travel_time_s"].get<double>(), least_s * 1.001);
+}
+
+TEST_F(DemoStore, LeavesAsLateAsTheArrivalAllows) {
+  const auto outcome = plan({"--arrive-by", time(30)});
+
+  ASSERT_EQ(outcome.exit_code, 0) << outcome.err;
+  const json document = outcome.json();
+  EXPECT_LE(document["arrival"].get<std::string>(), time(30));
+  EXPECT_GT(document["arrival"].get<std::string>(), time(29));
+}
+
+TEST_F(DemoStore, RefusesAWindowThatIsReversedEndlessOrOutsideTheData) {
+  const auto refused = [&](std::vector<std::string> flags) {
+    const auto outcome = plan(std::move(flags));
+    EXPECT_EQ(outcome.exit_code, 3);
+    return outcome.err;
+  };
+  EXPECT_THAT(refused({"--depart", time(6), "--depart-until", time(0)}), HasSubstr("/depart_until"));
+  EXPECT_THAT(refused({"--depart", time(0), "--depart-until", time(6), "--depart-step", "PT0S"}),
+              HasSubstr("/depart_step"));
+  EXPECT_THAT(refused({"--depart", time(0), "--depart-until", time(6), "--depart-step", "PT1S"}),
+              HasSubstr("1000 departures"));
+  EXPECT_THAT(
+      refused({"--depart", time(0), "--depart-until", "2027-11-22T00:00:00Z", "--depart-step", "P1D"}),
+      HasSubstr("/depart_until"));
+  EXPECT_THAT(refused({"--arrive-by", "2031-01-01T00:00:00Z"}), HasSubstr("/arrive_by"));
+}
+
+TEST_F(DemoStore, DrawsWhatCanBeReachedAndFromWhere) {
+  const auto there =
+      program_->run({"reach", "--from", from, "--depart", time(0), "--hours", "3,6", "--json"});
+  const auto back = program_->run({"reach", "--to", from, "--arrive-by", time(12), "--hours", "6", "--json"});
+
+  ASSERT_EQ(there.exit_code, 0) << there.err;
+  ASSERT_EQ(back.exit_code, 0) << back.err;
+  const json areas = there.json()["features"];
+  ASSERT_EQ(areas.size(), 2U);
+  EXPECT_LT(areas[0]["properties"]["area_km2"], areas[1]["properties"]["area_km2"]);
+  EXPECT_EQ(back.json()["features"][0]["properties"]["time"], time(6));
+}
+
+TEST_F(DemoStore, AnswersTheSameOverHttp) {
+  const support::ServedProgram server{program_->folder() / "store"};
+  const json window{{"from", {-53.20, 69.20}},
+                    {"to", {-52.90, 69.18}},
+                    {"depart", time(0)},
+                    {"depart_until", time(2)},
+                    {"depart_step", "PT1H"}};
+  const json area{{"from", {-53.20, 69.20}}, {"depart", time(0)}, {"hours", {3, 6}}};
+
+  const auto plan_answer = server.execute("plan-route", window);
+  const auto reach_answer = server.execute("reach", area);
+
+  ASSERT_EQ(plan_answer.status, 200) << plan_answer.body;
+  EXPECT_EQ(plan_answer.json()["plan"]["departures"].size(), 3U);
+  ASSERT_EQ(reach_answer.status, 200) << reach_answer.body;
+  EXPECT_EQ(reach_answer.json()["reach"]["features"].size(), 2U);
+  EXPECT_EQ(server.execute("reach", {{"from", {-53.2, 69.2}}}).status, 400);
+}
+
+}  // namespace
+}  // namespace floeplan::cli
