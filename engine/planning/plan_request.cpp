@@ -45,6 +45,9 @@ core::Violations PlanRequest::violations() const {
   }
   require(std::isfinite(core::unix_seconds(depart)), "/depart", "must be a time");
   std::ranges::move(departures.violations(depart), std::back_inserter(found));
+  require(
+      !(via_in_best_order && departures.until), "/via_order",
+      "must be \"given\" where departures are compared: plan the best order for the best of them afterwards");
   require(sectors >= 1 && sectors <= 5, "/sectors", "must be 1, 2, 3, 4 or 5");
   const auto spacing_holds = [](std::optional<core::Metres> spacing) {
     return !spacing || (spacing->value >= 1.0 && spacing->value <= 100'000.0);

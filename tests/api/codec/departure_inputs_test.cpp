@@ -94,6 +94,9 @@ TEST(DepartureInputs, RefuseWhatCannotBeAWindow) {
   EXPECT_THAT(with({{"arrive_by", "2026-11-20T05:00:00Z"}}), ElementsAre("/arrive_by"));
   EXPECT_THAT(with({{"arrive_by", "2026-11-24T05:00:00Z"}, {"depart_until", "2026-11-21T06:00:00Z"}}),
               ElementsAre("/arrive_by"));
+  EXPECT_THAT(
+      with({{"depart_until", "2026-11-21T06:00:00Z"}, {"via", {{-52.8, 69.1}}}, {"via_order", "best"}}),
+      ElementsAre("/via_order"));
   EXPECT_THAT(with({{"arrive_by", "tomorrow"}, {"depart_until", 7}}),
               UnorderedElementsAre("/arrive_by", "/depart_until"));
 }
