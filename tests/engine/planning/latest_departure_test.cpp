@@ -60,7 +60,8 @@ TEST(LatestDeparture, ArrivesWhenItWasAskedToAndAnyLaterOneArrivesLater) {
 
 TEST(LatestDeparture, IsNoneWhenTheEarliestOneComesTooLate) {
   const PlanRequest request = coarse_request();
-  const auto chart = draw_chart({}, request, first_reach, {});
+  const ocean::Environment still_water;
+  const auto chart = draw_chart(still_water, request, first_reach, {});
   const auto grids = open_grids(chart->sea, chart->layout.grids, request.sectors, {});
 
   EXPECT_FALSE(latest_departure(chart->sea, grids, core::Seconds{3600.0}, core::Seconds{0.0}, {}));
