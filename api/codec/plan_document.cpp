@@ -32,7 +32,8 @@ json waypoint_json(const planning::Waypoint& waypoint, std::size_t index) {
           {"leg_m", optional_value(waypoint.leg_length)},
           {"course_deg", optional_number(waypoint.course_deg)},
           {"speed_over_ground_m_s", optional_value(waypoint.speed_over_ground)},
-          {"depth_m", optional_value(waypoint.depth)}};
+          {"depth_m", optional_value(waypoint.depth)},
+          {"iceberg_encounters", optional_number(waypoint.iceberg_encounters)}};
 }
 
 json late_opening_json(const std::optional<planning::LateOpening>& opening) {
@@ -66,9 +67,13 @@ planning::Waypoint parse_waypoint(const json& object) {
                               .leg_length = metres_at(object, "leg_m"),
                               .course_deg = number_at(object, "course_deg"),
                               .speed_over_ground = std::nullopt,
-                              .depth = metres_at(object, "depth_m")};
+                              .depth = metres_at(object, "depth_m"),
+                              .iceberg_encounters = std::nullopt};
   if (const auto speed = number_at(object, "speed_over_ground_m_s")) {
     waypoint.speed_over_ground = core::MetresPerSecond{*speed};
+  }
+  if (object.contains("iceberg_encounters")) {
+    waypoint.iceberg_encounters = number_at(object, "iceberg_encounters");
   }
   return waypoint;
 }
@@ -148,6 +153,9 @@ planning::Plan parse_members(const json& document) {
   plan.clearances = {.iceberg = metres_at(clearances, "iceberg_m"),
                      .land = metres_at(clearances, "land_m"),
                      .bottom = metres_at(clearances, "bottom_m")};
+  if (document.contains("iceberg_encounters")) {
+    plan.iceberg_encounters = number_at(document, "iceberg_encounters");
+  }
   if (const auto energy = number_at(document, "energy_j")) plan.energy = core::Joules{*energy};
   plan.optimality_gap = number_at(document, "optimality_gap");
   plan.optimality_gap_reason = document.at("optimality_gap_reason").get<std::string>();
@@ -198,6 +206,7 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
           {"travel_time_s", plan.travel_time().count()},
           {"distance_m", plan.distance.value},
           {"energy_j", optional_value(plan.energy)},
+          {"iceberg_encounters", optional_number(plan.iceberg_encounters)},
           {"optimality_gap", optional_number(plan.optimality_gap)},
           {"optimality_gap_reason", plan.optimality_gap_reason},
           {"waypoints", std::move(waypoints)},

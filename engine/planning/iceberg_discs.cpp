@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numbers>
 
+#include "engine/ocean/iceberg_drift.hpp"
 #include "engine/planning/iceberg_track.hpp"
 
 namespace floeplan::planning {
@@ -69,6 +71,50 @@ std::optional<TimeSpan> covered_by(const motion::MovingDisc& disc, geo::PlanePoi
   return TimeSpan{core::Seconds{*first}, core::Seconds{last ? -*last : *first}};
 }
 
+struct Interval {
+  double from_s;
+  double until_s;
+};
+
+/// The vehicle sweeps a strip as wide as twice what is kept, at its speed against the berg, through the density of
+/// the berg's position: a normal one in two dimensions, whose mean error is sqrt(pi / 2) of its standard deviation.
+/// By Simpson's rule in steps in which the vehicle goes no more than half a standard deviation, or ten minutes.
+template <class ErrorAt>
+double encounters_with(const motion::MovingDisc& disc, const motion::EvenMove& move, Interval during,
+                       double kept_m, const ErrorAt& error_at) {
+  constexpr double farthest = 6.0;  // standard deviations: 1e-8 of the density at the middle
+  constexpr double longest_step_s = 600.0;
+  constexpr double shortest_step_s = 10.0;
+  const double mean_per_deviation = std::sqrt(0.5 * std::numbers::pi);
+  const double duration_s = move.t1_s - move.t0_s;
+  const double vx = (move.to.x_m - move.from.x_m) / duration_s - disc.velocity.x_m_s;
+  const double vy = (move.to.y_m - move.from.y_m) / duration_s - disc.velocity.y_m_s;
+  const double speed_m_s = std::hypot(vx, vy);
+  const double widest_m = std::max(error_at(during.from_s), error_at(during.until_s)) / mean_per_deviation;
+  const double nearest_m = motion::least_distance(move, disc).value_or(forever);
+  if (speed_m_s <= 0.0 || widest_m <= 0.0 || nearest_m > farthest * widest_m) return 0.0;
+
+  const auto rate = [&](double t_s) {
+    const double deviation_m = std::max(error_at(t_s) / mean_per_deviation, 1.0);
+    const geo::PlanePoint vehicle = place_at(move, t_s);
+    const double dx = vehicle.x_m - disc.centre0.x_m - (t_s - disc.t0_s) * disc.velocity.x_m_s;
+    const double dy = vehicle.y_m - disc.centre0.y_m - (t_s - disc.t0_s) * disc.velocity.y_m_s;
+    const double square = (dx * dx + dy * dy) / (deviation_m * deviation_m);
+    const double density = std::exp(-0.5 * square) / (2.0 * std::numbers::pi * deviation_m * deviation_m);
+    return 2.0 * kept_m * speed_m_s * density;
+  };
+  const double narrowest_m = std::min(error_at(during.from_s), error_at(during.until_s)) / mean_per_deviation;
+  const double step_s = std::clamp(0.5 * narrowest_m / speed_m_s, shortest_step_s, longest_step_s);
+  const int steps = static_cast<int>(std::ceil((during.until_s - during.from_s) / step_s));
+  const double h = (during.until_s - during.from_s) / steps;
+  double sum = 0.0;
+  for (int i = 0; i < steps; ++i) {
+    const double a = during.from_s + i * h;
+    sum += h / 6.0 * (rate(a) + 4.0 * rate(a + 0.5 * h) + rate(a + h));
+  }
+  return sum;
+}
+
 }  // namespace
 
 IcebergDiscs::IcebergDiscs(const ocean::Environment& environment, const IcebergRules& rules,
@@ -81,7 +127,10 @@ IcebergDiscs::IcebergDiscs(const ocean::Environment& environment, const IcebergR
     const double hull_m = 0.5 * ocean::safe_length(iceberg).value;
     Berg berg{.name = iceberg.id,
               .hull_radius_m = track.front().scale * hull_m,
+              .kept_m = track.front().scale * (hull_m + rules.margin.value),
               .scale = track.front().scale,
+              .stated_error = iceberg.position_uncertainty.value_or(core::Metres{0.0}),
+              .sighted_s = (iceberg.observed - epoch).count(),
               .swept = {track.front().centre, track.front().centre},
               .knots = {}};
     for (const TrackPoint& point : track) {
@@ -217,6 +266,25 @@ std::optional<IcebergDiscs::Nearest> IcebergDiscs::nearest(geo::PlanePoint point
     });
   }
   return result;
+}
+
+double IcebergDiscs::mean_error_m(const Berg& berg, double t_s) const {
+  const double age_s = standing_ ? 0.0 : std::abs(t_s - berg.sighted_s);
+  return berg.scale * (berg.stated_error.value + ocean::error_growth.value * age_s);
+}
+
+double IcebergDiscs::expected_encounters(const motion::EvenMove& move) const {
+  double sum = 0.0;
+  for (const Berg& berg : bergs_) {
+    for_each_disc(berg, move.t0_s, move.t1_s, 0.0, [&](const motion::MovingDisc& disc) {
+      const double from_s = std::max(move.t0_s, disc.t0_s);
+      const double until_s = std::min(move.t1_s, disc.t1_s);
+      const auto error_at = [&](double t_s) { return mean_error_m(berg, t_s); };
+      if (from_s < until_s) sum += encounters_with(disc, move, {from_s, until_s}, berg.kept_m, error_at);
+      return false;
+    });
+  }
+  return sum;
 }
 
 std::optional<core::Metres> IcebergDiscs::distance_from_hulls(const motion::EvenMove& move) const {

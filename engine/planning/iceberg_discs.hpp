@@ -55,6 +55,11 @@ class IcebergDiscs {
   /// place, without margin and error), negative inside; empty without icebergs.
   [[nodiscard]] std::optional<core::Metres> distance_from_hulls(const motion::EvenMove& move) const;
 
+  /// How often, on the average over the errors of the positions, a vehicle on this move comes within the margin of a
+  /// hull: what remains beside the discs, because they do not cover every error. The error counts in full, not only
+  /// up to the most that widens a disc, and is taken as normal and alike in all directions about the forecast.
+  [[nodiscard]] double expected_encounters(const motion::EvenMove& move) const;
+
  private:
   /// Where a disc is at a time; between two knots it moves and grows evenly.
   struct Knot {
@@ -65,7 +70,10 @@ class IcebergDiscs {
   struct Berg {
     std::string name;
     double hull_radius_m;  // of the plane, half the length
+    double kept_m;         // of the plane: half the length and the margin
     double scale;
+    core::Metres stated_error;
+    double sighted_s;
     PlaneBox swept;  // all that its disc ever covers
     std::vector<Knot> knots;
   };
@@ -75,6 +83,8 @@ class IcebergDiscs {
   [[nodiscard]] static std::optional<double> touch(const Berg& berg, const motion::EvenMove& move,
                                                    double slack_m);
   void index(const PlaneBox& area, core::Seconds horizon);
+
+  [[nodiscard]] double mean_error_m(const Berg& berg, double t_s) const;
 
   std::vector<Berg> bergs_;
   bool standing_{true};

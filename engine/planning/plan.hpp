@@ -22,6 +22,7 @@ struct Waypoint {
   std::optional<double> course_deg;        // of the leg at its start, clockwise from true north
   std::optional<core::MetresPerSecond> speed_over_ground;  // mean over the leg
   std::optional<core::Metres> depth;                       // of the sea bed here
+  std::optional<double> iceberg_encounters;  // expected on the leg; empty where no iceberg is known
 };
 
 /// A leg that the current closed when the search came to its start and that opens later: arriving later there
@@ -71,6 +72,8 @@ struct Plan {
   SearchStatistics search;
   std::optional<RefinementReport> refinement;  // empty: the way is the grid's, or was given
   Clearances clearances;
+  std::optional<double>
+      iceberg_encounters;  // expected in all: how often within the margin of a hull, on the average
   std::optional<core::Joules> energy;
   std::optional<double> optimality_gap;
   std::string optimality_gap_reason;  // why the gap is not given; empty when it is

@@ -46,6 +46,22 @@ std::optional<core::Metres> iceberg_clearance(const Sea& sea, const std::vector<
   return least;
 }
 
+/// Expected encounters with icebergs whose positions are not known well, leg by leg and in all.
+void add_iceberg_encounters(Plan& plan, const Sea& sea, const std::vector<geo::PlanePoint>& route,
+                            const std::vector<core::Seconds>& arrivals) {
+  if (sea.icebergs().empty()) return;
+  double all = 0.0;
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    double of_leg = 0.0;
+    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], arrivals[i - 1])) {
+      of_leg += sea.icebergs().expected_encounters(move);
+    }
+    plan.waypoints[i].iceberg_encounters = of_leg;
+    all += of_leg;
+  }
+  plan.iceberg_encounters = all;
+}
+
 std::optional<core::Metres> bottom_clearance(const Sea& sea, const ocean::Environment& environment,
                                              const PlanRequest& request,
                                              const std::vector<geo::PlanePoint>& route) {
@@ -127,6 +143,7 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
     plan.waypoints.push_back(waypoint);
   }
   plan.clearances.iceberg = iceberg_clearance(sea, route, arrivals);
+  add_iceberg_encounters(plan, sea, route, arrivals);
   plan.clearances.bottom = bottom_clearance(sea, environment, request, route);
   plan.clearances.land = land_clearance(sea, environment, route);
   plan.optimality_gap_reason = "not computed for routes in stored data";

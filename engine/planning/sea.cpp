@@ -35,9 +35,10 @@ motion::EdgeAccuracy accuracy(const std::optional<PlaneCurrents>& currents, cons
   return result;
 }
 
-/// How long drift matters: six times the straight way, for detours and head currents, and a day; not beyond 30
-/// days, after which the International Ice Patrol itself gives up a berg that was not seen again.
-core::Seconds forecast_horizon(const PlanRequest& request) {
+/// How long drift matters: to the end of the currents, within which any departure and any way must fall; at least six
+/// times the straight way, for detours and head currents, and a day; not beyond 30 days, after which the
+/// International Ice Patrol itself gives up a berg that was not seen again.
+core::Seconds forecast_horizon(const ocean::Environment& environment, const PlanRequest& request) {
   constexpr double detours = 6.0;
   constexpr core::Seconds day{86'400.0};
   core::Metres way{0.0};
@@ -47,7 +48,12 @@ core::Seconds forecast_horizon(const PlanRequest& request) {
     last = via;
   }
   way = way + geo::geodesic_between(last, request.to).length;
-  return std::min(detours * (way / request.vehicle.speed_through_water) + day, 30.0 * day);
+  core::Seconds horizon = detours * (way / request.vehicle.speed_through_water) + day;
+  if (environment.currents && !environment.steady_currents) {
+    const core::UtcTime end = core::from_unix_seconds(environment.currents->samples().times_s.back());
+    horizon = std::max<core::Seconds>(horizon, end - request.depart);
+  }
+  return std::min(horizon, 30.0 * day);
 }
 
 /// A glider comes to the surface between its dives.
@@ -74,8 +80,9 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{zones.timed, projection, request.depart},
-      icebergs_{environment,    request.icebergs,          projection, area,
-                request.depart, forecast_horizon(request), stop},
+      icebergs_{environment, request.icebergs, projection,
+                area,        request.depart,   forecast_horizon(environment, request),
+                stop},
       currents_{lay_out(environment, request, projection, area, stop)} {
   accuracy_ = accuracy(currents_, request);
   for (int iy = 0; iy <= scale_cells; ++iy) {

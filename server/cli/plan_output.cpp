@@ -97,6 +97,10 @@ void print_for_people(const json& plan) {
   std::printf("clear of icebergs by %s m, of land by %s m, of the bottom by %s m\n",
               cell(clear.at("iceberg_m"), "%.0f").c_str(), cell(clear.at("land_m"), "%.0f").c_str(),
               cell(clear.at("bottom_m"), "%.0f").c_str());
+  if (plan.contains("iceberg_encounters") && plan.at("iceberg_encounters").is_number()) {
+    std::printf("expected encounters with icebergs, within the margin: %s\n",
+                cell(plan.at("iceberg_encounters"), "%.2g").c_str());
+  }
   for (const json& dataset : plan.at("datasets")) {
     std::printf("data: %s (%s)\n", dataset.at("id").get<std::string>().c_str(),
                 dataset.at("name").get<std::string>().c_str());

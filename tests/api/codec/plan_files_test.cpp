@@ -28,7 +28,8 @@ planning::Plan two_legs() {
                        .leg_length = core::Metres{12932.04},
                        .course_deg = 130.126,
                        .speed_over_ground = core::MetresPerSecond{0.35},
-                       .depth = core::Metres{231.5}};
+                       .depth = core::Metres{231.5},
+                       .iceberg_encounters = std::nullopt};
   return plan;
 }
 

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "engine/geo/geodesic.hpp"
 #include "tests/support/property.hpp"
@@ -166,6 +167,44 @@ TEST(IcebergDiscs, TellTheTimesAtWhichAPlaceIsClosed) {
       for (std::size_t k = 1; k < closed.size(); ++k) EXPECT_GT(closed[k].from, closed[k - 1].until);
     }
   });
+}
+
+TEST(IcebergEncounters, AreTheShareOfTheErrorsThatPutTheBergOntoTheWay) {
+  // Past a berg that stands, on a line as good as endless: the error across the line is normal.
+  support::for_each_seed(100, [](std::mt19937_64& rng) {
+    const double length_m = uniform(rng, 20.0, 300.0);
+    const double error_m = uniform(rng, 3000.0, 6000.0);
+    const double passed_at_m = uniform(rng, 0.0, 12'000.0);
+    ocean::Environment environment{.icebergs = {support::iceberg_at({-53.0, 69.0}, length_m)}};
+    environment.icebergs[0].position_uncertainty = core::Metres{error_m};
+    const IcebergDiscs discs = discs_of(environment, {.drift = false});
+
+    const double encounters =
+        discs.expected_encounters({{-80'000.0, passed_at_m}, {80'000.0, passed_at_m}, 0.0, 400'000.0});
+
+    const double deviation_m = error_m / std::sqrt(0.5 * std::numbers::pi);
+    const double kept_m = 0.5 * length_m + 500.0;
+    const auto share_below = [&](double y_m) {
+      return 0.5 * std::erfc(-y_m / deviation_m / std::numbers::sqrt2);
+    };
+    const double share = share_below(passed_at_m + kept_m) - share_below(passed_at_m - kept_m);
+    EXPECT_NEAR(encounters, share, 0.05 * share + 2e-4);  // the density is taken as even across the strip
+  });
+}
+
+TEST(IcebergEncounters, AreNoneWhereThePositionIsKnownAndReachFartherWithItsAge) {
+  ocean::Environment environment{.icebergs = {support::iceberg_at({-53.0, 69.0}, 100.0)}};
+  const motion::EvenMove past{eastwards(-20'000.0), eastwards(20'000.0), 0.0, 100'000.0};
+  const motion::EvenMove aside{{-20'000.0, 25'000.0}, {20'000.0, 25'000.0}, 0.0, 100'000.0};
+
+  EXPECT_EQ(discs_of(environment, {.drift = false}).expected_encounters(past), 0.0);
+  const double fresh = discs_of(environment, {}).expected_encounters(aside);
+  environment.icebergs[0].observed = epoch - core::Seconds{24.0 * 3600.0};
+  const double old = discs_of(environment, {}).expected_encounters(aside);
+
+  EXPECT_GT(fresh, 0.0);
+  EXPECT_GT(old, fresh);
+  EXPECT_LT(old, 0.1);
 }
 
 TEST(IcebergDiscs, TogetherAreTouchedWhenOneOfThemIs) {

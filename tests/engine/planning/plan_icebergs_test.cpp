@@ -163,6 +163,12 @@ TEST(PlanAmongIcebergs, ReportsTheLeastDistanceFromTheHullOverTime) {
 
   ASSERT_TRUE(result);
   EXPECT_NEAR(result->clearances.iceberg->value, 14'900.0, 20.0);
+  ASSERT_TRUE(result->iceberg_encounters);
+  EXPECT_GT(*result->iceberg_encounters, 0.0);
+  EXPECT_LT(*result->iceberg_encounters, 0.05);
+  double of_legs = 0.0;
+  for (const Waypoint& waypoint : result->waypoints) of_legs += waypoint.iceberg_encounters.value_or(0.0);
+  EXPECT_NEAR(of_legs, *result->iceberg_encounters, 1e-12);
 }
 
 TEST(PlanAmongIcebergs, CannotBeginInsideADiscAndNamesTheBerg) {
