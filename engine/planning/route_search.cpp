@@ -22,7 +22,7 @@ using graph::Vertex;
 
 /// Bounds on a search among later arrivals, each label some ten microseconds: more where no way is known yet.
 constexpr std::size_t most_labels_for_a_way = 100'000;
-constexpr std::size_t most_labels_for_a_better_way = 50'000;
+constexpr std::size_t most_labels_for_a_better_way = 20'000;
 /// Of the travel time: a better way past what opens later is not looked for where it could gain less.
 constexpr double least_gain = 1e-3;
 
