@@ -33,7 +33,10 @@ json waypoint_json(const planning::Waypoint& waypoint, std::size_t index) {
           {"course_deg", optional_number(waypoint.course_deg)},
           {"speed_over_ground_m_s", optional_value(waypoint.speed_over_ground)},
           {"depth_m", optional_value(waypoint.depth)},
-          {"iceberg_encounters", optional_number(waypoint.iceberg_encounters)}};
+          {"iceberg_encounters", optional_number(waypoint.iceberg_encounters)},
+          {"energy_j", optional_value(waypoint.energy)},
+          {"propulsion", waypoint.drive ? json(planning::drive_name(*waypoint.drive)) : json()},
+          {"speed_through_water_m_s", optional_value(waypoint.speed_through_water)}};
 }
 
 json late_opening_json(const std::optional<planning::LateOpening>& opening) {
@@ -59,6 +62,26 @@ std::optional<double> number_at(const json& object, const char* key) {
 std::optional<core::Metres> metres_at(const json& object, const char* key) {
   const auto value = number_at(object, key);
   return value ? std::optional{core::Metres{*value}} : std::nullopt;
+}
+
+json energy_json(const std::optional<planning::PlanEnergy>& energy) {
+  if (!energy) return nullptr;
+  return {{"hotel_j", energy->use.hotel.value},
+          {"pump_j", energy->use.pump.value},
+          {"thruster_j", energy->use.thruster.value},
+          {"inflections", energy->use.inflections},
+          {"usable_j", energy->usable.value}};
+}
+
+/// Empty for plans stored before energy was counted.
+std::optional<planning::PlanEnergy> parse_energy(const json& document) {
+  const auto found = document.find("energy");
+  if (found == document.end() || found->is_null()) return std::nullopt;
+  return planning::PlanEnergy{.use = {.hotel = {found->at("hotel_j").get<double>()},
+                                      .pump = {found->at("pump_j").get<double>()},
+                                      .thruster = {found->at("thruster_j").get<double>()},
+                                      .inflections = found->at("inflections").get<double>()},
+                              .usable = {found->at("usable_j").get<double>()}};
 }
 
 planning::Waypoint parse_waypoint(const json& object) {
@@ -156,7 +179,7 @@ planning::Plan parse_members(const json& document) {
   if (document.contains("iceberg_encounters")) {
     plan.iceberg_encounters = number_at(document, "iceberg_encounters");
   }
-  if (const auto energy = number_at(document, "energy_j")) plan.energy = core::Joules{*energy};
+  plan.energy = parse_energy(document);
   plan.optimality_gap = number_at(document, "optimality_gap");
   plan.optimality_gap_reason = document.at("optimality_gap_reason").get<std::string>();
   for (const auto& dataset : document.at("datasets")) {
@@ -205,8 +228,9 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
           {"arrival", core::iso8601(plan.arrival)},
           {"travel_time_s", plan.travel_time().count()},
           {"distance_m", plan.distance.value},
-          {"energy_j", optional_value(plan.energy)},
           {"iceberg_encounters", optional_number(plan.iceberg_encounters)},
+          {"energy_j", plan.energy ? json(plan.energy->use.total().value) : json()},
+          {"energy", energy_json(plan.energy)},
           {"optimality_gap", optional_number(plan.optimality_gap)},
           {"optimality_gap_reason", plan.optimality_gap_reason},
           {"waypoints", std::move(waypoints)},

@@ -12,7 +12,8 @@ namespace {
 
 std::string speed_text(const PlanRequest& request) {
   char text[32];
-  std::snprintf(text, sizeof text, "%.2f m/s", request.vehicle.speed_through_water.value);
+  const vehicle::Drive fastest = drives(request.energy, request.vehicle).back();
+  std::snprintf(text, sizeof text, "%.2f m/s", drive_speed(request.vehicle, fastest).value);
   return text;
 }
 

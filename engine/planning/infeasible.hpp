@@ -27,6 +27,7 @@ enum class Reason {
   in_zone,             // a given route breaks the rule of a zone
   goal_unreachable,    // every way is closed
   arrival_too_early,   // even the earliest departure arrives later than asked for
+  energy_exceeded,     // the battery does not last
   too_large,           // the grid would not fit into bounded memory
   cancelled
 };
@@ -34,7 +35,18 @@ enum class Reason {
 [[nodiscard]] std::string reason_name(Reason reason);
 
 /// What stands in the way, whatever it makes impossible.
-enum class Constraint { current, depth, land, iceberg, zone, data_area, data_period, memory, caller };
+enum class Constraint {
+  current,
+  depth,
+  land,
+  iceberg,
+  zone,
+  data_area,
+  data_period,
+  battery,
+  memory,
+  caller
+};
 
 [[nodiscard]] std::string constraint_name(Constraint constraint);
 

@@ -68,6 +68,7 @@ std::string reason_name(Reason reason) {
     case Reason::in_zone: return "in_zone";
     case Reason::goal_unreachable: return "goal_unreachable";
     case Reason::arrival_too_early: return "arrival_too_early";
+    case Reason::energy_exceeded: return "energy_exceeded";
     case Reason::too_large: return "too_large";
     case Reason::cancelled: return "cancelled";
   }
@@ -83,6 +84,7 @@ std::string constraint_name(Constraint constraint) {
     case Constraint::zone: return "zone";
     case Constraint::data_area: return "data_area";
     case Constraint::data_period: return "data_period";
+    case Constraint::battery: return "battery";
     case Constraint::memory: return "memory";
     case Constraint::caller: return "caller";
   }

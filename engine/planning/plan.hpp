@@ -8,9 +8,11 @@
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/dataset_ref.hpp"
+#include "engine/planning/energy_use.hpp"
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/refinement_report.hpp"
 #include "engine/planning/uncertainty_report.hpp"
+#include "engine/vehicle/drive.hpp"
 
 namespace floeplan::planning {
 
@@ -23,6 +25,9 @@ struct Waypoint {
   std::optional<core::MetresPerSecond> speed_over_ground;  // mean over the leg
   std::optional<core::Metres> depth;                       // of the sea bed here
   std::optional<double> iceberg_encounters;  // expected on the leg; empty where no iceberg is known
+  std::optional<core::Joules> energy{};      // drawn since the departure
+  std::optional<vehicle::Drive> drive{};     // of the leg
+  std::optional<core::MetresPerSecond> speed_through_water{};  // horizontal, on the leg
 };
 
 /// A leg that the current closed when the search came to its start and that opens later: arriving later there
@@ -59,6 +64,12 @@ struct ViaOrder {
   bool exact{};  // no other order would be better, as far as travel times on a coarse grid tell
 };
 
+/// What the plan draws from the battery, and what the battery gives.
+struct PlanEnergy {
+  EnergyUse use;
+  core::Joules usable;
+};
+
 /// A route with times.
 struct Plan {
   Method method{};
@@ -74,7 +85,7 @@ struct Plan {
   Clearances clearances;
   std::optional<double>
       iceberg_encounters;  // expected in all: how often within the margin of a hull, on the average
-  std::optional<core::Joules> energy;
+  std::optional<PlanEnergy> energy;
   std::optional<double> optimality_gap;
   std::string optimality_gap_reason;  // why the gap is not given; empty when it is
   std::vector<ocean::DatasetRef> datasets;

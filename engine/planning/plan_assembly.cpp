@@ -34,11 +34,12 @@ void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
 
 /// From the hulls where they are forecast to be as the vehicle passes.
 std::optional<core::Metres> iceberg_clearance(const Sea& sea, const std::vector<geo::PlanePoint>& route,
-                                              const std::vector<core::Seconds>& arrivals) {
+                                              const std::vector<core::Seconds>& arrivals,
+                                              const std::vector<vehicle::Drive>& drives) {
   std::optional<core::Metres> least;
   if (sea.icebergs().empty()) return least;
   for (std::size_t i = 1; i < route.size(); ++i) {
-    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], arrivals[i - 1])) {
+    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], arrivals[i - 1], drives[i - 1])) {
       const auto nearest = sea.icebergs().distance_from_hulls(move);
       if (nearest && (!least || *nearest < *least)) least = nearest;
     }
@@ -48,12 +49,13 @@ std::optional<core::Metres> iceberg_clearance(const Sea& sea, const std::vector<
 
 /// Expected encounters with icebergs whose positions are not known well, leg by leg and in all.
 void add_iceberg_encounters(Plan& plan, const Sea& sea, const std::vector<geo::PlanePoint>& route,
-                            const std::vector<core::Seconds>& arrivals) {
+                            const std::vector<core::Seconds>& arrivals,
+                            const std::vector<vehicle::Drive>& drives) {
   if (sea.icebergs().empty()) return;
   double all = 0.0;
   for (std::size_t i = 1; i < route.size(); ++i) {
     double of_leg = 0.0;
-    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], arrivals[i - 1])) {
+    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], arrivals[i - 1], drives[i - 1])) {
       of_leg += sea.icebergs().expected_encounters(move);
     }
     plan.waypoints[i].iceberg_encounters = of_leg;
@@ -121,12 +123,14 @@ void warn_of_extended_currents(Plan& plan, const Sea& sea, const std::vector<geo
 }  // namespace
 
 Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const PlanRequest& request,
-                   const std::vector<geo::PlanePoint>& route, const std::vector<core::Seconds>& arrivals) {
+                   const std::vector<geo::PlanePoint>& route, const std::vector<core::Seconds>& arrivals,
+                   const std::vector<vehicle::Drive>& drives) {
   Plan plan;
   plan.method = request.method;
   plan.vehicle = request.vehicle.name;
   plan.departure = request.depart;
   plan.arrival = request.depart + arrivals.back();
+  EnergyUse drawn;
   for (std::size_t i = 0; i < route.size(); ++i) {
     Waypoint waypoint;
     waypoint.place = sea.projection().to_lon_lat(route[i]);
@@ -139,11 +143,16 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
       const core::Seconds duration = arrivals[i] - arrivals[i - 1];
       waypoint.speed_over_ground = core::MetresPerSecond{leg.length.value / duration.count()};
       plan.distance = plan.distance + leg.length;
+      drawn += sea.energy().use(route[i - 1], route[i], duration, drives[i - 1]);
+      waypoint.drive = drives[i - 1];
+      waypoint.speed_through_water = sea.speed(drives[i - 1]);
     }
+    waypoint.energy = drawn.total();
     plan.waypoints.push_back(waypoint);
   }
-  plan.clearances.iceberg = iceberg_clearance(sea, route, arrivals);
-  add_iceberg_encounters(plan, sea, route, arrivals);
+  plan.clearances.iceberg = iceberg_clearance(sea, route, arrivals, drives);
+  add_iceberg_encounters(plan, sea, route, arrivals, drives);
+  plan.energy = PlanEnergy{.use = drawn, .usable = request.vehicle.energy.usable()};
   plan.clearances.bottom = bottom_clearance(sea, environment, request, route);
   plan.clearances.land = land_clearance(sea, environment, route);
   plan.optimality_gap_reason = "not computed for routes in stored data";

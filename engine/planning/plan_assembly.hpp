@@ -10,9 +10,10 @@
 namespace floeplan::planning {
 
 /// Makes a plan of a route and its arrivals: waypoints with legs, clearances, warnings, the data used.
-/// Precondition  as many arrivals as points, at least two
+/// Precondition  as many arrivals as points, at least two, and a drive for each leg
 [[nodiscard]] Plan assemble_plan(const Sea& sea, const ocean::Environment& environment,
                                  const PlanRequest& request, const std::vector<geo::PlanePoint>& route,
-                                 const std::vector<core::Seconds>& arrivals);
+                                 const std::vector<core::Seconds>& arrivals,
+                                 const std::vector<vehicle::Drive>& drives);
 
 }  // namespace floeplan::planning

@@ -19,6 +19,8 @@ constexpr double shortest_leg_m = 1.0;
 
 core::Violations PlanRequest::violations() const {
   core::Violations found = vehicle.violations();
+  const core::Violations of_energy = energy.violations(vehicle);
+  found.insert(found.end(), of_energy.begin(), of_energy.end());
   const auto require = [&](bool holds, std::string field, std::string rule) {
     if (!holds) found.push_back({std::move(field), std::move(rule)});
     return holds;

@@ -10,6 +10,7 @@
 #include "engine/ocean/zone.hpp"
 #include "engine/planning/departure_rules.hpp"
 #include "engine/planning/iceberg_rules.hpp"
+#include "engine/planning/objective.hpp"
 #include "engine/planning/uncertainty_rules.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
@@ -36,6 +37,7 @@ struct PlanRequest {
   core::UtcTime depart;
   DepartureRules departures;
   vehicle::GliderProfile vehicle;
+  EnergyRules energy;
 
   std::optional<core::Metres>
       spacing_along;  // of the grid, towards the goal; default distance/200 in 250 m .. 5 km

@@ -3,7 +3,9 @@
 #include <stdexcept>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/planning/battery_check.hpp"
 #include "engine/planning/chart.hpp"
+#include "engine/planning/cost_plan.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/improvement.hpp"
 #include "engine/planning/late_openings.hpp"
@@ -33,8 +35,10 @@ Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, cons
   const std::vector<geo::PlanePoint>& points = improved.route.points;
   const auto arrivals = arrivals_along(sea, points, at_departure);
   if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request));
-  Plan plan = assemble_plan(sea, environment, request, points, *arrivals);
+  const std::vector<vehicle::Drive> drives(improved.route.legs(), sea.drives().front());
+  Plan plan = assemble_plan(sea, environment, request, points, *arrivals, drives);
   plan.search = statistics;
+  if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
   plan.refinement = improved.refinement;
   if (plan.refinement && plan.refinement->end == RefinementEnd::time) {
     plan.warnings.push_back(
@@ -157,6 +161,13 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
   refuse_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
   if (request.via_in_best_order) return plan_survey(environment, request, stop, progress, clock);
+  if (!request.energy.objective.is_time()) {
+    Result<Plan> plan = plan_least_cost(environment, request, stop, progress, clock);
+    if (plan && has_uncertain_currents(environment, request)) {
+      plan->warnings.push_back("how uncertain the currents are counts only where the objective is time");
+    }
+    return plan;
+  }
   const PlanIn plan_in = [&](const ocean::Environment& sea) {
     return plan_anywhere(sea, request, stop, progress, clock);
   };

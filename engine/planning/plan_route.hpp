@@ -12,8 +12,8 @@
 
 namespace floeplan::planning {
 
-/// Plans the fastest route of the request through the environment for its departure; a window of departures and
-/// a wanted arrival are for `compare_departures` and `plan_arrival`.
+/// Plans the route of the request that is best by its objective, the fastest one unless it says otherwise, for its
+/// departure; a window of departures and a wanted arrival are for `compare_departures` and `plan_arrival`.
 /// Errors   std::invalid_argument when `request.violations()` is not empty; Infeasible when there is no such
 ///          route
 /// Threads  may be called from several threads at once; reads its arguments only

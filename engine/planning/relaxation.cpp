@@ -180,6 +180,7 @@ std::vector<Change> find_changes(const ocean::Environment& environment, const Pl
     case Constraint::depth:
     case Constraint::land: relaxation.refine_the_grid(); break;
     case Constraint::data_area:
+    case Constraint::battery:
     case Constraint::memory:
     case Constraint::caller: break;
   }

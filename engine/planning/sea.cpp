@@ -14,16 +14,11 @@ constexpr int scale_cells =
     64;  // a side: the scale is smooth, its error over 1/64 of an area far below the tolerance
 
 std::optional<PlaneCurrents> lay_out(const ocean::Environment& environment, const PlanRequest& request,
-                                     const geo::LocalProjection& projection, const PlaneBox& area,
-                                     const std::stop_token& stop) {
+                                     const FlownDepths& depths, const geo::LocalProjection& projection,
+                                     const PlaneBox& area, const std::stop_token& stop) {
   if (!environment.currents) return std::nullopt;
-  return PlaneCurrents{*environment.currents,
-                       environment.steady_currents,
-                       FlownDepths{request.vehicle.dive_limits(), environment.bathymetry},
-                       projection,
-                       area,
-                       request.depart,
-                       stop};
+  return PlaneCurrents{
+      *environment.currents, environment.steady_currents, depths, projection, area, request.depart, stop};
 }
 
 /// A step no longer than a cell of the data, nor than the time between two of its slices.
@@ -75,7 +70,9 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
          const std::stop_token& stop)
     : projection_{projection},
       area_{area},
-      through_water_{request.vehicle.speed_through_water},
+      drives_{planning::drives(request.energy, request.vehicle)},
+      buoyancy_speed_{request.vehicle.speed_through_water},
+      thruster_speed_{request.vehicle.thruster ? request.vehicle.thruster->speed : buoyancy_speed_},
       edge_tolerance_{request.edge_tolerance},
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
@@ -83,7 +80,9 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       icebergs_{environment, request.icebergs, projection,
                 area,        request.depart,   forecast_horizon(environment, request),
                 stop},
-      currents_{lay_out(environment, request, projection, area, stop)} {
+      depths_{request.vehicle.dive_limits(), environment.bathymetry},
+      currents_{lay_out(environment, request, depths_, projection, area, stop)},
+      energy_{request.vehicle, depths_, projection, area, stop} {
   accuracy_ = accuracy(currents_, request);
   for (int iy = 0; iy <= scale_cells; ++iy) {
     for (int ix = 0; ix <= scale_cells; ++ix) {
@@ -93,9 +92,10 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
     }
   }
   largest_scale_ = std::ranges::max(scales_);
-  const double fastest = through_water_.value + (currents_ ? currents_->strongest().value : 0.0);
+  core::MetresPerSecond fastest{currents_ ? currents_->strongest().value : 0.0};
+  fastest = fastest + std::max(speed(drives_.front()), speed(drives_.back()));
   // A hair below the bound, because integrated times carry the tolerance as an error.
-  least_slowness_s_m_ = (1.0 - request.edge_tolerance) / fastest;
+  least_slowness_s_m_ = (1.0 - request.edge_tolerance) / fastest.value;
 }
 
 double Sea::scale_at(geo::PlanePoint point) const {
@@ -130,18 +130,19 @@ std::optional<motion::EdgeClosed> Sea::closed_between(geo::PlanePoint a, geo::Pl
 template <class VisitPiece>
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time(const motion::PlaneEdge& edge,
                                                                 core::Seconds depart, core::Seconds latest,
+                                                                core::MetresPerSecond through_water,
                                                                 const VisitPiece& visit) const {
   if (currents_ && currents_->has_lines())
-    return motion::edge_time(edge, depart, through_water_, *currents_, accuracy_, latest, visit);
+    return motion::edge_time(edge, depart, through_water, *currents_, accuracy_, latest, visit);
   if (currents_) {
     const auto point_by_point = [this](geo::PlanePoint point, core::Seconds time) {
       return (*currents_)(point, time);
     };
-    return motion::edge_time(edge, depart, through_water_, point_by_point, accuracy_, latest, visit);
+    return motion::edge_time(edge, depart, through_water, point_by_point, accuracy_, latest, visit);
   }
-  const core::Seconds time = edge.ground_length / through_water_;
+  const core::Seconds time = edge.ground_length / through_water;
   if (time.count() <= 0.0) return time;
-  const double v_m_s = through_water_.value;
+  const double v_m_s = through_water.value;
   const motion::EdgePiece whole{depart.count(),           0.0,  v_m_s, (depart + time).count(),
                                 edge.ground_length.value, v_m_s};
   if (const auto closed = visit(whole)) return tl::unexpected(*closed);
@@ -151,11 +152,19 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time(const motion::Pl
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                               core::Seconds depart,
                                                               core::Seconds latest) const {
-  if (!has_timed_closures()) return leg_time_without_timed_closures(a, b, depart, latest);
+  return leg_time(a, b, depart, latest, drives_.front());
+}
+
+tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a, geo::PlanePoint b,
+                                                              core::Seconds depart, core::Seconds latest,
+                                                              vehicle::Drive drive) const {
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
+  if (!has_timed_closures()) {
+    return drive_time({a, b, ground_length(a, b)}, depart, latest, speed(drive), motion::VisitNoPiece{});
+  }
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   const double error_m = edge_tolerance_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
-  return drive_time(edge, depart, latest,
+  return drive_time(edge, depart, latest, speed(drive),
                     [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                       if (timed_zones_.forbid(edge, piece)) return motion::EdgeClosed::in_zone;
                       if (!icebergs_.standing() && icebergs_.touched(edge, piece, error_m))
@@ -167,10 +176,12 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_without_timed_closures(
     geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const {
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  return drive_time({a, b, ground_length(a, b)}, depart, latest, motion::VisitNoPiece{});
+  return drive_time({a, b, ground_length(a, b)}, depart, latest, speed(drives_.front()),
+                    motion::VisitNoPiece{});
 }
 
-std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) const {
+std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
+                                         vehicle::Drive drive) const {
   std::vector<motion::EvenMove> moves;
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   const auto follow = [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
@@ -182,7 +193,7 @@ std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, c
           return std::nullopt;
         });
   };
-  (void)drive_time(edge, depart, core::Seconds{INFINITY}, follow);
+  (void)drive_time(edge, depart, core::Seconds{INFINITY}, speed(drive), follow);
   return moves;
 }
 
@@ -201,8 +212,8 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   const auto time =
-      currents_ ? motion::edge_time_back(edge, arrive, through_water_, *currents_, accuracy_, earliest)
-                : edge.ground_length / through_water_;
+      currents_ ? motion::edge_time_back(edge, arrive, through_water(), *currents_, accuracy_, earliest)
+                : edge.ground_length / through_water();
   if (!time || !has_timed_closures()) return time;
   // What closes for a while is tested along the drive itself.
   const auto forwards = leg_time(a, b, arrive - *time);
@@ -213,6 +224,14 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
 bool Sea::currents_known(geo::PlanePoint point, core::Seconds time) const {
   return !currents_ || (*currents_)(point, time).has_value();
 }
+
+core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b, vehicle::Drive drive) const {
+  const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
+  const core::Metres least_length{std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / largest_scale_};
+  return (1.0 - edge_tolerance_) * (least_length / (speed(drive) + astern));
+}
+
+bool Sea::is_steady() const { return !has_timed_closures() && (!currents_ || !currents_->end()); }
 
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b) const {
   return core::Seconds{least_slowness_s_m_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / largest_scale_};

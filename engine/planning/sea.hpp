@@ -7,12 +7,15 @@
 
 #include "engine/motion/edge_time.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/energy_map.hpp"
+#include "engine/planning/flown_depths.hpp"
 #include "engine/planning/iceberg_discs.hpp"
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/plane_currents.hpp"
 #include "engine/planning/safety_map.hpp"
 #include "engine/planning/timed_zones.hpp"
 #include "engine/planning/zone_rules.hpp"
+#include "engine/vehicle/drive.hpp"
 
 namespace floeplan::planning {
 
@@ -34,12 +37,23 @@ class Sea {
                                                                          core::Seconds depart,
                                                                          core::Seconds latest = core::Seconds{
                                                                              INFINITY}) const;
+  /// The same on one of the request's drives; without it, on the first of them.
+  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
+                                                                         core::Seconds depart,
+                                                                         core::Seconds latest,
+                                                                         vehicle::Drive drive) const;
+  /// What the request's vehicle may be driven by, at least one.
+  [[nodiscard]] const std::vector<vehicle::Drive>& drives() const { return drives_; }
+  [[nodiscard]] core::MetresPerSecond speed(vehicle::Drive drive) const {
+    return drive == vehicle::Drive::thruster ? thruster_speed_ : buoyancy_speed_;
+  }
+  [[nodiscard]] const EnergyMap& energy() const { return energy_; }
   /// The same as if nothing closed and opened in time: never more than `leg_time`, for it drives the same way.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_without_timed_closures(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const;
   /// The drive along a leg that is open, as even moves one after the other, each within a metre of it.
   [[nodiscard]] std::vector<motion::EvenMove> drive(geo::PlanePoint a, geo::PlanePoint b,
-                                                    core::Seconds depart) const;
+                                                    core::Seconds depart, vehicle::Drive drive) const;
   /// When a timed zone or an iceberg that moves closes the point: ascending, apart from each other.
   [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point) const;
   /// Travel time of the straight leg for a vehicle that is to be at its end at `arrive`: it leaves that much
@@ -51,11 +65,15 @@ class Sea {
                                                                               core::Seconds earliest) const;
   /// Never more than the time of any straight way between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
+  /// The same on one drive.
+  [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b, vehicle::Drive drive) const;
+  /// Whether nothing here changes with time: no matter when a leg is travelled.
+  [[nodiscard]] bool is_steady() const;
 
   /// Whether the currents are known there and then; true in still water.
   [[nodiscard]] bool currents_known(geo::PlanePoint point, core::Seconds time) const;
 
-  [[nodiscard]] core::MetresPerSecond through_water() const { return through_water_; }
+  [[nodiscard]] core::MetresPerSecond through_water() const { return speed(drives_.front()); }
   [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }
   [[nodiscard]] const SafetyMap& safety() const { return safety_; }
   [[nodiscard]] SafetyMap& safety() { return safety_; }
@@ -72,21 +90,24 @@ class Sea {
       const std::stop_token& stop);
   [[nodiscard]] double scale_at(geo::PlanePoint point) const;
   template <class VisitPiece>
-  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time(const motion::PlaneEdge& edge,
-                                                                           core::Seconds depart,
-                                                                           core::Seconds latest,
-                                                                           const VisitPiece& visit) const;
+  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time(
+      const motion::PlaneEdge& edge, core::Seconds depart, core::Seconds latest,
+      core::MetresPerSecond through_water, const VisitPiece& visit) const;
 
   geo::LocalProjection projection_;
   PlaneBox area_;
-  core::MetresPerSecond through_water_;
+  std::vector<vehicle::Drive> drives_;
+  core::MetresPerSecond buoyancy_speed_;
+  core::MetresPerSecond thruster_speed_;  // as the buoyancy drive where there is none
   double edge_tolerance_;
   motion::EdgeAccuracy accuracy_;
   SafetyMap safety_;
   TimedZones timed_zones_;
   IcebergDiscs icebergs_;
+  FlownDepths depths_;
   std::optional<PlaneCurrents> currents_;  // empty: still water
-  std::vector<double> scales_;             // of the projection, [y][x] on a coarse lattice over the area
+  EnergyMap energy_;
+  std::vector<double> scales_;  // of the projection, [y][x] on a coarse lattice over the area
   double largest_scale_{1.0};
   double least_slowness_s_m_;  // for each metre on the ground, with the strongest current astern
 };

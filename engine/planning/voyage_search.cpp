@@ -11,18 +11,6 @@
 namespace floeplan::planning {
 namespace {
 
-bool touches_rim(const std::vector<geo::PlanePoint>& path, const RouteGrid& grid) {
-  const double along2 = grid.along.x_m * grid.along.x_m + grid.along.y_m * grid.along.y_m;
-  const double across2 = grid.across.x_m * grid.across.x_m + grid.across.y_m * grid.across.y_m;
-  return std::ranges::any_of(path, [&](geo::PlanePoint p) {
-    const double dx = p.x_m - grid.origin.x_m;
-    const double dy = p.y_m - grid.origin.y_m;
-    const double column = (dx * grid.along.x_m + dy * grid.along.y_m) / along2;
-    const double row = (dx * grid.across.x_m + dy * grid.across.y_m) / across2;
-    return column < 0.5 || column > grid.nx - 1.5 || row < 0.5 || row > grid.ny - 1.5;
-  });
-}
-
 void add(SearchStatistics& sum, const SearchStatistics& part) {
   sum.vertices += part.vertices;
   sum.edges += part.edges;
@@ -54,6 +42,18 @@ core::Seconds arrival_by(const Sea& sea, const FoundWay& other, std::size_t part
 }
 
 }  // namespace
+
+bool touches_rim(const std::vector<geo::PlanePoint>& path, const RouteGrid& grid) {
+  const double along2 = grid.along.x_m * grid.along.x_m + grid.along.y_m * grid.along.y_m;
+  const double across2 = grid.across.x_m * grid.across.x_m + grid.across.y_m * grid.across.y_m;
+  return std::ranges::any_of(path, [&](geo::PlanePoint p) {
+    const double dx = p.x_m - grid.origin.x_m;
+    const double dy = p.y_m - grid.origin.y_m;
+    const double column = (dx * grid.along.x_m + dy * grid.along.y_m) / along2;
+    const double row = (dx * grid.across.x_m + dy * grid.across.y_m) / across2;
+    return column < 0.5 || column > grid.nx - 1.5 || row < 0.5 || row > grid.ny - 1.5;
+  });
+}
 
 Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grids, const PlanRequest& request,
                                core::Seconds depart, const std::stop_token& stop,

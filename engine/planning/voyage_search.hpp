@@ -34,4 +34,7 @@ struct FoundWay {
                                              const std::function<void(double)>& report_fraction,
                                              const FoundWay* other_departure = nullptr);
 
+/// Whether a way keeps to the rim of its grid, beyond which a better way may lie.
+[[nodiscard]] bool touches_rim(const std::vector<geo::PlanePoint>& path, const RouteGrid& grid);
+
 }  // namespace floeplan::planning

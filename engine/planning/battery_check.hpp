@@ -1,0 +1,15 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan.hpp"
+#include "engine/planning/plan_request.hpp"
+
+namespace floeplan::planning {
+
+/// Whether the battery carries the plan. If it does not: a warning in the plan, or, where the request insists on
+/// it, why there is no plan. Says where the battery would be empty and how much is missing.
+[[nodiscard]] std::optional<Infeasible> check_battery(Plan& plan, const PlanRequest& request);
+
+}  // namespace floeplan::planning

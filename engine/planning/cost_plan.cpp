@@ -1,0 +1,130 @@
+#include "engine/planning/cost_plan.hpp"
+
+#include <utility>
+#include <vector>
+
+#include "engine/planning/battery_check.hpp"
+#include "engine/planning/chart.hpp"
+#include "engine/planning/cost_search.hpp"
+#include "engine/planning/explanation.hpp"
+#include "engine/planning/plan_assembly.hpp"
+#include "engine/planning/plan_route.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr core::Seconds at_departure{0.0};
+
+double cost_of(const Plan& plan, const Objective& objective) {
+  return objective.cost(plan.travel_time(), plan.energy->use.total());
+}
+
+CostWay straight_way(const Sea& sea, const Layout& layout) {
+  CostWay way;
+  way.route.points = layout.points;
+  way.route.fixed.assign(layout.points.size(), true);
+  way.route.drives.assign(layout.points.size() - 1, sea.drives().front());
+  return way;
+}
+
+/// What is done to the way of the grid before it is published.
+DrivenRoute improve(const Sea& sea, const DrivenRoute& route, const PlanRequest& request,
+                    const std::stop_token& stop) {
+  const Objective& objective = request.energy.objective;
+  DrivenRoute improved = route;
+  if (request.refine && request.method != Method::direct) {
+    improved = drop_costless_points(sea, improved, objective, at_departure, stop);
+  }
+  if (request.max_waypoints) {
+    const auto most = static_cast<std::size_t>(*request.max_waypoints);
+    improved = drop_to(sea, improved, objective, at_departure, most, stop);
+  }
+  improved = choose_drives(sea, improved, objective, at_departure, stop);
+  if (request.max_leg) improved = part_long_legs(sea, improved, *request.max_leg);
+  return improved;
+}
+
+Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, const PlanRequest& request,
+                     const DrivenRoute& route, const CostWay& way) {
+  const auto times = drive_along(sea, route, at_departure);
+  if (!times) {
+    const RouteClosed closed{.reason = times.error(), .at = route.points.front()};
+    return tl::unexpected(explain_route(closed, sea, request));
+  }
+  Plan plan = assemble_plan(sea, environment, request, route.points, times->arrivals, route.drives);
+  plan.search = way.statistics;
+  if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
+  if (way.cut_short) {
+    plan.warnings.push_back(
+        "the search met its bound on memory before it was done; a plan that costs less may exist");
+  }
+  return plan;
+}
+
+/// A plan on grids of one reach and whether a larger reach may do better.
+struct Attempt {
+  Result<Plan> plan;
+  bool wider_may_help{false};
+};
+
+Attempt plan_within(GridReach reach, const ocean::Environment& environment, const PlanRequest& request,
+                    const std::stop_token& stop, const core::ProgressCallback& progress) {
+  progress("environment", 0.0);
+  const Result<Chart> chart = draw_chart(environment, request, reach, stop);
+  if (!chart) return {tl::unexpected(chart.error())};
+  const Sea& sea = chart->sea;
+
+  CostWay way = straight_way(sea, chart->layout);
+  if (request.method != Method::direct) {
+    const auto report = [&](double fraction) { progress("search", 0.1 + 0.6 * fraction); };
+    const std::vector<OpenGrid> grids = open_grids(sea, chart->layout.grids, request.sectors, stop);
+    auto found = search_least_cost(sea, grids, request, at_departure, stop, report);
+    if (!found) {
+      const bool cancelled = found.error().reason == Reason::cancelled;
+      return {tl::unexpected(std::move(found.error())), !cancelled};
+    }
+    way = std::move(*found);
+  }
+  progress("refinement", 0.7);
+  const DrivenRoute route = improve(sea, way.route, request, stop);
+  if (stop.stop_requested()) return {tl::unexpected(explain_cancelled(request))};
+  return {publish(sea, environment, request, route, way), way.touches_rim};
+}
+
+/// The same request for the fastest plan, on each drive by itself.
+std::vector<PlanRequest> fastest_requests(const PlanRequest& request) {
+  std::vector<PlanRequest> requests;
+  for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
+    PlanRequest fastest = request;
+    fastest.energy.objective = time_objective;
+    fastest.energy.thruster = drive == vehicle::Drive::thruster ? ThrusterUse::on : ThrusterUse::off;
+    requests.push_back(std::move(fastest));
+  }
+  return requests;
+}
+
+}  // namespace
+
+Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRequest& request,
+                             const std::stop_token& stop, const core::ProgressCallback& progress,
+                             const core::SteadyClock& clock) {
+  const Objective& objective = request.energy.objective;
+  const auto cheaper = [&](const Result<Plan>& a, const Result<Plan>& b) {
+    return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
+  };
+  Attempt attempt = plan_within(first_reach, environment, request, stop, progress);
+  if (attempt.wider_may_help) {
+    Attempt wider = plan_within(second_reach, environment, request, stop, progress);
+    if (cheaper(wider.plan, attempt.plan) || (!attempt.plan && !wider.plan)) attempt = std::move(wider);
+  }
+  progress("comparison", 0.8);
+  for (const PlanRequest& fastest : fastest_requests(request)) {
+    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+    Result<Plan> other = plan_route(environment, fastest, stop, {}, clock);
+    if (cheaper(other, attempt.plan)) attempt.plan = std::move(other);
+  }
+  progress("done", 1.0);
+  return std::move(attempt.plan);
+}
+
+}  // namespace floeplan::planning

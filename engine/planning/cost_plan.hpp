@@ -1,0 +1,23 @@
+#pragma once
+
+#include <stop_token>
+
+#include "engine/core/clock.hpp"
+#include "engine/core/progress.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan.hpp"
+#include "engine/planning/plan_request.hpp"
+
+namespace floeplan::planning {
+
+/// Plans the route that costs least by the request's objective, leg by leg on the drive that suits it. Never
+/// costs more than the fastest plans on either drive: they are made, too, and compared.
+/// Precondition  the request is valid
+/// Errors and Stops  as plan_route
+[[nodiscard]] Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRequest& request,
+                                           const std::stop_token& stop,
+                                           const core::ProgressCallback& progress,
+                                           const core::SteadyClock& clock);
+
+}  // namespace floeplan::planning

@@ -1,0 +1,63 @@
+#pragma once
+
+#include <cmath>
+#include <cstdint>
+
+#include "engine/graph/label_search.hpp"
+#include "engine/planning/objective.hpp"
+#include "engine/planning/route_grid.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// A voyage on which energy counts: the model of `graph::find_best_labels`. Each edge is travelled on every
+/// drive that the request allows; the choice of a label is the drive's index in the sea's list.
+/// Accuracy  in steady waters exact on the grid. In waters that change, an arrival gives way to another that
+///           costs no more and is not in a later span of ten minutes: the cheapest way may be missed where
+///           leaving a place later makes the rest of the way cheaper by more than was lost until then. Where
+///           something is closed for a while, only within the same span
+/// Threads   const members may be called from several threads at once
+class CostVoyage {
+ public:
+  struct State {
+    double cost{};  // by the objective, since the departure
+  };
+
+  /// `sea` and `grid` are borrowed and outlive the voyage.
+  CostVoyage(const Sea& sea, const RouteGrid& grid, const Objective& objective);
+
+  void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) const {
+    const geo::PlanePoint tail = grid_.point(edge.tail);
+    const geo::PlanePoint head = grid_.point(edge.head);
+    for (std::uint32_t choice = 0; choice < sea_.drives().size(); ++choice) {
+      const vehicle::Drive drive = sea_.drives()[choice];
+      const auto time = sea_.leg_time(tail, head, core::Seconds{arrival_s}, core::Seconds{INFINITY}, drive);
+      if (!time) continue;
+      const core::Joules energy = sea_.energy().use(tail, head, *time, drive).total();
+      emit(arrival_s + time->count(), State{state.cost + objective_.cost(*time, energy)}, choice);
+    }
+  }
+
+  void wait(graph::Vertex, double, const State&, auto&&) const {}
+
+  [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State& state) const;
+
+  [[nodiscard]] bool dominates(graph::Vertex, const graph::Label<State>& a,
+                               const graph::Label<State>& b) const {
+    if (a.state.cost > b.state.cost) return false;
+    if (closures_) return span(a.arrival_s) == span(b.arrival_s);
+    return steady_ || span(a.arrival_s) <= span(b.arrival_s);
+  }
+
+ private:
+  static double span(double arrival_s) { return std::floor(arrival_s / 600.0); }
+
+  const Sea& sea_;
+  const RouteGrid& grid_;
+  Objective objective_;
+  geo::PlanePoint goal_;
+  bool steady_;    // nothing in these waters changes with time
+  bool closures_;  // something opens again, so that arriving later can be the only way through
+};
+
+}  // namespace floeplan::planning

@@ -1,0 +1,128 @@
+#include "engine/planning/driven_route.hpp"
+
+#include <cmath>
+#include <optional>
+#include <utility>
+
+#include "engine/planning/straightening.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+/// A route with one point less and what it costs.
+struct Shorter {
+  DrivenRoute route;
+  double cost{};
+};
+
+std::optional<Shorter> without(const Sea& sea, const DrivenRoute& route, std::size_t i,
+                               const Objective& objective, core::Seconds depart) {
+  std::optional<Shorter> best;
+  const auto at = static_cast<std::ptrdiff_t>(i);
+  DrivenRoute shorter = route;
+  shorter.points.erase(shorter.points.begin() + at);
+  shorter.fixed.erase(shorter.fixed.begin() + at);
+  shorter.drives.erase(shorter.drives.begin() + at);
+  for (const vehicle::Drive drive : sea.drives()) {
+    shorter.drives[i - 1] = drive;
+    const auto times = drive_along(sea, shorter, depart);
+    if (!times) continue;
+    const double cost = times->cost(objective);
+    if (!best || cost < best->cost) best = Shorter{shorter, cost};
+  }
+  return best;
+}
+
+}  // namespace
+
+tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea, const DrivenRoute& route,
+                                                          core::Seconds depart) {
+  DrivenTimes times{.arrivals = {depart}, .energy = {}};
+  for (std::size_t i = 1; i < route.points.size(); ++i) {
+    const geo::PlanePoint from = route.points[i - 1];
+    const geo::PlanePoint to = route.points[i];
+    const vehicle::Drive drive = route.drives[i - 1];
+    const auto time = sea.leg_time(from, to, times.arrivals.back(), core::Seconds{INFINITY}, drive);
+    if (!time) return tl::unexpected(time.error());
+    times.arrivals.push_back(times.arrivals.back() + *time);
+    times.energy += sea.energy().use(from, to, *time, drive);
+  }
+  return times;
+}
+
+DrivenRoute drop_costless_points(const Sea& sea, const DrivenRoute& route, const Objective& objective,
+                                 core::Seconds depart, const std::stop_token& stop) {
+  DrivenRoute result = route;
+  const auto times = drive_along(sea, result, depart);
+  if (!times) return result;
+  double cost = times->cost(objective);
+  bool changed = true;
+  while (changed) {
+    changed = false;
+    for (std::size_t i = 1; i + 1 < result.points.size();) {
+      if (stop.stop_requested()) return result;
+      auto shorter = result.fixed[i] ? std::nullopt : without(sea, result, i, objective, depart);
+      if (shorter && shorter->cost <= cost) {
+        cost = shorter->cost;
+        result = std::move(shorter->route);
+        changed = true;
+      } else {
+        ++i;
+      }
+    }
+  }
+  return result;
+}
+
+DrivenRoute drop_to(const Sea& sea, const DrivenRoute& route, const Objective& objective,
+                    core::Seconds depart, std::size_t most, const std::stop_token& stop) {
+  DrivenRoute result = route;
+  while (result.points.size() > most) {
+    std::optional<Shorter> cheapest;
+    for (std::size_t i = 1; i + 1 < result.points.size(); ++i) {
+      if (stop.stop_requested()) return result;
+      if (result.fixed[i]) continue;
+      auto shorter = without(sea, result, i, objective, depart);
+      if (shorter && (!cheapest || shorter->cost < cheapest->cost)) cheapest = std::move(shorter);
+    }
+    if (!cheapest) return result;
+    result = std::move(cheapest->route);
+  }
+  return result;
+}
+
+DrivenRoute choose_drives(const Sea& sea, const DrivenRoute& route, const Objective& objective,
+                          core::Seconds depart, const std::stop_token& stop) {
+  if (sea.drives().size() == 1) return route;
+  DrivenRoute best = route;
+  const auto times = drive_along(sea, best, depart);
+  double cost = times ? times->cost(objective) : INFINITY;
+  for (std::size_t leg = 0; leg < route.drives.size(); ++leg) {
+    if (stop.stop_requested()) return best;
+    for (const vehicle::Drive drive : sea.drives()) {
+      DrivenRoute other = best;
+      other.drives[leg] = drive;
+      const auto other_times = drive_along(sea, other, depart);
+      if (!other_times || !(other_times->cost(objective) < cost)) continue;
+      cost = other_times->cost(objective);
+      best = std::move(other);
+    }
+  }
+  return best;
+}
+
+DrivenRoute part_long_legs(const Sea& sea, const DrivenRoute& route, core::Metres longest) {
+  DrivenRoute result{.points = {route.points.front()}, .fixed = {route.fixed.front()}, .drives = {}};
+  for (std::size_t i = 1; i < route.points.size(); ++i) {
+    const Route leg{{route.points[i - 1], route.points[i]}, {route.fixed[i - 1], route.fixed[i]}};
+    const Route parted = part_long_legs(sea, leg, longest);
+    for (std::size_t part = 1; part < parted.points.size(); ++part) {
+      result.points.push_back(parted.points[part]);
+      result.fixed.push_back(parted.fixed[part]);
+      result.drives.push_back(route.drives[i - 1]);
+    }
+  }
+  return result;
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,95 @@
+#include "engine/planning/energy_map.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double most_cells_a_side = 256.0;
+constexpr double samples_a_cell = 8.0;
+constexpr double most_samples = 4096.0;  // of a leg: more than on a diagonal
+
+/// One cell where no sea bed is known.
+core::Metres cell_of(const FlownDepths& depths, const PlaneBox& area) {
+  const double extent_m = std::max(area.width_m(), area.height_m());
+  if (!depths.bathymetry()) return {extent_m};
+  return {std::max(extent_m / most_cells_a_side, depths.bathymetry()->grid().spacing().value)};
+}
+
+/// Pump energy for each metre of depth climbed or dived.
+double pump_j_m(const vehicle::GliderProfile& profile, const vehicle::DiveBand& band) {
+  constexpr core::MetresPerSecond metre_a_second{1.0};
+  return vehicle::pump_power(profile.energy, profile.buoyancy, band, metre_a_second).value;
+}
+
+}  // namespace
+
+EnergyMap::EnergyMap(const vehicle::GliderProfile& profile, const FlownDepths& depths,
+                     const geo::LocalProjection& projection, const PlaneBox& area,
+                     const std::stop_token& stop)
+    : raster_{area, cell_of(depths, area)},
+      // The deeper the band, the less is pumped for each metre: the fixed costs of a turn weigh less.
+      least_pump_j_m_{pump_j_m(profile, vehicle::flown_band(depths.limits(), std::nullopt))},
+      buoyancy_{.vertical = profile.vertical_speed(profile.speed_through_water),
+                .power = vehicle::steady_power(profile.energy),
+                .thruster = {}},
+      thruster_{buoyancy_} {
+  if (profile.thruster) {
+    thruster_.vertical = profile.vertical_speed(profile.thruster->speed);
+    thruster_.thruster = profile.thruster->power;
+  }
+  places_.reserve(raster_.size());
+  for (std::int64_t iy = 0; iy < raster_.ny(); ++iy) {
+    if (stop.stop_requested()) return;
+    for (std::int64_t ix = 0; ix < raster_.nx(); ++ix) {
+      const geo::PlanePoint centre{
+          raster_.area().low.x_m + (static_cast<double>(ix) + 0.5) * raster_.cell_m(),
+          raster_.area().low.y_m + (static_cast<double>(iy) + 0.5) * raster_.cell_m()};
+      const vehicle::DiveBand band = depths.bathymetry() ? depths.at(projection.to_lon_lat(centre))
+                                                         : vehicle::flown_band(depths.limits(), std::nullopt);
+      const double pump = pump_j_m(profile, band);
+      is_even_ = is_even_ && pump == least_pump_j_m_;
+      places_.push_back({static_cast<float>(pump), static_cast<float>(1.0 / band.thickness().value)});
+    }
+  }
+}
+
+const EnergyMap::Place& EnergyMap::place(geo::PlanePoint point) const {
+  const auto clamped = [&](double metres, std::int64_t cells) {
+    const double cell = std::floor(metres / raster_.cell_m());
+    return static_cast<std::int64_t>(std::clamp(cell, 0.0, static_cast<double>(cells - 1)));
+  };
+  return places_[raster_.index(clamped(point.x_m - raster_.area().low.x_m, raster_.nx()),
+                               clamped(point.y_m - raster_.area().low.y_m, raster_.ny()))];
+}
+
+EnergyUse EnergyMap::use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds time,
+                         vehicle::Drive drive) const {
+  double pump_j = 0.0;
+  double inflections = 0.0;
+  const double cells = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / raster_.cell_m();
+  const double wanted = std::clamp(std::ceil(samples_a_cell * cells), 1.0, most_samples);
+  const int samples = is_even_ ? 1 : static_cast<int>(wanted);
+  for (int i = 0; i < samples; ++i) {
+    const double share = (i + 0.5) / samples;
+    const Place& here = place({a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)});
+    pump_j += static_cast<double>(here.pump_j_m) / samples;
+    inflections += static_cast<double>(here.inflections_m) / samples;
+  }
+  const DriveCost& drive_cost = cost(drive);
+  const double depth_changed_m = drive_cost.vertical.value * time.count();
+  return {.hotel = drive_cost.power * time,
+          .pump = {pump_j * depth_changed_m},
+          .thruster = drive_cost.thruster * time,
+          .inflections = inflections * depth_changed_m};
+}
+
+core::Watts EnergyMap::least_power(vehicle::Drive drive) const {
+  const DriveCost& drive_cost = cost(drive);
+  // A hair below, because places keep their costs as floats.
+  return {drive_cost.power.value + drive_cost.thruster.value +
+          (1.0 - 1e-6) * least_pump_j_m_ * drive_cost.vertical.value};
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "engine/planning/energy_use.hpp"
+#include "engine/planning/flown_depths.hpp"
+#include "engine/planning/plane_raster.hpp"
+#include "engine/vehicle/drive.hpp"
+#include "engine/vehicle/glider_profile.hpp"
+
+namespace floeplan::planning {
+
+/// What a glider draws where: over a shallow bank it turns oftener, in deep water it pumps against more
+/// pressure.
+/// Accuracy  the sea bed by cells no smaller than those of the bathymetry, at most 256 a side; the time of a
+///           leg spread evenly over its length
+/// Threads   const members may be called from several threads at once
+class EnergyMap {
+ public:
+  /// Once `stop` is requested the map stays incomplete and must not be used.
+  EnergyMap(const vehicle::GliderProfile& profile, const FlownDepths& depths,
+            const geo::LocalProjection& projection, const PlaneBox& area, const std::stop_token& stop);
+
+  /// Of the straight leg from a to b, travelled in this time.
+  [[nodiscard]] EnergyUse use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds time,
+                              vehicle::Drive drive) const;
+  /// No place costs less.
+  [[nodiscard]] core::Watts least_power(vehicle::Drive drive) const;
+  /// Whether every place costs the same, so that energy is power times time.
+  [[nodiscard]] bool is_even() const { return is_even_; }
+
+ private:
+  struct Place {
+    float pump_j_m;       // for each metre of depth climbed or dived
+    float inflections_m;  // likewise
+  };
+  struct DriveCost {
+    core::MetresPerSecond vertical;
+    core::Watts power;  // besides the pump
+    core::Watts thruster;
+  };
+  [[nodiscard]] const Place& place(geo::PlanePoint point) const;
+  [[nodiscard]] const DriveCost& cost(vehicle::Drive drive) const {
+    return drive == vehicle::Drive::thruster ? thruster_ : buoyancy_;
+  }
+
+  PlaneRaster raster_;
+  std::vector<Place> places_;  // [y][x]
+  double least_pump_j_m_;
+  bool is_even_{true};
+  DriveCost buoyancy_;
+  DriveCost thruster_;  // as the buoyancy drive where there is none
+};
+
+}  // namespace floeplan::planning

@@ -1,0 +1,55 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+#include "engine/vehicle/drive.hpp"
+#include "engine/vehicle/glider_profile.hpp"
+
+namespace floeplan::planning {
+
+/// What the best plan has least of: weights of its seconds and of its joules.
+struct Objective {
+  double of_time{1.0};
+  double of_energy{0.0};
+
+  [[nodiscard]] bool is_time() const { return of_energy == 0.0; }
+  [[nodiscard]] double cost(core::Seconds time, core::Joules energy) const {
+    return of_time * time.count() + of_energy * energy.value;
+  }
+  friend bool operator==(const Objective&, const Objective&) = default;
+};
+
+inline constexpr Objective time_objective{1.0, 0.0};
+inline constexpr Objective energy_objective{0.0, 1.0};
+
+enum class ThrusterUse {
+  automatic,  // leg by leg, as the objective has it
+  on,
+  off
+};
+
+[[nodiscard]] std::string thruster_use_name(ThrusterUse use);
+[[nodiscard]] std::optional<ThrusterUse> parse_thruster_use(std::string_view name);
+
+/// What a request says of energy.
+struct EnergyRules {
+  Objective objective{};
+  ThrusterUse thruster{ThrusterUse::automatic};
+  bool require_battery{false};  // a plan beyond the battery is no plan; else it carries a warning
+
+  [[nodiscard]] core::Violations violations(const vehicle::GliderProfile& profile) const;
+};
+
+/// The drives that a leg may have, at least one. The earliest arrival never comes of the slower of two drives.
+[[nodiscard]] std::vector<vehicle::Drive> drives(const EnergyRules& rules,
+                                                 const vehicle::GliderProfile& profile);
+
+/// Horizontal speed through the water. Precondition  the profile has the drive.
+[[nodiscard]] core::MetresPerSecond drive_speed(const vehicle::GliderProfile& profile, vehicle::Drive drive);
+[[nodiscard]] std::string drive_name(vehicle::Drive drive);
+
+}  // namespace floeplan::planning

@@ -1,0 +1,135 @@
+#include <gtest/gtest.h>
+
+#include "engine/planning/plan_route.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using support::bathymetry_from;
+using support::currents_from;
+using support::eastward_request;
+
+Result<Plan> plan(const ocean::Environment& environment, PlanRequest request, const Objective& objective) {
+  request.energy.objective = objective;
+  return plan_route(environment, request, {}, {});
+}
+
+PlanRequest hybrid_request() {
+  PlanRequest request = eastward_request();
+  request.spacing_along = core::Metres{2000.0};
+  request.vehicle = vehicle::find_profile("slocum-g3-200-thruster").value();
+  return request;
+}
+
+geo::VelocityEn tide(geo::LonLat place, double hour) {
+  const double phase = 2.0 * 3.14159265358979 * hour / 12.42;
+  return {{0.15 * std::cos(phase)}, {0.2 * std::sin(phase + place.lon_deg)}};
+}
+
+/// Shallow along the straight way, deep to the north of it.
+std::shared_ptr<const ocean::Bathymetry> bank() {
+  return bathymetry_from([](geo::LonLat place) {
+    const bool on_bank = std::abs(place.lat_deg - 69.0) < 0.06 && std::abs(place.lon_deg + 53.0) < 0.3;
+    return on_bank ? 25.0 : 400.0;
+  });
+}
+
+double energy_j(const Plan& plan) { return plan.energy->use.total().value; }
+
+TEST(CostPlan, IsTheFastestPlanWhereOneDriveDrawsTheSamePowerEverywhere) {
+  const ocean::Environment environment{.currents = currents_from(tide, 96)};
+
+  const auto fastest = plan(environment, eastward_request(), time_objective);
+  const auto cheapest = plan(environment, eastward_request(), energy_objective);
+
+  ASSERT_TRUE(fastest && cheapest);
+  EXPECT_NEAR(cheapest->travel_time().count(), fastest->travel_time().count(), 0.1);
+  EXPECT_NEAR(energy_j(*cheapest), energy_j(*fastest), 1e-5 * energy_j(*fastest));
+}
+
+TEST(CostPlan, GoesRoundABankToSaveThePump) {
+  const ocean::Environment environment{.bathymetry = bank()};
+
+  const auto fastest = plan(environment, eastward_request(), time_objective);
+  const auto cheapest = plan(environment, eastward_request(), energy_objective);
+
+  ASSERT_TRUE(fastest && cheapest);
+  EXPECT_LT(energy_j(*cheapest), 0.9 * energy_j(*fastest));
+  EXPECT_GT(cheapest->travel_time(), fastest->travel_time());
+}
+
+TEST(CostPlan, UsesTheThrusterOnlyAsFarAsItsWeightIsWorthIt) {
+  const auto fastest = plan({}, hybrid_request(), time_objective);
+  const auto cheapest = plan({}, hybrid_request(), energy_objective);
+
+  ASSERT_TRUE(fastest && cheapest);
+  EXPECT_EQ(fastest->waypoints.back().drive, vehicle::Drive::thruster);
+  EXPECT_EQ(cheapest->waypoints.back().drive, vehicle::Drive::buoyancy);
+  EXPECT_LT(energy_j(*cheapest), energy_j(*fastest));
+}
+
+TEST(CostPlan, OfWeightsLiesBetweenTheFastestAndTheMostSaving) {
+  const ocean::Environment environment{.currents = currents_from(tide, 200), .bathymetry = bank()};
+  const auto fastest = plan(environment, hybrid_request(), time_objective);
+  const auto cheapest = plan(environment, hybrid_request(), energy_objective);
+  ASSERT_TRUE(fastest && cheapest);
+  EXPECT_LE(energy_j(*cheapest), energy_j(*fastest));
+
+  for (const double joule_worth_s : {0.05, 0.3}) {
+    const Objective objective{1.0, joule_worth_s};
+    const auto between = plan(environment, hybrid_request(), objective);
+
+    ASSERT_TRUE(between.has_value());
+    const auto cost = [&](const Plan& p) { return objective.cost(p.travel_time(), p.energy->use.total()); };
+    EXPECT_LE(cost(*between), cost(*fastest));
+    EXPECT_LE(cost(*between), 1.02 * cost(*cheapest));
+    EXPECT_GE(between->travel_time(), 0.99 * fastest->travel_time());
+    EXPECT_GE(energy_j(*between), 0.99 * energy_j(*cheapest));
+  }
+}
+
+TEST(CostPlan, CostsNoMoreWhenItIsRefined) {
+  const ocean::Environment environment{.currents = currents_from(tide, 200), .bathymetry = bank()};
+  PlanRequest request = hybrid_request();
+  const auto refined = plan(environment, request, energy_objective);
+  request.refine = false;
+
+  const auto plain = plan(environment, request, energy_objective);
+
+  ASSERT_TRUE(refined && plain);
+  EXPECT_LE(energy_j(*refined), energy_j(*plain));
+  EXPECT_LE(refined->waypoints.size(), plain->waypoints.size());
+}
+
+TEST(CostPlan, KeepsToTheWaypointsAndLegsAskedFor) {
+  const ocean::Environment environment{.bathymetry = bank()};
+  PlanRequest request = eastward_request();
+  request.max_waypoints = 4;
+  const auto few = plan(environment, request, energy_objective);
+  request.max_waypoints.reset();
+  request.max_leg = core::Metres{5000.0};
+  const auto parted = plan(environment, request, energy_objective);
+
+  ASSERT_TRUE(few && parted);
+  EXPECT_LE(few->waypoints.size(), 4U);
+  for (std::size_t i = 1; i < parted->waypoints.size(); ++i) {
+    EXPECT_LE(parted->waypoints[i].leg_length->value, 5000.0 * 1.001);
+    EXPECT_TRUE(parted->waypoints[i].drive.has_value());
+  }
+}
+
+TEST(CostPlan, StopsWhenItIsCancelled) {
+  std::stop_source source;
+  source.request_stop();
+  PlanRequest request = hybrid_request();
+  request.energy.objective = energy_objective;
+
+  const auto found = plan_route({.bathymetry = bank()}, request, source.get_token(), {});
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::cancelled);
+}
+
+}  // namespace
+}  // namespace floeplan::planning

@@ -1,0 +1,120 @@
+#include "engine/planning/cost_voyage.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <limits>
+#include <set>
+
+#include "engine/planning/open_grid.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+const PlaneBox area{{-12'000.0, -12'000.0}, {12'000.0, 12'000.0}};
+
+/// 3 x 3 vertices, 4 km apart.
+const RouteGrid small_grid{.origin = {-4'000.0, -4'000.0},
+                           .along = {4'000.0, 0.0},
+                           .across = {0.0, 4'000.0},
+                           .nx = 3,
+                           .ny = 3,
+                           .start = 0,
+                           .goal = 8};
+
+PlanRequest hybrid_request(const Objective& objective) {
+  PlanRequest request = support::eastward_request();
+  request.vehicle = vehicle::find_profile("slocum-g3-200-thruster").value();
+  request.energy.objective = objective;
+  return request;
+}
+
+/// Every simple way with every choice of drives, one after the other.
+struct BruteForce {
+  const Sea& sea;
+  const OpenGrid& open;
+  const Objective& objective;
+  double best{std::numeric_limits<double>::infinity()};
+  std::set<graph::Vertex> on_way{};
+
+  void go_on(graph::Vertex v, double now_s, double cost) {
+    if (cost >= best) return;
+    if (v == open.grid.goal) {
+      best = cost;
+      return;
+    }
+    on_way.insert(v);
+    open.graph.for_each_edge(v, [&](const graph::Edge& edge) {
+      if (on_way.contains(edge.head)) return;
+      for (const vehicle::Drive drive : sea.drives()) {
+        const geo::PlanePoint a = open.grid.point(v);
+        const geo::PlanePoint b = open.grid.point(edge.head);
+        const auto time = sea.leg_time(a, b, core::Seconds{now_s}, core::Seconds{INFINITY}, drive);
+        if (!time) continue;
+        const core::Joules energy = sea.energy().use(a, b, *time, drive).total();
+        go_on(edge.head, now_s + time->count(), cost + objective.cost(*time, energy));
+      }
+    });
+    on_way.erase(v);
+  }
+};
+
+double random_depth_m(std::uint64_t seed, geo::LonLat place) {
+  return 140.0 + 110.0 * std::sin(static_cast<double>(seed) + 15.0 * place.lon_deg + 25.0 * place.lat_deg);
+}
+
+void expect_least_cost(const ocean::Environment& environment, const Objective& objective, double tolerance) {
+  const PlanRequest request = hybrid_request(objective);
+  const geo::LocalProjection projection{{-53.0, 69.0}};
+  const Sea sea{environment, request, projection, area, core::Metres{1000.0}};
+  const OpenGrid open = open_grid(sea, small_grid, 1, {});
+  CostVoyage voyage{sea, open.grid, objective};
+  BruteForce brute_force{.sea = sea, .open = open, .objective = objective};
+
+  const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, 0.0,
+                                              CostVoyage::State{}, voyage, 1'000'000, {});
+  brute_force.go_on(open.grid.start, 0.0, 0.0);
+
+  ASSERT_TRUE(search.goal.has_value());
+  EXPECT_NEAR(search.labels[*search.goal].state.cost, brute_force.best, tolerance * brute_force.best);
+}
+
+const Objective objectives[] = {energy_objective, {1.0, 0.1}, {1.0, 0.4}};
+
+TEST(CostVoyage, IsExactInSteadyWaters) {
+  support::for_each_seed(5, [](std::mt19937_64& rng) {
+    const auto seed = static_cast<std::uint64_t>(support::uniform_int(rng, 0, 1000));
+    ocean::Environment environment;
+    environment.bathymetry =
+        support::bathymetry_from([&](geo::LonLat place) { return random_depth_m(seed, place); });
+    environment.currents = support::currents_from(
+        [&](geo::LonLat place, double) {
+          return geo::VelocityEn{{0.2 * std::sin(9.0 * place.lon_deg + static_cast<double>(seed))},
+                                 {0.1 * std::cos(30.0 * place.lat_deg)}};
+        },
+        0);
+    environment.steady_currents = true;
+    for (const Objective& objective : objectives) expect_least_cost(environment, objective, 1e-9);
+  });
+}
+
+TEST(CostVoyage, IsNearlyExactInATide) {
+  support::for_each_seed(4, [](std::mt19937_64& rng) {
+    const auto seed = static_cast<std::uint64_t>(support::uniform_int(rng, 0, 1000));
+    ocean::Environment environment;
+    environment.bathymetry =
+        support::bathymetry_from([&](geo::LonLat place) { return random_depth_m(seed, place); });
+    environment.currents = support::currents_from(
+        [&](geo::LonLat place, double hour) {
+          return geo::VelocityEn{{0.2 * std::sin(9.0 * place.lon_deg + 0.5 * hour)},
+                                 {0.2 * std::cos(0.5 * hour + static_cast<double>(seed))}};
+        },
+        96);
+    for (const Objective& objective : objectives) expect_least_cost(environment, objective, 0.01);
+  });
+}
+
+}  // namespace
+}  // namespace floeplan::planning
