@@ -4,6 +4,7 @@
 
 #include "api/codec/data_inputs.hpp"
 #include "api/codec/departure_inputs.hpp"
+#include "api/codec/energy_inputs.hpp"
 #include "api/codec/iceberg_inputs.hpp"
 #include "api/codec/input_reader.hpp"
 #include "api/codec/search_inputs.hpp"
@@ -25,6 +26,10 @@ constexpr std::size_t max_route_places = 10'000;
 void read_common(InputReader& reader, planning::PlanRequest& request, repository::EnvironmentQuery& data,
                  std::string& name) {
   read_vehicle(reader, request.vehicle);
+  read_energy(reader, request.energy);
+  for (const core::Violation& violation : request.energy.violations(request.vehicle)) {
+    if (!reader.refused(violation.field)) reader.refuse(violation.field, violation.rule);
+  }
   request.zones = read_areas(reader);
   read_data(reader, data);
   read_iceberg_rules(reader, request.icebergs, data);
@@ -94,6 +99,7 @@ json common_json(const planning::PlanRequest& request, const repository::Environ
                  const std::string& name) {
   json inputs{{"name", name}};
   write_vehicle(request.vehicle, inputs);
+  write_energy(request.energy, inputs);
   inputs["areas"] = request.zones.empty() ? json() : areas_json(request.zones);
   write_data(data, inputs);
   write_iceberg_rules(request.icebergs, data, inputs);

@@ -44,9 +44,6 @@ void read_search(InputReader& reader, planning::PlanRequest& request) {
       reader.refuse("/method", "must be tve, dijkstra, astar, frozen or direct, not \"" + *text + "\"");
     }
   }
-  if (const auto objective = reader.text("objective"); objective && *objective != "time") {
-    reader.refuse("/objective", "must be \"time\", the only objective so far, not \"" + *objective + "\"");
-  }
   request.max_waypoints = reader.integer("max_waypoints", 2, 10'000);
   if (const auto longest = reader.number("max_leg_m", {100.0, 5e6})) request.max_leg = core::Metres{*longest};
   if (const auto refine = reader.boolean("refine")) request.refine = *refine;
@@ -58,7 +55,6 @@ void write_search(const planning::PlanRequest& request, json& inputs) {
   inputs["spacing_m"] = spacing_json(request);
   inputs["sectors"] = request.sectors;
   inputs["method"] = planning::method_name(request.method);
-  inputs["objective"] = "time";
   inputs["max_waypoints"] = request.max_waypoints ? json(*request.max_waypoints) : json();
   inputs["max_leg_m"] = request.max_leg ? json(request.max_leg->value) : json();
   inputs["refine"] = request.refine;

@@ -38,6 +38,13 @@ json vehicle_schema() {
   return {{"oneOf", json::array({json{{"type", "string"}}, json{{"type", "object"}}})}};
 }
 
+json objective_schema() {
+  const json weights{{"type", "object"},
+                     {"properties", {{"time", number_schema(0.0, 1e6)}, {"energy", number_schema(0.0, 1e6)}}},
+                     {"additionalProperties", false}};
+  return {{"oneOf", json::array({one_of({"time", "energy"}), weights})}};
+}
+
 json common_inputs() {
   const json time{{"type", "string"}, {"format", "date-time"}};
   return {
@@ -52,6 +59,10 @@ json common_inputs() {
       {"dive_depth_m", input("Bottom of the saw-tooth in deep water, metres", number_schema(1.0, 11000.0))},
       {"altimeter_margin_m", input("Kept above the sea bed, metres", number_schema(0.0, 1000.0))},
       {"battery_j", input("Energy of the full battery, joules", number_schema(1.0, 1e10))},
+      {"objective",
+       input("What to minimise: time, energy, or weights of a second and of a joule", objective_schema())},
+      {"thruster", input("Use of the thruster", one_of({"auto", "on", "off"}))},
+      {"require_battery", input("No plan beyond what the battery gives", {{"type", "boolean"}})},
       {"battery_start_share", input("Share of it at the departure", number_schema(0.0, 1.0))},
       {"margin_m", input("Distance kept from the edge of an iceberg, metres", number_schema(0.0, 1e5))},
       {"areas",
@@ -98,7 +109,6 @@ json plan_inputs() {
   inputs["sectors"] =
       input("Reach of the grid's edges", {{"type", "integer"}, {"minimum", 1}, {"maximum", 5}});
   inputs["method"] = input("Search", one_of({"tve", "dijkstra", "astar", "frozen", "direct"}));
-  inputs["objective"] = input("What to minimise", one_of({"time"}));
   inputs["max_waypoints"] =
       input("Waypoints at most", {{"type", "integer"}, {"minimum", 2}, {"maximum", 10000}});
   inputs["max_leg_m"] =

@@ -36,6 +36,17 @@ json read_object(const std::string& file, const std::string& what) {
   return object;
 }
 
+/// "time", "energy" or "weighted:W"; another word goes on, to be refused with the rest of the inputs.
+json objective_of(const std::string& text) {
+  const std::string weighted = "weighted:";
+  if (!text.starts_with(weighted)) return text;
+  const auto weight = parse_numbers(text.substr(weighted.size()));
+  if (!weight || weight->size() != 1) {
+    throw CLI::ValidationError{"--objective", text + " has no weight; as weighted:0.5"};
+  }
+  return {{"time", 1.0}, {"energy", weight->front()}};
+}
+
 }  // namespace
 
 void InputFlags::add_common(CLI::App& command) {
@@ -51,6 +62,10 @@ void InputFlags::add_common(CLI::App& command) {
   command.add_option("--altimeter-margin", altimeter_margin_m_, "Kept above the sea bed, metres");
   command.add_option("--battery", battery_j_, "Energy of the full battery, joules");
   command.add_option("--battery-start", battery_start_share_, "Share of it at the departure, 0 to 1");
+  command.add_option("--objective", objective_,
+                     "time (default), energy, or weighted:W with W the seconds that a joule is worth");
+  command.add_option("--thruster", thruster_, "auto (default: as the objective has it), on or off");
+  command.add_flag("--require-battery", require_battery_, "No plan beyond what the battery gives");
   command.add_option("--currents", currents_,
                      "ID[,ID...] or none; default: the newest that cover area and departure");
   command.add_flag("--steady", steady_, "Use the one time step, or the mean of all, for every time");
@@ -94,7 +109,6 @@ void InputFlags::add_planning(CLI::App& command) {
                      "Grid step M, or M,M along and across; default distance/200, 250 m to 5 km");
   command.add_option("--sectors", sectors_, "Reach of the grid's edges, 1 to 5; default 3");
   command.add_option("--method", method_, "tve, dijkstra, astar, frozen or direct; default astar");
-  command.add_option("--objective", objective_, "time");
   command.add_option("--max-waypoints", max_waypoints_, "Start and goal included");
   command.add_option("--max-leg", max_leg_m_, "Longest leg, metres; longer ones are parted");
   command.add_option("--refine-seconds", refine_seconds_,
@@ -155,7 +169,9 @@ json InputFlags::inputs() const {
   set("battery_start_share", battery_start_share_);
   set("sectors", sectors_);
   set("method", method_);
-  set("objective", objective_);
+  if (objective_) inputs["objective"] = objective_of(*objective_);
+  set("thruster", thruster_);
+  if (require_battery_) inputs["require_battery"] = true;
   set("max_waypoints", max_waypoints_);
   set("max_leg_m", max_leg_m_);
   set("refine_seconds", refine_seconds_);

@@ -56,6 +56,8 @@ class InputFlags {
   std::optional<int> max_waypoints_;
   std::optional<double> max_leg_m_;
   std::optional<double> refine_seconds_;
+  std::optional<std::string> thruster_;
+  bool require_battery_{false};
   bool no_refine_{false};
   std::optional<std::string> currents_;
   bool steady_{false};

@@ -30,16 +30,17 @@ std::string cell(const json& value, const char* format, double factor = 1.0) {
 }
 
 void print_table(const json& plan) {
-  std::printf("%-4s %-14s %-14s %-20s %9s %8s %6s %7s\n", "no.", "latitude", "longitude", "ETA", "leg km",
-              "course", "m/s", "depth m");
+  std::printf("%-4s %-14s %-14s %-20s %9s %8s %6s %7s %8s  %s\n", "no.", "latitude", "longitude", "ETA",
+              "leg km", "course", "m/s", "depth m", "kJ", "drive");
   for (const json& waypoint : plan.at("waypoints")) {
     std::printf(
-        "%-4d %-14s %-14s %-20s %9s %8s %6s %7s\n", waypoint.at("index").get<int>(),
+        "%-4d %-14s %-14s %-20s %9s %8s %6s %7s %8s  %s\n", waypoint.at("index").get<int>(),
         degrees_minutes(waypoint.at("lat"), 'N', 'S').c_str(),
         degrees_minutes(waypoint.at("lon"), 'E', 'W').c_str(), waypoint.at("eta").get<std::string>().c_str(),
         cell(waypoint.at("leg_m"), "%.2f", 1e-3).c_str(), cell(waypoint.at("course_deg"), "%.1f").c_str(),
         cell(waypoint.at("speed_over_ground_m_s"), "%.3f").c_str(),
-        cell(waypoint.at("depth_m"), "%.0f").c_str());
+        cell(waypoint.at("depth_m"), "%.0f").c_str(), cell(waypoint.at("energy_j"), "%.1f", 1e-3).c_str(),
+        waypoint.at("propulsion").is_string() ? waypoint.at("propulsion").get<std::string>().c_str() : "-");
   }
 }
 
@@ -74,6 +75,16 @@ void print_departures(const json& document) {
   }
 }
 
+void print_energy(const json& plan) {
+  const json energy = plan.value("energy", json());
+  if (energy.is_null()) return;
+  const auto megajoules = [](const json& joules) { return cell(joules, "%.3f", 1e-6); };
+  std::printf("energy %s MJ of %s MJ: hotel %s, pump %s, thruster %s; %s inflections\n",
+              megajoules(plan.at("energy_j")).c_str(), megajoules(energy.at("usable_j")).c_str(),
+              megajoules(energy.at("hotel_j")).c_str(), megajoules(energy.at("pump_j")).c_str(),
+              megajoules(energy.at("thruster_j")).c_str(), cell(energy.at("inflections"), "%.0f").c_str());
+}
+
 void print_for_people(const json& plan) {
   const std::string id = plan.value("plan_id", "");
   std::printf("%s  %s to %s, %s h, %s km\n", id.empty() ? "route" : id.c_str(),
@@ -82,6 +93,7 @@ void print_for_people(const json& plan) {
               cell(plan.at("distance_m"), "%.1f", 1e-3).c_str());
   print_table(plan);
   print_refinement(plan);
+  print_energy(plan);
   if (const json& spread = plan.at("uncertainty"); !spread.is_null()) {
     std::printf("%d of %d members arrive: mean %s h, standard deviation %s h, 90 %% within %s h\n",
                 spread.at("arrived").get<int>(), spread.at("members").get<int>(),
