@@ -49,6 +49,7 @@ void read_search(InputReader& reader, planning::PlanRequest& request) {
   if (const auto refine = reader.boolean("refine")) request.refine = *refine;
   if (const auto most = reader.number("refine_seconds", {0.05, 60.0}))
     request.refine_time = core::Seconds{*most};
+  if (const auto gap = reader.boolean("optimality_gap")) request.optimality_gap = *gap;
 }
 
 void write_search(const planning::PlanRequest& request, json& inputs) {
@@ -59,6 +60,7 @@ void write_search(const planning::PlanRequest& request, json& inputs) {
   inputs["max_leg_m"] = request.max_leg ? json(request.max_leg->value) : json();
   inputs["refine"] = request.refine;
   inputs["refine_seconds"] = request.refine_time.count();
+  inputs["optimality_gap"] = request.optimality_gap;
 }
 
 }  // namespace floeplan::codec

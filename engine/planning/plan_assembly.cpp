@@ -155,7 +155,7 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
   plan.energy = PlanEnergy{.use = drawn, .usable = request.vehicle.energy.usable()};
   plan.clearances.bottom = bottom_clearance(sea, environment, request, route);
   plan.clearances.land = land_clearance(sea, environment, route);
-  plan.optimality_gap_reason = "not computed for routes in stored data";
+  plan.optimality_gap_reason = "not asked for";
   plan.datasets = environment.datasets;
   plan.warnings = environment.warnings;
   warn_of_extended_currents(plan, sea, route);

@@ -1,5 +1,6 @@
 #include "engine/planning/plan_route.hpp"
 
+#include <algorithm>
 #include <stdexcept>
 
 #include "engine/geo/geodesic.hpp"
@@ -9,6 +10,7 @@
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/improvement.hpp"
 #include "engine/planning/late_openings.hpp"
+#include "engine/planning/optimality.hpp"
 #include "engine/planning/plan_assembly.hpp"
 #include "engine/planning/relaxation.hpp"
 #include "engine/planning/robust_plan.hpp"
@@ -53,6 +55,15 @@ Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, cons
   return plan;
 }
 
+/// How near the best possible the plan's route is, where that was asked for.
+void rate(Plan& plan, const Sea& sea, const PlanRequest& request, const Route& route,
+          const std::stop_token& stop) {
+  if (!request.optimality_gap) return;
+  const Optimality optimality = rate_route(sea, route, request.vehicle.speed_through_water, stop);
+  plan.optimality_gap = optimality.gap;
+  plan.optimality_gap_reason = optimality.reason;
+}
+
 /// A plan on grids of one reach and whether a larger reach may do better.
 struct Attempt {
   Result<Plan> plan;
@@ -86,6 +97,8 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
     plan->warnings.push_back(
         "the search for better ways past what clears later was cut short at its bound on memory");
   }
+  if (plan) rate(*plan, chart->sea, request, improved.route, stop);
+  if (stop.stop_requested()) return {tl::unexpected(explain_cancelled(request))};
   progress("done", 1.0);
   return {std::move(plan), way.touches_rim};
 }
@@ -110,6 +123,7 @@ std::vector<Change> changes_that_help(const ocean::Environment& environment, con
   const Trial trial = [&](const PlanRequest& changed) {
     PlanRequest plain = changed;
     plain.refine = false;
+    plain.optimality_gap = false;
     plain.max_waypoints.reset();
     return plan_anywhere(environment, plain, stop, [](std::string_view, double) {}, {}).has_value();
   };
@@ -166,14 +180,22 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
     if (plan && has_uncertain_currents(environment, request)) {
       plan->warnings.push_back("how uncertain the currents are counts only where the objective is time");
     }
+    if (plan && request.optimality_gap) {
+      plan->optimality_gap_reason = "only plans for the least time are compared with the best way";
+    }
     return plan;
   }
+  const bool is_uncertain = has_uncertain_currents(environment, request);
+  PlanRequest in_one_sea = request;
+  in_one_sea.optimality_gap = request.optimality_gap && !is_uncertain;
   const PlanIn plan_in = [&](const ocean::Environment& sea) {
-    return plan_anywhere(sea, request, stop, progress, clock);
+    return plan_anywhere(sea, in_one_sea, stop, progress, clock);
   };
-  Result<Plan> plan = has_uncertain_currents(environment, request)
-                          ? plan_uncertain(environment, request, plan_in, stop, progress)
-                          : plan_in(environment);
+  Result<Plan> plan = is_uncertain ? plan_uncertain(environment, request, plan_in, stop, progress)
+                                   : plan_in(environment);
+  if (plan && is_uncertain && request.optimality_gap) {
+    plan->optimality_gap_reason = "the currents are not certain, so that no one way is the best";
+  }
   if (plan || !plan.error().changes.empty()) return plan;
   progress("what would help", 0.95);
   plan.error().changes = changes_that_help(environment, request, plan.error().binding, stop);
@@ -197,7 +219,15 @@ Result<Plan> evaluate_route(const ocean::Environment& environment, const std::ve
     on_route.spacing_along = spacing_for(request, length).along;
   }
   refuse_invalid(on_route);
-  return plan_within(first_reach, environment, on_route, {}, [](std::string_view, double) {}, {}).plan;
+
+  const Result<Chart> chart = draw_chart(environment, on_route, first_reach, {});
+  if (!chart) return tl::unexpected(chart.error());
+  Improved given = improve(chart->sea, straight_way(chart->layout).route, on_route, {}, {});
+  Result<Plan> plan = publish(chart->sea, environment, on_route, given, {});
+  // Compared with the best way from end to end, not with the best one past every place of the route.
+  std::fill(given.route.fixed.begin() + 1, given.route.fixed.end() - 1, false);
+  if (plan) rate(*plan, chart->sea, on_route, given.route, {});
+  return plan;
 }
 
 }  // namespace floeplan::planning

@@ -6,9 +6,8 @@ namespace floeplan::planning {
 namespace {
 
 constexpr int most_iterations = 40;
-constexpr double converged = 1e-9;
-/// A gain this small may drown in the errors of the legs' times; then the way is as good as can be told.
-constexpr double drowned = 1e-7;
+/// Share of the duration: a smaller gain drowns in the errors of the legs' times.
+constexpr double least_gain = 1e-7;
 /// Of a leg, for difference quotients: small beside the bends of a way, large beside the errors of its time.
 constexpr double difference_step = 0.02;
 constexpr double least_step = 1e-3;  // share of Newton's step that is still tried
@@ -75,9 +74,10 @@ class Neighbourhood {
   [[nodiscard]] std::optional<LegSlopes> slopes(std::size_t leg) const {
     const double h = difference_step * length(leg);
     const double s = difference_step * duration(leg);
+    const bool may_start_late = leg > 0;  // not the first: the data may begin at the departure
     bool open = true;
     const auto end = [&](int a, int b, int t) {
-      const core::Seconds depart = way_.times[leg] + core::Seconds{s * t};
+      const core::Seconds depart = way_.times[leg] + core::Seconds{may_start_late ? s * t : 0.0};
       const auto time = leg_timer_(moved(leg, h * a), moved(leg + 1, h * b), depart);
       open = open && time.has_value();
       return time ? (depart + *time - way_.times[leg]).count() : 0.0;
@@ -185,7 +185,7 @@ std::optional<TimedWay> shorter_way(const Neighbourhood& near, const Policies& p
 struct Step {
   std::optional<TimedWay> next;  // empty: none was found
   double weight{};
-  bool at_minimum{false};  // none was found because nothing is left to gain that could be told
+  bool at_minimum{false};  // none was looked for because too little is left to gain
   bool closed{false};      // none was found because a neighbouring way cannot be travelled
 };
 
@@ -196,14 +196,12 @@ Step step_down(const TimedWay& way, const LegTimer& leg_timer, double weight) {
   const auto slopes = all_slopes(near);
   step.closed = !slopes;
   if (!slopes) return step;
-  for (; step.weight <= most_weight; step.weight *= weight_factor) {
+  const auto full_step = best_policies(near, *slopes, least_weight);
+  step.at_minimum = full_step && full_step->gain <= least_gain * way.duration().count();
+  for (; !step.at_minimum && step.weight <= most_weight; step.weight *= weight_factor) {
     const auto policies = best_policies(near, *slopes, step.weight);
-    if (!policies) continue;
-    const double gain = policies->gain / way.duration().count();
-    if (step.weight <= 1.0 && gain <= drowned) step.at_minimum = true;
-    if (gain <= converged) return step;
-    step.next = shorter_way(near, *policies, way.duration());
-    if (step.next) return step;
+    if (policies) step.next = shorter_way(near, *policies, way.duration());
+    if (step.next) break;
   }
   return step;
 }

@@ -114,6 +114,8 @@ void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--refine-seconds", refine_seconds_,
                      "Computing time for moving waypoints off the grid, 0.05 to 60; default 1");
   command.add_flag("--no-refine", no_refine_, "Leave the way as the grid gave it");
+  command.add_flag("--no-optimality-gap", no_optimality_gap_,
+                   "Do not compare the plan with the best way in open water");
 }
 
 void InputFlags::add_reach(CLI::App& command) {
@@ -193,6 +195,7 @@ json InputFlags::inputs() const {
   if (steady_) inputs["steady"] = true;
   if (no_iceberg_drift_) inputs["icebergs_drift"] = false;
   if (no_refine_) inputs["refine"] = false;
+  if (no_optimality_gap_) inputs["optimality_gap"] = false;
   return inputs;
 }
 

@@ -59,6 +59,7 @@ class InputFlags {
   std::optional<std::string> thruster_;
   bool require_battery_{false};
   bool no_refine_{false};
+  bool no_optimality_gap_{false};
   std::optional<std::string> currents_;
   bool steady_{false};
   std::optional<std::string> bathymetry_;

@@ -85,6 +85,13 @@ void print_energy(const json& plan) {
               megajoules(energy.at("thruster_j")).c_str(), cell(energy.at("inflections"), "%.0f").c_str());
 }
 
+std::string optimality_line(const json& plan) {
+  if (plan.at("optimality_gap").is_null()) {
+    return "optimality gap not known: " + plan.at("optimality_gap_reason").get<std::string>();
+  }
+  return cell(plan.at("optimality_gap"), "%.2f", 100.0) + " % slower than the best way in open water";
+}
+
 void print_for_people(const json& plan) {
   const std::string id = plan.value("plan_id", "");
   std::printf("%s  %s to %s, %s h, %s km\n", id.empty() ? "route" : id.c_str(),
@@ -109,6 +116,7 @@ void print_for_people(const json& plan) {
   std::printf("clear of icebergs by %s m, of land by %s m, of the bottom by %s m\n",
               cell(clear.at("iceberg_m"), "%.0f").c_str(), cell(clear.at("land_m"), "%.0f").c_str(),
               cell(clear.at("bottom_m"), "%.0f").c_str());
+  std::printf("%s\n", optimality_line(plan).c_str());
   if (plan.contains("iceberg_encounters") && plan.at("iceberg_encounters").is_number()) {
     std::printf("expected encounters with icebergs, within the margin: %s\n",
                 cell(plan.at("iceberg_encounters"), "%.2g").c_str());

@@ -1,0 +1,38 @@
+#include "engine/planning/free_way.hpp"
+
+#include <array>
+#include <cmath>
+
+#include "engine/planning/way_descent.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double settled = 1e-3;
+
+/// The limit of durations whose error falls to a quarter with each doubling.
+core::Seconds limit(core::Seconds coarse, core::Seconds fine) { return fine - (coarse - fine) / 3.0; }
+
+}  // namespace
+
+tl::expected<FreeWay, NoFreeWay> find_free_way(const TimedWay& start, const LegTimer& leg_timer,
+                                               const std::stop_token& stop) {
+  TimedWay way = start;
+  std::array<core::Seconds, 3> durations{};
+  for (std::size_t level = 0; level < durations.size(); ++level) {
+    constexpr std::size_t coarsest = 64;
+    WayDescent descent = descend_with_legs(way, coarsest << level, leg_timer, stop);
+    if (stop.stop_requested()) return tl::unexpected(NoFreeWay::cancelled);
+    if (descent.closed) return tl::unexpected(NoFreeWay::closed);
+    if (!descent.converged) return tl::unexpected(NoFreeWay::not_settled);
+    way = std::move(descent.way);
+    durations[level] = way.duration();
+  }
+  const core::Seconds before = limit(durations[0], durations[1]);
+  const core::Seconds last = limit(durations[1], durations[2]);
+  const double accuracy = std::abs((last - before) / last);
+  if (!(accuracy < settled)) return tl::unexpected(NoFreeWay::not_settled);
+  return FreeWay{.way = std::move(way), .duration = last, .accuracy = accuracy};
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <stop_token>
+#include <tl/expected.hpp>
+
+#include "engine/planning/timed_way.hpp"
+
+namespace floeplan::planning {
+
+/// What ever more legs lead to, near the start.
+struct FreeWay {
+  TimedWay way;              // of the finest legs
+  core::Seconds duration{};  // of the limit, where legs are bent
+  double accuracy{};         // of the duration, relative: what the last doubling of the legs changed
+};
+
+/// Why there is no such way to show.
+enum class NoFreeWay {
+  closed,       // it would lead where legs cannot be travelled
+  not_settled,  // the durations do not tend to a limit to better than a thousandth
+  cancelled
+};
+
+/// The fastest way near the start when its points are free and as many as one likes: `descend` with 64, 128
+/// and 256 legs, whose durations err with the square of a leg's length; the limit by Richardson's
+/// extrapolation. Needs no derivatives of the current, so that data with kinks between their nodes will do.
+/// Accuracy as the result says; about 1e-6 in the paper's jet, as a formula or laid on a grid; of the current
+///          as given: how well it stands for the sea is not part of it
+/// Source   Richardson 1911, doi:10.1098/rsta.1911.0009
+/// Stops    with NoFreeWay::cancelled once `stop` is requested
+[[nodiscard]] tl::expected<FreeWay, NoFreeWay> find_free_way(const TimedWay& start, const LegTimer& leg_timer,
+                                                             const std::stop_token& stop = {});
+
+}  // namespace floeplan::planning

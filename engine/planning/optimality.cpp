@@ -1,0 +1,144 @@
+#include "engine/planning/optimality.hpp"
+
+#include <algorithm>
+#include <cstdint>
+
+#include "engine/planning/free_way.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double tolerance = 1e-6;  // of a leg's time: the descent compares ways that differ little
+/// Of legs, for all sections together: about two seconds. A count, not a clock: the same on every machine.
+constexpr std::int64_t most_evaluations = 1'000'000;
+
+constexpr const char* would_be_closed = "obstacles shape the route: without them the fastest way would lead ";
+
+std::string describe(motion::EdgeClosed closed) {
+  const std::string without = would_be_closed;
+  switch (closed) {
+    case motion::EdgeClosed::on_land: return without + "over land";
+    case motion::EdgeClosed::too_shallow: return without + "through water that is too shallow";
+    case motion::EdgeClosed::obstacle: return without + "through the safety distance of an iceberg";
+    case motion::EdgeClosed::in_zone: return without + "through a zone against its rule";
+    case motion::EdgeClosed::current_too_strong:
+      return "the fastest way would meet currents that are too strong";
+    case motion::EdgeClosed::outside_data:
+    case motion::EdgeClosed::too_late: break;
+  }
+  return "the fastest way would leave the area or the period of the data";
+}
+
+std::string describe(NoFreeWay none) {
+  switch (none) {
+    case NoFreeWay::closed:
+      return "the fastest way would leave the data, or meet currents that are too strong";
+    case NoFreeWay::not_settled: return "the search for the best possible way did not settle";
+    case NoFreeWay::cancelled: break;
+  }
+  return "cancelled";
+}
+
+/// Times legs in the currents alone, and counts.
+class OpenWater {
+ public:
+  OpenWater(const Sea& sea, core::MetresPerSecond through_water) : sea_{sea}, through_water_{through_water} {}
+
+  [[nodiscard]] bool is_exhausted() const { return evaluations_ >= most_evaluations; }
+
+  [[nodiscard]] LegTimer timer() {
+    return [this](geo::PlanePoint from, geo::PlanePoint to,
+                  core::Seconds depart) -> std::optional<core::Seconds> {
+      if (is_exhausted()) return std::nullopt;
+      ++evaluations_;
+      const motion::PlaneEdge edge{from, to, sea_.ground_length(from, to)};
+      if (!sea_.currents()) return edge.ground_length / through_water_;
+      const auto time = integrate(*sea_.currents(), edge, depart);
+      return time ? std::optional{*time} : std::nullopt;
+    };
+  }
+
+ private:
+  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> integrate(const PlaneCurrents& currents,
+                                                                          const motion::PlaneEdge& edge,
+                                                                          core::Seconds depart) const {
+    if (currents.has_lines()) {
+      return motion::edge_time(edge, depart, through_water_, currents, {.relative_tolerance = tolerance});
+    }
+    const auto point_by_point = [&](geo::PlanePoint point, core::Seconds time) {
+      return currents(point, time);
+    };
+    return motion::edge_time(edge, depart, through_water_, point_by_point,
+                             {.relative_tolerance = tolerance,
+                              .longest_step = currents.spacing(),
+                              .longest_duration = currents.time_step().value_or(core::Seconds{INFINITY})});
+  }
+
+  const Sea& sea_;
+  core::MetresPerSecond through_water_;
+  std::int64_t evaluations_{};
+};
+
+/// The parts of the route between fixed points.
+std::vector<std::vector<geo::PlanePoint>> sections_of(const Route& route) {
+  std::vector<std::vector<geo::PlanePoint>> sections;
+  for (std::size_t i = 0; i < route.points.size(); ++i) {
+    if (!sections.empty()) sections.back().push_back(route.points[i]);
+    if (route.fixed[i] && i + 1 < route.points.size()) sections.push_back({route.points[i]});
+  }
+  return sections;
+}
+
+/// The fastest way of a section, from its own points and from the straight way.
+tl::expected<FreeWay, NoFreeWay> fastest_way(const std::vector<geo::PlanePoint>& section,
+                                             core::Seconds depart, const LegTimer& timer,
+                                             const std::stop_token& stop) {
+  tl::expected<FreeWay, NoFreeWay> best = tl::unexpected(NoFreeWay::closed);
+  std::vector<std::vector<geo::PlanePoint>> starts{section};
+  if (section.size() > 2) starts.push_back({section.front(), section.back()});
+  for (const auto& points : starts) {
+    const auto start = time_way(points, depart, timer);
+    if (!start) continue;
+    auto way = find_free_way(*start, timer, stop);
+    if (way && (!best || way->duration < best->duration)) best = std::move(way);
+    if (!way && !best) best = std::move(way);
+  }
+  return best;
+}
+
+/// What of the sea closes the way, if anything does.
+std::optional<motion::EdgeClosed> closure(const Sea& sea, const TimedWay& way) {
+  for (std::size_t i = 1; i < way.points.size(); ++i) {
+    const auto time = sea.leg_time(way.points[i - 1], way.points[i], way.times[i - 1]);
+    if (!time) return time.error();
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+Optimality rate_route(const Sea& sea, const Route& route, core::MetresPerSecond through_water,
+                      const std::stop_token& stop) {
+  OpenWater water{sea, through_water};
+  const LegTimer timer = water.timer();
+  const auto own = time_way(route.points, core::Seconds{0.0}, timer);
+  if (!own) return {std::nullopt, "the route cannot be timed without its obstacles"};
+
+  core::Seconds least{0.0};
+  double accuracy = 0.0;
+  for (const auto& section : sections_of(route)) {
+    const auto way = fastest_way(section, least, timer, stop);
+    if (water.is_exhausted()) return {std::nullopt, "the search for the best possible way took too long"};
+    if (!way) return {std::nullopt, describe(way.error())};
+    if (const auto closed = closure(sea, way->way)) return {std::nullopt, describe(*closed)};
+    least += way->duration;
+    accuracy = std::max(accuracy, way->accuracy);
+  }
+  const double gap = own->duration() / least - 1.0;
+  if (gap < -std::max(accuracy, tolerance)) {
+    return {std::nullopt, "the route is faster than the best way that the comparison found"};
+  }
+  return {std::max(gap, 0.0), ""};
+}
+
+}  // namespace floeplan::planning
