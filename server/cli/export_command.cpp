@@ -1,4 +1,3 @@
-#include <fstream>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
@@ -11,6 +10,7 @@
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
 #include "server/cli/plan_output.hpp"
+#include "server/cli/whole_file.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/plan_repository.hpp"
 
@@ -30,19 +30,6 @@ struct Flags {
   bool force{false};
   bool json_out{false};
 };
-
-/// All or nothing of one file: a reader never sees half of it.
-void write_whole(const std::filesystem::path& file, const std::string& text) {
-  const std::filesystem::path part = file.string() + ".part";
-  {
-    std::ofstream stream{part, std::ios::binary | std::ios::trunc};
-    stream << text;
-    stream.flush();
-    if (!stream)
-      throw std::runtime_error{file.string() + " cannot be written; check the folder and the free space"};
-  }
-  std::filesystem::rename(part, file);
-}
 
 /// Throws CLI::ValidationError (wrong usage) for a flag whose text cannot be read.
 routes::MissionRequest mission_request(const Flags& flags) {

@@ -1,12 +1,17 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <filesystem>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "engine/reproduction/figure_svg.hpp"
+#include "engine/reproduction/figures.hpp"
 #include "engine/reproduction/tables.hpp"
 #include "server/cli/command.hpp"
+#include "server/cli/figure_geojson.hpp"
+#include "server/cli/whole_file.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -64,7 +69,40 @@ void print_table(const char* title, const std::vector<ReproducedRow>& rows) {
   }
 }
 
-int run(bool json_out) {
+struct Flags {
+  std::string figures;  // folder; empty: no figures
+  bool force{false};
+  bool json_out{false};
+};
+
+std::filesystem::path figure_file(const Flags& flags, int number, const char* extension) {
+  return std::filesystem::path{flags.figures} / ("figure_" + std::to_string(number) + extension);
+}
+
+int write_figures(const Flags& flags) {
+  for (int number = reproduction::first_figure; number <= reproduction::last_figure; ++number) {
+    for (const char* extension : {".svg", ".geojson"}) {
+      const std::filesystem::path file = figure_file(flags, number, extension);
+      if (flags.force || !std::filesystem::exists(file)) continue;
+      return complain(could_not, file.string() + " exists; nothing was written; --force replaces it");
+    }
+  }
+  std::filesystem::create_directories(flags.figures);
+  json written = json::array();
+  const auto write = [&](const std::filesystem::path& file, const std::string& text) {
+    write_whole(file, text);
+    written.push_back(file.string());
+    if (!flags.json_out) std::cout << file.string() << '\n';
+  };
+  for (const reproduction::Figure& figure : reproduction::reproduce_figures()) {
+    write(figure_file(flags, figure.number, ".svg"), reproduction::figure_svg(figure));
+    write(figure_file(flags, figure.number, ".geojson"), figure_geojson(figure).dump(1) + '\n');
+  }
+  if (flags.json_out) std::cout << json{{"files", written}}.dump(2) << '\n';
+  return done;
+}
+
+int print_tables(bool json_out) {
   const auto table_2 = reproduction::reproduce_table_2();
   const auto table_3 = reproduction::reproduce_table_3();
   if (json_out) {
@@ -82,10 +120,17 @@ int run(bool json_out) {
 }  // namespace
 
 void add_reproduce(CLI::App& app, Program& program) {
-  auto json_out = std::make_shared<bool>(false);
+  auto flags = std::make_shared<Flags>();
   auto* command = app.add_subcommand("reproduce", "Print the paper's tables beside our numbers");
-  command->add_flag("--json", *json_out, "Answer with one JSON document");
-  command->callback([json_out, &program] { program.exit_code = run(*json_out); });
+  command
+      ->add_option("--figures", flags->figures,
+                   "Write Figures 5 to 10 as SVG and GeoJSON into this folder, made when missing, instead")
+      ->type_name("DIR");
+  command->add_flag("--force", flags->force, "Replace figures that exist");
+  command->add_flag("--json", flags->json_out, "Answer with one JSON document");
+  command->callback([flags, &program] {
+    program.exit_code = flags->figures.empty() ? print_tables(flags->json_out) : write_figures(*flags);
+  });
 }
 
 }  // namespace floeplan::cli
