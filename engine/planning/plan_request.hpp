@@ -46,7 +46,7 @@ struct PlanRequest {
   Method method{Method::astar};
   bool refine{true};
   core::Seconds refine_time{1.0};       // refinement at most
-  bool optimality_gap{true};                   // compare the plan with the best way in open water
+  bool optimality_gap{true};            // compare the plan with the best way in open water
   std::optional<int> max_waypoints;     // start and goal included
   std::optional<core::Metres> max_leg;  // longer legs are parted
   std::vector<ocean::Zone> zones;       // obeyed beside those of the environment
