@@ -96,6 +96,7 @@ std::vector<PlanRequest> fastest_requests(const PlanRequest& request) {
   std::vector<PlanRequest> requests;
   for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
     PlanRequest fastest = request;
+    fastest.optimality_gap = false;
     fastest.energy.objective = time_objective;
     fastest.energy.thruster = drive == vehicle::Drive::thruster ? ThrusterUse::on : ThrusterUse::off;
     requests.push_back(std::move(fastest));

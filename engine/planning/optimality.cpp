@@ -42,7 +42,7 @@ std::string describe(NoFreeWay none) {
 /// Times legs in the currents alone, and counts.
 class OpenWater {
  public:
-  OpenWater(const Sea& sea, core::MetresPerSecond through_water) : sea_{sea}, through_water_{through_water} {}
+  explicit OpenWater(const Sea& sea) : sea_{sea} {}
 
   [[nodiscard]] bool is_exhausted() const { return evaluations_ >= most_evaluations; }
 
@@ -52,7 +52,7 @@ class OpenWater {
       if (is_exhausted()) return std::nullopt;
       ++evaluations_;
       const motion::PlaneEdge edge{from, to, sea_.ground_length(from, to)};
-      if (!sea_.currents()) return edge.ground_length / through_water_;
+      if (!sea_.currents()) return edge.ground_length / sea_.through_water();
       const auto time = integrate(*sea_.currents(), edge, depart);
       return time ? std::optional{*time} : std::nullopt;
     };
@@ -63,19 +63,19 @@ class OpenWater {
                                                                           const motion::PlaneEdge& edge,
                                                                           core::Seconds depart) const {
     if (currents.has_lines()) {
-      return motion::edge_time(edge, depart, through_water_, currents, {.relative_tolerance = tolerance});
+      return motion::edge_time(edge, depart, sea_.through_water(), currents,
+                               {.relative_tolerance = tolerance});
     }
     const auto point_by_point = [&](geo::PlanePoint point, core::Seconds time) {
       return currents(point, time);
     };
-    return motion::edge_time(edge, depart, through_water_, point_by_point,
+    return motion::edge_time(edge, depart, sea_.through_water(), point_by_point,
                              {.relative_tolerance = tolerance,
                               .longest_step = currents.spacing(),
                               .longest_duration = currents.time_step().value_or(core::Seconds{INFINITY})});
   }
 
   const Sea& sea_;
-  core::MetresPerSecond through_water_;
   std::int64_t evaluations_{};
 };
 
@@ -117,9 +117,8 @@ std::optional<motion::EdgeClosed> closure(const Sea& sea, const TimedWay& way) {
 
 }  // namespace
 
-Optimality rate_route(const Sea& sea, const Route& route, core::MetresPerSecond through_water,
-                      const std::stop_token& stop) {
-  OpenWater water{sea, through_water};
+Optimality rate_route(const Sea& sea, const Route& route, const std::stop_token& stop) {
+  OpenWater water{sea};
   const LegTimer timer = water.timer();
   const auto own = time_way(route.points, core::Seconds{0.0}, timer);
   if (!own) return {std::nullopt, "the route cannot be timed without its obstacles"};

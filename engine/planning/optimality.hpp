@@ -21,9 +21,8 @@ struct Optimality {
 /// not settle to a thousandth, or where the route is the faster one, which then would not be compared with an
 /// optimum.
 /// Accuracy 1e-3 of the travel time or better; a gap smaller than the accuracy reached may come out as zero
-/// Precondition  the route can be travelled from the sea's epoch on at this speed
+/// Precondition  the route can be travelled from the sea's epoch on at its speed through the water
 /// Stops    once `stop` is requested, without a gap
-[[nodiscard]] Optimality rate_route(const Sea& sea, const Route& route, core::MetresPerSecond through_water,
-                                    const std::stop_token& stop = {});
+[[nodiscard]] Optimality rate_route(const Sea& sea, const Route& route, const std::stop_token& stop = {});
 
 }  // namespace floeplan::planning

@@ -59,7 +59,7 @@ Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, cons
 void rate(Plan& plan, const Sea& sea, const PlanRequest& request, const Route& route,
           const std::stop_token& stop) {
   if (!request.optimality_gap) return;
-  const Optimality optimality = rate_route(sea, route, request.vehicle.speed_through_water, stop);
+  const Optimality optimality = rate_route(sea, route, stop);
   plan.optimality_gap = optimality.gap;
   plan.optimality_gap_reason = optimality.reason;
 }
