@@ -192,7 +192,7 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
     return plan_anywhere(sea, in_one_sea, stop, progress, clock);
   };
   Result<Plan> plan =
-      is_uncertain ? plan_uncertain(environment, request, plan_in, stop, progress) : plan_in(environment);
+      is_uncertain ? plan_uncertain(environment, in_one_sea, plan_in, stop, progress) : plan_in(environment);
   if (plan && is_uncertain && request.optimality_gap) {
     plan->optimality_gap_reason = "the currents are not certain, so that no one way is the best";
   }
