@@ -7,6 +7,7 @@
 #include "api/codec/energy_inputs.hpp"
 #include "api/codec/iceberg_inputs.hpp"
 #include "api/codec/input_reader.hpp"
+#include "api/codec/route_file.hpp"
 #include "api/codec/search_inputs.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
 #include "api/codec/vehicle_inputs.hpp"
@@ -36,23 +37,65 @@ void read_common(InputReader& reader, planning::PlanRequest& request, repository
   name = reader.text("name").value_or("");
 }
 
+/// A file that came with the request, as {"name": ..., "text": ...}: its places, or what is wrong with it.
+std::optional<RouteFile> read_file(InputReader& reader, const std::string& key) {
+  const json* file = reader.member(key);
+  if (file == nullptr) return std::nullopt;
+  const auto text_at = [&](const char* name) {
+    return file->is_object() && file->contains(name) && (*file)[name].is_string();
+  };
+  if (!text_at("name") || !text_at("text") || file->size() != 2) {
+    reader.refuse("/" + key, "must be an object of a file's \"name\" and its \"text\"");
+    return std::nullopt;
+  }
+  auto read =
+      read_route_file((*file)["name"].get<std::string>(), (*file)["text"].get_ref<const std::string&>());
+  if (read) return std::move(*read);
+  for (const core::Violation& violation : read.error()) {
+    reader.refuse("/" + key, violation.field + ": " + violation.rule);
+  }
+  return std::nullopt;
+}
+
+/// Goals from a file; without "from" the first of them is the start.
+void read_goals(InputReader& reader, planning::PlanRequest& request, std::vector<std::string>& warnings) {
+  auto goals = read_file(reader, "goals_file");
+  if (reader.member("to") != nullptr || reader.member("via") != nullptr)
+    reader.refuse("/goals_file", "takes the place of \"to\" and \"via\"; give one or the other");
+  const auto from = reader.place("from");
+  if (!goals) return;
+  if (from) goals->places.insert(goals->places.begin(), *from);
+  if (goals->places.size() < 2 || goals->places.size() > max_vias + 2) {
+    reader.refuse("/goals_file",
+                  "must hold one goal besides the start at least, and at most 50 on the way to it");
+    return;
+  }
+  request.from = goals->places.front();
+  request.to = goals->places.back();
+  request.via.assign(goals->places.begin() + 1, goals->places.end() - 1);
+  warnings = std::move(goals->warnings);
+}
+
 void read_places(InputReader& reader, planning::PlanRequest& request) {
   reader.require("from", "is required: the start as [longitude, latitude]");
   reader.require("to", "is required: the goal as [longitude, latitude]");
   const auto from = reader.place("from");
   const auto to = reader.place("to");
   request.via = reader.places("via", 0, max_vias).value_or(std::vector<geo::LonLat>{});
-  if (const auto order = reader.text("via_order")) {
-    request.via_in_best_order = *order == "best";
-    if (*order != "best" && *order != "given") {
-      reader.refuse("/via_order", "must be \"given\" or \"best\", not \"" + *order + "\"");
-    }
-  }
   if (from) request.from = *from;
   if (to) request.to = *to;
   if (from && to && *from == *to && request.via.empty()) {
     reader.refuse("/to",
                   "must differ from \"from\"; a route that returns to its start needs a place in \"via\"");
+  }
+}
+
+void read_via_order(InputReader& reader, planning::PlanRequest& request) {
+  if (const auto order = reader.text("via_order")) {
+    request.via_in_best_order = *order == "best";
+    if (*order != "best" && *order != "given") {
+      reader.refuse("/via_order", "must be \"given\" or \"best\", not \"" + *order + "\"");
+    }
   }
 }
 
@@ -62,14 +105,30 @@ void fill_data(const planning::PlanRequest& request, repository::EnvironmentQuer
   data.dive_depth = request.vehicle.dive_depth;
 }
 
+/// The places of a file, from the start where that is given.
+void read_route_from_file(InputReader& reader, EvaluateInputs& inputs) {
+  auto file = read_file(reader, "route_file");
+  const auto from = reader.place("from");
+  if (!file) return;
+  if (from) file->places.insert(file->places.begin(), *from);
+  if (file->places.size() < 2) {
+    reader.refuse("/route_file", "must hold two places at least, or one and \"from\"");
+    return;
+  }
+  inputs.route = std::move(file->places);
+  inputs.warnings = std::move(file->warnings);
+}
+
 /// The positions of a route given as GeoJSON or as a bare array; notes what is wrong with it.
 void read_route(InputReader& reader, EvaluateInputs& inputs) {
   const json* route = reader.member("route");
   inputs.plan_id = reader.text("plan_id");
-  if ((route != nullptr) == (reader.member("plan_id") != nullptr)) {
-    reader.refuse("/route", "is required, or else \"plan_id\", and only one of them");
+  const bool from_file = reader.member("route_file") != nullptr;
+  if ((route != nullptr) + (reader.member("plan_id") != nullptr) + from_file != 1) {
+    reader.refuse("/route", "is required, or else \"plan_id\" or \"route_file\", and only one of them");
     return;
   }
+  if (from_file) return read_route_from_file(reader, inputs);
   if (route == nullptr) return;
   std::string pointer = "/route";
   if (route->is_object() && route->value("type", json{}) == "Feature" && route->contains("geometry")) {
@@ -111,7 +170,12 @@ json common_json(const planning::PlanRequest& request, const repository::Environ
 tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs) {
   InputReader reader{inputs};
   PlanInputs result;
-  read_places(reader, result.request);
+  if (reader.member("goals_file") != nullptr) {
+    read_goals(reader, result.request, result.warnings);
+  } else {
+    read_places(reader, result.request);
+  }
+  read_via_order(reader, result.request);
   read_departures(reader, result.request);
   read_common(reader, result.request, result.data, result.name);
   read_search(reader, result.request);

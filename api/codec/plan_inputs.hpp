@@ -19,6 +19,7 @@ struct PlanInputs {
   planning::PlanRequest request;
   repository::EnvironmentQuery data;
   std::string name;
+  std::vector<std::string> warnings;  // of a file that the places came from
 };
 
 /// Inputs of process evaluate-route: a given route, written out or named by the plan it belongs to.
@@ -28,6 +29,7 @@ struct EvaluateInputs {
   planning::PlanRequest request;       // departure, vehicle, margin; its places are the route's ends
   repository::EnvironmentQuery data;
   std::string name;
+  std::vector<std::string> warnings;  // of a file that the places came from
 };
 
 /// Reads the `inputs` object of an execute request (or of a request file).

@@ -1,4 +1,4 @@
-#include <fstream>
+#include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -31,12 +31,14 @@ json route_in(const json& document) {
 
 int run(const std::string& route, const InputFlags& flags, bool json_out, const Program& program) {
   json inputs = flags.inputs();
-  if (std::ifstream file{route}; file) {
-    const json document = json::parse(file, nullptr, false);
+  if (std::filesystem::is_regular_file(route)) {
+    json file = file_member(route);
+    const json document = json::parse(file["text"].get_ref<const std::string&>(), nullptr, false);
     if (document.is_discarded()) {
-      return complain(bad_data, route + " is not JSON; a route is a GeoJSON LineString or a plan's id");
+      inputs["route_file"] = std::move(file);
+    } else {
+      inputs["route"] = route_in(document);
     }
-    inputs["route"] = route_in(document);
   } else if (route.find('.') != std::string::npos || route.find('/') != std::string::npos) {
     return complain(could_not, "the file " + route + " cannot be read; check its name");
   } else {
@@ -58,7 +60,12 @@ void add_evaluate(CLI::App& app, Program& program) {
   auto route = std::make_shared<std::string>();
   auto json_out = std::make_shared<bool>(false);
   auto* command = app.add_subcommand("evaluate", "Time a given route in the stored data");
-  command->add_option("ROUTE", *route, "A plan's id or a GeoJSON file with a LineString")->required();
+  command
+      ->add_option(
+          "ROUTE", *route,
+          "A plan's id or a file with a route: GeoJSON, .ma, .mi, GPX, KML, CSV or Seaglider targets")
+      ->required();
+  flags->add_start(*command);
   flags->add_common(*command);
   command->add_flag("--json", *json_out, "Answer with one JSON document");
   command->callback(

@@ -1,6 +1,8 @@
 #include "server/cli/input_flags.hpp"
 
+#include <filesystem>
 #include <fstream>
+#include <iterator>
 #include <stdexcept>
 
 #include "server/cli/flag_values.hpp"
@@ -49,6 +51,14 @@ json objective_of(const std::string& text) {
 
 }  // namespace
 
+json file_member(const std::string& file) {
+  std::ifstream stream{file, std::ios::binary};
+  std::string text{std::istreambuf_iterator<char>{stream}, {}};
+  if (!stream && text.empty())
+    throw std::runtime_error{"the file " + file + " cannot be read; check its name"};
+  return {{"name", std::filesystem::path{file}.filename().string()}, {"text", std::move(text)}};
+}
+
 void InputFlags::add_common(CLI::App& command) {
   command.add_option("--depart", depart_, "Departure, ISO 8601 with zone, as 2026-11-20T06:00:00Z");
   command.add_option(
@@ -83,12 +93,20 @@ void InputFlags::add_common(CLI::App& command) {
   command.add_option("--name", name_, "Name of the plan");
 }
 
+void InputFlags::add_start(CLI::App& command) {
+  command.add_option("--from", from_, "Where a route from a mission file starts, LON,LAT in degrees");
+}
+
 void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--request", request_file_, "JSON file with the inputs of process plan-route");
   command.add_option("--from", from_, "Start, LON,LAT in degrees");
   command.add_option("--to", to_, "Goal, LON,LAT in degrees");
   command.add_option("--via", via_, "Place to visit on the way; may be repeated, in order")
       ->allow_extra_args(false);
+  command.add_option(
+      "--goals", goals_file_,
+      "File with the places to visit instead of --via and --to: .ma, .mi, GPX, KML, GeoJSON, CSV or "
+      "Seaglider targets; without --from its first place is the start");
   command.add_option("--members", members_,
                      "Draw this many errors of the currents (2 to 64) and show the spread");
   command.add_option("--current-error", current_error_m_s_,
@@ -136,6 +154,7 @@ json InputFlags::inputs() const {
   };
   if (from_) inputs["from"] = place_of("--from", *from_);
   if (to_) inputs["to"] = place_of("--to", *to_);
+  if (goals_file_) inputs["goals_file"] = file_member(*goals_file_);
   if (!via_.empty()) {
     inputs["via"] = json::array();
     for (const std::string& via : via_) inputs["via"].push_back(place_of("--via", via));

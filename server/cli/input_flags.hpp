@@ -14,6 +14,8 @@ class InputFlags {
  public:
   /// Departure, vehicle, margin and data: what both commands take.
   void add_common(CLI::App& command);
+  /// Where a route from a file starts.
+  void add_start(CLI::App& command);
   /// Places, grid, search and refinement: what only `plan` takes.
   void add_planning(CLI::App& command);
 
@@ -28,6 +30,7 @@ class InputFlags {
   std::optional<std::string> request_file_;
   std::optional<std::string> from_;
   std::optional<std::string> to_;
+  std::optional<std::string> goals_file_;
   std::vector<std::string> via_;
   std::optional<std::string> depart_;
   std::optional<std::string> depart_until_;
@@ -73,5 +76,8 @@ class InputFlags {
   std::optional<double> max_sighting_age_days_;
   std::optional<std::string> name_;
 };
+
+/// A file as the inputs take it: {"name": ..., "text": ...}. Throws std::runtime_error when it cannot be read.
+[[nodiscard]] nlohmann::json file_member(const std::string& file);
 
 }  // namespace floeplan::cli

@@ -1,7 +1,9 @@
 #include "server/jobs/plan_service.hpp"
 
+#include <algorithm>
 #include <chrono>
 #include <ctime>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "api/codec/departure_document.hpp"
@@ -84,6 +86,7 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
     return document;
   }
   plan->search.duration = watch.elapsed();
+  std::ranges::copy(inputs.warnings, std::back_inserter(plan->warnings));
 
   const json request = codec::to_json(inputs);
   const std::string id = plan_id(request, *environment);
@@ -116,6 +119,7 @@ tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection&
   auto plan = planning::evaluate_route(*environment, inputs.route, inputs.request);
   if (!plan) return codec::infeasible_document(plan.error(), *environment);
   plan->search.duration = watch.elapsed();
+  std::ranges::copy(inputs.warnings, std::back_inserter(plan->warnings));
   return codec::plan_document(*plan, "", inputs.name);
 }
 

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "engine/core/violation.hpp"
+#include "engine/geo/lon_lat.hpp"
+
+namespace floeplan::codec {
+
+/// The places of a route that came as a file.
+struct RouteFile {
+  std::vector<geo::LonLat> places;    // in the order in which they are flown
+  std::vector<std::string> warnings;  // with line and file, for the pilot
+};
+
+/// Reads a route from a file of another program or of a vehicle. What it is its content says; `name` helps where
+/// both kinds of mission file are possible, and is named in messages.
+/// Formats  GliderDOS lists and missions (.ma, .mi), GPX, KML, GeoJSON, CSV with columns for longitude and
+///          latitude, Seaglider targets
+/// Errors   what is wrong, each with its line where the format has lines; files of more than 1 MiB or 10000 places
+[[nodiscard]] tl::expected<RouteFile, core::Violations> read_route_file(const std::string& name,
+                                                                        std::string_view bytes);
+
+}  // namespace floeplan::codec

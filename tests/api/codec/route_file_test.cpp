@@ -1,0 +1,143 @@
+#include "api/codec/route_file.hpp"
+
+#include <gmock/gmock.h>
+
+#include "api/codec/plan_inputs.hpp"
+#include "api/codec/xml_scan.hpp"
+#include "nlohmann/json.hpp"
+#include "tests/support/property.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+const geo::LonLat first{-53.5, 69.25};
+const geo::LonLat second{-52.75, 69.0};
+
+std::string fault_of(const std::string& name, const std::string& text) {
+  const auto read = read_route_file(name, text);
+  return read ? "" : read.error().front().field + ": " + read.error().front().rule;
+}
+
+TEST(RouteFile, ReadsEveryFormatAlike) {
+  const std::vector<std::pair<std::string, std::string>> files{
+      {"a.gpx",
+       "<?xml version=\"1.0\"?>\n<gpx><!-- <rtept lat='1' lon='1'/> --><wpt lat='3' lon='3'/><rte>"
+       "<rtept lat=\"69.25\" lon=\"-53.5\"><name>a &gt; b</name></rtept><rtept lon='-52.75' lat='69'/>"
+       "</rte></gpx>"},
+      {"a.kml",
+       "<kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document><Placemark><Point><coordinates>1,1"
+       "</coordinates></Point></Placemark><Placemark><LineString><coordinates>\n -53.5,69.25,0\n\t"
+       "-52.75,69,0 </coordinates></LineString></Placemark></Document></kml>"},
+      {"a.geojson", R"({"type":"FeatureCollection","features":[{"type":"Feature","properties":{},"geometry":
+                       {"type":"LineString","coordinates":[[-53.5,69.25],[-52.75,69,-3]]}}]})"},
+      {"a.csv",
+       "\xEF\xBB\xBF"
+       "name;Longitude;Latitude\r\n\r\na;-53.5;69.25\r\nb;-52.75;69\r\n"},
+      {"plan.csv", "index,lon_deg,lat_deg,eta_utc\n0,-53.5,69.25,2026-11-20T06:00:00Z\n1,-52.75,69.0,\n"},
+      {"goto_l10.ma",
+       "behavior_name=goto_list\n<start:b_arg>\nb_arg: num_waypoints(nodim) 2\n<end:b_arg>\n"
+       "<start:waypoints>\n-5330.0 6915.0\n-5245 6900\n<end:waypoints>\n"},
+      {"targets", "/ comment\nB lat=6900.00 lon=-5245.00 radius=100 goto=B\nA lat=6915 lon=-5330 goto=B\n"}};
+
+  for (const auto& [name, text] : files) {
+    const auto read = read_route_file(name, text);
+    ASSERT_TRUE(read.has_value()) << name << " " << fault_of(name, text);
+    if (name == "targets") {
+      EXPECT_THAT(read->places, ElementsAre(second)) << "the first target leads to itself";
+    } else {
+      EXPECT_THAT(read->places, ElementsAre(first, second)) << name;
+    }
+  }
+}
+
+TEST(RouteFile, FollowsTargetsInTheOrderInWhichTheyLead) {
+  const auto read = read_route_file("targets",
+                                    "A lat=6915 lon=-5330 goto=C\nB lat=6900 lon=-5245 goto=B\n"
+                                    "C lat=6906 lon=-5300 goto=B depth=3\n");
+
+  ASSERT_TRUE(read.has_value());
+  ASSERT_EQ(read->places.size(), 3U);
+  EXPECT_DOUBLE_EQ(read->places[1].lat_deg, 69.1);
+  EXPECT_EQ(read->places[2], second);
+}
+
+TEST(RouteFile, SaysWhatIsWrongAndWhere) {
+  EXPECT_THAT(fault_of("a.ma", "behavior_name=goto_list\n<start:b_arg>\n"), HasSubstr("line 2"));
+  EXPECT_THAT(fault_of("a.ma",
+                       "behavior_name=goto_list\n<start:b_arg>\nb_arg: num_waypoints(nodim) 1\n<end:b_arg>\n"
+                       "<start:waypoints>\n-53.5 69.25\n<end:waypoints>\n"),
+              HasSubstr("line 6: these look like decimal degrees"));
+  EXPECT_THAT(fault_of("a.mi", "behavior: abend\n"), HasSubstr("no waypoints"));
+  EXPECT_THAT(fault_of("a.gpx", "<gpx>\n<rtept lat=\"91\" lon=\"0\"/></gpx>"), HasSubstr("line 2"));
+  EXPECT_THAT(fault_of("a.gpx", "<gpx></gpx>"), HasSubstr("no rtept"));
+  EXPECT_THAT(fault_of("a.kml", "<kml><LineString><coordinates>1,x</coordinates></LineString></kml>"),
+              HasSubstr("line 1"));
+  EXPECT_THAT(fault_of("a.json", R"({"type":3,"coordinates":[[0,0]]})"), HasSubstr("no LineString"));
+  EXPECT_THAT(fault_of("a.json", R"({"type":"LineString","coordinates":[[0,"x"]]})"),
+              HasSubstr("position 0"));
+  EXPECT_THAT(fault_of("a.csv", "a,b\n1,2\n"), HasSubstr("column lon"));
+  EXPECT_THAT(fault_of("a.csv", "lon,lat\n1,2\n1\n"), HasSubstr("line 3"));
+  EXPECT_THAT(fault_of("targets", "A lat=6915 lon=-5330 goto=X\n"), HasSubstr("names no target"));
+  EXPECT_THAT(fault_of("a", " \n"), HasSubstr("empty"));
+  EXPECT_THAT(fault_of("a", std::string(2'000'000, 'x')), HasSubstr("1 MiB"));
+}
+
+TEST(RouteFile, SurvivesBrokenXml) {
+  const std::string sound = "<gpx><rte><rtept lat=\"69.25\" lon='-53.5'><name>x</name></rtept></rte></gpx>";
+  support::for_each_seed(2000, [&](std::mt19937_64& rng) {
+    std::string text = sound;
+    for (int edits = support::uniform_int(rng, 1, 6); edits > 0 && !text.empty(); --edits) {
+      const auto at =
+          static_cast<std::size_t>(support::uniform_int(rng, 0, static_cast<int>(text.size()) - 1));
+      if (support::uniform_int(rng, 0, 1) == 0) {
+        text.erase(at, static_cast<std::size_t>(support::uniform_int(rng, 1, 9)));
+      } else {
+        text.insert(at, 1, "<>=\"'/!-? \n\0x"[support::uniform_int(rng, 0, 12)]);
+      }
+    }
+    (void)scan_xml(text);
+    (void)read_route_file("a.gpx", text);
+  });
+}
+
+json inputs_with(const char* key, const std::string& text) {
+  return {{"depart", "2026-11-20T06:00:00Z"}, {key, {{"name", "a.csv"}, {"text", text}}}};
+}
+
+TEST(GoalsFile, GivesStartWaysAndGoal) {
+  const std::string three = "lon,lat\n-53.5,69.25\n-53,69.1\n-52.75,69\n";
+
+  const auto alone = parse_plan_inputs(inputs_with("goals_file", three));
+  ASSERT_TRUE(alone.has_value());
+  EXPECT_EQ(alone->request.from, first);
+  EXPECT_EQ(alone->request.to, second);
+  EXPECT_EQ(alone->request.via.size(), 1U);
+
+  json with_start = inputs_with("goals_file", three);
+  with_start["from"] = {-54.0, 69.0};
+  const auto started = parse_plan_inputs(with_start);
+  ASSERT_TRUE(started.has_value());
+  EXPECT_EQ(started->request.from, (geo::LonLat{-54.0, 69.0}));
+  EXPECT_EQ(started->request.via.size(), 2U);
+
+  with_start["to"] = {-52.0, 69.0};
+  EXPECT_FALSE(parse_plan_inputs(with_start).has_value());
+}
+
+TEST(RouteFileInput, IsEvaluatedFromTheGivenStart) {
+  json inputs = inputs_with("route_file", "lon,lat\n-52.75,69\n");
+  EXPECT_FALSE(parse_evaluate_inputs(inputs).has_value()) << "one place alone is no route";
+  inputs["from"] = {-53.5, 69.25};
+  const auto parsed = parse_evaluate_inputs(inputs);
+  ASSERT_TRUE(parsed.has_value());
+  EXPECT_THAT(parsed->route, ElementsAre(first, second));
+  inputs["route_file"] = 3;
+  EXPECT_FALSE(parse_evaluate_inputs(inputs).has_value());
+}
+
+}  // namespace
+}  // namespace floeplan::codec
