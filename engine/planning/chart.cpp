@@ -81,6 +81,7 @@ Result<Chart> draw_chart(const ocean::Environment& environment, const PlanReques
   const PlaneBox area = layout.bounds().grown(2.0 * cell.value);
   Sea sea{environment, request, layout.projection, area, cell, stop};
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+  if (request.method == Method::direct) sea.safety().open_along(layout.points, layout.projection);
   if (auto unusable = check_stops(sea, layout, request)) return tl::unexpected(std::move(*unusable));
   return Chart{.layout = std::move(layout), .sea = std::move(sea)};
 }

@@ -11,6 +11,8 @@
 namespace floeplan::planning {
 namespace {
 
+constexpr double look_up_step_m = 25.0;  // a tenth of the finest bathymetry in use
+
 std::optional<motion::EdgeClosed> reason_of(CellState state) {
   switch (state) {
     case CellState::open: return std::nullopt;
@@ -120,6 +122,49 @@ std::optional<motion::EdgeClosed> SafetyMap::closed_at(geo::LonLat place) const 
   if (zones_.confined && std::ranges::none_of(zones_.stay_in, holds)) return motion::EdgeClosed::in_zone;
   if (!environment_->bathymetry) return std::nullopt;
   return judge_depth(environment_->bathymetry->depth(place), least_depth_);
+}
+
+std::vector<std::size_t> SafetyMap::closed_cells_between(geo::PlanePoint a, geo::PlanePoint b) const {
+  std::vector<std::size_t> closed;
+  raster_.for_each_cell(a, b, [&](std::int64_t ix, std::int64_t iy) {
+    if (raster_.holds(ix, iy) && cells_[raster_.index(ix, iy)] != CellState::open)
+      closed.push_back(raster_.index(ix, iy));
+    return true;
+  });
+  std::ranges::sort(closed);
+  return closed;
+}
+
+bool SafetyMap::closed_within(const std::vector<std::size_t>& cells, geo::PlanePoint a, geo::PlanePoint b,
+                              const geo::LocalProjection& projection) const {
+  const int pieces =
+      std::max(1, static_cast<int>(std::ceil(std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / look_up_step_m)));
+  for (int piece = 0; piece <= pieces; ++piece) {
+    const double share = static_cast<double>(piece) / pieces;
+    const geo::PlanePoint point{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
+    const auto cell = raster_.index(point);
+    if (cell && std::ranges::binary_search(cells, *cell) && closed_at(projection.to_lon_lat(point)))
+      return true;
+  }
+  return false;
+}
+
+void SafetyMap::open_along(const std::vector<geo::PlanePoint>& route,
+                           const geo::LocalProjection& projection) {
+  std::vector<std::size_t> cautious;
+  std::vector<std::size_t> kept_closed;
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const auto closed = closed_cells_between(route[i - 1], route[i]);
+    if (closed.empty()) continue;
+    auto& cells = closed_within(closed, route[i - 1], route[i], projection) ? kept_closed : cautious;
+    cells.insert(cells.end(), closed.begin(), closed.end());
+  }
+  std::ranges::sort(kept_closed);
+  for (const std::size_t cell : cautious) {
+    if (std::ranges::binary_search(kept_closed, cell)) continue;
+    cells_[cell] = CellState::open;
+    clearance_[cell] = 1;
+  }
 }
 
 void SafetyMap::open_around(geo::PlanePoint point) {

@@ -43,10 +43,18 @@ class SafetyMap {
   /// Opens the cell of a place that is open itself, so that caution about the rest of the cell does not lock
   /// it in.
   void open_around(geo::PlanePoint point);
+  /// Opens the cells of a given route that are closed out of caution alone: those of legs of which the data
+  /// themselves close no part, looked up every 25 m. So a route is judged by where it runs, not by how cells
+  /// happen to fall round it. A cell that a closed leg crosses too stays closed.
+  void open_along(const std::vector<geo::PlanePoint>& route, const geo::LocalProjection& projection);
 
  private:
   void close_cells(const geo::Polygon& polygon, CellState state, const geo::LocalProjection& projection);
   void close_zones(const geo::LocalProjection& projection, const std::stop_token& stop);
+  [[nodiscard]] std::vector<std::size_t> closed_cells_between(geo::PlanePoint a, geo::PlanePoint b) const;
+  /// Whether the data close a part of the line that lies in one of these cells, which are sorted.
+  [[nodiscard]] bool closed_within(const std::vector<std::size_t>& cells, geo::PlanePoint a,
+                                   geo::PlanePoint b, const geo::LocalProjection& projection) const;
   void measure_clearance(const std::stop_token& stop);
 
   const ocean::Environment* environment_;  // borrowed; outlives the map

@@ -95,5 +95,53 @@ TEST(SafetyMap, OpensTheCellOfAPlaceThatIsOpenItself) {
   EXPECT_FALSE(map.closed_between(start, {100.0, -3000.0}).has_value());
 }
 
+/// An island of 200 m in the middle of a cell of 1000 m, and lines past it and over it.
+TEST(SafetyMap, JudgesAGivenRouteByWhereItRuns) {
+  ocean::Environment environment;
+  environment.land = {
+      {.outer = {{-53.0025, 68.999}, {-52.9975, 68.999}, {-52.9975, 69.001}, {-53.0025, 69.001}},
+       .holes = {}}};
+  const geo::PlanePoint west{-5000.0, 300.0};
+  const geo::PlanePoint east{5000.0, 300.0};
+  SafetyMap passed{environment, least_depth, {}, projection, area, core::Metres{1000.0}};
+  ASSERT_TRUE(passed.closed_between(west, east).has_value());
+
+  passed.open_along({west, east}, projection);
+  EXPECT_FALSE(passed.closed_between(west, east).has_value());
+
+  SafetyMap crossed{environment, least_depth, {}, projection, area, core::Metres{1000.0}};
+  crossed.open_along({west, east, {5000.0, 0.0}, {-5000.0, 0.0}}, projection);
+  EXPECT_EQ(crossed.closed_between({5000.0, 0.0}, {-5000.0, 0.0}), EdgeClosed::on_land)
+      << "the leg beside the island must not open the way over it";
+}
+
+/// What is open along a route after open_along is open in the data themselves, whatever cells are shared.
+TEST(SafetyMap, NeverOpensARouteThatTheDataClose) {
+  const ocean::Environment environment{
+      .bathymetry = support::bathymetry_from([](geo::LonLat p) {
+        return 60.0 * (1.0 + std::sin(9.0 * p.lon_deg) * std::sin(20.0 * p.lat_deg)) - 10.0;
+      })};
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    SafetyMap map{environment, least_depth, {}, projection, area, core::Metres{2000.0}};
+    std::vector<geo::PlanePoint> route;
+    for (int i = 0; i < 6; ++i)
+      route.push_back(
+          {support::uniform(rng, -30'000.0, 30'000.0), support::uniform(rng, -30'000.0, 30'000.0)});
+
+    map.open_along(route, projection);
+
+    for (std::size_t i = 1; i < route.size(); ++i) {
+      if (map.closed_between(route[i - 1], route[i])) continue;
+      for (int k = 0; k <= 400; ++k) {
+        const double share = k / 400.0;
+        const geo::LonLat place =
+            projection.to_lon_lat({route[i - 1].x_m + share * (route[i].x_m - route[i - 1].x_m),
+                                   route[i - 1].y_m + share * (route[i].y_m - route[i - 1].y_m)});
+        ASSERT_GE(environment.bathymetry->depth(place)->value, least_depth.value - 1.0);
+      }
+    }
+  });
+}
+
 }  // namespace
 }  // namespace floeplan::planning
