@@ -2,28 +2,12 @@
 
 #include <array>
 #include <cstdio>
-#include <string_view>
 
+#include "api/codec/xml_text.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
 namespace {
-
-std::string xml_text(std::string_view text) {
-  std::string escaped;
-  for (const char c : text) {
-    switch (c) {
-      case '&': escaped += "&amp;"; break;
-      case '<': escaped += "&lt;"; break;
-      case '>': escaped += "&gt;"; break;
-      case '"': escaped += "&quot;"; break;
-      case '\'': escaped += "&apos;"; break;
-      default:
-        if (static_cast<unsigned char>(c) >= 0x20 && c != 0x7f) escaped += c;
-    }
-  }
-  return escaped;
-}
 
 std::string route_point(const planning::Waypoint& waypoint, std::size_t index) {
   std::array<char, 80> start{};

@@ -2,12 +2,10 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
-#include "api/codec/plan_document.hpp"
-#include "api/codec/plan_geojson.hpp"
-#include "api/codec/plan_gpx.hpp"
 #include "api/codec/zip_archive.hpp"
 #include "api/routes/mission_service.hpp"
 #include "api/routes/parameters.hpp"
+#include "api/routes/plan_exports.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "engine/mission/comment_text.hpp"
@@ -21,12 +19,10 @@ using repository::PlanRecord;
 
 constexpr std::size_t longest_header = 300;
 
-Response download(const PlanRecord& plan, const std::string& ending, const std::string& type,
-                  std::string bytes) {
+Response download(const std::string& file_name, const std::string& type, std::string bytes) {
   Response response;
   response.content_type = type;
-  response.headers.emplace_back("Content-Disposition",
-                                "attachment; filename=\"" + plan.id.value + ending + "\"");
+  response.headers.emplace_back("Content-Disposition", "attachment; filename=\"" + file_name + "\"");
   response.body = std::move(bytes);
   return response;
 }
@@ -116,22 +112,21 @@ Response download_zip(const Context& context, const Request& request, const Path
         return with_files(request, plan, warnings, [&](const mission::MissionFiles& set) {
           std::vector<codec::ArchivedFile> files;
           for (const auto& file : set.files) files.push_back({file.name, file.text});
-          return download(plan, ".zip", "application/zip", codec::zip_archive(files, request.now));
+          return download(plan.id.value + ".zip", "application/zip", codec::zip_archive(files, request.now));
         });
       });
 }
 
-Response download_gpx(const Context& context, const Request& request, const PathParameters& path) {
-  return with_plan(context, request, path, [](const PlanRecord& plan, const auto&) {
-    const auto parsed = codec::parse_plan_document(json::parse(plan.document_json));
-    return download(plan, ".gpx", "application/gpx+xml", codec::plan_gpx(parsed, plan.id.value, plan.name));
-  });
-}
-
-Response download_geojson(const Context& context, const Request& request, const PathParameters& path) {
-  return with_plan(context, request, path, [](const PlanRecord& plan, const auto&) {
-    return download(plan, ".geojson", "application/geo+json", codec::plan_geojson(plan).dump());
-  });
+/// Answers with the plan in one format that is a single file.
+auto download_as(const ExportFormat& format) {
+  return [&format](const Context& context, const Request& request, const PathParameters& path) {
+    return with_plan(
+        context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
+          auto bytes = export_plan(context.db, plan, format, warnings, request.now);
+          if (!bytes) return invalid(request, bytes.error());
+          return download(export_file_name(format, plan), format.content_type, std::move(*bytes));
+        });
+  };
 }
 
 }  // namespace
@@ -140,10 +135,11 @@ std::vector<Route> mission_routes() {
   const std::string plan = "/collections/plans/items/{plan_id}";
   const std::vector<std::string> of_files{"number",          "full", "mission", "firmware", "safe",
                                           "iceberg_depth_m", "force"};
-  return {{"GET", plan + "/mission", of_files, show_mission},
-          {"GET", plan + "/mission.zip", of_files, download_zip},
-          {"GET", plan + "/mission.gpx", {"force"}, download_gpx},
-          {"GET", plan + "/mission.geojson", {"force"}, download_geojson}};
+  std::vector<Route> routes{{"GET", plan + "/mission", of_files, show_mission},
+                            {"GET", plan + "/mission.zip", of_files, download_zip}};
+  for (const ExportFormat& format : export_formats())
+    routes.push_back({"GET", plan + "/mission." + format.name, {"force"}, download_as(format)});
+  return routes;
 }
 
 }  // namespace floeplan::routes

@@ -45,6 +45,14 @@ json objective_schema() {
   return {{"oneOf", json::array({one_of({"time", "energy"}), weights})}};
 }
 
+json file_schema() {
+  const json text{{"type", "string"}};
+  return {{"type", "object"},
+          {"required", {"name", "text"}},
+          {"properties", {{"name", text}, {"text", text}}},
+          {"additionalProperties", false}};
+}
+
 json common_inputs() {
   const json time{{"type", "string"}, {"format", "date-time"}};
   return {
@@ -95,8 +103,13 @@ json plan_inputs() {
                                 {{"type", "string"}, {"format", "duration"}});
   inputs["arrive_by"] =
       input("Leave as late as this arrival allows; depart is then the earliest departure", time);
-  inputs["from"] = input("Start, [longitude, latitude] in degrees", position_schema(), true);
-  inputs["to"] = input("Goal, [longitude, latitude] in degrees", position_schema(), true);
+  inputs["from"] = input("Start, [longitude, latitude] in degrees", position_schema());
+  inputs["to"] = input("Goal, [longitude, latitude] in degrees", position_schema());
+  inputs["goals_file"] = input(
+      "File whose places take the place of via and to; without from the first of them is the start: "
+      "GliderDOS "
+      ".ma or .mi, GPX, KML, GeoJSON, CSV, Seaglider targets",
+      file_schema());
   inputs["via"] = input("Places to visit in this order", {{"type", "array"}, {"items", position_schema()}});
   inputs["uncertainty"] = input(
       "How certain the currents are and what to make the best of: members, current_error_m_s, "
@@ -126,6 +139,8 @@ json evaluate_inputs() {
   inputs["route"] = input("GeoJSON LineString or an array of positions; else plan_id",
                           {{"oneOf", json::array({json{{"type", "object"}},
                                                   json{{"type", "array"}, {"items", position_schema()}}})}});
+  inputs["route_file"] = input("File with the route, as goals_file; instead of route", file_schema());
+  inputs["from"] = input("Start of a route from a file, [longitude, latitude] in degrees", position_schema());
   inputs["plan_id"] = input("A stored plan whose route is meant", {{"type", "string"}});
   return inputs;
 }

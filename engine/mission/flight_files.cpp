@@ -20,6 +20,7 @@ constexpr double shallow_vehicle_m = 350.0;
 constexpr double silence_shallow_s =
     10'800.0;                                // between the stock mission's 20 minutes and operators' 8 hours
 constexpr double silence_deep_s = 28'800.0;  // of operators' 1000 m missions
+constexpr double least_climb_m = 3.0;        // minimum of c_target_depth in the same dictionary
 constexpr double silence_under_ice_share = 1.25;
 
 struct SurfacingKind {
@@ -58,11 +59,22 @@ MissionFile surfacing_file(const planning::Plan& plan, const MissionSetOptions& 
 
 MissionFile yo_file(const MissionSetOptions& options, int number, const std::string& origin) {
   const auto& vehicle = options.vehicle;
+  const std::string pitch_rad = decimal(vehicle.pitch.value, 4);
+  const std::string pump_cc = whole(vehicle.buoyancy.value * 1e6);
   return file("yo", number, "dives and climbs until the list is flown", origin,
               {{"start_when", std::string{when_pitch_idle}},
                {"num_half_cycles_to_do", "-1"},
                {"d_target_depth", whole(target_depth(vehicle).value)},
                {"d_target_altitude", whole(std::ceil(vehicle.altimeter_margin.value))},
+               {"d_use_bpump", "2"},  // absolute, in cm3
+               {"d_bpump_value", "-" + pump_cc},
+               {"d_use_pitch", "3"},  // held by the battery's servo, in radians, down is negative
+               {"d_pitch_value", "-" + pitch_rad},
+               {"c_target_depth", whole(std::max(least_climb_m, vehicle.climb_to.value))},
+               {"c_use_bpump", "2"},
+               {"c_bpump_value", pump_cc},
+               {"c_use_pitch", "3"},
+               {"c_pitch_value", pitch_rad},
                {"end_action", "2"}});
 }
 

@@ -113,9 +113,9 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
   if (target_depth(options.vehicle) < core::Metres{std::floor(options.vehicle.dive_depth.value)})
     set.warnings.push_back(shallower_target_warning(options.vehicle));
   set.warnings.push_back(
-      "Pump and pitch are left to the vehicle's own defaults, and ballast is not checked: look at yo and "
-      "surfac "
-      "files before use.");
+      "Pump and pitch in the yo file are those of the vehicle profile, and ballast is not checked: look at "
+      "it "
+      "before use.");
   if (options.under_ice) {
     std::ranges::move(ice_files(plan, options), std::back_inserter(set.files));
     std::ranges::move(ice_warnings(plan), std::back_inserter(set.warnings));

@@ -38,7 +38,7 @@ struct MissionSetOptions {
 
 /// Writes all that a vehicle needs to fly the plan: a mission, the goto lists, and an argument file each for yo,
 /// sample and prepare_to_dive and for three or four surfacings.
-/// Values   depths, pitch and altitude come from vehicle and plan; waiting times and the order of behaviors are
+/// Values   depths, altitude, pitch and pump come from vehicle and plan; waiting times and the order of behaviors are
 ///          those of the vendor's stock missions; what neither gives is left to the vehicle's dictionary. No
 ///          factory setting (f_...) and no calibration is ever written.
 /// Depth    the target stays 2 % above the rating, since a glider overshoots and aborts at its working depth

@@ -2,11 +2,16 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/codec/plan_brief.hpp"
+#include "api/codec/plan_brief_pdf.hpp"
 #include "api/codec/plan_csv.hpp"
 #include "api/codec/plan_document.hpp"
 #include "api/codec/plan_geojson.hpp"
 #include "api/codec/plan_gpx.hpp"
+#include "api/codec/plan_kml.hpp"
+#include "api/codec/route_file.hpp"
 #include "engine/core/utc_text.hpp"
+#include "tests/support/property.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -113,6 +118,88 @@ TEST(PlanGeojson, HoldsTheRouteAndThenItsWaypoints) {
   EXPECT_EQ(features[2].at("geometry"), json::parse(R"({"type":"Point","coordinates":[-53.0,69.125]})"));
   EXPECT_EQ(features[2].at("properties").at("index"), 1);
   EXPECT_EQ(features[2].at("properties").at("eta"), "2026-11-20T08:00:00Z");
+}
+
+TEST(PlanKml, IsALineAndAPlacemarkForEachWaypoint) {
+  const std::string kml = plan_kml(two_legs(), "p-01", "to <the> mouth");
+
+  EXPECT_THAT(kml, HasSubstr("<name>to &lt;the&gt; mouth</name>"));
+  EXPECT_THAT(kml, HasSubstr("<coordinates>-53.2500000,69.2000000 -53.0000000,69.1250000</coordinates>"));
+  EXPECT_THAT(kml, HasSubstr("<name>WP1</name><TimeStamp><when>2026-11-20T08:00:00Z</when></TimeStamp>"));
+}
+
+TEST(PlanKml, RunsOnPastTheAntimeridian) {
+  planning::Plan plan = two_legs();
+  plan.waypoints[0].place.lon_deg = 179.5;
+  plan.waypoints[1].place.lon_deg = -179.5;
+
+  EXPECT_THAT(plan_kml(plan, "p-01", ""), HasSubstr("<coordinates>179.5000000,69.2000000 180.5000000,"));
+}
+
+TEST(PlanFiles, ReadBackToTheSameRoute) {
+  const planning::Plan plan = two_legs();
+  for (const auto& [name, text] :
+       std::vector<std::pair<std::string, std::string>>{{"a.gpx", plan_gpx(plan, "p-01", "")},
+                                                        {"a.kml", plan_kml(plan, "p-01", "")},
+                                                        {"a.csv", plan_csv(plan)}}) {
+    const auto read = read_route_file(name, text);
+    ASSERT_TRUE(read.has_value()) << name;
+    ASSERT_EQ(read->places.size(), 2U) << name;
+    EXPECT_NEAR(read->places[1].lon_deg, -53.0, 1e-7) << name;
+    EXPECT_NEAR(read->places[1].lat_deg, 69.125, 1e-7) << name;
+  }
+}
+
+TEST(PlanBrief, IsOnePageThatNeedsNothingElse) {
+  planning::Plan plan = two_legs();
+  plan.datasets = {{.id = "icebergs-1", .kind = "icebergs", .name = "<bergs>", .sha256 = "abc"}};
+  plan.warnings = {"mind the <ice>"};
+  const geo::Polygon island{.outer = {{-53.2, 69.15}, {-53.1, 69.15}, {-53.1, 69.17}}, .holes = {}};
+  ocean::Iceberg berg;
+  berg.place = {-53.1, 69.18};
+  const MapPicture picture = draw_map(plan, {island}, {berg}, 720.0, 420.0);
+
+  const std::string html = plan_brief_html(plan, picture, {"p-01", "<script>", plan.departure, {"changed"}});
+
+  EXPECT_EQ(picture.land.size(), 1U);
+  EXPECT_EQ(picture.icebergs.size(), 1U);
+  EXPECT_THAT(html, HasSubstr("<td>69 12.000 N</td><td>53 15.000 W</td><td>2026-11-20T06:00:00Z</td>"));
+  EXPECT_THAT(html, HasSubstr("mind the &lt;ice&gt;"));
+  EXPECT_THAT(html, HasSubstr("&lt;bergs&gt; (icebergs-1), sha256 abc"));
+  EXPECT_THAT(html, HasSubstr("<li>changed</li>"));
+  for (const char* foreign : {"<script", "src=", "href=", "@import", "url("})
+    EXPECT_THAT(html, Not(HasSubstr(foreign)));
+}
+
+TEST(PlanBrief, IsAPdfOfAnyNameAndLength) {
+  planning::Plan plan = two_legs();
+  for (int i = 0; i < 200; ++i) plan.waypoints.push_back(plan.waypoints[1]);
+  const MapPicture picture = draw_map(plan, {}, {}, 720.0, 420.0);
+
+  const std::string pdf =
+      plan_brief_pdf(plan, picture, {"p-01", "Diskobugt \xc3\xa6 \xff\xe2\x82 \x01", plan.departure, {}});
+
+  EXPECT_EQ(pdf.substr(0, 5), "%PDF-");
+  EXPECT_THAT(pdf.substr(pdf.size() - 8), HasSubstr("%%EOF"));
+  EXPECT_EQ(pdf, plan_brief_pdf(plan, picture,
+                                {"p-01", "Diskobugt \xc3\xa6 \xff\xe2\x82 \x01", plan.departure, {}}));
+}
+
+TEST(MapPicture, HoldsTheWholeRouteInsideItsFrame) {
+  support::for_each_seed(200, [](std::mt19937_64& rng) {
+    planning::Plan plan;
+    const double lon_deg = support::uniform(rng, -180.0, 180.0);
+    const double lat_deg = support::uniform(rng, -85.0, 85.0);
+    for (int i = support::uniform_int(rng, 1, 12); i > 0; --i) {
+      planning::Waypoint waypoint;
+      waypoint.place = {geo::wrap_longitude(lon_deg + support::uniform(rng, -5.0, 5.0)),
+                        lat_deg + support::uniform(rng, -3.0, 3.0)};
+      plan.waypoints.push_back(waypoint);
+    }
+    for (const auto& point : draw_map(plan, {}, {}, 720.0, 420.0).route) {
+      EXPECT_TRUE(point.x >= 0.0 && point.x <= 720.0 && point.y >= 0.0 && point.y <= 420.0);
+    }
+  });
 }
 
 }  // namespace

@@ -66,6 +66,22 @@ TEST_F(MissionFilesTest, SayThatTheDataHaveChangedSinceThePlanWasMade) {
   EXPECT_THAT(support::header_of(response, "Floeplan-Warning"), HasSubstr("data have changed"));
 }
 
+TEST_F(MissionFilesTest, ComeInEveryOtherFormatToo) {
+  for (const auto& [format, start] : std::map<std::string, std::string>{{"gpx", "<?xml"},
+                                                                        {"kml", "<?xml"},
+                                                                        {"geojson", "{"},
+                                                                        {"csv", "index,"},
+                                                                        {"nmea", "$GPWPL"},
+                                                                        {"targets", "/ plan id p1"},
+                                                                        {"html", "<!DOCTYPE html>"},
+                                                                        {"pdf", "%PDF-"}}) {
+    const auto response = ask("GET", "/collections/plans/items/p1/mission." + format);
+    EXPECT_EQ(response.status, 200) << format;
+    EXPECT_EQ(response.body.substr(0, start.size()), start) << format;
+  }
+  EXPECT_EQ(ask("GET", "/collections/plans/items/p1/mission.doc").status, 404);
+}
+
 TEST_F(MissionFilesTest, RefuseBadOptions) {
   const std::string path = "/collections/plans/items/p1/mission?";
   for (const char* query : {"number=98", "firmware=ten", "safe=here", "iceberg_depth_m=20",

@@ -74,6 +74,9 @@ TEST(MissionSet, TakesDepthsAndDistancesFromVehicleAndPlan) {
   EXPECT_EQ(value_of(mission, "max_wpt_distance"), 81000.0) << "one and a half times 53.4 km";
   EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "d_target_depth"), 980.0);
   EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "d_target_altitude"), 20.0);
+  EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "d_pitch_value"), -0.4538);
+  EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "c_bpump_value"), 260.0);
+  EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "c_target_depth"), 10.0);
   EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 28800.0);
   EXPECT_THAT(set->warnings, Contains(HasSubstr("turns at 980 m")));
 }

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/geo/polygon.hpp"
+#include "engine/ocean/iceberg.hpp"
+#include "engine/planning/plan.hpp"
+
+namespace floeplan::codec {
+
+/// A small map of a plan in picture units, y downwards, ready for any way of drawing lines and words.
+struct MapPicture {
+  struct Point {
+    double x{};
+    double y{};
+  };
+  struct Disc {
+    Point centre;
+    double radius{};
+  };
+  struct Label {
+    Point at;
+    std::string text;
+  };
+  double width{};
+  double height{};
+  std::vector<std::vector<Point>> land;  // closed outlines; parts beyond the frame are cut off by the drawing
+  std::vector<std::vector<Point>> grid;  // meridians and parallels
+  std::vector<Label> grid_labels;
+  std::vector<Disc> icebergs;  // of their length, at least two units
+  std::vector<Point> route;
+  std::vector<Label> waypoints;
+  std::vector<Point> scale;  // a line as long as `scale_label` says
+  std::string scale_label;
+};
+
+/// Draws the surroundings of a route: distances are true along its middle parallel.
+/// `land`, `icebergs`  of the surroundings; what lies far outside costs nothing
+/// Errors   std::invalid_argument for a plan without waypoints or a picture without room
+[[nodiscard]] MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>& land,
+                                  const std::vector<ocean::Iceberg>& icebergs, double width, double height);
+
+/// The picture as an SVG element, to be put into a page. The same picture gives the same bytes.
+[[nodiscard]] std::string svg(const MapPicture& picture);
+
+}  // namespace floeplan::codec

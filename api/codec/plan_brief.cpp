@@ -1,0 +1,106 @@
+#include "api/codec/plan_brief.hpp"
+
+#include <array>
+#include <cmath>
+#include <cstdio>
+
+#include "api/codec/xml_text.hpp"
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+/// "69 10.245 N": whole degrees and decimal minutes, rounded once.
+std::string degrees_minutes(double degrees, char positive, char negative) {
+  const auto thousandths = static_cast<long>(std::llround(std::abs(degrees) * 60'000.0));
+  std::array<char, 40> text{};
+  std::snprintf(text.data(), text.size(), "%ld %06.3f %c", thousandths / 60'000,
+                static_cast<double>(thousandths % 60'000) / 1000.0, degrees < 0.0 ? negative : positive);
+  return text.data();
+}
+
+std::string number(std::optional<double> value, int decimals, double factor = 1.0) {
+  if (!value) return "-";
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), "%.*f", decimals, *value * factor);
+  return text.data();
+}
+
+template <class Tag>
+std::optional<double> bare(const std::optional<core::Quantity<Tag>>& quantity) {
+  return quantity ? std::optional{quantity->value} : std::nullopt;
+}
+
+constexpr const char* style =
+    "@page{size:A4;margin:12mm}body{font:10pt sans-serif;color:#111;max-width:190mm;margin:auto}"
+    "h1{font-size:16pt;margin:0 0 2mm}p,ul{margin:1mm 0}svg{width:100%;height:auto;border:1px solid #888}"
+    "table{border-collapse:collapse;width:100%;margin-top:2mm}th,td{border-bottom:1px solid "
+    "#ccc;padding:.4mm 1mm;"
+    "text-align:right;font-size:9pt}.sea{fill:#eef4f8}.land{fill:#d9d2c0;stroke:#8a8170;stroke-width:.6}"
+    ".grid{stroke:#b8c6d0;stroke-width:.5;fill:none}.ice{fill:#fff;stroke:#0a6ea8;stroke-width:1}"
+    ".route{fill:none;stroke:#c2410c;stroke-width:2}.scale{stroke:#111;stroke-width:2}.small{font:9px "
+    "sans-serif;"
+    "fill:#456}.number{font:bold 11px sans-serif;fill:#7c2d12}.warn{border:1px solid #c2410c;padding:1mm 2mm}"
+    ".hash{font-family:monospace;font-size:8pt}";
+
+std::string table(const planning::Plan& plan) {
+  std::string text =
+      "<table><thead><tr><th>no.</th><th>latitude</th><th>longitude</th><th>ETA (UTC)</th><th>leg km</th>"
+      "<th>course</th><th>m/s</th><th>depth m</th></tr></thead><tbody>\n";
+  for (const auto& row : brief_rows(plan)) {
+    text += "<tr>";
+    for (const std::string& cell : row) text += "<td>" + xml_text(cell) + "</td>";
+    text += "</tr>\n";
+  }
+  return text + "</tbody></table>\n";
+}
+
+std::string list(const std::string& title, const std::vector<std::string>& sentences,
+                 const char* style_class) {
+  if (sentences.empty()) return "";
+  std::string text = "<div class=\"" + std::string{style_class} + "\"><b>" + title + "</b><ul>\n";
+  for (const std::string& sentence : sentences) text += "<li>" + xml_text(sentence) + "</li>\n";
+  return text + "</ul></div>\n";
+}
+
+}  // namespace
+
+std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan) {
+  std::vector<std::vector<std::string>> rows;
+  for (const planning::Waypoint& waypoint : plan.waypoints) {
+    rows.push_back({std::to_string(rows.size()), degrees_minutes(waypoint.place.lat_deg, 'N', 'S'),
+                    degrees_minutes(geo::wrap_longitude(waypoint.place.lon_deg), 'E', 'W'),
+                    core::iso8601(waypoint.eta), number(bare(waypoint.leg_length), 2, 1e-3),
+                    number(waypoint.course_deg, 1), number(bare(waypoint.speed_over_ground), 3),
+                    number(bare(waypoint.depth), 0)});
+  }
+  return rows;
+}
+
+std::vector<std::string> brief_facts(const planning::Plan& plan) {
+  return {"Vehicle " + plan.vehicle + ". Departure " + core::iso8601(plan.departure) + ", arrival " +
+              core::iso8601(plan.arrival) + ": " + number(plan.travel_time().count() / 3600.0, 1) + " h, " +
+              number(plan.distance.value / 1000.0, 1) + " km.",
+          "Clear of icebergs by " + number(bare(plan.clearances.iceberg), 0) + " m, of land by " +
+              number(bare(plan.clearances.land), 0) + " m, of the bottom by " +
+              number(bare(plan.clearances.bottom), 0) + " m (- : not known)."};
+}
+
+std::string plan_brief_html(const planning::Plan& plan, const MapPicture& picture, const BriefNotes& notes) {
+  const std::string title = xml_text(notes.name.empty() ? "Plan " + notes.plan_id : notes.name);
+  std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
+                     "</title><style>" + style + "</style></head><body>\n<h1>" + title + "</h1>\n<p>Plan " +
+                     xml_text(notes.plan_id) + ", printed " + core::iso8601(notes.generated) + ".</p>\n";
+  for (const std::string& fact : brief_facts(plan)) text += "<p>" + xml_text(fact) + "</p>\n";
+  text += svg(picture) + table(plan);
+  std::vector<std::string> warnings = notes.warnings;
+  warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
+  text += list("Warnings", warnings, "warn");
+  std::vector<std::string> data;
+  for (const auto& dataset : plan.datasets)
+    data.push_back(dataset.kind + ": " + dataset.name + " (" + dataset.id + "), sha256 " + dataset.sha256);
+  text += list("Data", data, "hash");
+  return text + "<p>No exported file has been tried on a vehicle. Check it before use.</p>\n</body></html>\n";
+}
+
+}  // namespace floeplan::codec

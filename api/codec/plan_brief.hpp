@@ -1,0 +1,29 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "api/codec/map_picture.hpp"
+#include "engine/planning/plan.hpp"
+
+namespace floeplan::codec {
+
+/// What a printed page says besides the plan.
+struct BriefNotes {
+  std::string plan_id;
+  std::string name;
+  core::UtcTime generated{};
+  std::vector<std::string> warnings;  // of the export; the plan's own are added
+};
+
+/// A page for the pilot's desk: picture, times, waypoints in degrees and minutes, data with their hashes, warnings.
+/// One HTML file that needs nothing else, made to be printed. UTF-8; no script.
+[[nodiscard]] std::string plan_brief_html(const planning::Plan& plan, const MapPicture& picture,
+                                          const BriefNotes& notes);
+
+/// The rows of the brief's table, as text: number, latitude, longitude, ETA, leg, course, speed, depth.
+[[nodiscard]] std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan);
+/// The sentences above the table: vehicle, times, distance, clearances.
+[[nodiscard]] std::vector<std::string> brief_facts(const planning::Plan& plan);
+
+}  // namespace floeplan::codec

@@ -1,0 +1,81 @@
+#include "api/routes/plan_exports.hpp"
+
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "api/codec/plan_brief.hpp"
+#include "api/codec/plan_brief_pdf.hpp"
+#include "api/codec/plan_csv.hpp"
+#include "api/codec/plan_document.hpp"
+#include "api/codec/plan_geojson.hpp"
+#include "api/codec/plan_gpx.hpp"
+#include "api/codec/plan_kml.hpp"
+#include "engine/mission/nmea_route.hpp"
+#include "engine/mission/seaglider_targets.hpp"
+#include "storage/repository/coastline_repository.hpp"
+#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/iceberg_repository.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using repository::PlanRecord;
+
+constexpr core::Metres around_route{30'000.0};  // of land and icebergs on the printed map
+constexpr core::Metres target_radius{500.0};    // within which a Seaglider has reached a target
+constexpr double map_width = 720.0;
+constexpr double map_height = 420.0;
+
+/// Land and icebergs of the data that the plan was made with, as far as they are still stored.
+codec::MapPicture picture_of(sqlite::Connection& db, const PlanRecord& record, const planning::Plan& plan) {
+  const geo::BoundingBox area = geo::grown(record.bounds, around_route);
+  std::vector<geo::Polygon> land;
+  std::vector<ocean::Iceberg> icebergs;
+  for (const auto& dataset : plan.datasets) {
+    if (dataset.kind == "coastline") land = repository::CoastlineRepository{db}.load({dataset.id}, area);
+    if (dataset.kind != "icebergs") continue;
+    const auto age = plan.departure - repository::oldest_sighting_used(plan.departure);
+    for (const auto& sighting :
+         repository::IcebergRepository{db}.latest({dataset.id}, area, plan.departure, age))
+      icebergs.push_back(sighting.iceberg);
+  }
+  return codec::draw_map(plan, land, icebergs, map_width, map_height);
+}
+
+}  // namespace
+
+std::span<const ExportFormat> export_formats() {
+  static const std::vector<ExportFormat> formats{
+      {"gpx", "application/gpx+xml", ""},           {"kml", "application/vnd.google-earth.kml+xml", ""},
+      {"geojson", "application/geo+json", ""},      {"csv", "text/csv; charset=utf-8", ""},
+      {"nmea", "text/plain; charset=us-ascii", ""}, {"targets", "text/plain; charset=us-ascii", "targets"},
+      {"html", "text/html; charset=utf-8", ""},     {"pdf", "application/pdf", ""}};
+  return formats;
+}
+
+std::string export_file_name(const ExportFormat& format, const PlanRecord& record) {
+  return format.file_name.empty() ? record.id.value + "." + format.name : format.file_name;
+}
+
+tl::expected<std::string, core::Violations> export_plan(sqlite::Connection& db, const PlanRecord& record,
+                                                        const ExportFormat& format,
+                                                        const std::vector<std::string>& warnings,
+                                                        core::UtcTime now) {
+  const planning::Plan plan = codec::parse_plan_document(nlohmann::json::parse(record.document_json));
+  const std::string& id = record.id.value;
+  if (format.name == "gpx") return codec::plan_gpx(plan, id, record.name);
+  if (format.name == "kml") return codec::plan_kml(plan, id, record.name);
+  if (format.name == "geojson") return codec::plan_geojson(record).dump(2) + "\n";
+  if (format.name == "csv") return codec::plan_csv(plan);
+  if (format.name == "nmea" && plan.waypoints.size() > mission::most_nmea_waypoints)
+    return tl::unexpected(core::Violations{{"/waypoints", "must be 999 at most for NMEA"}});
+  if (format.name == "nmea") return mission::write_nmea_route(plan, id).text;
+  const mission::FileOrigin origin{id, record.name, now, "floeplan " FLOEPLAN_VERSION};
+  if (format.name == "targets") return mission::write_targets(plan, target_radius, origin).text;
+  const codec::BriefNotes notes{id, record.name, now, warnings};
+  if (format.name == "html") return codec::plan_brief_html(plan, picture_of(db, record, plan), notes);
+  if (format.name == "pdf") return codec::plan_brief_pdf(plan, picture_of(db, record, plan), notes);
+  throw std::invalid_argument{"export_plan: no format " + format.name};
+}
+
+}  // namespace floeplan::routes

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+#include "storage/repository/plan_repository.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::routes {
+
+/// A way to write a plan as one file. One table for API and command line.
+struct ExportFormat {
+  std::string name;  // "gpx": names the flag's value and ends the address
+  std::string content_type;
+  std::string file_name;  // of the file; empty: the plan's id and the format's name
+};
+
+/// Every format but the mission files of a vehicle, in a fixed order.
+[[nodiscard]] std::span<const ExportFormat> export_formats();
+
+[[nodiscard]] std::string export_file_name(const ExportFormat& format, const repository::PlanRecord& record);
+
+/// The plan in one of these formats. `warnings`: what the check before the export said; the printed page shows it.
+/// Errors   a violation for a plan that the format cannot hold
+[[nodiscard]] tl::expected<std::string, core::Violations> export_plan(
+    sqlite::Connection& db, const repository::PlanRecord& record, const ExportFormat& format,
+    const std::vector<std::string>& warnings, core::UtcTime now);
+
+}  // namespace floeplan::routes
