@@ -133,6 +133,7 @@ class Sheet {
 };
 
 void trace(cairo_t* pen, const std::vector<MapPicture::Point>& points) {
+  cairo_new_path(pen);  // words leave a current point behind
   for (const auto& point : points) cairo_line_to(pen, point.x, point.y);
 }
 

@@ -1,16 +1,16 @@
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "api/codec/plan_csv.hpp"
-#include "api/codec/plan_document.hpp"
-#include "api/codec/plan_geojson.hpp"
-#include "api/codec/plan_gpx.hpp"
+#include "api/codec/zip_archive.hpp"
 #include "api/routes/mission_service.hpp"
+#include "api/routes/plan_exports.hpp"
+#include "engine/mission/line_words.hpp"
 #include "server/cli/command.hpp"
+#include "server/cli/file_set.hpp"
 #include "server/cli/flag_values.hpp"
 #include "server/cli/plan_output.hpp"
-#include "server/cli/whole_file.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/plan_repository.hpp"
 
@@ -27,6 +27,8 @@ struct Flags {
   std::string firmware{"10.5"};
   std::vector<std::string> safe;
   std::optional<double> iceberg_depth_m;
+  std::string glider;
+  bool zip{false};
   bool force{false};
   bool json_out{false};
 };
@@ -55,17 +57,44 @@ routes::MissionRequest mission_request(const Flags& flags) {
 }
 
 /// The files of the format, before any is written.
-tl::expected<mission::MissionFiles, core::Violations> files_of(const repository::PlanRecord& record,
-                                                               const Flags& flags) {
+tl::expected<mission::MissionFiles, core::Violations> files_of(sqlite::Connection& db,
+                                                               const repository::PlanRecord& record,
+                                                               const Flags& flags,
+                                                               const std::vector<std::string>& warnings) {
   if (flags.format == "gliderdos") return routes::mission_of(record, mission_request(flags), now());
-  const std::string& id = record.id.value;
-  const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
+  const auto format = std::ranges::find(routes::export_formats(), flags.format, &routes::ExportFormat::name);
+  auto bytes = routes::export_plan(db, record, *format, warnings, now());
+  if (!bytes) return tl::unexpected(bytes.error());
   mission::MissionFiles result;
-  if (flags.format == "gpx") result.files.push_back({id + ".gpx", codec::plan_gpx(plan, id, record.name)});
-  if (flags.format == "csv") result.files.push_back({id + ".csv", codec::plan_csv(plan)});
-  if (flags.format == "geojson")
-    result.files.push_back({id + ".geojson", codec::plan_geojson(record).dump(2) + "\n"});
+  result.files.push_back({routes::export_file_name(*format, record), std::move(*bytes)});
   return result;
+}
+
+std::vector<std::string> format_names() {
+  std::vector<std::string> names{"gliderdos"};
+  for (const auto& format : routes::export_formats()) names.push_back(format.name);
+  return names;
+}
+
+/// The files where a dockserver looks for them, in one archive if that is wanted.
+std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const repository::PlanRecord& record,
+                                 const Flags& flags) {
+  const std::filesystem::path folder =
+      flags.glider.empty() ? std::filesystem::path{} : std::filesystem::path{flags.glider} / "to-glider";
+  std::vector<OutputFile> output;
+  std::vector<codec::ArchivedFile> archived;
+  for (const auto& file : set.files) {
+    output.push_back({folder / file.name, file.text});
+    archived.push_back({(folder / file.name).generic_string(), file.text});
+  }
+  if (!flags.zip) return output;
+  return {{record.id.value + ".zip", codec::zip_archive(archived, now())}};
+}
+
+/// A name of a folder, and no way out of it.
+std::string check_glider(const std::string& name) {
+  const bool plain = mission::is_name(name) && name.size() <= 40;
+  return plain ? "" : name + " must have letters, digits and underscores alone";
 }
 
 /// Nothing is written of a plan that newer data close.
@@ -84,22 +113,18 @@ int run(const Flags& flags, const Program& program) {
 
   routes::PlanCheck check = routes::check_plan(db, *record);
   if (!check.dangers.empty() && !flags.force) return refuse(check, flags.json_out);
-  auto files = files_of(*record, flags);
+  check.warnings.insert(check.warnings.begin(), check.dangers.begin(), check.dangers.end());
+  auto files = files_of(db, *record, flags, check.warnings);
   if (!files) return print_violations(files.error(), flags.json_out);
   files->warnings.insert(files->warnings.begin(), check.warnings.begin(), check.warnings.end());
-  files->warnings.insert(files->warnings.begin(), check.dangers.begin(), check.dangers.end());
-  std::filesystem::create_directories(flags.out);
-  for (const auto& file : files->files) {
-    if (!flags.force && std::filesystem::exists(flags.out / file.name)) {
-      return complain(could_not,
-                      (flags.out / file.name).string() + " exists; nothing was written; --force replaces it");
-    }
+  const std::vector<OutputFile> output = laid_out(*files, *record, flags);
+  if (const auto there = first_existing(flags.out, output); there && !flags.force) {
+    return complain(could_not, there->string() + " exists; nothing was written; --force replaces it");
   }
   json written = json::array();
-  for (const auto& file : files->files) {
-    write_whole(flags.out / file.name, file.text);
-    written.push_back((flags.out / file.name).string());
-    if (!flags.json_out) std::cout << (flags.out / file.name).string() << '\n';
+  for (const auto& file : write_set(flags.out, output)) {
+    written.push_back(file.string());
+    if (!flags.json_out) std::cout << file.string() << '\n';
   }
   if (flags.json_out) std::cout << json{{"files", written}, {"warnings", files->warnings}}.dump(2) << '\n';
   for (const std::string& warning : files->warnings) std::cerr << "warning: " << warning << '\n';
@@ -112,8 +137,8 @@ void add_export(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
   auto* command = app.add_subcommand("export", "Write a plan as mission files");
   command->add_option("PLAN", flags->plan_id, "The plan's id")->required();
-  command->add_option("--format", flags->format, "gliderdos, gpx, geojson or csv")
-      ->check(CLI::IsMember({"gliderdos", "gpx", "geojson", "csv"}))
+  command->add_option("--format", flags->format, "One file, or gliderdos: mission files of a Slocum")
+      ->check(CLI::IsMember(format_names()))
       ->capture_default_str();
   command->add_option("--out", flags->out, "Folder to write into, made when missing")->capture_default_str();
   command->add_option("--number", flags->mission.number, "NN of the first goto_lNN.ma and of all other files")
@@ -132,6 +157,11 @@ void add_export(CLI::App& app, Program& program) {
       ->allow_extra_args(false);
   command->add_option("--iceberg-depth", flags->iceberg_depth_m,
                       "Deepest iceberg to expect, metres; default 20");
+  command
+      ->add_option("--glider", flags->glider,
+                   "Write into GLIDER/to-glider, where a dockserver takes files from")
+      ->check(check_glider);
+  command->add_flag("--zip", flags->zip, "Write one ZIP archive instead of the files");
   command->add_flag("--force", flags->force,
                     "Replace files that exist; write a plan that has become dangerous");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");

@@ -93,7 +93,7 @@ std::string optimality_line(const json& plan) {
 }
 
 void print_for_people(const json& plan) {
-  const std::string id = plan.value("plan_id", "");
+  const std::string id = plan.at("plan_id").is_string() ? plan.at("plan_id").get<std::string>() : "";
   std::printf("%s  %s to %s, %s h, %s km\n", id.empty() ? "route" : id.c_str(),
               plan.at("departure").get<std::string>().c_str(), plan.at("arrival").get<std::string>().c_str(),
               cell(plan.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str(),

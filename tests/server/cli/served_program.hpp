@@ -25,6 +25,7 @@ class ServedProgram {
   ServedProgram(const ServedProgram&) = delete;
   ServedProgram& operator=(const ServedProgram&) = delete;
 
+  [[nodiscard]] std::string address() const { return "http://127.0.0.1:" + std::to_string(port_); }
   [[nodiscard]] Answer get(const std::string& target) const { return request("GET", target, "", ""); }
   /// Executes a process at once (`Prefer: respond-sync`).
   [[nodiscard]] Answer execute(const std::string& process, const nlohmann::json& inputs) const {
