@@ -20,8 +20,8 @@ template <class... Fs>
 Overloaded(Fs...) -> Overloaded<Fs...>;
 
 GeographicLib::PolarStereographic formula(const PolarStereographicFrame& frame) {
-  GeographicLib::PolarStereographic result{GeographicLib::Constants::WGS84_a(),
-                                           GeographicLib::Constants::WGS84_f(), 1.0};
+  GeographicLib::PolarStereographic result{frame.ellipsoid.semi_major_m,
+                                           1.0 / frame.ellipsoid.inverse_flattening, 1.0};
   result.SetScale(std::abs(frame.lat_ts_deg), 1.0);
   return result;
 }
@@ -89,6 +89,9 @@ std::string frame_text(const GridFrame& frame) {
                           text << "polar_stereographic " << (polar.north ? "north " : "south ")
                                << polar.lat_ts_deg << ' ' << polar.lon_0_deg << ' ' << polar.false_easting_m
                                << ' ' << polar.false_northing_m;
+                          if (polar.ellipsoid == wgs84) return;
+                          text << ' ' << polar.ellipsoid.semi_major_m << ' '
+                               << polar.ellipsoid.inverse_flattening;
                         },
                         [&](const TransverseMercatorFrame& mercator) {
                           text << "transverse_mercator " << mercator.lon_0_deg << ' ' << mercator.lat_0_deg
@@ -111,6 +114,8 @@ std::optional<GridFrame> parse_frame(std::string_view text) {
     words >> pole >> polar.lat_ts_deg >> polar.lon_0_deg >> polar.false_easting_m >> polar.false_northing_m;
     if (!words || (pole != "north" && pole != "south")) return std::nullopt;
     polar.north = pole == "north";
+    Ellipsoid ellipsoid;
+    if (words >> ellipsoid.semi_major_m >> ellipsoid.inverse_flattening) polar.ellipsoid = ellipsoid;
     return polar;
   }
   if (name == "transverse_mercator") {

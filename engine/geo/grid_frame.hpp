@@ -20,14 +20,27 @@ struct GeographicFrame {
   friend bool operator==(GeographicFrame, GeographicFrame) = default;
 };
 
-/// Polar stereographic on WGS84, true to scale on a parallel (EPSG method 9829), e.g. EPSG:3413, 3995, 3996,
-/// 3031.
+/// The figure of the Earth that a frame's formulas use. Latitudes on it count as latitudes on WGS84.
+struct Ellipsoid {
+  double semi_major_m{6378137.0};
+  double inverse_flattening{298.257223563};
+  friend bool operator==(Ellipsoid, Ellipsoid) = default;
+};
+
+inline constexpr Ellipsoid wgs84{};
+/// Hughes 1980, on which satellite products of sea ice are gridded.
+/// Source  EPSG:7058; axes 6378273 m and 6356889.449 m
+inline constexpr Ellipsoid hughes_1980{6378273.0, 298.279411123064};
+
+/// Polar stereographic, true to scale on a parallel (EPSG method 9829), e.g. EPSG:3413, 3995, 3996, 3031 on
+/// WGS84, EPSG:3411, 3412 on Hughes 1980.
 struct PolarStereographicFrame {
   bool north{true};
   double lat_ts_deg{90.0};  // positive in the north, negative in the south
   double lon_0_deg{};       // meridian that runs straight down (north) or up (south)
   double false_easting_m{};
   double false_northing_m{};
+  Ellipsoid ellipsoid{};
   friend bool operator==(PolarStereographicFrame, PolarStereographicFrame) = default;
 };
 
@@ -49,6 +62,7 @@ using GridFrame = std::variant<GeographicFrame, PolarStereographicFrame, Transve
 [[nodiscard]] LonLat to_lon_lat(const GridFrame& frame, GridPoint point);
 
 /// The frame as text and back, every digit kept: "geographic", "polar_stereographic north 70 -45 0 0", ...
+/// An ellipsoid other than WGS84 follows: "... 0 0 6378273 298.279411123064".
 [[nodiscard]] std::string frame_text(const GridFrame& frame);
 [[nodiscard]] std::optional<GridFrame> parse_frame(std::string_view text);
 

@@ -63,6 +63,7 @@ TEST(GridFrame, IsReadBackFromItsTextToTheLastBit) {
     const auto number = [&] { return support::uniform(rng, -1e6, 1e6); };
     const GridFrame frames[] = {
         GeographicFrame{}, PolarStereographicFrame{rng() % 2 == 0, number(), number(), number(), number()},
+        PolarStereographicFrame{true, number(), number(), number(), number(), {number(), number()}},
         TransverseMercatorFrame{number(), number(), number(), number(), number()}};
     for (const GridFrame& frame : frames) EXPECT_EQ(parse_frame(frame_text(frame)), frame);
   });
