@@ -55,6 +55,7 @@ void read_data(InputReader& reader, repository::EnvironmentQuery& data) {
   data.currents = read_choice(reader, "currents", true);
   data.steady = reader.boolean("steady").value_or(false);
   data.bathymetry = read_choice(reader, "bathymetry", false);
+  data.ice = read_choice(reader, "ice", false);
   data.icebergs = read_choice(reader, "icebergs", false);
   data.icebergs_as_of = reader.time("icebergs_as_of");
   data.coastline = read_choice(reader, "coastline", false);
@@ -64,6 +65,7 @@ void write_data(const repository::EnvironmentQuery& data, json& inputs) {
   inputs["currents"] = choice_json(data.currents);
   inputs["steady"] = data.steady;
   inputs["bathymetry"] = choice_json(data.bathymetry);
+  inputs["ice"] = choice_json(data.ice);
   inputs["icebergs"] = choice_json(data.icebergs);
   inputs["icebergs_as_of"] = data.icebergs_as_of ? json(core::iso8601(*data.icebergs_as_of)) : json();
   inputs["coastline"] = choice_json(data.coastline);

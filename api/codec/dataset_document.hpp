@@ -12,7 +12,7 @@ namespace floeplan::codec {
 /// A time axis longer than this is left out of the document; its ends are always there.
 inline constexpr std::size_t max_listed_times = 2000;
 
-/// One entry of the list of datasets, for API and command line. `times`: the time steps of currents, else
+/// One entry of the list of datasets, for API and command line. `times`: the time steps of currents and ice, else
 /// empty.
 [[nodiscard]] nlohmann::json dataset_document(const repository::Dataset& dataset,
                                               const std::vector<core::UtcTime>& times = {});

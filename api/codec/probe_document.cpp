@@ -26,6 +26,15 @@ json currents_json(const Probe::Currents& currents) {
           {"time_after", optional_time(currents.time_after)}};
 }
 
+json ice_json(const Probe::Ice& ice) {
+  const bool thick = ice.state && ice.state->thickness;
+  return {{"thickness_m", thick ? json(ice.state->thickness->value) : json()},
+          {"dataset_id", optional_text(ice.dataset_id)},
+          {"dataset_name", optional_text(ice.dataset_name)},
+          {"time_before", optional_time(ice.time_before)},
+          {"time_after", optional_time(ice.time_after)}};
+}
+
 }  // namespace
 
 json probe_document(const Probe& probe) {
@@ -43,8 +52,9 @@ json probe_document(const Probe& probe) {
           {"depth_reason", optional_text(probe.depth_reason)},
           {"land", probe.land ? json(*probe.land) : json()},
           {"currents", currents_json(probe.currents)},
-          {"ice_concentration", nullptr},
-          {"ice_concentration_reason", "no sea ice data are stored"},
+          {"ice_concentration", probe.ice.state ? json(probe.ice.state->concentration) : json()},
+          {"ice_concentration_reason", optional_text(probe.ice.reason)},
+          {"ice", ice_json(probe.ice)},
           {"icebergs_within", std::move(icebergs)}};
 }
 

@@ -8,6 +8,7 @@
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/geo/velocity.hpp"
+#include "engine/ocean/ice_field.hpp"
 #include "engine/ocean/iceberg.hpp"
 
 namespace floeplan::codec {
@@ -17,6 +18,14 @@ struct Probe {
   struct Currents {
     std::optional<geo::VelocityEn> velocity;
     std::string reason;  // empty when there is a velocity
+    std::string dataset_id;
+    std::string dataset_name;
+    std::optional<core::UtcTime> time_before;  // steps of the data around the time asked for
+    std::optional<core::UtcTime> time_after;
+  };
+  struct Ice {
+    std::optional<ocean::IceState> state;
+    std::string reason;  // empty when there is a state
     std::string dataset_id;
     std::string dataset_name;
     std::optional<core::UtcTime> time_before;  // steps of the data around the time asked for
@@ -33,6 +42,7 @@ struct Probe {
   std::string depth_reason;           // empty when there is a depth
   std::optional<bool> land;           // empty: no coastline and no bathymetry here
   Currents currents;
+  Ice ice;
   std::vector<NearIceberg> icebergs;  // nearest first
 };
 

@@ -11,7 +11,9 @@ using nlohmann::json;
 
 std::vector<core::UtcTime> times_of(sqlite::Connection& db, const repository::Dataset& dataset) {
   std::vector<core::UtcTime> times;
-  if (dataset.kind != repository::DatasetKind::currents) return times;
+  const bool has_steps =
+      dataset.kind == repository::DatasetKind::currents || dataset.kind == repository::DatasetKind::ice;
+  if (!has_steps) return times;
   const auto shape = repository::FieldRepository{db}.shape(dataset.id);
   if (!shape || !shape->times_s) return times;
   for (const double time_s : shape->times_s->nodes()) times.push_back(core::from_unix_seconds(time_s));

@@ -42,6 +42,7 @@ core::Violations check_data(sqlite::Connection& db, const repository::Environmen
   core::Violations violations;
   check_choice(db, data.currents, "currents", DatasetKind::currents, violations);
   check_choice(db, data.bathymetry, "bathymetry", DatasetKind::bathymetry, violations);
+  check_choice(db, data.ice, "ice", DatasetKind::ice, violations);
   check_choice(db, data.icebergs, "icebergs", DatasetKind::icebergs, violations);
   check_choice(db, data.coastline, "coastline", DatasetKind::coastline, violations);
   return violations;

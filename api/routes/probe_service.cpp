@@ -56,14 +56,37 @@ void read_depth(sqlite::Connection& db, const Source& source, codec::Probe& prob
 }
 
 /// The steps of the data around the time asked for.
-void read_steps(sqlite::Connection& db, const Dataset& dataset, core::UtcTime time,
-                codec::Probe::Currents& currents) {
+template <class Part>
+void read_steps(sqlite::Connection& db, const Dataset& dataset, core::UtcTime time, Part& part) {
   const auto shape = repository::FieldRepository{db}.shape(dataset.id);
   if (!shape || !shape->times_s) return;
   const auto position = shape->times_s->locate(core::unix_seconds(time));
   if (!position) return;
-  currents.time_before = core::from_unix_seconds((*shape->times_s)[position->lower]);
-  currents.time_after = core::from_unix_seconds((*shape->times_s)[position->upper]);
+  part.time_before = core::from_unix_seconds((*shape->times_s)[position->lower]);
+  part.time_after = core::from_unix_seconds((*shape->times_s)[position->upper]);
+}
+
+std::string outside_period(const Dataset& dataset) {
+  return "outside the period of the data, " + core::iso8601(*dataset.time_start) + " to " +
+         core::iso8601(*dataset.time_end);
+}
+
+void read_ice(sqlite::Connection& db, const Source& source, codec::Probe& probe) {
+  auto& ice = probe.ice;
+  ice.reason = source.reason;
+  if (!source.dataset) return;
+  const Dataset& dataset = *source.dataset;
+  ice.dataset_id = dataset.id.value;
+  ice.dataset_name = dataset.name;
+  if (!covers_time(dataset, probe.time)) {
+    ice.reason = outside_period(dataset);
+    return;
+  }
+  read_steps(db, dataset, probe.time, ice);
+  const auto field = repository::FieldRepository{db}.load_ice(dataset.id, box_at(probe.place),
+                                                              repository::Period{probe.time, probe.time});
+  if (field) ice.state = field->at(probe.place, probe.time);
+  if (!ice.state) ice.reason = "no value here: land, a gap of the data, or beyond their area";
 }
 
 void read_currents(sqlite::Connection& db, const Source& source, const ProbeQuery& query,
@@ -75,8 +98,7 @@ void read_currents(sqlite::Connection& db, const Source& source, const ProbeQuer
   currents.dataset_id = dataset.id.value;
   currents.dataset_name = dataset.name;
   if (!covers_time(dataset, query.time)) {
-    currents.reason = "outside the period of the data, " + core::iso8601(*dataset.time_start) + " to " +
-                      core::iso8601(*dataset.time_end);
+    currents.reason = outside_period(dataset);
     return;
   }
   read_steps(db, dataset, query.time, currents);
@@ -128,9 +150,10 @@ tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const
     named = repository::DatasetRepository{db}.find({*query.dataset_id});
     if (!named)
       return tl::unexpected(core::Violations{{"dataset", "no dataset has the id " + *query.dataset_id}});
-    if (named->kind != DatasetKind::currents && named->kind != DatasetKind::bathymetry) {
+    if (named->kind != DatasetKind::currents && named->kind != DatasetKind::bathymetry &&
+        named->kind != DatasetKind::ice) {
       return tl::unexpected(core::Violations{
-          {"dataset", "must be currents or bathymetry, not " + repository::kind_name(named->kind)}});
+          {"dataset", "must be currents, bathymetry or ice, not " + repository::kind_name(named->kind)}});
     }
   }
   codec::Probe result;
@@ -138,6 +161,7 @@ tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const
   result.time = query.time;
   read_depth(db, choose(datasets, DatasetKind::bathymetry, named, query), result);
   read_currents(db, choose(datasets, DatasetKind::currents, named, query), query, result);
+  read_ice(db, choose(datasets, DatasetKind::ice, named, query), result);
   read_land(db, datasets, result);
   read_icebergs(db, datasets, result);
   return result;

@@ -18,7 +18,7 @@ struct ProbeQuery {
   core::UtcTime time;
   std::optional<core::Metres> depth;  // for currents; default: the shallowest level of the data
   std::optional<std::string>
-      dataset_id;  // currents or bathymetry; default: the newest of each kind that covers the place
+      dataset_id;  // currents, bathymetry or ice; default: the newest of each kind that covers the place
 };
 
 /// Icebergs farther away than this are not listed.

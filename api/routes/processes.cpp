@@ -87,6 +87,7 @@ json common_inputs() {
       {"currents", input("Currents: newest, none, an id or several ids", several_datasets_schema())},
       {"steady", input("Use one time step, or the mean, of the currents at any time", {{"type", "boolean"}})},
       {"bathymetry", input("Bathymetry: newest, none or an id", dataset_schema())},
+      {"ice", input("Sea ice: newest, none or an id", dataset_schema())},
       {"icebergs", input("Icebergs: newest, none or an id", dataset_schema())},
       {"icebergs_as_of", input("Use no sighting later than this; default: the departure", time)},
       {"coastline", input("Coastline: newest, none or an id", dataset_schema())},

@@ -8,6 +8,7 @@
 #include "engine/ocean/bathymetry.hpp"
 #include "engine/ocean/current_grid.hpp"
 #include "engine/ocean/dataset_ref.hpp"
+#include "engine/ocean/ice_field.hpp"
 #include "engine/ocean/iceberg.hpp"
 #include "engine/ocean/zone.hpp"
 
@@ -21,6 +22,7 @@ struct Environment {
   bool steady_currents{false};                    // `currents` holds one time, meant for every time
   std::vector<std::shared_ptr<const CurrentGrid>> members{};  // of an ensemble, `currents` first; else empty
   std::shared_ptr<const Bathymetry> bathymetry{};
+  std::shared_ptr<const IceField> ice{};  // null: nothing is known of sea ice, open water is assumed
   std::vector<geo::Polygon> land{};
   std::vector<Iceberg> icebergs{};  // the latest sighting of each berg, none after the moment asked for
   std::vector<Zone> zones{};        // of stored datasets, all obeyed

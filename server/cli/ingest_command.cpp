@@ -18,6 +18,7 @@ struct Flags {
   std::string kind{"auto"};
   std::optional<std::string> crs;
   std::optional<std::string> positive;
+  std::optional<std::string> variable;
   bool json_out{false};
 };
 
@@ -58,7 +59,8 @@ void print(const ingest::IngestReport& report) {
 }
 
 int run(const Flags& flags, const Program& program) {
-  ingest::IngestOptions options{.name = flags.name, .kind = {}, .crs = flags.crs, .positive = flags.positive};
+  ingest::IngestOptions options{
+      .name = flags.name, .crs = flags.crs, .positive = flags.positive, .variable = flags.variable};
   if (flags.kind != "auto") options.kind = repository::parse_kind(flags.kind);
 
   auto db = repository::open_store(program.store);
@@ -82,16 +84,19 @@ int run(const Flags& flags, const Program& program) {
 void add_ingest(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
   auto* command = app.add_subcommand("ingest", "Read data files into the store");
-  command->add_option("FILE", flags->files, "Bathymetry, currents, icebergs or coastline")->required();
+  command->add_option("FILE", flags->files, "Bathymetry, currents, sea ice, icebergs or coastline")
+      ->required();
   command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
   command->add_option("--kind", flags->kind, "What to take the file for")
-      ->check(CLI::IsMember({"auto", "bathymetry", "currents", "icebergs", "coastline"}))
+      ->check(CLI::IsMember({"auto", "bathymetry", "currents", "ice", "icebergs", "coastline"}))
       ->capture_default_str();
   command->add_option("--crs", flags->crs, "Reference system of a file that states none, as EPSG:4326");
   command
       ->add_option("--positive", flags->positive,
                    "Sign of bathymetry that does not say: up (elevation) or down (depth)")
       ->check(CLI::IsMember({"up", "down"}));
+  command->add_option("--variable", flags->variable,
+                      "Concentration of sea ice to use when a file holds several; default: the greatest");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run(*flags, program); });
 }

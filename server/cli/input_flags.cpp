@@ -80,6 +80,8 @@ void InputFlags::add_common(CLI::App& command) {
                      "ID[,ID...] or none; default: the newest that cover area and departure");
   command.add_flag("--steady", steady_, "Use the one time step, or the mean of all, for every time");
   command.add_option("--bathymetry", bathymetry_, "ID or none; default: the newest");
+  command.add_option("--ice", ice_,
+                     "Sea ice, ID or none; default: the newest that covers area and departure");
   command.add_option("--icebergs", icebergs_, "ID or none; default: the newest");
   command.add_option("--icebergs-as-of", icebergs_as_of_, "Latest sighting to use; default: the departure");
   command.add_option("--coastline", coastline_, "ID or none; default: the newest");
@@ -197,6 +199,7 @@ json InputFlags::inputs() const {
   set("max_leg_m", max_leg_m_);
   set("refine_seconds", refine_seconds_);
   set("bathymetry", bathymetry_);
+  set("ice", ice_);
   set("icebergs", icebergs_);
   set("icebergs_as_of", icebergs_as_of_);
   set("coastline", coastline_);

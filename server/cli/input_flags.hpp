@@ -66,6 +66,7 @@ class InputFlags {
   std::optional<std::string> currents_;
   bool steady_{false};
   std::optional<std::string> bathymetry_;
+  std::optional<std::string> ice_;
   std::optional<std::string> icebergs_;
   std::optional<std::string> icebergs_as_of_;
   std::optional<std::string> coastline_;

@@ -10,12 +10,17 @@ namespace {
 
 bool is_near(double a, double b, double tolerance) { return std::abs(a - b) <= tolerance; }
 
-bool on_world_ellipsoid(const OGRSpatialReference& crs) {
+/// The ellipsoids that are used as they are; GRS80 counts as WGS84.
+std::optional<geo::Ellipsoid> ellipsoid_of(const OGRSpatialReference& crs) {
   OGRErr error = OGRERR_NONE;
   const double semi_major_m = crs.GetSemiMajor(&error);
   const double inverse_flattening = crs.GetInvFlattening();
-  return error == OGRERR_NONE && is_near(semi_major_m, 6378137.0, 0.5) &&
-         is_near(inverse_flattening, 298.2572, 1e-3) && is_near(crs.GetPrimeMeridian(), 0.0, 1e-9);
+  if (error != OGRERR_NONE || !is_near(crs.GetPrimeMeridian(), 0.0, 1e-9)) return std::nullopt;
+  for (const geo::Ellipsoid known : {geo::wgs84, geo::hughes_1980})
+    if (is_near(semi_major_m, known.semi_major_m, 0.5) &&
+        is_near(inverse_flattening, known.inverse_flattening, 1e-3))
+      return known;
+  return std::nullopt;
 }
 
 /// NAD27, ED50 and others lie up to hundreds of metres beside WGS84 although some share its ellipsoid's size.
@@ -31,7 +36,8 @@ bool on_world_datum(const OGRSpatialReference& crs) {
 }  // namespace
 
 std::optional<geo::GridFrame> grid_frame_of(const OGRSpatialReference& crs) {
-  if (!on_world_ellipsoid(crs) || !on_world_datum(crs)) return std::nullopt;
+  const auto ellipsoid = ellipsoid_of(crs);
+  if (!ellipsoid || !on_world_datum(crs)) return std::nullopt;
   if (crs.IsGeographic()) {
     if (!is_near(crs.GetAngularUnits(), 0.017453292519943295, 1e-12)) return std::nullopt;
     return geo::GeographicFrame{};
@@ -52,7 +58,9 @@ std::optional<geo::GridFrame> grid_frame_of(const OGRSpatialReference& crs) {
                                         .lat_ts_deg = lat_0_deg,
                                         .lon_0_deg = lon_0_deg,
                                         .false_easting_m = false_easting_m,
-                                        .false_northing_m = false_northing_m};
+                                        .false_northing_m = false_northing_m,
+                                        .ellipsoid = *ellipsoid};
+  if (*ellipsoid != geo::wgs84) return std::nullopt;
   if (method == SRS_PT_TRANSVERSE_MERCATOR)
     return geo::TransverseMercatorFrame{.lon_0_deg = lon_0_deg,
                                         .lat_0_deg = lat_0_deg,

@@ -10,7 +10,7 @@ namespace floeplan::ingest {
 
 /// The engine's frame for a CRS whose coordinates it can use as they are: longitude and latitude, polar
 /// stereographic or transverse Mercator, in degrees or metres, on WGS84 or an ellipsoid that differs from it
-/// by less than a metre (GRS80).
+/// by less than a metre (GRS80); polar stereographic also on Hughes 1980.
 /// Outside  nullopt for every other CRS: resample first
 [[nodiscard]] std::optional<geo::GridFrame> grid_frame_of(const OGRSpatialReference& crs);
 

@@ -11,6 +11,7 @@
 #include "storage/ingest/file_digest.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/gshhg_coastline.hpp"
+#include "storage/ingest/ice_reader.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/iceberg_geojson_reader.hpp"
 #include "storage/ingest/recognise.hpp"
@@ -29,6 +30,7 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
     case FileFormat::netcdf_classic:
     case FileFormat::netcdf4:
       if (kind == DatasetKind::coastline) return read_gshhg_coastline(file.path, progress);
+      if (kind == DatasetKind::ice) return read_ice(file.netcdf, options, progress);
       return kind == DatasetKind::currents ? read_currents(file.netcdf, progress)
                                            : read_netcdf_bathymetry(*file.netcdf, options);
     case FileFormat::bag: return read_raster_bathymetry(file.path, "BAG", options);

@@ -14,10 +14,11 @@ namespace floeplan::ingest {
 
 /// What the user said about a file beyond the file itself.
 struct IngestOptions {
-  std::optional<std::string> name;              // default: the file's name without its ending
-  std::optional<repository::DatasetKind> kind;  // default: recognised
-  std::optional<std::string> crs;               // "EPSG:4326", for files that state none
-  std::optional<std::string> positive;          // "up" or "down", for bathymetry that does not say
+  std::optional<std::string> name{};              // default: the file's name without its ending
+  std::optional<repository::DatasetKind> kind{};  // default: recognised
+  std::optional<std::string> crs{};               // "EPSG:4326", for files that state none
+  std::optional<std::string> positive{};          // "up" or "down", for bathymetry that does not say
+  std::optional<std::string> variable{};  // of ice: the concentration to use when a file holds several
 };
 
 enum class IngestStatus { stored, refused, unchanged };

@@ -25,6 +25,8 @@ NetcdfVariable::NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> ar
   for (const auto& attribute : array_->GetAttributes(const_cast<char**>(everything))) {
     const char* text = attribute->ReadAsString();
     if (text != nullptr) attributes_.emplace(attribute->GetName(), trimmed(text));
+    if (attribute->GetDataType().GetClass() == GEDTC_NUMERIC)
+      numbers_.emplace(attribute->GetName(), attribute->ReadAsDoubleArray());
     if (attribute->GetName() != "_FillValue" && attribute->GetName() != "missing_value") continue;
     for (const double fill : attribute->ReadAsDoubleArray())
       fills_.push_back(is_float32() ? static_cast<double>(static_cast<float>(fill)) : fill);
@@ -46,6 +48,11 @@ std::string NetcdfVariable::attribute(const std::string& name) const {
 
 std::optional<double> NetcdfVariable::numeric_attribute(const std::string& name) const {
   return parse_number(attribute(name));
+}
+
+std::vector<double> NetcdfVariable::numbers(const std::string& name) const {
+  const auto found = numbers_.find(name);
+  return found == numbers_.end() ? std::vector<double>{} : found->second;
 }
 
 bool NetcdfVariable::is_float32() const { return array_->GetDataType().GetNumericDataType() == GDT_Float32; }

@@ -31,6 +31,8 @@ class NetcdfVariable {
   /// Text of an attribute, trimmed; empty when it is absent.
   [[nodiscard]] std::string attribute(const std::string& name) const;
   [[nodiscard]] std::optional<double> numeric_attribute(const std::string& name) const;
+  /// All numbers of an attribute such as flag_values; empty when it is absent or a text.
+  [[nodiscard]] std::vector<double> numbers(const std::string& name) const;
   [[nodiscard]] bool is_float32() const;
   [[nodiscard]] bool is_numeric() const;
   /// The CRS its grid mapping describes; null when there is none.
@@ -52,6 +54,7 @@ class NetcdfVariable {
   std::shared_ptr<GDALMDArray> array_;
   std::vector<NetcdfDimension> dimensions_;
   std::map<std::string, std::string> attributes_;
+  std::map<std::string, std::vector<double>> numbers_;
   std::vector<double> fills_;
   double scale_{1.0};
   double offset_{0.0};

@@ -13,12 +13,26 @@ namespace {
 constexpr std::uint64_t max_axis_nodes = 1'000'000;
 constexpr std::uint64_t max_slice_nodes = 250'000'000;  // 1 GB as float32
 
-/// The coordinate variable of a dimension: one-dimensional and of the dimension's own name. GDAL's own
+bool runs_along(const NetcdfVariable& variable, const NetcdfDimension& dimension) {
+  return variable.is_numeric() && variable.dimensions().size() == 1 &&
+         variable.dimensions().front().name == dimension.name;
+}
+
+/// The coordinate variable of a dimension: one-dimensional and of the dimension's own name; where nothing has that
+/// name, the only variable along it whose standard name makes it a coordinate ("xgrid" along "x"). GDAL's own
 /// indexing variable is not asked: it may be a two-dimensional table or belong to the other axis.
 const NetcdfVariable* coordinate_of(const NetcdfFile& file, const NetcdfDimension& dimension) {
-  const NetcdfVariable* found = file.find(dimension.name);
-  if (found == nullptr || !found->is_numeric() || found->dimensions().size() != 1) return nullptr;
-  return found->dimensions().front().name == dimension.name ? found : nullptr;
+  if (const NetcdfVariable* named = file.find(dimension.name))
+    return runs_along(*named, dimension) ? named : nullptr;
+  const NetcdfVariable* found = nullptr;
+  for (const NetcdfVariable& variable : file.variables()) {
+    if (!runs_along(variable, dimension) || variable.attribute("standard_name").empty() ||
+        role_of(variable) == AxisRole::unknown)
+      continue;
+    if (found != nullptr) return nullptr;
+    found = &variable;
+  }
+  return found;
 }
 
 bool has_table_of_positions(const NetcdfFile& file) {

@@ -5,6 +5,7 @@
 #include "storage/ingest/bathymetry_netcdf_reader.hpp"
 #include "storage/ingest/geojson_file.hpp"
 #include "storage/ingest/gshhg_reader.hpp"
+#include "storage/ingest/ice_variables.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/velocity_pair.hpp"
@@ -14,8 +15,16 @@ namespace {
 
 using repository::DatasetKind;
 
-std::vector<DatasetKind> kinds_of_netcdf(const NetcdfFile& file, bool bathymetry_wanted) {
+/// Whether the ice in a file is worth reading. On the bent or turned grid of a current model that is refused anyway
+/// it is no reason to refuse the file a second time.
+bool ice_is_readable(const NetcdfFile& file) {
+  const auto ice = find_ice(file, std::nullopt);
+  return ice && layout_of(file, *ice->concentrations.front());
+}
+
+std::vector<DatasetKind> kinds_of_netcdf(const NetcdfFile& file, std::optional<DatasetKind> wanted) {
   std::vector<DatasetKind> kinds;
+  const bool bathymetry_wanted = wanted == DatasetKind::bathymetry;
   const bool velocity = holds_velocity(file);
   if (velocity) kinds.push_back(DatasetKind::currents);
   const NetcdfVariable* bathymetry = find_bathymetry(file, bathymetry_wanted);
@@ -24,6 +33,9 @@ std::vector<DatasetKind> kinds_of_netcdf(const NetcdfFile& file, bool bathymetry
   const bool worth_reading =
       bathymetry != nullptr && (!velocity || bathymetry_wanted || !unsupported_grid(file, *bathymetry));
   if (worth_reading) kinds.push_back(DatasetKind::bathymetry);
+  const bool lone_ice = wanted == DatasetKind::ice || !velocity;
+  if (holds_ice(file) && (lone_ice || (find_velocity_pair(file) && ice_is_readable(file))))
+    kinds.push_back(DatasetKind::ice);
   return kinds;
 }
 
@@ -32,10 +44,10 @@ std::string nothing_known(const NetcdfFile& file) {
   for (const NetcdfVariable& variable : file.variables()) names.push_back(variable.name());
   if (names.empty())
     return "the NetCDF file holds no variables at its top level; there is nothing to store; give a file with "
-           "currents or depths";
+           "currents, depths or sea ice";
   return "the file holds " + enumeration(names) +
-         ", but neither currents of the sea nor depths; there is nothing to store; give a file with, for "
-         "example, uo and vo, or elevation";
+         ", but neither currents of the sea nor depths nor sea ice; there is nothing to store; give a file "
+         "with, for example, uo and vo, elevation or siconc";
 }
 
 Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted) {
@@ -45,7 +57,7 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
       auto netcdf = NetcdfFile::open(file.path);
       if (!netcdf) return refuse(netcdf.error());
       file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
-      file.kinds = kinds_of_netcdf(*file.netcdf, wanted == DatasetKind::bathymetry);
+      file.kinds = kinds_of_netcdf(*file.netcdf, wanted);
       if (file.kinds.empty() && is_gshhg(file.path)) file.kinds = {DatasetKind::coastline};
       if (file.kinds.empty()) return refuse(nothing_known(*file.netcdf));
       return true;

@@ -7,10 +7,10 @@
 namespace floeplan::repository {
 namespace {
 
-constexpr std::array<std::pair<DatasetKind, const char*>, 4> names{{{DatasetKind::bathymetry, "bathymetry"},
-                                                                    {DatasetKind::currents, "currents"},
-                                                                    {DatasetKind::icebergs, "icebergs"},
-                                                                    {DatasetKind::coastline, "coastline"}}};
+constexpr std::array names{std::pair{DatasetKind::bathymetry, "bathymetry"},
+                           std::pair{DatasetKind::currents, "currents"}, std::pair{DatasetKind::ice, "ice"},
+                           std::pair{DatasetKind::icebergs, "icebergs"},
+                           std::pair{DatasetKind::coastline, "coastline"}};
 
 }  // namespace
 

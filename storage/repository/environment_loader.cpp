@@ -229,6 +229,55 @@ std::string shortened_list(const std::vector<std::string>& names) {
   return text;
 }
 
+void adopt_ice(Draft& draft, const Dataset& dataset, ocean::IceField ice) {
+  const auto covered = period_of(dataset);
+  if (covered && !covers(*covered, draft.query.depart)) {
+    const core::UtcTime step = draft.query.depart > covered->to ? covered->to : covered->from;
+    draft.warn("ice of " + title(dataset) + " is held as at " + core::iso8601(step) +
+               ", the step nearest to the departure");
+  }
+  if (ice.samples().thickness_m.empty())
+    draft.warn("ice of " + title(dataset) + " has no thickness: a draft is assumed wherever there is ice");
+  draft.environment.ice = std::make_shared<const ocean::IceField>(std::move(ice));
+  draft.cite(dataset);
+}
+
+void add_ice(Draft& draft) {
+  const EnvironmentQuery& query = draft.query;
+  const auto found = candidates(draft.stored, DatasetKind::ice, query.ice, query.area, draft.violations);
+  const bool named = query.ice.how == DatasetChoice::How::named;
+  if (named && query.ice.ids.size() > 1) {
+    draft.refuse(DatasetKind::ice, "one dataset at a time; name the one to plan with");
+    return;
+  }
+
+  std::string periods_missed;
+  for (const Dataset& dataset : found) {
+    const auto covered = period_of(dataset);
+    if (!covered) continue;
+    const Period held{covered->from - ocean::longest_ice_hold, covered->to + ocean::longest_ice_hold};
+    if (!covers(held, query.depart)) {
+      periods_missed +=
+          (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*covered);
+      continue;
+    }
+    const Period wanted{std::clamp(query.depart, covered->from, covered->to), covered->to};
+    auto ice = FieldRepository{draft.db}.load_ice(dataset.id, query.area, wanted);
+    if (ice) return adopt_ice(draft, dataset, std::move(*ice));
+  }
+
+  if (named && !periods_missed.empty()) {
+    draft.refuse(DatasetKind::ice, "says nothing of the ice at " + core::iso8601(query.depart) + ": " +
+                                       periods_missed + ", and ice is held for at most 3 days beyond");
+  } else if (named && !found.empty()) {
+    draft.refuse(DatasetKind::ice, title(found.front()) + " has no node near the area");
+  } else if (!periods_missed.empty()) {
+    draft.warn("no stored ice for the time of departure (" + periods_missed + "): open water is assumed");
+  } else if (!named) {
+    warn_of_gap(draft, DatasetKind::ice, query.ice, "open water is assumed");
+  }
+}
+
 /// Of the candidates the newest with sightings young enough to count, else the newest with any by then.
 std::vector<Dataset> newest_with_sightings(const std::vector<Dataset>& found, core::UtcTime as_of,
                                            core::UtcTime oldest) {
@@ -313,6 +362,7 @@ tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Conn
   draft.environment.icebergs = std::move(icebergs.environment.icebergs);
   add_currents(draft);
   add_bathymetry(draft);
+  add_ice(draft);
   draft.append_report(icebergs);
   add_coastline(draft);
   if (!draft.violations.empty()) return tl::unexpected(std::move(draft.violations));

@@ -34,6 +34,7 @@ struct EnvironmentQuery {
   DatasetChoice currents;
   bool steady{false};  // one time step, or the mean of all, for every time
   DatasetChoice bathymetry;
+  DatasetChoice ice;
   DatasetChoice icebergs;
   std::optional<core::UtcTime>
       icebergs_as_of;  // default: the departure, or `until` where data may begin later
@@ -54,7 +55,8 @@ struct EnvironmentQuery {
 ///          unless they are held steady
 /// Edges    currents are read from the last step before departure (before the oldest iceberg sighting in use,
 ///          when icebergs drift) to their end: how long a plan takes is not yet known. Currents without time are
-///          held steady. Drifting icebergs are also read up to 100 km beyond the area.
+///          held steady. Drifting icebergs are also read up to 100 km beyond the area. Ice is taken where its
+///          period, lengthened by ocean::longest_ice_hold, covers the departure; a named one that does not is refused
 [[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(
     sqlite::Connection& db, const EnvironmentQuery& query);
 

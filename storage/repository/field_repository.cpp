@@ -72,6 +72,12 @@ std::optional<AxisWindow> steps_around(const ocean::Axis& times_s, const std::op
                     ocean::Axis{{nodes.begin() + first, nodes.begin() + last + 1}}};
 }
 
+bool holds(sqlite::Connection& db, const ChunkLayout& layout, const std::string& variable) {
+  sqlite::Statement query{db, "SELECT 1 FROM field_chunk WHERE dataset_row = ?1 AND variable = ?2 LIMIT 1"};
+  query.bind_all(layout.dataset_row, variable);
+  return query.step();
+}
+
 /// The window's samples of one variable, [time][depth][y][x].
 std::vector<float> read_block(ChunkReader& reader, const std::string& variable, NodeRun times, NodeRun depths,
                               const GridWindow& window) {
@@ -175,6 +181,27 @@ std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetI
   ChunkReader reader{db_, layout->chunks};
   return ocean::Bathymetry{{stored->grid.frame(), window->x.nodes, window->y.nodes},
                            read_block(reader, "depth_m", {0, 1}, {0, 1}, *window)};
+}
+
+std::optional<ocean::IceField> FieldRepository::load_ice(const DatasetId& id, const geo::BoundingBox& area,
+                                                         std::optional<Period> period) const {
+  const auto layout = find_layout(db_, id);
+  const auto stored = shape(id);
+  if (!layout || !stored || !stored->times_s) return std::nullopt;
+  const auto window = window_around(stored->grid, area);
+  const auto times = steps_around(*stored->times_s, period);
+  if (!window || !times) return std::nullopt;
+
+  ChunkReader reader{db_, layout->chunks};
+  const auto read = [&](const std::string& variable) {
+    return read_block(reader, variable, times->runs.front(), {0, 1}, *window);
+  };
+  return ocean::IceField{
+      {.grid = ocean::HorizontalGrid{stored->grid.frame(), window->x.nodes, window->y.nodes},
+       .times_s = times->nodes,
+       .concentration = read("concentration"),
+       .thickness_m =
+           holds(db_, layout->chunks, "thickness_m") ? read("thickness_m") : std::vector<float>{}}};
 }
 
 }  // namespace floeplan::repository

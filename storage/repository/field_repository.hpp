@@ -9,6 +9,7 @@
 #include "engine/ocean/bathymetry.hpp"
 #include "engine/ocean/current_grid.hpp"
 #include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/ice_field.hpp"
 #include "storage/repository/dataset.hpp"
 #include "storage/sqlite/connection.hpp"
 
@@ -28,7 +29,8 @@ struct Period {
 };
 
 /// Gridded data in compressed chunks, so that a job reads only its area and period.
-/// Variables are "depth_m" for bathymetry, "u_m_s" and "v_m_s" for currents.
+/// Variables are "depth_m" for bathymetry, "u_m_s" and "v_m_s" for currents, "concentration" and (where known)
+/// "thickness_m" for ice.
 /// Threads  as the connection: one thread at a time
 class FieldRepository {
  public:
@@ -51,6 +53,9 @@ class FieldRepository {
                                                                 std::optional<core::Metres> deepest) const;
   [[nodiscard]] std::optional<ocean::Bathymetry> load_bathymetry(const DatasetId& id,
                                                                  const geo::BoundingBox& area) const;
+  /// As load_currents, without depths. Thickness is there when a slice of it was ever written.
+  [[nodiscard]] std::optional<ocean::IceField> load_ice(const DatasetId& id, const geo::BoundingBox& area,
+                                                        std::optional<Period> period) const;
 
  private:
   sqlite::Connection& db_;  // borrowed

@@ -11,6 +11,7 @@ namespace floeplan::repository {
 namespace {
 
 /// Scripts that lead from one schema to the next. A released script is never changed; new ones go to the end.
+/// Foreign keys are not enforced while a script runs, so that a table can be rebuilt; they are checked at the end.
 /// Longitudes in the box tables run eastwards from [-180, 180), so a box across the antimeridian ends beyond
 /// 180.
 constexpr std::array migrations{R"sql(
@@ -139,6 +140,33 @@ CREATE TABLE job (
   result_json TEXT
 ) STRICT;
 CREATE INDEX job_by_status ON job (status, row);
+)sql",
+                                R"sql(
+-- Which kinds there are is the program's business: a list here would have to be rebuilt for each new one.
+CREATE TABLE dataset_of_any_kind (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  id TEXT NOT NULL UNIQUE,
+  kind TEXT NOT NULL,
+  name TEXT NOT NULL,
+  west_deg REAL NOT NULL,
+  south_deg REAL NOT NULL,
+  east_deg REAL NOT NULL,
+  north_deg REAL NOT NULL,
+  time_start_s REAL,
+  time_end_s REAL,
+  rows_accepted INTEGER NOT NULL,
+  rows_refused INTEGER NOT NULL,
+  file_name TEXT NOT NULL,
+  file_size_bytes INTEGER NOT NULL,
+  sha256 TEXT NOT NULL,
+  ingested_s REAL NOT NULL,
+  tool_version TEXT NOT NULL
+) STRICT;
+INSERT INTO dataset_of_any_kind SELECT row, id, kind, name, west_deg, south_deg, east_deg, north_deg,
+  time_start_s, time_end_s, rows_accepted, rows_refused, file_name, file_size_bytes, sha256, ingested_s,
+  tool_version FROM dataset;
+DROP TABLE dataset;
+ALTER TABLE dataset_of_any_kind RENAME TO dataset;
 )sql"};
 
 constexpr auto newest_schema = static_cast<std::int64_t>(migrations.size());
@@ -155,11 +183,38 @@ void refuse_newer_schema(std::int64_t schema) {
                            "); update the program, or choose another folder"};
 }
 
+/// Dropping a table that others refer to would empty them too. The setting cannot be changed inside a transaction.
+class WithoutForeignKeys {
+ public:
+  explicit WithoutForeignKeys(sqlite::Connection& db) : db_{db} {
+    sqlite::execute(db_, "PRAGMA foreign_keys = OFF");
+  }
+  WithoutForeignKeys(const WithoutForeignKeys&) = delete;
+  WithoutForeignKeys& operator=(const WithoutForeignKeys&) = delete;
+  ~WithoutForeignKeys() {
+    try {
+      sqlite::execute(db_, "PRAGMA foreign_keys = ON");
+      // NOLINTNEXTLINE(bugprone-empty-catch): the store is not handed out, because opening it failed already
+    } catch (const std::runtime_error&) {
+    }
+  }
+
+ private:
+  sqlite::Connection& db_;  // borrowed
+};
+
+void refuse_broken_references(sqlite::Connection& db) {
+  sqlite::Statement check{db, "PRAGMA foreign_key_check"};
+  if (check.step())
+    throw std::runtime_error{"the store refers to a dataset that it does not hold; it is damaged"};
+}
+
 void migrate(sqlite::Connection& db) {
   const std::int64_t before = schema_of(db);
   refuse_newer_schema(before);
   if (before == newest_schema) return;
 
+  const WithoutForeignKeys no_foreign_keys{db};
   sqlite::Transaction transaction{db};
   // Asked again: another program may have migrated the store in the meantime.
   const std::int64_t found = schema_of(db);
@@ -167,6 +222,7 @@ void migrate(sqlite::Connection& db) {
   for (auto schema = static_cast<std::size_t>(found); schema < migrations.size(); ++schema) {
     sqlite::execute(db, migrations[schema]);
   }
+  refuse_broken_references(db);
   sqlite::execute(db, "PRAGMA application_id = " + std::to_string(sqlite::application_id));
   sqlite::execute(db, "PRAGMA user_version = " + std::to_string(newest_schema));
   transaction.commit();

@@ -63,6 +63,11 @@ void NetcdfWriter::variable(const Variable& variable) {
     const auto attribute = array->CreateAttribute(name, {}, GDALExtendedDataType::Create(GDT_Float64));
     require(attribute != nullptr && attribute->Write(number));
   }
+  for (const auto& [name, numbers] : variable.lists) {
+    const auto attribute =
+        array->CreateAttribute(name, {numbers.size()}, GDALExtendedDataType::Create(GDT_Float64));
+    require(attribute != nullptr && attribute->Write(numbers.data(), numbers.size()));
+  }
   if (variable.values.empty()) return;
   require(array->Write(start.data(), count.data(), nullptr, nullptr,
                        GDALExtendedDataType::Create(GDT_Float64), variable.values.data()));

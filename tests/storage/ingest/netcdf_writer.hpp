@@ -26,6 +26,7 @@ class NetcdfWriter {
     std::map<std::string, double> numbers;  // scale_factor, add_offset, missing_value, ...
     std::optional<double> fill;             // _FillValue
     Type type{Type::float32};
+    std::map<std::string, std::vector<double>> lists{};  // flag_values, valid_range, ...
   };
 
   explicit NetcdfWriter(const std::filesystem::path& file);

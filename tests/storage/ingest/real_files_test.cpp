@@ -95,7 +95,7 @@ INSTANTIATE_TEST_SUITE_P(
         Sample{"currents/ORCA025-N06_20000104d05U_sub.nc", "curvilinear", "", "", 0, "", {}},
         Sample{"currents/ORCA025-N06_20000104d05V_sub.nc", "curvilinear", "", "", 0, "", {}},
         Sample{"currents/ORCA025_coordinates_sub.nc",
-               "neither currents of the sea nor depths",
+               "neither currents of the sea nor depths nor sea ice",
                "",
                "",
                0,

@@ -79,6 +79,22 @@ class EnvironmentLoaderTest : public testing::Test {
     fields.write_slice({id}, "depth_m", 0, 0, std::vector(nodes.size(), 300.0F));
   }
 
+  /// Ice of one metre whose concentration is a tenth of the number of the day.
+  void add_ice(const std::string& id, core::UtcTime from, int days, bool with_thickness = true) {
+    add(id, DatasetKind::ice, bay, from, from + (days - 1) * day);
+    std::vector<double> times;
+    for (int i = 0; i < days; ++i) times.push_back(core::unix_seconds(from + i * day));
+    const FieldShape shape{grid(bay, 0.5), {}, ocean::Axis{times}};
+    FieldRepository fields{db_};
+    fields.create({id}, shape);
+    for (std::size_t time = 0; time < times.size(); ++time) {
+      fields.write_slice({id}, "concentration", time, 0,
+                         std::vector(shape.grid.size(), 0.1F * static_cast<float>(time)));
+      if (with_thickness)
+        fields.write_slice({id}, "thickness_m", time, 0, std::vector(shape.grid.size(), 1.0F));
+    }
+  }
+
   void add_icebergs(const std::string& id, const std::vector<ocean::Iceberg>& bergs) {
     core::UtcTime from = bergs.front().observed;
     core::UtcTime to = from;
@@ -136,8 +152,9 @@ TEST_F(EnvironmentLoaderTest, WarnsOfEverythingThatIsMissing) {
   EXPECT_THAT(environment.datasets, IsEmpty());
   EXPECT_THAT(environment.warnings,
               ElementsAre(AllOf(HasSubstr("no stored currents"), HasSubstr("planned in still water")),
-                          HasSubstr("no stored bathymetry"), HasSubstr("no stored icebergs"),
-                          HasSubstr("no stored coastline")));
+                          HasSubstr("no stored bathymetry"),
+                          AllOf(HasSubstr("no stored ice for"), HasSubstr("open water is assumed")),
+                          HasSubstr("no stored icebergs"), HasSubstr("no stored coastline")));
 }
 
 TEST_F(EnvironmentLoaderTest, WarnsOfWhatWasLeftOutAsRequested) {
@@ -155,13 +172,14 @@ TEST_F(EnvironmentLoaderTest, TakesTheNewestOfEachKindThatMeetsTheArea) {
   add_currents("currents-new", sample_time, 5, levels_);
   add_currents("currents-far", sample_time, 5, levels_, elsewhere);
   add_bathymetry("depths", 0.02);
+  add_ice("ice", sample_time, 5);
   add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - hour)});
   add("coast", DatasetKind::coastline, bay);
   CoastlineRepository{db_}.insert({"coast"}, {{{{-53.0, 69.0}, {-52.9, 69.0}, {-52.9, 69.1}}, {}}});
 
   const ocean::Environment environment = load();
 
-  EXPECT_THAT(cited(environment), ElementsAre("currents-new", "depths", "bergs", "coast"));
+  EXPECT_THAT(cited(environment), ElementsAre("currents-new", "depths", "ice", "bergs", "coast"));
   EXPECT_EQ(environment.datasets[0].kind, "currents");
   EXPECT_EQ(environment.datasets[0].sha256, "0123currents-new");
   EXPECT_EQ(environment.icebergs.size(), 1U);
@@ -390,6 +408,43 @@ TEST_F(EnvironmentLoaderTest, TakesOneNamedDatasetOfCurrentsAtATime) {
   query_.currents = named({"currents-1", "currents-2"});
 
   EXPECT_THAT(violations(), ElementsAre(AllOf(HasSubstr("/currents"), HasSubstr("one dataset at a time"))));
+}
+
+TEST_F(EnvironmentLoaderTest, LoadsTheIceFromTheStepBeforeTheDepartureOn) {
+  add_ice("ice", sample_time - 2.5 * day, 6);
+
+  const ocean::Environment environment = load();
+
+  ASSERT_NE(environment.ice, nullptr);
+  EXPECT_EQ(environment.ice->samples().times_s.size(), 4U);
+  const auto state = environment.ice->at({-52.0, 69.0}, sample_time);
+  ASSERT_TRUE(state);
+  EXPECT_NEAR(state->concentration, 0.25, 1e-6);
+  EXPECT_EQ(state->thickness, core::Metres{1.0});
+}
+
+TEST_F(EnvironmentLoaderTest, HoldsTheIceForThreeDaysBeyondItsPeriodAndSaysSo) {
+  add_ice("ice", sample_time - 3.9 * day, 2, false);
+
+  const ocean::Environment environment = load();
+
+  ASSERT_NE(environment.ice, nullptr);
+  EXPECT_EQ(environment.ice->samples().times_s.size(), 1U);
+  EXPECT_THAT(environment.warnings, Contains(HasSubstr("is held as at 2027-01-12T")));
+  EXPECT_THAT(environment.warnings, Contains(HasSubstr("no thickness")));
+}
+
+TEST_F(EnvironmentLoaderTest, TakesNoIceOfAnotherTime) {
+  add_ice("ice", sample_time - 9.0 * day, 2);
+
+  const ocean::Environment environment = load();
+
+  EXPECT_EQ(environment.ice, nullptr);
+  EXPECT_THAT(environment.warnings,
+              Contains(AllOf(HasSubstr("no stored ice for the time of departure"), HasSubstr("open water"))));
+  query_.ice = named({"ice"});
+  EXPECT_THAT(violations(), ElementsAre(AllOf(HasSubstr("/ice says nothing of the ice at"),
+                                              HasSubstr("at most 3 days beyond"))));
 }
 
 }  // namespace

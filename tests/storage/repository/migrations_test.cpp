@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/job_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/sqlite/statement.hpp"
@@ -37,6 +38,54 @@ TEST(OpenStore, KeepsWhatIsThereWhenOpenedAgain) {
   sqlite::Connection db = open_store(folder.path());
 
   EXPECT_TRUE(DatasetRepository{db}.find({"a"}));
+}
+
+/// Takes a store back to the first schema, whose list of kinds was part of the table.
+void return_to_first_schema(sqlite::Connection& db) {
+  sqlite::execute(db, "PRAGMA foreign_keys = OFF");
+  sqlite::execute(db, R"sql(
+CREATE TABLE first_dataset (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  id TEXT NOT NULL UNIQUE,
+  kind TEXT NOT NULL CHECK (kind IN ('bathymetry', 'currents', 'icebergs', 'coastline')),
+  name TEXT NOT NULL,
+  west_deg REAL NOT NULL,
+  south_deg REAL NOT NULL,
+  east_deg REAL NOT NULL,
+  north_deg REAL NOT NULL,
+  time_start_s REAL,
+  time_end_s REAL,
+  rows_accepted INTEGER NOT NULL,
+  rows_refused INTEGER NOT NULL,
+  file_name TEXT NOT NULL,
+  file_size_bytes INTEGER NOT NULL,
+  sha256 TEXT NOT NULL,
+  ingested_s REAL NOT NULL,
+  tool_version TEXT NOT NULL
+) STRICT;
+INSERT INTO first_dataset SELECT * FROM dataset;
+DROP TABLE dataset;
+ALTER TABLE first_dataset RENAME TO dataset;
+PRAGMA user_version = 1;
+)sql");
+}
+
+TEST(OpenStore, BringsAnOlderStoreUpToDateWithEverythingInIt) {
+  const support::TemporaryFolder folder;
+  {
+    sqlite::Connection db = open_store(folder.path());
+    DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::icebergs));
+    IcebergRepository{db}.insert({"a"}, {sample_berg("berg", {-52.0, 69.0})});
+    return_to_first_schema(db);
+  }
+
+  sqlite::Connection db = open_store(folder.path());
+
+  EXPECT_EQ(DatasetRepository{db}.find({"a"}).value().warnings.size(), 2U);
+  EXPECT_EQ(IcebergRepository{db}.count({}), 1);
+  DatasetRepository{db}.insert(sample_dataset("b", DatasetKind::ice));
+  EXPECT_TRUE(DatasetRepository{db}.remove({"a"}));
+  EXPECT_EQ(IcebergRepository{db}.count({}), 0) << "foreign keys are obeyed again";
 }
 
 TEST(OpenStore, RefusesTheStoreOfANewerProgram) {

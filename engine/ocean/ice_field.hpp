@@ -1,0 +1,51 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/ocean/axis.hpp"
+#include "engine/ocean/horizontal_grid.hpp"
+
+namespace floeplan::ocean {
+
+/// Sea ice at one place and one time.
+struct IceState {
+  double concentration{};                 // share of the sea surface that is covered, 0 to 1
+  std::optional<core::Metres> thickness;  // of level ice, from its top to its underside; empty where the data
+                                          // do not tell
+};
+
+/// For how long beyond its period, before and after, a plan takes the ice to stay as its first or last step has it.
+/// Analyses come once a day and with a delay of a day or two; floes drift ten kilometres or so a day, so that an older
+/// one says little of where the edge is.
+inline constexpr core::Seconds longest_ice_hold{3.0 * 86400.0};
+
+/// Sea ice of a model or an analysis on a grid; bilinear in place, linear in time.
+/// Shape    concentration and thickness_m are [time][y][x], last index fastest; thickness_m may be empty: the
+///          data have none. NaN marks a missing sample inside the arrays; it never leaves the class
+/// Units    concentration from 0 to 1, thickness in metres
+/// Outside  nullopt where a concentration needed is missing (land, the hole of a satellite's orbit round the
+///          pole), beyond the grid and beyond the times; never extrapolates
+/// Errors   std::invalid_argument from the constructor when the sizes do not agree, and for a question that is
+///          not finite
+/// Threads  const members may be called from several threads at once
+class IceField {
+ public:
+  struct Samples {
+    HorizontalGrid grid;
+    Axis times_s;  // seconds since 1970-01-01T00:00:00Z
+    std::vector<float> concentration;
+    std::vector<float> thickness_m;
+  };
+
+  explicit IceField(Samples samples);
+
+  [[nodiscard]] std::optional<IceState> at(geo::LonLat place, core::UtcTime time) const;
+  [[nodiscard]] const Samples& samples() const { return samples_; }
+
+ private:
+  Samples samples_;
+};
+
+}  // namespace floeplan::ocean
