@@ -45,6 +45,9 @@ constexpr std::array<geo::LonLat, 11> outflow{{{-50.40, 69.180},
                                                {-51.70, 69.520},
                                                {-51.65, 69.700}}};
 
+/// Middle of the field of drift ice at the start, south of where pilots usually fly.
+constexpr geo::LonLat ice_field{-52.45, 68.96};
+
 /// Where pilots usually fly; the invented icebergs leave it passable.
 constexpr std::array<geo::LonLat, 2> corridor{{{-53.20, 69.20}, {-51.60, 69.20}}};
 

@@ -8,7 +8,7 @@ namespace floeplan::demo {
 inline constexpr std::string_view disko_readme =
     R"(Demonstration data: Disko Bay and Ilulissat Icefjord, West Greenland
 =====================================================================
-NOT FOR NAVIGATION. The depths, the currents and the icebergs are invented.
+NOT FOR NAVIGATION. The depths, the currents, the sea ice and the icebergs are invented.
 
 Real
   disko-coastline.geojson           GSHHG 2.3.7, full resolution, cut to 54.5W-50.5W, 68.4N-69.6N.
@@ -24,6 +24,9 @@ Invented ("synthetic" in every name and in the metadata of every file)
                                     0 to 400 m. A tide that turns every 6.2 hours, an anticlockwise
                                     circulation, the outflow of the icefjord and eddies, from stream
                                     functions. No ocean model was run.
+  disko-synthetic-ice.nc            NetCDF-4, CF-1.8, daily for six days, about 1 km: concentration and
+                                    thickness of a field of drift ice in the south of the bay, with a
+                                    patch of open water in its middle. No ice was observed.
   disko-synthetic-icebergs.geojson  Sixty icebergs drawn at random. None of them was ever seen.
 
 The invented files are in the public domain (CC0-1.0). The same seed and start time give the same bytes.

@@ -8,9 +8,11 @@
 #include "storage/demo/current_file.hpp"
 #include "storage/demo/disko_bathymetry.hpp"
 #include "storage/demo/disko_currents.hpp"
+#include "storage/demo/disko_ice.hpp"
 #include "storage/demo/disko_icebergs.hpp"
 #include "storage/demo/disko_places.hpp"
 #include "storage/demo/geojson_files.hpp"
+#include "storage/demo/ice_file.hpp"
 #include "storage/demo/paper_scenarios.hpp"
 #include "storage/demo/readme_text.hpp"
 #include "storage/ingest/gshhg_reader.hpp"
@@ -35,7 +37,8 @@ std::vector<std::filesystem::path> write_disko(const std::filesystem::path& dir,
                                                core::UtcTime start) {
   const std::vector<std::filesystem::path> files{
       dir / "disko-synthetic-bathymetry.tif", dir / "disko-synthetic-currents.nc",
-      dir / "disko-synthetic-icebergs.geojson", dir / "disko-coastline.geojson"};
+      dir / "disko-synthetic-ice.nc", dir / "disko-synthetic-icebergs.geojson",
+      dir / "disko-coastline.geojson"};
   const std::vector<geo::Polygon> land = shoreline(disko::area);
   const Relief relief = make_disko_relief(land, seed);
   const DiskoCurrents currents{relief, land, seed, start};
@@ -59,8 +62,19 @@ std::vector<std::filesystem::path> write_disko(const std::filesystem::path& dir,
                       layer.masked.push_back(currents.is_masked(i, depth_m));
                     return layer;
                   }});
-  write_icebergs(files[2], make_disko_icebergs(relief, seed, start));
-  write_coastline(files[3], shoreline(disko::coast_area), disko::coast_area);
+  std::vector<core::UtcTime> days;
+  for (int hour = 0; hour <= hours; hour += 24) days.push_back(start + std::chrono::hours{hour});
+  write_ice(files[2],
+            {.title = "Disko Bay sea ice (synthetic, not for navigation)",
+             .comment = "Synthetic, not for navigation: a field of drift ice in the south of the bay with "
+                        "a patch of open water in its middle, drifting westwards. No ice was observed.",
+             .frame = DiskoCurrents::frame(),
+             .times = days,
+             .layer = [&](core::UtcTime time) {
+               return make_disko_ice(relief, DiskoCurrents::frame(), seed, time - start);
+             }});
+  write_icebergs(files[3], make_disko_icebergs(relief, seed, start));
+  write_coastline(files[4], shoreline(disko::coast_area), disko::coast_area);
   return files;
 }
 

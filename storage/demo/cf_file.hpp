@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "storage/demo/raster_frame.hpp"
+
+class GDALDataset;
+class GDALDimension;
+class GDALGroup;
+class GDALMDArray;
+
+/// Parts of the CF-1.8 NetCDF-4 files that the demonstration writes. No date of creation and no history: the same
+/// content gives the same bytes. Everything throws std::runtime_error when the file cannot be written.
+namespace floeplan::demo {
+
+using CfDimensions = std::vector<std::shared_ptr<GDALDimension>>;
+
+[[nodiscard]] std::unique_ptr<GDALDataset> create_cf_file(const std::filesystem::path& file,
+                                                          const std::string& title,
+                                                          const std::string& comment);
+
+/// Of a group or a variable.
+template <class Owner>
+void add_cf_text(Owner& owner, const std::string& name, const std::string& text);
+
+/// A dimension and its coordinate variable.
+[[nodiscard]] std::shared_ptr<GDALDimension> add_axis(
+    GDALGroup& group, const std::string& name, const std::vector<double>& nodes,
+    const std::vector<std::pair<std::string, std::string>>& attributes);
+[[nodiscard]] std::shared_ptr<GDALDimension> add_time_axis(GDALGroup& group,
+                                                           const std::vector<core::UtcTime>& times);
+[[nodiscard]] std::shared_ptr<GDALDimension> add_latitudes(GDALGroup& group, const RasterFrame& frame);
+[[nodiscard]] std::shared_ptr<GDALDimension> add_longitudes(GDALGroup& group, const RasterFrame& frame);
+
+/// A variable of int16 in steps.
+struct PackedVariable {
+  std::string name;
+  double step{};
+  std::int16_t missing{};
+};
+
+/// The last two axes are latitude and longitude; one horizontal slice is one chunk, because readers take the file
+/// slice by slice.
+[[nodiscard]] std::shared_ptr<GDALMDArray> add_packed(GDALGroup& group, const CfDimensions& axes,
+                                                      const PackedVariable& variable);
+
+}  // namespace floeplan::demo
