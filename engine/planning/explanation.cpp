@@ -23,6 +23,12 @@ std::string metres_text(core::Metres length) {
   return text;
 }
 
+std::string hours_text(core::Seconds time) {
+  char text[32];
+  std::snprintf(text, sizeof text, "%.4g h", time.count() / 3600.0);
+  return text;
+}
+
 core::UtcTime clock(const PlanRequest& request, core::Seconds since_departure) {
   return request.depart + since_departure;
 }
@@ -74,6 +80,21 @@ Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& re
     case motion::EdgeClosed::in_zone:
       return {Reason::in_zone, "the way breaks the rule of a zone",
               "go round it, or change the zone or its times"};
+    case motion::EdgeClosed::under_ice:
+      return {Reason::under_ice,
+              "the vehicle cannot pass below the ice: there is no room of " +
+                  metres_text(request.vehicle.minimum_working_depth) +
+                  " between the sea bed and the turn it must make " +
+                  metres_text(request.under_ice.margin_below_ice) +
+                  " below the deepest keel, or its dives do not reach that deep",
+              "dive deeper (--dive-depth), go round it, or change what is kept from the ice (under_ice)"};
+    case motion::EdgeClosed::no_surfacing:
+      return {Reason::no_surfacing,
+              "the vehicle would be longer than " +
+                  hours_text(*request.under_ice.max_time_without_surfacing) +
+                  " without a place where it may surface",
+              "allow more time (--max-time-without-surfacing) or denser ice to surface in "
+              "(--max-concentration-to-surface), or depart at another time"};
     case motion::EdgeClosed::too_late:
     case motion::EdgeClosed::obstacle:
       return {
@@ -92,6 +113,8 @@ Constraint constraint_of(motion::EdgeClosed closed, bool out_of_time) {
     case motion::EdgeClosed::too_shallow: return Constraint::depth;
     case motion::EdgeClosed::on_land: return Constraint::land;
     case motion::EdgeClosed::in_zone: return Constraint::zone;
+    case motion::EdgeClosed::under_ice:
+    case motion::EdgeClosed::no_surfacing: return Constraint::ice;
     case motion::EdgeClosed::too_late:
     case motion::EdgeClosed::obstacle: return Constraint::iceberg;
   }
@@ -144,6 +167,8 @@ Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat pla
           "move it, depart at another time, or reduce the margin (--margin) or the error that is allowed for "
           "(--max-inflation)"};
     case motion::EdgeClosed::outside_data:
+    case motion::EdgeClosed::under_ice:
+    case motion::EdgeClosed::no_surfacing:
     case motion::EdgeClosed::too_late:
     case motion::EdgeClosed::current_too_strong: break;
   }
@@ -185,7 +210,7 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
   motion::EdgeClosed binding = on_land;
   std::ptrdiff_t most = 0;
   for (const motion::EdgeClosed kind :
-       {outside_data, current_too_strong, too_shallow, on_land, in_zone, obstacle}) {
+       {outside_data, current_too_strong, no_surfacing, under_ice, too_shallow, on_land, in_zone, obstacle}) {
     const auto count = std::ranges::count(search.closed_at_nearest, kind);
     if (count > most) {
       most = count;
@@ -194,13 +219,28 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
   }
   Words words = words_for(binding, sea, request, search.out_of_time, search.nearest, search.nearest_arrival);
   if (search.cut_short) words.explanation += " (the search for ways that open later was cut short)";
-  const bool by_data = binding == outside_data || binding == current_too_strong;
+  const bool by_data = binding == outside_data || binding == current_too_strong || binding == under_ice ||
+                       binding == no_surfacing;
   return {by_data ? words.reason : Reason::goal_unreachable,
           sea.projection().to_lon_lat(search.nearest),
           clock(request, search.nearest_arrival),
           "no way was found to the goal; the nearest place reached is marked, where " + words.explanation,
           words.suggestion + "; a finer grid (--spacing) finds narrower passages",
           constraint_of(binding, search.out_of_time)};
+}
+
+Infeasible explain_no_escape(const Sea& sea, const PlanRequest& request, geo::PlanePoint place,
+                             core::Seconds when) {
+  const auto bound = request.under_ice.max_time_without_surfacing;
+  return {Reason::no_escape,
+          sea.projection().to_lon_lat(place),
+          clock(request, when),
+          "from this waypoint no way leads to a place where the vehicle may surface" +
+              (bound ? " before it has been " + hours_text(*bound) + " without one" : std::string{}) +
+              ", within 200 steps of the grid",
+          "allow more time (--max-time-without-surfacing) or denser ice to surface in "
+          "(--max-concentration-to-surface), choose a wider spacing, or plan without --escape-plan",
+          Constraint::ice};
 }
 
 Infeasible explain_cancelled(const PlanRequest& request) {

@@ -22,6 +22,10 @@ enum class Stop { start, via, goal };
 [[nodiscard]] Infeasible explain_search(const RouteSearch& search, const Sea& sea,
                                         const PlanRequest& request);
 
+/// Says from which place of a route no way leads to where the vehicle may surface.
+[[nodiscard]] Infeasible explain_no_escape(const Sea& sea, const PlanRequest& request, geo::PlanePoint place,
+                                           core::Seconds when);
+
 [[nodiscard]] Infeasible explain_cancelled(const PlanRequest& request);
 [[nodiscard]] Infeasible explain_too_large(double vertices, const PlanRequest& request);
 [[nodiscard]] Infeasible explain_too_many_icebergs(std::size_t icebergs, const PlanRequest& request);

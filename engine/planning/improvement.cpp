@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/planning/refinement.hpp"
+#include "engine/planning/route_cost.hpp"
 #include "engine/planning/straightening.hpp"
 
 namespace floeplan::planning {
@@ -61,6 +62,12 @@ Route thinned(const Sea& sea, const Route& route, std::size_t most, const std::s
   return timed ? thin_to(legs, std::move(*timed), most).route : route;
 }
 
+/// Whether the time without a possible surfacing stays within its bound. Refinement times each leg alone, and the
+/// drive along other legs is looked at in other places, which may count a little more time under ice.
+bool keeps_bound(const Sea& sea, const Route& route) {
+  return !sea.bounds_surfacing() || arrivals_along(sea, route.points, at_departure).has_value();
+}
+
 }  // namespace
 
 Improved improve(const Sea& sea, const Route& way, const PlanRequest& request, const std::stop_token& stop,
@@ -73,7 +80,10 @@ Improved improve(const Sea& sea, const Route& way, const PlanRequest& request, c
   // Refinement has cut the number already; where it could not, this cannot either.
   if (const auto most = most_legs(request)) improved.route = thinned(sea, improved.route, *most, stop);
   if (request.max_leg) improved.route = part_long_legs(sea, improved.route, *request.max_leg);
-  return improved;
+  if (keeps_bound(sea, improved.route)) return improved;
+  const Route joined = join_collinear(way);
+  const Route straightened = request.refine ? drop_needless_points(sea, joined, at_departure, stop) : joined;
+  return {keeps_bound(sea, straightened) ? straightened : way, std::nullopt};
 }
 
 }  // namespace floeplan::planning

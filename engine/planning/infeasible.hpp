@@ -25,6 +25,9 @@ enum class Reason {
   too_shallow,         // a given route crosses land or shallow water
   near_iceberg,        // a given route passes an iceberg too closely
   in_zone,             // a given route breaks the rule of a zone
+  under_ice,           // no room to pass below the ice
+  no_surfacing,        // the vehicle would be too long without a place where it may surface
+  no_escape,           // from somewhere on the route no way leads to where it may surface
   goal_unreachable,    // every way is closed
   arrival_too_early,   // even the earliest departure arrives later than asked for
   energy_exceeded,     // the battery does not last
@@ -39,6 +42,7 @@ enum class Constraint {
   current,
   depth,
   land,
+  ice,
   iceberg,
   zone,
   data_area,

@@ -66,6 +66,9 @@ std::string reason_name(Reason reason) {
     case Reason::too_shallow: return "too_shallow";
     case Reason::near_iceberg: return "near_iceberg";
     case Reason::in_zone: return "in_zone";
+    case Reason::under_ice: return "under_ice";
+    case Reason::no_surfacing: return "no_surfacing";
+    case Reason::no_escape: return "no_escape";
     case Reason::goal_unreachable: return "goal_unreachable";
     case Reason::arrival_too_early: return "arrival_too_early";
     case Reason::energy_exceeded: return "energy_exceeded";
@@ -81,6 +84,7 @@ std::string constraint_name(Constraint constraint) {
     case Constraint::depth: return "depth";
     case Constraint::land: return "land";
     case Constraint::iceberg: return "iceberg";
+    case Constraint::ice: return "ice";
     case Constraint::zone: return "zone";
     case Constraint::data_area: return "data_area";
     case Constraint::data_period: return "data_period";

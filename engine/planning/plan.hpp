@@ -12,6 +12,7 @@
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/refinement_report.hpp"
 #include "engine/planning/uncertainty_report.hpp"
+#include "engine/planning/surfacing_plan.hpp"
 #include "engine/vehicle/drive.hpp"
 
 namespace floeplan::planning {
@@ -85,6 +86,7 @@ struct Plan {
   Clearances clearances;
   std::optional<double>
       iceberg_encounters;  // expected in all: how often within the margin of a hull, on the average
+  std::optional<SurfacingPlan> surfacing;  // where something is known of ice or surfacings were asked for
   std::optional<PlanEnergy> energy;
   std::optional<double> optimality_gap;
   std::string optimality_gap_reason;  // why the gap is not given; empty when it is

@@ -9,6 +9,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/coast_lines.hpp"
 #include "engine/planning/plane_distance.hpp"
+#include "engine/planning/surfacing.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -120,6 +121,25 @@ void warn_of_extended_currents(Plan& plan, const Sea& sea, const std::vector<geo
   plan.warnings.emplace_back(text);
 }
 
+void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
+                    const std::vector<geo::PlanePoint>& route, const std::vector<core::Seconds>& arrivals) {
+  const UnderIceRules& rules = request.under_ice;
+  const bool asked = rules.max_time_without_surfacing || rules.surfacing_interval || rules.escape_plan;
+  if (!sea.ice() && !asked) return;
+  plan.surfacing = plan_surfacings(sea, request, route, arrivals);
+  if (plan.surfacing->unknown_ice.value > 0.0) {
+    char text[160];
+    std::snprintf(
+        text, sizeof text,
+        "nothing is known of the ice on %.1f km of the route: passed, but not counted on for surfacing",
+        plan.surfacing->unknown_ice.value / 1000.0);
+    plan.warnings.emplace_back(text);
+  }
+  if (!plan.surfacing->waypoints.back().may_surface)
+    plan.warnings.emplace_back(
+        "the vehicle may not surface at the goal: the ice there is too dense or unknown");
+}
+
 }  // namespace
 
 Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const PlanRequest& request,
@@ -159,6 +179,7 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
   plan.datasets = environment.datasets;
   plan.warnings = environment.warnings;
   warn_of_extended_currents(plan, sea, route);
+  add_surfacings(plan, sea, request, route, arrivals);
   return plan;
 }
 

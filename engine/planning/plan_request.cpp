@@ -74,6 +74,7 @@ core::Violations PlanRequest::violations() const {
           "must be between 1e-9 and 1e-2");
   const core::Violations of_icebergs = icebergs.violations();
   found.insert(found.end(), of_icebergs.begin(), of_icebergs.end());
+  for (core::Violation& violation : under_ice.violations()) found.push_back(std::move(violation));
   return found;
 }
 

@@ -12,6 +12,7 @@
 #include "engine/planning/iceberg_rules.hpp"
 #include "engine/planning/objective.hpp"
 #include "engine/planning/uncertainty_rules.hpp"
+#include "engine/planning/under_ice_rules.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::planning {
@@ -52,6 +53,7 @@ struct PlanRequest {
   std::vector<ocean::Zone> zones;       // obeyed beside those of the environment
   IcebergRules icebergs;
   UncertaintyRules uncertainty;
+  UnderIceRules under_ice;      // where there is sea ice
   double edge_tolerance{1e-4};  // relative, of an edge's travel time
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them

@@ -7,6 +7,7 @@
 #include "engine/planning/battery_check.hpp"
 #include "engine/planning/chart.hpp"
 #include "engine/planning/cost_plan.hpp"
+#include "engine/planning/escape.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/improvement.hpp"
 #include "engine/planning/late_openings.hpp"
@@ -32,8 +33,10 @@ FoundWay straight_way(const Layout& layout) {
 }
 
 /// The plan of a route, timed once more by the one cost.
-Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, const PlanRequest& request,
-                     const Improved& improved, const SearchStatistics& statistics) {
+Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, const PlanRequest& request,
+                     const Improved& improved, const SearchStatistics& statistics,
+                     const std::stop_token& stop) {
+  const Sea& sea = chart.sea;
   const std::vector<geo::PlanePoint>& points = improved.route.points;
   const auto arrivals = arrivals_along(sea, points, at_departure);
   if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request));
@@ -47,6 +50,12 @@ Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, cons
         "refinement ran out of its time; with more, or on another machine, the route may be a little faster");
   }
   if (statistics.worst_fifo_violation) plan.warnings.push_back(describe(*statistics.worst_fifo_violation));
+  if (request.under_ice.escape_plan) {
+    auto escapes =
+        plan_escapes(sea, chart.layout, request, points, *arrivals, plan.surfacing->waypoints, stop);
+    if (!escapes) return tl::unexpected(std::move(escapes.error()));
+    plan.surfacing->escapes = std::move(*escapes);
+  }
   if (request.max_waypoints && plan.waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) {
     plan.warnings.push_back(
         "the route needs more waypoints than asked for; without them it would be closed or have longer legs "
@@ -92,7 +101,7 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   progress("refinement", 0.9);
   const Improved improved = improve(chart->sea, way.route, request, stop, clock);
   if (stop.stop_requested()) return {tl::unexpected(explain_cancelled(request))};
-  Result<Plan> plan = publish(chart->sea, environment, request, improved, way.statistics);
+  Result<Plan> plan = publish(*chart, environment, request, improved, way.statistics, stop);
   if (plan && way.cut_short) {
     plan->warnings.push_back(
         "the search for better ways past what clears later was cut short at its bound on memory");

@@ -97,6 +97,20 @@ class Relaxation {
     }
   }
 
+  void stay_longer_under_ice() {
+    if (!request_.under_ice.max_time_without_surfacing) return;
+    const double now = request_.under_ice.max_time_without_surfacing->count();
+    const auto with = [&](double time_s) {
+      PlanRequest changed = request_;
+      changed.under_ice.max_time_without_surfacing = core::Seconds{time_s};
+      return changed;
+    };
+    const auto needed = nearest_that_helps(now, 8.0 * now, 600.0, with);
+    if (!needed) return;
+    add("under_ice/max_time_without_surfacing_s", now, *needed, *needed / now,
+        written("allow %.2f h without a place to surface instead of %.2f h", *needed / 3600.0, now / 3600.0));
+  }
+
   void refine_the_grid() {
     if (!request_.spacing_along) return;
     const double now = request_.spacing_along->value;
@@ -172,6 +186,10 @@ std::vector<Change> find_changes(const ocean::Environment& environment, const Pl
       relaxation.shrink_margin();
       relaxation.allow_for_less_error();
       relaxation.refine_the_grid();
+      break;
+    case Constraint::ice:
+      relaxation.stay_longer_under_ice();
+      relaxation.depart_later();
       break;
     case Constraint::zone:
       relaxation.leave_out_a_zone();

@@ -19,6 +19,7 @@ struct RouteClosed {
 /// Arrival at every point of a route of straight legs, the departure first. The one cost that every plan is
 /// published with, whatever found it.
 [[nodiscard]] tl::expected<std::vector<core::Seconds>, RouteClosed> arrivals_along(
-    const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart);
+    const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
+    core::Seconds since_surfacing = core::Seconds{0.0});
 
 }  // namespace floeplan::planning

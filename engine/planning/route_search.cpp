@@ -12,6 +12,7 @@
 #include "engine/planning/late_openings.hpp"
 #include "engine/planning/openings.hpp"
 #include "engine/planning/route_cost.hpp"
+#include "engine/planning/surfacing_search.hpp"
 #include "engine/planning/voyage.hpp"
 
 namespace floeplan::planning {
@@ -106,7 +107,10 @@ void look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& op
 
 RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
                          core::Seconds depart, const std::stop_token& stop,
-                         const std::function<void(double)>& report_fraction, core::Seconds latest) {
+                         const std::function<void(double)>& report_fraction, core::Seconds latest,
+                         core::Seconds since_surfacing) {
+  if (sea.bounds_surfacing())
+    return search_with_surfacings(sea, open, depart, since_surfacing, stop, report_fraction);
   const RouteGrid& grid = open.grid;
   const graph::GridGraph& graph = open.graph;
   RouteSearch result;

@@ -22,17 +22,20 @@ struct RouteSearch {
   bool cut_short{false};    // a bound on memory was met: a better way past what opens again may exist
   geo::PlanePoint nearest;  // the reached point nearest to the goal: where the search stopped
   core::Seconds nearest_arrival{};
-  bool out_of_time{false};  // some way onward has data now, but they end before it does
+  core::Seconds since_surfacing{};  // at the goal, where the time without surfacing is bounded
+  bool out_of_time{false};          // some way onward has data now, but they end before it does
   std::vector<motion::EdgeClosed> closed_at_nearest;  // why its outgoing edges were closed, one entry each
 };
 
 /// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct). Where
 /// something that is closed for a while opens again before that arrival, also for ways that arrive somewhere later
-/// than they could.
+/// than they could. Where the time without surfacing is bounded, by search_with_surfacings whatever the method.
 /// `latest`: when the goal can certainly be reached by then, later ways need not be looked at, nor legs that open later.
+/// `since_surfacing`: at the start, when that time is bounded.
 [[nodiscard]] RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
                                        core::Seconds depart, const std::stop_token& stop,
                                        const std::function<void(double)>& report_fraction,
-                                       core::Seconds latest = core::Seconds{INFINITY});
+                                       core::Seconds latest = core::Seconds{INFINITY},
+                                       core::Seconds since_surfacing = core::Seconds{0.0});
 
 }  // namespace floeplan::planning

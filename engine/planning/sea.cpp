@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/motion/drive_looks.hpp"
 #include "engine/motion/edge_time_back.hpp"
 
 namespace floeplan::planning {
@@ -19,6 +20,13 @@ std::optional<PlaneCurrents> lay_out(const ocean::Environment& environment, cons
   if (!environment.currents) return std::nullopt;
   return PlaneCurrents{
       *environment.currents, environment.steady_currents, depths, projection, area, request.depart, stop};
+}
+
+std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment, const PlanRequest& request,
+                                    const geo::LocalProjection& projection, const PlaneBox& area,
+                                    core::Metres step, const std::stop_token& stop) {
+  if (!environment.ice) return std::nullopt;
+  return UnderIce{environment, request, projection, area, step, stop};
 }
 
 /// A step no longer than a cell of the data, nor than the time between two of its slices.
@@ -80,6 +88,7 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       icebergs_{environment, request.icebergs, projection,
                 area,        request.depart,   forecast_horizon(environment, request),
                 stop},
+      ice_{lay_out_ice(environment, request, projection, area, cell, stop)},
       depths_{request.vehicle.dive_limits(), environment.bathymetry},
       currents_{lay_out(environment, request, depths_, projection, area, stop)},
       energy_{request.vehicle, depths_, projection, area, stop} {
@@ -159,18 +168,26 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
                                                               core::Seconds depart, core::Seconds latest,
                                                               vehicle::Drive drive) const {
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  if (!has_timed_closures()) {
+  const bool below_ice = ice_ && ice_->has_dense_ice();
+  if (!has_timed_closures() && !below_ice) {
     return drive_time({a, b, ground_length(a, b)}, depart, latest, speed(drive), motion::VisitNoPiece{});
   }
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   const double error_m = edge_tolerance_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
   return drive_time(edge, depart, latest, speed(drive),
                     [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
-                      if (timed_zones_.forbid(edge, piece)) return motion::EdgeClosed::in_zone;
-                      if (!icebergs_.standing() && icebergs_.touched(edge, piece, error_m))
-                        return motion::EdgeClosed::obstacle;
+                      if (const auto closed = closed_then(edge, piece, error_m)) return closed;
+                      if (below_ice && !ice_->may_transit_along(edge, piece))
+                        return motion::EdgeClosed::under_ice;
                       return std::nullopt;
                     });
+}
+
+std::optional<motion::EdgeClosed> Sea::closed_then(const motion::PlaneEdge& edge,
+                                                   const motion::EdgePiece& piece, double error_m) const {
+  if (timed_zones_.forbid(edge, piece)) return motion::EdgeClosed::in_zone;
+  if (!icebergs_.standing() && icebergs_.touched(edge, piece, error_m)) return motion::EdgeClosed::obstacle;
+  return std::nullopt;
 }
 
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_without_timed_closures(
@@ -214,11 +231,46 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
   const auto time =
       currents_ ? motion::edge_time_back(edge, arrive, through_water(), *currents_, accuracy_, earliest)
                 : edge.ground_length / through_water();
-  if (!time || !has_timed_closures()) return time;
-  // What closes for a while is tested along the drive itself.
+  const bool below_ice = ice_ && ice_->has_dense_ice();
+  if (!time || !(has_timed_closures() || below_ice)) return time;
+  // What closes for a while, and the room below the ice, is tested along the drive itself.
   const auto forwards = leg_time(a, b, arrive - *time);
   if (!forwards) return tl::unexpected(forwards.error());
   return time;
+}
+
+tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::PlanePoint b,
+                                                    core::Seconds depart,
+                                                    core::Seconds since_surfacing) const {
+  if (!ice_) {
+    return leg_time(a, b, depart).map([](core::Seconds time) { return Leg{time, core::Seconds{0.0}}; });
+  }
+  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
+  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  IceWatch watch{*ice_, edge, since_surfacing};
+  const double error_m = edge_tolerance_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+  const auto time = drive_time(edge, depart, core::Seconds{INFINITY},
+                               [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+                                 if (const auto closed = closed_then(edge, piece, error_m)) return closed;
+                                 return watch(piece);
+                               });
+  if (!time) return tl::unexpected(time.error());
+  return Leg{*time, watch.since_surfacing()};
+}
+
+std::vector<Sea::Passage> Sea::passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
+                                        core::Metres step) const {
+  std::vector<Passage> result;
+  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  const auto note = [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+    motion::look_along(edge, piece, step, [&](geo::PlanePoint point, core::Seconds time) {
+      result.push_back({point, time});
+      return true;
+    });
+    return std::nullopt;
+  };
+  [[maybe_unused]] const auto time = drive_time(edge, depart, core::Seconds{INFINITY}, note);
+  return result;
 }
 
 bool Sea::currents_known(geo::PlanePoint point, core::Seconds time) const {

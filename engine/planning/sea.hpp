@@ -14,6 +14,7 @@
 #include "engine/planning/plane_currents.hpp"
 #include "engine/planning/safety_map.hpp"
 #include "engine/planning/timed_zones.hpp"
+#include "engine/planning/under_ice.hpp"
 #include "engine/planning/zone_rules.hpp"
 #include "engine/vehicle/drive.hpp"
 
@@ -63,6 +64,30 @@ class Sea {
                                                                               geo::PlanePoint b,
                                                                               core::Seconds arrive,
                                                                               core::Seconds earliest) const;
+  /// The same for a vehicle that was `since_surfacing` ago at a place where it might have surfaced; no_surfacing where
+  /// that becomes longer than the request allows, anywhere on the leg.
+  struct Leg {
+    core::Seconds time;
+    core::Seconds since_surfacing;  // at its end; zero where there is no ice
+  };
+  [[nodiscard]] tl::expected<Leg, motion::EdgeClosed> leg(geo::PlanePoint a, geo::PlanePoint b,
+                                                          core::Seconds depart,
+                                                          core::Seconds since_surfacing) const;
+  /// Where a vehicle is, and when.
+  struct Passage {
+    geo::PlanePoint point;
+    core::Seconds time;
+  };
+  /// The vehicle along an open leg, at most `step` apart, its end included and its beginning not.
+  [[nodiscard]] std::vector<Passage> passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
+                                              core::Metres step) const;
+  /// Whether the vehicle may come to the surface: anywhere where nothing is known of ice in the whole area.
+  [[nodiscard]] bool may_surface(geo::PlanePoint point, core::Seconds time) const {
+    return !ice_ || ice_->may_surface(point, time);
+  }
+  /// Whether the time without a possible surfacing is bounded, so that a leg depends on those before it.
+  [[nodiscard]] bool bounds_surfacing() const { return ice_ && ice_->longest_without_surfacing(); }
+
   /// Never more than the time of any straight way between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
   /// The same on one drive.
@@ -81,6 +106,7 @@ class Sea {
   /// Whether something is closed at some times only, so that arriving later can be better.
   [[nodiscard]] bool has_timed_closures() const { return !timed_zones_.empty() || !icebergs_.standing(); }
   [[nodiscard]] const TimedZones& timed_zones() const { return timed_zones_; }
+  [[nodiscard]] const std::optional<UnderIce>& ice() const { return ice_; }
   [[nodiscard]] const std::optional<PlaneCurrents>& currents() const { return currents_; }
   [[nodiscard]] core::Metres ground_length(geo::PlanePoint a, geo::PlanePoint b) const;
 
@@ -89,6 +115,10 @@ class Sea {
       const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
       const std::stop_token& stop);
   [[nodiscard]] double scale_at(geo::PlanePoint point) const;
+  /// Whether a timed zone or an iceberg that moves closes a piece of a drive.
+  [[nodiscard]] std::optional<motion::EdgeClosed> closed_then(const motion::PlaneEdge& edge,
+                                                              const motion::EdgePiece& piece,
+                                                              double error_m) const;
   template <class VisitPiece>
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time(
       const motion::PlaneEdge& edge, core::Seconds depart, core::Seconds latest,
@@ -104,6 +134,7 @@ class Sea {
   SafetyMap safety_;
   TimedZones timed_zones_;
   IcebergDiscs icebergs_;
+  std::optional<UnderIce> ice_;            // empty: nothing is known of ice
   FlownDepths depths_;
   std::optional<PlaneCurrents> currents_;  // empty: still water
   EnergyMap energy_;

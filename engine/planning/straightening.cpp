@@ -17,17 +17,17 @@ std::optional<core::Seconds> arrival_without(const Sea& sea, const Route& route,
   return depart + *time;
 }
 
-/// Whether the route goes on when the point after `i` is reached at `arrival`: coming earlier than before may meet a
-/// closure that it had been late enough to miss.
-bool still_passable(const Sea& sea, const Route& route, std::size_t i, core::Seconds arrival) {
-  const std::vector<geo::PlanePoint> rest(route.points.begin() + static_cast<std::ptrdiff_t>(i) + 1,
-                                          route.points.end());
-  return arrivals_along(sea, rest, arrival).has_value();
-}
-
 void erase(Route& route, std::size_t i) {
   route.points.erase(route.points.begin() + static_cast<std::ptrdiff_t>(i));
   route.fixed.erase(route.fixed.begin() + static_cast<std::ptrdiff_t>(i));
+}
+
+/// Whether the route stays open when `i` is left out: coming earlier than before may meet a closure that it had been
+/// late enough to miss, and where the time without a surfacing is bounded, a leg depends on those before it.
+bool still_passable(const Sea& sea, const Route& route, std::size_t i, core::Seconds depart) {
+  Route shorter = route;
+  erase(shorter, i);
+  return arrivals_along(sea, shorter.points, depart).has_value();
 }
 
 }  // namespace
@@ -69,7 +69,7 @@ Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds dep
           to_here ? sea.leg_time(result.points[i], result.points[i + 1], now + *to_here) : to_here;
       if (!onward) return result;  // a route that is closed itself is left as it is
       const auto without = result.fixed[i] ? std::nullopt : arrival_without(sea, result, i, now);
-      if (without && *without <= now + *to_here + *onward && still_passable(sea, result, i, *without)) {
+      if (without && *without <= now + *to_here + *onward && still_passable(sea, result, i, depart)) {
         erase(result, i);
         changed = true;
       } else {

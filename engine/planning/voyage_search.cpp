@@ -60,6 +60,7 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grid
                                const std::function<void(double)>& report_fraction,
                                const FoundWay* other_departure) {
   FoundWay found;
+  core::Seconds since_surfacing{0.0};
   found.route.points.push_back(grids.front().grid.point(grids.front().grid.start));
   found.route.fixed.push_back(true);
   for (std::size_t i = 0; i < grids.size(); ++i) {
@@ -67,7 +68,7 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grid
       const auto report = [&](double fraction) {
         report_fraction((static_cast<double>(i) + fraction) / static_cast<double>(grids.size()));
       };
-      return search_route(sea, grids[i], request, depart, stop, report, latest);
+      return search_route(sea, grids[i], request, depart, stop, report, latest, since_surfacing);
     };
     const bool bounded = other_departure != nullptr && !sea.has_timed_closures();
     const core::Seconds latest =
@@ -82,9 +83,10 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grid
     if (search.cancelled) return tl::unexpected(explain_cancelled(request));
     if (search.path.empty()) return tl::unexpected(explain_search(search, sea, request));
 
-    const auto arrivals = arrivals_along(sea, search.path, depart);
+    const auto arrivals = arrivals_along(sea, search.path, depart, since_surfacing);
     if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request));
     depart = arrivals->back();
+    since_surfacing = search.since_surfacing;
     found.touches_rim = found.touches_rim || touches_rim(search.path, grids[i].grid);
     for (std::size_t p = 1; p < search.path.size(); ++p) {
       found.route.points.push_back(search.path[p]);

@@ -58,6 +58,26 @@ inline std::shared_ptr<const ocean::Bathymetry> bathymetry_from(
   return std::make_shared<const ocean::Bathymetry>(grid, std::move(depths));
 }
 
+/// Ice at the given hours from sea_start_s by a function of place and hour; NaN: nothing is known.
+inline std::shared_ptr<const ocean::IceField> ice_from(
+    const std::function<double(geo::LonLat, double hour)>& concentration, const std::vector<double>& hours,
+    std::optional<double> thickness_m = std::nullopt) {
+  const ocean::HorizontalGrid grid = sea_grid();
+  std::vector<double> times;
+  for (const double hour : hours) times.push_back(sea_start_s + 3600.0 * hour);
+  ocean::IceField::Samples samples{
+      .grid = grid, .times_s = ocean::Axis{times}, .concentration = {}, .thickness_m = {}};
+  for (const double hour : hours) {
+    for (std::size_t iy = 0; iy < grid.y().size(); ++iy) {
+      for (std::size_t ix = 0; ix < grid.x().size(); ++ix) {
+        samples.concentration.push_back(static_cast<float>(concentration(grid.place(ix, iy), hour)));
+        if (thickness_m) samples.thickness_m.push_back(static_cast<float>(*thickness_m));
+      }
+    }
+  }
+  return std::make_shared<const ocean::IceField>(std::move(samples));
+}
+
 inline ocean::Iceberg iceberg_at(geo::LonLat place, double length_m) {
   ocean::Iceberg berg;
   berg.id = "berg";

@@ -1,0 +1,65 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "engine/graph/arrival_queue.hpp"
+#include "engine/graph/edge_travel_time.hpp"
+#include "engine/graph/search_tree.hpp"
+#include "engine/graph/tve_search.hpp"
+
+namespace floeplan::graph {
+
+/// What a search for any of many goals found.
+struct NearestGoal {
+  SearchTree tree;
+  std::optional<Vertex> goal;  // the goal that is reached first; empty: none by then
+};
+
+/// The goal that is reached first from a vertex, where a goal may depend on the time of arrival: `is_goal(v,
+/// arrival)`. Exact under FIFO for goals that stay goals; arrivals after `latest` are of no use.
+/// Stops    early, and says so in the tree, once `stop` is requested
+/// Source   Dijkstra's search on arrival times, ended at the first settled goal (Dreyfus 1969, see
+///          label_setting_search.hpp)
+template <EdgeTravelTime TravelTime, class IsGoal>
+NearestGoal find_nearest_goal(const GridGraph& graph, Vertex source, core::Seconds depart,
+                              core::Seconds latest, const TravelTime& travel_time, const IsGoal& is_goal,
+                              const std::stop_token& stop) {
+  NearestGoal result{SearchTree{graph.size()}, std::nullopt};
+  SearchTree& tree = result.tree;
+  ArrivalQueue queue{graph.size()};
+  if (!graph.is_open(source)) return result;
+
+  tree.start(source, depart.count());
+  queue.insert(source, depart.count());
+  while (!queue.empty()) {
+    if (tree.counters.expansions % expansions_between_looks == 0 && stop.stop_requested()) {
+      tree.stopped = true;
+      break;
+    }
+    const Vertex u = queue.extract_min();
+    ++tree.counters.expansions;
+    const core::Seconds arrival_u{tree.arrival_s(u)};
+    if (is_goal(u, arrival_u)) {
+      result.goal = u;
+      break;
+    }
+    graph.for_each_edge(u, [&](const Edge& edge) {
+      ++tree.counters.edge_evaluations;
+      const core::Seconds known{tree.arrival_s(edge.head)};
+      const auto duration = travel_time(edge, arrival_u, known < latest ? known : latest);
+      if (!duration) return;
+      const core::Seconds arrival = arrival_u + core::Seconds{*duration};
+      if (!(arrival < known) || arrival > latest) return;
+      tree.reach(edge, arrival.count());
+      if (queue.holds(edge.head)) {
+        queue.decrease_key(edge.head, arrival.count());
+      } else {
+        queue.insert(edge.head, arrival.count());
+      }
+    });
+  }
+  return result;
+}
+
+}  // namespace floeplan::graph

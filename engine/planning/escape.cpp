@@ -1,0 +1,78 @@
+#include "engine/planning/escape.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geo/geodesic.hpp"
+#include "engine/graph/nearest_goal_search.hpp"
+#include "engine/planning/explanation.hpp"
+#include "engine/planning/straightening.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr int most_steps = 200;  // in every direction: a search of some tenths of a second
+
+/// A grid around a point with the steps of another one; the point is its start and, for want of one, its goal.
+RouteGrid grid_around(geo::PlanePoint point, const RouteGrid& steps) {
+  RouteGrid grid = steps;
+  grid.nx = 2 * most_steps + 1;
+  grid.ny = grid.nx;
+  grid.origin = {point.x_m - most_steps * (steps.along.x_m + steps.across.x_m),
+                 point.y_m - most_steps * (steps.along.y_m + steps.across.y_m)};
+  grid.start = static_cast<graph::Vertex>(most_steps * grid.nx + most_steps);
+  grid.goal = grid.start;
+  return grid;
+}
+
+EscapeWay describe(const Sea& sea, const std::vector<geo::PlanePoint>& points, core::Seconds time) {
+  EscapeWay escape{.way = {}, .course_deg = std::nullopt, .distance = core::Metres{0.0}, .time = time};
+  const Route route{points, std::vector<bool>(points.size(), false)};
+  for (const geo::PlanePoint point : join_collinear(route).points)
+    escape.way.push_back(sea.projection().to_lon_lat(point));
+  for (std::size_t i = 1; i < escape.way.size(); ++i) {
+    const geo::GeodesicLine leg = geo::geodesic_between(escape.way[i - 1], escape.way[i]);
+    if (i == 1) escape.course_deg = leg.course_at_start.degrees();
+    escape.distance = escape.distance + leg.length;
+  }
+  return escape;
+}
+
+}  // namespace
+
+Result<std::vector<EscapeWay>> plan_escapes(const Sea& sea, const Layout& layout, const PlanRequest& request,
+                                            const std::vector<geo::PlanePoint>& route,
+                                            const std::vector<core::Seconds>& arrivals,
+                                            const std::vector<SurfacingState>& waypoints,
+                                            const std::stop_token& stop) {
+  std::vector<EscapeWay> escapes;
+  const auto bound = request.under_ice.max_time_without_surfacing;
+  for (std::size_t i = 0; i < route.size(); ++i) {
+    if (waypoints[i].may_surface) {
+      escapes.push_back(describe(sea, {route[i]}, core::Seconds{0.0}));
+      continue;
+    }
+    const core::Seconds depart = arrivals[i];
+    const core::Seconds latest =
+        bound ? depart + (*bound - waypoints[i].since_surfacing) : core::Seconds{INFINITY};
+    const RouteGrid grid = grid_around(route[i], layout.grids.front());
+    const graph::GridGraph graph{grid.nx, grid.ny, request.sectors};
+    const auto travel_time = [&](const graph::Edge& edge, core::Seconds from, core::Seconds until) {
+      return sea.leg_time(grid.point(edge.tail), grid.point(edge.head), from, until);
+    };
+    const auto open = [&](graph::Vertex v, core::Seconds then) {
+      return sea.may_surface(grid.point(v), then);
+    };
+
+    const auto found = graph::find_nearest_goal(graph, grid.start, depart, latest, travel_time, open, stop);
+    if (found.tree.stopped) return tl::unexpected(explain_cancelled(request));
+    if (!found.goal) return tl::unexpected(explain_no_escape(sea, request, route[i], depart));
+    std::vector<geo::PlanePoint> points;
+    for (const graph::Vertex v : graph::path_to(graph, found.tree, *found.goal))
+      points.push_back(grid.point(v));
+    escapes.push_back(describe(sea, points, core::Seconds{found.tree.arrival_s(*found.goal)} - depart));
+  }
+  return escapes;
+}
+
+}  // namespace floeplan::planning

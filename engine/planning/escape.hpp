@@ -1,0 +1,26 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/layout.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/sea.hpp"
+#include "engine/planning/surfacing_plan.hpp"
+
+namespace floeplan::planning {
+
+/// The fastest way from each point of a route to a place where the vehicle may surface when it gets there, by a
+/// search of its own on the grid's steps around the point, at most 200 of them in every direction. Where the time
+/// without surfacing is bounded, the way keeps what is left of it.
+/// Precondition  `arrivals` and `waypoints` are those of the route
+/// Errors   Reason::no_escape at the first point without such a way; Reason::cancelled once `stop` is requested
+[[nodiscard]] Result<std::vector<EscapeWay>> plan_escapes(const Sea& sea, const Layout& layout,
+                                                          const PlanRequest& request,
+                                                          const std::vector<geo::PlanePoint>& route,
+                                                          const std::vector<core::Seconds>& arrivals,
+                                                          const std::vector<SurfacingState>& waypoints,
+                                                          const std::stop_token& stop);
+
+}  // namespace floeplan::planning

@@ -1,0 +1,106 @@
+#include "engine/planning/ice_cover.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+
+namespace floeplan::planning {
+namespace {
+
+constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+
+float keel_draft(float concentration, float thickness_m, const UnderIceRules& rules) {
+  if (!std::isnan(thickness_m)) return static_cast<float>(keel_over_thickness) * thickness_m;
+  return concentration > 0.0F ? static_cast<float>(rules.draft_if_unknown.value) : 0.0F;
+}
+
+}  // namespace
+
+IceCover::IceCover(const ocean::IceField& ice, const UnderIceRules& rules,
+                   const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch,
+                   const std::stop_token& stop)
+    : grid_{ice.samples().grid, projection, area, stop},
+      limit_{rules.max_concentration_to_surface},
+      spacing_{ice.samples().grid.spacing()} {
+  const ocean::IceField::Samples& samples = ice.samples();
+  for (const double time_s : samples.times_s.nodes()) times_s_.push_back(time_s - core::unix_seconds(epoch));
+  nodes_.reserve(times_s_.size() * grid_.size());
+  for (std::size_t t = 0; t < times_s_.size() && !stop.stop_requested(); ++t) {
+    for (std::size_t iy = 0; iy < grid_.ny(); ++iy) {
+      for (std::size_t ix = 0; ix < grid_.nx(); ++ix) {
+        const std::size_t i =
+            t * samples.grid.size() + grid_.row(iy) * samples.grid.x().size() + grid_.column(ix);
+        const float thickness_m = samples.thickness_m.empty() ? missing : samples.thickness_m[i];
+        nodes_.push_back(
+            {samples.concentration[i], keel_draft(samples.concentration[i], thickness_m, rules)});
+      }
+    }
+  }
+  has_dense_ice_ = std::ranges::any_of(
+      nodes_, [&](const Node& node) { return static_cast<double>(node.concentration) > limit_; });
+  if (!stop.stop_requested()) extend_to_coast();
+}
+
+void IceCover::extend_to_coast() {
+  const std::size_t nx = grid_.nx();
+  const std::size_t ny = grid_.ny();
+  for (std::size_t begin = 0; begin < nodes_.size(); begin += grid_.size()) {
+    const std::vector<Node> original(nodes_.begin() + static_cast<std::ptrdiff_t>(begin),
+                                     nodes_.begin() + static_cast<std::ptrdiff_t>(begin + grid_.size()));
+    for (std::size_t iy = 0; iy < ny; ++iy) {
+      for (std::size_t ix = 0; ix < nx; ++ix) {
+        if (!std::isnan(original[iy * nx + ix].concentration)) continue;
+        Node& node = nodes_[begin + iy * nx + ix];
+        for (std::size_t jy = iy > 0 ? iy - 1 : 0; jy <= std::min(iy + 1, ny - 1); ++jy) {
+          for (std::size_t jx = ix > 0 ? ix - 1 : 0; jx <= std::min(ix + 1, nx - 1); ++jx) {
+            const Node& neighbour = original[jy * nx + jx];
+            if (std::isnan(neighbour.concentration)) continue;
+            if (!(node.concentration >= neighbour.concentration))
+              node.concentration = neighbour.concentration;
+            node.draft_m = std::max(node.draft_m, neighbour.draft_m);
+          }
+        }
+      }
+    }
+  }
+}
+
+std::optional<IceCover::Moment> IceCover::moment(double time_s) const {
+  const double hold_s = ocean::longest_ice_hold.count();
+  if (!(time_s >= times_s_.front() - hold_s && time_s <= times_s_.back() + hold_s)) return std::nullopt;
+  const std::size_t last = times_s_.size() - 1;
+  if (time_s <= times_s_.front()) return Moment{0, 0, 0.0};
+  if (time_s >= times_s_.back()) return Moment{last, last, 0.0};
+  const auto after = static_cast<std::size_t>(std::ranges::upper_bound(times_s_, time_s) - times_s_.begin());
+  const double before_s = times_s_[after - 1];
+  return Moment{after - 1, after, (time_s - before_s) / (times_s_[after] - before_s)};
+}
+
+IceAbove IceCover::above(geo::PlanePoint point, core::Seconds time) const {
+  const auto cell = grid_.corner(point);
+  const auto when = moment(time.count());
+  if (!cell || !when) return {};
+
+  const std::size_t nx = grid_.nx();
+  double draft_m = 0.0;
+  const auto concentration_at = [&](std::size_t step) {
+    const Node* south = nodes_.data() + step * grid_.size() + cell->first;
+    const Node* north = south + nx;
+    for (const Node& node : {south[0], south[1], north[0], north[1]})
+      draft_m = std::max(draft_m, static_cast<double>(node.draft_m));
+    const auto along = [&](const Node* row) {
+      const auto west = static_cast<double>(row[0].concentration);
+      return west + cell->fx * (static_cast<double>(row[1].concentration) - west);
+    };
+    const double low = along(south);
+    return low + cell->fy * (along(north) - low);
+  };
+  double concentration = concentration_at(when->first);
+  if (when->share > 0.0) concentration += when->share * (concentration_at(when->second) - concentration);
+  if (std::isnan(concentration)) return {};
+  if (concentration <= limit_) return {.known = true, .may_surface = true, .draft_m = 0.0};
+  return {.known = true, .may_surface = false, .draft_m = draft_m};
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,62 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <stop_token>
+#include <vector>
+
+#include "engine/ocean/ice_field.hpp"
+#include "engine/planning/plane_grid.hpp"
+#include "engine/planning/under_ice_rules.hpp"
+
+namespace floeplan::planning {
+
+/// What is above a vehicle.
+struct IceAbove {
+  bool known{false};        // the data tell of the ice here and now
+  bool may_surface{false};  // they do, and it is little enough
+  double draft_m{};         // of the deepest keel; 0 where the vehicle may surface or nothing is known
+};
+
+/// The sea ice of a planning area at the time of passage: what the inner loop asks.
+/// Interpolation  concentration as the data's own: bilinear between its nodes, linear between its times; the draft is
+///                the deepest of the nodes and times around
+/// Coast    a node without data takes the most ice of its neighbours, one ring deep: masks of land are coarse
+/// Time     counted from `epoch`; the first and the last step hold for ocean::longest_ice_hold beyond
+/// Outside  nothing known beyond the nodes with data (and that ring) and that period
+/// Threads  const members may be called from several threads at once
+class IceCover {
+ public:
+  /// Once `stop` is requested the cover stays incomplete and must not be used.
+  IceCover(const ocean::IceField& ice, const UnderIceRules& rules, const geo::LocalProjection& projection,
+           const PlaneBox& area, core::UtcTime epoch, const std::stop_token& stop = {});
+
+  [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const;
+  /// Whether there is ice anywhere, at any time, through which the vehicle may not surface.
+  [[nodiscard]] bool has_dense_ice() const { return has_dense_ice_; }
+  /// Distance between the data's nodes.
+  [[nodiscard]] core::Metres spacing() const { return spacing_; }
+
+ private:
+  struct Node {
+    float concentration;  // NaN where nothing is known
+    float draft_m;
+  };
+  /// Steps around a time and the share of the way to the second.
+  struct Moment {
+    std::size_t first;
+    std::size_t second;
+    double share;
+  };
+  [[nodiscard]] std::optional<Moment> moment(double time_s) const;
+  void extend_to_coast();
+
+  PlaneGrid grid_;
+  std::vector<double> times_s_;  // since epoch
+  std::vector<Node> nodes_;      // [time][y][x]
+  double limit_;
+  bool has_dense_ice_{false};
+  core::Metres spacing_;
+};
+
+}  // namespace floeplan::planning

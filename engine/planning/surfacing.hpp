@@ -1,0 +1,23 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/sea.hpp"
+#include "engine/planning/surfacing_plan.hpp"
+
+namespace floeplan::planning {
+
+/// Follows a route that is open for ice: where the vehicle may surface, when it does, and how its position error
+/// grows between fixes.
+/// Fixes    at the planned surfacings where an interval is asked for, else wherever the vehicle may surface
+/// Surfacings  at the latest possible place before the interval is over; under ice that lasts longer, the last one
+///          before it and the first after it. The time spent at the surface is not counted
+/// Error    share of the distance through water + uncertainty of the currents times the time, since the last fix
+/// Precondition: `arrivals` are those of the route
+[[nodiscard]] SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
+                                            const std::vector<geo::PlanePoint>& route,
+                                            const std::vector<core::Seconds>& arrivals);
+
+}  // namespace floeplan::planning

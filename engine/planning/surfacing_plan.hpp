@@ -1,0 +1,44 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/lon_lat.hpp"
+
+namespace floeplan::planning {
+
+/// What ice means to the vehicle at one waypoint, at its ETA.
+struct SurfacingState {
+  bool may_surface{true};
+  core::Seconds since_surfacing{};  // since the last place where it might have surfaced
+  core::Metres position_error{};    // of dead reckoning since the last fix
+  core::Metres least_upper_turn{};  // how deep the dives must turn here; 0 where the vehicle may surface
+};
+
+/// A planned surfacing, with a fix of the position.
+struct PlannedSurfacing {
+  geo::LonLat place;
+  core::UtcTime time;
+  core::Metres position_error{};  // just before the fix
+};
+
+/// The fastest way from a waypoint to a place where the vehicle may surface.
+struct EscapeWay {
+  std::vector<geo::LonLat>
+      way;  // the waypoint first, the open water last; alone where it may surface at once
+  std::optional<double> course_deg;  // at its start, clockwise from true north
+  core::Metres distance{};
+  core::Seconds time{};
+};
+
+/// When and where the vehicle can show itself, and how well it knows where it is.
+struct SurfacingPlan {
+  core::Seconds longest_without{};           // the longest time between places where it may surface
+  core::Metres unknown_ice{};                // length of the route where nothing is known of the ice
+  std::vector<SurfacingState> waypoints;     // one for each
+  std::vector<PlannedSurfacing> surfacings;  // empty unless an interval was asked for
+  std::vector<EscapeWay> escapes;            // one for each waypoint, if they were asked for
+};
+
+}  // namespace floeplan::planning

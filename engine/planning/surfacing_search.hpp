@@ -1,0 +1,23 @@
+#pragma once
+
+#include <functional>
+#include <stop_token>
+
+#include "engine/planning/open_grid.hpp"
+#include "engine/planning/route_search.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// The earliest arrival at the goal of a grid along ways on which the time without a possible surfacing stays within
+/// the request's bound, everywhere on the way: a search over arrivals that also carries that time, because a way that
+/// passes open water may be the only one that goes on.
+/// Exact    where currents and ice do not change with time. Where they do, an arrival that is earlier and no worse
+///          as to its last possible surfacing is held to be better; it may be that a later one would meet a faster
+///          current, or ice that has opened since
+/// Stops    early and says so once `stop` is requested; a way is not found beyond four million arrivals
+[[nodiscard]] RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::Seconds depart,
+                                                 core::Seconds since_surfacing, const std::stop_token& stop,
+                                                 const std::function<void(double)>& report_fraction);
+
+}  // namespace floeplan::planning

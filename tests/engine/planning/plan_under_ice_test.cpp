@@ -1,0 +1,172 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/geo/geodesic.hpp"
+#include "engine/planning/plan_route.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using testing::Contains;
+using testing::HasSubstr;
+
+const core::ProgressCallback quiet = [](std::string_view, double) {};
+
+/// About 40 km eastwards; ice of 90 % between 53.25 W and 52.75 W, open north of 69.15 N.
+ocean::Environment band_of_ice() {
+  return {.ice = support::ice_from(
+              [](geo::LonLat p, double) {
+                return std::abs(p.lon_deg + 53.0) < 0.26 && p.lat_deg < 69.15 ? 0.9 : 0.0;
+              },
+              {0.0}, 1.0)};
+}
+
+Plan planned(const ocean::Environment& environment, const PlanRequest& request) {
+  const auto plan = plan_route(environment, request, {}, quiet);
+  if (plan) return *plan;
+  ADD_FAILURE() << reason_name(plan.error().reason) << ": " << plan.error().explanation;
+  return {};
+}
+
+TEST(PlanUnderIce, PassesBelowTheIceWhenNothingBoundsTheTimeThere) {
+  const Plan plan = planned(band_of_ice(), support::eastward_request());
+
+  ASSERT_TRUE(plan.surfacing);
+  EXPECT_EQ(plan.waypoints.size(), 2U);
+  EXPECT_NEAR(plan.surfacing->longest_without.count() / 3600.0, 17.7, 2.0);
+  EXPECT_TRUE(plan.surfacing->surfacings.empty());
+  EXPECT_EQ(plan.surfacing->waypoints.size(), plan.waypoints.size());
+}
+
+TEST(PlanUnderIce, GoesRoundTheIceWhenTheTimeBelowItWouldBeTooLong) {
+  PlanRequest request = support::eastward_request();
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 6.0};
+
+  const Plan plan = planned(band_of_ice(), request);
+
+  ASSERT_TRUE(plan.surfacing);
+  EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * 6.0);
+  EXPECT_GT(plan.waypoints.size(), 2U);
+  double northernmost = 0.0;
+  for (const Waypoint& waypoint : plan.waypoints)
+    northernmost = std::max(northernmost, waypoint.place.lat_deg);
+  EXPECT_GT(northernmost, 69.1);
+  EXPECT_GT(plan.arrival, planned(band_of_ice(), support::eastward_request()).arrival);
+}
+
+TEST(PlanUnderIce, SaysWhereTheVehicleWouldBeTooLongWithoutASurfacing) {
+  PlanRequest request = support::eastward_request();
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 3.0};
+  const ocean::Environment closed{
+      .ice =
+          support::ice_from([](geo::LonLat p, double) { return p.lon_deg > -53.3 ? 0.9 : 0.0; }, {0.0}, 1.0)};
+
+  const auto plan = plan_route(closed, request, {}, quiet);
+
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().reason, Reason::no_surfacing);
+  EXPECT_THAT(plan.error().explanation, HasSubstr("longer than 3 h"));
+}
+
+TEST(PlanUnderIce, TheStraightWayIsHeldToTheSameBound) {
+  PlanRequest request = support::eastward_request();
+  request.method = Method::direct;
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 6.0};
+
+  const auto plan = plan_route(band_of_ice(), request, {}, quiet);
+
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().reason, Reason::no_surfacing);
+}
+
+TEST(PlanUnderIce, TheErrorOfThePositionGrowsUntilTheVehicleMaySurfaceAgain) {
+  PlanRequest request = support::eastward_request();
+  request.to = {-53.0, 69.0};  // in the ice
+  request.under_ice.dead_reckoning_share = 0.1;
+  request.under_ice.current_uncertainty = core::MetresPerSecond{0.05};
+
+  const Plan plan = planned(band_of_ice(), request);
+
+  const SurfacingState& goal = plan.surfacing->waypoints.back();
+  EXPECT_FALSE(goal.may_surface);
+  EXPECT_NEAR(goal.position_error.value, (0.1 * 0.35 + 0.05) * goal.since_surfacing.count(), 1e-6);
+  EXPECT_NEAR(goal.least_upper_turn.value, 18.0, 1e-4);
+  EXPECT_EQ(plan.surfacing->waypoints.front().position_error.value, 0.0);
+  EXPECT_THAT(plan.warnings, Contains(HasSubstr("may not surface at the goal")));
+}
+
+TEST(PlanUnderIce, SurfacesAtIntervalsInOpenWaterAndBeforeAndAfterTheIce) {
+  PlanRequest request = support::eastward_request();
+  request.method = Method::direct;
+  request.under_ice.surfacing_interval = core::Seconds{3600.0 * 4.0};
+
+  const Plan open = planned({}, request);
+  const Plan icy = planned(band_of_ice(), request);
+
+  // 40 km at 0.35 m/s last nearly 32 h; a surfacing comes up to one look of 12 minutes before it is due.
+  EXPECT_EQ(open.surfacing->surfacings.size(), 8U);
+  for (const PlannedSurfacing& surfacing : open.surfacing->surfacings) {
+    EXPECT_LE(surfacing.position_error.value, (0.06 * 0.35 + 0.05) * 3600.0 * 4.0 + 1e-6);
+  }
+  const auto& planned_ones = icy.surfacing->surfacings;
+  ASSERT_GE(planned_ones.size(), 3U);
+  std::size_t gaps = 0;
+  for (std::size_t i = 1; i < planned_ones.size(); ++i) {
+    const core::Seconds gap = planned_ones[i].time - planned_ones[i - 1].time;
+    if (gap <= *request.under_ice.surfacing_interval) continue;
+    ++gaps;
+    EXPECT_NEAR(gap.count(), icy.surfacing->longest_without.count(), 1.0) << "it is the way under the ice";
+    EXPECT_GT(planned_ones[i].position_error.value, planned_ones[i - 1].position_error.value);
+  }
+  EXPECT_EQ(gaps, 1U);
+}
+
+TEST(PlanUnderIce, EveryWaypointHasAWayToOpenWater) {
+  PlanRequest request = support::eastward_request();
+  request.to = {-53.0, 69.0};
+  request.via = {{-53.15, 69.0}};
+  request.under_ice.escape_plan = true;
+
+  const Plan plan = planned(band_of_ice(), request);
+
+  ASSERT_EQ(plan.surfacing->escapes.size(), plan.waypoints.size());
+  const EscapeWay& at_start = plan.surfacing->escapes.front();
+  EXPECT_EQ(at_start.time.count(), 0.0);
+  EXPECT_EQ(at_start.way.size(), 1U);
+  const EscapeWay& from_goal = plan.surfacing->escapes.back();
+  // Open water begins about 16.5 km north and 10 to 11 km east and west of the goal.
+  EXPECT_NEAR(from_goal.distance.value, 11'000.0, 1500.0);
+  EXPECT_NEAR(from_goal.time.count(), from_goal.distance.value / 0.35, 60.0);
+  EXPECT_NEAR(geo::geodesic_between(from_goal.way.front(), from_goal.way.back()).length.value,
+              from_goal.distance.value, 200.0);
+}
+
+TEST(PlanUnderIce, WithoutAnEscapeThereIsNoPlanWhenOneWasAskedFor) {
+  PlanRequest request = support::eastward_request();
+  request.under_ice.escape_plan = true;
+  const ocean::Environment closed{.ice =
+                                      support::ice_from([](geo::LonLat, double) { return 0.9; }, {0.0}, 1.0)};
+
+  const auto plan = plan_route(closed, request, {}, quiet);
+
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().reason, Reason::no_escape);
+}
+
+TEST(PlanUnderIce, OpenWaterIsAssumedWithoutData) {
+  PlanRequest request = support::eastward_request();
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0};
+  request.under_ice.escape_plan = true;
+
+  const Plan plan = planned({}, request);
+
+  EXPECT_EQ(plan.surfacing->longest_without.count(), 0.0);
+  EXPECT_EQ(plan.surfacing->escapes.size(), 2U);
+  EXPECT_FALSE(planned({}, support::eastward_request()).surfacing);
+}
+
+}  // namespace
+}  // namespace floeplan::planning

@@ -1,0 +1,157 @@
+#include "engine/planning/under_ice.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/planning/sea.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+const geo::LocalProjection projection{{-53.0, 69.0}};
+constexpr PlaneBox area{{-40'000.0, -40'000.0}, {40'000.0, 40'000.0}};
+constexpr core::Seconds at_once{0.0};
+
+/// The glider of 200 m: 20 m of water, 10 m of them above the sea bed.
+PlanRequest request_in_ice() {
+  PlanRequest request = support::eastward_request();
+  request.under_ice.margin_below_ice = core::Metres{10.0};
+  return request;
+}
+
+/// Ice one metre thick, hence keels of 8 m, east of the middle.
+std::shared_ptr<const ocean::IceField> ice_in_the_east(double thickness_m = 1.0) {
+  return support::ice_from([](geo::LonLat p, double) { return p.lon_deg > -53.0 ? 0.9 : 0.0; }, {0.0},
+                           thickness_m);
+}
+
+TEST(UnderIce, KeepsTheUpperTurnTheMarginBelowTheKeels) {
+  const ocean::Environment environment{.ice = ice_in_the_east()};
+  const PlanRequest request = request_in_ice();
+  const UnderIce ice{environment, request, projection, area, core::Metres{500.0}};
+
+  EXPECT_EQ(ice.least_upper_turn({-20'000.0, 0.0}, at_once).value, 0.0);
+  EXPECT_NEAR(ice.least_upper_turn({20'000.0, 0.0}, at_once).value, 18.0, 1e-5);
+}
+
+TEST(UnderIce, PassesWhereAsMuchWaterIsLeftAsTheVehicleNeedsBelowTheSurface) {
+  const PlanRequest request = request_in_ice();
+  const auto may_pass = [&](double depth_m, double dive_depth_m) {
+    const ocean::Environment environment{
+        .bathymetry = support::bathymetry_from([=](geo::LonLat) { return depth_m; }),
+        .ice = ice_in_the_east()};
+    PlanRequest dive = request;
+    dive.vehicle.dive_depth = core::Metres{dive_depth_m};
+    return UnderIce{environment, dive, projection, area, core::Metres{500.0}}.may_transit({20'000.0, 0.0},
+                                                                                          at_once);
+  };
+
+  EXPECT_TRUE(may_pass(39.0, 200.0));  // 8 m of keel, 10 m of margin, 20 m of water
+  EXPECT_FALSE(may_pass(37.0, 200.0));
+  EXPECT_TRUE(may_pass(500.0, 29.0));  // 18 m to the upper turn, 10 m of dive
+  EXPECT_FALSE(may_pass(500.0, 27.0));
+}
+
+TEST(UnderIce, ClosesALegWithoutRoomBelowTheIceAndNoOther) {
+  const ocean::Environment environment{
+      .bathymetry = support::bathymetry_from([](geo::LonLat) { return 30.0; }), .ice = ice_in_the_east()};
+  const PlanRequest request = request_in_ice();
+  const Sea sea{environment, request, projection, area, core::Metres{500.0}};
+
+  EXPECT_TRUE(sea.leg_time({-30'000.0, 0.0}, {-15'000.0, 0.0}, at_once));
+  EXPECT_EQ(sea.leg_time({-30'000.0, 0.0}, {20'000.0, 0.0}, at_once).error(), motion::EdgeClosed::under_ice);
+}
+
+TEST(UnderIce, UsesTheIceOfTheTimeOfPassage) {
+  // Closed now, open in two days; the water is too shallow to pass below it.
+  const ocean::Environment environment{
+      .bathymetry = support::bathymetry_from([](geo::LonLat) { return 30.0; }),
+      .ice = support::ice_from([](geo::LonLat, double hour) { return hour < 30.0 ? 0.9 : 0.0; },
+                               {0.0, 24.0, 48.0}, 1.0)};
+  const PlanRequest request = request_in_ice();
+  const Sea sea{environment, request, projection, area, core::Metres{500.0}};
+
+  EXPECT_EQ(sea.leg_time({0.0, 0.0}, {5000.0, 0.0}, at_once).error(), motion::EdgeClosed::under_ice);
+  EXPECT_TRUE(sea.leg_time({0.0, 0.0}, {5000.0, 0.0}, core::Seconds{3600.0 * 48.0}));
+}
+
+TEST(UnderIce, PassesButDoesNotCountOnSurfacingWhereNothingIsKnown) {
+  const ocean::Environment environment{
+      .bathymetry = support::bathymetry_from([](geo::LonLat) { return 30.0; }),
+      .ice = support::ice_from([](geo::LonLat, double) { return std::nan(""); }, {0.0})};
+  const PlanRequest request = request_in_ice();
+  const Sea sea{environment, request, projection, area, core::Metres{500.0}};
+
+  EXPECT_TRUE(sea.leg_time({0.0, 0.0}, {5000.0, 0.0}, at_once));
+  EXPECT_FALSE(sea.may_surface({0.0, 0.0}, at_once));
+}
+
+TEST(SeaLeg, CountsTheTimeSinceTheVehicleMightHaveSurfaced) {
+  const ocean::Environment environment{.ice = ice_in_the_east()};
+  const PlanRequest request = request_in_ice();
+  const Sea sea{environment, request, projection, area, core::Metres{500.0}};
+
+  // The edge of the ice (one tenth) lies between the columns at 53.0 W and 52.9 W: a ninth of 0.1 degrees east of 53 W.
+  const double edge_m = projection.to_plane({-53.0 + 0.1 / 9.0, 69.0}).x_m;
+  const auto leg = sea.leg({-10'000.0, 0.0}, {10'000.0, 0.0}, at_once, core::Seconds{12'345.0});
+
+  ASSERT_TRUE(leg);
+  const double speed = request.vehicle.speed_through_water.value;
+  EXPECT_NEAR(leg->time.count(), 20'000.0 / speed, 60.0);
+  EXPECT_GE(leg->since_surfacing.count(), (10'000.0 - edge_m) / speed - 60.0);
+  EXPECT_LE(leg->since_surfacing.count(), (10'000.0 - edge_m + 500.0) / speed + 60.0);
+  const auto in_open_water = sea.leg({-10'000.0, 0.0}, {-5'000.0, 0.0}, at_once, core::Seconds{12'345.0});
+  EXPECT_EQ(in_open_water->since_surfacing.count(), 0.0);
+}
+
+TEST(SeaLeg, IsClosedWhereTheVehicleWouldBeTooLongUnderIceAlsoBetweenItsEnds) {
+  // A band of ice 20 km wide; both ends of the leg lie in open water.
+  const ocean::Environment environment{
+      .ice = support::ice_from(
+          [](geo::LonLat p, double) { return p.lon_deg > -53.25 && p.lon_deg < -52.75 ? 0.9 : 0.0; }, {0.0},
+          1.0)};
+  const auto leg = [&](double bound_h, double since_s) {
+    PlanRequest request = request_in_ice();
+    request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * bound_h};
+    const Sea sea{environment, request, projection, area, core::Metres{500.0}};
+    return sea.leg({-25'000.0, 0.0}, {25'000.0, 0.0}, at_once, core::Seconds{since_s});
+  };
+
+  EXPECT_TRUE(leg(20.0, 0.0));  // 22 km at 0.35 m/s last about 17 h
+  EXPECT_EQ(leg(20.0, 0.0)->since_surfacing.count(), 0.0);
+  EXPECT_EQ(leg(14.0, 0.0).error(), motion::EdgeClosed::no_surfacing);
+  EXPECT_TRUE(leg(20.0, 10'000.0)) << "open water comes before the ice";
+}
+
+TEST(SeaLeg, NeverCountsLessThanTheTrueTimeUnderIce) {
+  support::for_each_seed(30, [](std::mt19937_64& rng) {
+    const double phase = support::uniform(rng, 0.0, 6.28);
+    const auto concentration = [&](geo::LonLat p, double) {
+      return 0.5 + 0.5 * std::sin(20.0 * p.lon_deg + phase);
+    };
+    const ocean::Environment environment{.ice = support::ice_from(concentration, {0.0}, 1.0)};
+    const PlanRequest request = request_in_ice();
+    const Sea sea{environment, request, projection, area, core::Metres{1000.0}};
+    const geo::PlanePoint from{-30'000.0, support::uniform(rng, -20'000.0, 20'000.0)};
+    const geo::PlanePoint to{support::uniform(rng, 0.0, 30'000.0),
+                             support::uniform(rng, -20'000.0, 20'000.0)};
+
+    const auto leg = sea.leg(from, to, at_once, core::Seconds{0.0});
+
+    double since_s = 0.0;
+    double before_s = 0.0;
+    for (const Sea::Passage& fine : sea.passages(from, to, at_once, core::Metres{10.0})) {
+      since_s = sea.may_surface(fine.point, fine.time) ? 0.0 : since_s + fine.time.count() - before_s;
+      before_s = fine.time.count();
+    }
+    ASSERT_TRUE(leg);
+    EXPECT_NEAR(before_s, leg->time.count(), 1e-6);
+    EXPECT_GE(leg->since_surfacing.count(), since_s - 10.0 / 0.35);
+  });
+}
+
+}  // namespace
+}  // namespace floeplan::planning
