@@ -8,6 +8,7 @@
 
 #include "api/codec/dataset_document.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
+#include "api/codec/surfacing_document.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -179,6 +180,7 @@ planning::Plan parse_members(const json& document) {
   if (document.contains("iceberg_encounters")) {
     plan.iceberg_encounters = number_at(document, "iceberg_encounters");
   }
+  plan.surfacing = parse_surfacing(document);
   plan.energy = parse_energy(document);
   plan.optimality_gap = number_at(document, "optimality_gap");
   plan.optimality_gap_reason = document.at("optimality_gap_reason").get<std::string>();
@@ -218,7 +220,11 @@ json change_json(const planning::Change& change) {
 
 json plan_document(const planning::Plan& plan, const std::string& plan_id, const std::string& name) {
   json waypoints = json::array();
-  for (const auto& waypoint : plan.waypoints) waypoints.push_back(waypoint_json(waypoint, waypoints.size()));
+  for (const auto& waypoint : plan.waypoints) {
+    json object = waypoint_json(waypoint, waypoints.size());
+    add_surfacing_state(plan.surfacing, waypoints.size(), object);
+    waypoints.push_back(std::move(object));
+  }
   return {{"plan_id", plan_id.empty() ? json() : json(plan_id)},
           {"name", name},
           {"status", "ok"},
@@ -228,6 +234,7 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
           {"arrival", core::iso8601(plan.arrival)},
           {"travel_time_s", plan.travel_time().count()},
           {"distance_m", plan.distance.value},
+          {"surfacing", surfacing_json(plan.surfacing)},
           {"iceberg_encounters", optional_number(plan.iceberg_encounters)},
           {"energy_j", plan.energy ? json(plan.energy->use.total().value) : json()},
           {"energy", energy_json(plan.energy)},

@@ -10,6 +10,7 @@
 #include "api/codec/route_file.hpp"
 #include "api/codec/search_inputs.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
+#include "api/codec/under_ice_inputs.hpp"
 #include "api/codec/vehicle_inputs.hpp"
 #include "api/codec/zone_inputs.hpp"
 #include "engine/core/utc_text.hpp"
@@ -32,6 +33,7 @@ void read_common(InputReader& reader, planning::PlanRequest& request, repository
     if (!reader.refused(violation.field)) reader.refuse(violation.field, violation.rule);
   }
   request.zones = read_areas(reader);
+  read_under_ice(reader, request.under_ice);
   read_data(reader, data);
   read_iceberg_rules(reader, request.icebergs, data);
   name = reader.text("name").value_or("");
@@ -160,6 +162,7 @@ json common_json(const planning::PlanRequest& request, const repository::Environ
   write_vehicle(request.vehicle, inputs);
   write_energy(request.energy, inputs);
   inputs["areas"] = request.zones.empty() ? json() : areas_json(request.zones);
+  write_under_ice(request.under_ice, inputs);
   write_data(data, inputs);
   write_iceberg_rules(request.icebergs, data, inputs);
   return inputs;

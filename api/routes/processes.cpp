@@ -45,12 +45,30 @@ json objective_schema() {
   return {{"oneOf", json::array({one_of({"time", "energy"}), weights})}};
 }
 
+<<<<<<< HEAD
 json file_schema() {
   const json text{{"type", "string"}};
   return {{"type", "object"},
           {"required", {"name", "text"}},
           {"properties", {{"name", text}, {"text", text}}},
           {"additionalProperties", false}};
+=======
+json under_ice_schema() {
+  const json share = number_schema(0.0, 1.0);
+  const json thickness = number_schema(0.0, 500.0);
+  const json time = number_schema(60.0, 3.2e7);
+  return {{"type", "object"},
+          {"additionalProperties", false},
+          {"properties",
+           {{"max_concentration_to_surface", share},
+            {"margin_below_ice_m", thickness},
+            {"draft_if_unknown_m", thickness},
+            {"max_time_without_surfacing_s", time},
+            {"surfacing_interval_s", time},
+            {"escape_plan", {{"type", "boolean"}}},
+            {"dead_reckoning_share", share},
+            {"current_uncertainty_m_s", number_schema(0.0, 5.0)}}}};
+>>>>>>> 5c6f61b (codec, cli, routes: rules under ice in, surfacings and escapes out)
 }
 
 json common_inputs() {
@@ -90,6 +108,7 @@ json common_inputs() {
       {"ice", input("Sea ice: newest, none or an id", dataset_schema())},
       {"icebergs", input("Icebergs: newest, none or an id", dataset_schema())},
       {"icebergs_as_of", input("Use no sighting later than this; default: the departure", time)},
+      {"under_ice", input("How the vehicle may work where there is sea ice", under_ice_schema())},
       {"coastline", input("Coastline: newest, none or an id", dataset_schema())},
       {"name", input("Name of the result, for people", {{"type", "string"}, {"maxLength", 200}})}};
 }

@@ -93,6 +93,33 @@ void InputFlags::add_common(CLI::App& command) {
   command.add_option("--max-sighting-age", max_sighting_age_days_,
                      "Leave out icebergs last seen longer ago, days; default 3");
   command.add_option("--name", name_, "Name of the plan");
+  add_under_ice(command);
+}
+
+void InputFlags::add_under_ice(CLI::App& command) {
+  command.add_option("--max-concentration-to-surface", max_concentration_to_surface_,
+                     "Share of ice, 0 to 1, up to which the vehicle may surface; default 0.1");
+  command.add_option("--margin-below-ice", margin_below_ice_m_,
+                     "Kept between the deepest keel and the upper turn of the dives, metres; default 10");
+  command.add_option("--max-time-without-surfacing", max_time_without_surfacing_s_,
+                     "Longest time between places where the vehicle may surface, seconds; default: any");
+  command.add_option("--surfacing-interval", surfacing_interval_s_,
+                     "Plan a surfacing about this often, seconds; default: none");
+  command.add_flag("--escape-plan", escape_plan_,
+                   "Find from every waypoint the way to where the vehicle may surface");
+}
+
+void InputFlags::set_under_ice(json& inputs) const {
+  json rules = json::object();
+  if (max_concentration_to_surface_) rules["max_concentration_to_surface"] = *max_concentration_to_surface_;
+  if (margin_below_ice_m_) rules["margin_below_ice_m"] = *margin_below_ice_m_;
+  if (max_time_without_surfacing_s_) rules["max_time_without_surfacing_s"] = *max_time_without_surfacing_s_;
+  if (surfacing_interval_s_) rules["surfacing_interval_s"] = *surfacing_interval_s_;
+  if (escape_plan_) rules["escape_plan"] = true;
+  if (rules.empty()) return;
+  json& stated = inputs["under_ice"];
+  if (stated.is_null()) stated = json::object();
+  if (stated.is_object()) stated.update(rules);
 }
 
 void InputFlags::add_start(CLI::App& command) {
@@ -214,6 +241,7 @@ json InputFlags::inputs() const {
   if (arrive_before_) inputs["uncertainty"]["arrive_before"] = *arrive_before_;
   if (robust_) set_robust(inputs["uncertainty"], *robust_);
   if (best_order_) inputs["via_order"] = "best";
+  set_under_ice(inputs);
   if (steady_) inputs["steady"] = true;
   if (no_iceberg_drift_) inputs["icebergs_drift"] = false;
   if (no_refine_) inputs["refine"] = false;

@@ -27,6 +27,9 @@ class InputFlags {
   [[nodiscard]] nlohmann::json inputs() const;
 
  private:
+  void add_under_ice(CLI::App& command);
+  void set_under_ice(nlohmann::json& inputs) const;
+
   std::optional<std::string> request_file_;
   std::optional<std::string> from_;
   std::optional<std::string> to_;
@@ -69,6 +72,11 @@ class InputFlags {
   std::optional<std::string> ice_;
   std::optional<std::string> icebergs_;
   std::optional<std::string> icebergs_as_of_;
+  std::optional<double> max_concentration_to_surface_;
+  std::optional<double> margin_below_ice_m_;
+  std::optional<double> max_time_without_surfacing_s_;
+  std::optional<double> surfacing_interval_s_;
+  bool escape_plan_{false};
   std::optional<std::string> coastline_;
   std::optional<double> margin_m_;
   std::optional<std::string> areas_file_;

@@ -92,6 +92,30 @@ std::string optimality_line(const json& plan) {
   return cell(plan.at("optimality_gap"), "%.2f", 100.0) + " % slower than the best way in open water";
 }
 
+/// What a person must know of ice: nothing when there is none.
+void print_surfacings(const json& plan) {
+  const json& surfacing = plan.at("surfacing");
+  if (surfacing.is_null()) return;
+  std::printf("longest time between places to surface %s h\n",
+              cell(surfacing.at("longest_without_surfacing_s"), "%.2f", 1.0 / 3600.0).c_str());
+  for (const json& planned : surfacing.at("planned")) {
+    std::printf("surface at %s, %s %s, position known to %s m before the fix\n",
+                planned.at("time").get<std::string>().c_str(),
+                degrees_minutes(planned.at("lat"), 'N', 'S').c_str(),
+                degrees_minutes(planned.at("lon"), 'E', 'W').c_str(),
+                cell(planned.at("position_error_m"), "%.0f").c_str());
+  }
+  for (const json& escape : surfacing.at("escapes")) {
+    if (escape.at("time_s") == 0.0) continue;
+    const json& to = escape.at("to");
+    std::printf("escape from waypoint %d: course %s, %s km to %s %s, %s h\n",
+                escape.at("waypoint").get<int>(), cell(escape.at("course_deg"), "%.1f").c_str(),
+                cell(escape.at("distance_m"), "%.2f", 1e-3).c_str(), degrees_minutes(to[1], 'N', 'S').c_str(),
+                degrees_minutes(to[0], 'E', 'W').c_str(),
+                cell(escape.at("time_s"), "%.2f", 1.0 / 3600.0).c_str());
+  }
+}
+
 void print_for_people(const json& plan) {
   const std::string id = plan.at("plan_id").is_string() ? plan.at("plan_id").get<std::string>() : "";
   std::printf("%s  %s to %s, %s h, %s km\n", id.empty() ? "route" : id.c_str(),
@@ -121,6 +145,7 @@ void print_for_people(const json& plan) {
     std::printf("expected encounters with icebergs, within the margin: %s\n",
                 cell(plan.at("iceberg_encounters"), "%.2g").c_str());
   }
+  print_surfacings(plan);
   for (const json& dataset : plan.at("datasets")) {
     std::printf("data: %s (%s)\n", dataset.at("id").get<std::string>().c_str(),
                 dataset.at("name").get<std::string>().c_str());

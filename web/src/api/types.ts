@@ -3,7 +3,7 @@
 export type Position = [lon: number, lat: number];
 export type Box = [west: number, south: number, east: number, north: number];
 
-export type DatasetKind = 'bathymetry' | 'currents' | 'icebergs' | 'coastline';
+export type DatasetKind = 'bathymetry' | 'currents' | 'ice' | 'icebergs' | 'coastline';
 
 export interface Dataset {
   id: string;
@@ -94,6 +94,7 @@ export interface PlanInputs {
   steady?: boolean;
   bathymetry?: string;
   icebergs?: string;
+  ice?: string;
   coastline?: string;
   icebergs_as_of?: string;
   margin_m?: number;
@@ -109,6 +110,24 @@ export interface Waypoint {
   course_deg: number | null;
   speed_over_ground_m_s: number | null;
   depth_m: number | null;
+  may_surface?: boolean | null;
+  since_last_surfacing_s?: number | null;
+  position_error_m?: number | null;
+  least_upper_turn_m?: number | null;
+}
+
+export interface Surfacing {
+  longest_without_surfacing_s: number;
+  unknown_ice_m: number;
+  planned: { lon: number; lat: number; time: string; position_error_m: number }[];
+  escapes: {
+    waypoint: number;
+    to: [number, number];
+    course_deg: number | null;
+    distance_m: number;
+    time_s: number;
+    way: [number, number][];
+  }[];
 }
 
 export interface DatasetRef {
@@ -128,6 +147,7 @@ export interface Plan {
   arrival: string;
   travel_time_s: number;
   distance_m: number;
+  surfacing?: Surfacing | null;
   energy_j: number | null;
   optimality_gap: number | null;
   optimality_gap_reason: string;
@@ -215,6 +235,13 @@ export interface Probe {
   };
   ice_concentration: number | null;
   ice_concentration_reason: string | null;
+  ice: {
+    thickness_m: number | null;
+    dataset_id: string | null;
+    dataset_name: string | null;
+    time_before: string | null;
+    time_after: string | null;
+  };
   icebergs_within: { berg_id: string; distance_m: number; observed: string; size: string }[];
 }
 

@@ -24,6 +24,7 @@ export interface Draft {
   currents: string;
   bathymetry: string;
   icebergs: string;
+  ice: string;
   coastline: string;
   icebergs_as_of: string;
 }
@@ -31,7 +32,7 @@ export interface Draft {
 export const emptyDraft: Draft = {
   from: '', to: '', via: '', depart: '', vehicle: '', name: '', margin_m: '500', method: 'astar', speed_m_s: '', dive_depth_m: '',
   spacing_m: '', sectors: '3', max_waypoints: '', refine: true, steady: false, currents: 'newest', bathymetry: 'newest',
-  icebergs: 'newest', coastline: 'newest', icebergs_as_of: '',
+  ice: 'newest', icebergs: 'newest', coastline: 'newest', icebergs_as_of: '',
 };
 
 export type Field = keyof Draft;
@@ -119,6 +120,7 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
       currents: form.currents,
       bathymetry: form.bathymetry,
       icebergs: form.icebergs,
+      ice: form.ice,
       coastline: form.coastline,
       ...(asOf_ms !== undefined ? { icebergs_as_of: isoOf(asOf_ms) } : {}),
     },

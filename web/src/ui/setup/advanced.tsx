@@ -14,7 +14,7 @@ const methods: Choice[] = [
 
 const inside: Field[] = [
   'name', 'via', 'method', 'speed_m_s', 'dive_depth_m', 'spacing_m', 'sectors', 'max_waypoints', 'refine', 'steady', 'currents',
-  'bathymetry', 'icebergs', 'coastline', 'icebergs_as_of',
+  'bathymetry', 'ice', 'icebergs', 'coastline', 'icebergs_as_of',
 ];
 
 /** What has a good default; opens by itself when a fault lies within. */
@@ -45,6 +45,7 @@ export function Advanced(): VNode {
       <CheckField name="steady" label="Hold the currents at departure" />
       <DataField kind="currents" label="Currents" />
       <DataField kind="bathymetry" label="Depths" />
+      <DataField kind="ice" label="Sea ice" />
       <DataField kind="icebergs" label="Icebergs" />
       <TextField name="icebergs_as_of" label="Icebergs as known at" unit="UTC" placeholder="departure" />
       <DataField kind="coastline" label="Coastline" />

@@ -1,0 +1,94 @@
+#include "api/codec/surfacing_document.hpp"
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+double position(double degrees) { return std::round(degrees * 1e7) / 1e7; }
+
+json place_json(geo::LonLat place) { return json::array({position(place.lon_deg), position(place.lat_deg)}); }
+
+json escape_json(const planning::EscapeWay& escape, std::size_t waypoint) {
+  json way = json::array();
+  for (const geo::LonLat place : escape.way) way.push_back(place_json(place));
+  return {{"waypoint", waypoint},
+          {"to", place_json(escape.way.back())},
+          {"course_deg", escape.course_deg ? json(*escape.course_deg) : json()},
+          {"distance_m", escape.distance.value},
+          {"time_s", escape.time.count()},
+          {"way", std::move(way)}};
+}
+
+planning::EscapeWay parse_escape(const json& object) {
+  planning::EscapeWay escape;
+  for (const json& place : object.at("way"))
+    escape.way.push_back({place.at(0).get<double>(), place.at(1).get<double>()});
+  if (!object.at("course_deg").is_null()) escape.course_deg = object.at("course_deg").get<double>();
+  escape.distance = {object.at("distance_m").get<double>()};
+  escape.time = core::Seconds{object.at("time_s").get<double>()};
+  return escape;
+}
+
+planning::PlannedSurfacing parse_planned(const json& object) {
+  const auto time = core::parse_iso8601(object.at("time").get<std::string>());
+  if (!time) throw std::runtime_error{"a stored plan has a surfacing without a valid time"};
+  return {.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
+          .time = *time,
+          .position_error = {object.at("position_error_m").get<double>()}};
+}
+
+planning::SurfacingState parse_state(const json& waypoint) {
+  return {.may_surface = waypoint.at("may_surface").get<bool>(),
+          .since_surfacing = core::Seconds{waypoint.at("since_last_surfacing_s").get<double>()},
+          .position_error = {waypoint.at("position_error_m").get<double>()},
+          .least_upper_turn = {waypoint.at("least_upper_turn_m").get<double>()}};
+}
+
+}  // namespace
+
+void add_surfacing_state(const std::optional<planning::SurfacingPlan>& plan, std::size_t waypoint,
+                         json& object) {
+  const auto* state = plan ? &plan->waypoints.at(waypoint) : nullptr;
+  object["may_surface"] = state != nullptr ? json(state->may_surface) : json();
+  object["since_last_surfacing_s"] = state != nullptr ? json(state->since_surfacing.count()) : json();
+  object["position_error_m"] = state != nullptr ? json(state->position_error.value) : json();
+  object["least_upper_turn_m"] = state != nullptr ? json(state->least_upper_turn.value) : json();
+}
+
+json surfacing_json(const std::optional<planning::SurfacingPlan>& plan) {
+  if (!plan) return nullptr;
+  json surfacings = json::array();
+  for (const auto& surfacing : plan->surfacings) {
+    surfacings.push_back({{"lon", position(surfacing.place.lon_deg)},
+                          {"lat", position(surfacing.place.lat_deg)},
+                          {"time", core::iso8601(surfacing.time)},
+                          {"position_error_m", surfacing.position_error.value}});
+  }
+  json escapes = json::array();
+  for (const auto& escape : plan->escapes) escapes.push_back(escape_json(escape, escapes.size()));
+  return {{"longest_without_surfacing_s", plan->longest_without.count()},
+          {"unknown_ice_m", plan->unknown_ice.value},
+          {"planned", std::move(surfacings)},
+          {"escapes", std::move(escapes)}};
+}
+
+std::optional<planning::SurfacingPlan> parse_surfacing(const json& document) {
+  const auto found = document.find("surfacing");
+  if (found == document.end() || found->is_null()) return std::nullopt;
+  planning::SurfacingPlan plan;
+  plan.longest_without = core::Seconds{found->at("longest_without_surfacing_s").get<double>()};
+  plan.unknown_ice = {found->at("unknown_ice_m").get<double>()};
+  for (const json& waypoint : document.at("waypoints")) plan.waypoints.push_back(parse_state(waypoint));
+  for (const json& surfacing : found->at("planned")) plan.surfacings.push_back(parse_planned(surfacing));
+  for (const json& escape : found->at("escapes")) plan.escapes.push_back(parse_escape(escape));
+  return plan;
+}
+
+}  // namespace floeplan::codec

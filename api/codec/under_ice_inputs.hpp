@@ -1,0 +1,15 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+
+#include "api/codec/input_reader.hpp"
+#include "engine/planning/under_ice_rules.hpp"
+
+namespace floeplan::codec {
+
+/// The member `under_ice`: how the vehicle may work where there is sea ice.
+void read_under_ice(InputReader& reader, planning::UnderIceRules& rules);
+/// Adds the member that `read_under_ice` reads, every default written out.
+void write_under_ice(const planning::UnderIceRules& rules, nlohmann::json& inputs);
+
+}  // namespace floeplan::codec

@@ -1,0 +1,86 @@
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "tests/api/routes/api_fixture.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using nlohmann::json;
+using support::json_of;
+
+/// A store with two days of ice that thickens from a fifth to three fifths.
+class IceRoutesTest : public support::ApiTest {
+ protected:
+  IceRoutesTest() {
+    const ocean::Axis times{{1.8e9, 1.8e9 + 86400.0}};
+    repository::DatasetRepository{db_}.insert({.id = {"ice-1"},
+                                               .kind = repository::DatasetKind::ice,
+                                               .name = "ice of the strait",
+                                               .variables = {"siconc", "sithick"},
+                                               .bounds = {-54.0, 68.0, -52.0, 70.0},
+                                               .time_start = core::from_unix_seconds(times.front()),
+                                               .time_end = core::from_unix_seconds(times.back()),
+                                               .rows_accepted = 4,
+                                               .rows_refused = 0,
+                                               .warnings = {},
+                                               .provenance = {}});
+    repository::FieldRepository fields{db_};
+    fields.create(
+        {"ice-1"},
+        {{geo::GeographicFrame{}, ocean::Axis{{-54.0, -52.0}}, ocean::Axis{{68.0, 70.0}}}, {}, times});
+    for (std::size_t day = 0; day < 2; ++day) {
+      const float concentration = day == 0 ? 0.2F : 0.6F;
+      fields.write_slice({"ice-1"}, "concentration", day, 0, std::vector<float>(4, concentration));
+      fields.write_slice({"ice-1"}, "thickness_m", day, 0, std::vector<float>(4, 1.5F));
+    }
+  }
+};
+
+TEST_F(IceRoutesTest, AProbeTellsConcentrationAndThicknessBetweenTwoSteps) {
+  const auto response = ask("GET", "/probe?lon=-53&lat=69&time=2027-01-15T20:00:00Z");
+
+  ASSERT_EQ(response.status, 200) << response.body;
+  const json document = json_of(response);
+  EXPECT_NEAR(document["ice_concentration"], 0.4, 1e-6);
+  EXPECT_TRUE(document["ice_concentration_reason"].is_null());
+  EXPECT_NEAR(document["ice"]["thickness_m"], 1.5, 1e-6);
+  EXPECT_EQ(document["ice"]["dataset_id"], "ice-1");
+  EXPECT_EQ(document["ice"]["time_before"], "2027-01-15T08:00:00Z");
+  EXPECT_EQ(document["ice"]["time_after"], "2027-01-16T08:00:00Z");
+}
+
+TEST_F(IceRoutesTest, AProbeBeyondAreaOrPeriodHasAReasonAndNoValue) {
+  const json later = json_of(ask("GET", "/probe?lon=-53&lat=69&time=2027-01-18T00:00:00Z&dataset=ice-1"));
+  EXPECT_TRUE(later["ice_concentration"].is_null());
+  EXPECT_THAT(later["ice_concentration_reason"], testing::HasSubstr("outside the period"));
+
+  const json elsewhere = json_of(ask("GET", "/probe?lon=10&lat=69&time=2027-01-15T20:00:00Z"));
+  EXPECT_TRUE(elsewhere["ice_concentration"].is_null());
+  EXPECT_THAT(elsewhere["ice_concentration_reason"], testing::HasSubstr("no ice data"));
+}
+
+TEST_F(IceRoutesTest, TheListOfDatasetsNamesItsTimes) {
+  const json dataset = json_of(ask("GET", "/datasets/ice-1"));
+
+  EXPECT_EQ(dataset["kind"], "ice");
+  EXPECT_EQ(dataset["times"].size(), 2U);
+}
+
+TEST_F(IceRoutesTest, AnExecutionNamesEveryFaultOfTheInputsUnderIce) {
+  const json inputs{{"inputs",
+                     {{"from", {-53.5, 69.0}},
+                      {"to", {-52.5, 69.0}},
+                      {"depart", "2027-01-15T08:00:00Z"},
+                      {"ice", "ice-2"},
+                      {"under_ice", {{"escape_plan", "yes"}, {"margin_below_ice_m", -1}}}}}};
+
+  const auto response =
+      ask("POST", "/processes/plan-route/execution", inputs.dump(), {{"content-type", "application/json"}});
+
+  EXPECT_EQ(response.status, 400);
+  EXPECT_THAT(response.body, testing::AllOf(testing::HasSubstr("/inputs/under_ice/escape_plan"),
+                                            testing::HasSubstr("/inputs/under_ice/margin_below_ice_m")));
+}
+
+}  // namespace
+}  // namespace floeplan::routes

@@ -1,0 +1,106 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <filesystem>
+
+#include "tests/server/cli/program.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+using support::Outcome;
+using support::Program;
+using ::testing::HasSubstr;
+
+/// The demonstration's sea: a field of drift ice in the south of the bay, open in its middle.
+class UnderIceCli : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists("/usr/share/gmt-gshhg/binned_GSHHS_f.nc"))
+      GTEST_SKIP() << "install the package gmt-gshhg-full to run this test";
+    const auto demo = program_.folder() / "demo";
+    ASSERT_EQ(program_.run({"demo", demo.string()}).exit_code, 0);
+    std::vector<std::string> ingest{"ingest"};
+    for (const char* file : {"disko-synthetic-bathymetry.tif", "disko-synthetic-ice.nc"})
+      ingest.push_back((demo / file).string());
+    ASSERT_EQ(program_.run(ingest).exit_code, 0);
+  }
+
+  /// From the west to the east through the ice, in still water.
+  [[nodiscard]] Outcome plan(const std::vector<std::string>& more) const {
+    std::vector<std::string> words{"plan",
+                                   "--from=-53.15,68.95",
+                                   "--to=-51.75,69.0",
+                                   "--depart",
+                                   "2026-11-22T00:00:00Z",
+                                   "--spacing",
+                                   "1500",
+                                   "--json"};
+    words.insert(words.end(), more.begin(), more.end());
+    return program_.run(words);
+  }
+
+  const Program program_;
+};
+
+TEST_F(UnderIceCli, ListsAndProbesTheIce) {
+  const json datasets = program_.run({"datasets", "--json"}).json()["datasets"];
+  EXPECT_TRUE(std::ranges::any_of(datasets, [](const json& dataset) { return dataset["kind"] == "ice"; }));
+
+  const json in_ice =
+      program_.run({"probe", "--at=-52.6,68.96", "--time", "2026-11-22T12:00:00Z", "--json"}).json();
+  EXPECT_GT(in_ice["ice_concentration"], 0.5);
+  EXPECT_TRUE(in_ice["ice_concentration_reason"].is_null());
+  EXPECT_GT(in_ice["ice"]["thickness_m"], 0.2);
+  EXPECT_EQ(in_ice["ice"]["time_after"], "2026-11-23T00:00:00Z");
+
+  const json later =
+      program_.run({"probe", "--at=-52.6,68.96", "--time", "2026-12-22T12:00:00Z", "--json"}).json();
+  EXPECT_TRUE(later["ice_concentration"].is_null());
+  EXPECT_THAT(later["ice_concentration_reason"], HasSubstr("outside the period"));
+}
+
+TEST_F(UnderIceCli, BoundsTheTimeWithoutASurfacingAndSaysSoOfEveryWaypoint) {
+  const Outcome free = plan({});
+  const Outcome bounded = plan({"--max-time-without-surfacing", "50400", "--escape-plan"});
+
+  ASSERT_EQ(free.exit_code, 0) << free.err;
+  ASSERT_EQ(bounded.exit_code, 0) << bounded.err;
+  const double longest = free.json()["surfacing"]["longest_without_surfacing_s"];
+  EXPECT_GT(longest, 50400.0);
+  const json document = bounded.json();
+  EXPECT_LE(document["surfacing"]["longest_without_surfacing_s"], 50400.0);
+  EXPECT_EQ(document["surfacing"]["escapes"].size(), document["waypoints"].size());
+  EXPECT_GE(document["travel_time_s"], free.json()["travel_time_s"]);
+  for (const json& waypoint : document["waypoints"]) {
+    EXPECT_TRUE(waypoint["may_surface"].is_boolean());
+    EXPECT_LE(waypoint["since_last_surfacing_s"], 50400.0);
+  }
+}
+
+TEST_F(UnderIceCli, SaysWhyThereIsNoPlan) {
+  // The goal lies in the ice, more than an hour from its edge.
+  const Outcome outcome =
+      program_.run({"plan", "--from=-53.15,68.95", "--to=-52.65,68.96", "--depart", "2026-11-22T00:00:00Z",
+                    "--spacing", "1500", "--max-time-without-surfacing", "3600", "--json"});
+
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.json()["reason"], "no_surfacing");
+  EXPECT_THAT(outcome.err, HasSubstr("--max-time-without-surfacing"));
+}
+
+TEST_F(UnderIceCli, NamesWhatIsWrongWithTheInput) {
+  EXPECT_THAT(plan({"--max-concentration-to-surface", "15"}).err,
+              HasSubstr("/under_ice/max_concentration_to_surface"));
+  EXPECT_EQ(plan({"--max-concentration-to-surface", "15"}).exit_code, 3);
+  EXPECT_THAT(plan({"--ice", "ice-00000000"}).err, HasSubstr("/ice"));
+  EXPECT_EQ(plan({"--ice", "ice-00000000"}).exit_code, 3);
+  const Outcome without = plan({"--ice", "none"});
+  EXPECT_EQ(without.exit_code, 0);
+  EXPECT_TRUE(without.json()["surfacing"].is_null());
+}
+
+}  // namespace
+}  // namespace floeplan::cli
