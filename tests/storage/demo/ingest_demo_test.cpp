@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "storage/ingest/ingest_file.hpp"
+#include "storage/repository/field_repository.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/sqlite/connection.hpp"
 #include "tests/storage/demo/demo_files.hpp"
@@ -25,6 +26,28 @@ void expect_all_stored(const std::vector<std::filesystem::path>& files) {
 TEST(IngestDemo, StoresEveryFileOfDiskoBay) {
   if (!has_shoreline()) GTEST_SKIP() << "install the package gmt-gshhg-full to run this test";
   expect_all_stored(demo_files(Scenario::disko, 1, "disko"));
+}
+
+TEST(IngestDemo, StoresAFieldOfDriftIceWithOpenWaterInItsMiddleAndRoundIt) {
+  if (!has_shoreline()) GTEST_SKIP() << "install the package gmt-gshhg-full to run this test";
+  sqlite::Connection db = repository::open_store_in_memory();
+  const auto reports =
+      ingest::ingest_file(db, demo_files(Scenario::disko, 1, "disko")[2], {}, first_hour, {});
+  ASSERT_TRUE(reports.front().dataset.has_value());
+  ASSERT_EQ(reports.front().dataset->kind, repository::DatasetKind::ice);
+
+  const auto ice = repository::FieldRepository{db}.load_ice(reports.front().dataset->id,
+                                                            {-54.5, 68.4, -50.5, 69.6}, std::nullopt);
+
+  ASSERT_TRUE(ice);
+  const auto at = [&](double lon_deg, double lat_deg) {
+    return ice->at({lon_deg, lat_deg}, first_hour).value();
+  };
+  EXPECT_LT(at(-52.45, 68.96).concentration, 0.05);
+  EXPECT_GT(at(-52.60, 68.96).concentration, 0.7);
+  EXPECT_GT(at(-52.30, 68.96).concentration, 0.7);
+  EXPECT_LT(at(-53.20, 69.20).concentration, 0.05);
+  EXPECT_NEAR(at(-52.60, 68.96).thickness->value, 0.6, 0.35);
 }
 
 TEST(IngestDemo, StoresEveryFileOfThePaperScenarios) {
