@@ -249,7 +249,7 @@ tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::Plan
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   IceWatch watch{*ice_, edge, since_surfacing};
   const double error_m = edge_tolerance_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
-  const auto time = drive_time(edge, depart, core::Seconds{INFINITY},
+  const auto time = drive_time(edge, depart, core::Seconds{INFINITY}, through_water(),
                                [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                                  if (const auto closed = closed_then(edge, piece, error_m)) return closed;
                                  return watch(piece);
@@ -269,7 +269,7 @@ std::vector<Sea::Passage> Sea::passages(geo::PlanePoint a, geo::PlanePoint b, co
     });
     return std::nullopt;
   };
-  [[maybe_unused]] const auto time = drive_time(edge, depart, core::Seconds{INFINITY}, note);
+  [[maybe_unused]] const auto time = drive_time(edge, depart, core::Seconds{INFINITY}, through_water(), note);
   return result;
 }
 
