@@ -232,7 +232,7 @@ Result<Plan> evaluate_route(const ocean::Environment& environment, const std::ve
   const Result<Chart> chart = draw_chart(environment, on_route, first_reach, {});
   if (!chart) return tl::unexpected(chart.error());
   Improved given = improve(chart->sea, straight_way(chart->layout).route, on_route, {}, {});
-  Result<Plan> plan = publish(chart->sea, environment, on_route, given, {});
+  Result<Plan> plan = publish(*chart, environment, on_route, given, {}, {});
   // Compared with the best way from end to end, not with the best one past every place of the route.
   std::fill(given.route.fixed.begin() + 1, given.route.fixed.end() - 1, false);
   if (plan) rate(*plan, chart->sea, on_route, given.route, {});
