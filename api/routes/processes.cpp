@@ -45,14 +45,14 @@ json objective_schema() {
   return {{"oneOf", json::array({one_of({"time", "energy"}), weights})}};
 }
 
-<<<<<<< HEAD
 json file_schema() {
   const json text{{"type", "string"}};
   return {{"type", "object"},
           {"required", {"name", "text"}},
           {"properties", {{"name", text}, {"text", text}}},
           {"additionalProperties", false}};
-=======
+}
+
 json under_ice_schema() {
   const json share = number_schema(0.0, 1.0);
   const json thickness = number_schema(0.0, 500.0);
@@ -68,7 +68,6 @@ json under_ice_schema() {
             {"escape_plan", {{"type", "boolean"}}},
             {"dead_reckoning_share", share},
             {"current_uncertainty_m_s", number_schema(0.0, 5.0)}}}};
->>>>>>> 5c6f61b (codec, cli, routes: rules under ice in, surfacings and escapes out)
 }
 
 json common_inputs() {
