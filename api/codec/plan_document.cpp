@@ -7,8 +7,8 @@
 #include <variant>
 
 #include "api/codec/dataset_document.hpp"
-#include "api/codec/uncertainty_inputs.hpp"
 #include "api/codec/surfacing_document.hpp"
+#include "api/codec/uncertainty_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {

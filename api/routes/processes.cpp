@@ -148,8 +148,7 @@ json plan_inputs() {
   inputs["refine_seconds"] =
       input("Computing time for refinement at most, seconds; default 1", number_schema(0.05, 60.0));
   inputs["refine"] = input("Move waypoints off the grid where that saves time", {{"type", "boolean"}});
-  inputs["optimality_gap"] =
-      input("Compare the plan with the best way in open water", {{"type", "boolean"}});
+  inputs["optimality_gap"] = input("Compare the plan with the best way in open water", {{"type", "boolean"}});
   return inputs;
 }
 

@@ -62,6 +62,10 @@ Infeasible too_early(const PlanRequest& request, const Plan& earliest) {
       {{"arrive_by", wanted, possible, "arrive by " + possible_text}}};
 }
 
+core::UtcTime between(core::UtcTime early, core::UtcTime late) {
+  return whole_second(early + 0.5 * (late - early));
+}
+
 }  // namespace
 
 std::optional<core::Seconds> latest_departure(const Sea& sea, const std::vector<OpenGrid>& grids,
@@ -92,6 +96,7 @@ Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanReque
   // taken from it: under FIFO both come to rest at the latest departure.
   core::UtcTime depart = std::max(whole_second(*guess), request.depart);
   std::optional<Plan> best;
+  std::optional<core::UtcTime> too_late;  // a departure that would miss the arrival
   for (int tries = 0; tries < most_plans; ++tries) {
     auto plan = plan_route(environment, leaving_at(request, depart), stop, progress, clock);
     if (!plan) {
@@ -103,10 +108,15 @@ Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanReque
       const core::Seconds tolerance = std::max(close_enough, close_enough_share * plan->travel_time());
       best = std::move(*plan);
       if (left <= tolerance) break;
-      depart = whole_second(depart + left);
+      depart = too_late ? between(best->departure, *too_late) : whole_second(depart + left);
       continue;
     }
-    if (best) break;
+    too_late = depart;
+    if (best) {
+      depart = between(best->departure, *too_late);
+      if (depart - best->departure < close_enough) break;
+      continue;
+    }
     if (depart <= request.depart) return tl::unexpected(too_early(request, *plan));
     depart = std::max(whole_second(depart + left - close_enough), request.depart);
   }

@@ -11,8 +11,8 @@
 #include "engine/planning/energy_use.hpp"
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/refinement_report.hpp"
-#include "engine/planning/uncertainty_report.hpp"
 #include "engine/planning/surfacing_plan.hpp"
+#include "engine/planning/uncertainty_report.hpp"
 #include "engine/vehicle/drive.hpp"
 
 namespace floeplan::planning {

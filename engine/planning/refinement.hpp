@@ -43,15 +43,22 @@ class Refiner {
     const Itinerary& chosen = found_.choose(limits_.least_gain, limits_.most_legs);
     const bool is_slower = chosen.arrival() > start.arrival();
     const Itinerary& kept = is_slower ? found_.choose(0.0, limits_.most_legs) : chosen;
-    return {kept,
+    return {tidied(kept),
             {start.travel_time(), kept.travel_time(), legs_.evaluations(), legs_.end(), found_.trade()}};
   }
 
  private:
+  /// Without legs too short to steer, where that makes nothing later.
+  Itinerary tidied(const Itinerary& kept) {
+    constexpr core::Metres too_short{0.1};
+    const auto tidy = legs_.timed(without_repeats(kept.route, too_short), kept.times.front());
+    return tidy && tidy->arrival() <= kept.arrival() ? *tidy : kept;
+  }
+
   /// Moves the points of a route until that gains nothing more.
   Itinerary settle(Itinerary timed) {
-    constexpr double worth_a_step = 5e-7;  // shares of the travel time
-    constexpr double worth_a_round = 1e-5;
+    constexpr double worth_a_step = 1e-7;  // shares of the travel time
+    constexpr double worth_a_round = 2e-6;
     for (;;) {
       const core::Seconds before = timed.travel_time();
       SmoothMoves moves = descend_smoothly(legs_, std::move(timed), worth_a_step);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <vector>
 
@@ -24,5 +25,24 @@ struct Itinerary {
   [[nodiscard]] core::Seconds arrival() const { return times.back(); }
   [[nodiscard]] core::Seconds travel_time() const { return times.back() - times.front(); }
 };
+
+/// Leaves out points within `nearby` of the one before them: a leg without length says nothing. Fixed points stay.
+[[nodiscard]] inline Route without_repeats(const Route& route, core::Metres nearby) {
+  Route result;
+  for (std::size_t i = 0; i < route.points.size(); ++i) {
+    const geo::PlanePoint point = route.points[i];
+    const bool repeats = i > 0 && std::hypot(point.x_m - result.points.back().x_m,
+                                             point.y_m - result.points.back().y_m) <= nearby.value;
+    if (repeats && !route.fixed[i]) continue;
+    if (repeats && !result.fixed.back()) {
+      result.points.back() = point;
+      result.fixed.back() = true;
+      continue;
+    }
+    result.points.push_back(point);
+    result.fixed.push_back(route.fixed[i]);
+  }
+  return result;
+}
 
 }  // namespace floeplan::planning

@@ -134,7 +134,7 @@ class Sea {
   SafetyMap safety_;
   TimedZones timed_zones_;
   IcebergDiscs icebergs_;
-  std::optional<UnderIce> ice_;            // empty: nothing is known of ice
+  std::optional<UnderIce> ice_;  // empty: nothing is known of ice
   FlownDepths depths_;
   std::optional<PlaneCurrents> currents_;  // empty: still water
   EnergyMap energy_;

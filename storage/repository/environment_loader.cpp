@@ -121,7 +121,7 @@ bool covers_end(const Period& period, const EnvironmentQuery& query) {
 
 /// `periods` says which dataset covers which period; `begins` whether one of them covers the departure.
 void refuse_period(Draft& draft, const std::string& periods, bool begins) {
-  const bool at_end = begins && draft.query.until;
+  const bool at_end = draft.query.until && (begins || draft.query.may_begin_later);
   const std::string input = at_end ? draft.query.until->input : "depart";
   const core::UtcTime time = at_end ? draft.query.until->time : draft.query.depart;
   draft.violations.push_back(

@@ -399,15 +399,27 @@ TEST_F(EnvironmentLoaderTest, ReportsEveryNamedDatasetThatCannotBeUsed) {
                           AllOf(HasSubstr("/icebergs"), HasSubstr("holds bathymetry, not icebergs"))));
 }
 
-TEST_F(EnvironmentLoaderTest, TakesOneNamedDatasetOfCurrentsAtATime) {
+TEST_F(EnvironmentLoaderTest, TakesSeveralNamedCurrentsAsTheMembersOfAnEnsemble) {
   add_currents("currents-1", sample_time, 5, levels_);
   add_currents("currents-2", sample_time, 5, levels_);
   query_.currents = named({"currents-1"});
   EXPECT_THAT(cited(load()), ElementsAre("currents-1"));
+  EXPECT_TRUE(load().members.empty());
 
   query_.currents = named({"currents-1", "currents-2"});
 
-  EXPECT_THAT(violations(), ElementsAre(AllOf(HasSubstr("/currents"), HasSubstr("one dataset at a time"))));
+  const auto environment = load();
+  EXPECT_THAT(cited(environment), ElementsAre("currents-1", "currents-2"));
+  ASSERT_EQ(environment.members.size(), 2U);
+  EXPECT_EQ(environment.currents, environment.members.front());
+}
+
+TEST_F(EnvironmentLoaderTest, RefusesAnEnsembleWhoseMembersDoNotAllCoverTheDeparture) {
+  add_currents("currents-1", sample_time, 5, levels_);
+  add_currents("currents-2", sample_time + core::Seconds{1e7}, 5, levels_);
+  query_.currents = named({"currents-1", "currents-2"});
+
+  EXPECT_THAT(violations(), ElementsAre(AllOf(HasSubstr("/depart"), HasSubstr("currents-2"))));
 }
 
 TEST_F(EnvironmentLoaderTest, LoadsTheIceFromTheStepBeforeTheDepartureOn) {
