@@ -41,7 +41,7 @@ export function makePlan(inputs, plan_id) {
     plan_id, name: inputs.name ?? '', status: 'ok', method: inputs.method ?? 'astar', vehicle: inputs.vehicle ?? 'slocum-g3-200',
     departure: inputs.depart, arrival: world.isoOf(time), travel_time_s: (time - Date.parse(inputs.depart)) / 1000, distance_m: total,
     energy_j: null, optimality_gap: 0.012, optimality_gap_reason: '', waypoints, created: world.isoOf(Date.now()),
-    search: { vertices: 20812, edges: 331240, edge_evaluations: 182311, expansions: 9120, reinsertions: 0, seconds: 1.3 },
+    search: { vertices: 20812, edges: 331240, edge_evaluations: 182311, expansions: 9120, reinsertions: 0, fifo_violations: 0, worst_fifo_violation: null, seconds: 1.3 },
     clearances: { iceberg_m: 812, land_m: 5230, bottom_m: 41 }, datasets: refs, warnings,
   };
 }

@@ -11,7 +11,7 @@ function plan(id: string, name = ''): Plan {
     plan_id: id, name, status: 'ok', method: 'astar', vehicle: 'v', departure: '2026-11-20T00:00:00Z', arrival: '2026-11-20T10:00:00Z',
     travel_time_s: 36_000, distance_m: 1, energy_j: null, optimality_gap: null, optimality_gap_reason: '',
     waypoints: [waypoint(0, -52, 69, '2026-11-20T00:00:00Z'), waypoint(1, -52, 69.1, '2026-11-20T04:00:00Z'), waypoint(2, -51, 69.1, '2026-11-20T10:00:00Z')],
-    search: { vertices: 0, edges: 0, edge_evaluations: 0, expansions: 0, reinsertions: 0, seconds: 0 },
+    search: { vertices: 0, edges: 0, edge_evaluations: 0, expansions: 0, reinsertions: 0, fifo_violations: 0, worst_fifo_violation: null, seconds: 0 },
     clearances: { iceberg_m: null, land_m: null, bottom_m: null }, datasets: [], warnings: [],
   };
 }
