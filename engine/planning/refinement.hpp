@@ -57,8 +57,8 @@ class Refiner {
 
   /// Moves the points of a route until that gains nothing more.
   Itinerary settle(Itinerary timed) {
-    constexpr double worth_a_step = 1e-7;  // shares of the travel time
-    constexpr double worth_a_round = 2e-6;
+    constexpr double worth_a_step = 2.5e-7;  // shares of the travel time
+    constexpr double worth_a_round = 5e-6;
     for (;;) {
       const core::Seconds before = timed.travel_time();
       SmoothMoves moves = descend_smoothly(legs_, std::move(timed), worth_a_step);
