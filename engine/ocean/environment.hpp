@@ -21,6 +21,9 @@ struct Environment {
   std::shared_ptr<const CurrentGrid> currents{};  // null: still water
   bool steady_currents{false};                    // `currents` holds one time, meant for every time
   std::vector<std::shared_ptr<const CurrentGrid>> members{};  // of an ensemble, `currents` first; else empty
+  /// Of the air 10 m above the sea, towards which it blows, on a grid without depths; null: not known. Its
+  /// dataset stands among the others, as kind "wind".
+  std::shared_ptr<const CurrentGrid> wind{};
   std::shared_ptr<const Bathymetry> bathymetry{};
   std::shared_ptr<const IceField> ice{};  // null: nothing is known of sea ice, open water is assumed
   std::vector<geo::Polygon> land{};
