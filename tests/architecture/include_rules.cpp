@@ -21,10 +21,11 @@ struct Folder {
 const std::map<std::string, Folder>& folders() {
   static const std::map<std::string, Folder> all{
       {"engine/core", {{}}},
+      {"engine/tide", {{"engine/core"}}},
       {"engine/geo", {{"engine/core"}}},
       {"engine/graph", {{"engine/geo"}}},
       {"engine/motion", {{"engine/geo"}}},
-      {"engine/ocean", {{"engine/geo"}}},
+      {"engine/ocean", {{"engine/geo", "engine/tide"}}},
       {"engine/vehicle", {{"engine/geo"}}},
       {"engine/planning", {{"engine/graph", "engine/motion", "engine/ocean", "engine/vehicle"}}},
       {"engine/reproduction", {{"engine/planning"}}},
