@@ -7,6 +7,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/ocean/iceberg_draft.hpp"
+#include "engine/ocean/iceberg_wind.hpp"
 
 namespace floeplan::ocean {
 namespace {
@@ -27,6 +28,8 @@ geo::VelocityEn mean_velocity(const IcebergFix& from, const IcebergFix& to) {
   return {line.course_at_start.east() * speed, line.course_at_start.north() * speed};
 }
 
+geo::VelocityEn sum(geo::VelocityEn a, geo::VelocityEn b) { return {a.east + b.east, a.north + b.north}; }
+
 geo::LonLat moved(geo::LonLat from, geo::VelocityEn velocity, core::Seconds duration) {
   const core::Metres distance{geo::strength(velocity).value * duration.count()};
   return geo::geodesic_destination(from, geo::Bearing::towards(velocity.east.value, velocity.north.value),
@@ -39,16 +42,21 @@ class Drift {
   Drift(const Iceberg& iceberg, const Environment& environment)
       : environment_{environment},
         draft_{drift_draft(iceberg)},
+        length_{safe_length(iceberg)},
         last_{iceberg.place, iceberg.observed},
         observed_{observe(iceberg)} {
-    if (observed_) besides_current_ = besides_current(*observed_from_);
+    if (observed_) besides_forces_ = besides_forces(*observed_from_);
   }
 
   [[nodiscard]] geo::VelocityEn velocity(const IcebergFix& at) const {
     const auto current = over_draft(at);
-    if (!current) return observed_.value_or(geo::VelocityEn{});
+    const auto wind = by_wind(at);
+    if (!current && observed_) return *observed_;
+    const geo::VelocityEn forced = sum(current.value_or(geo::VelocityEn{}), wind.value_or(geo::VelocityEn{}));
+    // Wind that was not known when the berg was seen to move hides in what it moved beside the current.
+    if (!current || (wind && !wind_was_known_)) return forced;
     const double left = std::exp(-((at.time - last_.time) / fading));
-    return {current->east + left * besides_current_.east, current->north + left * besides_current_.north};
+    return {forced.east + left * besides_forces_.east, forced.north + left * besides_forces_.north};
   }
 
   [[nodiscard]] bool is_aground(geo::LonLat place) const {
@@ -86,28 +94,47 @@ class Drift {
                            before->north + when->fraction * (after->north - before->north)};
   }
 
-  /// The observed drift without the part of the current, zero where the current is not known all the way.
-  [[nodiscard]] geo::VelocityEn besides_current(const IcebergFix& from) const {
+  /// What the wind adds to the water's velocity; empty where or when it is not known.
+  [[nodiscard]] std::optional<geo::VelocityEn> by_wind(const IcebergFix& at) const {
+    if (!environment_.wind) return std::nullopt;
+    const auto wind = environment_.wind->at(at.place, core::Metres{0.0}, at.time);
+    if (!wind) return std::nullopt;
+    return moved_by_wind(*wind, length_, at.place.lat_deg);
+  }
+
+  /// The observed drift without the part of the current, and of the wind where that is known all the way; zero where
+  /// the current is not.
+  [[nodiscard]] geo::VelocityEn besides_forces(const IcebergFix& from) {
     const core::Seconds span = last_.time - from.time;
     const int samples = static_cast<int>(std::ceil(span / hour));
     const core::Seconds step = span / samples;
-    geo::VelocityEn sum{};
+    geo::VelocityEn of_current{};
+    geo::VelocityEn of_wind{};
+    wind_was_known_ = true;
     for (int i = 0; i < samples; ++i) {
       const core::Seconds elapsed = (i + 0.5) * step;
-      const auto current = over_draft({moved(from.place, *observed_, elapsed), from.time + elapsed});
+      const IcebergFix at{moved(from.place, *observed_, elapsed), from.time + elapsed};
+      const auto current = over_draft(at);
+      const auto wind = by_wind(at);
+      if (!wind) wind_was_known_ = false;
       if (!current) return {};
-      sum = {sum.east + current->east, sum.north + current->north};
+      of_current = sum(of_current, *current);
+      of_wind = sum(of_wind, wind.value_or(geo::VelocityEn{}));
     }
+    if (!wind_was_known_) of_wind = {};
     const double share = 1.0 / samples;
-    return {observed_->east - share * sum.east, observed_->north - share * sum.north};
+    return {observed_->east - share * (of_current.east + of_wind.east),
+            observed_->north - share * (of_current.north + of_wind.north)};
   }
 
   const Environment& environment_;
   core::Metres draft_;
+  core::Metres length_;
   IcebergFix last_;
   std::optional<IcebergFix> observed_from_;
   std::optional<geo::VelocityEn> observed_;
-  geo::VelocityEn besides_current_{};
+  geo::VelocityEn besides_forces_{};
+  bool wind_was_known_{false};  // all the way between the sightings that tell of the drift
 };
 
 }  // namespace

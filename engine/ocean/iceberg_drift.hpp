@@ -11,15 +11,18 @@ namespace floeplan::ocean {
 
 /// Where an iceberg is expected: hour by hour from its sighting to the end of the forecast. Between two fixes it
 /// moves straight and evenly.
-/// Drift    the currents' mean over its draft, and what it moved faster or slower than that between its last
-///          two sightings: wind and errors of the currents, which fade within a day. The fixes come by the
-///          midpoint rule, which follows a tide to about one hundredth of its amplitude
-/// Edges    where or when the currents are not known: as it moved between its last two sightings, without
-///          earlier ones it stays. Where the sea bed is not deeper than its draft it is aground and stays until
-///          the drift leads to deeper water. `until` before the sighting: the sighting alone
+/// Drift    the currents' mean over its draft, what the wind adds to that where it is known, and what it moved faster
+///          or slower than both between its last two sightings: errors of the data, and the wind where none is
+///          given, which fade within a day. The fixes come by the midpoint rule, which follows a tide to about one
+///          hundredth of its amplitude
+/// Edges    where or when the currents are not known: as it moved between its last two sightings; without earlier
+///          ones before the wind alone, and without wind it stays. Where the wind is known now but was not between
+///          the sightings, what they show beside the current was wind, too, and is not counted twice. Where the
+///          sea bed is not deeper than its draft it is aground and stays until the drift leads to deeper water.
+///          `until` before the sighting: the sighting alone
 /// Stops    early with fewer fixes once `stop` is requested
-/// Source   Wagner, Dell and Eisenman 2017, An analytical model of iceberg drift, J. Phys. Oceanogr. 47: without
-///          wind an iceberg moves with the water that carries it
+/// Source   Wagner, Dell and Eisenman 2017, An analytical model of iceberg drift, J. Phys. Oceanogr. 47: an iceberg
+///          moves with the water that carries it and against it as `moved_by_wind` has it
 [[nodiscard]] std::vector<IcebergFix> forecast_drift(const Iceberg& iceberg, const Environment& environment,
                                                      core::UtcTime until, const std::stop_token& stop = {});
 

@@ -7,6 +7,7 @@
 #include <numbers>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/ocean/iceberg_wind.hpp"
 #include "tests/engine/ocean/sample_currents.hpp"
 
 namespace floeplan::ocean {
@@ -151,6 +152,56 @@ TEST(IcebergDrift, StandsWhereNothingIsKnownAndBeyondTheEndOfTheCurrents) {
   EXPECT_GT(way(fixes[0], fixes[3]).value, 2000.0);
   EXPECT_EQ(fixes[5].place, fixes[10].place);
   EXPECT_EQ(way(forecast_drift(sighted_berg(), {}, after_hours(10.0)).back(), fixes.front()).value, 0.0);
+}
+
+TEST(IcebergDrift, AddsTheWindToTheCurrent) {
+  const auto eastwards = [](float speed) { return [speed](SampleIndex) { return speed; }; };
+  auto sea = sea_with(std::nullopt, 25, eastwards(0.2F));
+  const auto without = forecast_drift(sighted_berg(), sea, after_hours(10.0));
+  sea.wind = std::make_shared<const CurrentGrid>(sample_currents(std::nullopt, 25, eastwards(10.0F)));
+
+  const auto fixes = forecast_drift(sighted_berg(), sea, after_hours(10.0));
+
+  const auto added = moved_by_wind({{10.0}, {-5.0}}, core::Metres{100.0}, 69.0);
+  EXPECT_NEAR(way(without.back(), fixes.back()).value, geo::strength(added).value * 10.0 * hour_s, 30.0);
+  EXPECT_GT(geo::strength(added).value, 0.15);
+}
+
+TEST(IcebergDrift, GoesBeforeTheWindAloneWhereNothingElseIsKnown) {
+  Environment sea;
+  sea.wind = std::make_shared<const CurrentGrid>(
+      sample_currents(std::nullopt, 25, [](SampleIndex) { return 8.0F; }));
+
+  const auto fixes = forecast_drift(sighted_berg(), sea, after_hours(30.0));
+
+  EXPECT_GT(way(fixes[0], fixes[10]).value, 5000.0);
+  EXPECT_EQ(fixes[25].place, fixes[30].place) << "the wind is not known any longer";
+}
+
+TEST(IcebergDrift, DoesNotCountTheWindTwiceInWhatItWasSeenToDo) {
+  // Seen to move as the wind alone moves it: whether that wind is stored or not, it goes on as the wind does.
+  const auto still = [](SampleIndex) { return 0.0F; };
+  const auto blowing = [](SampleIndex) { return 10.0F; };
+  Iceberg berg = sighted_berg();
+  berg.observed = after_hours(24.0);
+  const auto by_wind = moved_by_wind({{10.0}, {-5.0}}, core::Metres{100.0}, 69.0);
+  const auto back = geo::Bearing::towards(-by_wind.east.value, -by_wind.north.value);
+  berg.earlier = {{geo::geodesic_destination(berg.place, back,
+                                             core::Metres{geo::strength(by_wind).value * 24.0 * hour_s}),
+                   start}};
+  auto sea = sea_with(std::nullopt, 60, still);
+  const auto all = sample_currents(std::nullopt, 60, blowing);
+  CurrentGrid::Samples late = all.samples();
+  const auto skipped = static_cast<std::ptrdiff_t>(24 * late.grid.size());
+  late.times_s = even_axis(first_time_s + 24.0 * hour_s, hour_s, 36);
+  late.u.erase(late.u.begin(), late.u.begin() + skipped);
+  late.v.erase(late.v.begin(), late.v.begin() + skipped);
+
+  for (const CurrentGrid& wind : {all, CurrentGrid{late}}) {
+    sea.wind = std::make_shared<const CurrentGrid>(wind);
+    const auto fixes = forecast_drift(berg, sea, after_hours(34.0));
+    EXPECT_NEAR(way(fixes.front(), fixes.back()).value, geo::strength(by_wind).value * 10.0 * hour_s, 60.0);
+  }
 }
 
 TEST(IcebergDrift, OfTheFutureIsTheSightingAlone) {
