@@ -1,10 +1,14 @@
 #include "engine/planning/departure.hpp"
 
+#include <algorithm>
 #include <functional>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
 #include "engine/planning/chart.hpp"
+#include "engine/planning/cost_search.hpp"
+#include "engine/planning/driven_route.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/open_grid.hpp"
 #include "engine/planning/plan_route.hpp"
@@ -13,6 +17,14 @@
 
 namespace floeplan::planning {
 namespace {
+
+/// What one departure leads to, on grids of one reach.
+struct Journey {
+  core::Seconds arrival{};
+  core::Joules energy{};
+  double cost{};  // by the request's objective
+  bool touches_rim{false};
+};
 
 /// Searches the same grids for one departure after another.
 class DepartureSweep {
@@ -29,24 +41,54 @@ class DepartureSweep {
     return DepartureSweep{std::move(*chart), std::move(grids), request};
   }
 
-  Result<FoundWay> leave(core::Seconds after, const std::stop_token& stop) {
-    if (request_.method == Method::direct) return straight(after);
+  Result<Journey> leave(core::Seconds after, const std::stop_token& stop) {
+    const bool is_direct = request_.method == Method::direct;
+    if (!request_.energy.objective.is_time()) return is_direct ? straight(after) : cheapest(after, stop);
+    if (is_direct) return straight(after);
     auto found =
         search_voyage(chart_.sea, grids_, request_, after, stop, [](double) {}, last_ ? &*last_ : nullptr);
-    if (found) last_ = *found;
-    return found;
+    if (!found) return tl::unexpected(std::move(found.error()));
+    last_ = std::move(*found);
+    return on_first_drive(last_->route.points, last_->touches_rim, after);
   }
 
  private:
   DepartureSweep(Chart chart, std::vector<OpenGrid> grids, const PlanRequest& request)
       : chart_{std::move(chart)}, grids_{std::move(grids)}, request_{request} {}
 
-  Result<FoundWay> straight(core::Seconds after) const {
-    const auto arrivals = arrivals_along(chart_.sea, chart_.layout.points, after);
-    if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), chart_.sea, request_));
-    FoundWay way;
-    way.arrival = arrivals->back();
-    return way;
+  Result<Journey> straight(core::Seconds after) const {
+    return on_first_drive(chart_.layout.points, false, after);
+  }
+
+  Result<Journey> cheapest(core::Seconds after, const std::stop_token& stop) const {
+    const auto found = search_least_cost(chart_.sea, grids_, request_, after, stop, [](double) {});
+    if (!found) return tl::unexpected(found.error());
+    const auto times = drive_along(chart_.sea, found->route, after);
+    if (!times) {
+      const RouteClosed closed{.reason = times.error(), .at = found->route.points.front()};
+      return tl::unexpected(explain_route(closed, chart_.sea, request_));
+    }
+    return journey(times->arrivals, times->energy, found->touches_rim);
+  }
+
+  Result<Journey> on_first_drive(const std::vector<geo::PlanePoint>& points, bool touches_rim,
+                                core::Seconds after) const {
+    const Sea& sea = chart_.sea;
+    const auto arrivals = arrivals_along(sea, points, after);
+    if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request_));
+    EnergyUse energy;
+    for (std::size_t i = 1; i < points.size(); ++i) {
+      energy += sea.energy().use(points[i - 1], points[i], (*arrivals)[i] - (*arrivals)[i - 1],
+                                 sea.drives().front());
+    }
+    return journey(*arrivals, energy, touches_rim);
+  }
+
+  [[nodiscard]] Journey journey(const std::vector<core::Seconds>& arrivals, const EnergyUse& energy,
+                              bool touches_rim) const {
+    const core::Seconds time = arrivals.back() - arrivals.front();
+    return {arrivals.back(), energy.total(), request_.energy.objective.cost(time, energy.total()),
+            touches_rim};
   }
 
   Chart chart_;
@@ -61,17 +103,17 @@ class Comparison {
   Comparison(const ocean::Environment& environment, const PlanRequest& request, const std::stop_token& stop)
       : environment_{environment}, request_{request}, stop_{stop} {}
 
-  Result<FoundWay> leave(core::Seconds after) {
+  Result<Journey> leave(core::Seconds after) {
     auto first = on(near_, first_reach, after);
     const bool wider_may_help = first ? first->touches_rim : first.error().reason != Reason::cancelled;
     if (!wider_may_help || request_.method == Method::direct) return first;
     auto second = on(wide_, second_reach, after);
-    if (first && (!second || first->arrival <= second->arrival)) return first;
+    if (first && (!second || first->cost <= second->cost)) return first;
     return second;
   }
 
  private:
-  Result<FoundWay> on(std::optional<Result<DepartureSweep>>& sweep, GridReach reach, core::Seconds after) {
+  Result<Journey> on(std::optional<Result<DepartureSweep>>& sweep, GridReach reach, core::Seconds after) {
     if (!sweep) sweep.emplace(DepartureSweep::on_grids(reach, environment_, request_, stop_));
     if (!*sweep) return tl::unexpected(sweep->error());
     return (*sweep)->leave(after, stop_);
@@ -103,6 +145,7 @@ Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environmen
         .departure = departure, .travel_time = std::nullopt, .energy = std::nullopt, .closed = std::nullopt};
     if (found) {
       outcome.travel_time = found->arrival - (departure - request.depart);
+      outcome.energy = found->energy;
     } else if (found.error().reason == Reason::cancelled) {
       return tl::unexpected(std::move(found.error()));
     } else {
@@ -118,7 +161,7 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
                        const core::SteadyClock& clock) {
   auto outcomes = compare_departures(environment, request, stop, progress);
   if (!outcomes) return {.departures = {}, .plan = tl::unexpected(outcomes.error())};
-  const auto best = best_departure(*outcomes);
+  const auto best = best_departure(*outcomes, request.energy.objective);
   if (!best) {
     const Infeasible reason = outcomes->front().closed.value();
     return {.departures = std::move(*outcomes), .plan = tl::unexpected(reason)};
@@ -130,11 +173,15 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
   return {.departures = std::move(*outcomes), .plan = std::move(plan)};
 }
 
-std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes) {
+std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes,
+                                          const Objective& objective) {
   std::optional<std::size_t> best;
+  double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
     if (!outcomes[i].travel_time) continue;
-    if (!best || *outcomes[i].travel_time < *outcomes[*best].travel_time) best = i;
+    const double cost = objective.cost(*outcomes[i].travel_time, outcomes[i].energy.value_or(core::Joules{}));
+    if (!best || cost < least) best = i;
+    least = std::min(least, cost);
   }
   return best;
 }

@@ -18,13 +18,14 @@ namespace floeplan::planning {
 struct DepartureOutcome {
   core::UtcTime departure;
   std::optional<core::Seconds> travel_time;  // of the grid's way, before refinement; empty: there is none
-  std::optional<core::Joules> energy;
-  std::optional<Infeasible> closed;  // why there is none
+  std::optional<core::Joules> energy;        // drawn on that way; empty likewise
+  std::optional<Infeasible> closed;          // why there is none
 
   [[nodiscard]] core::UtcTime arrival() const { return departure + travel_time.value(); }
 };
 
-/// Plans for each departure of the request's window, as for this departure alone but for the refinement.
+/// Plans for each departure of the request's window, as for this departure alone but for the refinement: the earliest
+/// arrival, or the least cost where the objective asks for it.
 /// Exact for every departure: the curve has no gaps, so none is left out because it cannot win. The way of one
 /// departure bounds the search for the next, which changes no result.
 /// Returns  an outcome for each departure, in their order
@@ -46,7 +47,8 @@ struct WindowPlan {
                                      const std::stop_token& stop, const core::ProgressCallback& progress,
                                      const core::SteadyClock& clock = {});
 
-/// The departure with the least travel time, the first of equals; empty when every one is closed.
-[[nodiscard]] std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes);
+/// The departure that costs least by the objective, the first of equals; empty when every one is closed.
+[[nodiscard]] std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes,
+                                                        const Objective& objective = time_objective);
 
 }  // namespace floeplan::planning

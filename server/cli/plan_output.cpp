@@ -64,14 +64,15 @@ void print_refinement(const json& plan) {
 void print_departures(const json& document) {
   if (!document.contains("departures")) return;
   const std::string planned = document.value("departure", "");
-  std::printf("%-22s %9s  %s\n", "departure", "hours", "");
+  std::printf("%-22s %9s %9s  %s\n", "departure", "hours", "energy_MJ", "");
   for (const json& entry : document.at("departures")) {
     const auto departure = entry.at("departure").get<std::string>();
     const std::string remark = entry.at("status") != "ok" ? entry.at("reason").get<std::string>()
                                : departure == planned     ? "best"
                                                           : "";
-    std::printf("%-22s %9s  %s\n", departure.c_str(),
-                cell(entry.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str(), remark.c_str());
+    std::printf("%-22s %9s %9s  %s\n", departure.c_str(),
+                cell(entry.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str(),
+                cell(entry.at("energy_j"), "%.3f", 1e-6).c_str(), remark.c_str());
   }
 }
 

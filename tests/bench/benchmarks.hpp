@@ -10,5 +10,7 @@ namespace floeplan::bench {
 std::vector<Row> search_rows();
 /// What the product does: its edge cost, and whole plans by each method.
 std::vector<Row> plan_rows();
+/// A window of departures beside plans for each of them alone.
+std::vector<Row> window_rows();
 
 }  // namespace floeplan::bench

@@ -105,6 +105,7 @@ TEST(DeparturesJson, HasTheTimeOrTheReasonOfEachDeparture) {
   std::vector<planning::DepartureOutcome> outcomes(2);
   outcomes[0].departure = utc("2026-11-20T06:00:00Z");
   outcomes[0].travel_time = core::Seconds{7200.0};
+  outcomes[0].energy = core::Joules{3.5e5};
   outcomes[1].departure = utc("2026-11-20T07:00:00Z");
   outcomes[1].closed = planning::Infeasible{.reason = planning::Reason::outside_data,
                                             .at = {},
@@ -117,10 +118,12 @@ TEST(DeparturesJson, HasTheTimeOrTheReasonOfEachDeparture) {
   EXPECT_EQ(curve[0]["status"], "ok");
   EXPECT_EQ(curve[0]["travel_time_s"], 7200.0);
   EXPECT_EQ(curve[0]["arrival"], "2026-11-20T08:00:00Z");
+  EXPECT_EQ(curve[0]["energy_j"], 3.5e5);
   EXPECT_TRUE(curve[0]["reason"].is_null());
   EXPECT_EQ(curve[1]["status"], "infeasible");
   EXPECT_EQ(curve[1]["reason"], "outside_data");
   EXPECT_TRUE(curve[1]["travel_time_s"].is_null());
+  EXPECT_TRUE(curve[1]["energy_j"].is_null());
 }
 
 }  // namespace

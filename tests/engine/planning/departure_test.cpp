@@ -45,6 +45,8 @@ void expect_brute_force(const ocean::Environment& environment, const PlanRequest
       // Straight runs of legs are joined in the plan: the same way, integrated in fewer pieces.
       EXPECT_NEAR(outcome.travel_time->count(), plan->travel_time().count(),
                   2e-4 * plan->travel_time().count());
+      EXPECT_NEAR(outcome.energy->value, plan->energy->use.total().value,
+                  1e-3 * plan->energy->use.total().value);
     } else {
       EXPECT_EQ(outcome.closed->reason, plan.error().reason);
     }
@@ -88,6 +90,29 @@ TEST(CompareDepartures, EqualsPlanningAloneAlongTheStraightLine) {
   PlanRequest request = window_request(12.0, 7200.0);
   request.method = Method::direct;
   expect_brute_force({.currents = currents_from(tide, 120)}, request);
+}
+
+TEST(CompareDepartures, EqualsPlanningAloneOverASeaBedThatCostsEnergy) {
+  const auto banks = support::bathymetry_from([](geo::LonLat place) {
+    return 260.0 + 180.0 * std::sin(40.0 * place.lon_deg) * std::cos(90.0 * place.lat_deg);
+  });
+  expect_brute_force({.currents = currents_from(tide, 120), .bathymetry = banks},
+                     window_request(6.0, 7200.0));
+}
+
+TEST(CompareDepartures, TakeTheWayOfLeastCostWhereTheObjectiveIsEnergy) {
+  const auto banks = support::bathymetry_from(
+      [](geo::LonLat place) { return std::abs(place.lat_deg - 69.0) < 0.05 ? 60.0 : 400.0; });
+  const ocean::Environment environment{.currents = currents_from(tide, 120), .bathymetry = banks};
+  PlanRequest request = window_request(4.0, 7200.0);
+  const auto fastest = curve(environment, request);
+  request.energy.objective = energy_objective;
+  const auto cheapest = curve(environment, request);
+
+  for (std::size_t i = 0; i < cheapest.size(); ++i) {
+    EXPECT_LT(*cheapest[i].energy, *fastest[i].energy);
+    EXPECT_GE(*cheapest[i].travel_time * (1.0 + 1e-4), *fastest[i].travel_time);
+  }
 }
 
 TEST(CompareDepartures, LooksAtEveryStepOfTheWindowItsEndIncluded) {
@@ -156,6 +181,17 @@ TEST(BestDeparture, IsTheFirstOfTheFastest) {
 
   EXPECT_EQ(best_departure(outcomes), 2U);
   EXPECT_EQ(best_departure({}), std::nullopt);
+}
+
+TEST(BestDeparture, DrawsLeastWhereTheObjectiveIsEnergy) {
+  std::vector<DepartureOutcome> outcomes(2);
+  outcomes[0].travel_time = core::Seconds{40.0};
+  outcomes[0].energy = core::Joules{9.0};
+  outcomes[1].travel_time = core::Seconds{50.0};
+  outcomes[1].energy = core::Joules{8.0};
+
+  EXPECT_EQ(best_departure(outcomes), 0U);
+  EXPECT_EQ(best_departure(outcomes, energy_objective), 1U);
 }
 
 }  // namespace
