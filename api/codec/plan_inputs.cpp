@@ -1,5 +1,6 @@
 #include "api/codec/plan_inputs.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "api/codec/data_inputs.hpp"
@@ -7,7 +8,7 @@
 #include "api/codec/energy_inputs.hpp"
 #include "api/codec/iceberg_inputs.hpp"
 #include "api/codec/input_reader.hpp"
-#include "api/codec/route_file.hpp"
+#include "api/codec/route_inputs.hpp"
 #include "api/codec/search_inputs.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
 #include "api/codec/under_ice_inputs.hpp"
@@ -22,7 +23,8 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t max_vias = 50;
-constexpr std::size_t max_route_places = 10'000;
+constexpr std::size_t max_remarks = 200;  // a mission file gives at most 100 messages
+constexpr std::size_t longest_remark = 1000;
 
 /// What both processes share: vehicle, margin, data and name.
 void read_common(InputReader& reader, planning::PlanRequest& request, repository::EnvironmentQuery& data,
@@ -39,29 +41,23 @@ void read_common(InputReader& reader, planning::PlanRequest& request, repository
   name = reader.text("name").value_or("");
 }
 
-/// A file that came with the request, as {"name": ..., "text": ...}: its places, or what is wrong with it.
-std::optional<RouteFile> read_file(InputReader& reader, const std::string& key) {
-  const json* file = reader.member(key);
-  if (file == nullptr) return std::nullopt;
-  const auto text_at = [&](const char* name) {
-    return file->is_object() && file->contains(name) && (*file)[name].is_string();
-  };
-  if (!text_at("name") || !text_at("text") || file->size() != 2) {
-    reader.refuse("/" + key, "must be an object of a file's \"name\" and its \"text\"");
-    return std::nullopt;
-  }
-  auto read =
-      read_route_file((*file)["name"].get<std::string>(), (*file)["text"].get_ref<const std::string&>());
-  if (read) return std::move(*read);
-  for (const core::Violation& violation : read.error()) {
-    reader.refuse("/" + key, violation.field + ": " + violation.rule);
-  }
-  return std::nullopt;
+/// Sentences for the answer's warnings, added to those that reading the places has given.
+void read_remarks(InputReader& reader, std::vector<std::string>& warnings) {
+  const json* remarks = reader.member("remarks");
+  if (remarks == nullptr) return;
+  const bool texts =
+      remarks->is_array() && remarks->size() <= max_remarks &&
+      std::ranges::all_of(*remarks, [](const json& remark) {
+        return remark.is_string() && remark.get_ref<const std::string&>().size() <= longest_remark;
+      });
+  if (!texts)
+    return reader.refuse("/remarks", "must be an array of at most 200 texts of at most 1000 bytes each");
+  for (const json& remark : *remarks) warnings.push_back(remark.get<std::string>());
 }
 
 /// Goals from a file; without "from" the first of them is the start.
 void read_goals(InputReader& reader, planning::PlanRequest& request, std::vector<std::string>& warnings) {
-  auto goals = read_file(reader, "goals_file");
+  auto goals = read_file_member(reader, "goals_file");
   if (reader.member("to") != nullptr || reader.member("via") != nullptr)
     reader.refuse("/goals_file", "takes the place of \"to\" and \"via\"; give one or the other");
   const auto from = reader.place("from");
@@ -107,45 +103,11 @@ void fill_data(const planning::PlanRequest& request, repository::EnvironmentQuer
   data.dive_depth = request.vehicle.dive_depth;
 }
 
-/// The places of a file, from the start where that is given.
-void read_route_from_file(InputReader& reader, EvaluateInputs& inputs) {
-  auto file = read_file(reader, "route_file");
-  const auto from = reader.place("from");
-  if (!file) return;
-  if (from) file->places.insert(file->places.begin(), *from);
-  if (file->places.size() < 2) {
-    reader.refuse("/route_file", "must hold two places at least, or one and \"from\"");
-    return;
-  }
-  inputs.route = std::move(file->places);
-  inputs.warnings = std::move(file->warnings);
-}
-
-/// The positions of a route given as GeoJSON or as a bare array; notes what is wrong with it.
-void read_route(InputReader& reader, EvaluateInputs& inputs) {
-  const json* route = reader.member("route");
-  inputs.plan_id = reader.text("plan_id");
-  const bool from_file = reader.member("route_file") != nullptr;
-  if ((route != nullptr) + (reader.member("plan_id") != nullptr) + from_file != 1) {
-    reader.refuse("/route", "is required, or else \"plan_id\" or \"route_file\", and only one of them");
-    return;
-  }
-  if (from_file) return read_route_from_file(reader, inputs);
-  if (route == nullptr) return;
-  std::string pointer = "/route";
-  if (route->is_object() && route->value("type", json{}) == "Feature" && route->contains("geometry")) {
-    route = &route->at("geometry");
-    pointer += "/geometry";
-  }
-  if (route->is_object()) {
-    if (route->value("type", json{}) != "LineString" || !route->contains("coordinates")) {
-      reader.refuse(pointer, "must be a GeoJSON LineString or an array of positions");
-      return;
-    }
-    route = &route->at("coordinates");
-    pointer += "/coordinates";
-  }
-  if (auto places = reader.places(*route, pointer, 2, max_route_places)) inputs.route = std::move(*places);
+/// What an evaluation is told besides its route.
+void read_conditions(InputReader& reader, EvaluateInputs& inputs) {
+  read_departure(reader, inputs.request);
+  read_common(reader, inputs.request, inputs.data, inputs.name);
+  reader.refuse_unknown();
 }
 
 json place_json(geo::LonLat place) { return json::array({place.lon_deg, place.lat_deg}); }
@@ -178,6 +140,7 @@ tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs)
   } else {
     read_places(reader, result.request);
   }
+  read_remarks(reader, result.warnings);
   read_via_order(reader, result.request);
   read_departures(reader, result.request);
   read_common(reader, result.request, result.data, result.name);
@@ -196,13 +159,24 @@ tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs)
 tl::expected<EvaluateInputs, core::Violations> parse_evaluate_inputs(const json& inputs) {
   InputReader reader{inputs};
   EvaluateInputs result;
-  read_route(reader, result);
-  read_departure(reader, result.request);
-  read_common(reader, result.request, result.data, result.name);
-  reader.refuse_unknown();
+  GivenRoute given = read_route(reader);
+  read_remarks(reader, given.warnings);
+  read_conditions(reader, result);
   if (!reader.violations().empty()) return tl::unexpected(reader.violations());
 
-  if (!result.route.empty()) set_route(result, std::vector<geo::LonLat>{result.route});
+  result.plan_id = std::move(given.plan_id);
+  result.warnings = std::move(given.warnings);
+  if (!result.plan_id) set_route(result, std::move(given.places));
+  return result;
+}
+
+tl::expected<EvaluateInputs, core::Violations> parse_flight_inputs(const json& inputs,
+                                                                   std::vector<geo::LonLat> route) {
+  InputReader reader{inputs};
+  EvaluateInputs result;
+  read_conditions(reader, result);
+  if (!reader.violations().empty()) return tl::unexpected(reader.violations());
+  set_route(result, std::move(route));
   return result;
 }
 
@@ -221,6 +195,7 @@ json to_json(const PlanInputs& inputs) {
   result["to"] = place_json(request.to);
   result["via"] = places_json(request.via);
   result["uncertainty"] = uncertainty_json(request.uncertainty);
+  result["remarks"] = inputs.warnings;
   result["via_order"] = request.via_in_best_order ? "best" : "given";
   write_departures(request, result);
   write_search(request, result);
@@ -230,6 +205,7 @@ json to_json(const PlanInputs& inputs) {
 json to_json(const EvaluateInputs& inputs) {
   json result = common_json(inputs.request, inputs.data, inputs.name);
   result["depart"] = core::iso8601(inputs.request.depart);
+  result["remarks"] = inputs.warnings;
   if (inputs.plan_id) {
     result["plan_id"] = *inputs.plan_id;
   } else {

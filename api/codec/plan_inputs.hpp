@@ -29,7 +29,7 @@ struct EvaluateInputs {
   planning::PlanRequest request;       // departure, vehicle, margin; its places are the route's ends
   repository::EnvironmentQuery data;
   std::string name;
-  std::vector<std::string> warnings;  // of a file that the places came from
+  std::vector<std::string> warnings;  // of the route: lines of its file, places that were given twice
 };
 
 /// Reads the `inputs` object of an execute request (or of a request file).
@@ -37,6 +37,11 @@ struct EvaluateInputs {
 [[nodiscard]] tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const nlohmann::json& inputs);
 [[nodiscard]] tl::expected<EvaluateInputs, core::Violations> parse_evaluate_inputs(
     const nlohmann::json& inputs);
+
+/// What such an object says besides the route, for a route of at least two places that is known otherwise and whose
+/// legs may be of any length.
+[[nodiscard]] tl::expected<EvaluateInputs, core::Violations> parse_flight_inputs(
+    const nlohmann::json& inputs, std::vector<geo::LonLat> route);
 
 /// The inputs with every default written out and keys in a fixed order: the same request gives the same text.
 [[nodiscard]] nlohmann::json to_json(const PlanInputs& inputs);

@@ -11,26 +11,24 @@ namespace {
 
 using nlohmann::json;
 
-/// The route as the evaluation of routes takes it, at least two places long, so that area and request follow.
-json route_json(std::optional<geo::LonLat> start, const mission::FlightRoute& flight) {
-  json route = json::array();
-  if (start) route.push_back({start->lon_deg, start->lat_deg});
-  for (const geo::LonLat place : flight.places()) route.push_back({place.lon_deg, place.lat_deg});
+/// The route from where the vehicle is, at least two places long, so that area and request follow.
+std::vector<geo::LonLat> whole_route(std::optional<geo::LonLat> start, const mission::FlightRoute& flight) {
+  std::vector<geo::LonLat> route = flight.places();
+  if (start) route.insert(route.begin(), *start);
   if (route.size() == 1) route.push_back(route.front());
   return route;
 }
 
 }  // namespace
 
-core::Violations check_flight(sqlite::Connection& db, json inputs, std::optional<geo::LonLat> start,
+core::Violations check_flight(sqlite::Connection& db, const json& inputs, std::optional<geo::LonLat> start,
                               std::vector<mission::Document>& documents) {
   const mission::FlightRoute flight = mission::route_of(documents);
   if (flight.stops.empty()) {
     mission::check_flight(documents, {}, start, {});
     return {};
   }
-  inputs["route"] = route_json(start, flight);
-  auto parsed = codec::parse_evaluate_inputs(inputs);
+  auto parsed = codec::parse_flight_inputs(inputs, whole_route(start, flight));
   if (!parsed) return parsed.error();
   const auto environment = repository::load_environment(db, parsed->data);
   if (!environment) return environment.error();

@@ -139,5 +139,46 @@ TEST(RouteFileInput, IsEvaluatedFromTheGivenStart) {
   EXPECT_FALSE(parse_evaluate_inputs(inputs).has_value());
 }
 
+TEST(RouteInput, TakesAPlaceThatIsGivenTwiceOnceAndSaysWhich) {
+  const json positions{{-53.5, 69.25}, {-53.5, 69.25}, {-53.5, 69.2500001}, {-52.75, 69.0}, {-52.75, 69.0}};
+  const auto parsed = parse_evaluate_inputs({{"depart", "2026-11-20T06:00:00Z"}, {"route", positions}});
+
+  ASSERT_TRUE(parsed.has_value());
+  EXPECT_THAT(parsed->route, ElementsAre(first, second));
+  ASSERT_EQ(parsed->warnings.size(), 1U);
+  EXPECT_THAT(parsed->warnings[0], HasSubstr("places 1, 2, 4 of the route"));
+
+  const auto again = parse_evaluate_inputs(to_json(*parsed));
+  ASSERT_TRUE(again.has_value()) << "a job keeps its inputs in this form";
+  EXPECT_EQ(again->warnings, parsed->warnings);
+}
+
+TEST(RouteInput, OfOnePlaceOrOfLegsAcrossTheGlobeIsRefusedWithItsIndex) {
+  const auto fault_of = [](const json& inputs) {
+    const auto parsed = parse_evaluate_inputs(inputs);
+    return parsed ? core::Violation{} : parsed.error().front();
+  };
+  const std::string twice = "lon,lat\n-52.75,69\n-52.75,69\n";
+  const std::string far = "lon,lat\n-52.75,69\n-52.75,69\n120,-40\n";
+
+  EXPECT_EQ(fault_of(inputs_with("route_file", twice)).field, "/route_file");
+  EXPECT_THAT(fault_of(inputs_with("route_file", far)).rule, HasSubstr("place 2 is more than 5000 km"));
+  EXPECT_EQ(
+      fault_of({{"depart", "2026-11-20T06:00:00Z"}, {"route", {{-53, 69}, {-52, 69}, {100, -40}}}}).field,
+      "/route/2");
+}
+
+TEST(RouteInput, RemarksReachTheWarningsOfTheAnswer) {
+  json inputs{{"depart", "2026-11-20T06:00:00Z"},
+              {"from", {-53, 69}},
+              {"to", {-52, 69}},
+              {"remarks", {"read by hand"}}};
+
+  EXPECT_THAT(parse_plan_inputs(inputs)->warnings, ElementsAre("read by hand"));
+  EXPECT_EQ(parse_plan_inputs(to_json(*parse_plan_inputs(inputs)))->warnings.size(), 1U);
+  inputs["remarks"] = "one";
+  EXPECT_FALSE(parse_plan_inputs(inputs).has_value());
+}
+
 }  // namespace
 }  // namespace floeplan::codec

@@ -1,0 +1,126 @@
+#include "api/codec/route_inputs.hpp"
+
+#include "engine/geo/geodesic.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t max_route_places = 10'000;
+constexpr std::size_t most_named = 20;  // repeated places that a warning names
+constexpr double same_place_m = 1.0;    // shorter legs are none to the planner
+constexpr double longest_leg_m = 5e6;   // longer ones it does not take
+
+/// Where a route stands in its request, and how one place of it is named there.
+struct Origin {
+  std::string pointer;
+  bool is_json{true};  // else a file, whose places are counted
+
+  [[nodiscard]] std::string rule_pointer(std::size_t place) const {
+    return is_json ? pointer + "/" + std::to_string(place) : pointer;
+  }
+};
+
+std::string place_text(std::size_t place) { return "place " + std::to_string(place); }
+
+/// Takes each run of the same place once, and notes legs that are too long. Places count from 0 as they were given.
+void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
+  std::vector<geo::LonLat> kept;
+  std::string repeated;
+  std::size_t repeats = 0;
+  for (std::size_t i = 0; i < route.places.size(); ++i) {
+    const double leg_m =
+        kept.empty() ? longest_leg_m : geo::geodesic_between(kept.back(), route.places[i]).length.value;
+    if (leg_m < same_place_m) {
+      if (++repeats <= most_named) repeated += (repeated.empty() ? "" : ", ") + std::to_string(i);
+      continue;
+    }
+    if (leg_m > longest_leg_m)
+      reader.refuse(
+          origin.rule_pointer(i),
+          place_text(i) + " is more than 5000 km from the place before it; are the coordinates right?");
+    kept.push_back(route.places[i]);
+  }
+  if (kept.size() < 2) {
+    reader.refuse(origin.pointer, "must hold two different places at least");
+  } else if (repeats > 0) {
+    route.warnings.push_back((repeats == 1 ? "place " : "places ") + repeated +
+                             (repeats > most_named ? " and more" : "") +
+                             " of the route, counted from 0: within 1 m of the place before, taken once");
+  }
+  route.places = std::move(kept);
+}
+
+/// The places of a file, from the start where that is given.
+GivenRoute read_route_from_file(InputReader& reader) {
+  auto file = read_file_member(reader, "route_file");
+  const auto from = reader.place("from");
+  if (!file) return {};
+  if (from) file->places.insert(file->places.begin(), *from);
+  GivenRoute route{std::move(file->places), {}, std::move(file->warnings)};
+  if (route.places.size() < 2) {
+    reader.refuse("/route_file", "must hold two places at least, or one and \"from\"");
+  } else {
+    settle(reader, {"/route_file", false}, route);
+  }
+  return route;
+}
+
+/// The positions of a route given as GeoJSON or as a bare array.
+GivenRoute read_positions(InputReader& reader, const json* route) {
+  std::string pointer = "/route";
+  if (route->is_object() && route->value("type", json{}) == "Feature" && route->contains("geometry")) {
+    route = &route->at("geometry");
+    pointer += "/geometry";
+  }
+  if (route->is_object()) {
+    if (route->value("type", json{}) != "LineString" || !route->contains("coordinates")) {
+      reader.refuse(pointer, "must be a GeoJSON LineString or an array of positions");
+      return {};
+    }
+    route = &route->at("coordinates");
+    pointer += "/coordinates";
+  }
+  auto places = reader.places(*route, pointer, 2, max_route_places);
+  if (!places) return {};
+  GivenRoute given{std::move(*places), {}, {}};
+  settle(reader, {pointer}, given);
+  return given;
+}
+
+}  // namespace
+
+std::optional<RouteFile> read_file_member(InputReader& reader, const std::string& key) {
+  const json* file = reader.member(key);
+  if (file == nullptr) return std::nullopt;
+  const auto text_at = [&](const char* name) {
+    return file->is_object() && file->contains(name) && (*file)[name].is_string();
+  };
+  if (!text_at("name") || !text_at("text") || file->size() != 2) {
+    reader.refuse("/" + key, "must be an object of a file's \"name\" and its \"text\"");
+    return std::nullopt;
+  }
+  auto read =
+      read_route_file((*file)["name"].get<std::string>(), (*file)["text"].get_ref<const std::string&>());
+  if (read) return std::move(*read);
+  for (const core::Violation& violation : read.error()) {
+    reader.refuse("/" + key, violation.field + ": " + violation.rule);
+  }
+  return std::nullopt;
+}
+
+GivenRoute read_route(InputReader& reader) {
+  const json* route = reader.member("route");
+  GivenRoute given;
+  given.plan_id = reader.text("plan_id");
+  const bool from_file = reader.member("route_file") != nullptr;
+  if ((route != nullptr) + (reader.member("plan_id") != nullptr) + from_file != 1) {
+    reader.refuse("/route", "is required, or else \"plan_id\" or \"route_file\", and only one of them");
+    return given;
+  }
+  if (from_file) return read_route_from_file(reader);
+  return route == nullptr ? given : read_positions(reader, route);
+}
+
+}  // namespace floeplan::codec
