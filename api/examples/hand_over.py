@@ -29,8 +29,9 @@ def fetch(server, plan_id, query):
     with urllib.request.urlopen(address + ("?" + query if query else ""), timeout=60) as answer:
         warnings = answer.headers.get_all("Floeplan-Warning") or []
         archive = zipfile.ZipFile(io.BytesIO(answer.read()))
-    # Only plain names: an archive must not reach out of the folder.
-    return {name: archive.read(name) for name in archive.namelist() if pathlib.PurePath(name).name == name}, warnings
+    # By their last names alone: wherever the archive puts a file, it must not reach out of the folder.
+    files = {pathlib.PurePosixPath(name).name: archive.read(name) for name in archive.namelist()}
+    return {name: content for name, content in files.items() if name not in ("", "..")}, warnings
 
 
 def write_whole(folder, files):

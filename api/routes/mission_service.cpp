@@ -7,6 +7,7 @@
 
 #include "api/codec/plan_document.hpp"
 #include "api/codec/plan_inputs.hpp"
+#include "engine/mission/line_words.hpp"
 #include "engine/mission/read_document.hpp"
 #include "engine/mission/route_check.hpp"
 #include "storage/repository/environment_loader.hpp"
@@ -15,6 +16,8 @@ namespace floeplan::routes {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t longest_glider_name = 40;
 
 /// The inputs that the plan was made with; nothing when an older version stored them in another form.
 std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record) {
@@ -64,6 +67,14 @@ tl::expected<mission::MissionFiles, core::Violations> mission_of(const repositor
   return files;
 }
 
+tl::expected<std::string, core::Violation> dockserver_folder(const std::string& glider) {
+  if (glider.empty()) return "";
+  if (!mission::is_name(glider) || glider.size() > longest_glider_name)
+    return tl::unexpected(core::Violation{
+        "/glider", "must be one to 40 letters, digits and underscores, the name of a folder"});
+  return "gliders/" + glider + "/to-glider/";
+}
+
 std::optional<mission::Firmware> parse_firmware(const std::string& text) {
   mission::Firmware firmware;
   const char* const end = text.data() + text.size();
@@ -77,7 +88,7 @@ std::optional<mission::Firmware> parse_firmware(const std::string& text) {
 
 PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record) {
   const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
-  const auto inputs = inputs_of(record);
+  auto inputs = inputs_of(record);
   if (!inputs)
     return {{}, {"The plan was stored by another version and could not be checked in newer data."}};
   const auto environment = repository::load_environment(db, inputs->data);
@@ -87,6 +98,7 @@ PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& recor
   }
   if (same_data(plan.datasets, environment->datasets)) return {};
 
+  inputs->request.depart = plan.departure;  // of a window of departures, the best
   PlanCheck check;
   const auto found =
       mission::check_route(*environment, codec::route_of(json::parse(record.document_json)), inputs->request);

@@ -27,6 +27,12 @@ struct MissionRequest {
 [[nodiscard]] tl::expected<mission::MissionFiles, core::Violations> mission_of(
     const repository::PlanRecord& record, const MissionRequest& request, core::UtcTime generated);
 
+/// Where a dockserver looks for the files that a glider shall fetch, below the folder that holds its `gliders`:
+/// "gliders/amadeus/to-glider/". No glider, no folder.
+/// Source   the vendor's training material, folders of the shore server
+/// Errors   a violation for a name that is no plain folder
+[[nodiscard]] tl::expected<std::string, core::Violation> dockserver_folder(const std::string& glider);
+
 /// "10.5". Nothing for any other text.
 [[nodiscard]] std::optional<mission::Firmware> parse_firmware(const std::string& text);
 
@@ -36,8 +42,8 @@ struct PlanCheck {
   std::vector<std::string> warnings;  // what could not be found out
 };
 
-/// Follows a stored plan once more through the newest data of its choice. A plan whose data are unchanged has been
-/// checked when it was made.
+/// Follows a stored plan once more through the newest data of its choice, from its own departure. A plan whose data are
+/// unchanged has been checked when it was made.
 [[nodiscard]] PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record);
 
 }  // namespace floeplan::routes

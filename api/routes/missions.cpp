@@ -31,9 +31,9 @@ Response refuse_dangerous(const Request& request, const PlanCheck& check) {
   core::Violations found;
   for (const std::string& danger : check.dangers) found.push_back({"/plan", danger});
   return problem_reply(
-      request,
-      {409, "dangerous-plan", "The plan has become dangerous",
-       "The newest data close legs of the plan; plan anew, or repeat with force=true.", std::move(found)});
+      request, {409, "dangerous-plan", "The plan has become dangerous",
+                "The newest data close legs of the plan; plan anew, or repeat with accept_dangers=true.",
+                std::move(found)});
 }
 
 /// Calls `answer` with the stored plan that the path names and with what newer data say of it. A plan that would
@@ -44,11 +44,11 @@ Response with_plan(const Context& context, const Request& request, const PathPar
   const auto plan = repository::PlanRepository{context.db}.find({path.at("plan_id")});
   if (!plan) return not_found(request, "unknown-plan", "No plan has the id " + path.at("plan_id") + ".");
   ParameterReader reader{request};
-  const bool force = reader.flag("force");
+  const bool accept_dangers = reader.flag("accept_dangers");
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
   PlanCheck check = check_plan(context.db, *plan);
-  if (!check.dangers.empty() && !force) return refuse_dangerous(request, check);
+  if (!check.dangers.empty() && !accept_dangers) return refuse_dangerous(request, check);
   std::ranges::move(check.dangers, std::back_inserter(check.warnings));
   Response response = answer(*plan, check.warnings);
   for (const std::string& warning : check.warnings)
@@ -107,11 +107,13 @@ Response show_mission(const Context& context, const Request& request, const Path
 }
 
 Response download_zip(const Context& context, const Request& request, const PathParameters& path) {
+  const auto folder = dockserver_folder(request.parameter("glider").value_or(""));
+  if (!folder) return invalid(request, {{"?glider", folder.error().rule}});
   return with_plan(
       context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
         return with_files(request, plan, warnings, [&](const mission::MissionFiles& set) {
           std::vector<codec::ArchivedFile> files;
-          for (const auto& file : set.files) files.push_back({file.name, file.text});
+          for (const auto& file : set.files) files.push_back({*folder + file.name, file.text});
           return download(plan.id.value + ".zip", "application/zip", codec::zip_archive(files, request.now));
         });
       });
@@ -133,12 +135,14 @@ auto download_as(const ExportFormat& format) {
 
 std::vector<Route> mission_routes() {
   const std::string plan = "/collections/plans/items/{plan_id}";
-  const std::vector<std::string> of_files{"number",          "full", "mission", "firmware", "safe",
-                                          "iceberg_depth_m", "force"};
+  const std::vector<std::string> of_files{"number",          "full",          "mission", "firmware", "safe",
+                                          "iceberg_depth_m", "accept_dangers"};
+  std::vector<std::string> of_zip = of_files;
+  of_zip.emplace_back("glider");
   std::vector<Route> routes{{"GET", plan + "/mission", of_files, show_mission},
-                            {"GET", plan + "/mission.zip", of_files, download_zip}};
+                            {"GET", plan + "/mission.zip", of_zip, download_zip}};
   for (const ExportFormat& format : export_formats())
-    routes.push_back({"GET", plan + "/mission." + format.name, {"force"}, download_as(format)});
+    routes.push_back({"GET", plan + "/mission." + format.name, {"accept_dangers"}, download_as(format)});
   return routes;
 }
 

@@ -6,7 +6,6 @@
 #include "api/codec/zip_archive.hpp"
 #include "api/routes/mission_service.hpp"
 #include "api/routes/plan_exports.hpp"
-#include "engine/mission/line_words.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/file_set.hpp"
 #include "server/cli/flag_values.hpp"
@@ -30,6 +29,7 @@ struct Flags {
   std::string glider;
   bool zip{false};
   bool force{false};
+  bool accept_dangers{false};
   bool json_out{false};
 };
 
@@ -79,8 +79,7 @@ std::vector<std::string> format_names() {
 /// The files where a dockserver looks for them, in one archive if that is wanted.
 std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const repository::PlanRecord& record,
                                  const Flags& flags) {
-  const std::filesystem::path folder =
-      flags.glider.empty() ? std::filesystem::path{} : std::filesystem::path{flags.glider} / "to-glider";
+  const std::filesystem::path folder = *routes::dockserver_folder(flags.glider);
   std::vector<OutputFile> output;
   std::vector<codec::ArchivedFile> archived;
   for (const auto& file : set.files) {
@@ -93,16 +92,17 @@ std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const reposit
 
 /// A name of a folder, and no way out of it.
 std::string check_glider(const std::string& name) {
-  const bool plain = mission::is_name(name) && name.size() <= 40;
-  return plain ? "" : name + " must have letters, digits and underscores alone";
+  const auto folder = routes::dockserver_folder(name);
+  return folder ? "" : name + " " + folder.error().rule;
 }
 
 /// Nothing is written of a plan that newer data close.
 int refuse(const routes::PlanCheck& check, bool json_out) {
   if (json_out) std::cout << json{{"status", "dangerous"}, {"dangers", check.dangers}}.dump(2) << '\n';
   for (const std::string& danger : check.dangers) complain(could_not, danger);
-  return complain(could_not,
-                  "nothing was written; plan anew in the newest data; --force writes it all the same");
+  return complain(
+      could_not,
+      "nothing was written; plan anew in the newest data; --accept-dangers writes it all the same");
 }
 
 int run(const Flags& flags, const Program& program) {
@@ -112,7 +112,7 @@ int run(const Flags& flags, const Program& program) {
     return complain(could_not, "no plan has the id " + flags.plan_id + "; floeplan plan prints the id");
 
   routes::PlanCheck check = routes::check_plan(db, *record);
-  if (!check.dangers.empty() && !flags.force) return refuse(check, flags.json_out);
+  if (!check.dangers.empty() && !flags.accept_dangers) return refuse(check, flags.json_out);
   check.warnings.insert(check.warnings.begin(), check.dangers.begin(), check.dangers.end());
   auto files = files_of(db, *record, flags, check.warnings);
   if (!files) return print_violations(files.error(), flags.json_out);
@@ -159,11 +159,12 @@ void add_export(CLI::App& app, Program& program) {
                       "Deepest iceberg to expect, metres; default 20");
   command
       ->add_option("--glider", flags->glider,
-                   "Write into GLIDER/to-glider, where a dockserver takes files from")
+                   "Write into gliders/GLIDER/to-glider below --out, where a dockserver takes files from")
       ->check(check_glider);
   command->add_flag("--zip", flags->zip, "Write one ZIP archive instead of the files");
-  command->add_flag("--force", flags->force,
-                    "Replace files that exist; write a plan that has become dangerous");
+  command->add_flag("--force", flags->force, "Replace files that exist");
+  command->add_flag("--accept-dangers", flags->accept_dangers,
+                    "Write a plan whose legs the newest data close, and put the dangers among its warnings");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run(*flags, program); });
 }

@@ -82,10 +82,22 @@ TEST_F(MissionFilesTest, ComeInEveryOtherFormatToo) {
   EXPECT_EQ(ask("GET", "/collections/plans/items/p1/mission.doc").status, 404);
 }
 
+TEST_F(MissionFilesTest, LieInTheArchiveWhereADockserverLooksForThem) {
+  const std::string zip = ask("GET", "/collections/plans/items/p1/mission.zip?glider=amadeus").body;
+
+  EXPECT_THAT(zip, HasSubstr("gliders/amadeus/to-glider/goto_l10.ma"));
+  EXPECT_THAT(ask("GET", "/collections/plans/items/p1/mission.zip").body,
+              testing::Not(HasSubstr("to-glider")));
+  for (const char* bad : {"..%2Fup", "a%20b", "%2Fetc"})
+    EXPECT_EQ(ask("GET", "/collections/plans/items/p1/mission.zip?glider=" + std::string{bad}).status, 400)
+        << bad;
+}
+
 TEST_F(MissionFilesTest, RefuseBadOptions) {
   const std::string path = "/collections/plans/items/p1/mission?";
-  for (const char* query : {"number=98", "firmware=ten", "safe=here", "iceberg_depth_m=20",
-                            "full=true&mission=recov", "safe=-53,69&iceberg_depth_m=900", "force=maybe"})
+  for (const char* query :
+       {"number=98", "firmware=ten", "safe=here", "iceberg_depth_m=20", "full=true&mission=recov",
+        "safe=-53,69&iceberg_depth_m=900", "accept_dangers=maybe", "force=true"})
     EXPECT_EQ(ask("GET", path + query).status, 400) << query;
 }
 

@@ -38,7 +38,7 @@ TEST(Export, HandsAFullSetToAGliderAndNeverOverwritesIt) {
 
   const Outcome first = program.run(words);
   ASSERT_EQ(first.exit_code, 0) << first.err;
-  const fs::path folder = out / "amadeus" / "to-glider";
+  const fs::path folder = out / "gliders" / "amadeus" / "to-glider";
   std::vector<std::string> check{"check"};
   for (const auto& file : fs::directory_iterator{folder}) check.push_back(file.path().string());
   EXPECT_EQ(check.size(), 10U) << "nine files, none left half written";
@@ -116,9 +116,13 @@ TEST(Export, RefusesAPlanThatNewerDataClose) {
   EXPECT_EQ(refused.json()["status"], "dangerous");
   EXPECT_FALSE(fs::exists(out / "goto_l10.ma"));
 
-  const Outcome forced = program.run({"export", id, "--out", out.string(), "--force"});
-  EXPECT_EQ(forced.exit_code, 0);
-  EXPECT_THAT(forced.err, HasSubstr("In the newest data"));
+  EXPECT_EQ(program.run({"export", id, "--out", out.string(), "--force"}).exit_code, 1)
+      << "leave to overwrite is no leave to endanger";
+  const std::vector<std::string> accepted{"export", id, "--out", out.string(), "--accept-dangers"};
+  const Outcome written = program.run(accepted);
+  EXPECT_EQ(written.exit_code, 0);
+  EXPECT_THAT(written.err, HasSubstr("In the newest data"));
+  EXPECT_EQ(program.run(accepted).exit_code, 1) << "nor the reverse";
 }
 
 TEST(HandOverExample, CopiesTheFilesOnceAndReplacesThemOnlyWhenTold) {
