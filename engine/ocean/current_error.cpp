@@ -110,7 +110,7 @@ CurrentGrid with_error(const CurrentGrid& currents, const CurrentErrorModel& mod
       }
     }
   }
-  return CurrentGrid{std::move(samples)};
+  return CurrentGrid{std::move(samples), currents.tide()};
 }
 
 }  // namespace floeplan::ocean

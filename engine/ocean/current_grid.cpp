@@ -15,28 +15,68 @@ geo::VelocityEn blend(geo::VelocityEn a, geo::VelocityEn b, double share_of_b) {
   return {a.east + share_of_b * (b.east - a.east), a.north + share_of_b * (b.north - a.north)};
 }
 
+geo::VelocityEn sum(geo::VelocityEn a, geo::VelocityEn b) { return {a.east + b.east, a.north + b.north}; }
+
 std::size_t depth_count(const CurrentGrid::Samples& samples) {
   return samples.depths_m ? samples.depths_m->size() : 1;
 }
 
 }  // namespace
 
-CurrentGrid::CurrentGrid(Samples samples) : samples_{std::move(samples)} {
+CurrentGrid::CurrentGrid(Samples samples) : CurrentGrid{std::move(samples), nullptr} {}
+
+CurrentGrid::CurrentGrid(Samples samples, std::shared_ptr<const TidalCurrents> tide)
+    : samples_{std::move(samples)}, tide_{std::move(tide)} {
   const std::size_t wanted = samples_.grid.size() * depth_count(samples_) * samples_.times_s.size();
   if (samples_.u.size() != wanted || samples_.v.size() != wanted) {
     throw std::invalid_argument{"currents need one u and one v for each node, depth and time"};
   }
+  if (!tide_) return;
+  for (const double time_s : tide_->times_s().nodes()) {
+    const auto when =
+        samples_.times_s.size() == 1 ? std::optional{AxisPosition{}} : samples_.times_s.locate(time_s);
+    if (!when)
+      throw std::invalid_argument{"a tide must not begin before or end after the currents it is added to"};
+    sample_times_.push_back(*when);
+  }
 }
 
-std::optional<geo::VelocityEn> CurrentGrid::level(const GridPosition& at, std::size_t time_index,
-                                                  std::size_t depth_index) const {
+std::optional<geo::VelocityEn> CurrentGrid::sampled(const GridPosition& at, std::size_t sample_time,
+                                                    std::size_t depth_index) const {
   const std::size_t slice = samples_.grid.size();
-  const std::size_t begin = (time_index * depth_count(samples_) + depth_index) * slice;
+  const std::size_t begin = (sample_time * depth_count(samples_) + depth_index) * slice;
   const std::size_t nx = samples_.grid.x().size();
   const auto east = bilinear(std::span{samples_.u}.subspan(begin, slice), nx, at);
   const auto north = bilinear(std::span{samples_.v}.subspan(begin, slice), nx, at);
   if (!east || !north) return std::nullopt;
   return geo::VelocityEn{{*east}, {*north}};
+}
+
+std::optional<geo::VelocityEn> CurrentGrid::level(const GridPosition& at, std::size_t time_index,
+                                                  std::size_t depth_index) const {
+  if (!tide_) return sampled(at, time_index, depth_index);
+  const AxisPosition& when = sample_times_[time_index];
+  const auto before = sampled(at, when.lower, depth_index);
+  if (!before || when.fraction == 0.0) return before;
+  const auto after = sampled(at, when.upper, depth_index);
+  if (!after) return std::nullopt;
+  return blend(*before, *after, when.fraction);
+}
+
+std::optional<geo::VelocityEn> CurrentGrid::tide_at(const GridPosition& at, std::size_t time_index) const {
+  if (!tide_) return geo::VelocityEn{};
+  const auto across = [&](std::size_t iy) -> std::optional<geo::VelocityEn> {
+    const auto west = tide_->at_node(at.x.lower, iy, time_index);
+    if (!west || at.x.fraction == 0.0) return west;
+    const auto east = tide_->at_node(at.x.upper, iy, time_index);
+    if (!east) return std::nullopt;
+    return blend(*west, *east, at.x.fraction);
+  };
+  const auto south = across(at.y.lower);
+  if (!south || at.y.fraction == 0.0) return south;
+  const auto north = across(at.y.upper);
+  if (!north) return std::nullopt;
+  return blend(*south, *north, at.y.fraction);
 }
 
 std::optional<geo::VelocityEn> CurrentGrid::at(geo::LonLat place, core::Metres depth,
@@ -46,16 +86,18 @@ std::optional<geo::VelocityEn> CurrentGrid::at(geo::LonLat place, core::Metres d
     throw std::invalid_argument{"currents were asked for at a place, depth or time that is not finite"};
   }
   const auto position = samples_.grid.locate(place);
-  const auto when = samples_.times_s.locate(core::unix_seconds(time));
+  const auto when = times_s().locate(core::unix_seconds(time));
   const auto below = samples_.depths_m ? samples_.depths_m->locate(depth.value) : AxisPosition{};
   if (!position || !when || !below) return std::nullopt;
 
   const auto at_time = [&](std::size_t time_index) -> std::optional<geo::VelocityEn> {
+    const auto tide = tide_at(*position, time_index);
     const auto upper = level(*position, time_index, below->lower);
-    if (!upper || below->fraction == 0.0) return upper;
+    if (!upper || !tide) return std::nullopt;
+    if (below->fraction == 0.0) return sum(*upper, *tide);
     const auto lower = level(*position, time_index, below->upper);
     if (!lower) return std::nullopt;
-    return blend(*upper, *lower, below->fraction);
+    return sum(blend(*upper, *lower, below->fraction), *tide);
   };
   const auto before = at_time(when->lower);
   if (!before || when->fraction == 0.0) return before;
@@ -65,13 +107,15 @@ std::optional<geo::VelocityEn> CurrentGrid::at(geo::LonLat place, core::Metres d
 }
 
 std::optional<CurrentColumn> CurrentGrid::column(const GridPosition& at, std::size_t time_index) const {
+  const auto tide = tide_at(at, time_index);
+  if (!tide) return std::nullopt;
   std::vector<double> depths_m;
   std::vector<geo::VelocityEn> levels;
   for (std::size_t i = 0; i < depth_count(samples_); ++i) {
     const auto water = level(at, time_index, i);
     if (!water) break;  // the sea bed
     depths_m.push_back(samples_.depths_m ? (*samples_.depths_m)[i] : 0.0);
-    levels.push_back(*water);
+    levels.push_back(sum(*water, *tide));
   }
   if (levels.empty()) return std::nullopt;
   return CurrentColumn{depths_m, levels};

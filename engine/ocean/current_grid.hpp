@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -7,6 +8,7 @@
 #include "engine/ocean/current_column.hpp"
 #include "engine/ocean/current_field.hpp"
 #include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/tidal_currents.hpp"
 
 namespace floeplan::ocean {
 
@@ -17,7 +19,10 @@ namespace floeplan::ocean {
 ///          class
 /// Outside  nullopt where any of the nodes needed is missing, beyond the grid, its depths and its times.
 ///          Data without a depth axis (`depths` empty) answer for every depth: they say nothing of depth
-/// Errors   std::invalid_argument from the constructor when the sizes do not agree
+/// Tide     where tidal currents are added, the steps of time are theirs: the data, linear between their own times
+///          (steady when they have one), and the tide at each of its steps; nullopt also where the tide is missing
+/// Errors   std::invalid_argument from the constructor when the sizes do not agree, or when the tide begins before or
+///          ends after data of several times
 class CurrentGrid : public CurrentField {
  public:
   struct Samples {
@@ -29,6 +34,8 @@ class CurrentGrid : public CurrentField {
   };
 
   explicit CurrentGrid(Samples samples);
+  /// `tide` is on the nodes of the samples' grid; null: none.
+  CurrentGrid(Samples samples, std::shared_ptr<const TidalCurrents> tide);
 
   [[nodiscard]] std::optional<geo::VelocityEn> at(geo::LonLat place, core::Metres depth,
                                                   core::UtcTime time) const override;
@@ -41,16 +48,25 @@ class CurrentGrid : public CurrentField {
   [[nodiscard]] std::optional<CurrentColumn> column_at_node(std::size_t ix, std::size_t iy,
                                                             std::size_t time_index) const;
   [[nodiscard]] const Samples& samples() const { return samples_; }
-  /// The mean over all times as a field with a single time; a node is missing where it is missing at any
-  /// time.
+  /// The steps of time that a `time_index` counts.
+  [[nodiscard]] const Axis& times_s() const { return tide_ ? tide_->times_s() : samples_.times_s; }
+  [[nodiscard]] const std::shared_ptr<const TidalCurrents>& tide() const { return tide_; }
+  /// The mean over all times, without the tide, as a field with a single time; a node is missing where it is missing
+  /// at any time.
   [[nodiscard]] CurrentGrid time_mean() const;
 
  private:
+  [[nodiscard]] std::optional<geo::VelocityEn> sampled(const GridPosition& at, std::size_t sample_time,
+                                                       std::size_t depth_index) const;
   [[nodiscard]] std::optional<geo::VelocityEn> level(const GridPosition& at, std::size_t time_index,
                                                      std::size_t depth_index) const;
+  /// Still where there is no tide.
+  [[nodiscard]] std::optional<geo::VelocityEn> tide_at(const GridPosition& at, std::size_t time_index) const;
   [[nodiscard]] std::optional<CurrentColumn> column(const GridPosition& at, std::size_t time_index) const;
 
   Samples samples_;
+  std::shared_ptr<const TidalCurrents> tide_;
+  std::vector<AxisPosition> sample_times_;  // where each step of the tide lies among the samples' times
 };
 
 }  // namespace floeplan::ocean

@@ -84,7 +84,7 @@ class Drift {
     if (!environment_.currents) return std::nullopt;
     const CurrentGrid& currents = *environment_.currents;
     if (environment_.steady_currents) return currents.depth_average(at.place, draft_, 0);
-    const auto when = currents.samples().times_s.locate(core::unix_seconds(at.time));
+    const auto when = currents.times_s().locate(core::unix_seconds(at.time));
     if (!when) return std::nullopt;
     const auto before = currents.depth_average(at.place, draft_, when->lower);
     if (!before || when->fraction == 0.0) return before;

@@ -79,7 +79,7 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
   const NodeWindow window = node_window(grid, lookup_, area);
   if (!steady) {
     std::vector<double> times;
-    for (const double time_s : currents.samples().times_s.nodes()) {
+    for (const double time_s : currents.times_s().nodes()) {
       times.push_back(time_s - core::unix_seconds(epoch));
     }
     times_s_ = FastAxis{std::move(times)};

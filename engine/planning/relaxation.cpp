@@ -72,7 +72,7 @@ class Relaxation {
   /// Later departures within the period of the data, closer ones first: half a tide, then whole tides and days.
   void depart_later() {
     if (environment_.steady_currents || !environment_.currents) return;
-    const double end_s = environment_.currents->samples().times_s.back();
+    const double end_s = environment_.currents->times_s().back();
     for (const double hours : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 9.0, 12.0, 18.0, 24.0, 48.0}) {
       const core::UtcTime later = request_.depart + core::Seconds{3600.0 * hours};
       if (stop_.stop_requested() || core::unix_seconds(later) >= end_s) return;

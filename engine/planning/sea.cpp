@@ -53,7 +53,7 @@ core::Seconds forecast_horizon(const ocean::Environment& environment, const Plan
   way = way + geo::geodesic_between(last, request.to).length;
   core::Seconds horizon = detours * (way / request.vehicle.speed_through_water) + day;
   if (environment.currents && !environment.steady_currents) {
-    const core::UtcTime end = core::from_unix_seconds(environment.currents->samples().times_s.back());
+    const core::UtcTime end = core::from_unix_seconds(environment.currents->times_s().back());
     horizon = std::max<core::Seconds>(horizon, end - request.depart);
   }
   return std::min(horizon, 30.0 * day);

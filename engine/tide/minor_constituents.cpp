@@ -54,4 +54,13 @@ std::vector<MinorConstituent> inferable_minors(std::span<const Constituent> majo
   return result;
 }
 
+std::vector<HarmonicConstant> with_minors(std::vector<HarmonicConstant> constants) {
+  std::vector<Constituent> majors;
+  for (const HarmonicConstant& constant : constants) majors.push_back(constant.constituent);
+  for (const MinorConstituent& minor : inferable_minors(majors))
+    constants.push_back({minor.constituent, minor.weights[0] * constants[minor.majors[0]].value +
+                                                minor.weights[1] * constants[minor.majors[1]].value});
+  return constants;
+}
+
 }  // namespace floeplan::tide

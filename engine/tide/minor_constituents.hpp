@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "engine/tide/constituent.hpp"
+#include "engine/tide/prediction.hpp"
 
 namespace floeplan::tide {
 
@@ -22,5 +22,8 @@ struct MinorConstituent {
 /// Returns  empty when one of Q1, O1, K1, N2, M2, S2 is missing
 /// Source   weights: R. D. Ray, perth2, as in the Tide Model Driver (Padman and Erofeeva 2005, Tide Model Driver manual)
 [[nodiscard]] std::vector<MinorConstituent> inferable_minors(std::span<const Constituent> majors);
+
+/// The constants with those of the minor lines that can be inferred from them at the end.
+[[nodiscard]] std::vector<HarmonicConstant> with_minors(std::vector<HarmonicConstant> constants);
 
 }  // namespace floeplan::tide

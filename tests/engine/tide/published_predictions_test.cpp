@@ -102,20 +102,14 @@ struct Cats {
   [[nodiscard]] std::vector<HarmonicConstant> constants(std::size_t station, bool northward,
                                                         bool with_minors) const {
     std::vector<HarmonicConstant> result;
-    std::vector<Constituent> majors;
     for (std::size_t i = 0; i < lines.size(); ++i) {
       const auto value = [&](std::size_t axis) {
         return std::stod(ellipses[1 + 10 * axis + i][1 + station]);
       };
       const auto both = constants_of({value(0), value(1), value(2), value(3)});
-      majors.push_back(find_constituent(lines[i]).value());
-      result.push_back({majors.back(), northward ? both.north : both.east});
+      result.push_back({find_constituent(lines[i]).value(), northward ? both.north : both.east});
     }
-    if (!with_minors) return result;
-    for (const MinorConstituent& minor : inferable_minors(majors))
-      result.push_back({minor.constituent, minor.weights[0] * result[minor.majors[0]].value +
-                                               minor.weights[1] * result[minor.majors[1]].value});
-    return result;
+    return with_minors ? tide::with_minors(std::move(result)) : result;
   }
 };
 
