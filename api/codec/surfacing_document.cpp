@@ -23,6 +23,7 @@ json escape_json(const planning::EscapeWay& escape, std::size_t waypoint) {
           {"course_deg", escape.course_deg ? json(*escape.course_deg) : json()},
           {"distance_m", escape.distance.value},
           {"time_s", escape.time.count()},
+          {"energy_j", escape.energy.value},
           {"way", std::move(way)}};
 }
 
@@ -33,6 +34,7 @@ planning::EscapeWay parse_escape(const json& object) {
   if (!object.at("course_deg").is_null()) escape.course_deg = object.at("course_deg").get<double>();
   escape.distance = {object.at("distance_m").get<double>()};
   escape.time = core::Seconds{object.at("time_s").get<double>()};
+  escape.energy = {object.value("energy_j", 0.0)};  // plans of before it was counted have none
   return escape;
 }
 

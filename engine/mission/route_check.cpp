@@ -9,7 +9,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
-#include "engine/planning/plan_route.hpp"
+#include "engine/planning/evaluate_route.hpp"
 
 namespace floeplan::mission {
 namespace {

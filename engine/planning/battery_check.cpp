@@ -17,6 +17,15 @@ std::string shortage_text(const PlanEnergy& energy) {
   return text;
 }
 
+std::string escape_text(std::size_t waypoint, core::Joules needed, core::Joules left) {
+  char text[200];
+  std::snprintf(text, sizeof text,
+                "the way to open water from waypoint %zu draws %.2f MJ, but %.2f MJ are left there above the "
+                "battery's reserve",
+                waypoint, needed.value / 1e6, std::max(left.value, 0.0) / 1e6);
+  return text;
+}
+
 }  // namespace
 
 std::optional<Infeasible> check_battery(Plan& plan, const PlanRequest& request) {
@@ -37,6 +46,29 @@ std::optional<Infeasible> check_battery(Plan& plan, const PlanRequest& request) 
                         "start with a fuller battery, save energy (--objective energy, --thruster "
                         "off, deeper dives), or plan a shorter way",
                     .binding = Constraint::battery};
+}
+
+std::optional<Infeasible> check_escapes(Plan& plan, const PlanRequest& request) {
+  const std::vector<EscapeWay>& escapes = plan.surfacing->escapes;
+  for (std::size_t i = 0; i < escapes.size(); ++i) {
+    const Waypoint& waypoint = plan.waypoints[i];
+    const core::Joules left = plan.energy->usable - waypoint.energy.value_or(core::Joules{});
+    if (escapes[i].energy <= left || escapes[i].time.count() == 0.0) continue;
+    const std::string shortage = escape_text(i, escapes[i].energy, left);
+    if (!request.energy.require_battery) {
+      plan.warnings.push_back(shortage);
+      return std::nullopt;
+    }
+    return Infeasible{.reason = Reason::energy_exceeded,
+                      .at = waypoint.place,
+                      .when = waypoint.eta,
+                      .explanation = shortage,
+                      .suggestion =
+                          "start with a fuller battery, plan a way nearer to open water, or plan "
+                          "without --escape-plan",
+                      .binding = Constraint::battery};
+  }
+  return std::nullopt;
 }
 
 }  // namespace floeplan::planning

@@ -12,4 +12,8 @@ namespace floeplan::planning {
 /// it, why there is no plan. Says where the battery would be empty and how much is missing.
 [[nodiscard]] std::optional<Infeasible> check_battery(Plan& plan, const PlanRequest& request);
 
+/// Whether what is left in the battery at each waypoint carries the escape from there; told in the same two ways.
+/// Precondition  the plan has its escapes, one for each waypoint
+[[nodiscard]] std::optional<Infeasible> check_escapes(Plan& plan, const PlanRequest& request);
+
 }  // namespace floeplan::planning

@@ -132,7 +132,7 @@ Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environmen
                                                          const PlanRequest& request,
                                                          const std::stop_token& stop,
                                                          const core::ProgressCallback& progress) {
-  if (!request.violations().empty()) throw std::invalid_argument{request.violations().front().rule};
+  throw_if_invalid(request);
   const std::vector<core::UtcTime> departures = request.departures.departures(request.depart);
   Comparison comparison{environment, request, stop};
   std::vector<DepartureOutcome> outcomes;

@@ -25,8 +25,16 @@ RouteGrid grid_around(geo::PlanePoint point, const RouteGrid& steps) {
   return grid;
 }
 
-EscapeWay describe(const Sea& sea, const std::vector<geo::PlanePoint>& points, core::Seconds time) {
-  EscapeWay escape{.way = {}, .course_deg = std::nullopt, .distance = core::Metres{0.0}, .time = time};
+/// `arrivals`: at each of the points.
+EscapeWay describe(const Sea& sea, const std::vector<geo::PlanePoint>& points,
+                   const std::vector<core::Seconds>& arrivals) {
+  EscapeWay escape;
+  escape.time = arrivals.back() - arrivals.front();
+  for (std::size_t i = 1; i < points.size(); ++i) {
+    const EnergyUse use =
+        sea.energy().use(points[i - 1], points[i], arrivals[i] - arrivals[i - 1], sea.drives().front());
+    escape.energy = escape.energy + use.total();
+  }
   const Route route{points, std::vector<bool>(points.size(), false)};
   for (const geo::PlanePoint point : join_collinear(route).points)
     escape.way.push_back(sea.projection().to_lon_lat(point));
@@ -49,7 +57,7 @@ Result<std::vector<EscapeWay>> plan_escapes(const Sea& sea, const Layout& layout
   const auto bound = request.under_ice.max_time_without_surfacing;
   for (std::size_t i = 0; i < route.size(); ++i) {
     if (waypoints[i].may_surface) {
-      escapes.push_back(describe(sea, {route[i]}, core::Seconds{0.0}));
+      escapes.push_back(describe(sea, {route[i]}, {arrivals[i]}));
       continue;
     }
     const core::Seconds depart = arrivals[i];
@@ -68,9 +76,12 @@ Result<std::vector<EscapeWay>> plan_escapes(const Sea& sea, const Layout& layout
     if (found.tree.stopped) return tl::unexpected(explain_cancelled(request));
     if (!found.goal) return tl::unexpected(explain_no_escape(sea, request, route[i], depart));
     std::vector<geo::PlanePoint> points;
-    for (const graph::Vertex v : graph::path_to(graph, found.tree, *found.goal))
+    std::vector<core::Seconds> times;
+    for (const graph::Vertex v : graph::path_to(graph, found.tree, *found.goal)) {
       points.push_back(grid.point(v));
-    escapes.push_back(describe(sea, points, core::Seconds{found.tree.arrival_s(*found.goal)} - depart));
+      times.emplace_back(found.tree.arrival_s(v));
+    }
+    escapes.push_back(describe(sea, points, times));
   }
   return escapes;
 }

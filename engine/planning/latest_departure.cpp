@@ -87,7 +87,7 @@ std::optional<core::Seconds> latest_departure(const Sea& sea, const std::vector<
 Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanRequest& request,
                           const std::stop_token& stop, const core::ProgressCallback& progress,
                           const core::SteadyClock& clock) {
-  if (!request.violations().empty()) throw std::invalid_argument{request.violations().front().rule};
+  throw_if_invalid(request);
   const core::UtcTime wanted = request.departures.arrive_by.value();
   const auto guess = first_guess(environment, request, stop);
   if (!guess) return tl::unexpected(guess.error());

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cstdint>
 
+#include "engine/planning/current_drive.hpp"
 #include "engine/planning/free_way.hpp"
 
 namespace floeplan::planning {
@@ -23,6 +24,9 @@ std::string describe(motion::EdgeClosed closed) {
     case motion::EdgeClosed::in_zone: return without + "through a zone against its rule";
     case motion::EdgeClosed::current_too_strong:
       return "the fastest way would meet currents that are too strong";
+    case motion::EdgeClosed::under_ice: return without + "below ice that leaves no room for the vehicle";
+    case motion::EdgeClosed::no_surfacing:
+      return without + "too long past places where the vehicle may not surface";
     case motion::EdgeClosed::outside_data:
     case motion::EdgeClosed::too_late: break;
   }
@@ -42,7 +46,7 @@ std::string describe(NoFreeWay none) {
 /// Times legs in the currents alone, and counts.
 class OpenWater {
  public:
-  explicit OpenWater(const Sea& sea) : sea_{sea} {}
+  explicit OpenWater(const Sea& sea) : sea_{sea}, accuracy_{drive_accuracy(sea.currents(), tolerance)} {}
 
   [[nodiscard]] bool is_exhausted() const { return evaluations_ >= most_evaluations; }
 
@@ -52,30 +56,14 @@ class OpenWater {
       if (is_exhausted()) return std::nullopt;
       ++evaluations_;
       const motion::PlaneEdge edge{from, to, sea_.ground_length(from, to)};
-      if (!sea_.currents()) return edge.ground_length / sea_.through_water();
-      const auto time = integrate(*sea_.currents(), edge, depart);
+      const auto time = drive_time(sea_.currents(), edge, depart, sea_.through_water(), accuracy_);
       return time ? std::optional{*time} : std::nullopt;
     };
   }
 
  private:
-  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> integrate(const PlaneCurrents& currents,
-                                                                          const motion::PlaneEdge& edge,
-                                                                          core::Seconds depart) const {
-    if (currents.has_lines()) {
-      return motion::edge_time(edge, depart, sea_.through_water(), currents,
-                               {.relative_tolerance = tolerance});
-    }
-    const auto point_by_point = [&](geo::PlanePoint point, core::Seconds time) {
-      return currents(point, time);
-    };
-    return motion::edge_time(edge, depart, sea_.through_water(), point_by_point,
-                             {.relative_tolerance = tolerance,
-                              .longest_step = currents.spacing(),
-                              .longest_duration = currents.time_step().value_or(core::Seconds{INFINITY})});
-  }
-
   const Sea& sea_;
+  motion::EdgeAccuracy accuracy_;
   std::int64_t evaluations_{};
 };
 
@@ -106,11 +94,13 @@ tl::expected<FreeWay, NoFreeWay> fastest_way(const std::vector<geo::PlanePoint>&
   return best;
 }
 
-/// What of the sea closes the way, if anything does.
-std::optional<motion::EdgeClosed> closure(const Sea& sea, const TimedWay& way) {
+/// What of the sea closes the way, if anything does. `since_surfacing`: at its start, and then at its end.
+std::optional<motion::EdgeClosed> closure(const Sea& sea, const TimedWay& way,
+                                          core::Seconds& since_surfacing) {
   for (std::size_t i = 1; i < way.points.size(); ++i) {
-    const auto time = sea.leg_time(way.points[i - 1], way.points[i], way.times[i - 1]);
-    if (!time) return time.error();
+    const auto leg = sea.leg(way.points[i - 1], way.points[i], way.times[i - 1], since_surfacing);
+    if (!leg) return leg.error();
+    since_surfacing = leg->since_surfacing;
   }
   return std::nullopt;
 }
@@ -124,12 +114,13 @@ Optimality rate_route(const Sea& sea, const Route& route, const std::stop_token&
   if (!own) return {std::nullopt, "the route cannot be timed without its obstacles"};
 
   core::Seconds least{0.0};
+  core::Seconds since_surfacing{0.0};
   double accuracy = 0.0;
   for (const auto& section : sections_of(route)) {
     const auto way = fastest_way(section, least, timer, stop);
     if (water.is_exhausted()) return {std::nullopt, "the search for the best possible way took too long"};
     if (!way) return {std::nullopt, describe(way.error())};
-    if (const auto closed = closure(sea, way->way)) return {std::nullopt, describe(*closed)};
+    if (const auto closed = closure(sea, way->way, since_surfacing)) return {std::nullopt, describe(*closed)};
     least += way->duration;
     accuracy = std::max(accuracy, way->accuracy);
   }

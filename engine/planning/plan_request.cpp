@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
+#include <stdexcept>
 #include <string>
 
 #include "engine/geo/geodesic.hpp"
@@ -76,6 +77,12 @@ core::Violations PlanRequest::violations() const {
   found.insert(found.end(), of_icebergs.begin(), of_icebergs.end());
   for (core::Violation& violation : under_ice.violations()) found.push_back(std::move(violation));
   return found;
+}
+
+void throw_if_invalid(const PlanRequest& request) {
+  const core::Violations violations = request.violations();
+  if (!violations.empty())
+    throw std::invalid_argument{violations.front().field + ' ' + violations.front().rule};
 }
 
 }  // namespace floeplan::planning

@@ -59,4 +59,7 @@ struct PlanRequest {
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };
 
+/// Throws std::invalid_argument that names the first violation, if there is one.
+void throw_if_invalid(const PlanRequest& request);
+
 }  // namespace floeplan::planning

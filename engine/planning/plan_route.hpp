@@ -1,7 +1,6 @@
 #pragma once
 
 #include <stop_token>
-#include <vector>
 
 #include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
@@ -23,10 +22,5 @@ namespace floeplan::planning {
 [[nodiscard]] Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
                                       const std::stop_token& stop, const core::ProgressCallback& progress,
                                       const core::SteadyClock& clock = {});
-
-/// Times a given route (at least two places): the same legs, the same edge integration, the same rules.
-/// `request` gives departure, vehicle, margin and tolerance; its places and method are not used.
-[[nodiscard]] Result<Plan> evaluate_route(const ocean::Environment& environment,
-                                          const std::vector<geo::LonLat>& route, const PlanRequest& request);
 
 }  // namespace floeplan::planning

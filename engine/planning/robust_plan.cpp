@@ -11,7 +11,7 @@
 
 #include "engine/planning/chart.hpp"
 #include "engine/planning/explanation.hpp"
-#include "engine/planning/plan_route.hpp"
+#include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/route_cost.hpp"
 
 namespace floeplan::planning {

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <cstddef>
+#include <utility>
 #include <vector>
 
 #include "engine/core/units.hpp"
@@ -16,6 +17,12 @@ struct Route {
 
   [[nodiscard]] std::size_t legs() const { return points.size() - 1; }
 };
+
+/// A route all of whose points must stay.
+[[nodiscard]] inline Route fixed_route(std::vector<geo::PlanePoint> points) {
+  const std::size_t count = points.size();
+  return {std::move(points), std::vector<bool>(count, true)};
+}
 
 /// An open route with the time at each of its points, the departure first.
 struct Itinerary {

@@ -7,6 +7,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "engine/motion/drive_looks.hpp"
 #include "engine/motion/edge_time_back.hpp"
+#include "engine/planning/current_drive.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -27,15 +28,6 @@ std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment, const
                                     core::Metres step, const std::stop_token& stop) {
   if (!environment.ice) return std::nullopt;
   return UnderIce{environment, request, projection, area, step, stop};
-}
-
-/// A step no longer than a cell of the data, nor than the time between two of its slices.
-motion::EdgeAccuracy accuracy(const std::optional<PlaneCurrents>& currents, const PlanRequest& request) {
-  motion::EdgeAccuracy result{.relative_tolerance = request.edge_tolerance};
-  if (!currents) return result;
-  result.longest_step = currents->spacing();
-  if (const auto time_step = currents->time_step()) result.longest_duration = *time_step;
-  return result;
 }
 
 /// How long drift matters: to the end of the currents, within which any departure and any way must fall; at least six
@@ -92,7 +84,7 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       depths_{request.vehicle.dive_limits(), environment.bathymetry},
       currents_{lay_out(environment, request, depths_, projection, area, stop)},
       energy_{request.vehicle, depths_, projection, area, stop} {
-  accuracy_ = accuracy(currents_, request);
+  accuracy_ = drive_accuracy(currents_, request.edge_tolerance);
   for (int iy = 0; iy <= scale_cells; ++iy) {
     for (int ix = 0; ix <= scale_cells; ++ix) {
       const geo::PlanePoint point{area.low.x_m + area.width_m() * ix / scale_cells,
@@ -135,27 +127,12 @@ std::optional<motion::EdgeClosed> Sea::closed_between(geo::PlanePoint a, geo::Pl
   return std::nullopt;
 }
 
-/// The one integration of a drive, whoever looks at its pieces.
 template <class VisitPiece>
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time(const motion::PlaneEdge& edge,
                                                                 core::Seconds depart, core::Seconds latest,
                                                                 core::MetresPerSecond through_water,
                                                                 const VisitPiece& visit) const {
-  if (currents_ && currents_->has_lines())
-    return motion::edge_time(edge, depart, through_water, *currents_, accuracy_, latest, visit);
-  if (currents_) {
-    const auto point_by_point = [this](geo::PlanePoint point, core::Seconds time) {
-      return (*currents_)(point, time);
-    };
-    return motion::edge_time(edge, depart, through_water, point_by_point, accuracy_, latest, visit);
-  }
-  const core::Seconds time = edge.ground_length / through_water;
-  if (time.count() <= 0.0) return time;
-  const double v_m_s = through_water.value;
-  const motion::EdgePiece whole{depart.count(),           0.0,  v_m_s, (depart + time).count(),
-                                edge.ground_length.value, v_m_s};
-  if (const auto closed = visit(whole)) return tl::unexpected(*closed);
-  return time;
+  return planning::drive_time(currents_, edge, depart, through_water, accuracy_, latest, visit);
 }
 
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a, geo::PlanePoint b,

@@ -30,6 +30,7 @@ struct EscapeWay {
   std::optional<double> course_deg;  // at its start, clockwise from true north
   core::Metres distance{};
   core::Seconds time{};
+  core::Joules energy{};  // drawn on it
 };
 
 /// When and where the vehicle can show itself, and how well it knows where it is.

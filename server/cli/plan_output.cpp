@@ -109,11 +109,12 @@ void print_surfacings(const json& plan) {
   for (const json& escape : surfacing.at("escapes")) {
     if (escape.at("time_s") == 0.0) continue;
     const json& to = escape.at("to");
-    std::printf("escape from waypoint %d: course %s, %s km to %s %s, %s h\n",
+    std::printf("escape from waypoint %d: course %s, %s km to %s %s, %s h, %s MJ\n",
                 escape.at("waypoint").get<int>(), cell(escape.at("course_deg"), "%.1f").c_str(),
                 cell(escape.at("distance_m"), "%.2f", 1e-3).c_str(), degrees_minutes(to[1], 'N', 'S').c_str(),
                 degrees_minutes(to[0], 'E', 'W').c_str(),
-                cell(escape.at("time_s"), "%.2f", 1.0 / 3600.0).c_str());
+                cell(escape.at("time_s"), "%.2f", 1.0 / 3600.0).c_str(),
+                cell(escape.value("energy_j", json()), "%.3f", 1e-6).c_str());
   }
 }
 

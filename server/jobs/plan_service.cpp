@@ -11,6 +11,7 @@
 #include "api/codec/sha256.hpp"
 #include "engine/planning/departure.hpp"
 #include "engine/planning/latest_departure.hpp"
+#include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/plan_repository.hpp"

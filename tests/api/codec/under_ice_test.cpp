@@ -94,7 +94,8 @@ planning::Plan plan_with_surfacings() {
           {.way = {{-52.9, 69.0}, {-52.95, 69.0}},
            .course_deg = 270.0,
            .distance = {2000.0},
-           .time = core::Seconds{5714.0}}}};
+           .time = core::Seconds{5714.0},
+           .energy = {12345.0}}}};
   return plan;
 }
 
@@ -112,6 +113,7 @@ TEST(PlanDocument, SaysOfEachWaypointWhatIceMeansThere) {
   EXPECT_EQ(escape.at("course_deg"), 270.0);
   EXPECT_EQ(escape.at("distance_m"), 2000.0);
   EXPECT_EQ(escape.at("time_s"), 5714.0);
+  EXPECT_EQ(escape.at("energy_j"), 12345.0);
 }
 
 TEST(PlanDocument, WithSurfacingsIsReadBackTheSame) {

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/river_extremal.hpp"
 #include "tests/support/small_sea.hpp"
@@ -144,6 +145,25 @@ TEST(Optimality, IsNotGivenWhereAShoalShapesTheRoute) {
   ASSERT_TRUE(plan.has_value());
   EXPECT_FALSE(plan->optimality_gap.has_value());
   EXPECT_NE(plan->optimality_gap_reason.find("too shallow"), std::string::npos);
+}
+
+TEST(Optimality, IsNotGivenWhereTheTimeUnderIceShapesTheRoute) {
+  const ocean::Environment environment{.ice = support::ice_from(
+                                           [](geo::LonLat p, double) {
+                                             return std::abs(p.lon_deg + 53.0) < 0.26 && p.lat_deg < 69.15
+                                                        ? 0.9
+                                                        : 0.0;
+                                           },
+                                           {0.0}, 1.0)};
+  PlanRequest request = eastward_request();
+  request.under_ice.max_time_without_surfacing = core::Seconds{6.0 * 3600.0};
+
+  const auto plan = plan_route(environment, request, {}, {});
+
+  ASSERT_TRUE(plan.has_value());
+  EXPECT_FALSE(plan->optimality_gap.has_value());
+  EXPECT_NE(plan->optimality_gap_reason.find("may not surface"), std::string::npos)
+      << plan->optimality_gap_reason;
 }
 
 TEST(Optimality, IsLeftOutWhenNotAskedFor) {

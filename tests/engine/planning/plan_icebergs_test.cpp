@@ -4,6 +4,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/geo/local_projection.hpp"
+#include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"

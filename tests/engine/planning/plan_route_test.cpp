@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/planning/evaluate_route.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning {

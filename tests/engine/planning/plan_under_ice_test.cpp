@@ -144,6 +144,32 @@ TEST(PlanUnderIce, EveryWaypointHasAWayToOpenWater) {
               from_goal.distance.value, 200.0);
 }
 
+TEST(PlanUnderIce, TheWayToOpenWaterMustLieWithinWhatIsLeftOfTheBattery) {
+  PlanRequest request = support::eastward_request();
+  request.to = {-53.0, 69.0};
+  request.under_ice.escape_plan = true;
+  const Plan plan = planned(band_of_ice(), request);
+  const EscapeWay& from_goal = plan.surfacing->escapes.back();
+  const double power_w = plan.energy->use.total().value / plan.travel_time().count();
+  EXPECT_NEAR(from_goal.energy.value, power_w * from_goal.time.count(), 1e-6 * from_goal.energy.value)
+      << "over an even sea bed every hour draws the same";
+
+  // Enough for the way, but not for the escape from its end.
+  EnergyUse drawn = plan.energy->use;
+  request.vehicle.energy.battery_reserve_share = 0.0;
+  request.vehicle.energy.battery = drawn.total() + core::Joules{0.5 * from_goal.energy.value};
+  EXPECT_THAT(planned(band_of_ice(), request).warnings,
+              Contains(HasSubstr("the way to open water from waypoint")));
+
+  request.energy.require_battery = true;
+  const auto refused = plan_route(band_of_ice(), request, {}, quiet);
+  ASSERT_FALSE(refused);
+  EXPECT_EQ(refused.error().reason, Reason::energy_exceeded);
+
+  request.vehicle.energy.battery = drawn.total() + core::Joules{1.01 * from_goal.energy.value};
+  EXPECT_TRUE(plan_route(band_of_ice(), request, {}, quiet).has_value());
+}
+
 TEST(PlanUnderIce, WithoutAnEscapeThereIsNoPlanWhenOneWasAskedFor) {
   PlanRequest request = support::eastward_request();
   request.under_ice.escape_plan = true;

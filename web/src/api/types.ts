@@ -126,6 +126,7 @@ export interface Surfacing {
     course_deg: number | null;
     distance_m: number;
     time_s: number;
+    energy_j?: number;
     way: [number, number][];
   }[];
 }

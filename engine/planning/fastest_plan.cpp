@@ -1,0 +1,76 @@
+#include "engine/planning/fastest_plan.hpp"
+
+#include <optional>
+#include <utility>
+
+#include "engine/planning/chart.hpp"
+#include "engine/planning/explanation.hpp"
+#include "engine/planning/improvement.hpp"
+#include "engine/planning/published_plan.hpp"
+#include "engine/planning/voyage_search.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr core::Seconds at_departure{0.0};
+
+/// A plan on grids of one reach, where its route lies, and whether a larger reach may do better.
+struct Attempt {
+  Result<Plan> plan;
+  std::optional<Chart> chart{};  // of a plan
+  Route route{};                 // likewise
+  bool wider_may_help{false};
+};
+
+Attempt plan_within(GridReach reach, const ocean::Environment& environment, const PlanRequest& request,
+                    const std::stop_token& stop, const core::ProgressCallback& progress,
+                    const core::SteadyClock& clock) {
+  progress("environment", 0.0);
+  Result<Chart> chart = draw_chart(environment, request, reach, stop);
+  if (!chart) return {.plan = tl::unexpected(std::move(chart.error()))};
+
+  FoundWay way;
+  way.route = fixed_route(chart->layout.points);
+  if (request.method != Method::direct) {
+    const auto report = [&](double fraction) { progress("search", 0.1 + 0.8 * fraction); };
+    const std::vector<OpenGrid> grids = open_grids(chart->sea, chart->layout.grids, request.sectors, stop);
+    auto found = search_voyage(chart->sea, grids, request, at_departure, stop, report);
+    if (!found) {
+      const bool cancelled = found.error().reason == Reason::cancelled;
+      return {.plan = tl::unexpected(std::move(found.error())), .wider_may_help = !cancelled};
+    }
+    way = std::move(*found);
+  }
+
+  progress("refinement", 0.9);
+  Improved improved = improve(chart->sea, way.route, request, stop, clock);
+  if (stop.stop_requested()) return {.plan = tl::unexpected(explain_cancelled(request))};
+  Result<Plan> plan = publish(*chart, environment, request, improved, way.statistics, stop);
+  if (plan && way.cut_short) {
+    plan->warnings.push_back(
+        "the search for better ways past what clears later was cut short at its bound on memory");
+  }
+  return {.plan = std::move(plan),
+          .chart = std::move(*chart),
+          .route = std::move(improved.route),
+          .wider_may_help = way.touches_rim};
+}
+
+}  // namespace
+
+Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanRequest& request,
+                          const std::stop_token& stop, const core::ProgressCallback& progress,
+                          const core::SteadyClock& clock) {
+  Attempt best = plan_within(first_reach, environment, request, stop, progress, clock);
+  if (best.wider_may_help) {
+    Attempt wider = plan_within(second_reach, environment, request, stop, progress, clock);
+    const bool nearer_will_do = best.plan && (!wider.plan || best.plan->arrival <= wider.plan->arrival);
+    if (!nearer_will_do) best = std::move(wider);
+  }
+  if (best.plan) rate(*best.plan, best.chart->sea, request, best.route, stop);
+  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+  progress("done", 1.0);
+  return std::move(best.plan);
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,65 @@
+#include "engine/planning/published_plan.hpp"
+
+#include <utility>
+
+#include "engine/planning/battery_check.hpp"
+#include "engine/planning/escape.hpp"
+#include "engine/planning/explanation.hpp"
+#include "engine/planning/late_openings.hpp"
+#include "engine/planning/optimality.hpp"
+#include "engine/planning/plan_assembly.hpp"
+#include "engine/planning/route_cost.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr core::Seconds at_departure{0.0};
+
+/// What the search and the refinement say for themselves.
+void add_warnings(Plan& plan, const PlanRequest& request) {
+  if (plan.refinement && plan.refinement->end == RefinementEnd::time) {
+    plan.warnings.push_back(
+        "refinement ran out of its time; with more, or on another machine, the route may be a little faster");
+  }
+  if (plan.search.worst_fifo_violation) plan.warnings.push_back(describe(*plan.search.worst_fifo_violation));
+  if (request.max_waypoints && plan.waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) {
+    plan.warnings.push_back(
+        "the route needs more waypoints than asked for; without them it would be closed or have longer legs "
+        "than allowed");
+  }
+}
+
+}  // namespace
+
+Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, const PlanRequest& request,
+                     const Improved& improved, const SearchStatistics& statistics,
+                     const std::stop_token& stop) {
+  const Sea& sea = chart.sea;
+  const std::vector<geo::PlanePoint>& points = improved.route.points;
+  const auto arrivals = arrivals_along(sea, points, at_departure);
+  if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request));
+  const std::vector<vehicle::Drive> drives(improved.route.legs(), sea.drives().front());
+  Plan plan = assemble_plan(sea, environment, request, points, *arrivals, drives);
+  plan.search = statistics;
+  plan.refinement = improved.refinement;
+  if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
+  if (request.under_ice.escape_plan) {
+    auto escapes =
+        plan_escapes(sea, chart.layout, request, points, *arrivals, plan.surfacing->waypoints, stop);
+    if (!escapes) return tl::unexpected(std::move(escapes.error()));
+    plan.surfacing->escapes = std::move(*escapes);
+    if (auto exceeded = check_escapes(plan, request)) return tl::unexpected(std::move(*exceeded));
+  }
+  add_warnings(plan, request);
+  return plan;
+}
+
+void rate(Plan& plan, const Sea& sea, const PlanRequest& request, const Route& route,
+          const std::stop_token& stop) {
+  if (!request.optimality_gap) return;
+  const Optimality optimality = rate_route(sea, route, stop);
+  plan.optimality_gap = optimality.gap;
+  plan.optimality_gap_reason = optimality.reason;
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <stop_token>
+
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/chart.hpp"
+#include "engine/planning/improvement.hpp"
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan.hpp"
+#include "engine/planning/plan_request.hpp"
+
+namespace floeplan::planning {
+
+/// The plan of a route on the sea's first drive, timed once more by the one cost, with all that is told of it but how
+/// near the best it is.
+/// Errors   why the route is closed, the battery does not carry it where it must, or there is no escape from it;
+///          Reason::cancelled once `stop` is requested
+[[nodiscard]] Result<Plan> publish(const Chart& chart, const ocean::Environment& environment,
+                                   const PlanRequest& request, const Improved& improved,
+                                   const SearchStatistics& statistics, const std::stop_token& stop);
+
+/// Tells of the plan how near the best possible its route is, where that was asked for.
+void rate(Plan& plan, const Sea& sea, const PlanRequest& request, const Route& route,
+          const std::stop_token& stop);
+
+}  // namespace floeplan::planning
