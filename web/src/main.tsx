@@ -1,4 +1,5 @@
 import { render } from 'preact';
+import { followRouteEdit } from './api/evaluating';
 import { followFields } from './api/fields';
 import { followSpans, refresh } from './api/session';
 import { followTheme } from './theme/theme';
@@ -10,5 +11,6 @@ followSpans();
 const root = document.getElementById('app');
 if (root) render(<App />, root);
 followFields();
+followRouteEdit();
 listenForShortcuts();
 void refresh();

@@ -1,5 +1,5 @@
 import type {
-  Box, CoastFeature, Dataset, FeaturePage, IcebergFeature, JobStatus, MissionPreview, PlanFeature, PlanInputs,
+  Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, IcebergFeature, JobStatus, MissionPreview, PlanFeature, PlanInputs,
   PlanResults, Probe, Problem, Vehicle,
 } from './types';
 import { decodeGrid, type Grid } from '../geo/grid';
@@ -97,6 +97,15 @@ export const submitPlan = (inputs: PlanInputs): Promise<JobStatus> =>
     headers: { 'Content-Type': 'application/json', Prefer: 'respond-async' },
     body: JSON.stringify({ inputs }),
   });
+
+const answered = { 'Content-Type': 'application/json', Prefer: 'respond-sync' };
+
+/** Plans and answers with the plan itself: for what takes a moment only. */
+export const planNow = (inputs: PlanInputs): Promise<PlanResults> =>
+  json('/processes/plan-route/execution', { method: 'POST', headers: answered, body: JSON.stringify({ inputs }) });
+
+export const evaluateRoute = (inputs: EvaluateInputs, signal: AbortSignal): Promise<EvaluationResults> =>
+  json('/processes/evaluate-route/execution', { method: 'POST', headers: answered, body: JSON.stringify({ inputs }), signal });
 
 /** Answers at the job's next change, or after `wait_s`. */
 export const job = (id: string, wait_s: number, signal: AbortSignal): Promise<JobStatus> =>

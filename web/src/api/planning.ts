@@ -1,6 +1,7 @@
 import { draft, faults, generalFaults, inputsOf, refuse, sortViolations } from '../model/draft';
 import { failure, reasonTitle, running } from '../model/job';
 import { add, nextName, routeOf } from '../model/plans';
+import { rememberRequest } from '../model/requests';
 import { announce, leftTab } from '../model/screen';
 import { duration } from '../model/time';
 import { ask } from '../model/view';
@@ -54,8 +55,10 @@ async function carryOut(inputs: PlanInputs, signal: AbortSignal): Promise<void> 
     return;
   }
   const { plan: answer } = await api.jobResults(status.jobID);
-  if (answer.status === 'ok') showPlan(answer);
-  else {
+  if (answer.status === 'ok') {
+    rememberRequest(answer.plan_id, inputs);
+    showPlan(answer);
+  } else {
     failure.value = { kind: 'infeasible', answer };
     ask({ do: 'fit', places: [[answer.at.lon, answer.at.lat], inputs.from, inputs.to] });
     announce(`No plan: ${reasonTitle(answer.reason)}. ${answer.explanation}`);

@@ -79,15 +79,33 @@ export interface PlanInputs {
   from: Position;
   to: Position;
   via?: Position[];
-  depart: string;
+  depart?: string;
   vehicle?: string;
   speed_m_s?: number;
   dive_depth_m?: number;
   spacing_m?: number | [along: number, across: number];
   sectors?: number;
   method?: Method;
-  objective?: 'time';
+  via_order?: 'given' | 'best';
+  objective?: 'time' | 'energy';
+  thruster?: 'auto' | 'on' | 'off';
+  require_battery?: boolean;
+  battery_start_share?: number;
+  pitch_deg?: number;
+  climb_to_m?: number;
+  altimeter_margin_m?: number;
   max_waypoints?: number;
+  max_leg_m?: number;
+  depart_until?: string;
+  depart_step?: string;
+  arrive_by?: string;
+  areas?: Areas;
+  icebergs_drift?: boolean;
+  max_inflation_m?: number;
+  max_sighting_age_days?: number;
+  under_ice?: Record<string, number | boolean>;
+  uncertainty?: Record<string, number | string>;
+  optimality_gap?: boolean;
   refine?: boolean;
   refine_seconds?: number;
   currents?: string | string[];
@@ -99,6 +117,29 @@ export interface PlanInputs {
   icebergs_as_of?: string;
   margin_m?: number;
   name?: string;
+}
+
+/** What a route is judged under: a request without the way. */
+export type Conditions = Omit<
+  PlanInputs,
+  | 'from' | 'to' | 'via' | 'via_order' | 'spacing_m' | 'sectors' | 'method' | 'max_waypoints' | 'max_leg_m' | 'refine' | 'refine_seconds'
+  | 'uncertainty' | 'depart_until' | 'depart_step' | 'arrive_by' | 'optimality_gap' | 'name'
+>;
+
+export type EvaluateInputs = Conditions & ({ route: Position[] } | { plan_id: string });
+
+export interface AreaProperties {
+  kind: 'no_go' | 'stay_in';
+  name?: string;
+  from?: string;
+  until?: string;
+  top_m?: number;
+  bottom_m?: number;
+}
+
+export interface Areas {
+  type: 'FeatureCollection';
+  features: { type: 'Feature'; properties: AreaProperties; geometry: { type: 'Polygon'; coordinates: Position[][] } }[];
 }
 
 export interface Waypoint {
@@ -131,6 +172,35 @@ export interface Surfacing {
   }[];
 }
 
+/** One departure of a window that was asked for. */
+export interface Departure {
+  departure: string;
+  arrival: string | null;
+  travel_time_s: number | null;
+  energy_j: number | null;
+  status: 'ok' | 'infeasible';
+  reason: string | null;
+  explanation: string | null;
+}
+
+export interface Uncertainty {
+  members: number;
+  arrived: number;
+  mean_s: number | null;
+  standard_deviation_s: number | null;
+  quantiles_s: { p10: number | null; p50: number | null; p90: number | null };
+  arrive_before: string | null;
+  chance: number | null;
+}
+
+/** Another value for one input that would make the request possible. */
+export interface Change {
+  input: string;
+  from: unknown;
+  to: unknown;
+  text: string;
+}
+
 export interface DatasetRef {
   id: string;
   kind: DatasetKind;
@@ -150,6 +220,10 @@ export interface Plan {
   distance_m: number;
   surfacing?: Surfacing | null;
   energy_j: number | null;
+  energy?: { usable_j: number } | null;
+  iceberg_encounters?: number | null;
+  departures?: Departure[];
+  uncertainty?: Uncertainty | null;
   optimality_gap: number | null;
   optimality_gap_reason: string;
   waypoints: Waypoint[];
@@ -183,6 +257,8 @@ export interface Infeasible {
   when: string;
   explanation: string;
   suggestion: string;
+  changes?: Change[];
+  departures?: Departure[];
   warnings: string[];
   datasets: DatasetRef[];
 }
@@ -211,6 +287,10 @@ export interface JobStatus {
 
 export interface PlanResults {
   plan: Plan | Infeasible;
+}
+
+export interface EvaluationResults {
+  evaluation: Plan | Infeasible; // the plan's id is null
 }
 
 export interface MissionPreview {

@@ -15,12 +15,14 @@ import { datasets, homeBox } from '../model/datasets';
 import { draft, edit } from '../model/draft';
 import { coast, currents, icebergs, isLoading } from '../model/field';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
+import { openEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
 import { announce } from '../model/screen';
 import { command, hoveredBerg, pointer, tool, view, type Command } from '../model/view';
 import { bathymetryLayer } from './bathymetry_layer';
 import { coastLayer } from './coast_layer';
 import { currentsLayer } from './currents_layer';
+import { editLayer } from './edit_layer';
 import { graticuleLayer } from './graticule_layer';
 import { icebergLayer, safetyLayer } from './iceberg_layer';
 import { markerLayer } from './marker_layer';
@@ -37,16 +39,18 @@ const animation_ms = 250;
 export function createMap(target: HTMLElement, probe: (place: Position) => void): void {
   registerProjections();
   const bergs = icebergLayer();
+  const edit = editLayer();
   const map = new Map({
     target,
     controls: [],
     interactions: [
       new DragRotate(), new DoubleClickZoom(), new DragPan({ condition: (event) => noModifierKeys(event) }), new DragZoom(),
-      new PinchZoom(), new MouseWheelZoom(), new KeyboardPan(),
+      new PinchZoom(), new MouseWheelZoom(),
+      new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), edit.drag,
     ],
     layers: [
       bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), safetyLayer(), planLayer(), bergs,
-      waypointLayer(), vehicleLayer(), markerLayer(),
+      waypointLayer(), vehicleLayer(), edit.layer, markerLayer(),
     ],
   });
   followProjection(map);
@@ -56,6 +60,9 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
   followPointer(map, target, bergs, probe);
   publishState(map, target);
 }
+
+/** Whether the arrow keys move a waypoint rather than the map. */
+const holdsWaypoint = (): boolean => openEdit.peek() !== undefined && selectedWaypoint.peek() !== undefined;
 
 const reducedMotion = (): boolean => window.matchMedia('(prefers-reduced-motion: reduce)').matches;
 const duration = (): number => (reducedMotion() ? 0 : animation_ms);
@@ -221,6 +228,11 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
       map.forEachFeatureAtPixel(
         event.pixel,
         (feature) => {
+          const handle = feature.get('handle') as number | undefined;
+          if (handle !== undefined) {
+            selectedWaypoint.value = handle;
+            return true;
+          }
           const id = feature.get('planId') as string | undefined;
           if (id === undefined) return false;
           select(id);
@@ -237,6 +249,7 @@ function publishState(map: Map, target: HTMLElement): void {
   effect(() => {
     target.dataset['icebergs'] = String(icebergs.value.length);
     target.dataset['plans'] = String(shownPlans.value.length);
+    target.dataset['handles'] = String(openEdit.value?.route.now.length ?? 0);
     target.dataset['coast'] = String(coast.value.length);
     target.dataset['currents'] = currents.value ? 'shown' : 'none';
     target.dataset['loading'] = String(isLoading.value);

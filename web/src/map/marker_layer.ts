@@ -8,6 +8,7 @@ import type { Position } from '../api/types';
 import { project } from '../geo/projections';
 import { draft, placeIn, placesIn } from '../model/draft';
 import { failure } from '../model/job';
+import { openEdit } from '../model/route_edit';
 import { probed } from '../model/screen';
 import { projection } from '../model/settings';
 import { palette, type Palette } from '../theme/palette';
@@ -32,6 +33,8 @@ export function markerLayer(): VectorLayer<VectorSource> {
 
     const fault = failure.value;
     if (fault?.kind === 'infeasible') put([fault.answer.at.lon, fault.answer.at.lat], cross(colours));
+    const verdict = openEdit.value?.verdict;
+    if (verdict?.state === 'infeasible') put([verdict.answer.at.lon, verdict.answer.at.lat], cross(colours));
     const probe = probed.value;
     if (probe) put([probe.lon, probe.lat], target(colours));
   });

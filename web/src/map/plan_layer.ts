@@ -10,6 +10,7 @@ import { northAngle, project, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
 import { visible } from '../model/layers';
 import { routeOf, selectedId, selectedWaypoint, shownPlans, vehicleAt, type ShownPlan } from '../model/plans';
+import { openEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
 import { palette, planDashes, type Palette } from '../theme/palette';
 import { toMap } from './projections';
@@ -45,7 +46,7 @@ function lineStyles({ style }: ShownPlan, selected: boolean, colours: Palette): 
   ];
 }
 
-/** Waypoints of the selected plan: a dot each, and its number where there is room. */
+/** Waypoints of the selected plan unless a copy of it is under change: a dot each, and its number where there is room. */
 export function waypointLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 8, declutter: true });
@@ -55,7 +56,7 @@ export function waypointLayer(): VectorLayer<VectorSource> {
     const chosen = selectedWaypoint.value;
     source.clear(true);
     for (const shown of shownPlans.value) {
-      if (shown.plan.plan_id !== selectedId.value) continue;
+      if (shown.plan.plan_id !== selectedId.value || openEdit.value) continue;
       for (const waypoint of shown.plan.waypoints) {
         const feature = new Feature(new Point(project(code, [waypoint.lon, waypoint.lat])));
         feature.set('waypoint', waypoint.index);

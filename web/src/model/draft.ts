@@ -66,6 +66,12 @@ export function placeIn(text: string): Position | undefined {
   return parsed.ok ? parsed.value : undefined;
 }
 
+/** The number in a field, with a decimal point or comma. */
+export function numberIn(text: string): number | undefined {
+  const value = Number(text.trim().replace(',', '.'));
+  return text.trim() !== '' && Number.isFinite(value) ? value : undefined;
+}
+
 /** Places between start and goal: one on each line. */
 export function placesIn(text: string): { places: Position[]; fault?: string } {
   const places: Position[] = [];
@@ -97,11 +103,10 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
 
   const numbers: Partial<Record<(typeof numberFields)[number], number>> = {};
   for (const field of numberFields) {
-    const text = form[field].trim().replace(',', '.');
-    if (text === '') continue;
-    const value = Number(text);
-    if (Number.isFinite(value)) numbers[field] = value;
-    else found[field] = 'Write a number.';
+    if (form[field].trim() === '') continue;
+    const value = numberIn(form[field]);
+    if (value === undefined) found[field] = 'Write a number.';
+    else numbers[field] = value;
   }
   if (!from.ok || !to.ok || depart_ms === undefined || Object.keys(found).length > 0) return { faults: found };
 

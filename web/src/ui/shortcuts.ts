@@ -1,9 +1,11 @@
 import { plan } from '../api/planning';
 import { range, setTime, stepHours, togglePlay } from '../model/clock';
-import { routeOf, select, selectedPlan, shownPlans } from '../model/plans';
+import { routeOf, select, selectedPlan, selectedWaypoint, shownPlans } from '../model/plans';
+import { openEdit, startEdit } from '../model/route_edit';
 import { dialog, drawer, leftTab } from '../model/screen';
 import { settings } from '../model/settings';
 import { ask, tool } from '../model/view';
+import { editByKey } from './edit_keys';
 
 const focus = (selector: string): void => document.querySelector<HTMLElement>(selector)?.focus();
 
@@ -33,6 +35,10 @@ const actions: Record<string, () => void> = {
     leftTab.value = 'setup';
     queueMicrotask(() => focus('#field-from'));
   },
+  d: () => {
+    const chosen = selectedPlan.peek();
+    if (chosen && !openEdit.peek()) startEdit(chosen);
+  },
   l: () => focus('.layers summary'),
   '?': () => {
     dialog.value = 'help';
@@ -47,10 +53,15 @@ export function listenForShortcuts(): void {
   document.addEventListener('keydown', (event) => {
     if (event.key === 'Escape' && dialog.peek() === undefined) {
       tool.value = 'pan';
+      selectedWaypoint.value = undefined;
       drawer.value = undefined;
       return;
     }
     const target = event.target instanceof Element ? event.target : undefined;
+    if (dialog.peek() === undefined && editByKey(event, Boolean(target?.closest(takesText)))) {
+      event.preventDefault();
+      return;
+    }
     if (event.ctrlKey || event.altKey || event.metaKey || dialog.peek() || target?.closest(takesText)) return;
     if (!settings.peek().shortcuts) return;
     if (event.key === ' ' && target?.closest(takesSpace)) return;

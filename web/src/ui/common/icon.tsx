@@ -6,6 +6,7 @@ import compass from 'lucide-static/icons/compass.svg?raw';
 import crosshair from 'lucide-static/icons/crosshair.svg?raw';
 import database from 'lucide-static/icons/database.svg?raw';
 import download from 'lucide-static/icons/download.svg?raw';
+import edit from 'lucide-static/icons/pencil.svg?raw';
 import eye from 'lucide-static/icons/eye.svg?raw';
 import eyeOff from 'lucide-static/icons/eye-off.svg?raw';
 import hand from 'lucide-static/icons/hand.svg?raw';
@@ -19,8 +20,10 @@ import pause from 'lucide-static/icons/pause.svg?raw';
 import play from 'lucide-static/icons/play.svg?raw';
 import plus from 'lucide-static/icons/plus.svg?raw';
 import probe from 'lucide-static/icons/scan-search.svg?raw';
+import redo from 'lucide-static/icons/redo-2.svg?raw';
 import refresh from 'lucide-static/icons/rotate-ccw.svg?raw';
 import route from 'lucide-static/icons/route.svg?raw';
+import save from 'lucide-static/icons/save.svg?raw';
 import settings from 'lucide-static/icons/sliders-horizontal.svg?raw';
 import skipBack from 'lucide-static/icons/skip-back.svg?raw';
 import skipForward from 'lucide-static/icons/skip-forward.svg?raw';
@@ -28,12 +31,13 @@ import stepBack from 'lucide-static/icons/step-back.svg?raw';
 import stepForward from 'lucide-static/icons/step-forward.svg?raw';
 import sun from 'lucide-static/icons/sun.svg?raw';
 import trash from 'lucide-static/icons/trash-2.svg?raw';
+import undo from 'lucide-static/icons/undo-2.svg?raw';
 import warning from 'lucide-static/icons/triangle-alert.svg?raw';
 import x from 'lucide-static/icons/x.svg?raw';
 
 const icons = {
-  chevronRight, clock, compare, compass, crosshair, database, download, eye, eyeOff, hand, help, info, list, maximize, minus, moon, pause,
-  play, plus, probe, refresh, route, settings, skipBack, skipForward, stepBack, stepForward, sun, trash, warning, x,
+  chevronRight, clock, compare, compass, crosshair, database, download, edit, eye, eyeOff, hand, help, info, list, maximize, minus, moon, pause,
+  play, plus, probe, redo, refresh, route, save, settings, skipBack, skipForward, stepBack, stepForward, sun, trash, undo, warning, x,
 };
 
 export type IconName = keyof typeof icons;

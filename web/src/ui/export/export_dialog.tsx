@@ -5,7 +5,7 @@ import type { MissionPreview, Plan } from '../../api/types';
 import { selectedPlan, titleOf } from '../../model/plans';
 import { Icon } from '../common/icon';
 import { Modal } from '../common/modal';
-import { Warnings } from '../waypoints/waypoints_panel';
+import { Warnings } from '../waypoints/warnings';
 
 /** The mission files as the server would write them, and the downloads. */
 export function ExportDialog(): VNode | null {

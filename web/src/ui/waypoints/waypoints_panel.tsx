@@ -5,12 +5,15 @@ import { time_ms } from '../../model/clock';
 import { edit } from '../../model/draft';
 import { editablePosition } from '../../geo/coordinates';
 import { routeOf, selectedShown, titleOf } from '../../model/plans';
+import { startEdit, openEdit } from '../../model/route_edit';
 import { dialog, leftTab } from '../../model/screen';
-import { duration, fieldOf, shortTime } from '../../model/time';
-import { distance, energy } from '../../model/units';
+import { fieldOf } from '../../model/time';
 import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
 import { PlanKey } from '../common/plan_key';
+import { EditPanel } from './edit_panel';
+import { Figures } from './figures';
+import { Warnings } from './warnings';
 import { WaypointTable } from './waypoint_table';
 
 /** What was got: the selected plan in figures, its warnings and its waypoints. */
@@ -30,6 +33,7 @@ export function WaypointsPanel(): VNode {
     );
   }
   const { plan, letter, style } = shown;
+  if (openEdit.value) return <EditPanel edit={openEdit.value} shown={shown} />;
   return (
     <div class="result">
       <div class="result-head">
@@ -40,14 +44,17 @@ export function WaypointsPanel(): VNode {
       </div>
       <Figures plan={plan} />
       <Warnings warnings={plan.warnings} />
-      <button
-        type="button" class="export-button"
-        onClick={() => {
-          dialog.value = 'export';
-        }}
-      >
-        <Icon name="download" /> Export mission
-      </button>
+      <div class="edit-save">
+        <button type="button" onClick={() => startEdit(plan)}><Icon name="edit" /> Edit copy</button>
+        <button
+          type="button" class="export-button"
+          onClick={() => {
+            dialog.value = 'export';
+          }}
+        >
+          <Icon name="download" /> Export mission
+        </button>
+      </div>
       <WaypointTable plan={plan} at_ms={time_ms.value} />
       <details class="provenance">
         <summary>Computed from</summary>
@@ -62,41 +69,6 @@ export function WaypointsPanel(): VNode {
         </p>
       </details>
     </div>
-  );
-}
-
-function Figures({ plan }: { plan: Plan }): VNode {
-  const gap = plan.optimality_gap === null ? '–' : `${(100 * plan.optimality_gap).toFixed(1)} %`;
-  const figures: [string, string, string?][] = [
-    ['Departure', shortTime(Date.parse(plan.departure))],
-    ['Arrival', shortTime(Date.parse(plan.arrival))],
-    ['Travel time', duration(plan.travel_time_s)],
-    ['Distance', distance(plan.distance_m)],
-    ['Nearest ice', distance(plan.clearances.iceberg_m)],
-    ['Nearest land', distance(plan.clearances.land_m)],
-    ['Above sea bed', distance(plan.clearances.bottom_m)],
-    ['Optimality gap', gap, plan.optimality_gap_reason],
-    ...(plan.energy_j === null ? [] : ([['Energy', energy(plan.energy_j)]] as [string, string][])),
-  ];
-  return (
-    <dl class="figures-grid">
-      {figures.map(([title, text, why]) => (
-        <div key={title} title={why}>
-          <dt>{title}</dt>
-          <dd>{text}</dd>
-        </div>
-      ))}
-    </dl>
-  );
-}
-
-export function Warnings({ warnings }: { warnings: string[] }): VNode | null {
-  if (warnings.length === 0) return null;
-  return (
-    <section class="warning-box" aria-label="Warnings">
-      <h3><Icon name="warning" /> {warnings.length === 1 ? '1 warning' : `${warnings.length} warnings`}</h3>
-      <ul>{warnings.map((text) => <li key={text}>{text}</li>)}</ul>
-    </section>
   );
 }
 

@@ -1,0 +1,121 @@
+import { expect, open, pixelOf, planByTyping, test, type LonLat } from '../support/page';
+import { findPlaces } from '../support/places';
+import type { Page } from '@playwright/test';
+
+const evaluated = async (page: Page): Promise<void> => {
+  await expect(page.getByRole('complementary', { name: 'Waypoints' }).getByText(/^Evaluated/)).toBeVisible({ timeout: 30_000 });
+};
+const travelTime = (page: Page): Promise<string> => page.locator('.figures-grid div', { hasText: 'Travel time' }).locator('dd').innerText();
+const save = (page: Page) => page.getByRole('button', { name: 'Store as a plan' });
+
+test('a copy of a plan is changed with the mouse, judged anew, taken back and stored', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await planByTyping(page, start, goal);
+  await page.getByRole('button', { name: 'Edit copy' }).click();
+  const map = page.locator('#map');
+  const handles = Number(await map.getAttribute('data-handles'));
+  expect(handles).toBeGreaterThan(1);
+  await expect(save(page)).toBeDisabled();
+
+  const middle: LonLat = [(start[0] + goal[0]) / 2, (start[1] + goal[1]) / 2];
+  if (handles === 2) {
+    await page.getByRole('button', { name: 'Insert a waypoint after 1' }).click();
+  }
+  await expect(map).toHaveAttribute('data-handles', String(Math.max(3, handles)));
+  await page.getByRole('button', { name: 'Waypoint 2', exact: true }).click();
+  const typed = await page.getByLabel('Position of waypoint 2').inputValue();
+  await page.getByLabel('Position of waypoint 2').fill(`${middle[1].toFixed(5)}, ${middle[0].toFixed(5)}`);
+  await page.keyboard.press('Enter');
+  await expect(save(page)).toBeDisabled();
+  await evaluated(page);
+  await expect(page.getByLabel('Position of waypoint 2')).not.toHaveValue(typed);
+
+  const before = await travelTime(page);
+  await mapAtRest(page);
+  const from = await pixelOf(page, middle);
+  await page.mouse.move(from.x, from.y);
+  await page.mouse.down();
+  await page.mouse.move(from.x + 12, from.y + 20, { steps: 4 });
+  await page.mouse.up();
+  await expect(page.locator('.figures-grid')).toHaveAttribute('aria-busy', 'true');
+  await expect(save(page)).toBeDisabled();
+  await expect(page.locator('.figures-grid')).toHaveAttribute('aria-busy', 'false', { timeout: 30_000 });
+  expect(await travelTime(page)).not.toBe(before);
+
+  await page.getByRole('button', { name: 'Undo (Ctrl+Z)' }).click();
+  await evaluated(page);
+  expect(await travelTime(page)).toBe(before);
+
+  const plans = Number(await map.getAttribute('data-plans'));
+  await save(page).click();
+  await expect(map).toHaveAttribute('data-plans', String(plans + 1), { timeout: 30_000 });
+  await expect(page.getByRole('button', { name: 'Export mission' })).toBeVisible();
+  await expect(page.getByRole('heading', { name: /\(edited\)/ })).toBeVisible();
+});
+
+async function mapAtRest(page: Page): Promise<void> {
+  let before: string | null = null;
+  await expect
+    .poll(async () => {
+      const now = await page.locator('#map').getAttribute('data-view');
+      const same = now === before;
+      before = now;
+      return same;
+    })
+    .toBe(true);
+}
+
+test('a copy of a plan is changed with the keyboard alone', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await planByTyping(page, start, goal);
+  const map = page.locator('#map');
+  await map.focus();
+  await page.keyboard.press('d');
+  const handles = Number(await map.getAttribute('data-handles'));
+  await page.getByRole('button', { name: 'Waypoint 1', exact: true }).focus();
+  await page.keyboard.press('Enter');
+  await map.focus();
+  await page.keyboard.press('Insert');
+  await expect(map).toHaveAttribute('data-handles', String(handles + 1));
+  await evaluated(page);
+  const view = await map.getAttribute('data-view');
+  const position = page.getByLabel('Position of waypoint 2');
+  const before = await position.inputValue();
+  await page.keyboard.press('ArrowUp');
+  await expect(position).not.toHaveValue(before);
+  await page.keyboard.press('Shift+ArrowLeft');
+  await page.keyboard.press('Alt+ArrowDown');
+  await evaluated(page);
+  expect(await map.getAttribute('data-view')).toBe(view);
+
+  for (let i = 0; i < 3; ++i) await page.keyboard.press('Control+z');
+  await expect(position).toHaveValue(before);
+  await page.keyboard.press('Control+Shift+Z');
+  await expect(position).not.toHaveValue(before);
+  await page.keyboard.press('Tab');
+  await expect(page.getByRole('button', { name: 'Waypoint 3', exact: true })).toHaveAttribute('aria-pressed', 'true');
+  await page.keyboard.press('Shift+Tab');
+  await page.keyboard.press('Delete');
+  await expect(map).toHaveAttribute('data-handles', String(handles));
+});
+
+test('a route that cannot be flown or judged cannot be stored', async ({ page, request }) => {
+  const { start, goal, land } = await findPlaces(request);
+  await open(page);
+  await planByTyping(page, start, goal);
+  await page.getByRole('button', { name: 'Edit copy' }).click();
+  const last = page.getByLabel(/^Position of waypoint/).last();
+  await last.fill(`${land[1].toFixed(5)}, ${land[0].toFixed(5)}`);
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('region', { name: 'The route cannot be flown' })).toBeVisible({ timeout: 30_000 });
+  await expect(save(page)).toBeDisabled();
+
+  await page.route('**/processes/evaluate-route/execution', (route) => route.abort());
+  await last.fill(`${goal[1].toFixed(5)}, ${goal[0].toFixed(5)}`);
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('region', { name: 'The route could not be evaluated' })).toBeVisible();
+  await expect(save(page)).toBeDisabled();
+  await page.unroute('**/processes/evaluate-route/execution');
+});

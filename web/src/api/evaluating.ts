@@ -1,0 +1,96 @@
+import { effect, untracked } from '@preact/signals';
+import { reasonTitle } from '../model/job';
+import { add, titleOf } from '../model/plans';
+import { rememberRequest } from '../model/requests';
+import { deliver, discardEdit, routeEdit, whyNotSaved, type RouteEdit, type Verdict } from '../model/route_edit';
+import { announce } from '../model/screen';
+import { duration } from '../model/time';
+import * as api from './client';
+import type { PlanInputs } from './types';
+
+/** Held keys and quick clicks are answered once, when they pause this long. */
+const pause_ms = 80;
+
+const textOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+/** Asks the server anew whenever the route under change has changed; a newer question ends the older. Call once. */
+export function followRouteEdit(): void {
+  let asked: string | undefined;
+  let question: AbortController | undefined;
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  effect(() => {
+    const edit = routeEdit.value;
+    const wanted = edit?.verdict.state === 'pending' ? `${edit.origin.plan_id} ${edit.number}` : undefined;
+    if (wanted === asked) return;
+    asked = wanted;
+    clearTimeout(timer);
+    question?.abort();
+    if (!edit || wanted === undefined) return;
+    const { signal } = (question = new AbortController());
+    timer = setTimeout(() => untracked(() => void evaluate(edit, signal)), pause_ms);
+  });
+}
+
+async function evaluate(edit: RouteEdit, signal: AbortSignal): Promise<void> {
+  let verdict: Verdict;
+  try {
+    const { evaluation } = await api.evaluateRoute({ ...edit.conditions, route: edit.route.now }, signal);
+    verdict = evaluation.status === 'ok'
+      ? { state: 'ok', plan: { ...evaluation, plan_id: edit.origin.plan_id, name: editedName(edit) } }
+      : { state: 'infeasible', answer: evaluation };
+  } catch (error) {
+    if (signal.aborted) return;
+    verdict = { state: 'failed', detail: detailOf(error) };
+  }
+  if (deliver(edit.number, verdict)) announce(spoken(verdict, edit));
+}
+
+function detailOf(error: unknown): string {
+  if (!(error instanceof api.ApiError)) return textOf(error);
+  const faults = (error.problem.errors ?? []).map(({ pointer, detail }) => `${pointer.replace('/inputs/', '')} ${detail}`);
+  return faults.length > 0 ? faults.join('; ') : error.message;
+}
+
+function spoken(verdict: Verdict, { origin }: RouteEdit): string {
+  switch (verdict.state) {
+    case 'ok': {
+      const more_s = verdict.plan.travel_time_s - origin.travel_time_s;
+      const warned = verdict.plan.warnings.length > 0 ? ` ${verdict.plan.warnings.length} warnings.` : '';
+      return `Travel time ${duration(verdict.plan.travel_time_s)}, ${duration(Math.abs(more_s))} ${more_s < 0 ? 'less' : 'more'} than planned.${warned}`;
+    }
+    case 'infeasible':
+      return `The route cannot be flown. ${reasonTitle(verdict.answer.reason)}. ${verdict.answer.explanation}`;
+    case 'failed':
+      return `The route could not be evaluated. ${verdict.detail}`;
+    case 'pending':
+      return '';
+  }
+}
+
+export const editedName = ({ origin }: RouteEdit): string => `${titleOf(origin).replace(/ \(edited\)$/, '')} (edited)`;
+
+/** Makes the edited route a plan of its own, as drawn; true when it is stored. */
+export async function saveEdit(): Promise<boolean> {
+  const edit = routeEdit.value;
+  const [from, ...others] = edit?.route.now ?? [];
+  const to = others.pop();
+  if (!edit || whyNotSaved(edit) || !from || !to) return false;
+  const inputs: PlanInputs = {
+    ...edit.conditions, from, to, ...(others.length > 0 ? { via: others } : {}), method: 'direct', refine: false, name: editedName(edit),
+  };
+  try {
+    const { plan } = await api.planNow(inputs);
+    if (plan.status !== 'ok') {
+      deliver(edit.number, { state: 'infeasible', answer: plan });
+      return false;
+    }
+    rememberRequest(plan.plan_id, inputs);
+    discardEdit();
+    add({ ...plan, created: plan.created ?? new Date().toISOString() });
+    announce(`Stored as ${titleOf(plan)}.`);
+    return true;
+  } catch (error) {
+    deliver(edit.number, { state: 'failed', detail: detailOf(error) });
+    return false;
+  }
+}

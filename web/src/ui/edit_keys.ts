@@ -1,0 +1,51 @@
+import { destination } from '../geo/geodesic';
+import { selectedWaypoint } from '../model/plans';
+import { insertAfter, moveWaypoint, openEdit, redoEdit, removeWaypoint, undoEdit } from '../model/route_edit';
+import { announce } from '../model/screen';
+import { view } from '../model/view';
+
+const step_m = { plain: 100, shift: 1000, alt: 10 };
+
+/** Where the arrows point on the screen, clockwise from up. */
+const arrows_deg: Record<string, number> = { ArrowUp: 0, ArrowRight: 90, ArrowDown: 180, ArrowLeft: 270 };
+
+/** Keys of the route under change; true when the key was one of them. */
+export function editByKey(event: KeyboardEvent, inText: boolean): boolean {
+  const edit = openEdit.peek();
+  if (!edit) return false;
+  if (event.ctrlKey || event.metaKey) return !inText && undoByKey(event);
+  const chosen = selectedWaypoint.peek();
+  if (!(event.target instanceof Element) || event.target.id !== 'map') return false;
+  const last = edit.route.now.length - 1;
+  if (event.key === 'Tab') return nextByKey(event, chosen, last);
+  if (chosen === undefined) return false;
+
+  const place = edit.route.now[chosen];
+  const arrow_deg = arrows_deg[event.key];
+  if (arrow_deg !== undefined && place) {
+    const size_m = event.shiftKey ? step_m.shift : event.altKey ? step_m.alt : step_m.plain;
+    moveWaypoint(chosen, destination(place, arrow_deg - (view.peek()?.north_deg ?? 0), size_m));
+    return true;
+  }
+  if (event.key === 'Insert') insertAfter(chosen);
+  else if (event.key === 'Delete') removeWaypoint(chosen);
+  else return false;
+  return true;
+}
+
+function undoByKey(event: KeyboardEvent): boolean {
+  const key = event.key.toLowerCase();
+  if (key === 'y' || (key === 'z' && event.shiftKey)) redoEdit();
+  else if (key === 'z') undoEdit();
+  else return false;
+  return true;
+}
+
+/** Tab goes from waypoint to waypoint; past either end it leaves the map as everywhere. */
+function nextByKey(event: KeyboardEvent, chosen: number | undefined, last: number): boolean {
+  const next = chosen === undefined ? undefined : chosen + (event.shiftKey ? -1 : 1);
+  if (next === undefined || next < 0 || next > last) return false;
+  selectedWaypoint.value = next;
+  announce(`Waypoint ${next + 1}`);
+  return true;
+}

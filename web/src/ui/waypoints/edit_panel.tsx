@@ -1,0 +1,99 @@
+import type { VNode } from 'preact';
+import { useState } from 'preact/hooks';
+import { editedName, saveEdit } from '../../api/evaluating';
+import { formatPosition } from '../../geo/coordinates';
+import { reasonTitle } from '../../model/job';
+import type { ShownPlan } from '../../model/plans';
+import { discardEdit, redoEdit, undoEdit, whyNotSaved, type RouteEdit } from '../../model/route_edit';
+import { dialog } from '../../model/screen';
+import { settings } from '../../model/settings';
+import { shortTime } from '../../model/time';
+import { ask } from '../../model/view';
+import { Icon, IconButton } from '../common/icon';
+import { PlanKey } from '../common/plan_key';
+import { EditTable } from './edit_table';
+import { Figures } from './figures';
+import { Warnings } from './warnings';
+
+/** A copy of a plan under change: its figures beside the plan's own, and the way to make it a plan. */
+export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }): VNode {
+  const { route, verdict, figures, origin } = edit;
+  const pending = verdict.state !== 'ok';
+  return (
+    <div class="result editing">
+      <div class="result-head">
+        <h2><PlanKey letter={shown.letter} style={shown.style} /> {editedName(edit)}</h2>
+        <IconButton icon="undo" label="Undo (Ctrl+Z)" disabled={route.past.length === 0} onClick={undoEdit} />
+        <IconButton icon="redo" label="Redo (Ctrl+Shift+Z)" disabled={route.future.length === 0} onClick={redoEdit} />
+        <IconButton icon="x" label="Discard the changes" onClick={discardEdit} />
+      </div>
+      <State edit={edit} />
+      <Figures plan={figures} beside={origin} pending={pending} />
+      {(verdict.state === 'ok' || verdict.state === 'pending') && (
+        <div class={pending ? 'pending' : undefined}><Warnings warnings={figures.warnings} /></div>
+      )}
+      <Save edit={edit} />
+      <EditTable edit={edit} />
+      <p class="hint">
+        Drag a handle, or the small one between two to insert. With a waypoint selected and the map in focus: arrows 100 m, with
+        Shift 1 km, with Alt 10 m; <kbd>Ins</kbd> <kbd>Del</kbd> <kbd>Tab</kbd>.
+      </p>
+      {!edit.conditionsKnown && (
+        <p class="hint">The plan was not made in this browser: it is judged with its vehicle and data and the set-up’s margin.</p>
+      )}
+    </div>
+  );
+}
+
+function State({ edit: { verdict, number } }: { edit: RouteEdit }): VNode {
+  switch (verdict.state) {
+    case 'pending':
+      return <p class="edit-state pending" role="status"><Icon name="refresh" size={14} /> Re-evaluating …</p>;
+    case 'ok':
+      return <p class="edit-state" role="status">{number === 0 ? 'As planned; nothing changed yet.' : 'Evaluated. Small figures: difference to the plan.'}</p>;
+    case 'failed':
+      return (
+        <section class="failure" aria-label="The route could not be evaluated">
+          <h3><Icon name="warning" /> Not evaluated</h3>
+          <p>{verdict.detail}</p>
+        </section>
+      );
+    case 'infeasible': {
+      const { answer } = verdict;
+      return (
+        <section class="failure" aria-label="The route cannot be flown">
+          <h3><Icon name="warning" /> {reasonTitle(answer.reason)}</h3>
+          <p>{answer.explanation}</p>
+          <p class="failure-place">
+            <button type="button" class="link" onClick={() => ask({ do: 'centre', place: [answer.at.lon, answer.at.lat] })}>
+              {formatPosition([answer.at.lon, answer.at.lat], settings.value.coordinates)}
+            </button>
+            {answer.when && <span> at {shortTime(Date.parse(answer.when))}</span>}
+          </p>
+        </section>
+      );
+    }
+  }
+}
+
+function Save({ edit }: { edit: RouteEdit }): VNode {
+  const [saving, setSaving] = useState(false);
+  const why = whyNotSaved(edit);
+  const save = async (exporting: boolean): Promise<void> => {
+    setSaving(true);
+    const stored = await saveEdit();
+    setSaving(false);
+    if (stored && exporting) dialog.value = 'export';
+  };
+  return (
+    <div class="edit-save">
+      <button type="button" class="primary" disabled={saving || why !== undefined} onClick={() => void save(false)}>
+        <Icon name="save" /> {saving ? 'Storing …' : 'Store as a plan'}
+      </button>
+      <button type="button" disabled={saving || why !== undefined} onClick={() => void save(true)}>
+        <Icon name="download" /> Store and export
+      </button>
+      {why && edit.number > 0 && <p class="hint">{why}</p>}
+    </div>
+  );
+}

@@ -1,0 +1,106 @@
+import type { VNode } from 'preact';
+import { useState } from 'preact/hooks';
+import type { Position, Waypoint } from '../../api/types';
+import { editablePosition, parsePosition } from '../../geo/coordinates';
+import { selectedWaypoint } from '../../model/plans';
+import { insertAfter, moveWaypoint, removeWaypoint, type RouteEdit } from '../../model/route_edit';
+import { announce } from '../../model/screen';
+import { shortTime } from '../../model/time';
+import { distanceFigure, distanceUnit, none } from '../../model/units';
+import { ask } from '../../model/view';
+import { IconButton } from '../common/icon';
+
+/** The route under change as a table: everything that can be dragged can be typed. */
+export function EditTable({ edit }: { edit: RouteEdit }): VNode {
+  const route = edit.route.now;
+  const figures = edit.verdict.state === 'ok' ? edit.verdict.plan.waypoints : [];
+  return (
+    <div class="scroll-box" role="region" aria-label="Waypoints" tabIndex={0}>
+      <table class="figures waypoints edit-table">
+        <thead>
+          <tr>
+            <th scope="col"><abbr title="Number">#</abbr></th>
+            <th scope="col">Position</th>
+            <th scope="col">Leg <span class="unit">{distanceUnit()}</span></th>
+            <th scope="col"><abbr title="Estimated time of arrival, UTC">ETA</abbr></th>
+            <th scope="col"><span class="visually-hidden">Change</span></th>
+          </tr>
+        </thead>
+        <tbody>
+          {route.map((place, i) => (
+            <Row key={i} index={i} place={place} figures={figures[i]} removable={route.length > 2} />
+          ))}
+        </tbody>
+      </table>
+    </div>
+  );
+}
+
+interface RowProps {
+  index: number;
+  place: Position;
+  figures: Waypoint | undefined;
+  removable: boolean;
+}
+
+function Row({ index, place, figures, removable }: RowProps): VNode {
+  const chosen = selectedWaypoint.value === index;
+  const choose = (): void => {
+    selectedWaypoint.value = index;
+    ask({ do: 'centre', place });
+  };
+  return (
+    <tr class={chosen ? 'selected' : ''}>
+      <td>
+        <button type="button" class="row-choose" aria-pressed={chosen} aria-label={`Waypoint ${index + 1}`} onClick={choose}>{index + 1}</button>
+      </td>
+      <td class="position"><PositionInput index={index} place={place} /></td>
+      <td>{distanceFigure(figures?.leg_m)}</td>
+      <td class="time">{figures ? shortTime(Date.parse(figures.eta)).replace(/ (?=\d\d:)/, '\n') : none}</td>
+      <td class="row-tools">
+        <IconButton icon="plus" label={`Insert a waypoint after ${index + 1}`} onClick={() => insertAfter(index)} />
+        <IconButton icon="x" label={`Remove waypoint ${index + 1}`} disabled={!removable} onClick={() => removeWaypoint(index)} />
+      </td>
+    </tr>
+  );
+}
+
+/** Takes effect when it is left or Enter is pressed; what cannot be read stays, with its fault, and changes nothing. */
+function PositionInput({ index, place }: { index: number; place: Position }): VNode {
+  const written = editablePosition(place);
+  const [typed, setTyped] = useState<string | undefined>(undefined);
+  const [fault, setFault] = useState<string | undefined>(undefined);
+  const take = (text: string): void => {
+    if (text === written) {
+      setTyped(undefined);
+      setFault(undefined);
+      return;
+    }
+    const parsed = parsePosition(text);
+    setFault(parsed.ok ? undefined : parsed.fault);
+    if (!parsed.ok) {
+      announce(parsed.fault);
+      return;
+    }
+    setTyped(undefined);
+    moveWaypoint(index, parsed.value);
+  };
+  return (
+    <>
+      <input
+        type="text" aria-label={`Position of waypoint ${index + 1}`} value={typed ?? written} autocomplete="off" spellcheck={false}
+        aria-invalid={fault ? true : undefined} aria-describedby={fault ? `waypoint-fault-${index}` : undefined}
+        onFocus={() => { selectedWaypoint.value = index; }}
+        onInput={(event) => setTyped(event.currentTarget.value)}
+        onChange={(event) => take(event.currentTarget.value)}
+        onKeyDown={(event) => {
+          if (event.key === 'Escape') {
+            setTyped(undefined);
+            setFault(undefined);
+          }
+        }}
+      />
+      {fault && <p class="fault" id={`waypoint-fault-${index}`}>{fault}</p>}
+    </>
+  );
+}

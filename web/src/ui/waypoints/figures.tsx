@@ -1,0 +1,73 @@
+import type { VNode } from 'preact';
+import type { Plan } from '../../api/types';
+import { duration, shortTime } from '../../model/time';
+import { distance, energy, none } from '../../model/units';
+
+interface Figure {
+  title: string;
+  text: (plan: Plan) => string;
+  why?: (plan: Plan) => string; // shown when pointed at
+  value?: (plan: Plan) => number | null; // compared with the plan the figures are set beside
+  difference?: (value: number) => string;
+}
+
+const share = (value: number): string => `${(100 * value).toFixed(1)} %`;
+
+const figures: Figure[] = [
+  { title: 'Departure', text: (plan) => shortTime(Date.parse(plan.departure)) },
+  { title: 'Arrival', text: (plan) => shortTime(Date.parse(plan.arrival)) },
+  { title: 'Travel time', text: (plan) => duration(plan.travel_time_s), value: (plan) => plan.travel_time_s, difference: duration },
+  { title: 'Distance', text: (plan) => distance(plan.distance_m), value: (plan) => plan.distance_m, difference: distance },
+  { title: 'Nearest ice', text: (plan) => distance(plan.clearances.iceberg_m), value: (plan) => plan.clearances.iceberg_m, difference: distance },
+  { title: 'Nearest land', text: (plan) => distance(plan.clearances.land_m), value: (plan) => plan.clearances.land_m, difference: distance },
+  { title: 'Above sea bed', text: (plan) => distance(plan.clearances.bottom_m), value: (plan) => plan.clearances.bottom_m, difference: distance },
+  {
+    title: 'Optimality gap',
+    text: (plan) => (plan.optimality_gap === null ? none : share(plan.optimality_gap)),
+    why: (plan) => plan.optimality_gap_reason,
+  },
+  { title: 'Energy', text: (plan) => energy(plan.energy_j), value: (plan) => plan.energy_j, difference: energy },
+  {
+    title: 'Battery used',
+    text: (plan) => (plan.energy && plan.energy_j !== null ? share(plan.energy_j / plan.energy.usable_j) : none),
+    why: () => 'Of what is usable above the reserve',
+  },
+  {
+    title: 'Ice encounters',
+    text: (plan) => (typeof plan.iceberg_encounters === 'number' ? plan.iceberg_encounters.toFixed(2) : none),
+    why: () => 'Expected number of icebergs met that nobody has reported',
+  },
+  {
+    title: 'Arrival, p10–p90',
+    text: ({ uncertainty }) => {
+      const [p10, p90] = [uncertainty?.quantiles_s.p10 ?? null, uncertainty?.quantiles_s.p90 ?? null];
+      return p10 === null || p90 === null ? none : `${duration(p10)} – ${duration(p90)}`;
+    },
+    why: ({ uncertainty }) => (uncertainty ? `${uncertainty.arrived} of ${uncertainty.members} members arrive` : ''),
+  },
+];
+
+/** A plan in figures; beside another plan with the differences to it, and dimmed while they are worked out anew. */
+export function Figures({ plan, beside, pending = false }: { plan: Plan; beside?: Plan; pending?: boolean }): VNode {
+  const shown = figures.filter(({ title, text }) => text(plan) !== none || !/^(Energy|Battery|Ice enc|Arrival, )/.test(title));
+  return (
+    <dl class={pending ? 'figures-grid pending' : 'figures-grid'} aria-busy={pending}>
+      {shown.map((figure) => (
+        <div key={figure.title} title={figure.why?.(plan)}>
+          <dt>{figure.title}</dt>
+          <dd>
+            {figure.text(plan)}
+            {beside && <Difference figure={figure} plan={plan} beside={beside} />}
+          </dd>
+        </div>
+      ))}
+    </dl>
+  );
+}
+
+function Difference({ figure, plan, beside }: { figure: Figure; plan: Plan; beside: Plan }): VNode | null {
+  const [mine, other] = [figure.value?.(plan) ?? null, figure.value?.(beside) ?? null];
+  if (mine === null || other === null || !figure.difference) return null;
+  const text = figure.difference(Math.abs(mine - other));
+  return <span class="difference">{text === figure.difference(0) ? '±0' : `${mine < other ? '−' : '+'}${text}`}</span>;
+}

@@ -1,0 +1,73 @@
+import { beforeEach, describe, expect, it } from 'vitest';
+import { conditionsIn } from '../../src/model/requests';
+import {
+  deliver, insertAfter, moveWaypoint, redoEdit, removeWaypoint, routeEdit, startEdit, undoEdit, whyNotSaved,
+} from '../../src/model/route_edit';
+import { makePlan } from './make_plan';
+
+const origin = makePlan('one', [[-52, 69], [-51.5, 69], [-51, 69.1]]);
+const edit = (): NonNullable<typeof routeEdit.value> => {
+  if (!routeEdit.value) throw new Error('nothing is edited');
+  return routeEdit.value;
+};
+
+describe('the edit of a route', () => {
+  beforeEach(() => startEdit(origin));
+
+  it('leaves the plan as it is', () => {
+    const before = structuredClone(origin);
+    moveWaypoint(1, [-51.4, 69.05]);
+    removeWaypoint(0);
+    expect(origin).toEqual(before);
+  });
+
+  it('is pending after each change, also after undo and redo', () => {
+    moveWaypoint(1, [-51.4, 69.05]);
+    deliver(1, { state: 'ok', plan: origin });
+    undoEdit();
+    expect(edit().verdict.state).toBe('pending');
+    redoEdit();
+    expect(edit().verdict.state).toBe('pending');
+    expect(edit().route.now[1]).toEqual([-51.4, 69.05]);
+  });
+
+  it('never lets a late answer replace a newer state', () => {
+    moveWaypoint(1, [-51.4, 69.05]);
+    const asked = edit().number;
+    moveWaypoint(1, [-51.3, 69.05]);
+    expect(deliver(asked, { state: 'ok', plan: { ...origin, name: 'late' } })).toBe(false);
+    expect(edit().verdict.state).toBe('pending');
+    expect(edit().figures.name).not.toBe('late');
+  });
+
+  it('keeps at least two waypoints', () => {
+    removeWaypoint(1);
+    removeWaypoint(1);
+    expect(edit().route.now).toHaveLength(2);
+  });
+
+  it('inserts half-way along the leg, the last leg where there is none after', () => {
+    insertAfter(2);
+    expect(edit().route.now).toHaveLength(4);
+    expect(edit().route.now[2]?.[0]).toBeCloseTo(-51.25, 2);
+  });
+
+  it('can be saved only when it was changed and evaluated', () => {
+    expect(whyNotSaved(edit())).toMatch(/changed/);
+    moveWaypoint(1, [-51.4, 69.05]);
+    expect(whyNotSaved(edit())).toBeDefined();
+    deliver(1, { state: 'failed', detail: 'no' });
+    expect(whyNotSaved(edit())).toBeDefined();
+    moveWaypoint(1, [-51.3, 69.05]);
+    deliver(2, { state: 'ok', plan: origin });
+    expect(whyNotSaved(edit())).toBeUndefined();
+  });
+});
+
+describe('the conditions of a request', () => {
+  it('are all of it but the way', () => {
+    expect(conditionsIn({ from: [0, 70], to: [1, 70], via: [], depart: 't', margin_m: 300, method: 'tve', vehicle: 'v' })).toEqual({
+      depart: 't', margin_m: 300, vehicle: 'v',
+    });
+  });
+});
