@@ -14,7 +14,7 @@ test('a first plan is made, read and played back with the keyboard alone', async
   await page.keyboard.type(typed(goal));
   const before = Number(await page.locator('#map').getAttribute('data-plans'));
   await page.keyboard.press('Enter');
-  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 60_000 });
+  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 120_000 });
 
   const table = page.getByRole('region', { name: 'Waypoints' });
   const second = table.getByRole('button', { name: 'Waypoint 2', exact: true });

@@ -59,7 +59,7 @@ export const typed = ([lon, lat]: LonLat): string => `${lat.toFixed(5)}, ${lon.t
 export async function planAndWait(page: Page): Promise<void> {
   const before = Number(await page.locator('#map').getAttribute('data-plans'));
   await page.getByRole('button', { name: /^Plan / }).click();
-  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 60_000 });
+  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 120_000 });
   await settled(page);
 }
 
