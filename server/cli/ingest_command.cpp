@@ -66,15 +66,14 @@ int run(const Flags& flags, const Program& program) {
   auto db = repository::open_store(program.store);
   json documents = json::array();
   int exit_code = done;
-  for (const std::string& file : flags.files) {
-    for (const auto& report : ingest::ingest_file(db, file, options, now(), terminal_progress())) {
-      if (report.status == ingest::IngestStatus::refused) exit_code = bad_data;
-      if (!flags.json_out) print(report);
-      documents.push_back(report_document(report));
-      if (!flags.json_out) continue;
-      for (const std::string& error : report.errors) complain(bad_data, report.file + ": " + error);
-    }
-  }
+  const auto tell = [&](const ingest::IngestReport& report) {
+    if (report.status == ingest::IngestStatus::refused) exit_code = bad_data;
+    documents.push_back(report_document(report));
+    if (!flags.json_out) return print(report);
+    for (const std::string& error : report.errors) complain(bad_data, report.file + ": " + error);
+  };
+  const std::vector<std::filesystem::path> files(flags.files.begin(), flags.files.end());
+  static_cast<void>(ingest::ingest_files(db, files, options, now(), terminal_progress(), tell));
   if (flags.json_out) std::cout << json{{"datasets", documents}}.dump(2) << '\n';
   return exit_code;
 }

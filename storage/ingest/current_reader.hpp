@@ -1,19 +1,20 @@
 #pragma once
 
-#include <memory>
+#include <optional>
+#include <string>
 
 #include "engine/core/progress.hpp"
-#include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
+#include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 
-/// Currents from a NetCDF file on a regular longitude-latitude grid. Reads the file once to check every value
-/// and a second time to write it, slice by slice, so memory holds one time and depth whatever the file's
-/// size.
-/// Errors   see the refusals of find_velocity_pair and layout_of; no time; nothing but missing values; faster
-///          than 10 m/s
-[[nodiscard]] Checked<PreparedDataset> read_currents(const std::shared_ptr<const NetcdfFile>& file,
+/// Currents from one NetCDF file, or from several that belong together: the two components apart, and tables of
+/// positions, angles and depths. Regular grids are stored as they are, every other layout is resampled.
+/// `stated_crs`  the projection of a file that states none
+/// Errors   see find_velocity_pair, rectilinear_currents, curvilinear_currents and prepare_currents
+[[nodiscard]] Checked<PreparedDataset> read_currents(const NetcdfFiles& files,
+                                                     const std::optional<std::string>& stated_crs,
                                                      const core::ProgressCallback& progress);
 
 }  // namespace floeplan::ingest

@@ -9,6 +9,7 @@
 #include "storage/ingest/coastline_geojson_reader.hpp"
 #include "storage/ingest/current_reader.hpp"
 #include "storage/ingest/file_digest.hpp"
+#include "storage/ingest/file_groups.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/gshhg_coastline.hpp"
 #include "storage/ingest/ice_reader.hpp"
@@ -24,6 +25,13 @@ namespace {
 using repository::Dataset;
 using repository::DatasetKind;
 
+/// A file and what was given to be read together with it.
+NetcdfFiles together(const RecognisedFile& file) {
+  NetcdfFiles files{file.netcdf};
+  files.insert(files.end(), file.companions.begin(), file.companions.end());
+  return files;
+}
+
 Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, const IngestOptions& options,
                                  const core::ProgressCallback& progress) {
   switch (file.format) {
@@ -31,7 +39,7 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
     case FileFormat::netcdf4:
       if (kind == DatasetKind::coastline) return read_gshhg_coastline(file.path, progress);
       if (kind == DatasetKind::ice) return read_ice(file.netcdf, options, progress);
-      return kind == DatasetKind::currents ? read_currents(file.netcdf, progress)
+      return kind == DatasetKind::currents ? read_currents(together(file), options.crs, progress)
                                            : read_netcdf_bathymetry(*file.netcdf, options);
     case FileFormat::bag: return read_raster_bathymetry(file.path, "BAG", options);
     case FileFormat::geotiff: return read_raster_bathymetry(file.path, "GTiff", options);
@@ -49,11 +57,25 @@ repository::DatasetId id_of(DatasetKind kind, const std::string& sha256) {
   return {repository::kind_name(kind) + "-" + sha256.substr(0, 8)};
 }
 
-Dataset dataset_of(const PreparedDataset& data, const std::filesystem::path& file,
-                   const IngestOptions& options, const std::string& sha256, core::UtcTime now) {
+/// "u.nc + v.nc"
+std::string names_of(const FileGroup& files) {
+  std::string names;
+  for (const std::filesystem::path& file : files)
+    names += (names.empty() ? "" : " + ") + file.filename().string();
+  return names;
+}
+
+std::int64_t size_of(const FileGroup& files) {
+  std::uintmax_t bytes = 0;
+  for (const std::filesystem::path& file : files) bytes += std::filesystem::file_size(file);
+  return static_cast<std::int64_t>(bytes);
+}
+
+Dataset dataset_of(const PreparedDataset& data, const FileGroup& files, const IngestOptions& options,
+                   const std::string& sha256, core::UtcTime now) {
   return {.id = id_of(data.kind, sha256),
           .kind = data.kind,
-          .name = options.name.value_or(file.stem().string()),
+          .name = options.name.value_or(files.front().stem().string()),
           .variables = data.variables,
           .bounds = data.bounds,
           .time_start = data.time_start,
@@ -61,8 +83,8 @@ Dataset dataset_of(const PreparedDataset& data, const std::filesystem::path& fil
           .rows_accepted = data.rows_accepted,
           .rows_refused = data.rows_refused,
           .warnings = data.warnings,
-          .provenance = {.file_name = file.filename().string(),
-                         .file_size_bytes = static_cast<std::int64_t>(std::filesystem::file_size(file)),
+          .provenance = {.file_name = names_of(files),
+                         .file_size_bytes = size_of(files),
                          .sha256 = sha256,
                          .ingested = now,
                          .tool_version = "floeplan " FLOEPLAN_VERSION ", " + gdal_version()}};
@@ -77,10 +99,11 @@ std::string without_folder(std::string reason, const std::filesystem::path& file
   return reason;
 }
 
-IngestReport refused(const std::filesystem::path& file, std::string reason) {
+IngestReport refused(const FileGroup& files, std::string reason) {
   IngestReport report;
-  report.file = file.filename().string();
-  report.errors.push_back(without_folder(std::move(reason), file));
+  report.file = names_of(files);
+  for (const std::filesystem::path& file : files) reason = without_folder(std::move(reason), file);
+  report.errors.push_back(std::move(reason));
   return report;
 }
 
@@ -91,16 +114,16 @@ struct Candidate {
 };
 
 /// Reads and checks one kind of data. Nothing is written yet: the store stays open for others meanwhile.
-Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, DatasetKind kind,
-                     const std::string& sha256, const IngestOptions& options,
+Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const FileGroup& files,
+                     DatasetKind kind, const std::string& sha256, const IngestOptions& options,
                      const core::ProgressCallback& progress) {
   if (auto stored = repository::DatasetRepository{db}.find(id_of(kind, sha256))) {
     if (stored->provenance.sha256 != sha256)
-      return {refused(file.path,
+      return {refused(files,
                       "another dataset already has the id " + stored->id.value +
                           "; two files share the first digits of their checksum; remove the other one first"),
               std::nullopt};
-    return {{.file = file.path.filename().string(),
+    return {{.file = names_of(files),
              .status = IngestStatus::unchanged,
              .dataset = std::move(stored),
              .warnings = {},
@@ -108,17 +131,17 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, Dataset
             std::nullopt};
   }
   auto data = prepare(file, kind, options, progress);
-  if (!data) return {refused(file.path, data.error()), std::nullopt};
+  if (!data) return {refused(files, data.error()), std::nullopt};
   return {{}, std::move(*data)};
 }
 
 /// Stores what was checked. Runs inside the file's transaction.
-IngestReport store(sqlite::Connection& db, const RecognisedFile& file, const PreparedDataset& data,
+IngestReport store(sqlite::Connection& db, const FileGroup& files, const PreparedDataset& data,
                    Dataset dataset) {
   repository::DatasetRepository{db}.insert(dataset);
   const auto written = data.write(db, dataset.id);
-  if (!written) return refused(file.path, written.error());
-  return {.file = file.path.filename().string(),
+  if (!written) return refused(files, written.error());
+  return {.file = names_of(files),
           .status = IngestStatus::stored,
           .dataset = std::move(dataset),
           .warnings = data.warnings,
@@ -126,31 +149,43 @@ IngestReport store(sqlite::Connection& db, const RecognisedFile& file, const Pre
 }
 
 /// Says of everything that was good why it was not stored all the same.
-void refuse_the_rest(std::vector<Candidate>& candidates, const std::filesystem::path& file) {
+void refuse_the_rest(std::vector<Candidate>& candidates, const FileGroup& files) {
   for (Candidate& candidate : candidates) {
     if (!candidate.data || !candidate.report.errors.empty()) continue;
     const std::string kind = repository::kind_name(candidate.data->kind);
-    candidate.report = refused(file, "the file also holds " + kind +
-                                         ", which were not stored because its other data were refused; a "
-                                         "file is stored whole or not at all; give --kind " +
-                                         kind + " to store this part alone");
+    candidate.report = refused(files, "the file also holds " + kind +
+                                          ", which were not stored because its other data were refused; a "
+                                          "file is stored whole or not at all; give --kind " +
+                                          kind + " to store this part alone");
   }
 }
 
-}  // namespace
+/// Opens the files that were given with the first one.
+Checked<NetcdfFiles> open_companions(const FileGroup& files) {
+  NetcdfFiles companions;
+  for (std::size_t i = 1; i < files.size(); ++i) {
+    auto file = NetcdfFile::open(files[i]);
+    if (!file) return refuse(file.error());
+    companions.push_back(std::make_shared<const NetcdfFile>(std::move(*file)));
+  }
+  return companions;
+}
 
-std::vector<IngestReport> ingest_file(sqlite::Connection& db, const std::filesystem::path& file,
-                                      const IngestOptions& options, core::UtcTime now,
-                                      const core::ProgressCallback& progress) {
+std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& files,
+                                       const IngestOptions& options, core::UtcTime now,
+                                       const core::ProgressCallback& progress) {
   const GdalMessages quiet;
-  const auto recognised = recognise(file, options.kind);
-  if (!recognised) return {refused(file, recognised.error())};
-  const auto sha256 = sha256_of_file(file);
-  if (!sha256) return {refused(file, sha256.error())};
+  auto recognised = recognise(files.front(), options.kind);
+  if (!recognised) return {refused(files, recognised.error())};
+  auto companions = open_companions(files);
+  if (!companions) return {refused(files, companions.error())};
+  recognised->companions = std::move(*companions);
+  const auto sha256 = sha256_of_files(files);
+  if (!sha256) return {refused(files, sha256.error())};
 
   std::vector<Candidate> candidates;
   for (const DatasetKind kind : recognised->kinds)
-    candidates.push_back(check_kind(db, *recognised, kind, *sha256, options, progress));
+    candidates.push_back(check_kind(db, *recognised, files, kind, *sha256, options, progress));
 
   const auto failed = [](const Candidate& candidate) { return !candidate.report.errors.empty(); };
   if (std::none_of(candidates.begin(), candidates.end(), failed)) {
@@ -158,13 +193,36 @@ std::vector<IngestReport> ingest_file(sqlite::Connection& db, const std::filesys
     for (Candidate& candidate : candidates)
       if (candidate.data)
         candidate.report =
-            store(db, *recognised, *candidate.data, dataset_of(*candidate.data, file, options, *sha256, now));
+            store(db, files, *candidate.data, dataset_of(*candidate.data, files, options, *sha256, now));
     if (std::none_of(candidates.begin(), candidates.end(), failed)) transaction.commit();
   }
-  if (std::any_of(candidates.begin(), candidates.end(), failed)) refuse_the_rest(candidates, file);
+  if (std::any_of(candidates.begin(), candidates.end(), failed)) refuse_the_rest(candidates, files);
 
   std::vector<IngestReport> reports;
   for (Candidate& candidate : candidates) reports.push_back(std::move(candidate.report));
+  return reports;
+}
+
+}  // namespace
+
+std::vector<IngestReport> ingest_file(sqlite::Connection& db, const std::filesystem::path& file,
+                                      const IngestOptions& options, core::UtcTime now,
+                                      const core::ProgressCallback& progress) {
+  return ingest_group(db, {file}, options, now, progress);
+}
+
+std::vector<IngestReport> ingest_files(sqlite::Connection& db,
+                                       const std::vector<std::filesystem::path>& files,
+                                       const IngestOptions& options, core::UtcTime now,
+                                       const core::ProgressCallback& progress,
+                                       const std::function<void(const IngestReport&)>& reported) {
+  std::vector<IngestReport> reports;
+  for (const FileGroup& group : group_files(files)) {
+    for (IngestReport& report : ingest_group(db, group, options, now, progress)) {
+      if (reported) reported(report);
+      reports.push_back(std::move(report));
+    }
+  }
   return reports;
 }
 

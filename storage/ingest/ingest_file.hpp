@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -25,7 +26,7 @@ enum class IngestStatus { stored, refused, unchanged };
 
 /// What became of one kind of data in a file. A refused file stores nothing.
 struct IngestReport {
-  std::string file;
+  std::string file;  // "u.nc + v.nc" of files that were read together
   IngestStatus status{IngestStatus::refused};
   std::optional<repository::Dataset> dataset;  // empty when refused
   std::vector<std::string> warnings;
@@ -39,5 +40,14 @@ struct IngestReport {
 [[nodiscard]] std::vector<IngestReport> ingest_file(sqlite::Connection& db, const std::filesystem::path& file,
                                                     const IngestOptions& options, core::UtcTime now,
                                                     const core::ProgressCallback& progress);
+
+/// Reads several files. Those that belong together make one dataset (the two components of a current in two files,
+/// tables of a model's positions in a third), told by their content; every other file makes its own.
+/// `reported`  called with each report as soon as it is known; may be empty
+/// Errors   as ingest_file
+[[nodiscard]] std::vector<IngestReport> ingest_files(
+    sqlite::Connection& db, const std::vector<std::filesystem::path>& files, const IngestOptions& options,
+    core::UtcTime now, const core::ProgressCallback& progress,
+    const std::function<void(const IngestReport&)>& reported);
 
 }  // namespace floeplan::ingest

@@ -113,10 +113,18 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
     return refuse("the NetCDF file cannot be opened (" + messages.first_error() +
                   "); it is damaged or was cut short; copy or download it again");
 
+  for (const auto& attribute : root->GetAttributes())
+    if (const char* text = attribute->ReadAsString())
+      result.attributes_.emplace(attribute->GetName(), trimmed(text));
   const char* const scalars_too[] = {"SHOW_ZERO_DIM=YES", nullptr};
   for (const std::string& name : root->GetMDArrayNames(const_cast<char**>(scalars_too)))
     if (auto array = root->OpenMDArray(name)) result.variables_.emplace_back(name, std::move(array));
   return result;
+}
+
+std::optional<double> NetcdfFile::numeric_attribute(const std::string& name) const {
+  const auto found = attributes_.find(name);
+  return found == attributes_.end() ? std::nullopt : parse_number(found->second);
 }
 
 const NetcdfVariable* NetcdfFile::find(const std::string& name) const {

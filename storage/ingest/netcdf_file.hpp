@@ -71,9 +71,12 @@ class NetcdfFile {
   [[nodiscard]] const std::vector<NetcdfVariable>& variables() const { return variables_; }
   /// Null when there is none.
   [[nodiscard]] const NetcdfVariable* find(const std::string& name) const;
+  /// A number that the file states of itself as a whole.
+  [[nodiscard]] std::optional<double> numeric_attribute(const std::string& name) const;
 
  private:
   std::shared_ptr<GDALDataset> dataset_;
+  std::map<std::string, std::string> attributes_;
   std::vector<NetcdfVariable> variables_;
 };
 

@@ -1,39 +1,16 @@
 #include "storage/ingest/netcdf_layout.hpp"
 
 #include <algorithm>
-#include <cmath>
 
-#include "storage/ingest/cf_time.hpp"
-#include "storage/ingest/cf_units.hpp"
+#include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
 constexpr std::uint64_t max_axis_nodes = 1'000'000;
+constexpr std::uint64_t max_points = 10'000'000;        // of a mesh, along one dimension
 constexpr std::uint64_t max_slice_nodes = 250'000'000;  // 1 GB as float32
-
-bool runs_along(const NetcdfVariable& variable, const NetcdfDimension& dimension) {
-  return variable.is_numeric() && variable.dimensions().size() == 1 &&
-         variable.dimensions().front().name == dimension.name;
-}
-
-/// The coordinate variable of a dimension: one-dimensional and of the dimension's own name; where nothing has that
-/// name, the only variable along it whose standard name makes it a coordinate ("xgrid" along "x"). GDAL's own
-/// indexing variable is not asked: it may be a two-dimensional table or belong to the other axis.
-const NetcdfVariable* coordinate_of(const NetcdfFile& file, const NetcdfDimension& dimension) {
-  if (const NetcdfVariable* named = file.find(dimension.name))
-    return runs_along(*named, dimension) ? named : nullptr;
-  const NetcdfVariable* found = nullptr;
-  for (const NetcdfVariable& variable : file.variables()) {
-    if (!runs_along(variable, dimension) || variable.attribute("standard_name").empty() ||
-        role_of(variable) == AxisRole::unknown)
-      continue;
-    if (found != nullptr) return nullptr;
-    found = &variable;
-  }
-  return found;
-}
 
 bool has_table_of_positions(const NetcdfFile& file) {
   return std::any_of(file.variables().begin(), file.variables().end(), [](const NetcdfVariable& variable) {
@@ -42,84 +19,6 @@ bool has_table_of_positions(const NetcdfFile& file) {
     return role == AxisRole::longitude ||
            contains_any(lower(variable.name()), {"ulon", "tlon", "glam", "geolon"});
   });
-}
-
-Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {
-  auto values = coordinate.read_all();
-  if (!values) return refuse(values.error());
-  const std::string unit = coordinate.attribute("units");
-  const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
-  if (!factor)
-    return refuse("the depth axis \"" + coordinate.name() + "\" has the unit \"" + unit +
-                  "\", which is no length; levels cannot be placed in the water; ask for levels in metres");
-  if (unit.empty())
-    warnings.push_back("the depth axis \"" + coordinate.name() + "\" states no unit; taken as metres");
-
-  const std::string positive = lower(coordinate.attribute("positive"));
-  const bool all_below_zero =
-      std::all_of(values->begin(), values->end(), [](double v) { return v <= 0.0; }) &&
-      std::any_of(values->begin(), values->end(), [](double v) { return v < 0.0; });
-  const bool up = positive == "up" || (positive != "down" && all_below_zero);
-  for (double& value : *values) value *= up ? -*factor : *factor;
-  for (double& value : *values)
-    if (value == 0.0) value = 0.0;  // -0 becomes 0
-
-  auto nodes = monotonic_nodes(coordinate.name(), std::move(*values));
-  if (nodes && (nodes->nodes.front() < -10.0 || nodes->nodes.back() > 12000.0))
-    return refuse("the depth axis \"" + coordinate.name() + "\" runs from " + number(nodes->nodes.front()) +
-                  " to " + number(nodes->nodes.back()) +
-                  " m below the surface; no ocean does; its unit or direction is wrong");
-  return nodes;
-}
-
-Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {
-  const std::string unit = coordinate.attribute("units");
-  if (unit.empty())
-    return refuse("the time axis \"" + coordinate.name() +
-                  "\" has no units; without a starting date the times are unknown; ask the producer for a "
-                  "file with units like \"hours since 2000-01-01\"");
-  const auto decoder = CfTime::parse(unit, coordinate.attribute("calendar"));
-  if (!decoder) return refuse(decoder.error());
-  const auto values = coordinate.read_all();
-  if (!values) return refuse(values.error());
-
-  std::vector<double> seconds;
-  for (const double value : *values) {
-    const auto time = decoder->at(value);
-    if (!time) return refuse(time.error());
-    seconds.push_back(core::unix_seconds(*time));
-  }
-  if (decoder->is_model_calendar())
-    warnings.push_back("the times are in a model's own calendar (\"" + coordinate.attribute("calendar") +
-                       "\"); the dates were kept, but tides and weather of those days are not the real ones");
-  return sorted_nodes(coordinate.name(), std::move(seconds));
-}
-
-/// A time that the file states once for all its data.
-const NetcdfVariable* scalar_time(const NetcdfFile& file) {
-  for (const NetcdfVariable& variable : file.variables()) {
-    std::uint64_t size = 1;
-    for (const NetcdfDimension& dimension : variable.dimensions()) size *= dimension.size;
-    const std::string standard_name = lower(variable.attribute("standard_name"));
-    const bool named = standard_name == "time" || (standard_name.empty() && lower(variable.name()) == "time");
-    if (size == 1 && variable.is_numeric() && named) return &variable;
-  }
-  return nullptr;
-}
-
-Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {
-  auto values = coordinate.read_all();
-  if (!values) return refuse(values.error());
-  const std::string unit = coordinate.attribute("units");
-  const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
-  if (!factor)
-    return refuse("the projected coordinate \"" + coordinate.name() + "\" has the unit \"" + unit +
-                  "\", which is no length; the grid cannot be placed; ask for coordinates in metres");
-  if (unit.empty())
-    warnings.push_back("the projected coordinate \"" + coordinate.name() +
-                       "\" states no unit; taken as metres");
-  for (double& value : *values) value *= *factor;
-  return monotonic_nodes(coordinate.name(), std::move(*values));
 }
 
 struct RoleOfDimension {
@@ -165,6 +64,51 @@ Checked<bool> add_dimension(NetcdfLayout& layout, std::size_t index, const RoleO
   return true;
 }
 
+std::optional<std::string> fault_of_size(const NetcdfDimension& dimension, bool of_points) {
+  if (dimension.size == 0)
+    return "the dimension \"" + dimension.name + "\" is empty; the file holds no data; ask for another";
+  const std::uint64_t most = of_points ? max_points : max_axis_nodes;
+  if (dimension.size > most)
+    return "the dimension \"" + dimension.name + "\" has " + std::to_string(dimension.size) +
+           " values, more than this program accepts (" + std::to_string(most) +
+           "); the file is damaged, or you should cut out your area first";
+  return std::nullopt;
+}
+
+/// Of a dimension without a coordinate variable. The levels of terrain-following models often have tables alone.
+AxisRole role_of_dimension_name(const NetcdfDimension& dimension) {
+  const std::string name = lower(dimension.name);
+  return name.starts_with("s_rho") || name.starts_with("siglay") || name.starts_with("sigma")
+             ? AxisRole::model_level
+             : AxisRole::unknown;
+}
+
+AxisNodes indices(std::uint64_t count) {
+  AxisNodes axis;
+  for (std::size_t i = 0; i < count; ++i) {
+    axis.nodes.push_back(static_cast<double>(i));
+    axis.source.push_back(i);
+  }
+  return axis;
+}
+
+/// Checks the size of a slice and adds the time that a file states once for all.
+Checked<NetcdfLayout> finished(const NetcdfFile& file, NetcdfLayout layout) {
+  if (layout.x.nodes.size() * layout.y.nodes.size() > max_slice_nodes)
+    return refuse("the grid has " + std::to_string(layout.x.nodes.size()) + " x " +
+                  std::to_string(layout.y.nodes.size()) + " nodes, more than this program accepts (" +
+                  std::to_string(max_slice_nodes) + "); cut out your area first");
+
+  if (!layout.times_s) {
+    if (const NetcdfVariable* time = scalar_time(file)) {
+      auto nodes = time_nodes(*time, layout.warnings);
+      if (!nodes) return refuse(nodes.error());
+      layout.times_s = std::move(*nodes);
+    }
+  }
+  return layout;
+}
+
 }  // namespace
 
 std::optional<std::string> unsupported_grid(const NetcdfFile& file, const NetcdfVariable& variable) {
@@ -203,13 +147,7 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
   NetcdfLayout layout;
   std::vector<RoleOfDimension> roles;
   for (const NetcdfDimension& dimension : variable.dimensions()) {
-    if (dimension.size == 0)
-      return refuse("the dimension \"" + dimension.name +
-                    "\" is empty; the file holds no data; ask for another");
-    if (dimension.size > max_axis_nodes)
-      return refuse("the dimension \"" + dimension.name + "\" has " + std::to_string(dimension.size) +
-                    " values, more than this program accepts (" + std::to_string(max_axis_nodes) +
-                    "); the file is damaged, or you should cut out your area first");
+    if (auto fault = fault_of_size(dimension, false)) return refuse(std::move(*fault));
     const NetcdfVariable* coordinate = coordinate_of(file, dimension);
     roles.push_back({coordinate == nullptr ? AxisRole::unknown : role_of(*coordinate), coordinate});
     if (roles.back().role == AxisRole::model_level)
@@ -238,19 +176,38 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
     const auto added = add_dimension(layout, i, roles[i]);
     if (!added) return refuse(added.error());
   }
-  if (layout.x.nodes.size() * layout.y.nodes.size() > max_slice_nodes)
-    return refuse("the grid has " + std::to_string(layout.x.nodes.size()) + " x " +
-                  std::to_string(layout.y.nodes.size()) + " nodes, more than this program accepts (" +
-                  std::to_string(max_slice_nodes) + "); cut out your area first");
+  return finished(file, std::move(layout));
+}
 
-  if (!layout.times_s) {
-    if (const NetcdfVariable* time = scalar_time(file)) {
-      auto nodes = time_nodes(*time, layout.warnings);
-      if (!nodes) return refuse(nodes.error());
-      layout.times_s = std::move(*nodes);
+Checked<NetcdfLayout> layout_over(const NetcdfFile& file, const NetcdfVariable& variable,
+                                  std::size_t y_dimension, std::size_t x_dimension) {
+  NetcdfLayout layout;
+  layout.y_dimension = y_dimension;
+  layout.x_dimension = x_dimension;
+  const auto& dimensions = variable.dimensions();
+  for (std::size_t i = 0; i < dimensions.size(); ++i) {
+    if (auto fault = fault_of_size(dimensions[i], i == x_dimension || i == y_dimension))
+      return refuse(*fault);
+    if (i == x_dimension || i == y_dimension) continue;
+    const NetcdfVariable* coordinate = coordinate_of(file, dimensions[i]);
+    const AxisRole role =
+        coordinate == nullptr ? role_of_dimension_name(dimensions[i]) : role_of(*coordinate);
+    if (role == AxisRole::model_level && layout.depth_dimension == std::nullopt) {
+      layout.depth_dimension = i;
+      layout.bed_levels = static_cast<std::size_t>(dimensions[i].size);
+    } else if ((role == AxisRole::depth || role == AxisRole::time) && coordinate != nullptr) {
+      const auto added = add_dimension(layout, i, {role, coordinate});
+      if (!added) return refuse(added.error());
+    } else if (dimensions[i].size > 1) {
+      return refuse(
+          "the dimension \"" + dimensions[i].name + "\" of \"" + variable.name() +
+          "\" has no coordinates that say what it is; the data cannot be placed; ask for a file with "
+          "depth and time coordinates");
     }
   }
-  return layout;
+  layout.x = indices(dimensions[x_dimension].size);
+  layout.y = indices(x_dimension == y_dimension ? 1 : dimensions[y_dimension].size);
+  return finished(file, std::move(layout));
 }
 
 Checked<std::vector<double>> read_slice(const NetcdfVariable& variable, const NetcdfLayout& layout,
@@ -259,14 +216,15 @@ Checked<std::vector<double>> read_slice(const NetcdfVariable& variable, const Ne
   std::vector<std::uint64_t> start(dimensions.size(), 0);
   std::vector<std::size_t> count(dimensions.size(), 1);
   if (layout.time_dimension) start[*layout.time_dimension] = layout.times_s->source[time_index];
-  if (layout.depth_dimension) start[*layout.depth_dimension] = layout.depths_m->source[depth_index];
+  if (layout.depth_dimension)
+    start[*layout.depth_dimension] = layout.depths_m ? layout.depths_m->source[depth_index] : depth_index;
   count[layout.x_dimension] = static_cast<std::size_t>(dimensions[layout.x_dimension].size);
   count[layout.y_dimension] = static_cast<std::size_t>(dimensions[layout.y_dimension].size);
 
   const auto packed = variable.read_packed(start, count);
   if (!packed) return refuse(packed.error());
 
-  const bool x_fastest = layout.x_dimension > layout.y_dimension;
+  const bool x_fastest = layout.x_dimension >= layout.y_dimension;
   const std::size_t step_x = x_fastest ? 1 : count[layout.y_dimension];
   const std::size_t step_y = x_fastest ? count[layout.x_dimension] : 1;
   std::vector<double> values;

@@ -6,6 +6,7 @@
 #include "storage/ingest/geojson_file.hpp"
 #include "storage/ingest/gshhg_reader.hpp"
 #include "storage/ingest/ice_variables.hpp"
+#include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/velocity_pair.hpp"
@@ -15,11 +16,17 @@ namespace {
 
 using repository::DatasetKind;
 
-/// Whether the ice in a file is worth reading. On the bent or turned grid of a current model that is refused anyway
-/// it is no reason to refuse the file a second time.
+/// Whether a variable lies on a grid that is stored as it is. What else a file of currents holds on a bent or turned
+/// grid is no reason to refuse the currents.
+bool lies_on_regular_grid(const NetcdfFile& file, const NetcdfVariable& variable,
+                          const std::optional<std::string>& stated_crs) {
+  const auto layout = layout_of(file, variable);
+  return layout && grid_of(file, variable, *layout, stated_crs);
+}
+
 bool ice_is_readable(const NetcdfFile& file) {
   const auto ice = find_ice(file, std::nullopt);
-  return ice && layout_of(file, *ice->concentrations.front());
+  return ice && lies_on_regular_grid(file, *ice->concentrations.front(), std::nullopt);
 }
 
 std::vector<DatasetKind> kinds_of_netcdf(const NetcdfFile& file, std::optional<DatasetKind> wanted) {
@@ -28,13 +35,11 @@ std::vector<DatasetKind> kinds_of_netcdf(const NetcdfFile& file, std::optional<D
   const bool velocity = holds_velocity(file);
   if (velocity) kinds.push_back(DatasetKind::currents);
   const NetcdfVariable* bathymetry = find_bathymetry(file, bathymetry_wanted);
-  // The sea floor of a current model on a grid that cannot be read is no reason to refuse the file a second
-  // time.
-  const bool worth_reading =
-      bathymetry != nullptr && (!velocity || bathymetry_wanted || !unsupported_grid(file, *bathymetry));
+  const bool worth_reading = bathymetry != nullptr && (!velocity || bathymetry_wanted ||
+                                                       lies_on_regular_grid(file, *bathymetry, std::nullopt));
   if (worth_reading) kinds.push_back(DatasetKind::bathymetry);
   const bool lone_ice = wanted == DatasetKind::ice || !velocity;
-  if (holds_ice(file) && (lone_ice || (find_velocity_pair(file) && ice_is_readable(file))))
+  if (holds_ice(file) && (lone_ice || (velocity_parts(file) == VelocityParts::both && ice_is_readable(file))))
     kinds.push_back(DatasetKind::ice);
   return kinds;
 }
@@ -85,7 +90,8 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
 Checked<RecognisedFile> recognise(const std::filesystem::path& file, std::optional<DatasetKind> wanted) {
   const auto format = format_of(file);
   if (!format) return refuse(format.error());
-  RecognisedFile result{.path = file, .format = *format, .kinds = {}, .netcdf = nullptr, .geojson = nullptr};
+  RecognisedFile result{
+      .path = file, .format = *format, .kinds = {}, .netcdf = nullptr, .companions = {}, .geojson = nullptr};
   const auto looked = look_into(result, wanted);
   if (!looked) return refuse(looked.error());
   if (!wanted) return result;

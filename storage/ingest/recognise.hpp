@@ -7,6 +7,7 @@
 
 #include "storage/ingest/file_format.hpp"
 #include "storage/ingest/netcdf_file.hpp"
+#include "storage/ingest/velocity_pair.hpp"
 #include "storage/repository/dataset.hpp"
 
 class GDALDataset;
@@ -19,6 +20,7 @@ struct RecognisedFile {
   FileFormat format{};
   std::vector<repository::DatasetKind> kinds;  // at least one
   std::shared_ptr<const NetcdfFile> netcdf;    // for the NetCDF formats
+  NetcdfFiles companions;                      // files that were given to be read together with it
   std::shared_ptr<GDALDataset> geojson;        // for GeoJSON
 };
 

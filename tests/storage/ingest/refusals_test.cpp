@@ -149,11 +149,18 @@ TEST_F(Refusals, OneComponentAlone) {
   expect_refused_currents(file, "only one component");
 }
 
-TEST_F(Refusals, ComponentsAlongTheAxesOfAGrid) {
+TEST_F(Refusals, ComponentsAlongNominalAxesInTheFarNorth) {
   CurrentFile file;
+  file.lats = {70.0, 75.0, 80.0};
   file.u_texts["standard_name"] = "sea_water_x_velocity";
   file.v_texts["standard_name"] = "sea_water_y_velocity";
-  expect_refused_currents(file, "axes of the model's grid");
+  expect_refused_currents(file, "bent round poles on land");
+}
+
+TEST_F(Refusals, ComponentsThatAreDescribedDifferently) {
+  CurrentFile file;
+  file.u_texts["standard_name"] = "sea_water_x_velocity";
+  expect_refused_currents(file, "described differently");
 }
 
 TEST_F(Refusals, TheWind) {
@@ -172,7 +179,7 @@ TEST_F(Refusals, LevelsThatAreNoDepths) {
   expect_refused_currents(file, "dbar");
 }
 
-TEST_F(Refusals, AGridOfTablesOfPositions) {
+TEST_F(Refusals, TablesOfPositionsThatSpanNoGrid) {
   {
     NetcdfWriter writer{path("nemo.nc")};
     writer.axis("time", {0.0}, {{"units", "hours since 2026-11-20"}});
@@ -198,7 +205,7 @@ TEST_F(Refusals, AGridOfTablesOfPositions) {
                        .fill = {},
                        .type = NetcdfWriter::Type::float64});
   }
-  expect_refused(path("nemo.nc"), "curvilinear");
+  expect_refused(path("nemo.nc"), "mirrored or badly bent");
 }
 
 TEST_F(Refusals, DimensionsOfABillionBeforeAnythingIsAllocated) {

@@ -41,6 +41,18 @@ IngestReport StoreFixture::ingest(const std::filesystem::path& file, const Inges
   return reports.empty() ? IngestReport{} : reports.front();
 }
 
+std::vector<IngestReport> StoreFixture::ingest_all_together(const std::vector<std::filesystem::path>& files,
+                                                            const IngestOptions& options) {
+  return ingest_files(db_, files, options, core::from_unix_seconds(1.8e9), {}, {});
+}
+
+IngestReport StoreFixture::ingest_together(const std::vector<std::filesystem::path>& files,
+                                           const IngestOptions& options) {
+  auto reports = ingest_all_together(files, options);
+  EXPECT_EQ(reports.size(), 1U) << files.front();
+  return reports.empty() ? IngestReport{} : reports.front();
+}
+
 std::size_t StoreFixture::stored_datasets() { return repository::DatasetRepository{db_}.list().size(); }
 
 void StoreFixture::expect_refused(const std::filesystem::path& file, const std::string& reason,

@@ -23,6 +23,12 @@ class StoreFixture : public testing::Test {
                                                      const IngestOptions& options = {});
   /// The report of a file that holds one kind of data.
   [[nodiscard]] IngestReport ingest(const std::filesystem::path& file, const IngestOptions& options = {});
+  /// Of files that are given in one command.
+  [[nodiscard]] std::vector<IngestReport> ingest_all_together(const std::vector<std::filesystem::path>& files,
+                                                              const IngestOptions& options = {});
+  /// The report of files that make one dataset.
+  [[nodiscard]] IngestReport ingest_together(const std::vector<std::filesystem::path>& files,
+                                             const IngestOptions& options = {});
   [[nodiscard]] std::size_t stored_datasets();
   /// Expects a refusal whose reason contains `reason`, and a store as it was before.
   void expect_refused(const std::filesystem::path& file, const std::string& reason,

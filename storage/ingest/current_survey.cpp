@@ -1,0 +1,52 @@
+#include "storage/ingest/current_survey.hpp"
+
+#include <cmath>
+
+#include "storage/ingest/text.hpp"
+#include "storage/ingest/velocity_component.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+std::string too_fast(const VelocitySource& source, bool states_unit, std::size_t point, double speed) {
+  const geo::LonLat place = source.place(point);
+  const std::string where = "longitude " + number(place.lon_deg) + ", latitude " + number(place.lat_deg);
+  if (!states_unit)
+    return "the current reaches " + number(speed, 4) + " at " + where +
+           " and the file states no unit; in m/s no ocean is that fast, so the unit is probably cm/s; ask "
+           "the producer, or add the units attribute";
+  return "the current reaches " + number(speed, 4) + " m/s at " + where +
+         "; no ocean is that fast; the unit is wrong or the file marks missing values without declaring "
+         "them; ask the producer";
+}
+
+}  // namespace
+
+Checked<CurrentSurvey> survey(const VelocitySource& source, bool states_unit,
+                              const core::ProgressCallback& progress) {
+  const SourceShape& shape = source.shape();
+  CurrentSurvey result;
+  const bool in_rows = shape.rows > 1;
+  const auto land = in_rows ? std::make_shared<ZeroLand>(shape.columns, shape.rows, shape.levels) : nullptr;
+  for (std::size_t time = 0; time < shape.times_s.size(); ++time) {
+    for (std::size_t level = 0; level < shape.levels; ++level) {
+      const auto slice = source.read(time, level);
+      if (!slice) return refuse(slice.error());
+      for (std::size_t i = 0; i < slice->east.size(); ++i) {
+        if (std::isnan(slice->east[i])) continue;
+        ++result.valid;
+        const double speed = std::hypot(slice->east[i], slice->north[i]);
+        if (speed > max_speed_m_s) return refuse(too_fast(source, states_unit, i, speed));
+        if (speed > 0.0) result.everything_is_zero = false;
+      }
+      result.undeclared_fill += slice->undeclared_fill;
+      if (land) land->add(level, slice->east, slice->north);
+    }
+    if (progress)
+      progress("checking", 0.5 * static_cast<double>(time + 1) / static_cast<double>(shape.times_s.size()));
+  }
+  if (land && land->found()) result.land = land;
+  return result;
+}
+
+}  // namespace floeplan::ingest

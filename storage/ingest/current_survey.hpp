@@ -1,0 +1,24 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "engine/core/progress.hpp"
+#include "storage/ingest/velocity_source.hpp"
+#include "storage/ingest/zero_land.hpp"
+
+namespace floeplan::ingest {
+
+/// What reading every value of a source once has shown.
+struct CurrentSurvey {
+  std::int64_t valid{};
+  std::int64_t undeclared_fill{};
+  bool everything_is_zero{true};
+  std::shared_ptr<const ZeroLand> land;  // null: no land that was written as still water
+};
+
+/// Errors  a current that no ocean has; the file cannot be read to its end
+[[nodiscard]] Checked<CurrentSurvey> survey(const VelocitySource& source, bool states_unit,
+                                            const core::ProgressCallback& progress);
+
+}  // namespace floeplan::ingest

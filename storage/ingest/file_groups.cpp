@@ -1,0 +1,103 @@
+#include "storage/ingest/file_groups.hpp"
+
+#include <algorithm>
+#include <optional>
+#include <string>
+
+#include "storage/ingest/file_format.hpp"
+#include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/netcdf_coordinates.hpp"
+#include "storage/ingest/position_tables.hpp"
+#include "storage/ingest/velocity_pair.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+/// What decides with which others a file belongs together.
+struct Member {
+  std::filesystem::path path;
+  std::shared_ptr<const NetcdfFile> netcdf;  // null: stands alone
+  VelocityParts parts{VelocityParts::none};
+  std::vector<double> times;           // of the velocity
+  std::vector<NetcdfDimension> plane;  // of the velocity
+  bool tables_alone{false};            // no velocity, but positions
+  bool taken{false};
+};
+
+void describe_velocity(Member& member) {
+  const auto pair = find_some_velocity(*member.netcdf);
+  if (pair == nullptr) return;
+  if (const auto plane = plane_of(*member.netcdf, *pair))
+    member.plane = {pair->dimensions()[plane->y], pair->dimensions()[plane->x]};
+  for (const NetcdfDimension& dimension : pair->dimensions()) {
+    const NetcdfVariable* coordinate = coordinate_of(*member.netcdf, dimension);
+    if (coordinate == nullptr || role_of(*coordinate) != AxisRole::time) continue;
+    std::vector<std::string> ignored;
+    if (const auto times = time_nodes(*coordinate, ignored)) member.times = times->nodes;
+  }
+}
+
+Member member_of(const std::filesystem::path& path) {
+  Member member;
+  member.path = path;
+  const auto format = format_of(path);
+  if (!format || (*format != FileFormat::netcdf_classic && *format != FileFormat::netcdf4)) return member;
+  auto file = NetcdfFile::open(path);
+  if (!file) return member;
+  member.netcdf = std::make_shared<const NetcdfFile>(std::move(*file));
+  member.parts = velocity_parts(*member.netcdf);
+  member.tables_alone = member.parts == VelocityParts::none && holds_position_tables(*member.netcdf);
+  if (member.parts != VelocityParts::none) describe_velocity(member);
+  return member;
+}
+
+/// Whether tables of a file lie on the plane of a velocity, up to the row and the column that staggering takes.
+bool fits(const Member& tables, const Member& velocity) {
+  const auto near = [](std::uint64_t a, std::uint64_t b) { return (a > b ? a - b : b - a) <= 1; };
+  return velocity.plane.size() == 2 &&
+         std::ranges::any_of(tables.netcdf->variables(), [&](const NetcdfVariable& variable) {
+           const auto& dimensions = variable.dimensions();
+           return dimensions.size() >= 2 &&
+                  near(dimensions[dimensions.size() - 2].size, velocity.plane[0].size) &&
+                  near(dimensions.back().size, velocity.plane[1].size);
+         });
+}
+
+}  // namespace
+
+std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& files) {
+  std::vector<FileGroup> groups;
+  if (files.size() == 1) return {files};
+  const GdalMessages quiet;
+  std::vector<Member> members;
+  for (const auto& file : files) members.push_back(member_of(file));
+
+  for (Member& member : members) {
+    if (member.taken || member.tables_alone) continue;
+    FileGroup group{member.path};
+    if (member.parts == VelocityParts::first_alone || member.parts == VelocityParts::second_alone) {
+      const VelocityParts wanted = member.parts == VelocityParts::first_alone ? VelocityParts::second_alone
+                                                                              : VelocityParts::first_alone;
+      const auto partner = std::ranges::find_if(members, [&](const Member& other) {
+        return !other.taken && other.parts == wanted && other.times == member.times;
+      });
+      if (partner != members.end()) {
+        partner->taken = true;
+        group.push_back(partner->path);
+      }
+    }
+    member.taken = true;
+    if (member.parts != VelocityParts::none)
+      for (Member& tables : members)
+        if (tables.tables_alone && fits(tables, member)) {
+          tables.taken = true;
+          group.push_back(tables.path);
+        }
+    groups.push_back(std::move(group));
+  }
+  for (const Member& member : members)
+    if (!member.taken) groups.push_back({member.path});
+  return groups;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace floeplan::ingest {
+
+/// Files that make one dataset: the first holds a component of the currents or the whole data, the others what belongs
+/// to it. Most groups are of one file.
+using FileGroup = std::vector<std::filesystem::path>;
+
+/// Puts together what belongs together, told by content: a file with one component of the currents and one with the
+/// other for the same times, and files with tables of positions, angles and depths on the grid of a file of currents.
+/// Files keep their order; a file of tables that belongs to nothing is a group of its own.
+[[nodiscard]] std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& files);
+
+}  // namespace floeplan::ingest

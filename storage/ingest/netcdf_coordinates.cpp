@@ -1,0 +1,110 @@
+#include "storage/ingest/netcdf_coordinates.hpp"
+
+#include <algorithm>
+
+#include "storage/ingest/cf_time.hpp"
+#include "storage/ingest/cf_units.hpp"
+#include "storage/ingest/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+bool runs_along(const NetcdfVariable& variable, const NetcdfDimension& dimension) {
+  return variable.is_numeric() && variable.dimensions().size() == 1 &&
+         variable.dimensions().front().name == dimension.name;
+}
+
+}  // namespace
+
+const NetcdfVariable* coordinate_of(const NetcdfFile& file, const NetcdfDimension& dimension) {
+  if (const NetcdfVariable* named = file.find(dimension.name))
+    return runs_along(*named, dimension) ? named : nullptr;
+  const NetcdfVariable* found = nullptr;
+  for (const NetcdfVariable& variable : file.variables()) {
+    if (!runs_along(variable, dimension) || variable.attribute("standard_name").empty() ||
+        role_of(variable) == AxisRole::unknown)
+      continue;
+    if (found != nullptr) return nullptr;
+    found = &variable;
+  }
+  return found;
+}
+
+Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {
+  auto values = coordinate.read_all();
+  if (!values) return refuse(values.error());
+  const std::string unit = coordinate.attribute("units");
+  const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
+  if (!factor)
+    return refuse("the depth axis \"" + coordinate.name() + "\" has the unit \"" + unit +
+                  "\", which is no length; levels cannot be placed in the water; ask for levels in metres");
+  if (unit.empty())
+    warnings.push_back("the depth axis \"" + coordinate.name() + "\" states no unit; taken as metres");
+
+  const std::string positive = lower(coordinate.attribute("positive"));
+  const bool all_below_zero =
+      std::all_of(values->begin(), values->end(), [](double v) { return v <= 0.0; }) &&
+      std::any_of(values->begin(), values->end(), [](double v) { return v < 0.0; });
+  const bool up = positive == "up" || (positive != "down" && all_below_zero);
+  for (double& value : *values) value *= up ? -*factor : *factor;
+  for (double& value : *values)
+    if (value == 0.0) value = 0.0;  // -0 becomes 0
+
+  auto nodes = monotonic_nodes(coordinate.name(), std::move(*values));
+  if (nodes && (nodes->nodes.front() < -10.0 || nodes->nodes.back() > 12000.0))
+    return refuse("the depth axis \"" + coordinate.name() + "\" runs from " + number(nodes->nodes.front()) +
+                  " to " + number(nodes->nodes.back()) +
+                  " m below the surface; no ocean does; its unit or direction is wrong");
+  return nodes;
+}
+
+Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {
+  const std::string unit = coordinate.attribute("units");
+  if (unit.empty())
+    return refuse("the time axis \"" + coordinate.name() +
+                  "\" has no units; without a starting date the times are unknown; ask the producer for a "
+                  "file with units like \"hours since 2000-01-01\"");
+  const auto decoder = CfTime::parse(unit, coordinate.attribute("calendar"));
+  if (!decoder) return refuse(decoder.error());
+  const auto values = coordinate.read_all();
+  if (!values) return refuse(values.error());
+
+  std::vector<double> seconds;
+  for (const double value : *values) {
+    const auto time = decoder->at(value);
+    if (!time) return refuse(time.error());
+    seconds.push_back(core::unix_seconds(*time));
+  }
+  if (decoder->is_model_calendar())
+    warnings.push_back("the times are in a model's own calendar (\"" + coordinate.attribute("calendar") +
+                       "\"); the dates were kept, but tides and weather of those days are not the real ones");
+  return sorted_nodes(coordinate.name(), std::move(seconds));
+}
+
+const NetcdfVariable* scalar_time(const NetcdfFile& file) {
+  for (const NetcdfVariable& variable : file.variables()) {
+    std::uint64_t size = 1;
+    for (const NetcdfDimension& dimension : variable.dimensions()) size *= dimension.size;
+    const std::string standard_name = lower(variable.attribute("standard_name"));
+    const bool named = standard_name == "time" || (standard_name.empty() && lower(variable.name()) == "time");
+    if (size == 1 && variable.is_numeric() && named) return &variable;
+  }
+  return nullptr;
+}
+
+Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {
+  auto values = coordinate.read_all();
+  if (!values) return refuse(values.error());
+  const std::string unit = coordinate.attribute("units");
+  const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
+  if (!factor)
+    return refuse("the projected coordinate \"" + coordinate.name() + "\" has the unit \"" + unit +
+                  "\", which is no length; the grid cannot be placed; ask for coordinates in metres");
+  if (unit.empty())
+    warnings.push_back("the projected coordinate \"" + coordinate.name() +
+                       "\" states no unit; taken as metres");
+  for (double& value : *values) value *= *factor;
+  return monotonic_nodes(coordinate.name(), std::move(*values));
+}
+
+}  // namespace floeplan::ingest

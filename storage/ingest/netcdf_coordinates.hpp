@@ -1,0 +1,33 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/ingest/netcdf_axis.hpp"
+#include "storage/ingest/netcdf_file.hpp"
+
+namespace floeplan::ingest {
+
+/// The coordinate variable of a dimension: one-dimensional and of the dimension's own name; where nothing has that
+/// name, the only variable along it whose standard name makes it a coordinate ("xgrid" along "x"). GDAL's own
+/// indexing variable is not asked: it may be a two-dimensional table or belong to the other axis.
+/// Returns  null when there is none
+[[nodiscard]] const NetcdfVariable* coordinate_of(const NetcdfFile& file, const NetcdfDimension& dimension);
+
+/// Depths in metres, positive down and ascending, whichever way and in whichever unit of length the file counts.
+[[nodiscard]] Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate,
+                                             std::vector<std::string>& warnings);
+
+/// Seconds since 1970-01-01T00:00:00Z, ascending.
+[[nodiscard]] Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate,
+                                            std::vector<std::string>& warnings);
+
+/// A time that the file states once for all its data; null when there is none.
+[[nodiscard]] const NetcdfVariable* scalar_time(const NetcdfFile& file);
+
+/// Coordinates of a projection in metres, ascending.
+[[nodiscard]] Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate,
+                                                 std::vector<std::string>& warnings);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,116 @@
+#include "storage/ingest/resampling.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/ocean/bilinear.hpp"
+#include "storage/ingest/cell_weights.hpp"
+#include "storage/ingest/node_box.hpp"
+#include "storage/ingest/tangent_plane.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr double least_weight = 1e-6;  // below it a point does not count, also when it is missing
+constexpr float least_share_of_water = 0.5F;
+constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+
+}  // namespace
+
+Resampling::Resampling(const SourceMesh& mesh, const ocean::HorizontalGrid& grid) : stencils_(grid.size()) {
+  const std::size_t columns = grid.x().size();
+  const auto is_free = [](const Stencil& stencil) {
+    return stencil.along == std::array<float, 4>{} && stencil.across == std::array<float, 4>{};
+  };
+  for (const SourceMesh::Cell& cell : mesh.cells) {
+    const NodeBox box = nodes_near(grid, mesh, cell);
+    if (box.count_x == 0 || box.count_y == 0) continue;
+    const CellWeights weights{mesh, cell};
+    for (std::size_t iy = box.first_y; iy < box.first_y + box.count_y; ++iy) {
+      for (std::size_t i = 0; i < box.count_x; ++i) {
+        const std::size_t ix = (box.first_x + i) % columns;
+        Stencil& stencil = stencils_[iy * columns + ix];
+        if (!is_free(stencil)) continue;
+        const geo::LonLat node = grid.place(ix, iy);
+        const auto inside = weights.at(unit_vector(node));
+        if (!inside) continue;
+        for (std::size_t corner = 0; corner < cell.size(); ++corner) {
+          const double weight = (*inside)[corner];
+          if (weight < least_weight) continue;
+          const double turn = convergence(mesh.points[cell[corner]], node);
+          stencil.point[corner] = cell[corner];
+          stencil.along[corner] = static_cast<float>(weight * std::cos(turn));
+          stencil.across[corner] = static_cast<float>(weight * std::sin(turn));
+        }
+      }
+    }
+  }
+}
+
+VelocitySlice Resampling::apply(std::span<const float> east, std::span<const float> north) const {
+  VelocitySlice out{std::vector<float>(stencils_.size(), missing),
+                    std::vector<float>(stencils_.size(), missing), 0};
+  for (std::size_t node = 0; node < stencils_.size(); ++node) {
+    const Stencil& stencil = stencils_[node];
+    float share = 0.0F;
+    float u = 0.0F;
+    float v = 0.0F;
+    for (std::size_t i = 0; i < stencil.point.size(); ++i) {
+      const float along = stencil.along[i];
+      const float across = stencil.across[i];
+      if (along == 0.0F && across == 0.0F) continue;
+      const float from_east = east[stencil.point[i]];
+      const float from_north = north[stencil.point[i]];
+      if (std::isnan(from_east) || std::isnan(from_north)) continue;
+      share += std::sqrt(along * along + across * across);
+      u += along * from_east + across * from_north;
+      v += along * from_north - across * from_east;
+    }
+    if (share < least_share_of_water) continue;
+    out.east[node] = u / share;
+    out.north[node] = v / share;
+  }
+  return out;
+}
+
+std::size_t Resampling::covered() const {
+  std::size_t count = 0;
+  for (const Stencil& stencil : stencils_)
+    for (std::size_t i = 0; i < stencil.along.size(); ++i)
+      if (stencil.along[i] != 0.0F || stencil.across[i] != 0.0F) {
+        ++count;
+        break;
+      }
+  return count;
+}
+
+void ResamplingError::add(const SourceMesh& mesh, const VelocitySlice& source,
+                          const ocean::HorizontalGrid& grid, const VelocitySlice& stored) {
+  for (std::size_t i = 0; i < mesh.points.size(); ++i) {
+    if (std::isnan(source.east[i]) || std::isnan(source.north[i])) continue;
+    if (!std::isfinite(mesh.points[i].lon_deg) || !std::isfinite(mesh.points[i].lat_deg)) continue;
+    const auto at = grid.locate(mesh.points[i]);
+    if (!at) continue;
+    const auto east = ocean::bilinear(stored.east, grid.x().size(), *at);
+    const auto north = ocean::bilinear(stored.north, grid.x().size(), *at);
+    if (!east || !north) continue;
+    const double u = static_cast<double>(source.east[i]);
+    const double v = static_cast<double>(source.north[i]);
+    const double apart = std::hypot(*east - u, *north - v);
+    squares_ += apart * apart;
+    speeds_ += u * u + v * v;
+    largest_m_s_ = std::max(largest_m_s_, apart);
+    ++points_;
+  }
+}
+
+double ResamplingError::rms_m_s() const {
+  return points_ == 0 ? 0.0 : std::sqrt(squares_ / static_cast<double>(points_));
+}
+
+double ResamplingError::rms_speed_m_s() const {
+  return points_ == 0 ? 0.0 : std::sqrt(speeds_ / static_cast<double>(points_));
+}
+
+}  // namespace floeplan::ingest

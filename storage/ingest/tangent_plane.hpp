@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <optional>
+
+#include "engine/geo/lon_lat.hpp"
+
+namespace floeplan::ingest {
+
+/// A direction from the centre of the Earth, of length one. Free of the seams that longitudes have.
+struct UnitVector {
+  double x{};
+  double y{};
+  double z{};
+};
+
+[[nodiscard]] UnitVector unit_vector(geo::LonLat place);
+[[nodiscard]] geo::LonLat lon_lat(UnitVector direction);
+[[nodiscard]] double dot(UnitVector a, UnitVector b);
+/// The place half-way between two; also across the date line and the pole.
+[[nodiscard]] geo::LonLat midpoint(geo::LonLat a, geo::LonLat b);
+/// Distance on a sphere of the Earth's mean radius, metres; within 0.6 % of that on the ellipsoid.
+[[nodiscard]] double sphere_distance_m(geo::LonLat a, geo::LonLat b);
+
+/// Angle of the way from one place to another as seen half-way at `at`, radians counterclockwise from east.
+/// Outside  nullopt when both are the same place
+[[nodiscard]] std::optional<double> direction_at(geo::LonLat at, geo::LonLat from, geo::LonLat to);
+
+/// By how much a direction's bearing grows, clockwise, when it is carried along the great circle from one place to
+/// another; meridians converge, so east there is not east here. Radians.
+/// Source  Napier's analogies for the triangle with the pole
+[[nodiscard]] double convergence(geo::LonLat from, geo::LonLat to);
+
+/// The plane that touches the Earth at a place, in units of the Earth's radius.
+class TangentPlane {
+ public:
+  struct Point {
+    double x{};
+    double y{};
+  };
+
+  explicit TangentPlane(UnitVector at);
+  /// Gnomonic: great circles become straight lines. Only for directions on the plane's own side of the Earth.
+  [[nodiscard]] Point project(UnitVector direction) const;
+  [[nodiscard]] bool faces(UnitVector direction) const { return dot(at_, direction) > 0.1; }
+
+ private:
+  UnitVector at_;
+  UnitVector e1_;
+  UnitVector e2_;
+};
+
+}  // namespace floeplan::ingest

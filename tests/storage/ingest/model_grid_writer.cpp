@@ -1,0 +1,216 @@
+#include "tests/storage/ingest/model_grid_writer.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/geo/bearing.hpp"
+#include "engine/geo/geodesic.hpp"
+#include "tests/storage/ingest/netcdf_writer.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr double radians = std::numbers::pi / 180.0;
+
+using Value = std::function<double(double, double)>;
+
+/// Values at (i + shift_i, j + shift_j) for all rows and columns.
+std::vector<double> plane(std::size_t rows, std::size_t columns, double shift_i, double shift_j,
+                          const Value& value) {
+  std::vector<double> values;
+  for (std::size_t j = 0; j < rows; ++j)
+    for (std::size_t i = 0; i < columns; ++i)
+      values.push_back(value(static_cast<double>(i) + shift_i, static_cast<double>(j) + shift_j));
+  return values;
+}
+
+NetcdfWriter::Variable variable(std::string name, std::vector<std::string> dimensions,
+                                std::vector<double> values, std::map<std::string, std::string> texts) {
+  return {.name = std::move(name),
+          .dimensions = std::move(dimensions),
+          .values = std::move(values),
+          .texts = std::move(texts),
+          .numbers = {},
+          .fill = {},
+          .type = NetcdfWriter::Type::float64};
+}
+
+void write_positions(NetcdfWriter& writer, const ModelGrid& grid, const std::string& lon_name,
+                     const std::string& lat_name, const std::vector<std::string>& dimensions,
+                     std::size_t rows, std::size_t columns, double shift_i, double shift_j) {
+  writer.variable(variable(
+      lon_name, dimensions,
+      plane(rows, columns, shift_i, shift_j, [&](double i, double j) { return grid.place(i, j).lon_deg; }),
+      {{"units", "degrees_east"}}));
+  writer.variable(variable(
+      lat_name, dimensions,
+      plane(rows, columns, shift_i, shift_j, [&](double i, double j) { return grid.place(i, j).lat_deg; }),
+      {{"units", "degrees_north"}}));
+}
+
+const std::map<std::string, std::string> hours{{"units", "hours since 2026-11-20 00:00:00"}};
+
+}  // namespace
+
+geo::VelocityEn turning_sea(geo::LonLat place) {
+  constexpr double pole_lon = 100.0 * radians;
+  constexpr double pole_lat = 20.0 * radians;
+  const double lon = place.lon_deg * radians;
+  const double lat = place.lat_deg * radians;
+  const double wx = std::cos(pole_lat) * std::cos(pole_lon);
+  const double wy = std::cos(pole_lat) * std::sin(pole_lon);
+  const double wz = std::sin(pole_lat);
+  const double x = std::cos(lat) * std::cos(lon);
+  const double y = std::cos(lat) * std::sin(lon);
+  const double z = std::sin(lat);
+  const double vx = wy * z - wz * y;
+  const double vy = wz * x - wx * z;
+  const double vz = wx * y - wy * x;
+  return {{0.5 * (-std::sin(lon) * vx + std::cos(lon) * vy)},
+          {0.5 * (-std::sin(lat) * (std::cos(lon) * vx + std::sin(lon) * vy) + std::cos(lat) * vz)}};
+}
+
+geo::LonLat ModelGrid::place(double i, double j) const {
+  const double x = (i - 0.5 * static_cast<double>(columns - 1)) * spacing_m;
+  const double y = (j - 0.5 * static_cast<double>(rows - 1)) * spacing_m;
+  const double distance = std::hypot(x, y);
+  if (distance == 0.0) return origin;
+  const double angle = std::atan2(y, x) + turned_deg * radians;
+  return geo::geodesic_destination(origin, geo::Bearing::degrees(90.0 - angle / radians), {distance});
+}
+
+double ModelGrid::angle(double i, double j) const {
+  const geo::LonLat here = place(i, j);
+  const geo::LonLat next = place(i + 1e-3, j);
+  return (90.0 - geo::geodesic_between(here, next).course_at_start.degrees()) * radians;
+}
+
+double ModelGrid::first(double i, double j) const {
+  const geo::VelocityEn water = turning_sea(place(i, j));
+  const double turn = angle(i, j);
+  return water.east.value * std::cos(turn) + water.north.value * std::sin(turn);
+}
+
+double ModelGrid::second(double i, double j) const {
+  const geo::VelocityEn water = turning_sea(place(i, j));
+  const double turn = angle(i, j);
+  return water.north.value * std::cos(turn) - water.east.value * std::sin(turn);
+}
+
+void write_nemo(const ModelGrid& grid, const std::filesystem::path& u_file,
+                const std::filesystem::path& v_file,
+                const std::function<bool(std::size_t, std::size_t)>& is_land) {
+  const auto dry = [&](double i, double j) {
+    return is_land(static_cast<std::size_t>(i), static_cast<std::size_t>(j));
+  };
+  for (const bool is_u : {true, false}) {
+    NetcdfWriter writer{is_u ? u_file : v_file};
+    const double shift_i = is_u ? 0.5 : 0.0;
+    const double shift_j = is_u ? 0.0 : 0.5;
+    writer.axis("time_counter", {0.0}, hours);
+    writer.axis(is_u ? "depthu" : "depthv", {0.5, 10.0}, {{"units", "m"}, {"positive", "down"}});
+    writer.dimension("y", grid.rows);
+    writer.dimension("x", grid.columns);
+    write_positions(writer, grid, "nav_lon", "nav_lat", {"y", "x"}, grid.rows, grid.columns, shift_i,
+                    shift_j);
+    std::vector<double> values;
+    for (const double share : {1.0, 0.5})
+      for (const double value : plane(grid.rows, grid.columns, shift_i, shift_j, [&](double i, double j) {
+             if (dry(i, j) || dry(i + shift_i, j + shift_j)) return 0.0;
+             return is_u ? grid.first(i, j) : grid.second(i, j);
+           }))
+        values.push_back(share * value);
+    writer.variable(variable(is_u ? "vozocrtx" : "vomecrty",
+                             {"time_counter", is_u ? "depthu" : "depthv", "y", "x"}, std::move(values),
+                             {{"units", "m/s"}, {"coordinates", "nav_lon nav_lat"}}));
+  }
+}
+
+void write_pop(const ModelGrid& grid, const std::filesystem::path& file) {
+  NetcdfWriter writer{file};
+  writer.axis("time", {0.0}, hours);
+  writer.axis("z_t", {500.0, 1500.0}, {{"units", "centimeters"}, {"positive", "down"}});
+  writer.dimension("nlat", grid.rows);
+  writer.dimension("nlon", grid.columns);
+  write_positions(writer, grid, "ULONG", "ULAT", {"nlat", "nlon"}, grid.rows, grid.columns, 0.0, 0.0);
+  for (const bool is_u : {true, false}) {
+    std::vector<double> values;
+    for (const double share : {1.0, 0.5})
+      for (const double value : plane(grid.rows, grid.columns, 0.0, 0.0, [&](double i, double j) {
+             return is_u ? grid.first(i, j) : grid.second(i, j);
+           }))
+        values.push_back(100.0 * share * value);
+    writer.variable(variable(is_u ? "UVEL" : "VVEL", {"time", "z_t", "nlat", "nlon"}, std::move(values),
+                             {{"units", "centimeter/s"}, {"coordinates", "ULONG ULAT z_t time"}}));
+  }
+}
+
+void write_roms(const ModelGrid& grid, const std::filesystem::path& file, const RomsOptions& options) {
+  constexpr std::size_t levels = 10;
+  constexpr double critical_m = 20.0;
+  constexpr double surface_m = 1.0;
+  const auto bed_m = [](double i) { return 100.0 + 5.0 * i; };
+  std::vector<double> s;
+  std::vector<double> stretching;
+  for (std::size_t k = 0; k < levels; ++k) {
+    s.push_back((static_cast<double>(k) + 0.5) / static_cast<double>(levels) - 1.0);
+    stretching.push_back(-s.back() * s.back());
+  }
+  const auto depth_m = [&](std::size_t k, double i) {
+    if (options.transform == 1) {
+      const double level = critical_m * s[k] + (bed_m(i) - critical_m) * stretching[k];
+      return surface_m - (level + surface_m * (1.0 + level / bed_m(i)));
+    }
+    return -(surface_m + bed_m(i)) * (critical_m * s[k] + bed_m(i) * stretching[k]) / (critical_m + bed_m(i));
+  };
+
+  NetcdfWriter writer{file};
+  writer.axis("ocean_time", {0.0}, hours);
+  writer.axis("s_rho", s, {{"standard_name", "ocean_s_coordinate_g" + std::to_string(options.transform)}});
+  writer.variable(variable("Cs_r", {"s_rho"}, stretching, {}));
+  writer.variable(variable("hc", {}, {critical_m}, {{"units", "meter"}}));
+  writer.variable(variable("Vtransform", {}, {static_cast<double>(options.transform)}, {}));
+  writer.dimension("eta_rho", grid.rows);
+  writer.dimension("xi_rho", grid.columns);
+  writer.dimension("eta_u", grid.rows);
+  writer.dimension("xi_u", grid.columns - 1);
+  writer.dimension("eta_v", grid.rows - 1);
+  writer.dimension("xi_v", grid.columns);
+  write_positions(writer, grid, "lon_rho", "lat_rho", {"eta_rho", "xi_rho"}, grid.rows, grid.columns, 0.0,
+                  0.0);
+  if (options.with_positions_of_components) {
+    write_positions(writer, grid, "lon_u", "lat_u", {"eta_u", "xi_u"}, grid.rows, grid.columns - 1, 0.5, 0.0);
+    write_positions(writer, grid, "lon_v", "lat_v", {"eta_v", "xi_v"}, grid.rows - 1, grid.columns, 0.0, 0.5);
+  }
+  writer.variable(
+      variable("h", {"eta_rho", "xi_rho"},
+               plane(grid.rows, grid.columns, 0.0, 0.0, [&](double i, double) { return bed_m(i); }),
+               {{"units", "meter"}}));
+  writer.variable(variable("zeta", {"ocean_time", "eta_rho", "xi_rho"},
+                           std::vector<double>(grid.rows * grid.columns, surface_m), {{"units", "meter"}}));
+  if (options.with_angle)
+    writer.variable(variable(
+        "angle", {"eta_rho", "xi_rho"},
+        plane(grid.rows, grid.columns, 0.0, 0.0,
+              [&](double i, double j) { return grid.angle(i, j) + options.angle_error_deg * radians; }),
+        {{"units", "radians"}}));
+  for (const bool is_u : {true, false}) {
+    std::vector<double> values;
+    for (std::size_t k = 0; k < levels; ++k) {
+      const auto level = plane(is_u ? grid.rows : grid.rows - 1, is_u ? grid.columns - 1 : grid.columns,
+                               is_u ? 0.5 : 0.0, is_u ? 0.0 : 0.5, [&](double i, double j) {
+                                 const double share = 1.0 - options.shear_per_m * depth_m(k, i);
+                                 return share * (is_u ? grid.first(i, j) : grid.second(i, j));
+                               });
+      values.insert(values.end(), level.begin(), level.end());
+    }
+    writer.variable(
+        variable(is_u ? "u" : "v", {"ocean_time", "s_rho", is_u ? "eta_u" : "eta_v", is_u ? "xi_u" : "xi_v"},
+                 std::move(values),
+                 {{"units", "meter second-1"},
+                  {"long_name", is_u ? "u-momentum component" : "v-momentum component"},
+                  {"coordinates", is_u ? "lon_u lat_u s_rho ocean_time" : "lon_v lat_v s_rho ocean_time"}}));
+  }
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,54 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "engine/geo/grid_frame.hpp"
+#include "engine/geo/velocity.hpp"
+
+namespace floeplan::ingest {
+
+/// A current whose answer is known everywhere, also at the date line and at the poles: that of an Earth covered with
+/// water which turns about an axis through `lon`, `lat`. Its greatest speed is 0.5 m/s.
+[[nodiscard]] geo::VelocityEn turning_sea(geo::LonLat place);
+
+/// A bent grid: a plane with its origin at a place, turned by an angle. Index (i, j) may be half-way between points.
+struct ModelGrid {
+  geo::LonLat origin{15.0, 70.0};
+  double turned_deg{40.0};  // of the first axis, counterclockwise from east at the origin
+  double spacing_m{20000.0};
+  std::size_t columns{40};  // of centres
+  std::size_t rows{30};
+
+  [[nodiscard]] geo::LonLat place(double i, double j) const;
+  /// Angle of the first axis at a point, radians counterclockwise from east.
+  [[nodiscard]] double angle(double i, double j) const;
+  /// Component along the first or the second axis there.
+  [[nodiscard]] double first(double i, double j) const;
+  [[nodiscard]] double second(double i, double j) const;
+};
+
+/// Two files, one of each component on points half a cell after the centres, as NEMO writes them. Land is zero.
+void write_nemo(const ModelGrid& grid, const std::filesystem::path& u_file,
+                const std::filesystem::path& v_file,
+                const std::function<bool(std::size_t, std::size_t)>& is_land);
+
+/// One file with both components on the points of a B grid, as POP writes them.
+void write_pop(const ModelGrid& grid, const std::filesystem::path& file);
+
+/// How a ROMS file is written.
+struct RomsOptions {
+  int transform{2};
+  bool with_positions_of_components{true};
+  bool with_angle{true};
+  double angle_error_deg{0.0};
+  double shear_per_m{0.0};  // the current falls by this share per metre of depth
+};
+
+/// One file on a C grid whose levels follow a sloping bed (100 m at the first column, 5 m deeper with each), under a
+/// surface 1 m above the mean.
+void write_roms(const ModelGrid& grid, const std::filesystem::path& file, const RomsOptions& options);
+
+}  // namespace floeplan::ingest
