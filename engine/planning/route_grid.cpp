@@ -28,10 +28,16 @@ RouteGrid lay_grid(geo::PlanePoint start, geo::PlanePoint goal, GridSpacing spac
   const double dx = goal.x_m - start.x_m;
   const double dy = goal.y_m - start.y_m;
   const double distance = std::hypot(dx, dy);
-  const double columns_between = std::max(1.0, std::round(distance / spacing.along.value));
-  const double step_along = distance / columns_between;
-  const geo::PlanePoint along{dx / columns_between, dy / columns_between};
-  const geo::PlanePoint across{-dy / distance * spacing.across.value, dx / distance * spacing.across.value};
+  double columns_between = 0.0;
+  double step_along = spacing.along.value;
+  geo::PlanePoint along{step_along, 0.0};
+  geo::PlanePoint across{0.0, spacing.across.value};
+  if (distance > 0.0) {
+    columns_between = std::max(1.0, std::round(distance / spacing.along.value));
+    step_along = distance / columns_between;
+    along = {dx / columns_between, dy / columns_between};
+    across = {-dy / distance * spacing.across.value, dx / distance * spacing.across.value};
+  }
   const int beyond = steps_of_room(reach.beyond * distance, step_along);
   const int aside = steps_of_room(reach.across * distance, spacing.across.value);
 

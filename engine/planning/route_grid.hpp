@@ -40,7 +40,8 @@ struct GridSpacing {
   core::Metres across;
 };
 
-/// Precondition: start and goal differ. The step along is fitted so that the goal falls on a vertex.
+/// The step along is fitted so that the goal falls on a vertex. Where start and goal are one place, the grid lies round
+/// it and its columns run along the x axis.
 [[nodiscard]] RouteGrid lay_grid(geo::PlanePoint start, geo::PlanePoint goal, GridSpacing spacing,
                                  GridReach reach);
 

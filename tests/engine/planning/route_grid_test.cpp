@@ -32,5 +32,15 @@ TEST(RouteGrid, LeavesRoomToGoRoundSomethingOnAShortWay) {
   EXPECT_GE(grid.bounds().high.x_m, 600.0);
 }
 
+TEST(RouteGrid, LiesRoundThePlaceWhereStartAndGoalAreOne) {
+  const RouteGrid grid = lay_grid({3.0, 4.0}, {3.0, 4.0}, {core::Metres{50.0}, core::Metres{20.0}}, {});
+
+  EXPECT_EQ(grid.start, grid.goal);
+  EXPECT_NEAR(grid.point(grid.start).x_m, 3.0, 1e-9);
+  EXPECT_NEAR(grid.point(grid.start).y_m, 4.0, 1e-9);
+  EXPECT_LE(grid.bounds().low.x_m, 3.0 - 500.0);
+  EXPECT_GE(grid.bounds().high.y_m, 4.0 + 200.0);
+}
+
 }  // namespace
 }  // namespace floeplan::planning
