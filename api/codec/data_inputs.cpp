@@ -13,9 +13,10 @@ using How = repository::DatasetChoice::How;
 constexpr std::size_t max_ensemble = 64;
 
 /// "newest", "none", an id, or (where `several`) an array of ids.
-repository::DatasetChoice read_choice(InputReader& reader, const std::string& key, bool several) {
+repository::DatasetChoice read_choice(InputReader& reader, const std::string& key, bool several,
+                                      repository::DatasetChoice absent = {}) {
   const json* value = reader.member(key);
-  if (value == nullptr) return {};
+  if (value == nullptr) return absent;
   const std::string rule = several ? "must be \"newest\", \"none\", an id or an array of ids, not "
                                    : "must be \"newest\", \"none\" or an id, not ";
   if (value->is_string()) {
@@ -49,11 +50,29 @@ json choice_json(const repository::DatasetChoice& choice) {
   return ids;
 }
 
+std::optional<repository::TidesMode> read_tides_mode(InputReader& reader) {
+  const auto text = reader.text("tides_mode");
+  if (!text) return std::nullopt;
+  if (*text == "add") return repository::TidesMode::add;
+  if (*text == "only") return repository::TidesMode::only;
+  reader.refuse("/tides_mode",
+                "must be \"add\" (to currents without tides) or \"only\" (tidal currents alone), not \"" +
+                    *text + "\"");
+  return std::nullopt;
+}
+
+json tides_mode_json(const std::optional<repository::TidesMode>& mode) {
+  if (!mode) return {};
+  return *mode == repository::TidesMode::add ? "add" : "only";
+}
+
 }  // namespace
 
 void read_data(InputReader& reader, repository::EnvironmentQuery& data) {
   data.currents = read_choice(reader, "currents", true);
   data.steady = reader.boolean("steady").value_or(false);
+  data.tides.choice = read_choice(reader, "tides", true, {How::none, {}});
+  data.tides.mode = read_tides_mode(reader);
   data.bathymetry = read_choice(reader, "bathymetry", false);
   data.ice = read_choice(reader, "ice", false);
   data.icebergs = read_choice(reader, "icebergs", false);
@@ -64,6 +83,8 @@ void read_data(InputReader& reader, repository::EnvironmentQuery& data) {
 void write_data(const repository::EnvironmentQuery& data, json& inputs) {
   inputs["currents"] = choice_json(data.currents);
   inputs["steady"] = data.steady;
+  inputs["tides"] = choice_json(data.tides.choice);
+  inputs["tides_mode"] = tides_mode_json(data.tides.mode);
   inputs["bathymetry"] = choice_json(data.bathymetry);
   inputs["ice"] = choice_json(data.ice);
   inputs["icebergs"] = choice_json(data.icebergs);

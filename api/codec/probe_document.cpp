@@ -35,6 +35,18 @@ json ice_json(const Probe::Ice& ice) {
           {"time_after", optional_time(ice.time_after)}};
 }
 
+json tide_json(const Probe::Tide& tide) {
+  const auto& velocity = tide.velocity;
+  return {{"elevation_m", tide.elevation ? json(tide.elevation->value) : json()},
+          {"u_m_s", velocity ? json(velocity->east.value) : json()},
+          {"v_m_s", velocity ? json(velocity->north.value) : json()},
+          {"reason", optional_text(tide.reason)},
+          {"station", optional_text(tide.station)},
+          {"dataset_ids", tide.dataset_ids},
+          {"dataset_names", tide.dataset_names},
+          {"constituents", tide.constituents}};
+}
+
 }  // namespace
 
 json probe_document(const Probe& probe) {
@@ -55,6 +67,7 @@ json probe_document(const Probe& probe) {
           {"ice_concentration", probe.ice.state ? json(probe.ice.state->concentration) : json()},
           {"ice_concentration_reason", optional_text(probe.ice.reason)},
           {"ice", ice_json(probe.ice)},
+          {"tide", tide_json(probe.tide)},
           {"icebergs_within", std::move(icebergs)}};
 }
 

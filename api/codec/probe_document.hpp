@@ -31,6 +31,15 @@ struct Probe {
     std::optional<core::UtcTime> time_before;  // steps of the data around the time asked for
     std::optional<core::UtcTime> time_after;
   };
+  struct Tide {
+    std::optional<core::Metres> elevation;    // of the surface over its mean
+    std::optional<geo::VelocityEn> velocity;  // of the tidal current alone
+    std::string reason;                       // empty when there is an elevation or a velocity
+    std::vector<std::string> dataset_ids;     // whose constants were used
+    std::vector<std::string> dataset_names;
+    std::vector<std::string> constituents;  // that took part, inferred ones included
+    std::string station;                    // "12 km away" in words: empty when from a grid
+  };
   struct NearIceberg {
     ocean::Iceberg iceberg;
     core::Metres distance;  // from the place to the sighted position
@@ -43,6 +52,7 @@ struct Probe {
   std::optional<bool> land;           // empty: no coastline and no bathymetry here
   Currents currents;
   Ice ice;
+  Tide tide;
   std::vector<NearIceberg> icebergs;  // nearest first
 };
 

@@ -41,6 +41,7 @@ void check_choice(sqlite::Connection& db, const repository::DatasetChoice& choic
 core::Violations check_data(sqlite::Connection& db, const repository::EnvironmentQuery& data) {
   core::Violations violations;
   check_choice(db, data.currents, "currents", DatasetKind::currents, violations);
+  check_choice(db, data.tides.choice, "tides", DatasetKind::tides, violations);
   check_choice(db, data.bathymetry, "bathymetry", DatasetKind::bathymetry, violations);
   check_choice(db, data.ice, "ice", DatasetKind::ice, violations);
   check_choice(db, data.icebergs, "icebergs", DatasetKind::icebergs, violations);

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "api/routes/probe_tide.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/geo/polygon.hpp"
@@ -151,9 +152,9 @@ tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const
     if (!named)
       return tl::unexpected(core::Violations{{"dataset", "no dataset has the id " + *query.dataset_id}});
     if (named->kind != DatasetKind::currents && named->kind != DatasetKind::bathymetry &&
-        named->kind != DatasetKind::ice) {
-      return tl::unexpected(core::Violations{
-          {"dataset", "must be currents, bathymetry or ice, not " + repository::kind_name(named->kind)}});
+        named->kind != DatasetKind::ice && named->kind != DatasetKind::tides) {
+      return tl::unexpected(core::Violations{{"dataset", "must be currents, bathymetry, ice or tides, not " +
+                                                             repository::kind_name(named->kind)}});
     }
   }
   codec::Probe result;
@@ -162,6 +163,7 @@ tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const
   read_depth(db, choose(datasets, DatasetKind::bathymetry, named, query), result);
   read_currents(db, choose(datasets, DatasetKind::currents, named, query), query, result);
   read_ice(db, choose(datasets, DatasetKind::ice, named, query), result);
+  result.tide = probe_tide(db, datasets, named, query);
   read_land(db, datasets, result);
   read_icebergs(db, datasets, result);
   return result;

@@ -18,11 +18,15 @@ struct ProbeQuery {
   core::UtcTime time;
   std::optional<core::Metres> depth;  // for currents; default: the shallowest level of the data
   std::optional<std::string>
-      dataset_id;  // currents, bathymetry or ice; default: the newest of each kind that covers the place
+      dataset_id;  // currents, bathymetry, ice or tides; default: the newest of each kind that covers the place,
+                   // and all tide models there together
 };
 
 /// Icebergs farther away than this are not listed.
 inline constexpr core::Metres probe_iceberg_range{50'000.0};
+
+/// A station of the tide farther away than this says nothing of the place.
+inline constexpr core::Metres probe_station_range{20'000.0};
 
 /// What the stored data say of a place and a time; nothing is extrapolated. One function for API and command
 /// line.

@@ -79,6 +79,9 @@ void InputFlags::add_common(CLI::App& command) {
   command.add_option("--currents", currents_,
                      "ID[,ID...] or none; default: the newest that cover area and departure");
   command.add_flag("--steady", steady_, "Use the one time step, or the mean of all, for every time");
+  command.add_option("--tides", tides_, "Tidal currents, ID[,ID...], newest or none; default: none");
+  command.add_option("--tides-mode", tides_mode_,
+                     "add: to currents that are without tides; only: tidal currents alone");
   command.add_option("--bathymetry", bathymetry_, "ID or none; default: the newest");
   command.add_option("--ice", ice_,
                      "Sea ice, ID or none; default: the newest that covers area and departure");
@@ -200,10 +203,14 @@ json InputFlags::inputs() const {
     if (!numbers) throw CLI::ValidationError{"--hours", *hours_ + " is not hours; as 6 or 6,12,24"};
     inputs["hours"] = *numbers;
   }
-  if (currents_) {
-    const auto ids = split_at_commas(*currents_);
-    inputs["currents"] = ids.size() == 1 ? json(ids.front()) : json(ids);
-  }
+  const auto set_ids = [&](const char* key, const std::optional<std::string>& flag) {
+    if (!flag) return;
+    const auto ids = split_at_commas(*flag);
+    inputs[key] = ids.size() == 1 ? json(ids.front()) : json(ids);
+  };
+  set_ids("currents", currents_);
+  set_ids("tides", tides_);
+  set("tides_mode", tides_mode_);
   if (areas_file_) inputs["areas"] = read_object(*areas_file_, "file of areas");
   set("depart", depart_);
   set("depart_until", depart_until_);

@@ -67,6 +67,8 @@ class InputFlags {
   bool no_refine_{false};
   bool no_optimality_gap_{false};
   std::optional<std::string> currents_;
+  std::optional<std::string> tides_;
+  std::optional<std::string> tides_mode_;
   bool steady_{false};
   std::optional<std::string> bathymetry_;
   std::optional<std::string> ice_;

@@ -42,6 +42,14 @@ void print(const codec::Probe& probe) {
   } else {
     std::cout << "sea ice   - (" << probe.ice.reason << ")\n";
   }
+  const codec::Probe::Tide& tide = probe.tide;
+  if (tide.elevation)
+    std::cout << std::setprecision(3) << "tide      " << tide.elevation->value << " m above the mean"
+              << (tide.station.empty() ? "" : " (" + tide.station + ")") << '\n';
+  if (tide.velocity)
+    std::cout << std::setprecision(3) << "tide      " << tide.velocity->east.value << " m/s east, "
+              << tide.velocity->north.value << " m/s north\n";
+  if (!tide.reason.empty()) std::cout << "tide      - (" << tide.reason << ")\n";
   for (const auto& near : probe.icebergs) {
     std::cout << "iceberg   " << near.iceberg.id << ", " << std::setprecision(1)
               << near.distance.value / 1000.0 << " km away, seen " << core::iso8601(near.iceberg.observed)
@@ -83,12 +91,13 @@ int run(const Flags& flags, const Program& program) {
 
 void add_probe(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
-  auto* command = app.add_subcommand("probe", "Depth, current, sea ice and icebergs at a place and a time");
+  auto* command =
+      app.add_subcommand("probe", "Depth, current, tide, sea ice and icebergs at a place and a time");
   command->add_option("--at", flags->at, "LON,LAT in degrees")->required();
   command->add_option("--time", flags->time, "ISO 8601 with zone; default: now");
   command->add_option("--depth", flags->depth_m, "Metres below the surface, for the current");
   command->add_option("--dataset", flags->dataset,
-                      "Currents, bathymetry or ice to ask; default: the newest that covers it");
+                      "Currents, bathymetry, ice or tides to ask; default: the newest that covers it");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run(*flags, program); });
 }

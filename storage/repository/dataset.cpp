@@ -10,7 +10,8 @@ namespace {
 constexpr std::array names{std::pair{DatasetKind::bathymetry, "bathymetry"},
                            std::pair{DatasetKind::currents, "currents"}, std::pair{DatasetKind::ice, "ice"},
                            std::pair{DatasetKind::icebergs, "icebergs"},
-                           std::pair{DatasetKind::coastline, "coastline"}};
+                           std::pair{DatasetKind::coastline, "coastline"},
+                           std::pair{DatasetKind::tides, "tides"}};
 
 }  // namespace
 

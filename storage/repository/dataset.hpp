@@ -11,7 +11,7 @@
 namespace floeplan::repository {
 
 /// Kinds of data the store holds.
-enum class DatasetKind { bathymetry, currents, ice, icebergs, coastline };
+enum class DatasetKind { bathymetry, currents, ice, icebergs, coastline, tides };
 
 [[nodiscard]] std::string kind_name(DatasetKind kind);
 [[nodiscard]] std::optional<DatasetKind> parse_kind(const std::string& name);

@@ -191,6 +191,33 @@ void add_currents(Draft& draft) {
   if (!named) warn_of_gap(draft, DatasetKind::currents, query.currents, "planned in still water");
 }
 
+/// Tides go on as long as an iceberg's drift is followed, or as long as the request wants the currents to be covered.
+ocean::TidePeriod period_of_tides(const Draft& draft) {
+  constexpr core::Seconds longest{30.0 * 86400.0};
+  core::UtcTime end = draft.query.depart + longest;
+  if (draft.query.until) end = std::max(end, draft.query.until->time + longest);
+  return {drift_start(draft), end};
+}
+
+/// The currents, with tides where they are asked for.
+void add_water(Draft& draft) {
+  const TidesQuery& query = draft.query.tides;
+  const bool alone = query.wanted() && query.mode == TidesMode::only;
+  if (alone && draft.query.currents.how == DatasetChoice::How::named)
+    draft.refuse(
+        DatasetKind::tides,
+        "with tides_mode only the currents that are named would be left out; say add, or name no currents");
+  if (!alone) add_currents(draft);
+  const Tides tides = load_tides(draft.db, draft.stored, query, draft.query.area, draft.violations);
+  if (!query.wanted() || !query.mode || !draft.violations.empty()) return;
+  if (!alone && !draft.environment.currents) {
+    draft.refuse(DatasetKind::tides,
+                 "there are no currents to add tides to; say tides_mode only to plan with the tide alone");
+    return;
+  }
+  lay_tides(draft.environment, tides, *query.mode, period_of_tides(draft));
+}
+
 void add_bathymetry(Draft& draft) {
   const EnvironmentQuery& query = draft.query;
   const auto found =
@@ -360,7 +387,7 @@ tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Conn
   Draft icebergs = draft;
   add_icebergs(icebergs);
   draft.environment.icebergs = std::move(icebergs.environment.icebergs);
-  add_currents(draft);
+  add_water(draft);
   add_bathymetry(draft);
   add_ice(draft);
   draft.append_report(icebergs);

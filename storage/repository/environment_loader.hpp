@@ -9,6 +9,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/environment.hpp"
 #include "storage/repository/dataset_choice.hpp"
+#include "storage/repository/tide_environment.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::repository {
@@ -33,6 +34,7 @@ struct EnvironmentQuery {
   core::Metres dive_depth{200.0};
   DatasetChoice currents;
   bool steady{false};  // one time step, or the mean of all, for every time
+  TidesQuery tides;
   DatasetChoice bathymetry;
   DatasetChoice ice;
   DatasetChoice icebergs;

@@ -204,4 +204,30 @@ std::optional<ocean::IceField> FieldRepository::load_ice(const DatasetId& id, co
            holds(db_, layout->chunks, "thickness_m") ? read("thickness_m") : std::vector<float>{}}};
 }
 
+std::vector<std::string> FieldRepository::variables(const DatasetId& id) const {
+  sqlite::Statement query{
+      db_,
+      "SELECT DISTINCT variable FROM field_chunk WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1) "
+      "ORDER BY variable"};
+  query.bind(1, id.value);
+  std::vector<std::string> names;
+  while (query.step()) names.push_back(query.text(0));
+  return names;
+}
+
+std::optional<FieldRepository::Planes> FieldRepository::load_planes(
+    const DatasetId& id, const geo::BoundingBox& area, std::span<const std::string> variables) const {
+  const auto layout = find_layout(db_, id);
+  const auto stored = shape(id);
+  if (!layout || !stored) return std::nullopt;
+  const auto window = window_around(stored->grid, area);
+  if (!window) return std::nullopt;
+
+  ChunkReader reader{db_, layout->chunks};
+  Planes planes{{stored->grid.frame(), window->x.nodes, window->y.nodes}, {}};
+  for (const std::string& variable : variables)
+    planes.values.push_back(read_block(reader, variable, {0, 1}, {0, 1}, *window));
+  return planes;
+}
+
 }  // namespace floeplan::repository

@@ -57,6 +57,16 @@ class FieldRepository {
   [[nodiscard]] std::optional<ocean::IceField> load_ice(const DatasetId& id, const geo::BoundingBox& area,
                                                         std::optional<Period> period) const;
 
+  /// Names of the variables that were ever written, ascending.
+  [[nodiscard]] std::vector<std::string> variables(const DatasetId& id) const;
+  /// Variables without depth and time on the nodes around `area`, [variable][y][x]; NaN where nothing was written.
+  struct Planes {
+    ocean::HorizontalGrid grid;
+    std::vector<std::vector<float>> values;
+  };
+  [[nodiscard]] std::optional<Planes> load_planes(const DatasetId& id, const geo::BoundingBox& area,
+                                                  std::span<const std::string> variables) const;
+
  private:
   sqlite::Connection& db_;  // borrowed
 };

@@ -167,6 +167,28 @@ INSERT INTO dataset_of_any_kind SELECT row, id, kind, name, west_deg, south_deg,
   tool_version FROM dataset;
 DROP TABLE dataset;
 ALTER TABLE dataset_of_any_kind RENAME TO dataset;
+)sql",
+                                R"sql(
+CREATE TABLE tide_station (
+  dataset_row INTEGER NOT NULL REFERENCES dataset (row) ON DELETE CASCADE,
+  position INTEGER NOT NULL,  -- in its file, from 0
+  name TEXT NOT NULL,
+  lon_deg REAL NOT NULL,
+  lat_deg REAL NOT NULL,
+  quantity TEXT NOT NULL,
+  PRIMARY KEY (dataset_row, position)
+) STRICT, WITHOUT ROWID;
+
+CREATE TABLE tide_constant (
+  row INTEGER PRIMARY KEY,
+  dataset_row INTEGER NOT NULL,
+  position INTEGER NOT NULL,
+  constituent TEXT NOT NULL,
+  cosine REAL NOT NULL,  -- A cos g
+  sine REAL NOT NULL,    -- -A sin g
+  UNIQUE (dataset_row, position, constituent),
+  FOREIGN KEY (dataset_row, position) REFERENCES tide_station (dataset_row, position) ON DELETE CASCADE
+) STRICT;
 )sql"};
 
 constexpr auto newest_schema = static_cast<std::int64_t>(migrations.size());

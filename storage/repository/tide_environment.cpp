@@ -1,0 +1,133 @@
+#include "storage/repository/tide_environment.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <string_view>
+#include <utility>
+
+#include "engine/core/utc_text.hpp"
+#include "storage/repository/tide_repository.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+std::string titles(const std::vector<Dataset>& datasets) {
+  std::string text;
+  for (const Dataset& dataset : datasets) text += (text.empty() ? "" : ", ") + title(dataset);
+  return text;
+}
+
+/// Whether a name says that its currents are without tides.
+bool says_detided(const ocean::DatasetRef& dataset) {
+  constexpr std::array words{"detide",   "de-tide",   "de_tide",  "notide",   "no-tide",   "no_tide",
+                             "nontidal", "non-tidal", "subtidal", "residual", "geostroph", "without tide"};
+  std::string name = dataset.name;
+  std::ranges::transform(name, name.begin(),
+                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
+  return std::ranges::any_of(words,
+                             [&](std::string_view word) { return name.find(word) != std::string::npos; });
+}
+
+std::string in_minutes(core::Seconds time) {
+  return std::to_string(std::lround(time.count() / 60.0)) + " min";
+}
+
+/// What the pilot has to know of the sum.
+void report(ocean::Environment& environment, const Tides& tides, TidesMode mode,
+            const ocean::TidePeriod& period) {
+  const ocean::CurrentGrid& currents = *environment.currents;
+  const ocean::TidalCurrents& tide = *currents.tide();
+  const auto warn = [&](std::string text) { environment.warnings.push_back(std::move(text)); };
+  const std::string names = titles(tides.datasets);
+
+  if (mode == TidesMode::only)
+    warn("currents are the tidal currents of " + names + " alone, the same at every depth");
+  if (mode == TidesMode::add) {
+    for (const ocean::DatasetRef& dataset : environment.datasets) {
+      if (dataset.kind != kind_name(DatasetKind::currents)) continue;
+      warn("tides of " + names + " are added to the currents " + dataset.name + " (" + dataset.id + ")" +
+           (says_detided(dataset)
+                ? ""
+                : ", whose name does not say that they are without tides: if they hold the tide "
+                  "already, it counts twice"));
+    }
+  }
+  if (tide.known_nodes() == 0) {
+    warn("tides of " + names + " have no value at any node of the currents: no current is known");
+  } else if (mode == TidesMode::add && tide.known_nodes() < currents.samples().grid.size()) {
+    warn("tides of " + names + " have no value at " +
+         std::to_string(currents.samples().grid.size() - tide.known_nodes()) + " of " +
+         std::to_string(currents.samples().grid.size()) + " nodes of the currents: taken as without water");
+  }
+
+  const core::Seconds step{currents.times_s().mean_step()};
+  if (step > 1.001 * ocean::straight_step(tides.models))
+    warn("tides are laid out in steps of " + in_minutes(step) +
+         ", coarser than their bends: a smaller area helps");
+  const core::UtcTime end = core::from_unix_seconds(currents.times_s().back());
+  const core::UtcTime wanted = currents.samples().times_s.size() > 1
+                                   ? core::from_unix_seconds(currents.samples().times_s.back())
+                                   : period.to;
+  if (wanted - end > step)
+    warn("tides are laid out to " + core::iso8601(end) + " only: a smaller area helps");
+}
+
+}  // namespace
+
+Tides load_tides(sqlite::Connection& db, const std::vector<Dataset>& stored, const TidesQuery& query,
+                 const geo::BoundingBox& area, core::Violations& violations) {
+  Tides tides;
+  if (!query.wanted()) {
+    if (query.mode)
+      violations.push_back({"/tides_mode", "says what tides are for, but no tides are asked for"});
+    return tides;
+  }
+  if (!query.mode)
+    violations.push_back(
+        {"/tides_mode",
+         "must be \"add\" (tidal currents added to currents that are without tides) or \"only\" "
+         "(tidal currents alone) when tides are used"});
+  const bool named = query.choice.how == DatasetChoice::How::named;
+  for (const Dataset& dataset : candidates(stored, DatasetKind::tides, query.choice, area, violations)) {
+    auto model = TideRepository{db}.load(dataset.id, area);
+    if (!model || !model->has(ocean::TideQuantity::east)) {
+      if (named)
+        violations.push_back({"/tides", title(dataset) + " holds no tidal currents here, only " +
+                                            (model ? "elevations" : "stations") +
+                                            "; name a model with u and v"});
+      continue;
+    }
+    tides.models.push_back(std::move(*model));
+    tides.datasets.push_back(dataset);
+    if (!named) break;
+  }
+  if (!named && tides.models.empty())
+    violations.push_back(
+        {"/tides", "no stored tide model has currents in this area; ingest one, or leave tides out"});
+  return tides;
+}
+
+void lay_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
+               const ocean::TidePeriod& period) {
+  if (mode == TidesMode::only) {
+    environment.currents =
+        std::make_shared<const ocean::CurrentGrid>(ocean::tide_alone(tides.models, period));
+  } else if (environment.currents) {
+    const auto sum = [&](const std::shared_ptr<const ocean::CurrentGrid>& currents) {
+      return std::make_shared<const ocean::CurrentGrid>(ocean::with_tide(*currents, tides.models, period));
+    };
+    for (auto& member : environment.members) member = sum(member);
+    environment.currents =
+        environment.members.empty() ? sum(environment.currents) : environment.members.front();
+  }
+  if (!environment.currents) return;
+  environment.steady_currents = false;
+  report(environment, tides, mode, period);
+  for (const Dataset& dataset : tides.datasets)
+    environment.datasets.push_back(
+        {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256});
+}
+
+}  // namespace floeplan::repository
