@@ -4,6 +4,7 @@
 
 #include "api/codec/dataset_document.hpp"
 #include "server/cli/command.hpp"
+#include "server/cli/flag_values.hpp"
 #include "storage/ingest/ingest_file.hpp"
 #include "storage/repository/migrations.hpp"
 
@@ -19,6 +20,8 @@ struct Flags {
   std::optional<std::string> crs;
   std::optional<std::string> positive;
   std::optional<std::string> variable;
+  std::optional<std::string> at;
+  std::optional<std::string> unit;
   bool json_out{false};
 };
 
@@ -61,6 +64,12 @@ void print(const ingest::IngestReport& report) {
 int run(const Flags& flags, const Program& program) {
   ingest::IngestOptions options{
       .name = flags.name, .crs = flags.crs, .positive = flags.positive, .variable = flags.variable};
+  options.unit = flags.unit;
+  if (flags.at) {
+    options.at = parse_place(*flags.at);
+    if (!options.at || !geo::is_valid(*options.at))
+      return complain(wrong_usage, "--at " + *flags.at + " is not LON,LAT in degrees; as --at=-53.2,69.2");
+  }
   if (flags.kind != "auto") options.kind = repository::parse_kind(flags.kind);
 
   auto db = repository::open_store(program.store);
@@ -72,7 +81,9 @@ int run(const Flags& flags, const Program& program) {
     if (!flags.json_out) return print(report);
     for (const std::string& error : report.errors) complain(bad_data, report.file + ": " + error);
   };
-  const std::vector<std::filesystem::path> files(flags.files.begin(), flags.files.end());
+  std::vector<std::filesystem::path> files(flags.files.begin(), flags.files.end());
+  for (std::filesystem::path& file : files)
+    if (!file.has_filename()) file = file.parent_path();  // "ice.zarr/"
   static_cast<void>(ingest::ingest_files(db, files, options, now(), terminal_progress(), tell));
   if (flags.json_out) std::cout << json{{"datasets", documents}}.dump(2) << '\n';
   return exit_code;
@@ -83,11 +94,11 @@ int run(const Flags& flags, const Program& program) {
 void add_ingest(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
   auto* command = app.add_subcommand("ingest", "Read data files into the store");
-  command->add_option("FILE", flags->files, "Bathymetry, currents, sea ice, icebergs or coastline")
+  command->add_option("FILE", flags->files, "Bathymetry, currents, tides, sea ice, icebergs or coastline")
       ->required();
   command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
   command->add_option("--kind", flags->kind, "What to take the file for")
-      ->check(CLI::IsMember({"auto", "bathymetry", "currents", "ice", "icebergs", "coastline"}))
+      ->check(CLI::IsMember({"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides"}))
       ->capture_default_str();
   command->add_option("--crs", flags->crs, "Reference system of a file that states none, as EPSG:4326");
   command
@@ -96,6 +107,10 @@ void add_ingest(CLI::App& app, Program& program) {
       ->check(CLI::IsMember({"up", "down"}));
   command->add_option("--variable", flags->variable,
                       "Concentration of sea ice to use when a file holds several; default: the greatest");
+  command->add_option("--at", flags->at,
+                      "Where a station of the tide is whose file does not say it, LON,LAT");
+  command->add_option("--unit", flags->unit, "Of a station's amplitudes where its file does not say it")
+      ->check(CLI::IsMember({"m", "cm", "mm", "ft"}));
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run(*flags, program); });
 }

@@ -69,4 +69,10 @@ Checked<std::string> sha256_of_files(const std::vector<std::filesystem::path>& f
   return all.text();
 }
 
+Checked<std::string> sha256_of_text(const std::string& text) {
+  Digest digest;
+  digest.add(text.data(), text.size());
+  return digest.text();
+}
+
 }  // namespace floeplan::ingest

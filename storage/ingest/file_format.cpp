@@ -1,14 +1,18 @@
 #include "storage/ingest/file_format.hpp"
 
 #include <algorithm>
+#include <array>
 #include <fstream>
 #include <optional>
 #include <string_view>
 
 #include "storage/ingest/ascii_grid_length.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
+#include "storage/ingest/iceberg_table_reader.hpp"
 #include "storage/ingest/netcdf3_length.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/ingest/tide_table.hpp"
+#include "storage/ingest/zarr_store.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -25,12 +29,15 @@ std::string head_of(const std::filesystem::path& file) {
   return head;
 }
 
-std::string refusal_of_folder(const std::filesystem::path& folder) {
-  if (std::filesystem::exists(folder / "zarr.json"))
-    return "this is a Zarr store of version 3; this layout is not yet supported; convert it to NetCDF first";
-  if (std::filesystem::exists(folder / ".zgroup") || std::filesystem::exists(folder / ".zmetadata"))
-    return "this is a Zarr store; this layout is not yet supported; convert it to NetCDF first";
-  return "this is a folder, not a file; name the files in it one by one";
+bool is_zarr(const std::filesystem::path& folder) {
+  return std::ranges::any_of(std::array{"zarr.json", ".zgroup", ".zmetadata", ".zarray"},
+                             [&](const char* name) { return std::filesystem::exists(folder / name); });
+}
+
+Checked<FileFormat> format_of_folder(const std::filesystem::path& folder) {
+  if (!is_zarr(folder)) return refuse("this is a folder, not a file; name the files in it one by one");
+  if (const auto store = open_zarr(folder); !store) return refuse(store.error());
+  return FileFormat::zarr;
 }
 
 /// What a file is that this program knows but does not read; empty when it may be readable.
@@ -95,19 +102,26 @@ Checked<FileFormat> format_of_text(std::string_view head, const std::string& ext
   const std::string start = lower(trimmed(head.substr(0, 64)));
   if (start.starts_with("{")) {
     if (contains_any(head, {"\"Feature\"", "\"FeatureCollection\""})) return FileFormat::geojson;
+    if (is_iceberg_list_json(head)) return FileFormat::iceberg_json;
+    if (is_tide_json(head)) return FileFormat::tide_json;
     return refuse(
         "this is JSON, but not GeoJSON; the places in it have no agreed meaning; convert it to a GeoJSON "
         "FeatureCollection in longitude and latitude");
   }
   if (start.starts_with("ncols") || start.starts_with("nrows")) return FileFormat::ascii_grid;
   if (is_ice_patrol_header(std::string{first_line(head)})) return FileFormat::ice_patrol_csv;
+  if (is_iceberg_table_header(std::string{first_line(head)})) return FileFormat::iceberg_table;
+  if (is_tide_table(head)) return FileFormat::tide_table;
+  if (is_otps_extract(head)) return FileFormat::otps_extract;
   if (is_number_table(head)) return FileFormat::xyz;
 
   const std::string line = trimmed(first_line(head));
   if (!contains_any(line, {"[", "<"}) && csv_fields(line).size() >= 3)
-    return refuse("this is a table with the columns " + enumeration(csv_fields(line)) +
-                  ", which this program does not know; only the sightings of the International Ice Patrol "
-                  "are read as a table; convert others to GeoJSON points with id, observed and length_m");
+    return refuse(
+        "this is a table with the columns " + enumeration(csv_fields(line)) +
+        ", which this program does not know; of icebergs it reads the tables of the International Ice "
+        "Patrol, the US National Ice Center, Brigham Young University and the Canadian Ice Service's "
+        "beacons; convert others to GeoJSON points with id, observed and length_m");
   if (extension == ".nc" || extension == ".cdf" || extension == ".nc4")
     return refuse(
         "the file is named like NetCDF but holds text (\"" + line.substr(0, 60) +
@@ -133,7 +147,7 @@ Checked<FileFormat> format_of_classic_netcdf(const std::filesystem::path& file) 
 Checked<FileFormat> format_of(const std::filesystem::path& file) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
-  if (std::filesystem::is_directory(status)) return refuse(refusal_of_folder(file));
+  if (std::filesystem::is_directory(status)) return format_of_folder(file);
   if (!std::filesystem::is_regular_file(status))
     return refuse("there is no such file; check its name and its folder");
   const std::string head = head_of(file);

@@ -8,7 +8,22 @@
 namespace floeplan::ingest {
 
 /// Formats that this program reads, told apart by the first bytes; a file's name plays no part.
-enum class FileFormat { netcdf_classic, netcdf4, bag, geotiff, ascii_grid, xyz, ice_patrol_csv, geojson };
+enum class FileFormat {
+  netcdf_classic,
+  netcdf4,
+  zarr,
+  bag,
+  geotiff,
+  ascii_grid,
+  xyz,
+  ice_patrol_csv,
+  geojson,
+  iceberg_table,
+  iceberg_json,
+  tide_json,
+  tide_table,
+  otps_extract
+};
 
 /// Errors   every other file, by name where it is known (GRIB, chart pictures, Zarr, archives, ...); an empty
 /// file; a

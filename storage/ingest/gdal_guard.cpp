@@ -27,6 +27,7 @@ void register_drivers() {
     CPLSetConfigOption("GDAL_PAM_ENABLED", "NO");  // a file beside the data must not change what they mean
     GDALRegister_GTiff();
     GDALRegister_netCDF();
+    GDALRegister_Zarr();
     GDALRegister_BAG();
     GDALRegister_AAIGrid();
     GDALRegister_XYZ();

@@ -17,8 +17,20 @@ bool is_one_of(const std::string& unit, std::initializer_list<std::string_view> 
   return std::find(words.begin(), words.end(), unit) != words.end();
 }
 
+/// Models that take up observations may overshoot: files of the reanalysis GLORYS12 reach 1.0096 and declare values up to
+/// 1.043 valid. So much more is possible as the variable's own valid_max says, not beyond this.
+constexpr double most_overshoot = 0.05;
+
 IceUnit unit_with(double factor) {
   return {factor, {-share_rounding / factor, (1.0 + share_rounding) / factor}};
+}
+
+IceUnit with_declared_overshoot(IceUnit unit, const NetcdfVariable& variable) {
+  const auto packed = variable.numeric_attribute("valid_max");
+  if (!packed) return unit;
+  const double declared = std::min(variable.unpacked(*packed), (1.0 + most_overshoot) / unit.factor);
+  unit.possible.greatest = std::max(unit.possible.greatest, declared);
+  return unit;
 }
 
 std::string extent_text(const Found& found) {
@@ -34,7 +46,8 @@ Checked<IceUnit> stated_unit_of_concentration(const NetcdfVariable& variable) {
     open.factor = 0.0;
     return open;
   }
-  if (is_one_of(unit, {"1", "1.0", "fraction", "(0-1)", "0-1", "m2/m2", "m2 m-2"})) return unit_with(1.0);
+  if (is_one_of(unit, {"1", "1.0", "fraction", "(0-1)", "0-1", "m2/m2", "m2 m-2"}))
+    return with_declared_overshoot(unit_with(1.0), variable);
   if (is_one_of(unit, {"%", "percent", "per cent", "pct", "1e-2", "0.01"})) return unit_with(0.01);
   if (is_one_of(unit, {"tenths", "1/10", "0.1"})) return unit_with(0.1);
   return refuse("the concentration \"" + variable.name() + "\" has the unit \"" +

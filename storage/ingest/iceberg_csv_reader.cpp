@@ -2,12 +2,11 @@
 
 #include <algorithm>
 #include <array>
-#include <charconv>
-#include <chrono>
 #include <fstream>
 #include <optional>
 
 #include "storage/ingest/iceberg_rows.hpp"
+#include "storage/ingest/table_dates.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -36,13 +35,6 @@ std::string without_mark(std::string line) {
   return line;
 }
 
-std::optional<int> whole_number(std::string_view text) {
-  int value{};
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (text.empty() || error != std::errc{} || end != text.data() + text.size()) return std::nullopt;
-  return value;
-}
-
 std::optional<ocean::IcebergSize> size_of_code(const std::string& code) {
   using ocean::IcebergSize;
   if (code == "GR") return IcebergSize::growler;
@@ -58,23 +50,12 @@ std::optional<ocean::IcebergSize> size_of_code(const std::string& code) {
 
 /// "10/7/2013" and "2139" (leading zeros may have been lost) in UTC.
 std::optional<core::UtcTime> time_of(const std::string& date_text, const std::string& time_text) {
-  const std::size_t first = date_text.find('/');
-  const std::size_t second = date_text.find('/', first + 1);
-  if (first == std::string::npos || second == std::string::npos) return std::nullopt;
-  const std::string_view text = date_text;
-  const auto month = whole_number(text.substr(0, first));
-  const auto day = whole_number(text.substr(first + 1, second - first - 1));
-  const auto year = whole_number(text.substr(second + 1));
+  const auto date = us_date(date_text);
   const auto clock = whole_number(time_text);
-  if (!month || !day || !year || !clock || text.size() - second != 5 || *month < 1 || *day < 1)
-    return std::nullopt;
-  const std::chrono::year_month_day ymd{std::chrono::year{*year},
-                                        std::chrono::month{static_cast<unsigned>(*month)},
-                                        std::chrono::day{static_cast<unsigned>(*day)}};
-  if (!ymd.ok() || time_text.size() > 4 || *clock < 0 || *clock / 100 > 23 || *clock % 100 > 59)
-    return std::nullopt;
-  return core::UtcTime{std::chrono::sys_days{ymd}.time_since_epoch()} +
-         core::Seconds{*clock / 100 * 3600.0 + *clock % 100 * 60.0};
+  const bool four_digits = date_text.size() > 5 && date_text[date_text.size() - 5] == '/';
+  if (!date || !four_digits || !clock) return std::nullopt;
+  if (time_text.size() > 4 || *clock < 0 || *clock / 100 > 23 || *clock % 100 > 59) return std::nullopt;
+  return *date + core::Seconds{*clock / 100 * 3600.0 + *clock % 100 * 60.0};
 }
 
 /// The sighting of one row, or why it has none.

@@ -15,7 +15,11 @@
 #include "storage/ingest/ice_reader.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/iceberg_geojson_reader.hpp"
+#include "storage/ingest/iceberg_table_reader.hpp"
 #include "storage/ingest/recognise.hpp"
+#include "storage/ingest/tide_reader.hpp"
+#include "storage/ingest/tide_table.hpp"
+#include "storage/ingest/zarr_store.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/sqlite/transaction.hpp"
 
@@ -37,7 +41,9 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
   switch (file.format) {
     case FileFormat::netcdf_classic:
     case FileFormat::netcdf4:
+    case FileFormat::zarr:
       if (kind == DatasetKind::coastline) return read_gshhg_coastline(file.path, progress);
+      if (kind == DatasetKind::tides) return read_tides(file.netcdf, file.path, options, progress);
       if (kind == DatasetKind::ice) return read_ice(file.netcdf, options, progress);
       return kind == DatasetKind::currents ? read_currents(together(file), options.crs, progress)
                                            : read_netcdf_bathymetry(*file.netcdf, options);
@@ -45,6 +51,11 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
     case FileFormat::geotiff: return read_raster_bathymetry(file.path, "GTiff", options);
     case FileFormat::ascii_grid: return read_raster_bathymetry(file.path, "AAIGrid", options);
     case FileFormat::xyz: return read_raster_bathymetry(file.path, "XYZ", options);
+    case FileFormat::tide_json: return read_tide_json(file.path, options);
+    case FileFormat::tide_table: return read_tide_table(file.path, options);
+    case FileFormat::otps_extract: return read_otps_extract(file.path);
+    case FileFormat::iceberg_table: return read_iceberg_table(file.path);
+    case FileFormat::iceberg_json: return read_iceberg_list_json(file.path);
     case FileFormat::ice_patrol_csv: return read_ice_patrol_csv(file.path);
     case FileFormat::geojson:
       return kind == DatasetKind::icebergs ? read_geojson_icebergs(*file.geojson)
@@ -67,7 +78,8 @@ std::string names_of(const FileGroup& files) {
 
 std::int64_t size_of(const FileGroup& files) {
   std::uintmax_t bytes = 0;
-  for (const std::filesystem::path& file : files) bytes += std::filesystem::file_size(file);
+  for (const std::filesystem::path& file : files)
+    bytes += std::filesystem::is_directory(file) ? bytes_of_zarr(file) : std::filesystem::file_size(file);
   return static_cast<std::int64_t>(bytes);
 }
 
@@ -180,7 +192,8 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
   auto companions = open_companions(files);
   if (!companions) return {refused(files, companions.error())};
   recognised->companions = std::move(*companions);
-  const auto sha256 = sha256_of_files(files);
+  const auto sha256 =
+      recognised->format == FileFormat::zarr ? sha256_of_zarr(files.front()) : sha256_of_files(files);
   if (!sha256) return {refused(files, sha256.error())};
 
   std::vector<Candidate> candidates;

@@ -8,6 +8,7 @@
 
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
+#include "engine/geo/lon_lat.hpp"
 #include "storage/repository/dataset.hpp"
 #include "storage/sqlite/connection.hpp"
 
@@ -19,6 +20,8 @@ struct IngestOptions {
   std::optional<repository::DatasetKind> kind{};  // default: recognised
   std::optional<std::string> crs{};               // "EPSG:4326", for files that state none
   std::optional<std::string> positive{};          // "up" or "down", for bathymetry that does not say
+  std::optional<geo::LonLat> at{};        // of a station of the tide whose file does not say where it is
+  std::optional<std::string> unit{};      // "m" or "ft", of its amplitudes where the file does not say it
   std::optional<std::string> variable{};  // of ice: the concentration to use when a file holds several
 };
 

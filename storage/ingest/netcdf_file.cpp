@@ -16,7 +16,7 @@ constexpr std::size_t max_coordinate_values = 50'000'000;
 
 }  // namespace
 
-NetcdfVariable::NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> array)
+NetcdfVariable::NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> array, bool of_zarr)
     : name_{std::move(name)}, array_{std::move(array)} {
   for (const auto& dimension : array_->GetDimensions())
     dimensions_.push_back({dimension->GetName(), dimension->GetSize()});
@@ -31,6 +31,10 @@ NetcdfVariable::NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> ar
     for (const double fill : attribute->ReadAsDoubleArray())
       fills_.push_back(is_float32() ? static_cast<double>(static_cast<float>(fill)) : fill);
   }
+  // The netCDF driver casts a fill to the packed type, which may make it another number; Zarr states it there alone.
+  bool stated = false;
+  const double no_data = array_->GetNoDataValueAsDouble(&stated);
+  if (fills_.empty() && stated && of_zarr) fills_.push_back(no_data);
   // The unit of a variable that counts since a date is not among GDAL's attributes in every version.
   if (!array_->GetUnit().empty()) attributes_.emplace("units", trimmed(array_->GetUnit()));
 
@@ -94,6 +98,30 @@ Checked<std::vector<double>> NetcdfVariable::read_all() const {
   return values;
 }
 
+std::vector<std::string> NetcdfVariable::texts() const {
+  constexpr std::uint64_t most = 1000;
+  if (array_->GetDataType().GetClass() != GEDTC_STRING) return {};
+  std::uint64_t size = 1;
+  std::vector<GUInt64> start;
+  std::vector<std::size_t> count;
+  for (const NetcdfDimension& dimension : dimensions_) {
+    if (dimension.size == 0 || dimension.size > most / size) return {};
+    size *= dimension.size;
+    start.push_back(0);
+    count.push_back(static_cast<std::size_t>(dimension.size));
+  }
+  std::vector<char*> raw(static_cast<std::size_t>(size), nullptr);
+  const GdalMessages messages;
+  const bool read = array_->Read(start.data(), count.data(), nullptr, nullptr,
+                                 GDALExtendedDataType::CreateString(), raw.data());
+  std::vector<std::string> result;
+  for (char* text : raw) {
+    if (read && text != nullptr) result.push_back(trimmed(text));
+    CPLFree(text);
+  }
+  return result;
+}
+
 double NetcdfVariable::unpacked(double packed) const {
   if (std::find(fills_.begin(), fills_.end(), packed) != fills_.end() || !std::isfinite(packed))
     return std::numeric_limits<double>::quiet_NaN();
@@ -103,7 +131,8 @@ double NetcdfVariable::unpacked(double packed) const {
 Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
   register_drivers();
   const GdalMessages messages;
-  const char* const drivers[] = {"netCDF", nullptr};
+  const bool is_zarr = std::filesystem::is_directory(file);
+  const char* const drivers[] = {is_zarr ? "Zarr" : "netCDF", nullptr};
   const std::string path = std::filesystem::absolute(file).string();
   NetcdfFile result;
   result.dataset_.reset(
@@ -118,7 +147,7 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
       result.attributes_.emplace(attribute->GetName(), trimmed(text));
   const char* const scalars_too[] = {"SHOW_ZERO_DIM=YES", nullptr};
   for (const std::string& name : root->GetMDArrayNames(const_cast<char**>(scalars_too)))
-    if (auto array = root->OpenMDArray(name)) result.variables_.emplace_back(name, std::move(array));
+    if (auto array = root->OpenMDArray(name)) result.variables_.emplace_back(name, std::move(array), is_zarr);
   return result;
 }
 

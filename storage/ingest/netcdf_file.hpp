@@ -24,7 +24,7 @@ struct NetcdfDimension {
 /// One variable of a NetCDF file: what it says of itself, and its packed values.
 class NetcdfVariable {
  public:
-  NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> array);
+  NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> array, bool of_zarr);
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<NetcdfDimension>& dimensions() const { return dimensions_; }
@@ -45,6 +45,8 @@ class NetcdfVariable {
                                                          const std::vector<std::size_t>& count) const;
   /// All values of a small variable (coordinates), scale and offset applied, fill as NaN.
   [[nodiscard]] Checked<std::vector<double>> read_all() const;
+  /// All texts of a variable of characters, trimmed; empty for one of numbers, or of more than a thousand texts.
+  [[nodiscard]] std::vector<std::string> texts() const;
   /// What a packed value stands for: scale and offset applied; NaN where it is the fill or the missing value.
   /// The fill is compared with the packed value, in the variable's own precision.
   [[nodiscard]] double unpacked(double packed) const;
@@ -60,7 +62,7 @@ class NetcdfVariable {
   double offset_{0.0};
 };
 
-/// An open NetCDF file (any variant), seen through its root group. Coordinates are never taken from GDAL's
+/// An open NetCDF file (any variant) or Zarr store, seen through its root group. Coordinates are never taken from GDAL's
 /// own guesses.
 /// Threads  one thread at a time
 class NetcdfFile {

@@ -9,6 +9,7 @@
 #include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/ingest/tide_variables.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
@@ -30,6 +31,7 @@ bool ice_is_readable(const NetcdfFile& file) {
 }
 
 std::vector<DatasetKind> kinds_of_netcdf(const NetcdfFile& file, std::optional<DatasetKind> wanted) {
+  if (holds_tides(file)) return {DatasetKind::tides};
   std::vector<DatasetKind> kinds;
   const bool bathymetry_wanted = wanted == DatasetKind::bathymetry;
   const bool velocity = holds_velocity(file);
@@ -58,12 +60,14 @@ std::string nothing_known(const NetcdfFile& file) {
 Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted) {
   switch (file.format) {
     case FileFormat::netcdf_classic:
-    case FileFormat::netcdf4: {
+    case FileFormat::netcdf4:
+    case FileFormat::zarr: {
       auto netcdf = NetcdfFile::open(file.path);
       if (!netcdf) return refuse(netcdf.error());
       file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
       file.kinds = kinds_of_netcdf(*file.netcdf, wanted);
-      if (file.kinds.empty() && is_gshhg(file.path)) file.kinds = {DatasetKind::coastline};
+      if (file.kinds.empty() && file.format != FileFormat::zarr && is_gshhg(file.path))
+        file.kinds = {DatasetKind::coastline};
       if (file.kinds.empty()) return refuse(nothing_known(*file.netcdf));
       return true;
     }
@@ -76,6 +80,11 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
       file.kinds = {*kind};
       return true;
     }
+    case FileFormat::tide_json:
+    case FileFormat::tide_table:
+    case FileFormat::otps_extract: file.kinds = {DatasetKind::tides}; return true;
+    case FileFormat::iceberg_table:
+    case FileFormat::iceberg_json:
     case FileFormat::ice_patrol_csv: file.kinds = {DatasetKind::icebergs}; return true;
     case FileFormat::bag:
     case FileFormat::geotiff:

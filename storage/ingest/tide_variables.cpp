@@ -1,0 +1,144 @@
+#include "storage/ingest/tide_variables.hpp"
+
+#include <algorithm>
+#include <array>
+
+#include "storage/ingest/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using ocean::TideQuantity;
+
+struct KnownPair {
+  const char* first;  // lower case
+  const char* second;
+  TideQuantity quantity;
+  bool amplitude_and_phase;
+};
+
+constexpr std::array known_pairs{
+    KnownPair{"hre", "him", TideQuantity::elevation, false},
+    KnownPair{"ure", "uim", TideQuantity::east, false},
+    KnownPair{"vre", "vim", TideQuantity::north, false},
+    KnownPair{"amplitude", "phase", TideQuantity::elevation, true},
+    KnownPair{"ha", "hg", TideQuantity::elevation, true},
+    KnownPair{"ua", "ug", TideQuantity::east, true},
+    KnownPair{"va", "vg", TideQuantity::north, true},
+    KnownPair{"ampl", "phas", TideQuantity::elevation, true},
+    KnownPair{"uamp", "upha", TideQuantity::east, true},
+    KnownPair{"vamp", "vpha", TideQuantity::north, true},
+};
+
+const NetcdfVariable* field_named(const NetcdfFile& file, const std::string& lower_name) {
+  for (const NetcdfVariable& variable : file.variables())
+    if (variable.is_numeric() && variable.dimensions().size() >= 2 && lower(variable.name()) == lower_name)
+      return &variable;
+  return nullptr;
+}
+
+bool is_roms_forcing(const NetcdfFile& file) {
+  return file.find("tide_Eamp") != nullptr || file.find("tide_Cmax") != nullptr ||
+         (file.find("ssh_Re") != nullptr && file.find("ssh_Im") != nullptr);
+}
+
+/// "centimeter^2/sec" as "cm2/s".
+std::string plain_unit(std::string unit) {
+  unit = lower(unit);
+  const auto replace = [&](std::string_view from, std::string_view to) {
+    for (std::size_t at = unit.find(from); at != std::string::npos; at = unit.find(from, at + to.size()))
+      unit.replace(at, from.size(), to);
+  };
+  replace("millimeters", "mm");
+  replace("millimeter", "mm");
+  replace("centimeters", "cm");
+  replace("centimeter", "cm");
+  replace("meters", "m");
+  replace("meter", "m");
+  replace("metres", "m");
+  replace("metre", "m");
+  replace("seconds", "s");
+  replace("second", "s");
+  replace("sec", "s");
+  replace("s^-1", "s-1");
+  replace("**", "");
+  replace("^", "");
+  replace(" ", "");
+  replace("s-1", "/s");
+  replace("//", "/");
+  return unit;
+}
+
+Checked<bool> read_unit(TideVariables& found) {
+  struct Unit {
+    const char* name;
+    double factor;
+    bool transport;
+  };
+  constexpr std::array lengths{Unit{"m", 1.0, false}, Unit{"cm", 0.01, false}, Unit{"mm", 0.001, false}};
+  constexpr std::array flows{Unit{"m/s", 1.0, false}, Unit{"cm/s", 0.01, false}, Unit{"mm/s", 0.001, false},
+                             Unit{"m2/s", 1.0, true}, Unit{"cm2/s", 1e-4, true}, Unit{"mm2/s", 1e-6, true}};
+  const std::string stated = found.first->attribute("units");
+  const std::string unit = plain_unit(stated);
+  const auto take = [&](const auto& units) {
+    const auto known = std::ranges::find_if(units, [&](const Unit& u) { return unit == u.name; });
+    if (known == units.end()) return false;
+    found.factor = known->factor;
+    found.transport = known->transport;
+    return true;
+  };
+  if (found.quantity == TideQuantity::elevation ? take(lengths) : take(flows)) return true;
+  return refuse(
+      "the tide \"" + found.first->name() + "\" has the unit \"" + stated +
+      "\", which this program cannot read; its size would be a guess; state metres, m/s or m2/s (or their "
+      "hundredths or thousandths) in the attribute units");
+}
+
+Checked<bool> check_phase(const NetcdfVariable& phase) {
+  const std::string unit = lower(phase.attribute("units"));
+  if (unit.empty() || unit.starts_with("deg")) return true;
+  return refuse("the phase \"" + phase.name() + "\" has the unit \"" + unit +
+                "\", not degrees; convert it to degrees behind Greenwich");
+}
+
+}  // namespace
+
+bool holds_tides(const NetcdfFile& file) {
+  return is_roms_forcing(file) || std::ranges::any_of(known_pairs, [&](const KnownPair& pair) {
+           return field_named(file, pair.first) != nullptr && field_named(file, pair.second) != nullptr;
+         });
+}
+
+Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file) {
+  if (is_roms_forcing(file))
+    return refuse(
+        "this is the tidal forcing of a ROMS model: its phases count from a date of the model's own and its "
+        "places are "
+        "in another file; the tide it was made from (TPXO, FES) is what can be read; give that");
+  std::vector<TideVariables> tides;
+  const auto has = [&](TideQuantity quantity) {
+    return std::ranges::find(tides, quantity, &TideVariables::quantity) != tides.end();
+  };
+  for (const KnownPair& pair : known_pairs) {
+    const NetcdfVariable* first = field_named(file, pair.first);
+    const NetcdfVariable* second = field_named(file, pair.second);
+    if (first == nullptr || second == nullptr || has(pair.quantity)) continue;
+    const auto same = [](const NetcdfDimension& a, const NetcdfDimension& b) { return a.name == b.name; };
+    if (!std::ranges::equal(first->dimensions(), second->dimensions(), same))
+      return refuse("\"" + first->name() + "\" and \"" + second->name() +
+                    "\" do not lie on the same dimensions; the file is damaged; get it again");
+    TideVariables found{pair.quantity, first, second, pair.amplitude_and_phase};
+    if (const auto unit = read_unit(found); !unit) return refuse(unit.error());
+    if (pair.amplitude_and_phase)
+      if (const auto phase = check_phase(*second); !phase) return refuse(phase.error());
+    tides.push_back(found);
+  }
+  if (has(TideQuantity::east) != has(TideQuantity::north))
+    return refuse(
+        "the file holds only the " + std::string{has(TideQuantity::east) ? "eastward" : "northward"} +
+        " component of the tidal current; both are needed; join the two files first, for example with "
+        "ncks -A v.nc u.nc");
+  return tides;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/ocean/tide_grid.hpp"
+#include "storage/ingest/netcdf_file.hpp"
+#include "storage/ingest/refusal.hpp"
+
+namespace floeplan::ingest {
+
+/// One quantity of a tide in a file.
+struct TideVariables {
+  ocean::TideQuantity quantity{};
+  const NetcdfVariable* first{nullptr};   // real part, or amplitude
+  const NetcdfVariable* second{nullptr};  // imaginary part of A exp(-i g), or Greenwich phase lag in degrees
+  bool amplitude_and_phase{false};
+  bool transport{false};  // of the whole column, m2/s: to be divided by the depth
+  double factor{1.0};     // metres, m/s or m2/s in one unit of the amplitude
+};
+
+/// Whether the file holds harmonic constants of a tide.
+[[nodiscard]] bool holds_tides(const NetcdfFile& file);
+
+/// What a file holds, elevations first. Known are the names of TPXO and OTIS (hRe, hIm, uRe, uIm, vRe, vIm), TMD 3 (URe,
+/// ...), FES (amplitude, phase, Ua, Ug, Va, Vg), FES2012 (Ha, Hg) and HAMTIDE (AMPL, PHAS, UAMP, UPHA, VAMP, VPHA).
+/// Errors   a tidal forcing of ROMS; half of a pair; one component of the current alone; a unit that is none
+[[nodiscard]] Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file);
+
+}  // namespace floeplan::ingest

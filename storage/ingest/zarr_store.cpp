@@ -1,0 +1,124 @@
+#include "storage/ingest/zarr_store.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "storage/ingest/file_digest.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+constexpr std::size_t max_files = 100'000;
+constexpr std::uint64_t max_description_bytes = 1'000'000;
+constexpr std::uint64_t max_chunk_bytes = 256'000'000;
+constexpr std::uint64_t most_bytes_a_value = 16;
+
+std::string damaged(const fs::path& file, const std::string& why) {
+  return "the description " + file.parent_path().filename().string() + "/" + file.filename().string() + " " +
+         why + "; the Zarr store is damaged; copy or download it again";
+}
+
+/// The product of the numbers; nullopt when one is no count or the product is beyond `most`.
+std::optional<std::uint64_t> product(const json& numbers, std::uint64_t most) {
+  if (!numbers.is_array()) return std::nullopt;
+  std::uint64_t result = 1;
+  for (const json& number : numbers) {
+    if (!number.is_number_unsigned()) return std::nullopt;
+    const auto count = number.get<std::uint64_t>();
+    if (count == 0 || count > most / result) return std::nullopt;
+    result *= count;
+  }
+  return result;
+}
+
+Checked<bool> check_array(const fs::path& description, std::size_t chunk_files) {
+  if (fs::file_size(description) > max_description_bytes)
+    return refuse(damaged(description, "is over 1 MB long"));
+  std::ifstream in{description, std::ios::binary};
+  const std::string text{std::istreambuf_iterator<char>{in}, {}};
+  const json array = json::parse(text, nullptr, false);
+  if (!array.is_object() || !array.contains("shape") || !array.contains("chunks"))
+    return refuse(damaged(description, "has no shape or no chunks"));
+  const json& shape = array["shape"];
+  const json& chunks = array["chunks"];
+  constexpr std::uint64_t max_values = 4'000'000'000'000;
+  if (!product(shape, max_values) || !product(chunks, max_chunk_bytes / most_bytes_a_value) ||
+      shape.size() != chunks.size())
+    return refuse(damaged(
+        description,
+        "gives a shape or chunks that are none, or chunks over 256 MB, more than this program unpacks"));
+  std::uint64_t needed = 1;
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    const auto length = shape[i].get<std::uint64_t>();
+    const auto chunk = chunks[i].get<std::uint64_t>();
+    needed *= (length + chunk - 1) / chunk;
+    if (needed > 10 * max_files) break;
+  }
+  if (needed > 10 * (chunk_files + 1))
+    return refuse(damaged(description, "needs " + std::to_string(needed) + " chunks, but there are only " +
+                                           std::to_string(chunk_files)));
+  return true;
+}
+
+}  // namespace
+
+Checked<ZarrStore> open_zarr(const fs::path& folder) {
+  if (fs::exists(folder / "zarr.json"))
+    return refuse(
+        "this is a Zarr store of version 3; this layout is not yet supported; convert it to NetCDF or to "
+        "Zarr version 2 "
+        "first");
+  if (!fs::exists(folder / ".zgroup"))
+    return refuse("this Zarr store has no group at its top; give the folder that holds .zgroup");
+  ZarrStore store;
+  std::error_code error;
+  for (auto entry = fs::recursive_directory_iterator{folder, error};
+       entry != fs::recursive_directory_iterator{}; entry.increment(error)) {
+    if (error) return refuse("the Zarr store cannot be read; check that you may read its folders");
+    if (entry->is_symlink() || (!entry->is_directory() && !entry->is_regular_file()))
+      return refuse("the Zarr store holds something that is no file (" + entry->path().filename().string() +
+                    "); copy it without links");
+    if (entry->is_directory()) continue;
+    store.files.push_back(entry->path());
+    store.bytes += entry->file_size();
+    if (store.files.size() > max_files)
+      return refuse("the Zarr store has more than 100000 files; cut out your area and period first");
+  }
+  if (error) return refuse("the Zarr store cannot be read; check that you may read its folders");
+  std::ranges::sort(store.files);
+  for (const fs::path& file : store.files) {
+    if (file.filename() != ".zarray") continue;
+    const auto beside = std::ranges::count_if(store.files, [&](const fs::path& other) {
+      return other.string().starts_with(file.parent_path().string() + "/") &&
+             other.filename().string()[0] != '.';
+    });
+    if (const auto checked = check_array(file, static_cast<std::size_t>(beside)); !checked)
+      return refuse(checked.error());
+  }
+  return store;
+}
+
+std::uint64_t bytes_of_zarr(const fs::path& folder) {
+  const auto store = open_zarr(folder);
+  return store ? store->bytes : 0;
+}
+
+Checked<std::string> sha256_of_zarr(const fs::path& folder) {
+  const auto store = open_zarr(folder);
+  if (!store) return refuse(store.error());
+  std::string digests;
+  for (const fs::path& file : store->files) {
+    const auto digest = sha256_of_file(file);
+    if (!digest) return refuse(digest.error());
+    digests += file.lexically_relative(folder).generic_string() + " " + *digest + "\n";
+  }
+  return sha256_of_text(digests);
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,292 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <limits>
+
+#include "engine/core/utc_text.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "storage/repository/tide_repository.hpp"
+#include "tests/storage/ingest/netcdf_writer.hpp"
+#include "tests/storage/ingest/store_fixture.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using ocean::TideQuantity;
+using testing::ElementsAre;
+using testing::HasSubstr;
+
+class TideFile : public StoreFixture {
+ protected:
+  std::optional<std::vector<tide::HarmonicConstant>> constants(const IngestReport& report,
+                                                               TideQuantity quantity, geo::LonLat place) {
+    const auto model = repository::TideRepository{db_}.load(
+        report.dataset->id, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg});
+    return model ? model->constants(quantity, place) : std::nullopt;
+  }
+};
+
+NetcdfWriter::Variable field(const std::string& name, const std::vector<std::string>& dimensions,
+                             const std::vector<double>& values, const std::string& unit) {
+  return {.name = name,
+          .dimensions = dimensions,
+          .values = values,
+          .texts = {{"units", unit}},
+          .numbers = {},
+          .fill = {},
+          .type = NetcdfWriter::Type::float64};
+}
+
+void place_nodes(NetcdfWriter& writer, const std::string& suffix, const std::vector<double>& lons,
+                 const std::vector<double>& lats) {
+  writer.variable(field("lon_" + suffix, {"nx"}, lons, "degree_east"));
+  writer.variable(field("lat_" + suffix, {"ny"}, lats, "degree_north"));
+}
+
+/// As the atlas of TPXO: dimensions nx, ny; longitudes from 0 to 360; the west first.
+void write_tpxo_elevation(const std::filesystem::path& file, const std::string& unit = "millimeter") {
+  NetcdfWriter writer{file};
+  writer.dimension("nx", 3);
+  writer.dimension("ny", 2);
+  place_nodes(writer, "z", {306.0, 306.5, 307.0}, {69.0, 69.5});
+  writer.variable(field("hRe", {"nx", "ny"}, {100, 200, 300, 400, 500, 0}, unit));
+  writer.variable(field("hIm", {"nx", "ny"}, {-10, -20, -30, -40, -50, 0}, unit));
+}
+
+TEST_F(TideFile, OfTpxoHoldsTheConjugateOfThePhaseLagAtItsNodes) {
+  write_tpxo_elevation(path("h_m2_tpxo9_atlas_30.nc"));
+
+  const IngestReport report = ingest(path("h_m2_tpxo9_atlas_30.nc"));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_EQ(report.dataset->kind, repository::DatasetKind::tides);
+  EXPECT_THAT(report.dataset->variables, ElementsAre("M2"));
+  EXPECT_EQ(report.dataset->rows_accepted, 5);
+  const auto node = constants(report, TideQuantity::elevation, {-53.5, 69.5});
+  ASSERT_TRUE(node);
+  EXPECT_LT(std::abs(node->front().value - std::complex<double>{0.4, -0.04}), 1e-6);
+  EXPECT_FALSE(constants(report, TideQuantity::elevation, {-53.0, 69.5})) << "zero is land";
+}
+
+TEST_F(TideFile, IsRefusedWhenItsNameIsNoConstituentAndNothingElseTells) {
+  write_tpxo_elevation(path("elevation.nc"));
+  expect_refused(path("elevation.nc"), "of which constituent");
+}
+
+TEST_F(TideFile, IsRefusedWhenNoTideIsThatHigh) {
+  write_tpxo_elevation(path("m2.nc"), "meter");
+  expect_refused(path("m2.nc"), "no tide has more than 20 m");
+}
+
+TEST_F(TideFile, IsRefusedWithAUnitThatIsNone) {
+  write_tpxo_elevation(path("m2.nc"), "furlong");
+  expect_refused(path("m2.nc"), "furlong");
+}
+
+/// Transports of a C-grid, 0.25 degrees west and south of the nodes, over 100 m and 200 m of water.
+void write_tpxo_transport(const std::filesystem::path& file, bool with_depths) {
+  NetcdfWriter writer{file};
+  writer.dimension("nx", 3);
+  writer.dimension("ny", 2);
+  place_nodes(writer, "u", {305.75, 306.25, 306.75}, {69.0, 69.5});
+  place_nodes(writer, "v", {306.0, 306.5, 307.0}, {68.75, 69.25});
+  // cm2/s: 100 m of water at 0.1, 0.2, 0.3 m/s is 1e5 cm2/s and so on.
+  writer.variable(field("uRe", {"nx", "ny"}, {1e5, 1e5, 2e5, 2e5, 3e5, 3e5}, "centimeter^2/sec"));
+  writer.variable(field("uIm", {"nx", "ny"}, {1e4, 1e4, 1e4, 1e4, 1e4, 1e4}, "centimeter^2/sec"));
+  writer.variable(field("vRe", {"nx", "ny"}, {-2e5, -4e5, -2e5, -4e5, -2e5, -4e5}, "centimeter^2/sec"));
+  writer.variable(field("vIm", {"nx", "ny"}, {2e4, 2e4, 2e4, 2e4, 2e4, 2e4}, "centimeter^2/sec"));
+  if (!with_depths) return;
+  writer.variable(field("hu", {"nx", "ny"}, {100, 100, 100, 100, 100, 100}, "meter"));
+  writer.variable(field("hv", {"nx", "ny"}, {200, 200, 200, 200, 200, 200}, "meter"));
+}
+
+TEST_F(TideFile, OfTransportsIsDividedByTheDepthAndBroughtToTheNodes) {
+  write_tpxo_transport(path("u_k1_tpxo.nc"), true);
+
+  const IngestReport report = ingest(path("u_k1_tpxo.nc"));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(report.dataset->variables, ElementsAre("K1"));
+  const auto east = constants(report, TideQuantity::east, {-54.0, 69.0});
+  ASSERT_TRUE(east);
+  EXPECT_LT(std::abs(east->front().value - std::complex<double>{0.15, 0.01}), 1e-6);
+  const auto north = constants(report, TideQuantity::north, {-54.0, 69.0});
+  ASSERT_TRUE(north);
+  EXPECT_LT(std::abs(north->front().value - std::complex<double>{-0.15, 0.01}), 1e-6);
+}
+
+TEST_F(TideFile, OfTransportsWithoutDepthsIsRefused) {
+  write_tpxo_transport(path("u_k1_tpxo.nc"), false);
+  expect_refused(path("u_k1_tpxo.nc"), "no depths to make it a speed");
+}
+
+/// As FES: amplitude and phase, latitude and longitude, one constituent a file.
+void write_fes(const std::filesystem::path& file, const std::vector<std::string>& names) {
+  NetcdfWriter writer{file};
+  writer.axis("lat", {70.0, 69.0}, {{"units", "degrees_north"}});
+  writer.axis("lon", {350.0, 351.0, 352.0}, {{"units", "degrees_east"}});
+  for (std::size_t i = 0; i < names.size(); i += 2) {
+    auto amplitude = field(names[i], {"lat", "lon"}, {50.0, 60.0, 1e10, 10.0, 20.0, 30.0},
+                           names[i] == "amplitude" ? "cm" : "cm/s");
+    amplitude.fill = 1e10;
+    auto phase = field(names[i + 1], {"lat", "lon"}, {0.0, 90.0, 1e10, 180.0, 270.0, 45.0}, "degrees");
+    phase.fill = 1e10;
+    writer.variable(amplitude);
+    writer.variable(phase);
+  }
+}
+
+TEST_F(TideFile, OfFesHoldsAmplitudesAndPhases) {
+  write_fes(path("2n2_fes2014c.nc"), {"amplitude", "phase"});
+
+  const IngestReport report = ingest(path("2n2_fes2014c.nc"));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(report.dataset->variables, ElementsAre("2N2"));
+  const auto lag_of_90 = constants(report, TideQuantity::elevation, {-9.0, 70.0});
+  ASSERT_TRUE(lag_of_90);
+  EXPECT_LT(std::abs(lag_of_90->front().value - std::complex<double>{0.0, -0.6}), 1e-6);
+  EXPECT_FALSE(constants(report, TideQuantity::elevation, {-8.0, 70.0}));
+}
+
+TEST_F(TideFile, OfOneComponentOfTheCurrentIsRefused) {
+  write_fes(path("m2.nc"), {"Ua", "Ug"});
+  expect_refused(path("m2.nc"), "only the eastward component");
+}
+
+TEST_F(TideFile, OfTmdNamesItsConstituentsAndItsProjection) {
+  NetcdfWriter writer{path("cats.nc")};
+  writer.dimension("constituents", 2);
+  writer.axis("y", {-1000.0, -1002.0}, {{"units", "kilometer"}});
+  writer.axis("x", {500.0, 502.0, 504.0}, {{"units", "kilometer"}});
+  NetcdfWriter::Variable order = field("constituents", {"constituents"}, {1, 2}, "");
+  order.texts = {{"constituent_order", "m2 k1"}};
+  writer.variable(order);
+  NetcdfWriter::Variable mapping = field("mapping", {}, {0}, "");
+  mapping.texts = {
+      {"spatial_proj4",
+       "+proj=stere +lat_0=-90 +lat_ts=-71 +lon_0=-70 +x_0=0 +y_0=0 +datum=WGS84 +units=km +no_defs"}};
+  writer.variable(mapping);
+  const std::vector<double> values{1, 2, 3, 4, 5, 6, 7, 8, 9, 10, 11, 12};
+  for (const char* name : {"hRe", "hIm"})
+    writer.variable(field(name, {"constituents", "y", "x"}, values, "m"));
+  for (const char* name : {"URe", "UIm", "VRe", "VIm"})
+    writer.variable(field(name, {"constituents", "y", "x"}, values, "m^2/s"));
+  writer.variable(field("wct", {"y", "x"}, {100, 100, 100, 100, 100, 0}, "meters"));
+
+  const IngestReport report = ingest(path("cats.nc"));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(report.dataset->variables, ElementsAre("M2", "K1"));
+  const auto shape = repository::FieldRepository{db_}.shape(report.dataset->id);
+  const ocean::HorizontalGrid& grid = shape->grid;
+  const geo::LonLat inside = geo::to_lon_lat(grid.frame(), {500'500.0, -1'000'500.0});
+  const auto east = constants(report, TideQuantity::east, inside);
+  ASSERT_TRUE(east);
+  ASSERT_EQ(east->size(), 2U);
+  // A quarter of the way from the northern row 1, 2 to the southern one 4, 5, and along it: 1 + 0.25 + 0.75.
+  // K1 comes before M2 in the catalogue, and has 6 more at every node.
+  EXPECT_LT(std::abs(east->at(0).value - std::complex<double>{0.08, 0.08}), 1e-6)
+      << "the first row is the north";
+  EXPECT_LT(std::abs(east->at(1).value - std::complex<double>{0.02, 0.02}), 1e-6);
+  const geo::LonLat by_land = geo::to_lon_lat(grid.frame(), {503'999.0, -1'001'999.0});
+  EXPECT_NEAR(constants(report, TideQuantity::elevation, by_land)->front().value.real(), 12.0, 0.01);
+  EXPECT_NEAR(constants(report, TideQuantity::east, by_land)->front().value.real(), 0.10, 0.01)
+      << "no water there";
+}
+
+TEST_F(TideFile, ThatForcesARomsModelIsRefusedBecauseItsPhasesAndPlacesAreElsewhere) {
+  NetcdfWriter writer{path("tides.nc")};
+  writer.dimension("tide_period", 1);
+  writer.dimension("eta_rho", 2);
+  writer.dimension("xi_rho", 2);
+  for (const char* name : {"tide_Eamp", "tide_Ephase"})
+    writer.variable(field(name, {"tide_period", "eta_rho", "xi_rho"}, {1, 2, 3, 4}, "meter"));
+  expect_refused(path("tides.nc"), "forcing of a ROMS model");
+}
+
+class TideStations : public StoreFixture {
+ protected:
+  std::vector<repository::TideStation> stations(const IngestReport& report) {
+    return repository::TideRepository{db_}.stations(report.dataset->id);
+  }
+};
+
+const std::string noaa = R"({"units":"feet","HarmonicConstituents":[
+  {"number":1,"name":"M2","amplitude":1.0,"phase_GMT":60.0,"phase_local":10.0,"speed":28.984104},
+  {"number":2,"name":"S2","amplitude":0.5,"phase_GMT":-30.0,"phase_local":1.0,"speed":30.0},
+  {"number":3,"name":"S6","amplitude":0.0,"phase_GMT":0.0,"phase_local":0.0,"speed":90.0}]})";
+
+TEST_F(TideStations, OfNoaaNeedAPlaceAndAreConvertedFromFeet) {
+  const auto file = write_file("harcon.json", noaa);
+  expect_refused(file, "--at LON,LAT");
+
+  const IngestReport report = ingest(file, {.at = geo::LonLat{-157.9, 21.3}});
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  ASSERT_EQ(stations(report).size(), 1U);
+  const repository::TideStation station = stations(report).front();
+  EXPECT_EQ(station.place, (geo::LonLat{-157.9, 21.3}));
+  ASSERT_EQ(station.constants.size(), 2U);
+  EXPECT_LT(std::abs(station.constants[0].value - tide::harmonic_value(0.3048, 60.0)), 1e-12);
+}
+
+TEST_F(TideStations, WhoseLabelsDoNotFitTheirSpeedsAreRefused) {
+  std::string swapped = noaa;
+  swapped.replace(swapped.find("28.984104"), 9, "28.439730");
+  expect_refused(write_file("harcon.json", swapped), "labels do not fit", {.at = geo::LonLat{0.0, 0.0}});
+}
+
+TEST_F(TideStations, ThatWereCutShortAreRefused) {
+  for (std::size_t twentieth = 1; twentieth < 20; ++twentieth) {
+    const auto file = write_file("cut.json", noaa.substr(0, noaa.size() * twentieth / 20));
+    EXPECT_EQ(ingest(file, {.at = geo::LonLat{0.0, 0.0}}).status, IngestStatus::refused) << twentieth;
+  }
+}
+
+TEST_F(TideStations, InATableNeedAUnit) {
+  const auto file = write_file(
+      "table.tsv", "Constituent #\tName\tAmplitude\tPhase\tSpeed\n1\tM2\t0.171\t59.4\t28.984104\n");
+  expect_refused(file, "--unit", {.at = geo::LonLat{-157.9, 21.3}});
+
+  const IngestReport report = ingest(file, {.at = geo::LonLat{-157.9, 21.3}, .unit = "m"});
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_LT(std::abs(stations(report).front().constants.front().value - tide::harmonic_value(0.171, 59.4)),
+            1e-12);
+}
+
+TEST_F(TideStations, OfTheRealSamplesAreReadWhole) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+  const IngestReport honolulu = ingest(sample_folder() / "tides/noaa_honolulu.json");
+  ASSERT_EQ(honolulu.status, IngestStatus::stored) << words(honolulu);
+  EXPECT_NEAR(stations(honolulu).front().place.lon_deg, -157.8645, 1e-4);
+  EXPECT_EQ(stations(honolulu).front().constants.front().value, tide::harmonic_value(0.171, 59.4));
+
+  const IngestReport anchorage = ingest(sample_folder() / "tides/noaa_anchorage-knik-arm.json");
+  ASSERT_EQ(anchorage.status, IngestStatus::stored) << words(anchorage);
+  EXPECT_TRUE(anchorage.warnings.empty()) << words(anchorage) << "every constituent is known";
+
+  const IngestReport otps = ingest(sample_folder() / "tides/otps_tpxo9v2a_extract_HC_sample_out.txt");
+  ASSERT_EQ(otps.status, IngestStatus::stored) << words(otps);
+  ASSERT_EQ(stations(otps).size(), 3U);
+  EXPECT_NEAR(stations(otps)[1].place.lat_deg, -29.676001, 1e-9);
+  EXPECT_EQ(stations(otps)[2].constants[2].value, tide::harmonic_value(0.138, -11.1));
+
+  const IngestReport utide =
+      ingest(sample_folder() / "tides/utide_HNL2010_coef_matlab.csv", {.at = geo::LonLat{-157.87, 21.3}});
+  ASSERT_EQ(utide.status, IngestStatus::stored) << words(utide);
+  EXPECT_EQ(stations(utide).front().constants.size(), 59U);
+  EXPECT_NEAR(std::abs(stations(utide).front().constants.front().value), 0.176922, 1e-6);
+
+  const IngestReport oce = ingest(sample_folder() / "tides/oce_noaa_harmonics_sample.tsv",
+                                  {.at = geo::LonLat{-157.87, 21.3}, .unit = "m"});
+  ASSERT_EQ(oce.status, IngestStatus::stored) << words(oce);
+  EXPECT_EQ(std::abs(stations(oce).front().constants.front().value), 0.171);
+  expect_refused(sample_folder() / "tides/aviso_fes2014_v12_fes_slev.txt", "");
+  expect_refused(sample_folder() / "tides/roms_tidal_forcing_v3.zarr", "Zarr");
+}
+
+}  // namespace
+}  // namespace floeplan::ingest
