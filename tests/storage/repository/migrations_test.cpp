@@ -64,6 +64,8 @@ CREATE TABLE first_dataset (
   tool_version TEXT NOT NULL
 ) STRICT;
 INSERT INTO first_dataset SELECT * FROM dataset;
+DROP TABLE tide_constant;
+DROP TABLE tide_station;
 DROP TABLE dataset;
 ALTER TABLE first_dataset RENAME TO dataset;
 PRAGMA user_version = 1;
