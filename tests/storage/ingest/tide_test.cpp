@@ -2,13 +2,16 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
-#include <limits>
+#include <fstream>
+#include <iterator>
+#include <random>
 
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/tide_repository.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/property.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -204,6 +207,38 @@ TEST_F(TideFile, ThatForcesARomsModelIsRefusedBecauseItsPhasesAndPlacesAreElsewh
   for (const char* name : {"tide_Eamp", "tide_Ephase"})
     writer.variable(field(name, {"tide_period", "eta_rho", "xi_rho"}, {1, 2, 3, 4}, "meter"));
   expect_refused(path("tides.nc"), "forcing of a ROMS model");
+}
+
+std::string bytes_of(const std::filesystem::path& file) {
+  std::ifstream in{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+TEST_F(TideFile, ThatWasCutShortIsRefused) {
+  write_tpxo_transport(path("u_k1_tpxo.nc"), true);
+  const std::string whole = bytes_of(path("u_k1_tpxo.nc"));
+  for (std::size_t twentieth = 0; twentieth < 20; ++twentieth) {
+    const auto file = write_file("k1.nc", whole.substr(0, whole.size() * twentieth / 20));
+    EXPECT_EQ(ingest(file).status, IngestStatus::refused) << twentieth;
+    EXPECT_EQ(stored_datasets(), 0U);
+  }
+}
+
+TEST_F(TideFile, WithFlippedBytesIsRefusedOrHoldsPlausibleConstants) {
+  write_tpxo_transport(path("u_k1_tpxo.nc"), true);
+  const std::string whole = bytes_of(path("u_k1_tpxo.nc"));
+  support::for_each_seed(100, [&](std::mt19937_64& rng) {
+    std::string flipped = whole;
+    for (int i = 0; i < 3; ++i) flipped[rng() % flipped.size()] ^= static_cast<char>(1U << (rng() % 8));
+    for (const IngestReport& report : ingest_all(write_file("k1.nc", flipped))) {
+      if (report.status != IngestStatus::stored) continue;
+      const auto model =
+          repository::TideRepository{db_}.load(report.dataset->id, {-180.0, -90.0, 180.0, 90.0});
+      ASSERT_TRUE(model);
+      for (const auto& line : model->samples().lines)
+        for (const auto& value : line.east) EXPECT_FALSE(std::abs(value) > 10.0F);
+    }
+  });
 }
 
 class TideStations : public StoreFixture {
