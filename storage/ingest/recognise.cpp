@@ -104,6 +104,10 @@ Checked<RecognisedFile> recognise(const std::filesystem::path& file, std::option
   const auto looked = look_into(result, wanted);
   if (!looked) return refuse(looked.error());
   if (!wanted) return result;
+  // Outlines are land unless icebergs are asked for.
+  const bool outlines =
+      result.kinds == std::vector{DatasetKind::coastline} && result.format == FileFormat::geojson;
+  if (outlines && wanted == DatasetKind::icebergs) result.kinds = {DatasetKind::icebergs};
 
   if (std::find(result.kinds.begin(), result.kinds.end(), *wanted) == result.kinds.end())
     return refuse("the file holds " + repository::kind_name(result.kinds.front()) + ", not " +
