@@ -134,8 +134,9 @@ Checked<StoredCurrents> placed(const CurrentInput& input, std::shared_ptr<const 
     return StoredCurrents{input.source, std::move(land), *input.grid, nullptr, std::move(depths_m)};
   auto grid = target_grid_for(input.mesh);
   if (!grid) return refuse(grid.error());
-  auto resampling = std::make_shared<const Resampling>(input.mesh, *grid);
-  return StoredCurrents{input.source, std::move(land), std::move(*grid), std::move(resampling),
+  auto resampling = Resampling::of(input.mesh, *grid);
+  if (!resampling) return refuse(resampling.error());
+  return StoredCurrents{input.source, std::move(land), std::move(*grid), std::move(*resampling),
                         std::move(depths_m)};
 }
 

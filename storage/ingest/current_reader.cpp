@@ -4,6 +4,8 @@
 
 #include "storage/ingest/current_dataset.hpp"
 #include "storage/ingest/curvilinear_source.hpp"
+#include "storage/ingest/mesh_source.hpp"
+#include "storage/ingest/mesh_topology.hpp"
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
@@ -74,6 +76,14 @@ Checked<PreparedDataset> read_currents(const NetcdfFiles& files, const std::opti
   input.variables = {pair->first->name(), pair->second->name()};
   input.states_unit = !pair->first->attribute("units").empty();
 
+  if (lies_on_mesh(*pair->first_file, *pair->first)) {
+    auto mesh = mesh_currents(files, *pair, input.warnings);
+    if (!mesh) return refuse(mesh.error());
+    input.source = std::move(mesh->source);
+    input.mesh = std::move(mesh->mesh);
+    input.layout = std::move(mesh->layout);
+    return prepare_currents(std::move(input), progress);
+  }
   const bool bent_grid = have_tables(files, *pair) || are_staggered(*pair) || is_roms(*pair);
   if (lie_on_axes(files, *pair, stated_crs) || !bent_grid) {
     auto regular = rectilinear_currents(files, *pair, stated_crs, input.warnings);

@@ -42,9 +42,6 @@ Checked<FileFormat> format_of_folder(const std::filesystem::path& folder) {
 
 /// What a file is that this program knows but does not read; empty when it may be readable.
 std::string refusal_of_foreign(std::string_view head) {
-  if (head.starts_with("GRIB"))
-    return "this is a GRIB file; this layout is not yet supported, because GRIB does not reliably tell "
-           "whether currents point along the grid or towards east and north; convert it to NetCDF first";
   if (head.find("BSB/") < 4096 || head.find("KNP/") < 4096)
     return "this is a raster chart (KAP/BSB): a picture of a chart in colours, not depths; depths cannot be "
            "read from it; give a bathymetry grid of the area";
@@ -158,6 +155,7 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
   const std::string_view bytes = head;
   if (bytes.starts_with("CDF\x01") || bytes.starts_with("CDF\x02") || bytes.starts_with("CDF\x05"))
     return format_of_classic_netcdf(file);
+  if (bytes.starts_with("GRIB")) return FileFormat::grib;
   if (bytes.starts_with("\x89HDF\r\n\x1a\n"))
     return bytes.find("BAG_root") != std::string_view::npos ? FileFormat::bag : FileFormat::netcdf4;
   if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv) ||
@@ -171,7 +169,8 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
     return format;
   }
   return refuse(
-      "this program does not know what this file is; give NetCDF, GeoTIFF, BAG, ESRI ASCII, XYZ, GeoJSON or "
+      "this program does not know what this file is; give NetCDF, GRIB, GeoTIFF, BAG, ESRI ASCII, XYZ, "
+      "GeoJSON or "
       "the sightings of the International Ice Patrol");
 }
 

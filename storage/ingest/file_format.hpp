@@ -12,6 +12,7 @@ enum class FileFormat {
   netcdf_classic,
   netcdf4,
   zarr,
+  grib,
   bag,
   geotiff,
   ascii_grid,
@@ -25,7 +26,7 @@ enum class FileFormat {
   otps_extract
 };
 
-/// Errors   every other file, by name where it is known (GRIB, chart pictures, Zarr, archives, ...); an empty
+/// Errors   every other file, by name where it is known (chart pictures, Zarr, archives, ...); an empty
 /// file; a
 ///          folder; a classic NetCDF file that is shorter than its header says
 [[nodiscard]] Checked<FileFormat> format_of(const std::filesystem::path& file);

@@ -28,6 +28,7 @@ void register_drivers() {
     GDALRegister_GTiff();
     GDALRegister_netCDF();
     GDALRegister_Zarr();
+    GDALRegister_GRIB();
     GDALRegister_BAG();
     GDALRegister_AAIGrid();
     GDALRegister_XYZ();

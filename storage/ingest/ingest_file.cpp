@@ -11,6 +11,7 @@
 #include "storage/ingest/file_digest.hpp"
 #include "storage/ingest/file_groups.hpp"
 #include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/grib_currents.hpp"
 #include "storage/ingest/gshhg_coastline.hpp"
 #include "storage/ingest/ice_reader.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
@@ -47,6 +48,7 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
       if (kind == DatasetKind::ice) return read_ice(file.netcdf, options, progress);
       return kind == DatasetKind::currents ? read_currents(together(file), options.crs, progress)
                                            : read_netcdf_bathymetry(*file.netcdf, options);
+    case FileFormat::grib: return read_grib_currents(file.path, progress);
     case FileFormat::bag: return read_raster_bathymetry(file.path, "BAG", options);
     case FileFormat::geotiff: return read_raster_bathymetry(file.path, "GTiff", options);
     case FileFormat::ascii_grid: return read_raster_bathymetry(file.path, "AAIGrid", options);

@@ -1,6 +1,7 @@
 #include "storage/ingest/netcdf_coordinates.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "storage/ingest/cf_time.hpp"
 #include "storage/ingest/cf_units.hpp"
@@ -12,6 +13,16 @@ namespace {
 bool runs_along(const NetcdfVariable& variable, const NetcdfDimension& dimension) {
   return variable.is_numeric() && variable.dimensions().size() == 1 &&
          variable.dimensions().front().name == dimension.name;
+}
+
+/// By how much times may be off that were rounded to float32.
+double rounding_of_float32_s(const NetcdfVariable& coordinate, const std::vector<double>& values,
+                             const CfTime& decoder) {
+  if (!coordinate.is_float32() || values.empty()) return 0.0;
+  const auto last = static_cast<float>(values.back());
+  const auto at = decoder.at(static_cast<double>(last));
+  const auto next = decoder.at(static_cast<double>(std::nextafter(last, 0.0F)));
+  return at && next ? 0.5 * std::abs((*at - *next).count()) : 0.0;
 }
 
 }  // namespace
@@ -75,6 +86,9 @@ Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, std::vector<std:
     if (!time) return refuse(time.error());
     seconds.push_back(core::unix_seconds(*time));
   }
+  if (const double rounding_s = rounding_of_float32_s(coordinate, *values, *decoder); rounding_s > 1.0)
+    warnings.push_back("the times are stored with so few digits that they may be wrong by " +
+                       number(rounding_s, 2) + " s");
   if (decoder->is_model_calendar())
     warnings.push_back("the times are in a model's own calendar (\"" + coordinate.attribute("calendar") +
                        "\"); the dates were kept, but tides and weather of those days are not the real ones");

@@ -80,6 +80,7 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
       file.kinds = {*kind};
       return true;
     }
+    case FileFormat::grib: file.kinds = {DatasetKind::currents}; return true;
     case FileFormat::tide_json:
     case FileFormat::tide_table:
     case FileFormat::otps_extract: file.kinds = {DatasetKind::tides}; return true;

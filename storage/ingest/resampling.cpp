@@ -6,7 +6,6 @@
 
 #include "engine/ocean/bilinear.hpp"
 #include "storage/ingest/cell_weights.hpp"
-#include "storage/ingest/node_box.hpp"
 #include "storage/ingest/tangent_plane.hpp"
 
 namespace floeplan::ingest {
@@ -14,35 +13,55 @@ namespace {
 
 constexpr double least_weight = 1e-6;  // below it a point does not count, also when it is missing
 constexpr float least_share_of_water = 0.5F;
+constexpr std::size_t fair_candidates =
+    10'000'000;  // nodes looked at whatever the size: a fraction of a second
+constexpr std::size_t candidates_per_node =
+    30;  // real meshes need 2 to 6, slender cells athwart the grid more
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 
-Resampling::Resampling(const SourceMesh& mesh, const ocean::HorizontalGrid& grid) : stencils_(grid.size()) {
-  const std::size_t columns = grid.x().size();
-  const auto is_free = [](const Stencil& stencil) {
-    return stencil.along == std::array<float, 4>{} && stencil.across == std::array<float, 4>{};
-  };
+Checked<std::shared_ptr<const Resampling>> Resampling::of(const SourceMesh& mesh,
+                                                          const ocean::HorizontalGrid& grid) {
+  const std::shared_ptr<Resampling> result{new Resampling{grid.size()}};
+  const std::size_t affordable = fair_candidates + candidates_per_node * (grid.size() + mesh.cells.size());
+  std::size_t candidates = 0;
   for (const SourceMesh::Cell& cell : mesh.cells) {
     const NodeBox box = nodes_near(grid, mesh, cell);
     if (box.count_x == 0 || box.count_y == 0) continue;
-    const CellWeights weights{mesh, cell};
-    for (std::size_t iy = box.first_y; iy < box.first_y + box.count_y; ++iy) {
-      for (std::size_t i = 0; i < box.count_x; ++i) {
-        const std::size_t ix = (box.first_x + i) % columns;
-        Stencil& stencil = stencils_[iy * columns + ix];
-        if (!is_free(stencil)) continue;
-        const geo::LonLat node = grid.place(ix, iy);
-        const auto inside = weights.at(unit_vector(node));
-        if (!inside) continue;
-        for (std::size_t corner = 0; corner < cell.size(); ++corner) {
-          const double weight = (*inside)[corner];
-          if (weight < least_weight) continue;
-          const double turn = convergence(mesh.points[cell[corner]], node);
-          stencil.point[corner] = cell[corner];
-          stencil.along[corner] = static_cast<float>(weight * std::cos(turn));
-          stencil.across[corner] = static_cast<float>(weight * std::sin(turn));
-        }
+    candidates += box.count_x * box.count_y;
+    if (candidates > affordable)
+      return refuse(
+          "the cells between the model's points lie over one another many times over; its positions are "
+          "damaged; copy "
+          "or download the file again");
+    result->add(mesh, cell, grid, box);
+  }
+  return result;
+}
+
+void Resampling::add(const SourceMesh& mesh, const SourceMesh::Cell& cell, const ocean::HorizontalGrid& grid,
+                     const NodeBox& box) {
+  const auto is_free = [](const Stencil& stencil) {
+    return stencil.along == std::array<float, 4>{} && stencil.across == std::array<float, 4>{};
+  };
+  const std::size_t columns = grid.x().size();
+  const CellWeights weights{mesh, cell};
+  for (std::size_t iy = box.first_y; iy < box.first_y + box.count_y; ++iy) {
+    for (std::size_t i = 0; i < box.count_x; ++i) {
+      const std::size_t ix = (box.first_x + i) % columns;
+      Stencil& stencil = stencils_[iy * columns + ix];
+      if (!is_free(stencil)) continue;
+      const geo::LonLat node = grid.place(ix, iy);
+      const auto inside = weights.at(unit_vector(node));
+      if (!inside) continue;
+      for (std::size_t corner = 0; corner < cell.size(); ++corner) {
+        const double weight = (*inside)[corner];
+        if (weight < least_weight) continue;
+        const double turn = convergence(mesh.points[cell[corner]], node);
+        stencil.point[corner] = cell[corner];
+        stencil.along[corner] = static_cast<float>(weight * std::cos(turn));
+        stencil.across[corner] = static_cast<float>(weight * std::sin(turn));
       }
     }
   }
@@ -72,17 +91,6 @@ VelocitySlice Resampling::apply(std::span<const float> east, std::span<const flo
     out.north[node] = v / share;
   }
   return out;
-}
-
-std::size_t Resampling::covered() const {
-  std::size_t count = 0;
-  for (const Stencil& stencil : stencils_)
-    for (std::size_t i = 0; i < stencil.along.size(); ++i)
-      if (stencil.along[i] != 0.0F || stencil.across[i] != 0.0F) {
-        ++count;
-        break;
-      }
-  return count;
 }
 
 void ResamplingError::add(const SourceMesh& mesh, const VelocitySlice& source,

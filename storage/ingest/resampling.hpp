@@ -2,10 +2,12 @@
 
 #include <array>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
 #include "engine/ocean/horizontal_grid.hpp"
+#include "storage/ingest/node_box.hpp"
 #include "storage/ingest/source_mesh.hpp"
 #include "storage/ingest/velocity_source.hpp"
 
@@ -19,12 +21,12 @@ namespace floeplan::ingest {
 /// Threads  const members may be called from several threads at once
 class Resampling {
  public:
-  Resampling(const SourceMesh& mesh, const ocean::HorizontalGrid& grid);
+  /// Errors  a mesh whose cells lie over one another many times over, as only damaged positions do
+  [[nodiscard]] static Checked<std::shared_ptr<const Resampling>> of(const SourceMesh& mesh,
+                                                                     const ocean::HorizontalGrid& grid);
 
   /// Shape  of the points in, of the grid [y][x] out
   [[nodiscard]] VelocitySlice apply(std::span<const float> east, std::span<const float> north) const;
-  /// Nodes that lie in a cell.
-  [[nodiscard]] std::size_t covered() const;
 
  private:
   /// One node: its points and, for each, its weight times the cosine and the sine of the turn to the node.
@@ -33,6 +35,10 @@ class Resampling {
     std::array<float, 4> along{};
     std::array<float, 4> across{};
   };
+
+  explicit Resampling(std::size_t nodes) : stencils_(nodes) {}
+  void add(const SourceMesh& mesh, const SourceMesh::Cell& cell, const ocean::HorizontalGrid& grid,
+           const NodeBox& box);
 
   std::vector<Stencil> stencils_;
 };

@@ -55,11 +55,11 @@ VelocityAxes stated_axes(const NetcdfVariable& variable) {
   if (contains_any(words, {"x_sea_water_velocity", "y_sea_water_velocity", "sea_water_x_velocity",
                            "sea_water_y_velocity", "surface_x_velocity", "surface_y_velocity", "i-current",
                            "j-current", "i-axis", "j-axis", "u-momentum", "v-momentum", "grid-x", "grid-y",
-                           "along the grid", "xi-direction", "eta-direction"}) ||
-      name == "vozocrtx" || name == "vomecrty" || name == "vxo" || name == "vyo")
+                           "along the grid", "xi-direction", "eta-direction"}))
     return VelocityAxes::grid;
-  if (contains_any(words, {"eastward", "northward"}) || name == "u_eastward" || name == "v_northward")
-    return VelocityAxes::east_north;
+  if (contains_any(words, {"eastward", "northward"})) return VelocityAxes::east_north;
+  if (name == "u_eastward" || name == "v_northward") return VelocityAxes::east_north;
+  if (name == "vozocrtx" || name == "vomecrty" || name == "vxo" || name == "vyo") return VelocityAxes::grid;
   return VelocityAxes::unstated;
 }
 

@@ -1,5 +1,6 @@
 #include "tests/storage/ingest/model_grid_writer.hpp"
 
+#include <array>
 #include <cmath>
 #include <numbers>
 
@@ -210,6 +211,102 @@ void write_roms(const ModelGrid& grid, const std::filesystem::path& file, const 
                  {{"units", "meter second-1"},
                   {"long_name", is_u ? "u-momentum component" : "v-momentum component"},
                   {"coordinates", is_u ? "lon_u lat_u s_rho ocean_time" : "lon_v lat_v s_rho ocean_time"}}));
+  }
+}
+
+void write_fvcom(const ModelGrid& grid, const std::filesystem::path& file) {
+  struct Face {
+    std::array<std::size_t, 3> nodes;
+    double i;
+    double j;
+  };
+  std::vector<Face> faces;
+  const auto node = [&](std::size_t i, std::size_t j) { return j * grid.columns + i + 1; };
+  for (std::size_t j = 0; j + 1 < grid.rows; ++j)
+    for (std::size_t i = 0; i + 1 < grid.columns; ++i) {
+      const auto x = static_cast<double>(i);
+      const auto y = static_cast<double>(j);
+      faces.push_back({{node(i, j), node(i + 1, j), node(i, j + 1)}, x + 1.0 / 3.0, y + 1.0 / 3.0});
+      faces.push_back({{node(i + 1, j), node(i + 1, j + 1), node(i, j + 1)}, x + 2.0 / 3.0, y + 2.0 / 3.0});
+    }
+  const std::size_t nodes = grid.rows * grid.columns;
+
+  NetcdfWriter writer{file};
+  writer.axis("time", {0.0}, hours);
+  writer.dimension("siglay", 2);
+  writer.dimension("node", nodes);
+  writer.dimension("nele", faces.size());
+  writer.dimension("three", 3);
+  writer.variable(variable("lon", {"node"},
+                           plane(grid.rows, grid.columns, 0.0, 0.0,
+                                 [&](double i, double j) {
+                                   const double lon = grid.place(i, j).lon_deg;
+                                   return lon < 0.0 ? lon + 360.0 : lon;
+                                 }),
+                           {{"units", "degrees_east"}}));
+  writer.variable(variable(
+      "lat", {"node"},
+      plane(grid.rows, grid.columns, 0.0, 0.0, [&](double i, double j) { return grid.place(i, j).lat_deg; }),
+      {{"units", "degrees_north"}}));
+  std::vector<double> corners;
+  for (std::size_t corner = 0; corner < 3; ++corner)
+    for (const Face& face : faces) corners.push_back(static_cast<double>(face.nodes[corner]));
+  writer.variable(variable("nv", {"three", "nele"}, std::move(corners), {}));
+  writer.variable(variable("h", {"node"}, std::vector<double>(nodes, 40.0), {{"units", "m"}}));
+  std::vector<double> layers(nodes, -0.25);
+  layers.insert(layers.end(), nodes, -0.75);
+  writer.variable(variable("siglay", {"siglay", "node"}, std::move(layers), {{"positive", "up"}}));
+  writer.variable(variable("zeta", {"time", "node"}, std::vector<double>(nodes, 0.0), {{"units", "m"}}));
+  for (const bool is_u : {true, false}) {
+    std::vector<double> values;
+    for (const double share : {1.0, 0.5})
+      for (const Face& face : faces) {
+        const geo::VelocityEn water = turning_sea(grid.place(face.i, face.j));
+        values.push_back(share * (is_u ? water.east.value : water.north.value));
+      }
+    writer.variable(
+        variable(is_u ? "u" : "v", {"time", "siglay", "nele"}, std::move(values),
+                 {{"units", "meters s-1"},
+                  {"standard_name", is_u ? "eastward_sea_water_velocity" : "northward_sea_water_velocity"}}));
+  }
+}
+
+void write_polar_plane(const std::filesystem::path& file, bool along_axes) {
+  const geo::GridFrame frame =
+      geo::PolarStereographicFrame{.north = true, .lat_ts_deg = 70.0, .lon_0_deg = -45.0};
+  const std::vector<double> x{-300000.0, -250000.0, -200000.0, -150000.0};
+  const std::vector<double> y{-600000.0, -650000.0, -700000.0};
+  NetcdfWriter writer{file};
+  writer.axis("time", {0.0}, hours);
+  writer.axis("y", y, {{"units", "m"}, {"standard_name", "projection_y_coordinate"}});
+  writer.axis("x", x, {{"units", "m"}, {"standard_name", "projection_x_coordinate"}});
+  NetcdfWriter::Variable crs = variable("crs", {}, {1.0}, {{"grid_mapping_name", "polar_stereographic"}});
+  crs.numbers = {{"straight_vertical_longitude_from_pole", -45.0},
+                 {"latitude_of_projection_origin", 90.0},
+                 {"standard_parallel", 70.0},
+                 {"false_easting", 0.0},
+                 {"false_northing", 0.0},
+                 {"semi_major_axis", 6378137.0},
+                 {"inverse_flattening", 298.257223563}};
+  crs.type = NetcdfWriter::Type::int32;
+  writer.variable(crs);
+  for (const bool is_u : {true, false}) {
+    std::vector<double> values;
+    for (const double at_y : y)
+      for (const double at_x : x) {
+        const geo::LonLat here = geo::to_lon_lat(frame, {at_x, at_y});
+        const geo::VelocityEn water = turning_sea(here);
+        const double turn = along_axes ? -(here.lon_deg + 45.0) * radians : 0.0;  // of the x axis from east
+        values.push_back(is_u ? water.east.value * std::cos(turn) + water.north.value * std::sin(turn)
+                              : water.north.value * std::cos(turn) - water.east.value * std::sin(turn));
+      }
+    const std::string axis = is_u ? "x" : "y";
+    writer.variable(variable(is_u ? "vxo" : "vyo", {"time", "y", "x"}, std::move(values),
+                             {{"units", "m s-1"},
+                              {"grid_mapping", "crs"},
+                              {"standard_name", along_axes ? "sea_water_" + axis + "_velocity"
+                                                           : (is_u ? "eastward_sea_water_velocity"
+                                                                   : "northward_sea_water_velocity")}}));
   }
 }
 

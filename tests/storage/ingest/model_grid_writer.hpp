@@ -51,4 +51,11 @@ struct RomsOptions {
 /// surface 1 m above the mean.
 void write_roms(const ModelGrid& grid, const std::filesystem::path& file, const RomsOptions& options);
 
+/// One file of a mesh of triangles with currents in its faces, as FVCOM writes them: two sigma layers over a bed of
+/// 40 m; the lower one has half the current of the upper.
+void write_fvcom(const ModelGrid& grid, const std::filesystem::path& file);
+
+/// One file on a polar stereographic plane (EPSG:3413, rows from north to south), components along its axes.
+void write_polar_plane(const std::filesystem::path& file, bool along_axes);
+
 }  // namespace floeplan::ingest

@@ -166,6 +166,34 @@ TEST_F(ModelLayouts, AnAngleThatContradictsThePositionsIsRefused) {
   expect_refused(path("roms.nc"), "contradicts");
 }
 
+TEST_F(ModelLayouts, FacesOfAMeshAreInterpolatedAtDepthsAboveASigmaBed) {
+  for (const geo::LonLat origin : {geo::LonLat{15.0, 70.0}, geo::LonLat{179.9, -55.0}}) {
+    write_fvcom({.origin = origin}, path("fvcom.nc"));
+
+    const auto currents = stored({path("fvcom.nc")});
+
+    expect_turning_sea(currents, 0, 1.0, 2500,
+                       5e-3);  // the outermost nodes take the mean of faces to one side
+    expect_turning_sea(currents, 4, 0.75, 2500, 5e-3);  // 20 m, between the layers at 10 and 30 m
+    EXPECT_EQ(currents.samples().depths_m->back(), 40.0);
+    EXPECT_THAT(words(report_), HasSubstr("the faces of a mesh"));
+    std::filesystem::remove(path("fvcom.nc"));
+  }
+}
+
+TEST_F(ModelLayouts, AProjectedPlaneKeepsItsFrameAndItsVectorsAreTurned) {
+  for (const bool along_axes : {true, false}) {
+    write_polar_plane(path("polar.nc"), along_axes);
+
+    const auto currents = stored({path("polar.nc")});
+
+    expect_turning_sea(currents, 0, 1.0, 12);
+    EXPECT_TRUE(std::holds_alternative<geo::PolarStereographicFrame>(currents.samples().grid.frame()));
+    EXPECT_EQ(currents.samples().grid.y().front(), -700000.0);
+    std::filesystem::remove(path("polar.nc"));
+  }
+}
+
 TEST_F(ModelLayouts, ABentGridWithoutPositionsAsksForTheGridFile) {
   NetcdfWriter writer{path("bare.nc")};
   writer.axis("ocean_time", {0.0}, {{"units", "hours since 2026-11-20"}});

@@ -52,6 +52,7 @@ TEST_F(ModelSamples, HoldTheCurrentsThatAnotherReaderSees) {
   const std::string nordic = "Nordic_subset.nc";
   const std::string fjord = "ladim_forcing.nc";
   const std::string arctic = "arctic20km_polarstereo_sub.nc";
+  const std::string lake = "test_leofs_fvcom.nc";
   const std::vector<KnownCurrent> known{
       {orca, "2000-01-02T12:00:00Z", {-13.418766, 56.901917}, 0.5058, 0.164074, 0.070807, 0.02},
       {orca, "2000-01-02T12:00:00Z", {-6.710742, 61.069267}, 0.5058, 0.058333, -0.004468, 0.02},

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "storage/ingest/refusal.hpp"
+
+namespace floeplan::ingest {
+
+/// What the header of one field of a GRIB2 file says of it.
+struct GribField {
+  int discipline{};  // 10: oceanography
+  int category{};
+  int number{};
+  int surface_type{};      // 160: a depth below the sea's surface
+  double surface_value{};  // of it, in the unit of its type
+  double valid_s{};        // seconds since 1970-01-01T00:00:00Z
+  int grid_template{};     // 0: latitude and longitude, 20: polar stereographic, ...
+  std::string grid;        // the octets of its grid, to compare grids
+  bool along_grid{false};  // vectors point along the grid's x and y, not towards east and north
+};
+
+/// Walks through the octets of a GRIB2 file. GDAL decodes the values, but it hides what vectors are relative to, and it
+/// does not say when a file ends early.
+/// Errors   GRIB of edition 1; lengths that do not fit the file; a time unit or a product that is not known
+/// Source   WMO Manual on Codes No. 306, volume I.2, part B, FM 92 GRIB edition 2: templates 3.0, 3.1, 3.10, 3.20, 3.30,
+///          4.0, 4.8; flag table 3.3; code tables 4.4 and 4.5
+[[nodiscard]] Checked<std::vector<GribField>> grib_fields(const std::filesystem::path& file);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,192 @@
+#include "storage/ingest/mesh_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "storage/ingest/bed_levels.hpp"
+#include "storage/ingest/component_times.hpp"
+#include "storage/ingest/mesh_topology.hpp"
+#include "storage/ingest/sigma_levels.hpp"
+#include "storage/ingest/tangent_plane.hpp"
+#include "storage/ingest/velocity_component.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+
+std::size_t corners_of(const SourceMesh::Cell& face) { return face[2] == face[3] ? 3 : 4; }
+
+struct MeshParts {
+  NetcdfFiles files;  // kept open
+  VelocityComponent first;
+  VelocityComponent second;
+  bool in_faces{false};
+  std::vector<SourceMesh::Cell> faces;
+  std::vector<geo::LonLat> points;  // the nodes, and behind them the middles of faces that have currents
+  std::size_t nodes{};
+  std::shared_ptr<const BedLevels> levels;  // at the nodes; null: depths, or none
+};
+
+class MeshSource : public VelocitySource {
+ public:
+  explicit MeshSource(MeshParts parts) : parts_{std::move(parts)} {
+    const NetcdfLayout& layout = parts_.first.layout();
+    shape_.columns = parts_.points.size();
+    shape_.times_s = layout.times_s->nodes;
+    if (layout.depths_m) {
+      shape_.depths_m = layout.depths_m->nodes;
+      shape_.levels = shape_.depths_m->size();
+    } else if (parts_.levels) {
+      shape_.levels = layout.bed_levels;
+      shape_.levels_follow_bed = true;
+    }
+  }
+
+  [[nodiscard]] const SourceShape& shape() const override { return shape_; }
+  [[nodiscard]] geo::LonLat place(std::size_t point) const override { return parts_.points[point]; }
+
+  [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t level) const override {
+    const std::size_t file_level = parts_.levels ? parts_.levels->file_level(level) : level;
+    const auto east = parts_.first.read(time, file_level);
+    if (!east) return refuse(east.error());
+    const auto north = parts_.second.read(time, file_level);
+    if (!north) return refuse(north.error());
+    VelocitySlice slice{std::vector<float>(shape_.points(), missing),
+                        std::vector<float>(shape_.points(), missing),
+                        std::max(east->undeclared_fill, north->undeclared_fill)};
+    const std::size_t first = parts_.in_faces ? parts_.nodes : 0;
+    for (std::size_t i = 0; i < east->values.size(); ++i) {
+      if (std::isnan(east->values[i]) || std::isnan(north->values[i])) continue;
+      slice.east[first + i] = static_cast<float>(east->values[i]);
+      slice.north[first + i] = static_cast<float>(north->values[i]);
+    }
+    if (parts_.in_faces) add_means_at_nodes(slice);
+    return slice;
+  }
+
+  [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t time, std::size_t level) const override {
+    auto depths = parts_.levels->depths(time, level);
+    if (!depths || !parts_.in_faces) return depths;
+    for (const SourceMesh::Cell& face : parts_.faces) {
+      const std::size_t corners = corners_of(face);
+      float sum = 0.0F;
+      for (std::size_t i = 0; i < corners; ++i) sum += (*depths)[face[i]];
+      depths->push_back(sum / static_cast<float>(corners));
+    }
+    return depths;
+  }
+
+ private:
+  void add_means_at_nodes(VelocitySlice& slice) const {
+    std::vector<double> east(parts_.nodes, 0.0);
+    std::vector<double> north(parts_.nodes, 0.0);
+    std::vector<int> count(parts_.nodes, 0);
+    for (std::size_t i = 0; i < parts_.faces.size(); ++i) {
+      const double u = static_cast<double>(slice.east[parts_.nodes + i]);
+      const double v = static_cast<double>(slice.north[parts_.nodes + i]);
+      if (std::isnan(u)) continue;
+      for (std::size_t corner = 0; corner < corners_of(parts_.faces[i]); ++corner) {
+        east[parts_.faces[i][corner]] += u;
+        north[parts_.faces[i][corner]] += v;
+        ++count[parts_.faces[i][corner]];
+      }
+    }
+    for (std::size_t node = 0; node < parts_.nodes; ++node) {
+      if (count[node] == 0) continue;
+      slice.east[node] = static_cast<float>(east[node] / count[node]);
+      slice.north[node] = static_cast<float>(north[node] / count[node]);
+    }
+  }
+
+  MeshParts parts_;
+  SourceShape shape_;
+};
+
+geo::LonLat middle_of(const MeshTopology& mesh, const SourceMesh::Cell& face) {
+  UnitVector sum;
+  for (std::size_t i = 0; i < corners_of(face); ++i) {
+    const UnitVector corner = unit_vector(mesh.nodes[face[i]]);
+    sum = {sum.x + corner.x, sum.y + corner.y, sum.z + corner.z};
+  }
+  return lon_lat(sum);
+}
+
+/// The dimension of a variable that runs along the mesh.
+std::optional<std::size_t> dimension_named(const NetcdfVariable& variable, const std::string& name) {
+  for (std::size_t i = 0; i < variable.dimensions().size(); ++i)
+    if (variable.dimensions()[i].name == name) return i;
+  return std::nullopt;
+}
+
+/// Each face as triangles between its middle and its sides.
+std::vector<SourceMesh::Cell> split(const MeshTopology& mesh) {
+  std::vector<SourceMesh::Cell> cells;
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const std::size_t corners = corners_of(mesh.faces[i]);
+    const auto middle = static_cast<std::uint32_t>(mesh.nodes.size() + i);
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+      const std::uint32_t next = mesh.faces[i][(corner + 1) % corners];
+      cells.push_back({middle, mesh.faces[i][corner], next, next});
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair& pair,
+                                    std::vector<std::string>& warnings) {
+  if (pair.axes == VelocityAxes::grid)
+    return refuse(
+        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
+        "\" are called components along a grid, but a mesh has no axes; which way they point is not "
+        "known; ask the producer");
+  auto mesh = mesh_topology(*pair.first_file);
+  if (!mesh) return refuse(mesh.error());
+  const auto along_faces = dimension_named(*pair.first, mesh->face_dimension);
+  const auto along = along_faces ? along_faces : dimension_named(*pair.first, mesh->node_dimension);
+  const auto second_along =
+      dimension_named(*pair.second, along_faces ? mesh->face_dimension : mesh->node_dimension);
+  if (!along || !second_along)
+    return refuse(
+        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
+        "\" do not both lie on the nodes or both in the faces of the mesh; they cannot be put together; "
+        "ask the producer");
+  auto layout = layout_over(*pair.first_file, *pair.first, *along, *along);
+  if (!layout) return refuse(layout.error());
+  auto second_layout = layout_over(*pair.second_file, *pair.second, *second_along, *second_along);
+  if (!second_layout) return refuse(second_layout.error());
+  if (const auto differs = times_or_depths_differ(*layout, *second_layout)) return refuse(*differs);
+
+  std::shared_ptr<const BedLevels> levels;
+  if (layout->bed_levels > 0) {
+    const auto file = std::ranges::find_if(
+        files, [&](const auto& candidate) { return candidate.get() == pair.first_file; });
+    auto found = sigma_levels(*file, *pair.first, *layout, mesh->node_dimension, warnings);
+    if (!found) return refuse(found.error());
+    levels = std::move(*found);
+  }
+  warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
+  auto u = VelocityComponent::of(*pair.first, std::move(*layout), warnings);
+  if (!u) return refuse(u.error());
+  auto v = VelocityComponent::of(*pair.second, std::move(*second_layout), warnings);
+  if (!v) return refuse(v.error());
+
+  SourceMesh cells{mesh->nodes, along_faces ? split(*mesh) : mesh->faces};
+  if (along_faces)
+    for (const SourceMesh::Cell& face : mesh->faces) cells.points.push_back(middle_of(*mesh, face));
+  auto source = std::make_shared<const MeshSource>(MeshParts{.files = files,
+                                                             .first = std::move(*u),
+                                                             .second = std::move(*v),
+                                                             .in_faces = along_faces.has_value(),
+                                                             .faces = std::move(mesh->faces),
+                                                             .points = cells.points,
+                                                             .nodes = mesh->nodes.size(),
+                                                             .levels = std::move(levels)});
+  return MeshCurrents{std::move(source), std::move(cells),
+                      along_faces ? "the faces of a mesh" : "the nodes of a mesh"};
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,133 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <numbers>
+
+#include "engine/core/utc_text.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "tests/storage/ingest/grib_writer.hpp"
+#include "tests/storage/ingest/model_grid_writer.hpp"
+#include "tests/storage/ingest/store_fixture.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using testing::HasSubstr;
+
+class GribCurrents : public StoreFixture {
+ protected:
+  ocean::CurrentGrid stored(const std::string& octets) {
+    report_ = ingest(write_file("currents.grb2", octets));
+    EXPECT_EQ(report_.status, IngestStatus::stored) << words(report_);
+    if (!report_.dataset) throw std::runtime_error{"nothing was stored"};
+    return repository::FieldRepository{db_}
+        .load_currents(report_.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt)
+        .value();
+  }
+
+  IngestReport report_;
+};
+
+/// Both components of the turning sea, along true east and north or along the grid's axes, as the flag of the message
+/// says.
+std::string both_components(GribMessage message) {
+  std::string octets;
+  for (const int number : {2, 3}) {
+    message.number = number;
+    message.value = [&message, number](double column, double row) {
+      const geo::LonLat here = message.place(column, row);
+      const geo::VelocityEn water = turning_sea(here);
+      // Of a north polar stereographic plane: the x axis lies the meridian's own angle from east.
+      const double turn =
+          message.polar && message.along_grid ? -(here.lon_deg - 20.0) * std::numbers::pi / 180.0 : 0.0;
+      return number == 2 ? water.east.value * std::cos(turn) + water.north.value * std::sin(turn)
+                         : water.north.value * std::cos(turn) - water.east.value * std::sin(turn);
+    };
+    octets += message.octets();
+  }
+  return octets;
+}
+
+void expect_turning_sea(const ocean::CurrentGrid& currents, std::size_t least) {
+  const auto& samples = currents.samples();
+  std::size_t wet = 0;
+  for (std::size_t i = 0; i < samples.u.size(); ++i) {
+    if (std::isnan(samples.u[i])) continue;
+    ++wet;
+    const std::size_t nx = samples.grid.x().size();
+    const geo::VelocityEn truth = turning_sea(samples.grid.place(i % nx, i / nx));
+    ASSERT_NEAR(samples.u[i], truth.east.value, 1e-3);
+    ASSERT_NEAR(samples.v[i], truth.north.value, 1e-3);
+  }
+  EXPECT_GE(wet, least);
+}
+
+TEST_F(GribCurrents, OnLatitudeAndLongitudeAreStoredAsTheyAre) {
+  for (const bool rows_from_south : {true, false}) {
+    GribMessage message;
+    message.rows_from_south = rows_from_south;
+    const auto currents = stored(both_components(message));
+
+    expect_turning_sea(currents, 120);
+    EXPECT_EQ(currents.samples().grid.size(), 120U);
+    EXPECT_EQ(currents.samples().depths_m->front(), 5.0);
+    EXPECT_EQ(core::iso8601(*report_.dataset->time_start), "2026-11-20T06:00:00Z");
+  }
+}
+
+TEST_F(GribCurrents, AlongAPolarGridAreTurnedWhenTheFlagSaysSo) {
+  GribMessage message;
+  message.polar = true;
+  message.along_grid = true;
+  expect_turning_sea(stored(both_components(message)), 300);
+  EXPECT_THAT(words(report_), HasSubstr("turned to east and north"));
+}
+
+TEST_F(GribCurrents, TowardsEastAndNorthOnAPolarGridAreNotTurned) {
+  GribMessage message;
+  message.polar = true;
+  expect_turning_sea(stored(both_components(message)), 300);
+}
+
+TEST_F(GribCurrents, OfSeveralTimesAndDepthsAreOneField) {
+  std::string octets;
+  for (const int forecast_h : {12, 0})
+    for (const double depth_m : {10.0, 2.5}) {
+      GribMessage message;
+      message.forecast_h = forecast_h;
+      message.depth_m = depth_m;
+      octets += both_components(message);
+    }
+
+  const auto currents = stored(octets);
+
+  EXPECT_THAT(currents.samples().depths_m->nodes(), testing::ElementsAre(2.5, 10.0));
+  EXPECT_EQ(currents.samples().times_s.size(), 2U);
+}
+
+TEST_F(GribCurrents, WithAGapAreRefused) {
+  GribMessage later;
+  later.forecast_h = 12;
+  later.number = 2;
+  later.value = [](double, double) { return 0.1; };
+  expect_refused(write_file("gap.grb2", both_components({}) + later.octets()), "lacks a component");
+}
+
+TEST_F(GribCurrents, AsSpeedAndDirectionAreRefused) {
+  GribMessage message;
+  message.number = 1;
+  message.value = [](double column, double) { return 0.1 + 0.01 * column; };
+  expect_refused(write_file("speed.grb2", message.octets()), "speed and direction");
+}
+
+TEST_F(GribCurrents, CutShortAnywhereAreRefused) {
+  const std::string whole = both_components({});
+  for (int percent = 5; percent < 100; percent += 5)
+    expect_refused(
+        write_file("cut.grb2", whole.substr(0, whole.size() * static_cast<std::size_t>(percent) / 100)),
+        percent == 50 ? "lacks a component" : "cut short");
+}
+
+}  // namespace
+}  // namespace floeplan::ingest
