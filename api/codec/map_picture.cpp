@@ -153,6 +153,38 @@ std::string label_text(const MapPicture::Label& label, const char* style) {
   return start.data() + xml_text(label.text) + "</text>\n";
 }
 
+/// Where a number beside a point covers none of those before it; the first choice where the map is too crowded.
+/// Accuracy  a digit counts as 8 units wide and 10 high, what 11 points of bold type take
+MapPicture::Point free_spot(MapPicture::Point point, std::size_t digits, const MapPicture& picture) {
+  constexpr double digit_width = 8.0;
+  constexpr double digit_height = 10.0;
+  const double text_width = digit_width * static_cast<double>(digits);
+  const auto is_free = [&](MapPicture::Point at) {
+    if (at.x < 0.0 || at.x + text_width > picture.width || at.y < digit_height || at.y > picture.height)
+      return false;
+    return std::ranges::none_of(picture.waypoints, [&](const MapPicture::Label& other) {
+      const double other_width = digit_width * static_cast<double>(other.text.size());
+      return at.x < other.at.x + other_width && other.at.x < at.x + text_width &&
+             std::abs(at.y - other.at.y) < digit_height;
+    });
+  };
+  const MapPicture::Point first{point.x + 5.0, point.y - 5.0};
+  if (is_free(first)) return first;
+  for (const double away : {5.0, 17.0, 29.0}) {
+    const double right = point.x + away;
+    const double left = point.x - away - text_width;
+    const double middle = point.x - 0.5 * text_width;
+    for (const MapPicture::Point at :
+         {MapPicture::Point{right, point.y - away}, MapPicture::Point{right, point.y + 4.0},
+          MapPicture::Point{right, point.y + away + digit_height}, MapPicture::Point{middle, point.y - away},
+          MapPicture::Point{middle, point.y + away + digit_height}, MapPicture::Point{left, point.y - away},
+          MapPicture::Point{left, point.y + 4.0}, MapPicture::Point{left, point.y + away + digit_height}}) {
+      if (is_free(at)) return at;
+    }
+  }
+  return first;
+}
+
 }  // namespace
 
 MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>& land,
@@ -177,7 +209,8 @@ MapPicture draw_map(const planning::Plan& plan, const std::vector<geo::Polygon>&
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     const MapPicture::Point point = frame.at(plan.waypoints[i].place);
     picture.route.push_back(point);
-    picture.waypoints.push_back({{point.x + 5.0, point.y - 5.0}, std::to_string(i)});
+    const std::string number = std::to_string(i);
+    picture.waypoints.push_back({free_spot(point, number.size(), picture), number});
   }
   add_scale(picture, frame);
   return picture;

@@ -41,7 +41,7 @@ constexpr const char* style =
     ".route{fill:none;stroke:#c2410c;stroke-width:2}.scale{stroke:#111;stroke-width:2}.small{font:9px "
     "sans-serif;"
     "fill:#456}.number{font:bold 11px sans-serif;fill:#7c2d12}.warn{border:1px solid #c2410c;padding:1mm 2mm}"
-    ".hash{font-family:monospace;font-size:8pt}";
+    ".caption{font-size:8pt;color:#456}.hash{font-family:monospace;font-size:8pt}";
 
 std::string table(const planning::Plan& plan) {
   std::string text =
@@ -86,13 +86,25 @@ std::vector<std::string> brief_facts(const planning::Plan& plan) {
               number(bare(plan.clearances.bottom), 0) + " m (- : not known)."};
 }
 
+std::string brief_origin(const BriefNotes& notes) {
+  const std::string plan = notes.name.empty() ? "" : "Plan " + notes.plan_id + ". ";  // else the title has it
+  return plan + "Printed " + core::iso8601(notes.generated) + " by Floeplan.";
+}
+
+std::string brief_caption(const MapPicture& picture) {
+  if (picture.icebergs.empty()) return "The route and its waypoints by number; north is up.";
+  return "The route and its waypoints by number; north is up. Circles: icebergs where they were last seen "
+         "before the "
+         "departure. They drift; the clearances are from where they are expected when the vehicle passes.";
+}
+
 std::string plan_brief_html(const planning::Plan& plan, const MapPicture& picture, const BriefNotes& notes) {
   const std::string title = xml_text(notes.name.empty() ? "Plan " + notes.plan_id : notes.name);
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
-                     "</title><style>" + style + "</style></head><body>\n<h1>" + title + "</h1>\n<p>Plan " +
-                     xml_text(notes.plan_id) + ", printed " + core::iso8601(notes.generated) + ".</p>\n";
+                     "</title><style>" + style + "</style></head><body>\n<h1>" + title + "</h1>\n<p>" +
+                     xml_text(brief_origin(notes)) + "</p>\n";
   for (const std::string& fact : brief_facts(plan)) text += "<p>" + xml_text(fact) + "</p>\n";
-  text += svg(picture) + table(plan);
+  text += svg(picture) + "<p class=\"caption\">" + xml_text(brief_caption(picture)) + "</p>\n" + table(plan);
   std::vector<std::string> warnings = notes.warnings;
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
   text += list("Warnings", warnings, "warn");

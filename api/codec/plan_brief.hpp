@@ -23,6 +23,10 @@ struct BriefNotes {
 
 /// The rows of the brief's table, as text: number, latitude, longitude, ETA, leg, course, speed, depth.
 [[nodiscard]] std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan);
+/// Which plan the page is of, and when it was made.
+[[nodiscard]] std::string brief_origin(const BriefNotes& notes);
+/// What the map shows, as a line below it.
+[[nodiscard]] std::string brief_caption(const MapPicture& picture);
 /// The sentences above the table: vehicle, times, distance, clearances.
 [[nodiscard]] std::vector<std::string> brief_facts(const planning::Plan& plan);
 

@@ -198,9 +198,10 @@ void write_row(Sheet& sheet, const std::vector<std::string>& cells, bool bold) {
 std::string plan_brief_pdf(const planning::Plan& plan, const MapPicture& picture, const BriefNotes& notes) {
   Sheet sheet{notes.generated};
   sheet.paragraph(notes.name.empty() ? "Plan " + notes.plan_id : notes.name, 16.0, true);
-  sheet.paragraph("Plan " + notes.plan_id + ", printed " + core::iso8601(notes.generated) + ".", 9.0);
+  sheet.paragraph(brief_origin(notes), 9.0);
   for (const std::string& fact : brief_facts(plan)) sheet.paragraph(fact, 9.0);
   draw_picture(sheet, picture);
+  sheet.paragraph(brief_caption(picture), 7.5);
   write_row(sheet, {"no.", "latitude", "longitude", "ETA (UTC)", "leg km", "course", "m/s", "depth m"}, true);
   for (const auto& row : brief_rows(plan)) write_row(sheet, row, false);
   sheet.skip(8.0);
