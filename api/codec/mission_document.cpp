@@ -1,6 +1,7 @@
 #include "api/codec/mission_document.hpp"
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "engine/mission/document_text.hpp"
 
@@ -38,6 +39,29 @@ json waypoints_json(const mission::Document& document) {
   return result;
 }
 
+json bands_json(const mission::Document& document) {
+  json result = json::array();
+  for (const auto& band : document.bands) {
+    result.push_back({{"depth_m", band.depth ? json(band.depth->value) : json()},
+                      {"seconds", band.seconds},
+                      {"sensors", band.sensors},
+                      {"guidance_seconds", band.guidance_seconds},
+                      {"line", band.line}});
+  }
+  return result;
+}
+
+std::string kind_name(mission::DocumentKind kind) {
+  switch (kind) {
+    case mission::DocumentKind::mission: return "mi";
+    case mission::DocumentKind::arguments: return "ma";
+    case mission::DocumentKind::targets: return "targets";
+    case mission::DocumentKind::science: return "science";
+    case mission::DocumentKind::cmdfile: return "cmdfile";
+  }
+  throw std::logic_error{"DocumentKind without a name"};
+}
+
 json messages_json(const mission::Messages& messages) {
   json result = json::array();
   for (const auto& message : messages) {
@@ -55,13 +79,14 @@ json mission_document(const mission::Document& document, const std::string& file
   const bool arguments = document.kind == mission::DocumentKind::arguments;
   const bool one = arguments && !document.behaviors.empty();
   return {{"file", file},
-          {"kind", arguments ? "ma" : "mi"},
+          {"kind", kind_name(document.kind)},
           {"verdict", mission::verdict_name(document.verdict())},
           {"behavior", one ? json(document.behaviors.front().name) : json()},
           {"b_args", one ? settings_json(document.behaviors.front().arguments) : json::array()},
           {"sensors", settings_json(document.sensors)},
           {"behaviors", behaviors_json(document)},
           {"waypoints", waypoints_json(document)},
+          {"bands", bands_json(document)},
           {"waypoints_declared", document.waypoints_declared ? json(*document.waypoints_declared) : json()},
           {"files_referenced", mission::files_referenced(document)},
           {"bytes", document.format.bytes},

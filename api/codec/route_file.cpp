@@ -3,7 +3,6 @@
 #include "api/codec/route_formats.hpp"
 #include "engine/mission/line_words.hpp"
 #include "engine/mission/read_document.hpp"
-#include "engine/mission/seaglider_targets.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -11,7 +10,7 @@ namespace {
 constexpr std::size_t max_bytes = 1 << 20;
 constexpr std::size_t max_places = 10'000;
 
-/// A list or mission of a vehicle. Decimal degrees are refused: nobody should fly what they would be taken for.
+/// A list or mission of a Slocum, or the targets of a Seaglider. Decimal degrees are refused: nobody should fly what they would be taken for.
 tl::expected<RouteFile, core::Violations> read_mission(const std::string& name, std::string_view bytes) {
   const mission::Document document = mission::read_document(name, bytes);
   RouteFile route;
@@ -56,12 +55,12 @@ tl::expected<RouteFile, core::Violations> read_route_file(const std::string& nam
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return route_fault("file", "is empty");
 
-  if (bytes[first] == '{') return checked(read_geojson(bytes));
+  if (bytes[first] == '{') return checked(is_imc_plan(bytes) ? read_imc(bytes) : read_geojson(bytes));
   const std::string_view head = bytes.substr(first, 4096);
   if (head.front() == '<' && head.find("<gpx") != std::string_view::npos) return checked(read_gpx(bytes));
   if (head.front() == '<' && head.find("<kml") != std::string_view::npos) return checked(read_kml(bytes));
   if (looks_like_mission(name, bytes)) return read_mission(name, bytes);
-  if (looks_like_targets(bytes)) return checked(mission::read_targets(bytes));
+  if (looks_like_targets(bytes)) return read_mission("targets", bytes);
   return checked(read_csv(bytes));
 }
 

@@ -20,6 +20,11 @@ using RoutePlaces = tl::expected<std::vector<geo::LonLat>, core::Violations>;
 [[nodiscard]] RoutePlaces read_kml(std::string_view bytes);
 /// GeoJSON: the first LineString; where there is none the Points.
 [[nodiscard]] RoutePlaces read_geojson(std::string_view bytes);
+/// An IMC message PlanSpecification in JSON (alone or in a PlanDB or PlanControl): the places of its maneuvers from the
+/// first on, in the order of the transitions.
+[[nodiscard]] RoutePlaces read_imc(std::string_view bytes);
+/// Whether JSON looks like an IMC message.
+[[nodiscard]] bool is_imc_plan(std::string_view bytes);
 /// CSV with a header that names columns for longitude and latitude, between commas, semicolons or tabs.
 [[nodiscard]] RoutePlaces read_csv(std::string_view bytes);
 

@@ -25,11 +25,6 @@ std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record)
   return inputs ? std::optional{std::move(*inputs)} : std::nullopt;
 }
 
-vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record, const planning::Plan& plan) {
-  if (const auto inputs = inputs_of(record)) return inputs->request.vehicle;
-  return vehicle::find_profile(plan.vehicle).value_or(vehicle::known_profiles().front());
-}
-
 /// No file leaves that our own reader would not take back without a word of warning.
 void read_back(const mission::MissionFiles& files) {
   for (const auto& file : files.files) {
@@ -37,6 +32,23 @@ void read_back(const mission::MissionFiles& files) {
     if (read.verdict() != mission::Verdict::ok)
       throw std::logic_error{file.name + " was written wrongly: " + read.messages.front().text};
   }
+}
+
+mission::FileOrigin origin_of(const repository::PlanRecord& record, core::UtcTime generated) {
+  return {record.id.value, record.name, generated, "floeplan " FLOEPLAN_VERSION};
+}
+
+tl::expected<mission::MissionFiles, core::Violations> seaglider_set_of(const repository::PlanRecord& record,
+                                                                       const planning::Plan& plan,
+                                                                       const MissionRequest& request,
+                                                                       core::UtcTime generated) {
+  mission::SeagliderOptions options;
+  options.vehicle = vehicle_of(record, plan);
+  options.bands = request.bands;
+  options.origin = origin_of(record, generated);
+  auto files = mission::write_seaglider_set(plan, options);
+  if (files) read_back(*files);
+  return files;
 }
 
 bool same_data(const std::vector<ocean::DatasetRef>& a, const std::vector<ocean::DatasetRef>& b) {
@@ -47,10 +59,16 @@ bool same_data(const std::vector<ocean::DatasetRef>& a, const std::vector<ocean:
 
 }  // namespace
 
+vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record, const planning::Plan& plan) {
+  if (const auto inputs = inputs_of(record)) return inputs->request.vehicle;
+  return vehicle::find_profile(plan.vehicle).value_or(vehicle::known_profiles().front());
+}
+
 tl::expected<mission::MissionFiles, core::Violations> mission_of(const repository::PlanRecord& record,
                                                                  const MissionRequest& request,
                                                                  core::UtcTime generated) {
   const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
+  if (request.seaglider) return seaglider_set_of(record, plan, request, generated);
   mission::MissionSetOptions options;
   options.vehicle = vehicle_of(record, plan);
   options.name = request.name;
@@ -58,7 +76,7 @@ tl::expected<mission::MissionFiles, core::Violations> mission_of(const repositor
   options.under_ice = request.under_ice;
   options.lists.first_number = request.number;
   options.lists.max_waypoints = options.vehicle.max_waypoints_per_list;
-  options.lists.origin = {record.id.value, record.name, generated, "floeplan " FLOEPLAN_VERSION};
+  options.lists.origin = origin_of(record, generated);
 
   const bool full = request.full || request.under_ice.has_value();
   auto files =
@@ -67,12 +85,12 @@ tl::expected<mission::MissionFiles, core::Violations> mission_of(const repositor
   return files;
 }
 
-tl::expected<std::string, core::Violation> dockserver_folder(const std::string& glider) {
+tl::expected<std::string, core::Violation> handover_folder(const std::string& glider, bool seaglider) {
   if (glider.empty()) return "";
   if (!mission::is_name(glider) || glider.size() > longest_glider_name)
     return tl::unexpected(core::Violation{
         "/glider", "must be one to 40 letters, digits and underscores, the name of a folder"});
-  return "gliders/" + glider + "/to-glider/";
+  return seaglider ? glider + "/" : "gliders/" + glider + "/to-glider/";
 }
 
 std::optional<mission::Firmware> parse_firmware(const std::string& text) {

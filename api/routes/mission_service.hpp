@@ -7,6 +7,7 @@
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/mission/mission_set.hpp"
+#include "engine/mission/seaglider_files.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/sqlite/connection.hpp"
 
@@ -19,19 +20,26 @@ struct MissionRequest {
   std::string name{"plan"};  // of the mission
   mission::Firmware firmware{};
   std::optional<mission::UnderIce> under_ice{};  // asks for the full set, too
+  bool seaglider{false};                         // the files of a Seaglider instead, of which alone is:
+  std::vector<mission::ScienceBand> bands{};
 };
 
-/// The GliderDOS files of a stored plan, within the limits of its vehicle. `generated`: the time that the files'
+/// The vehicle that a stored plan is for, with what its request says of it.
+[[nodiscard]] vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record,
+                                                const planning::Plan& plan);
+
+/// The mission files of a stored plan, within the limits of its vehicle. `generated`: the time that the files'
 /// comments name
-/// Errors   every fault of plan or options, as mission::write_mission_set
+/// Errors   every fault of plan or options, as mission::write_mission_set and mission::write_seaglider_set
 [[nodiscard]] tl::expected<mission::MissionFiles, core::Violations> mission_of(
     const repository::PlanRecord& record, const MissionRequest& request, core::UtcTime generated);
 
-/// Where a dockserver looks for the files that a glider shall fetch, below the folder that holds its `gliders`:
-/// "gliders/amadeus/to-glider/". No glider, no folder.
-/// Source   the vendor's training material, folders of the shore server
+/// Where a shore station looks for the files that a glider shall fetch: a dockserver in "gliders/amadeus/to-glider/" below
+/// its data, a Seaglider's base station in the home folder of the glider, "sg123/". No glider, no folder.
+/// Source   the Slocum vendor's training material, folders of the shore server; iop-apl-uw/basestation3, folder sg000
 /// Errors   a violation for a name that is no plain folder
-[[nodiscard]] tl::expected<std::string, core::Violation> dockserver_folder(const std::string& glider);
+[[nodiscard]] tl::expected<std::string, core::Violation> handover_folder(const std::string& glider,
+                                                                         bool seaglider);
 
 /// "10.5". Nothing for any other text.
 [[nodiscard]] std::optional<mission::Firmware> parse_firmware(const std::string& text);

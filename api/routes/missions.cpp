@@ -70,6 +70,25 @@ std::optional<mission::UnderIce> read_under_ice(ParameterReader& reader) {
   return ice;
 }
 
+/// `format`, and the bands of a Seaglider's science file as "20:5:1110:60;200:10:1100:120".
+void read_seaglider(const Request& request, MissionRequest& wanted, core::Violations& faults) {
+  const std::string format = request.parameter("format").value_or("gliderdos");
+  wanted.seaglider = format == "seaglider";
+  if (!wanted.seaglider && format != "gliderdos")
+    faults.push_back({"?format", "must be gliderdos or seaglider"});
+  std::string text = request.parameter("science").value_or("");
+  if (!text.empty() && !wanted.seaglider) faults.push_back({"?science", "is for format=seaglider"});
+  while (!text.empty()) {
+    const std::string one = text.substr(0, text.find(';'));
+    text.erase(0, one.size() + 1);
+    if (const auto band = mission::parse_science_band(one)) {
+      wanted.bands.push_back(*band);
+    } else {
+      faults.push_back({"?science", "must be bands DEPTH:SECONDS:SENSORS:GC between semicolons, not " + one});
+    }
+  }
+}
+
 /// Writes the mission files and hands them to `answer`; every fault of request or plan is listed instead.
 template <class Answer>
 Response with_files(const Request& request, const PlanRecord& record,
@@ -81,6 +100,7 @@ Response with_files(const Request& request, const PlanRecord& record,
   wanted.name = request.parameter("mission").value_or(wanted.name);
   wanted.under_ice = read_under_ice(reader);
   core::Violations faults = reader.violations();
+  read_seaglider(request, wanted, faults);
   if (const auto text = request.parameter("firmware")) {
     const auto firmware = parse_firmware(*text);
     if (!firmware) faults.push_back({"?firmware", "must be a version, as 10.5"});
@@ -107,7 +127,8 @@ Response show_mission(const Context& context, const Request& request, const Path
 }
 
 Response download_zip(const Context& context, const Request& request, const PathParameters& path) {
-  const auto folder = dockserver_folder(request.parameter("glider").value_or(""));
+  const bool seaglider = request.parameter("format") == "seaglider";
+  const auto folder = handover_folder(request.parameter("glider").value_or(""), seaglider);
   if (!folder) return invalid(request, {{"?glider", folder.error().rule}});
   return with_plan(
       context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
@@ -135,8 +156,8 @@ auto download_as(const ExportFormat& format) {
 
 std::vector<Route> mission_routes() {
   const std::string plan = "/collections/plans/items/{plan_id}";
-  const std::vector<std::string> of_files{"number",          "full",          "mission", "firmware", "safe",
-                                          "iceberg_depth_m", "accept_dangers"};
+  const std::vector<std::string> of_files{"number",          "full",           "mission", "firmware", "safe",
+                                          "iceberg_depth_m", "accept_dangers", "format",  "science"};
   std::vector<std::string> of_zip = of_files;
   of_zip.emplace_back("glider");
   std::vector<Route> routes{{"GET", plan + "/mission", of_files, show_mission},

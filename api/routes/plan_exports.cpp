@@ -9,9 +9,12 @@
 #include "api/codec/plan_document.hpp"
 #include "api/codec/plan_geojson.hpp"
 #include "api/codec/plan_gpx.hpp"
+#include "api/codec/plan_imc.hpp"
 #include "api/codec/plan_kml.hpp"
+#include "api/routes/mission_service.hpp"
+#include "engine/mission/goto_lists.hpp"
 #include "engine/mission/nmea_route.hpp"
-#include "engine/mission/seaglider_targets.hpp"
+#include "engine/mission/seaglider_files.hpp"
 #include "storage/repository/coastline_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/iceberg_repository.hpp"
@@ -22,7 +25,6 @@ namespace {
 using repository::PlanRecord;
 
 constexpr core::Metres around_route{30'000.0};  // of land and icebergs on the printed map
-constexpr core::Metres target_radius{500.0};    // within which a Seaglider has reached a target
 constexpr double map_width = 720.0;
 constexpr double map_height = 420.0;
 
@@ -45,16 +47,21 @@ codec::MapPicture picture_of(sqlite::Connection& db, const PlanRecord& record, c
 }  // namespace
 
 std::span<const ExportFormat> export_formats() {
-  static const std::vector<ExportFormat> formats{
-      {"gpx", "application/gpx+xml", ""},           {"kml", "application/vnd.google-earth.kml+xml", ""},
-      {"geojson", "application/geo+json", ""},      {"csv", "text/csv; charset=utf-8", ""},
-      {"nmea", "text/plain; charset=us-ascii", ""}, {"targets", "text/plain; charset=us-ascii", "targets"},
-      {"html", "text/html; charset=utf-8", ""},     {"pdf", "application/pdf", ""}};
+  static const std::vector<ExportFormat> formats{{"gpx", "application/gpx+xml", ""},
+                                                 {"kml", "application/vnd.google-earth.kml+xml", ""},
+                                                 {"geojson", "application/geo+json", ""},
+                                                 {"csv", "text/csv; charset=utf-8", ""},
+                                                 {"nmea", "text/plain; charset=us-ascii", ""},
+                                                 {"targets", "text/plain; charset=us-ascii", "targets"},
+                                                 {"imc", "application/json", ""},
+                                                 {"html", "text/html; charset=utf-8", ""},
+                                                 {"pdf", "application/pdf", ""}};
   return formats;
 }
 
 std::string export_file_name(const ExportFormat& format, const PlanRecord& record) {
-  return format.file_name.empty() ? record.id.value + "." + format.name : format.file_name;
+  if (!format.file_name.empty()) return format.file_name;
+  return record.id.value + "." + format.name + (format.name == "imc" ? ".json" : "");
 }
 
 tl::expected<std::string, core::Violations> export_plan(sqlite::Connection& db, const PlanRecord& record,
@@ -71,7 +78,9 @@ tl::expected<std::string, core::Violations> export_plan(sqlite::Connection& db, 
     return tl::unexpected(core::Violations{{"/waypoints", "must be 999 at most for NMEA"}});
   if (format.name == "nmea") return mission::write_nmea_route(plan, id).text;
   const mission::FileOrigin origin{id, record.name, now, "floeplan " FLOEPLAN_VERSION};
-  if (format.name == "targets") return mission::write_targets(plan, target_radius, origin).text;
+  if (format.name == "targets")
+    return mission::write_targets(plan, mission::default_waypoint_radius(plan), origin).text;
+  if (format.name == "imc") return codec::plan_imc(plan, vehicle_of(record, plan), id, record.name, now);
   const codec::BriefNotes notes{id, record.name, now, warnings};
   if (format.name == "html") return codec::plan_brief_html(plan, picture_of(db, record, plan), notes);
   if (format.name == "pdf") return codec::plan_brief_pdf(plan, picture_of(db, record, plan), notes);

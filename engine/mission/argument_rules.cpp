@@ -5,6 +5,7 @@
 #include <map>
 
 #include "engine/mission/behavior_table.hpp"
+#include "engine/mission/code_rules.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -91,6 +92,11 @@ void check_arguments(const Behavior& behavior, Messages& messages) {
            "the dictionary writes " + behavior.name + ", not " + behavior.written);
   }
   for (const Argument& argument : behavior.arguments) {
+    check_code(behavior.name, argument, messages);
+    if (argument.name != argument.written) {
+      report(messages, argument.line, Severity::note, "capital_letters",
+             "the dictionary writes " + argument.name + ", not " + argument.written);
+    }
     if (argument.name == "args_from_file") check_file_number(behavior, argument, messages);
     if (const ArgumentRule* known = rule->find(argument.name)) {
       check_known(argument, *known, messages);

@@ -5,17 +5,20 @@
 #include <string_view>
 #include <vector>
 
+#include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/mission/message.hpp"
 
 namespace floeplan::mission {
 
-/// A mission (`.mi`) lists behaviors; an argument file (`.ma`) holds the arguments of one.
-enum class DocumentKind { mission, arguments };
+/// A mission (`.mi`) lists behaviors; an argument file (`.ma`) holds the arguments of one. A Seaglider has targets, a
+/// science file with depth bands and a cmdfile with parameters.
+enum class DocumentKind { mission, arguments, targets, science, cmdfile };
 
 /// A b_arg or a sensor setting, as `name(unit) value`.
 struct Argument {
-  std::string name;
+  std::string name;     // of a b_arg in lower case, as the firmware's dictionary has it
+  std::string written;  // as the file has it
   std::string unit;
   std::string raw;  // the value as it was written
   double value{};
@@ -26,6 +29,15 @@ struct WaypointRow {
   std::string lon_raw;
   std::string lat_raw;
   geo::LonLat place;
+  int line{};
+};
+
+/// How often a Seaglider samples down to a depth.
+struct ScienceBand {
+  std::optional<core::Metres> depth;  // empty while it loiters
+  double seconds{};                   // between samples
+  std::string sensors;                // a digit for each sensor
+  double guidance_seconds{};          // between looks at its course
   int line{};
 };
 
@@ -59,10 +71,11 @@ struct Document {
   std::string name;  // of the file, without its folder
   DocumentKind kind{};
   FileFormat format;
-  std::vector<Argument> sensors;
+  std::vector<Argument> sensors;  // of a cmdfile its parameters
   std::vector<Behavior>
       behaviors;  // in order of priority; of an argument file exactly one, or none if broken
-  std::vector<WaypointRow> waypoints;     // rows of a list, or places given inline by longitude and latitude
+  std::vector<WaypointRow> waypoints;     // rows of a list, places given inline, or targets in flown order
+  std::vector<ScienceBand> bands;         // of a science file
   std::optional<int> waypoints_declared;  // num_waypoints of a list
   std::vector<SourceLine> lines;
   Messages messages;  // by line

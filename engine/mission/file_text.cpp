@@ -37,6 +37,10 @@ std::size_t utf8_sequence(std::string_view bytes) {
   return length;
 }
 
+bool is_utf16(std::string_view bytes) {
+  return bytes.starts_with("\xFF\xFE") || bytes.starts_with("\xFE\xFF");
+}
+
 bool is_utf8(std::string_view bytes) {
   while (!bytes.empty()) {
     const std::size_t length = utf8_sequence(bytes);
@@ -59,6 +63,13 @@ std::string from_latin1(std::string_view bytes) {
     }
   }
   return text;
+}
+
+/// The text before the control-Z characters at the end, which may have line ends among them.
+std::string_view without_end_of_file(std::string_view bytes) {
+  const std::size_t last = bytes.find_last_not_of("\x1A\r\n");
+  const std::size_t mark = bytes.find(dos_end_of_file, last == std::string_view::npos ? 0 : last);
+  return bytes.substr(0, mark);
 }
 
 /// Splits at every kind of line end and names the kinds found.
@@ -95,13 +106,14 @@ tl::expected<FileText, Message> decode_file(std::string_view bytes) {
   if (const auto nul = bytes.find('\0'); nul != std::string_view::npos) {
     const auto line = 1 + std::ranges::count(bytes.substr(0, nul), '\n');
     return tl::unexpected(Message{static_cast<int>(line), Severity::error, "binary_file",
-                                  "a NUL character; this is no mission text"});
+                                  is_utf16(bytes) ? "UTF-16, which no vehicle reads; save the file as ASCII"
+                                                  : "a NUL character; this is no mission text"});
   }
   FileText file;
   file.format.bytes = bytes.size();
   file.byte_order_mark = bytes.starts_with(utf8_byte_order_mark);
   if (file.byte_order_mark) bytes.remove_prefix(utf8_byte_order_mark.size());
-  while (bytes.ends_with(dos_end_of_file)) bytes.remove_suffix(1);
+  bytes = without_end_of_file(bytes);
 
   const bool ascii = is_ascii(bytes);
   const bool utf8 = ascii || is_utf8(bytes);

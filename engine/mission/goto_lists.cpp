@@ -69,12 +69,6 @@ core::Violations violations_of(const planning::Plan& plan, const GotoListOptions
   return found;
 }
 
-/// The largest whole number of metres below half of the shortest leg, kept within what the vehicle and
-/// prudence allow.
-double default_radius_m(core::Metres shortest_leg) {
-  return std::clamp(std::ceil(shortest_leg.value / 2.0) - 1.0, smallest_radius_m, largest_default_radius_m);
-}
-
 std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoListOptions& options,
                                       const std::vector<core::Metres>& legs, double radius_m,
                                       const std::vector<std::string>& file_names) {
@@ -127,14 +121,20 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
 
 }  // namespace
 
+core::Metres default_waypoint_radius(const planning::Plan& plan) {
+  const std::vector<core::Metres> legs = leg_lengths(plan);
+  const double shortest_m = std::min_element(legs.begin(), legs.end())->value;
+  return {std::clamp(std::ceil(shortest_m / 2.0) - 1.0, smallest_radius_m, largest_default_radius_m)};
+}
+
 tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Plan& plan,
                                                               const GotoListOptions& options) {
   if (core::Violations found = violations_of(plan, options); !found.empty())
     return tl::unexpected(std::move(found));
 
   const std::vector<core::Metres> legs = leg_lengths(plan);
-  const double radius_m = options.radius ? std::floor(options.radius->value)
-                                         : default_radius_m(*std::min_element(legs.begin(), legs.end()));
+  const double radius_m =
+      options.radius ? std::floor(options.radius->value) : default_waypoint_radius(plan).value;
   const std::span<const planning::Waypoint> targets = std::span{plan.waypoints}.subspan(1);
   const auto per_list = static_cast<std::size_t>(options.max_waypoints);
   const std::size_t lists = (targets.size() + per_list - 1) / per_list;

@@ -20,13 +20,17 @@ struct GotoListOptions {
   FileOrigin origin{};
 };
 
+/// Within which a waypoint counts as reached unless told otherwise: the largest whole number of metres below half of the
+/// shortest leg, in 10 to 500 m, so that no waypoint is skipped.
+/// Precondition  two waypoints or more
+[[nodiscard]] core::Metres default_waypoint_radius(const planning::Plan& plan);
+
 /// Writes the plan as GliderDOS goto lists (`goto_lNN.ma`), each to be flown once, from first row to last.
 /// Start    left out: the vehicle is there already, and a list holds the places to go to. Were it the first
 ///          row, a vehicle that has drifted on since the plan was made would turn back for it.
 /// Length   never more than `max_waypoints` rows; longer plans continue in lists with consecutive numbers,
 ///          and a warning says that the pilot has to send them one after the other. The firmware owns the
 ///          numbers 98 and 99.
-/// Radius   by default the largest whole number of metres below half of the shortest leg, in 10 to 500 m
 /// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints,
 ///          options out of range
 /// Threads  may be called from several threads at once

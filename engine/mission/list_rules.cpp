@@ -53,8 +53,9 @@ void check_initial(const Behavior& list, std::optional<std::size_t> rows, Messag
 void check_count(const Behavior& list, std::size_t rows, Messages& messages) {
   const Argument* declared = list.find("num_waypoints");
   if (declared == nullptr) {
-    messages.push_back({list.line, Severity::warning, "num_waypoints_not_given",
-                        "no num_waypoints, though there are " + std::to_string(rows) + " rows"});
+    messages.push_back(
+        {list.line, Severity::error, "num_waypoints_not_given",
+         "no num_waypoints, which then is 0, though there are " + std::to_string(rows) + " rows"});
     return;
   }
   if (is_parameter(declared)) return;
@@ -75,7 +76,8 @@ std::size_t digits_before_point(const std::string& raw) {
   return end - first;
 }
 
-/// "-118.5687 33.4120" is syntactically fine and lies off Africa.
+}  // namespace
+
 void check_decimal_look(const std::vector<WaypointRow>& rows, Messages& messages) {
   const bool decimal = !rows.empty() && std::ranges::all_of(rows, [](const WaypointRow& row) {
     return digits_before_point(row.lon_raw) <= 3 && digits_before_point(row.lat_raw) <= 2;
@@ -86,8 +88,6 @@ void check_decimal_look(const std::vector<WaypointRow>& rows, Messages& messages
        "these look like decimal degrees, but are read as degrees and minutes (DDDMM.MMMM), all "
        "within a few degrees of 0 N 0 E"});
 }
-
-}  // namespace
 
 void check_list(const Behavior& list, const std::vector<WaypointRow>& rows, Messages& messages) {
   check_count(list, rows.size(), messages);

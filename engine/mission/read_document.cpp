@@ -2,10 +2,13 @@
 
 #include <algorithm>
 
+#include "engine/mission/cmdfile_reader.hpp"
 #include "engine/mission/document_rules.hpp"
 #include "engine/mission/file_text.hpp"
 #include "engine/mission/line_words.hpp"
+#include "engine/mission/science_reader.hpp"
 #include "engine/mission/setting_line.hpp"
+#include "engine/mission/targets_reader.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -21,7 +24,7 @@ std::optional<std::string_view> after(std::string_view content, std::string_view
 }
 
 std::string setting_text(const char* keyword, const Argument& setting) {
-  return std::string{keyword} + setting.name + "(" + setting.unit + ") " + setting.raw;
+  return std::string{keyword} + setting.written + "(" + setting.unit + ") " + setting.raw;
 }
 
 /// What both kinds of file have in common.
@@ -52,6 +55,7 @@ class Reader {
   void read_argument(std::string_view text) {
     if (auto argument = read_setting(text, line_, document_.messages)) {
       keep(setting_text("\tb_arg: ", *argument));
+      argument->name = lower_case(argument->name);
       document_.behaviors.back().arguments.push_back(std::move(*argument));
     }
   }
@@ -149,6 +153,8 @@ class ArgumentsReader : private Reader {
       report(Severity::warning, "blanks_around_equals", "blanks around the = of behavior_name");
     warn_of_extra(words);
     if (named_) return read_name_again(words.front());
+    if (arguments_read_ || waypoints_read_)
+      report(Severity::warning, "unusual_order", "behavior_name comes first in every vehicle's files");
     named_ = true;
     if (document_.behaviors.empty()) begin_behavior("");
     document_.behaviors.back().name = lower_case(words.front());
@@ -180,8 +186,13 @@ class ArgumentsReader : private Reader {
   }
 
   void read_tag(std::string_view content) {
-    const std::string tag = lower_case(content);
+    const auto words = words_of(content);
+    warn_of_extra(words);
+    const std::string tag = lower_case(words.front());
     if (tag == "<start:b_arg>") {
+      if (waypoints_read_)
+        report(Severity::warning, "unusual_order",
+               "the b_args come before the waypoints in every vehicle's files");
       open(Section::arguments, arguments_read_);
     } else if (tag == "<start:waypoints>") {
       open(Section::waypoints, waypoints_read_);
@@ -216,14 +227,32 @@ class ArgumentsReader : private Reader {
   bool too_many_{false};
 };
 
+/// What a line of a Seaglider's file gives away; nothing for one that any file could have.
+std::optional<DocumentKind> seaglider_kind(std::string_view line) {
+  if (line.find("goto=") != std::string_view::npos) return DocumentKind::targets;
+  if (line.find("sensors=") != std::string_view::npos) return DocumentKind::science;
+  if (line.starts_with('$')) return DocumentKind::cmdfile;
+  return std::nullopt;
+}
+
 DocumentKind kind_of(const std::string& name, const FileText& text) {
   const std::string lower = lower_case(name);
   if (lower.ends_with(".mi")) return DocumentKind::mission;
   if (lower.ends_with(".ma")) return DocumentKind::arguments;
+  for (const auto& [word, kind] : {std::pair{"targets", DocumentKind::targets},
+                                   {"science", DocumentKind::science},
+                                   {"cmdfile", DocumentKind::cmdfile}}) {
+    if (lower.find(word) != std::string::npos) return kind;
+  }
   const bool named = std::ranges::any_of(text.lines, [](const std::string& line) {
     return after(split_comment(line).content, "behavior_name").has_value();
   });
-  return named ? DocumentKind::arguments : DocumentKind::mission;
+  if (named) return DocumentKind::arguments;
+  for (const std::string& line : text.lines) {
+    if (line.starts_with('/')) continue;
+    if (const auto kind = seaglider_kind(line)) return *kind;
+  }
+  return DocumentKind::mission;
 }
 
 bool has_too_many_errors(const Messages& messages) {
@@ -255,9 +284,21 @@ void warn_of_layout(const FileText& text, Messages& messages) {
                         "a byte order mark, which a vehicle takes for text; save without it"});
   }
   if (text.format.line_endings == "CR" || text.format.line_endings == "mixed") {
-    messages.push_back({0, Severity::warning, "carriage_return_alone",
-                        "lines that end in a carriage return alone; no vehicle's files do"});
+    messages.push_back(
+        {0, Severity::warning, "carriage_return_alone",
+         "lines that end in a carriage return alone; no vehicle's files do, save it with other line ends"});
   }
+}
+
+void read_text(const FileText& text, Document& document) {
+  switch (document.kind) {
+    case DocumentKind::targets: return read_targets(text, document);
+    case DocumentKind::science: return read_science(text, document);
+    case DocumentKind::cmdfile: return read_cmdfile(text, document);
+    case DocumentKind::mission: read_lines(text, MissionReader{document}, document); break;
+    case DocumentKind::arguments: read_lines(text, ArgumentsReader{document}, document); break;
+  }
+  check_document(document);
 }
 
 }  // namespace
@@ -276,12 +317,7 @@ Document read_document(std::string name, std::string_view bytes) {
   document.format.bytes = bytes.size();
   document.kind = kind_of(document.name, *text);
   warn_of_layout(*text, document.messages);
-  if (document.kind == DocumentKind::mission) {
-    read_lines(*text, MissionReader{document}, document);
-  } else {
-    read_lines(*text, ArgumentsReader{document}, document);
-  }
-  check_document(document);
+  read_text(*text, document);
   std::ranges::stable_sort(document.messages, {}, &Message::line);
   return document;
 }

@@ -74,7 +74,7 @@ std::optional<Argument> read_setting(std::string_view text, int line, Messages& 
     messages.push_back({line, Severity::warning, "extra_tokens",
                         "words after the value of " + name + "; a comment begins with #"});
   }
-  return Argument{name, std::string{parts->unit}, std::string{parts->values.front()}, *value, line};
+  return Argument{name, name, std::string{parts->unit}, std::string{parts->values.front()}, *value, line};
 }
 
 geo::LonLat read_packed_place(double lon_packed, double lat_packed, int line, Messages& messages) {

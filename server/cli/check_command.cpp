@@ -52,6 +52,7 @@ void print(const mission::Document& document, const std::string& file) {
     std::printf(", %s", document.behaviors.front().name.c_str());
   if (document.kind == mission::DocumentKind::mission)
     std::printf(", mission of %zu behaviors", document.behaviors.size());
+  if (!document.bands.empty()) std::printf(", %zu depth bands", document.bands.size());
   if (!document.waypoints.empty()) std::printf(", %zu waypoints", document.waypoints.size());
   std::printf("\n");
   for (const auto& message : document.messages) {
@@ -104,8 +105,8 @@ void add_check(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
   auto* command =
       app.add_subcommand("check",
-                         "Read mission files (.ma, .mi) and judge them; with --depart as one flight "
-                         "through the stored data");
+                         "Read mission files (.ma, .mi; a Seaglider's targets, science, cmdfile) and judge them; "
+                         "with --depart as one flight through the stored data");
   command->add_option("FILE", flags->files, "Mission files, lists in the order in which they are flown")
       ->required();
   command->add_option("--from", flags->from, "Where the vehicle is, LON,LAT; default: the first waypoint");

@@ -34,7 +34,9 @@ int run(const std::string& route, const InputFlags& flags, bool json_out, const 
   if (std::filesystem::is_regular_file(route)) {
     json file = file_member(route);
     const json document = json::parse(file["text"].get_ref<const std::string&>(), nullptr, false);
-    if (document.is_discarded()) {
+    // From a start other than its first place, and where it is JSON but no GeoJSON, it goes as the file that it is.
+    const bool as_file = document.is_discarded() || document.contains("abbrev") || inputs.contains("from");
+    if (as_file) {
       inputs["route_file"] = std::move(file);
     } else {
       inputs["route"] = route_in(document);
@@ -61,9 +63,9 @@ void add_evaluate(CLI::App& app, Program& program) {
   auto json_out = std::make_shared<bool>(false);
   auto* command = app.add_subcommand("evaluate", "Time a given route in the stored data");
   command
-      ->add_option(
-          "ROUTE", *route,
-          "A plan's id or a file with a route: GeoJSON, .ma, .mi, GPX, KML, CSV or Seaglider targets")
+      ->add_option("ROUTE", *route,
+                   "A plan's id or a file with a route: GeoJSON, .ma, .mi, GPX, KML, CSV, Seaglider targets "
+                   "or an IMC plan")
       ->required();
   flags->add_start(*command);
   flags->add_common(*command);

@@ -25,6 +25,7 @@ struct Flags {
   routes::MissionRequest mission;
   std::string firmware{"10.5"};
   std::vector<std::string> safe;
+  std::vector<std::string> science;
   std::optional<double> iceberg_depth_m;
   std::string glider;
   bool zip{false};
@@ -39,6 +40,15 @@ routes::MissionRequest mission_request(const Flags& flags) {
   const auto firmware = routes::parse_firmware(flags.firmware);
   if (!firmware) throw CLI::ValidationError{"--firmware", flags.firmware + " is not a version; as 10.5"};
   request.firmware = *firmware;
+  request.seaglider = flags.format == "seaglider";
+  if (!flags.science.empty() && !request.seaglider)
+    throw CLI::ValidationError{"--science", "is for --format seaglider"};
+  for (const std::string& text : flags.science) {
+    const auto band = mission::parse_science_band(text);
+    if (!band)
+      throw CLI::ValidationError{"--science", text + " is not DEPTH:SECONDS:SENSORS:GC; as 200:10:1110:120"};
+    request.bands.push_back(*band);
+  }
   if (flags.safe.empty()) {
     if (flags.iceberg_depth_m)
       throw CLI::ValidationError{"--iceberg-depth", "is for work under ice, which takes --safe LON,LAT too"};
@@ -61,7 +71,8 @@ tl::expected<mission::MissionFiles, core::Violations> files_of(sqlite::Connectio
                                                                const repository::PlanRecord& record,
                                                                const Flags& flags,
                                                                const std::vector<std::string>& warnings) {
-  if (flags.format == "gliderdos") return routes::mission_of(record, mission_request(flags), now());
+  if (flags.format == "gliderdos" || flags.format == "seaglider")
+    return routes::mission_of(record, mission_request(flags), now());
   const auto format = std::ranges::find(routes::export_formats(), flags.format, &routes::ExportFormat::name);
   auto bytes = routes::export_plan(db, record, *format, warnings, now());
   if (!bytes) return tl::unexpected(bytes.error());
@@ -71,7 +82,7 @@ tl::expected<mission::MissionFiles, core::Violations> files_of(sqlite::Connectio
 }
 
 std::vector<std::string> format_names() {
-  std::vector<std::string> names{"gliderdos"};
+  std::vector<std::string> names{"gliderdos", "seaglider"};
   for (const auto& format : routes::export_formats()) names.push_back(format.name);
   return names;
 }
@@ -79,7 +90,7 @@ std::vector<std::string> format_names() {
 /// The files where a dockserver looks for them, in one archive if that is wanted.
 std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const repository::PlanRecord& record,
                                  const Flags& flags) {
-  const std::filesystem::path folder = *routes::dockserver_folder(flags.glider);
+  const std::filesystem::path folder = *routes::handover_folder(flags.glider, flags.format == "seaglider");
   std::vector<OutputFile> output;
   std::vector<codec::ArchivedFile> archived;
   for (const auto& file : set.files) {
@@ -92,7 +103,7 @@ std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const reposit
 
 /// A name of a folder, and no way out of it.
 std::string check_glider(const std::string& name) {
-  const auto folder = routes::dockserver_folder(name);
+  const auto folder = routes::handover_folder(name, false);
   return folder ? "" : name + " " + folder.error().rule;
 }
 
@@ -137,7 +148,10 @@ void add_export(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
   auto* command = app.add_subcommand("export", "Write a plan as mission files");
   command->add_option("PLAN", flags->plan_id, "The plan's id")->required();
-  command->add_option("--format", flags->format, "One file, or gliderdos: mission files of a Slocum")
+  command
+      ->add_option(
+          "--format", flags->format,
+          "One file; or gliderdos, mission files of a Slocum, or seaglider: targets, cmdfile and science")
       ->check(CLI::IsMember(format_names()))
       ->capture_default_str();
   command->add_option("--out", flags->out, "Folder to write into, made when missing")->capture_default_str();
@@ -155,11 +169,19 @@ void add_export(CLI::App& app, Program& program) {
           "Open water to recover to from under ice, LON,LAT; may be repeated; writes the full set with its "
           "ice settings")
       ->allow_extra_args(false);
+  command
+      ->add_option(
+          "--science", flags->science,
+          "Band of a Seaglider's science file, DEPTH:SECONDS:SENSORS:GC, from the surface down; may be "
+          "repeated")
+      ->allow_extra_args(false);
   command->add_option("--iceberg-depth", flags->iceberg_depth_m,
                       "Deepest iceberg to expect, metres; default 20");
   command
       ->add_option("--glider", flags->glider,
-                   "Write into gliders/GLIDER/to-glider below --out, where a dockserver takes files from")
+                   "Write into gliders/GLIDER/to-glider below --out, where a dockserver takes files from (a "
+                   "Seaglider's "
+                   "into GLIDER)")
       ->check(check_glider);
   command->add_flag("--zip", flags->zip, "Write one ZIP archive instead of the files");
   command->add_flag("--force", flags->force, "Replace files that exist");

@@ -137,8 +137,8 @@ void InputFlags::add_planning(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option(
       "--goals", goals_file_,
-      "File with the places to visit instead of --via and --to: .ma, .mi, GPX, KML, GeoJSON, CSV or "
-      "Seaglider targets; without --from its first place is the start");
+      "File with the places to visit instead of --via and --to: .ma, .mi, GPX, KML, GeoJSON, CSV, "
+      "Seaglider targets or an IMC plan; without --from its first place is the start");
   command.add_option("--members", members_,
                      "Draw this many errors of the currents (2 to 64) and show the spread");
   command.add_option("--current-error", current_error_m_s_,

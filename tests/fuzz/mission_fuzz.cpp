@@ -27,6 +27,7 @@ void check(const char* name, std::string_view bytes) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const std::string_view bytes{reinterpret_cast<const char*>(data), size};
-  for (const char* name : {"goto_l10.ma", "stock.mi", "upload"}) check(name, bytes);
+  for (const char* name : {"goto_l10.ma", "stock.mi", "targets", "science", "cmdfile", "upload"})
+    check(name, bytes);
   return 0;
 }

@@ -41,7 +41,8 @@ TEST(RouteFile, ReadsEveryFormatAlike) {
       {"goto_l10.ma",
        "behavior_name=goto_list\n<start:b_arg>\nb_arg: num_waypoints(nodim) 2\n<end:b_arg>\n"
        "<start:waypoints>\n-5330.0 6915.0\n-5245 6900\n<end:waypoints>\n"},
-      {"targets", "/ comment\nB lat=6900.00 lon=-5245.00 radius=100 goto=B\nA lat=6915 lon=-5330 goto=B\n"}};
+      {"targets",
+       "/ comment\nB lat=6900.00 lon=-5245.00 radius=100 goto=B\nA lat=6915 lon=-5330 radius=500 goto=B\n"}};
 
   for (const auto& [name, text] : files) {
     const auto read = read_route_file(name, text);
@@ -55,9 +56,10 @@ TEST(RouteFile, ReadsEveryFormatAlike) {
 }
 
 TEST(RouteFile, FollowsTargetsInTheOrderInWhichTheyLead) {
-  const auto read = read_route_file("targets",
-                                    "A lat=6915 lon=-5330 goto=C\nB lat=6900 lon=-5245 goto=B\n"
-                                    "C lat=6906 lon=-5300 goto=B depth=3\n");
+  const auto read =
+      read_route_file("targets",
+                      "A lat=6915 lon=-5330 radius=500 goto=C\nB lat=6900 lon=-5245 radius=500 goto=B\n"
+                      "C lat=6906 lon=-5300 radius=500 goto=B depth=3\n");
 
   ASSERT_TRUE(read.has_value());
   ASSERT_EQ(read->places.size(), 3U);
@@ -66,7 +68,8 @@ TEST(RouteFile, FollowsTargetsInTheOrderInWhichTheyLead) {
 }
 
 TEST(RouteFile, SaysWhatIsWrongAndWhere) {
-  EXPECT_THAT(fault_of("a.ma", "behavior_name=goto_list\n<start:b_arg>\n"), HasSubstr("line 2"));
+  EXPECT_THAT(fault_of("a.ma", "behavior_name=goto_list\n<start:b_arg>\nb_arg: num_waypoints(nodim) 0\n"),
+              HasSubstr("line 3"));
   EXPECT_THAT(fault_of("a.ma",
                        "behavior_name=goto_list\n<start:b_arg>\nb_arg: num_waypoints(nodim) 1\n<end:b_arg>\n"
                        "<start:waypoints>\n-53.5 69.25\n<end:waypoints>\n"),
@@ -81,7 +84,7 @@ TEST(RouteFile, SaysWhatIsWrongAndWhere) {
               HasSubstr("position 0"));
   EXPECT_THAT(fault_of("a.csv", "a,b\n1,2\n"), HasSubstr("column lon"));
   EXPECT_THAT(fault_of("a.csv", "lon,lat\n1,2\n1\n"), HasSubstr("line 3"));
-  EXPECT_THAT(fault_of("targets", "A lat=6915 lon=-5330 goto=X\n"), HasSubstr("names no target"));
+  EXPECT_THAT(fault_of("targets", "A lat=6915 lon=-5330 radius=500 goto=X\n"), HasSubstr("names no target"));
   EXPECT_THAT(fault_of("a", " \n"), HasSubstr("empty"));
   EXPECT_THAT(fault_of("a", std::string(2'000'000, 'x')), HasSubstr("1 MiB"));
 }
@@ -137,6 +140,43 @@ TEST(RouteFileInput, IsEvaluatedFromTheGivenStart) {
   EXPECT_THAT(parsed->route, ElementsAre(first, second));
   inputs["route_file"] = 3;
   EXPECT_FALSE(parse_evaluate_inputs(inputs).has_value());
+}
+
+/// An IMC plan of these maneuvers, in this order.
+std::string imc_plan(const std::vector<std::string>& maneuvers) {
+  json plan{{"abbrev", "PlanSpecification"},
+            {"start_man_id", "0"},
+            {"maneuvers", json::array()},
+            {"transitions", json::array()}};
+  for (std::size_t i = 0; i < maneuvers.size(); ++i) {
+    plan["maneuvers"].push_back({{"maneuver_id", std::to_string(i)}, {"data", json::parse(maneuvers[i])}});
+    if (i > 0)
+      plan["transitions"].push_back({{"source_man", std::to_string(i - 1)}, {"dest_man", std::to_string(i)}});
+  }
+  return plan.dump();
+}
+
+TEST(ImcRoute, FollowsTheTransitionsThroughGotosAndPaths) {
+  const std::string go = R"({"abbrev":"Goto","lat":1.2,"lon":-0.9})";
+  const std::string path =
+      R"({"abbrev":"FollowPath","lat":1.2,"lon":-0.9,"points":[{"x":0,"y":0,"z":0},{"x":1000,"y":0},{"x":0,"y":-500}]})";
+  const auto read = read_route_file("plan.json", imc_plan({go, path}));
+
+  ASSERT_TRUE(read.has_value()) << read.error().front().rule;
+  ASSERT_EQ(read->places.size(), 4U);
+  EXPECT_NEAR(read->places[0].lat_deg, 68.75493541569878, 1e-12);
+  EXPECT_NEAR(read->places[0].lon_deg, -51.56620156177409, 1e-12);
+  EXPECT_NEAR(read->places[2].lat_deg - read->places[1].lat_deg, 1000.0 / 111'550.0, 2e-5);
+  EXPECT_LT(read->places[3].lon_deg, read->places[1].lon_deg);
+}
+
+TEST(ImcRoute, IsRefusedWithTheManeuverThatIsWrong) {
+  EXPECT_THAT(fault_of("plan.json", imc_plan({R"({"abbrev":"Goto","lat":69.2,"lon":-53.2})"})),
+              HasSubstr("radians"));
+  EXPECT_THAT(fault_of("plan.json", imc_plan({R"({"abbrev":"Rows","lat":1.2,"lon":-0.9})"})),
+              HasSubstr("pattern"));
+  EXPECT_THAT(fault_of("plan.json", imc_plan({})), HasSubstr("not there"));
+  EXPECT_THAT(fault_of("plan.json", R"({"abbrev":"Abort"})"), HasSubstr("PlanSpecification"));
 }
 
 TEST(RouteInput, TakesAPlaceThatIsGivenTwiceOnceAndSaysWhich) {

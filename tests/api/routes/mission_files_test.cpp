@@ -73,6 +73,7 @@ TEST_F(MissionFilesTest, ComeInEveryOtherFormatToo) {
                                                                         {"csv", "index,"},
                                                                         {"nmea", "$GPWPL"},
                                                                         {"targets", "/ plan id p1"},
+                                                                        {"imc", "{"},
                                                                         {"html", "<!DOCTYPE html>"},
                                                                         {"pdf", "%PDF-"}}) {
     const auto response = ask("GET", "/collections/plans/items/p1/mission." + format);
@@ -80,6 +81,16 @@ TEST_F(MissionFilesTest, ComeInEveryOtherFormatToo) {
     EXPECT_EQ(response.body.substr(0, start.size()), start) << format;
   }
   EXPECT_EQ(ask("GET", "/collections/plans/items/p1/mission.doc").status, 404);
+}
+
+TEST_F(MissionFilesTest, AreThoseOfASeagliderWhenAskedFor) {
+  const json set = ask_for("?format=seaglider&science=20:5:1110:60;200:10:1100:120");
+
+  ASSERT_EQ(set["files"].size(), 3U);
+  EXPECT_EQ(set["files"][1]["name"], "science");
+  EXPECT_THAT(set["files"][1]["text"].get<std::string>(), HasSubstr("200 seconds=10 sensors=1100 gc=120\n"));
+  EXPECT_THAT(ask("GET", "/collections/plans/items/p1/mission.zip?format=seaglider&glider=sg123").body,
+              HasSubstr("sg123/targets"));
 }
 
 TEST_F(MissionFilesTest, LieInTheArchiveWhereADockserverLooksForThem) {
@@ -97,7 +108,8 @@ TEST_F(MissionFilesTest, RefuseBadOptions) {
   const std::string path = "/collections/plans/items/p1/mission?";
   for (const char* query :
        {"number=98", "firmware=ten", "safe=here", "iceberg_depth_m=20", "full=true&mission=recov",
-        "safe=-53,69&iceberg_depth_m=900", "accept_dangers=maybe", "force=true"})
+        "safe=-53,69&iceberg_depth_m=900", "accept_dangers=maybe", "force=true", "format=spray",
+        "science=20:5:1:60", "format=seaglider&science=20:5"})
     EXPECT_EQ(ask("GET", path + query).status, 400) << query;
 }
 

@@ -4,7 +4,8 @@
 #include <sstream>
 
 #include "engine/mission/nmea_route.hpp"
-#include "engine/mission/seaglider_targets.hpp"
+#include "engine/mission/read_document.hpp"
+#include "engine/mission/seaglider_files.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
 namespace floeplan::mission {
@@ -55,12 +56,13 @@ TEST(SeagliderTargets, LeadEachToTheNextAndTheLastToItself) {
 TEST(SeagliderTargets, OfAnyPlanReadBackWithinATenthOfAMetre) {
   support::for_each_seed(200, [](std::mt19937_64& rng) {
     const auto places = support::random_places(rng, 2, 40);
-    const auto read = read_targets(write_targets(plan_of(places), core::Metres{500.0}, {}).text);
+    const Document read =
+        read_document("targets", write_targets(plan_of(places), core::Metres{500.0}, {}).text);
 
-    ASSERT_TRUE(read.has_value());
-    ASSERT_EQ(read->size(), places.size() - 1);
-    for (std::size_t i = 0; i < read->size(); ++i)
-      EXPECT_LT(geo::geodesic_between(places[i + 1], (*read)[i]).length.value, 0.14);
+    ASSERT_EQ(read.verdict(), Verdict::ok);
+    ASSERT_EQ(read.waypoints.size(), places.size() - 1);
+    for (std::size_t i = 0; i < read.waypoints.size(); ++i)
+      EXPECT_LT(geo::geodesic_between(places[i + 1], read.waypoints[i].place).length.value, 0.14);
   });
 }
 

@@ -88,7 +88,7 @@ TEST(ReadDocument, JudgesTheNumberOfWaypoints) {
   const Document undeclared = read_document("goto_l10.ma",
                                             "behavior_name=goto_list\n<start:b_arg>\n<end:b_arg>\n<start:"
                                             "waypoints>\n-7348 3917\n<end:waypoints>\n");
-  EXPECT_THAT(undeclared.messages, has("num_waypoints_not_given", Severity::warning, 1));
+  EXPECT_THAT(undeclared.messages, has("num_waypoints_not_given", Severity::error, 1));
 }
 
 TEST(ReadDocument, StopsAtAThousandWaypointsAndAt64KiB) {

@@ -1,0 +1,130 @@
+#include <cmath>
+#include <map>
+#include <numbers>
+#include <set>
+
+#include "api/codec/json_text.hpp"
+#include "api/codec/route_formats.hpp"
+#include "engine/geo/geodesic.hpp"
+#include "engine/mission/line_words.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+using nlohmann::json;
+
+constexpr std::size_t max_places = 10'000;
+
+std::string text_at(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
+}
+
+std::optional<double> number_at(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_number() ? std::optional{found->get<double>()} : std::nullopt;
+}
+
+const json* array_at(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_array() ? &*found : nullptr;
+}
+
+/// The message itself, or the one that PlanDB and PlanControl carry.
+const json* plan_in(const json& message) {
+  if (!message.is_object()) return nullptr;
+  if (text_at(message, "abbrev") == "PlanSpecification") return &message;
+  const auto inner = message.find("arg");
+  return inner != message.end() && inner->is_object() && text_at(*inner, "abbrev") == "PlanSpecification"
+             ? &*inner
+             : nullptr;
+}
+
+/// Radians to a place; nothing for what is no angle in radians, degrees for instance.
+std::optional<geo::LonLat> place_in(const json& maneuver) {
+  const auto lat = number_at(maneuver, "lat");
+  const auto lon = number_at(maneuver, "lon");
+  if (!lat || !lon || std::abs(*lat) > std::numbers::pi / 2.0 || std::abs(*lon) > std::numbers::pi)
+    return std::nullopt;
+  return geo::LonLat{core::radians_to_degrees(*lon), core::radians_to_degrees(*lat)};
+}
+
+/// Patterns over an area: their places follow from rules that are the vehicle's.
+bool is_pattern(const std::string& kind) {
+  return kind == "Rows" || kind == "RowsCoverage" || kind == "CoverArea";
+}
+
+/// Adds the places of one maneuver. Returns what is wrong with it, empty when nothing is.
+std::string add_places(const json& maneuver, std::vector<geo::LonLat>& places) {
+  const std::string kind = text_at(maneuver, "abbrev");
+  if (is_pattern(kind)) return "is a " + kind + ", a pattern without places of its own";
+  const auto reference = place_in(maneuver);
+  if (!reference) return "has no lat and lon in radians";
+  const json* points = array_at(maneuver, "points");
+  if (points == nullptr) {
+    places.push_back(*reference);
+    return "";
+  }
+  for (const json& point : *points) {
+    const auto north = point.is_object() ? number_at(point, "x") : std::nullopt;
+    const auto east = point.is_object() ? number_at(point, "y") : std::nullopt;
+    if (!north || !east || std::hypot(*north, *east) > 1e6) return "has a point without x and y in metres";
+    places.push_back(geo::geodesic_destination(
+        *reference, geo::Bearing::towards(*east, *north),
+        core::Metres{std::hypot(*north, *east)}));
+  }
+  return "";
+}
+
+/// Which maneuver follows which.
+std::map<std::string, std::string> successors(const json& plan) {
+  std::map<std::string, std::string> next;
+  const json* transitions = array_at(plan, "transitions");
+  if (transitions == nullptr) return next;
+  for (const json& transition : *transitions) {
+    if (!transition.is_object()) continue;
+    std::string sources = text_at(transition, "source_man");
+    for (char& c : sources) c = c == ',' ? ' ' : c;
+    for (const std::string_view source : mission::words_of(sources))
+      next.emplace(source, text_at(transition, "dest_man"));
+  }
+  return next;
+}
+
+}  // namespace
+
+bool is_imc_plan(std::string_view bytes) {
+  return bytes.substr(0, 4096).find("\"abbrev\"") != std::string_view::npos;
+}
+
+RoutePlaces read_imc(std::string_view bytes) {
+  const auto message = parse_json(bytes);
+  if (!message) return route_fault("file", message.error());
+  const json* plan = plan_in(*message);
+  if (plan == nullptr) return route_fault("file", "is an IMC message, but no PlanSpecification");
+  std::map<std::string, const json*> maneuvers;
+  const json* listed = array_at(*plan, "maneuvers");
+  static const json none = json::array();
+  for (const json& maneuver : listed == nullptr ? none : *listed) {
+    if (maneuver.is_object() && maneuver.contains("data") && maneuver["data"].is_object())
+      maneuvers.emplace(text_at(maneuver, "maneuver_id"), &maneuver["data"]);
+  }
+
+  const auto next = successors(*plan);
+  std::vector<geo::LonLat> places;
+  std::set<std::string> done;
+  for (std::string id = text_at(*plan, "start_man_id"); done.insert(id).second;) {
+    const auto maneuver = maneuvers.find(id);
+    if (maneuver == maneuvers.end())
+      return route_fault("maneuver \"" + id + "\"", "is asked for but not there");
+    const std::string fault = add_places(*maneuver->second, places);
+    if (!fault.empty()) return route_fault("maneuver \"" + id + "\"", fault);
+    if (places.size() > max_places) return route_fault("file", "holds more than 10000 places");
+    const auto following = next.find(id);
+    if (following == next.end() || following->second == "done" || following->second == "error") break;
+    id = following->second;
+  }
+  return places;
+}
+
+}  // namespace floeplan::codec
