@@ -37,6 +37,14 @@ const NetcdfVariable* field_named(const NetcdfFile& file, const std::string& low
   return nullptr;
 }
 
+/// Whether a file has both parts of a pair. Winds and geostrophic currents are named ua and ug, too: a phase is an angle.
+bool has_pair(const NetcdfFile& file, const KnownPair& pair) {
+  const NetcdfVariable* second = field_named(file, pair.second);
+  if (field_named(file, pair.first) == nullptr || second == nullptr) return false;
+  const std::string unit = lower(second->attribute("units"));
+  return !pair.amplitude_and_phase || unit.empty() || unit.starts_with("deg") || unit.starts_with("rad");
+}
+
 bool is_roms_forcing(const NetcdfFile& file) {
   return file.find("tide_Eamp") != nullptr || file.find("tide_Cmax") != nullptr ||
          (file.find("ssh_Re") != nullptr && file.find("ssh_Im") != nullptr);
@@ -104,9 +112,8 @@ Checked<bool> check_phase(const NetcdfVariable& phase) {
 }  // namespace
 
 bool holds_tides(const NetcdfFile& file) {
-  return is_roms_forcing(file) || std::ranges::any_of(known_pairs, [&](const KnownPair& pair) {
-           return field_named(file, pair.first) != nullptr && field_named(file, pair.second) != nullptr;
-         });
+  return is_roms_forcing(file) ||
+         std::ranges::any_of(known_pairs, [&](const KnownPair& pair) { return has_pair(file, pair); });
 }
 
 Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file) {
@@ -122,7 +129,7 @@ Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file) {
   for (const KnownPair& pair : known_pairs) {
     const NetcdfVariable* first = field_named(file, pair.first);
     const NetcdfVariable* second = field_named(file, pair.second);
-    if (first == nullptr || second == nullptr || has(pair.quantity)) continue;
+    if (!has_pair(file, pair) || has(pair.quantity)) continue;
     const auto same = [](const NetcdfDimension& a, const NetcdfDimension& b) { return a.name == b.name; };
     if (!std::ranges::equal(first->dimensions(), second->dimensions(), same))
       return refuse("\"" + first->name() + "\" and \"" + second->name() +

@@ -158,6 +158,19 @@ TEST_F(TideFile, OfOneComponentOfTheCurrentIsRefused) {
   expect_refused(path("m2.nc"), "only the eastward component");
 }
 
+TEST_F(TideFile, IsNoneWhereOnlyTheNamesAreAlike) {
+  NetcdfWriter writer{path("m2.nc")};
+  writer.axis("lat", {69.0, 70.0}, {{"units", "degrees_north"}});
+  writer.axis("lon", {-54.0, -53.0}, {{"units", "degrees_east"}});
+  for (const char* name : {"ua", "ug", "va", "vg"})
+    writer.variable(field(name, {"lat", "lon"}, {0.1, 0.2, 0.3, 0.4}, "m s-1"));
+
+  const IngestReport report = ingest(path("m2.nc"));
+
+  EXPECT_EQ(report.status, IngestStatus::refused);
+  EXPECT_THAT(words(report), testing::Not(HasSubstr("tide")));
+}
+
 TEST_F(TideFile, OfTmdNamesItsConstituentsAndItsProjection) {
   NetcdfWriter writer{path("cats.nc")};
   writer.dimension("constituents", 2);
