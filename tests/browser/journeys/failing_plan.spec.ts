@@ -13,7 +13,18 @@ test('a goal on land is explained, marked on the map and answered with a suggest
   await expect(failure).toContainText(/goal/i);
   await expect(failure).toContainText('Try this:');
   await expect(page.getByRole('button', { name: /^Plan / })).toBeEnabled();
-
   await failure.getByRole('button', { name: 'Dismiss this message' }).click();
   await expect(failure).toBeHidden();
+});
+
+test('a change that the server proposes is made by its button', async ({ page, request }) => {
+  const { start, land } = await findPlaces(request);
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(land));
+  await page.getByRole('button', { name: /^Plan / }).click();
+  const change = page.getByRole('group', { name: 'Changes that help' }).getByRole('button').first();
+  await change.focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByLabel('Goal', { exact: true })).not.toHaveValue(typed(land));
 });

@@ -14,10 +14,17 @@ test('every state can be used by everyone', async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await expectAccessible(page);
-  await page.getByText('Advanced').click();
+  for (const part of await page.locator('.parts summary').all()) await part.click();
+  await expectAccessible(page);
   await planByTyping(page, start, goal);
   await settled(page);
   await expectAccessible(page);
+  await page.getByRole('button', { name: 'Profile', exact: true }).click();
+  await expect(page.locator('.uplot').first()).toBeVisible();
+  await expectAccessible(page);
+  await page.getByRole('button', { name: 'Edit copy' }).click();
+  await expectAccessible(page);
+  await page.getByRole('button', { name: 'Discard the changes' }).click();
   await page.getByRole('button', { name: 'Export mission' }).click();
   await expect(page.getByRole('dialog').locator('pre')).toBeVisible();
   await expectAccessible(page);

@@ -1,12 +1,12 @@
-import { draft, faults, generalFaults, inputsOf, refuse, sortViolations } from '../model/draft';
+import { draft, edit, editFor, faults, generalFaults, inputsOf, refuse, sortViolations } from '../model/draft';
 import { failure, reasonTitle, running } from '../model/job';
 import { add, nextName, routeOf } from '../model/plans';
-import { rememberRequest } from '../model/requests';
-import { announce, leftTab } from '../model/screen';
+import { conditionsOf, rememberRequest, requestOf, withDeparture } from '../model/requests';
+import { announce, leftTab, rightTab } from '../model/screen';
 import { duration } from '../model/time';
 import { ask } from '../model/view';
 import * as api from './client';
-import type { JobStatus, Plan, PlanInputs } from './types';
+import type { Change, JobStatus, Plan, PlanInputs, Position } from './types';
 
 const pollWait_s = 1;
 let cancelled: AbortController | undefined;
@@ -22,16 +22,41 @@ export async function plan(): Promise<void> {
     return;
   }
   faults.value = {};
+  await planWith(form.inputs);
+}
+
+/** Plans once more for another departure, everything else as a plan was asked for. */
+export async function planAt(planned: Plan, departure: string): Promise<void> {
+  await planWith(withDeparture(requestOf(planned.plan_id) ?? guessedRequest(planned), departure));
+}
+
+/** What a plan that was made elsewhere may have been asked for. */
+function guessedRequest(planned: Plan): PlanInputs {
+  const places = routeOf(planned);
+  const [from = [0, 0], to = [0, 0]] = [places[0], places.at(-1)] as [Position?, Position?];
+  return { ...conditionsOf(planned).conditions, from, to };
+}
+
+async function planWith(inputs: PlanInputs): Promise<void> {
+  if (running.value) return;
   failure.value = undefined;
   running.value = { status: undefined, started_ms: Date.now() };
   cancelled = new AbortController();
   try {
-    await carryOut({ ...form.inputs, name: form.inputs.name ?? nextName() }, cancelled.signal);
+    await carryOut({ ...inputs, name: inputs.name ?? nextName() }, cancelled.signal);
   } catch (error) {
     if (!cancelled.signal.aborted) showRefusal(error);
   } finally {
     running.value = undefined;
   }
+}
+
+/** Makes a change that the server proposed, and plans again. */
+export async function planWithChange(change: Change): Promise<void> {
+  const part = editFor(change, draft.value);
+  if (!part) return;
+  edit(part);
+  await plan();
 }
 
 async function carryOut(inputs: PlanInputs, signal: AbortSignal): Promise<void> {
@@ -81,6 +106,7 @@ async function followedJob(status: JobStatus, signal: AbortSignal): Promise<JobS
 }
 
 function showPlan(answer: Plan): void {
+  if (answer.departures) rightTab.value = 'departures';
   add({ ...answer, created: answer.created ?? new Date().toISOString() });
   ask({ do: 'fit', places: routeOf(answer) });
   const warned = answer.warnings.length > 0 ? ` ${answer.warnings.length} warnings.` : '';

@@ -1,7 +1,7 @@
 import { effect, untracked } from '@preact/signals';
 import { range, setSpan, setTime } from '../model/clock';
 import { connectionFault, chosenCurrents, currentTimes_ms, datasets, vehicles } from '../model/datasets';
-import { draft, edit } from '../model/draft';
+import { draft, fill } from '../model/draft';
 import * as model from '../model/plans';
 import { announce, probed } from '../model/screen';
 import { fieldOf, hour_ms, isoOf } from '../model/time';
@@ -21,7 +21,7 @@ export async function refresh(): Promise<void> {
       .map((feature) => feature.properties)
       .sort((a, b) => Date.parse(b.created ?? b.departure) - Date.parse(a.created ?? a.departure));
     connectionFault.value = undefined;
-    if (draft.value.vehicle === '') edit({ vehicle: known.vehicles[0]?.name ?? '' });
+    if (draft.value.vehicle === '') fill({ vehicle: known.vehicles[0]?.name ?? '' });
     const newest = model.plans.value[0];
     if (newest && model.shown.value.length === 0) model.select(newest.plan_id);
   } catch (error) {
@@ -62,7 +62,7 @@ function openAt(start_ms: number, end_ms: number): void {
   const now_ms = Math.floor(Date.now() / hour_ms) * hour_ms;
   const first_ms = Math.ceil(start_ms / hour_ms) * hour_ms;
   setTime(now_ms >= start_ms && now_ms <= end_ms ? now_ms : Math.min(first_ms, range.value.end_ms));
-  if (draft.value.depart === '') edit({ depart: fieldOf(time_ms.value) });
+  if (draft.value.depart === '') fill({ depart: fieldOf(time_ms.value) });
 }
 
 export async function deletePlan(id: string): Promise<void> {

@@ -32,6 +32,9 @@ export interface Vehicle {
   depth_rating_m: number;
   minimum_working_depth_m: number;
   max_waypoints_per_list: number;
+  pitch_deg?: number;
+  climb_to_m?: number;
+  altimeter_margin_m?: number;
 }
 
 export interface IcebergProperties {

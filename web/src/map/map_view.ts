@@ -19,6 +19,7 @@ import { openEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
 import { announce } from '../model/screen';
 import { command, hoveredBerg, pointer, tool, view, type Command } from '../model/view';
+import { areaLayer } from './area_layer';
 import { bathymetryLayer } from './bathymetry_layer';
 import { coastLayer } from './coast_layer';
 import { currentsLayer } from './currents_layer';
@@ -39,18 +40,19 @@ const animation_ms = 250;
 export function createMap(target: HTMLElement, probe: (place: Position) => void): void {
   registerProjections();
   const bergs = icebergLayer();
-  const edit = editLayer();
+  const route = editLayer();
+  const areas = areaLayer();
   const map = new Map({
     target,
     controls: [],
     interactions: [
       new DragRotate(), new DoubleClickZoom(), new DragPan({ condition: (event) => noModifierKeys(event) }), new DragZoom(),
       new PinchZoom(), new MouseWheelZoom(),
-      new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), edit.drag,
+      new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), route.drag, areas.draw,
     ],
     layers: [
-      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), safetyLayer(), planLayer(), bergs,
-      waypointLayer(), vehicleLayer(), edit.layer, markerLayer(),
+      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), areas.layer, safetyLayer(), planLayer(), bergs,
+      waypointLayer(), vehicleLayer(), route.layer, markerLayer(),
     ],
   });
   followProjection(map);
@@ -221,6 +223,14 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
       tool.value = field === 'from' && draft.value.to.trim() === '' ? 'to' : 'pan';
       return;
     }
+    case 'via': {
+      const { via } = draft.value;
+      edit({ via: [...via.split('\n').filter((line) => line.trim() !== ''), editablePosition(place)].join('\n') });
+      announce(`A place to pass at ${editablePosition(place)}.`);
+      return;
+    }
+    case 'area':
+      return; // the drawing of the area takes it
     case 'probe':
       probe(place);
       return;
@@ -249,6 +259,7 @@ function publishState(map: Map, target: HTMLElement): void {
   effect(() => {
     target.dataset['icebergs'] = String(icebergs.value.length);
     target.dataset['plans'] = String(shownPlans.value.length);
+    target.dataset['areas'] = String(draft.value.areas.length);
     target.dataset['handles'] = String(openEdit.value?.route.now.length ?? 0);
     target.dataset['coast'] = String(coast.value.length);
     target.dataset['currents'] = currents.value ? 'shown' : 'none';

@@ -1,26 +1,55 @@
-import { signal } from '@preact/signals';
-import type { Method, PlanInputs, Violation } from '../api/types';
+import { computed, signal } from '@preact/signals';
+import type { Change, Method, PlanInputs, Position, Violation } from '../api/types';
 import { parsePosition } from '../geo/coordinates';
-import type { Position } from '../api/types';
-import { isoOf, parseTime } from './time';
+import { areasInputs, faultOfAreas, type Area } from './area';
+import { begin, record, redo, undo } from './history';
+import { fieldOf, isoOf, parseTime } from './time';
 
-/** The set-up as a person types it: texts until they are sent. Numbers left empty take the server's default. */
+/**
+ * The set-up as a person types it: texts until they are sent. Numbers left empty take the server's default. A name with a
+ * dot is a member of a member of the request.
+ */
 export interface Draft {
   from: string;
   to: string;
   via: string;
+  via_order: 'given' | 'best';
   depart: string;
+  depart_until: string;
+  depart_step: string; // hours
+  arrive_by: string;
   vehicle: string;
   name: string;
   margin_m: string;
+  objective: 'time' | 'energy';
   method: Method;
   speed_m_s: string;
   dive_depth_m: string;
+  pitch_deg: string;
+  climb_to_m: string;
+  altimeter_margin_m: string;
+  battery_start_share: string; // percent
+  require_battery: boolean;
+  thruster: 'auto' | 'on' | 'off';
   spacing_m: string;
   sectors: string;
   max_waypoints: string;
+  max_leg_m: string; // kilometres
   refine: boolean;
   steady: boolean;
+  areas: Area[];
+  icebergs_drift: boolean;
+  max_inflation_m: string;
+  max_sighting_age_days: string;
+  'under_ice.max_concentration_to_surface': string; // percent
+  'under_ice.margin_below_ice_m': string;
+  'under_ice.draft_if_unknown_m': string;
+  'under_ice.max_time_without_surfacing_s': string; // hours
+  'under_ice.escape_plan': boolean;
+  'uncertainty.members': string;
+  'uncertainty.current_error_m_s': string;
+  'uncertainty.length_scale_m': string; // kilometres
+  'uncertainty.time_scale_s': string; // hours
   currents: string;
   bathymetry: string;
   icebergs: string;
@@ -30,15 +59,27 @@ export interface Draft {
 }
 
 export const emptyDraft: Draft = {
-  from: '', to: '', via: '', depart: '', vehicle: '', name: '', margin_m: '500', method: 'astar', speed_m_s: '', dive_depth_m: '',
-  spacing_m: '', sectors: '3', max_waypoints: '', refine: true, steady: false, currents: 'newest', bathymetry: 'newest',
-  ice: 'newest', icebergs: 'newest', coastline: 'newest', icebergs_as_of: '',
+  from: '', to: '', via: '', via_order: 'given', depart: '', depart_until: '', depart_step: '3', arrive_by: '', vehicle: '', name: '',
+  margin_m: '500', objective: 'time', method: 'astar', speed_m_s: '', dive_depth_m: '', pitch_deg: '', climb_to_m: '',
+  altimeter_margin_m: '', battery_start_share: '', require_battery: false, thruster: 'auto', spacing_m: '', sectors: '3',
+  max_waypoints: '', max_leg_m: '', refine: true, steady: false, areas: [], icebergs_drift: true, max_inflation_m: '',
+  max_sighting_age_days: '', 'under_ice.max_concentration_to_surface': '', 'under_ice.margin_below_ice_m': '',
+  'under_ice.draft_if_unknown_m': '', 'under_ice.max_time_without_surfacing_s': '', 'under_ice.escape_plan': false,
+  'uncertainty.members': '', 'uncertainty.current_error_m_s': '0.05', 'uncertainty.length_scale_m': '30',
+  'uncertainty.time_scale_s': '24', currents: 'newest', bathymetry: 'newest', ice: 'newest', icebergs: 'newest', coastline: 'newest',
+  icebergs_as_of: '',
 };
 
 export type Field = keyof Draft;
 export type Faults = Partial<Record<Field, string>>;
 
-export const draft = signal<Draft>(emptyDraft);
+/** Every state of the set-up since the page was opened; typing in one field is one step. */
+const history = signal(begin(emptyDraft));
+let typingIn = '';
+
+export const draft = computed(() => history.value.now);
+export const canUndoDraft = computed(() => history.value.past.length > 0);
+export const canRedoDraft = computed(() => history.value.future.length > 0);
 
 /** What is wrong, beside the field it is wrong in; `generalFaults` belong to no field. */
 export const faults = signal<Faults>({});
@@ -54,10 +95,28 @@ export function refuse(found: Faults, general: string[] = []): void {
 }
 
 export function edit(part: Partial<Draft>): void {
-  draft.value = { ...draft.value, ...part };
+  const next = { ...draft.peek(), ...part };
+  const fields = Object.keys(part).join();
+  history.value = fields === typingIn ? { ...history.peek(), now: next, future: [] } : record(history.peek(), next);
+  typingIn = fields;
   const rest = { ...faults.value };
   for (const field of Object.keys(part) as Field[]) rest[field] = undefined;
   faults.value = rest;
+}
+
+/** Fills in what a person has not asked for: nothing to undo. */
+export function fill(part: Partial<Draft>): void {
+  history.value = { ...history.peek(), now: { ...draft.peek(), ...part } };
+}
+
+export function undoDraft(): void {
+  history.value = undo(history.peek());
+  typingIn = '';
+}
+
+export function redoDraft(): void {
+  history.value = redo(history.peek());
+  typingIn = '';
 }
 
 /** The place in a position field, where it can be read. */
@@ -84,7 +143,22 @@ export function placesIn(text: string): { places: Position[]; fault?: string } {
   return { places };
 }
 
-const numberFields = ['margin_m', 'speed_m_s', 'dive_depth_m', 'spacing_m', 'sectors', 'max_waypoints'] as const;
+/** Fields that hold numbers, and how many of the request's unit make one of the field's. */
+const numberFields = {
+  margin_m: 1, speed_m_s: 1, dive_depth_m: 1, pitch_deg: 1, climb_to_m: 1, altimeter_margin_m: 1, battery_start_share: 0.01,
+  spacing_m: 1, sectors: 1, max_waypoints: 1, max_leg_m: 1000, max_inflation_m: 1, max_sighting_age_days: 1,
+  'under_ice.max_concentration_to_surface': 0.01, 'under_ice.margin_below_ice_m': 1, 'under_ice.draft_if_unknown_m': 1,
+  'under_ice.max_time_without_surfacing_s': 3600, 'uncertainty.members': 1, 'uncertainty.current_error_m_s': 1,
+  'uncertainty.length_scale_m': 1000, 'uncertainty.time_scale_s': 3600,
+} as const;
+type NumberField = keyof typeof numberFields;
+const numberFieldNames = Object.keys(numberFields) as NumberField[];
+
+/** Fields that hold instants in UTC. */
+const timeFields = ['depart', 'depart_until', 'arrive_by', 'icebergs_as_of'] as const;
+
+/** Fields that are sent only where they differ from what the server takes anyway. */
+const sentWhenChanged = ['via_order', 'objective', 'thruster', 'require_battery', 'icebergs_drift', 'under_ice.escape_plan'] as const;
 
 /** The request a draft stands for, or every fault that keeps it from being sent. */
 export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults } {
@@ -95,30 +169,42 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
   if (!to.ok) found.to = to.fault;
   const via = placesIn(form.via);
   if (via.fault) found.via = via.fault;
+  const areaFault = faultOfAreas(form.areas);
+  if (areaFault) found.areas = areaFault;
 
-  const depart_ms = parseTime(form.depart);
-  if (depart_ms === undefined) found.depart = 'Write the time in UTC as 2026-11-20 06:00.';
-  const asOf_ms = form.icebergs_as_of.trim() === '' ? undefined : parseTime(form.icebergs_as_of);
-  if (form.icebergs_as_of.trim() !== '' && asOf_ms === undefined) found.icebergs_as_of = 'Write the time in UTC as 2026-11-20 06:00.';
-
-  const numbers: Partial<Record<(typeof numberFields)[number], number>> = {};
-  for (const field of numberFields) {
+  const values: Partial<Record<Field, number | string | boolean>> = {};
+  for (const field of timeFields) {
     if (form[field].trim() === '') continue;
+    const time_ms = parseTime(form[field]);
+    if (time_ms === undefined) found[field] = 'Write the time in UTC as 2026-11-20 06:00.';
+    else values[field] = isoOf(time_ms);
+  }
+  if (form.depart.trim() === '' && form.arrive_by.trim() === '') found.depart = 'Write the time in UTC as 2026-11-20 06:00.';
+
+  const isCertain = form['uncertainty.members'].trim() === '';
+  for (const field of numberFieldNames) {
+    if (form[field].trim() === '' || (isCertain && field.startsWith('uncertainty.'))) continue;
     const value = numberIn(form[field]);
     if (value === undefined) found[field] = 'Write a number.';
-    else numbers[field] = value;
+    else values[field] = Number((value * numberFields[field]).toPrecision(12));
   }
-  if (!from.ok || !to.ok || depart_ms === undefined || Object.keys(found).length > 0) return { faults: found };
+  if (form.depart_until.trim() !== '') {
+    const step_h = numberIn(form.depart_step);
+    if (step_h === undefined || step_h <= 0) found.depart_step = 'Write a number of hours.';
+    else values.depart_step = `PT${Math.round(60 * step_h)}M`;
+  }
+  for (const field of sentWhenChanged) if (form[field] !== emptyDraft[field]) values[field] = form[field];
+  if (!from.ok || !to.ok || Object.keys(found).length > 0) return { faults: found };
 
   return {
     inputs: {
       from: rounded(from.value),
       to: rounded(to.value),
       ...(via.places.length > 0 ? { via: via.places.map(rounded) } : {}),
-      depart: isoOf(depart_ms),
       ...(form.vehicle ? { vehicle: form.vehicle } : {}),
       ...(form.name.trim() ? { name: form.name.trim() } : {}),
-      ...numbers,
+      ...nested(values),
+      ...(form.areas.length > 0 ? { areas: areasInputs(form.areas) } : {}),
       method: form.method,
       refine: form.refine,
       steady: form.steady,
@@ -127,9 +213,18 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
       icebergs: form.icebergs,
       ice: form.ice,
       coastline: form.coastline,
-      ...(asOf_ms !== undefined ? { icebergs_as_of: isoOf(asOf_ms) } : {}),
     },
   };
+}
+
+/** Fields with a dot as members of members. */
+function nested(values: Partial<Record<Field, number | string | boolean>>): Partial<PlanInputs> {
+  const inputs: Record<string, unknown> = {};
+  for (const [field, value] of Object.entries(values)) {
+    const [outer = '', inner] = field.split('.');
+    inputs[outer] = inner === undefined ? value : { ...(inputs[outer] as object | undefined), [inner]: value };
+  }
+  return inputs;
 }
 
 /** Seven decimals are a centimetre. */
@@ -138,19 +233,51 @@ function rounded([lon, lat]: Position): Position {
 }
 
 const fieldNames = Object.keys(emptyDraft) as Field[];
-const aliases: Record<string, Field> = { departure: 'depart', start: 'from', goal: 'to', iceberg_margin: 'margin_m' };
+const aliases: Record<string, Field> = { departure: 'depart', start: 'from', goal: 'to', iceberg_margin: 'margin_m', uncertainty: 'uncertainty.members' };
+
+/** The field that holds what a JSON pointer (or the name of an input) names. */
+function fieldAt(pointer: string): Field | undefined {
+  const words = pointer.split('/').filter((word) => word !== '' && word !== 'inputs');
+  const [outer = '', inner = ''] = words;
+  return fieldNames.find((name) => name === `${outer}.${inner}`) ?? fieldNames.find((name) => name === outer) ?? aliases[outer];
+}
 
 /** Puts the server's violations beside the fields their JSON pointers name. */
 export function sortViolations(violations: Violation[]): { faults: Faults; general: string[] } {
   const sorted: Faults = {};
   const general: string[] = [];
   for (const { pointer, detail } of violations) {
-    const words = pointer.split('/').filter((word) => word !== '' && word !== 'inputs');
-    const word = words[0] ?? '';
-    const field = aliases[word] ?? fieldNames.find((name) => name === word);
+    const field = fieldAt(pointer);
     const text = detail.charAt(0).toUpperCase() + detail.slice(1);
+    const word = pointer.replace(/^\/?(inputs\/)?/, '');
     if (field) sorted[field] = sorted[field] ? `${sorted[field]} ${text}` : text;
     else general.push(word ? `${word}: ${text}` : text);
   }
   return { faults: sorted, general };
 }
+
+/** A change that the server proposes, as an edit of the set-up; undefined where the set-up has no field for it. */
+export function editFor({ input, to }: Change, form: Draft): Partial<Draft> | undefined {
+  const field = fieldAt(input);
+  if (!field) return undefined;
+  if (field === 'via') return viaEdit(input, to, form);
+  if (isPosition(to)) return { [field]: exact(to) };
+  if (typeof to === 'number') return field in numberFields ? { [field]: String(Number((to / numberFields[field as NumberField]).toPrecision(8))) } : undefined;
+  if (typeof to === 'boolean' && typeof emptyDraft[field] === 'boolean') return { [field]: to };
+  if (typeof to !== 'string' || typeof emptyDraft[field] !== 'string') return undefined;
+  const time_ms = (timeFields as readonly Field[]).includes(field) ? Date.parse(to) : undefined;
+  return { [field]: time_ms === undefined ? to : time_ms % 60_000 === 0 ? fieldOf(time_ms) : isoOf(time_ms) };
+}
+
+function viaEdit(input: string, to: unknown, form: Draft): Partial<Draft> | undefined {
+  const lines = form.via.split('\n').filter((line) => line.trim() !== '');
+  const index = Number(input.split('/')[1]);
+  if (!isPosition(to) || !(index in lines)) return undefined;
+  return { via: lines.map((line, i) => (i === index ? exact(to) : line)).join('\n') };
+}
+
+const isPosition = (value: unknown): value is Position =>
+  Array.isArray(value) && value.length === 2 && value.every((part) => typeof part === 'number');
+
+/** To the centimetre: a place moved just clear of something must not fall back into it. */
+const exact = ([lon, lat]: Position): string => `${Number(lat.toFixed(7))}, ${Number(lon.toFixed(7))}`;

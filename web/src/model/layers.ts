@@ -3,6 +3,7 @@ import { signal } from '@preact/signals';
 /** What the map can show, in the order of the layers panel (uppermost first). */
 export const layerTitles = {
   plans: 'Plans',
+  areas: 'Areas',
   icebergs: 'Icebergs',
   safety: 'Safety circles',
   graticule: 'Graticule',
@@ -15,7 +16,7 @@ export type LayerName = keyof typeof layerTitles;
 export const layerNames = Object.keys(layerTitles) as LayerName[];
 
 export const visible = signal<Record<LayerName, boolean>>({
-  plans: true, icebergs: true, safety: true, graticule: true, coast: true, currents: true, bathymetry: true,
+  plans: true, areas: true, icebergs: true, safety: true, graticule: true, coast: true, currents: true, bathymetry: true,
 });
 
 export function toggleLayer(name: LayerName): void {

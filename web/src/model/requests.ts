@@ -48,6 +48,14 @@ const ofTheWay = new Set<string>([
 export const conditionsIn = (inputs: PlanInputs): Conditions =>
   Object.fromEntries(Object.entries(inputs).filter(([name]) => !ofTheWay.has(name)));
 
+const ofTheWindow = new Set<string>(['depart_until', 'depart_step', 'arrive_by', 'name'] satisfies (keyof PlanInputs)[]);
+
+/** The same request for one departure. */
+export const withDeparture = (inputs: PlanInputs, departure: string): PlanInputs => ({
+  ...(Object.fromEntries(Object.entries(inputs).filter(([name]) => !ofTheWindow.has(name))) as unknown as PlanInputs),
+  depart: departure,
+});
+
 /**
  * What a plan's route is judged under: its own request where this browser made it, else its vehicle and the margin of
  * the set-up; at its departure and on its data in either case.

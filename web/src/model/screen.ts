@@ -3,6 +3,7 @@ import type { Probe } from '../api/types';
 
 /** What is open on the screen apart from the map. */
 export const leftTab = signal<'setup' | 'plans'>('setup');
+export const rightTab = signal<'waypoints' | 'profile' | 'departures'>('waypoints');
 export const dialog = signal<'export' | 'compare' | 'help' | 'data' | undefined>(undefined);
 export const drawer = signal<'left' | 'right' | undefined>(undefined);
 

@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { emptyDraft, inputsOf, sortViolations } from '../../src/model/draft';
+import { draft, edit, editFor, emptyDraft, inputsOf, redoDraft, sortViolations, undoDraft } from '../../src/model/draft';
 
 const good = { ...emptyDraft, from: '69 08 N 51 42 W', to: '68.55, -54.6', depart: '2026-11-21 01:00', vehicle: 'slocum-g3-200' };
 
@@ -24,10 +24,56 @@ describe('the set-up', () => {
     const { faults, general } = sortViolations([
       { pointer: '/inputs/departure', detail: 'must be covered by the currents' },
       { pointer: '/inputs/via/1', detail: 'must be a position' },
-      { pointer: '/inputs/objective', detail: 'must be "time"' },
+      { pointer: '/inputs/under_ice/margin_below_ice_m', detail: 'must be a number' },
+      { pointer: '/inputs/secret', detail: 'is not known' },
     ]);
     expect(faults.depart).toBe('Must be covered by the currents');
     expect(faults.via).toBe('Must be a position');
-    expect(general).toEqual(['objective: Must be "time"']);
+    expect(faults['under_ice.margin_below_ice_m']).toBe('Must be a number');
+    expect(general).toEqual(['secret: Is not known']);
+  });
+
+  it('turns hours, kilometres and percent into the units of the request', () => {
+    const result = inputsOf({
+      ...good, depart_until: '2026-11-22', depart_step: '1.5', max_leg_m: '12', battery_start_share: '90',
+      'under_ice.max_time_without_surfacing_s': '6', 'uncertainty.members': '8', objective: 'energy',
+    });
+    if ('faults' in result) throw new Error('refused');
+    expect(result.inputs).toMatchObject({
+      depart_until: '2026-11-22T00:00:00Z', depart_step: 'PT90M', max_leg_m: 12_000, battery_start_share: 0.9, objective: 'energy',
+      under_ice: { max_time_without_surfacing_s: 21_600 },
+      uncertainty: { members: 8, current_error_m_s: 0.05, length_scale_m: 30_000, time_scale_s: 86_400 },
+    });
+  });
+
+  it('states areas as closed rings with their times', () => {
+    const corners: [number, number][] = [[-52, 69], [-51, 69], [-51, 69.2]];
+    const result = inputsOf({ ...good, areas: [{ kind: 'no_go', name: 'ice camp', corners, from: '2026-11-21', until: '' }] });
+    if ('faults' in result) throw new Error('refused');
+    expect(result.inputs.areas?.features[0]).toEqual({
+      type: 'Feature', properties: { kind: 'no_go', name: 'ice camp', from: '2026-11-21T00:00:00Z' },
+      geometry: { type: 'Polygon', coordinates: [[...corners, corners[0]]] },
+    });
+  });
+
+  it('takes in a change that the server proposes', () => {
+    const form = { ...good, via: '69, -52\n69.1, -52' };
+    expect(editFor({ input: 'to', from: null, to: [-51.985903, 68.6469793], text: '' }, form)).toEqual({ to: '68.6469793, -51.985903' });
+    expect(editFor({ input: 'via/1', from: null, to: [-51, 69], text: '' }, form)).toEqual({ via: '69, -52\n69, -51' });
+    expect(editFor({ input: 'margin_m', from: 500, to: 320, text: '' }, form)).toEqual({ margin_m: '320' });
+    expect(editFor({ input: 'arrive_by', from: null, to: '2026-11-22T05:00:00Z', text: '' }, form)).toEqual({ arrive_by: '2026-11-22 05:00' });
+    expect(editFor({ input: 'nothing_known', from: 0, to: 1, text: '' }, form)).toBeUndefined();
+  });
+
+  it('is undone field by field', () => {
+    edit({ from: '6' });
+    edit({ from: '69' });
+    edit({ to: '68' });
+    undoDraft();
+    expect(draft.value).toMatchObject({ from: '69', to: '' });
+    undoDraft();
+    expect(draft.value.from).toBe('');
+    redoDraft();
+    expect(draft.value.from).toBe('69');
   });
 });

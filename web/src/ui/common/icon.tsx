@@ -19,6 +19,7 @@ import moon from 'lucide-static/icons/moon.svg?raw';
 import pause from 'lucide-static/icons/pause.svg?raw';
 import play from 'lucide-static/icons/play.svg?raw';
 import plus from 'lucide-static/icons/plus.svg?raw';
+import polygon from 'lucide-static/icons/pentagon.svg?raw';
 import probe from 'lucide-static/icons/scan-search.svg?raw';
 import redo from 'lucide-static/icons/redo-2.svg?raw';
 import refresh from 'lucide-static/icons/rotate-ccw.svg?raw';
@@ -32,12 +33,13 @@ import stepForward from 'lucide-static/icons/step-forward.svg?raw';
 import sun from 'lucide-static/icons/sun.svg?raw';
 import trash from 'lucide-static/icons/trash-2.svg?raw';
 import undo from 'lucide-static/icons/undo-2.svg?raw';
+import up from 'lucide-static/icons/chevron-up.svg?raw';
 import warning from 'lucide-static/icons/triangle-alert.svg?raw';
 import x from 'lucide-static/icons/x.svg?raw';
 
 const icons = {
   chevronRight, clock, compare, compass, crosshair, database, download, edit, eye, eyeOff, hand, help, info, list, maximize, minus, moon, pause,
-  play, plus, probe, redo, refresh, route, save, settings, skipBack, skipForward, stepBack, stepForward, sun, trash, undo, warning, x,
+  play, plus, polygon, probe, redo, refresh, route, save, settings, skipBack, skipForward, stepBack, stepForward, sun, trash, undo, up, warning, x,
 };
 
 export type IconName = keyof typeof icons;

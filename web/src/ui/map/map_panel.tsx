@@ -59,7 +59,10 @@ function Toolbar(): VNode {
 
 /** What a click on the map will do, while a tool waits for one. */
 function Prompt(): VNode | null {
-  const texts = { from: 'Click the map to set the start', to: 'Click the map to set the goal', probe: 'Click the map to probe a place' };
+  const texts = {
+    from: 'Click the map to set the start', to: 'Click the map to set the goal', probe: 'Click the map to probe a place',
+    via: 'Click the map for each place to pass', area: 'Click the corners; double-click the last',
+  };
   if (tool.value === 'pan') return null;
   return (
     <p class="prompt" role="status">

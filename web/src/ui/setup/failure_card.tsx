@@ -1,11 +1,37 @@
 import type { VNode } from 'preact';
 import { useEffect, useRef } from 'preact/hooks';
+import { planWithChange } from '../../api/planning';
+import type { Change } from '../../api/types';
 import { formatPosition } from '../../geo/coordinates';
-import { failure, reasonTitle } from '../../model/job';
+import { draft, editFor } from '../../model/draft';
+import { failure, reasonTitle, running } from '../../model/job';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
+
+/** Changes that the server found to help, each alone, as buttons that make them and plan again. */
+function Changes({ changes }: { changes: Change[] }): VNode | null {
+  const possible = changes.filter((change) => editFor(change, draft.value));
+  if (possible.length === 0) return null;
+  return (
+    <div class="changes" role="group" aria-label="Changes that help">
+      <b>{possible.length === 1 ? 'This change helps:' : 'Any one of these changes helps:'}</b>
+      {possible.map((change) => (
+        <button type="button" key={change.input} disabled={running.value !== undefined} onClick={() => void planWithChange(change)}>
+          <Icon name="route" /> {titleOfChange(change)}
+        </button>
+      ))}
+    </div>
+  );
+}
+
+function titleOfChange({ input, text }: Change): string {
+  const [outer = '', number] = input.split('/');
+  const stops: Record<string, string> = { from: 'Start: ', to: 'Goal: ', via: `Place ${Number(number ?? 0) + 1}: ` };
+  const said = `${stops[outer] ?? ''}${text}`;
+  return said.charAt(0).toUpperCase() + said.slice(1);
+}
 
 /** Why there is no plan: what, where (marked on the map), and what would help. */
 export function FailureCard(): VNode | null {
@@ -37,6 +63,7 @@ export function FailureCard(): VNode | null {
         </button>
         {answer.when && <span> at {shortTime(Date.parse(answer.when))}</span>}
       </p>
+      <Changes changes={answer.changes ?? []} />
       {answer.suggestion && (
         <p class="suggestion">
           <b>Try this:</b> {answer.suggestion}

@@ -2,6 +2,7 @@ import type { ComponentChildren, VNode } from 'preact';
 import { draft, edit, faults, type Draft, type Field } from '../../model/draft';
 
 type TextField = { [K in Field]: Draft[K] extends string ? K : never }[Field];
+type CheckFieldName = { [K in Field]: Draft[K] extends boolean ? K : never }[Field];
 
 interface FieldProps {
   name: TextField;
@@ -36,21 +37,6 @@ export function TextField({ name, label, unit, placeholder, hint, inputMode = 't
   );
 }
 
-export function AreaField({ name, label, placeholder, rows }: { name: TextField; label: string; placeholder: string; rows: number }): VNode {
-  const fault = faults.value[name];
-  return (
-    <div class={fault ? 'field faulty' : 'field'}>
-      <label for={`field-${name}`}>{label}</label>
-      <textarea
-        id={`field-${name}`} rows={rows} placeholder={placeholder} spellcheck={false} value={draft.value[name]}
-        aria-invalid={fault ? true : undefined} aria-describedby={fault ? `fault-${name}` : undefined}
-        onInput={(event) => edit({ [name]: event.currentTarget.value })}
-      />
-      <Fault name={name} />
-    </div>
-  );
-}
-
 export interface Choice {
   value: string;
   title: string;
@@ -75,7 +61,7 @@ export function SelectField({ name, label, choices }: { name: TextField; label: 
   );
 }
 
-export function CheckField({ name, label }: { name: 'refine' | 'steady'; label: string }): VNode {
+export function CheckField({ name, label }: { name: CheckFieldName; label: string }): VNode {
   return (
     <div class="field">
       <label class="check">

@@ -3,8 +3,10 @@ import type { VNode } from 'preact';
 import { plan } from '../../api/planning';
 import { time_ms } from '../../model/clock';
 import { isEmptyStore, vehicles } from '../../model/datasets';
-import { draft, edit, faultyAttempts, generalFaults } from '../../model/draft';
-import { running } from '../../model/job';
+import {
+  canRedoDraft, canUndoDraft, draft, edit, emptyDraft, faultyAttempts, generalFaults, redoDraft, undoDraft,
+} from '../../model/draft';
+import { failure, running } from '../../model/job';
 import { drawer } from '../../model/screen';
 import { fieldOf } from '../../model/time';
 import { tool, type Tool } from '../../model/view';
@@ -28,6 +30,12 @@ export function SetupPanel(): VNode {
   };
   return (
     <form ref={form} class="setup" onSubmit={submit} noValidate aria-label="Set-up">
+      <div class="setup-head">
+        <h2>New plan</h2>
+        <IconButton icon="undo" label="Undo the last change of the set-up" disabled={!canUndoDraft.value} onClick={undoDraft} />
+        <IconButton icon="redo" label="Redo the change of the set-up" disabled={!canRedoDraft.value} onClick={redoDraft} />
+        <button type="button" class="link" onClick={clear}>Clear</button>
+      </div>
       <TextField name="from" label="Start" placeholder="69°10.2′N 51°21.0′W">
         <PickButton which="from" label="Pick the start on the map" />
       </TextField>
@@ -58,6 +66,13 @@ export function SetupPanel(): VNode {
       <FailureCard />
     </form>
   );
+}
+
+/** Everything back to its default; the vehicle and the departure stay. */
+function clear(): void {
+  const { vehicle, depart } = draft.value;
+  edit({ ...emptyDraft, vehicle, depart });
+  failure.value = undefined;
 }
 
 function PickButton({ which, label }: { which: Tool; label: string }): VNode {

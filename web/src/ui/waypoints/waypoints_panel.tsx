@@ -6,10 +6,12 @@ import { edit } from '../../model/draft';
 import { editablePosition } from '../../geo/coordinates';
 import { routeOf, selectedShown, titleOf } from '../../model/plans';
 import { startEdit, openEdit } from '../../model/route_edit';
-import { dialog, leftTab } from '../../model/screen';
+import { dialog, leftTab, rightTab } from '../../model/screen';
 import { fieldOf } from '../../model/time';
 import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
+import { Departures } from '../charts/departures';
+import { Profile } from '../charts/profile';
 import { PlanKey } from '../common/plan_key';
 import { EditPanel } from './edit_panel';
 import { Figures } from './figures';
@@ -55,7 +57,14 @@ export function WaypointsPanel(): VNode {
           <Icon name="download" /> Export mission
         </button>
       </div>
-      <WaypointTable plan={plan} at_ms={time_ms.value} />
+      <Tabs plan={plan} />
+      {rightTab.value === 'departures' && plan.departures ? (
+        <Departures key={plan.plan_id} plan={plan} departures={plan.departures} />
+      ) : rightTab.value === 'profile' ? (
+        <Profile plan={plan} />
+      ) : (
+        <WaypointTable plan={plan} at_ms={time_ms.value} />
+      )}
       <details class="provenance">
         <summary>Computed from</summary>
         <ul>
@@ -68,6 +77,18 @@ export function WaypointsPanel(): VNode {
           {plan.search.expansions.toLocaleString('en')} expansions in {plan.search.seconds.toFixed(1)} s.
         </p>
       </details>
+    </div>
+  );
+}
+
+function Tabs({ plan }: { plan: Plan }): VNode {
+  const tabs = [['waypoints', 'Waypoints'], ['profile', 'Profile'], ...(plan.departures ? [['departures', 'Departures'] as const] : [])] as const;
+  const shown = tabs.some(([name]) => name === rightTab.value) ? rightTab.value : 'waypoints';
+  return (
+    <div class="tabs" role="group" aria-label="Plan in detail">
+      {tabs.map(([name, title]) => (
+        <button type="button" key={name} aria-pressed={shown === name} onClick={() => { rightTab.value = name; }}>{title}</button>
+      ))}
     </div>
   );
 }

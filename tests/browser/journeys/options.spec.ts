@@ -1,0 +1,119 @@
+import { expect, open, pixelOf, planAndWait, settled, test, typed, type LonLat } from '../support/page';
+import { findPlaces } from '../support/places';
+
+const chartDrawn = '.uplot canvas';
+
+test('a window of departures is swept, and another departure chosen on the chart', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
+  await page.getByText('Departure window', { exact: true }).click();
+  const depart = await page.getByRole('textbox', { name: /^Departure/ }).inputValue();
+  const until = new Date(Date.parse(`${depart.replace(' ', 'T')}:00Z`) + 12 * 3_600_000).toISOString().slice(0, 16).replace('T', ' ');
+  await page.getByLabel(/^Latest departure/).fill(until);
+  await page.getByLabel(/^Every/).fill('6');
+  await planAndWait(page);
+
+  const window = page.getByRole('region', { name: 'Departure window' });
+  await expect(window.locator(chartDrawn)).toBeVisible();
+  const plot = window.locator('.u-over');
+  const box = await plot.boundingBox();
+  await plot.click({ position: { x: (box?.width ?? 4) - 3, y: 20 } });
+  const chosen = window.getByRole('button', { name: 'Plan this departure' });
+  const first = window.getByRole('status');
+  const last = await first.innerText();
+  if (!(await chosen.isVisible())) await plot.click({ position: { x: 3, y: 20 } });
+  expect(last).toMatch(/Z/);
+  const plans = Number(await page.locator('#map').getAttribute('data-plans'));
+  await chosen.click();
+  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(plans + 1), { timeout: 120_000 });
+});
+
+test('the profile follows the clock, and the clock the profile; its figures can be read without the chart', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
+  await planAndWait(page);
+  await page.getByRole('button', { name: 'Profile', exact: true }).click();
+  await expect(page.locator(chartDrawn).first()).toBeVisible();
+  const slider = page.getByRole('slider', { name: 'Time' });
+  const before = await slider.inputValue();
+  const plot = page.locator('.u-over').first();
+  const box = await plot.boundingBox();
+  await plot.click({ position: { x: (box?.width ?? 0) / 2, y: 30 } });
+  await expect(slider).not.toHaveValue(before);
+  await expect(page.locator('.chart-marker').first()).toBeVisible();
+
+  await page.getByText('Profile in figures').focus();
+  await page.keyboard.press('Enter');
+  const table = page.getByRole('region', { name: 'Profile' });
+  expect(await table.getByRole('row').count()).toBeGreaterThan(10);
+  const now = await slider.inputValue();
+  await table.getByRole('button').last().focus();
+  await page.keyboard.press('Enter');
+  await expect(slider).not.toHaveValue(now);
+});
+
+test('an area is drawn on the map, and the way keeps out of it', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await page.getByText('Places and areas', { exact: true }).click();
+  await page.getByRole('button', { name: 'Draw an area' }).click();
+  const around = ([lon, lat]: LonLat, dx: number, dy: number): LonLat => [lon + dx, lat + dy];
+  for (const [dx, dy] of [[-0.12, -0.03], [0.12, -0.03], [0.12, 0.03]] as const) {
+    const corner = await pixelOf(page, around(goal, dx, dy));
+    await page.mouse.click(corner.x, corner.y);
+  }
+  const last = await pixelOf(page, around(goal, -0.12, 0.03));
+  await page.mouse.dblclick(last.x, last.y);
+  await expect(page.locator('#map')).toHaveAttribute('data-areas', '1');
+  await expect(page.getByLabel('Name of area 1')).toHaveValue('Area 1');
+
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
+  await page.getByRole('button', { name: /^Plan / }).click();
+  const failure = page.getByRole('alert', { name: 'No plan is possible' });
+  await expect(failure).toContainText('The goal lies in a closed area', { timeout: 120_000 });
+
+  await page.getByRole('button', { name: 'Undo the last change of the set-up' }).click();
+  await page.getByRole('button', { name: 'Undo the last change of the set-up' }).click();
+  await page.getByRole('button', { name: 'Undo the last change of the set-up' }).click();
+  await expect(page.locator('#map')).toHaveAttribute('data-areas', '0');
+});
+
+test('an area and places to pass are typed with the keyboard alone', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await page.getByText('Places and areas', { exact: true }).focus();
+  await page.keyboard.press('Enter');
+  await page.getByRole('button', { name: 'Type one' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#map')).toHaveAttribute('data-areas', '1');
+  await page.getByText('4 corners').focus();
+  await page.keyboard.press('Enter');
+  await page.getByLabel('Corners, one on each line').fill('69, -52\nnowhere');
+  await expect(page.getByText(/^Line 2:/)).toBeVisible();
+  await page.getByRole('button', { name: 'Remove area 1' }).focus();
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#map')).toHaveAttribute('data-areas', '0');
+
+  await page.getByRole('button', { name: 'Add a place' }).focus();
+  await page.keyboard.press('Enter');
+  const middle: LonLat = [(start[0] + goal[0]) / 2, (start[1] + goal[1]) / 2];
+  await page.getByLabel('Place 1 to pass').fill(typed(middle));
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
+  await planAndWait(page);
+});
+
+test('the set-up is there again after a reload', async ({ page }) => {
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill('69.05, -52.5');
+  await page.getByLabel('Ice margin').fill('750');
+  await page.reload();
+  await settled(page);
+  await expect(page.getByLabel('Start', { exact: true })).toHaveValue('69.05, -52.5');
+  await expect(page.getByLabel('Ice margin')).toHaveValue('750');
+});

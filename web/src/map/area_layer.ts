@@ -1,0 +1,95 @@
+import { effect } from '@preact/signals';
+import Feature from 'ol/Feature.js';
+import type { ColorLike } from 'ol/colorlike.js';
+import Polygon from 'ol/geom/Polygon.js';
+import { Draw } from 'ol/interaction.js';
+import VectorLayer from 'ol/layer/Vector.js';
+import VectorSource from 'ol/source/Vector.js';
+import { Circle, Fill, Stroke, Style, Text } from 'ol/style.js';
+import type { Position } from '../api/types';
+import { densify } from '../geo/geodesic';
+import { unproject } from '../geo/projections';
+import { newArea, type Area } from '../model/area';
+import { draft, edit } from '../model/draft';
+import { visible } from '../model/layers';
+import { announce } from '../model/screen';
+import { projection } from '../model/settings';
+import { tool } from '../model/view';
+import { palette, type Palette } from '../theme/palette';
+import { toMap } from './projections';
+
+/** The areas of the set-up, hatched where they are closed, and the tool that draws one. Sides are geodesics. */
+export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
+  const source = new VectorSource();
+  const layer = new VectorLayer({ source, zIndex: 4 });
+  effect(() => {
+    const code = projection.value;
+    const colours = palette.value;
+    source.clear(true);
+    for (const area of draft.value.areas) {
+      const [first] = area.corners;
+      if (!first) continue;
+      const feature = new Feature(new Polygon([toMap(code, densify([...area.corners, first], 2000))]));
+      feature.setStyle(areaStyle(area, colours));
+      source.addFeature(feature);
+    }
+  });
+  effect(() => layer.setVisible(visible.value.areas));
+
+  const draw = new Draw({ type: 'Polygon', stopClick: true });
+  draw.on('drawend', ({ feature }) => {
+    const rings = (feature.getGeometry() as Polygon).getCoordinates();
+    const corners = (rings[0] ?? []).slice(0, -1).map(([x = 0, y = 0]): Position => unproject(projection.peek(), [x, y]));
+    const { areas } = draft.peek();
+    edit({ areas: [...areas, newArea(corners, areas.length + 1)] });
+    announce(`Area ${areas.length + 1} to keep out of, ${corners.length} corners.`);
+    tool.value = 'pan';
+  });
+  effect(() => draw.setActive(tool.value === 'area'));
+  effect(() => {
+    const { danger, dangerFill, casing } = palette.value;
+    draw.getOverlay().setStyle(
+      new Style({
+        fill: new Fill({ color: dangerFill }),
+        stroke: new Stroke({ color: danger, width: 2, lineDash: [6, 4] }),
+        image: new Circle({ radius: 5, fill: new Fill({ color: casing }), stroke: new Stroke({ color: danger, width: 2 }) }),
+      }),
+    );
+  });
+  return { layer, draw };
+}
+
+function areaStyle({ kind, name, from, until }: Area, colours: Palette): Style {
+  const closed = kind === 'no_go';
+  const color = closed ? colours.danger : colours.start;
+  const times = from || until ? `\n${from || '…'} – ${until || '…'}` : '';
+  return new Style({
+    ...(closed ? { fill: new Fill({ color: hatching(color) }) } : {}),
+    stroke: new Stroke({ color, width: 2, ...(closed ? {} : { lineDash: [10, 5] }) }),
+    text: new Text({
+      text: `${name}${times}`,
+      font: '600 12px system-ui, sans-serif',
+      overflow: true,
+      fill: new Fill({ color }),
+      stroke: new Stroke({ color: colours.halo, width: 3.5 }),
+    }),
+  });
+}
+
+/** Diagonal lines, so that a closed area is not told by its colour alone. */
+function hatching(color: string): ColorLike {
+  const size = 10;
+  const canvas = document.createElement('canvas');
+  canvas.width = canvas.height = size;
+  const context = canvas.getContext('2d');
+  if (!context) return color;
+  context.strokeStyle = color;
+  context.globalAlpha = 0.5;
+  context.lineWidth = 1.4;
+  for (const shift of [-size, 0, size]) {
+    context.moveTo(shift - 1, size + 1);
+    context.lineTo(shift + size + 1, -1);
+  }
+  context.stroke();
+  return context.createPattern(canvas, 'repeat') ?? color;
+}

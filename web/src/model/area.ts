@@ -1,0 +1,56 @@
+import type { AreaProperties, Areas, Position } from '../api/types';
+import { editablePosition, parsePosition } from '../geo/coordinates';
+import { isoOf, parseTime } from './time';
+
+/** An area to keep out of or to stay in, as a person gives it: texts, and its corners without the closing one. */
+export interface Area {
+  kind: AreaProperties['kind'];
+  name: string;
+  corners: Position[];
+  from: string;
+  until: string;
+}
+
+export const newArea = (corners: Position[], number: number): Area => ({
+  kind: 'no_go', name: `Area ${number}`, corners, from: '', until: '',
+});
+
+/** Corners as text, one on each line, and back. */
+export const cornersText = (corners: Position[]): string => corners.map(editablePosition).join('\n');
+
+export function cornersIn(text: string): { corners: Position[] } | { fault: string } {
+  const corners: Position[] = [];
+  const lines = text.split('\n').filter((line) => line.trim() !== '');
+  for (const [i, line] of lines.entries()) {
+    const parsed = parsePosition(line);
+    if (!parsed.ok) return { fault: `Line ${i + 1}: ${parsed.fault}` };
+    corners.push(parsed.value);
+  }
+  return corners.length < 3 ? { fault: 'An area needs three corners or more.' } : { corners };
+}
+
+/** What is wrong with the times of areas, in words that name the area. */
+export function faultOfAreas(areas: Area[]): string | undefined {
+  const faulty = areas.find(({ from, until }) => [from, until].some((text) => text.trim() !== '' && parseTime(text) === undefined));
+  return faulty && `${faulty.name}: write its times in UTC as 2026-11-20 06:00.`;
+}
+
+/** The areas as the request states them. */
+export function areasInputs(areas: Area[]): Areas {
+  const time = (text: string): string | undefined => {
+    const at_ms = parseTime(text);
+    return at_ms === undefined ? undefined : isoOf(at_ms);
+  };
+  return {
+    type: 'FeatureCollection',
+    features: areas.map(({ kind, name, corners, from, until }) => {
+      const [first] = corners;
+      const [start, end] = [time(from), time(until)];
+      return {
+        type: 'Feature',
+        properties: { kind, name, ...(start ? { from: start } : {}), ...(end ? { until: end } : {}) },
+        geometry: { type: 'Polygon', coordinates: [first ? [...corners, first] : corners] },
+      };
+    }),
+  };
+}

@@ -1,0 +1,115 @@
+import uPlot from 'uplot';
+import 'uplot/dist/uPlot.min.css';
+import type { Palette } from '../../theme/palette';
+
+/** A line over time; undefined figures leave a gap. */
+export interface Line {
+  label: string; // none: not named in the key
+  values: (number | null)[];
+  colour: string;
+  width?: number;
+  dash?: number[];
+  fill?: string; // from the line to the lower edge
+  stepped?: boolean; // each value holds since the one before
+  dots?: boolean; // marks without a line
+}
+
+export interface PlotSpec {
+  times_s: number[]; // since 1970, ascending
+  lines: Line[];
+  unit: string;
+  height_px: number;
+  downward?: boolean; // depth grows downwards
+  fromZero?: boolean;
+  onPick?: (time_s: number) => void;
+}
+
+export interface Plot {
+  mark: (time_s: number | undefined) => void;
+  destroy: () => void;
+}
+
+/** Draws a chart into `box` as wide as it is and keeps it so. Loaded with the first chart only. */
+export function makePlot(box: HTMLElement, spec: PlotSpec, colours: Palette): Plot {
+  const plot = new uPlot(optionsOf(box, spec, colours), [spec.times_s, ...spec.lines.map(({ values }) => values)], box);
+  const marker = document.createElement('div');
+  marker.className = 'chart-marker';
+  marker.hidden = true;
+  plot.over.append(marker);
+  let marked_s: number | undefined;
+  const place = (): void => {
+    const { min = 0, max = 0 } = plot.scales['x'] ?? {};
+    marker.hidden = marked_s === undefined || marked_s < min || marked_s > max;
+    if (marked_s !== undefined && !marker.hidden) marker.style.left = `${plot.valToPos(marked_s, 'x')}px`;
+  };
+  plot.over.addEventListener('click', (event) => spec.onPick?.(plot.posToVal(event.offsetX, 'x')));
+  const observer = new ResizeObserver(() => {
+    if (box.clientWidth > 0) plot.setSize({ width: box.clientWidth, height: spec.height_px });
+    place();
+  });
+  observer.observe(box);
+  return {
+    mark: (time_s) => {
+      marked_s = time_s;
+      place();
+    },
+    destroy: () => {
+      observer.disconnect();
+      plot.destroy();
+    },
+  };
+}
+
+const stepped = uPlot.paths.stepped?.({ align: -1 });
+
+function optionsOf(box: HTMLElement, spec: PlotSpec, colours: Palette): uPlot.Options {
+  const axis = { stroke: colours.label, font: '11px system-ui, sans-serif', grid: { stroke: colours.graticule, width: 1 }, ticks: { show: false } };
+  return {
+    width: Math.max(100, box.clientWidth),
+    height: spec.height_px,
+    tzDate: (time_s) => uPlot.tzDate(new Date(1000 * time_s), 'Etc/UTC'),
+    legend: { show: false },
+    cursor: { drag: { x: false, y: false }, points: { size: 6 } },
+    scales: {
+      y: { dir: spec.downward ? -1 : 1, range: (_plot, low, high) => rangeOf(low, high, spec.fromZero ?? false) },
+    },
+    axes: [
+      {
+        ...axis, size: 22, space: 52,
+        values: (_plot, times) => times.map((time_s, i) => tickText(time_s, times[i - 1])),
+      },
+      { ...axis, size: 44, space: 22, values: (_plot, values) => values.map((value) => String(Number(value.toPrecision(6)))) },
+    ],
+    series: [
+      {},
+      ...spec.lines.map((line): uPlot.Series => ({
+        label: line.label,
+        stroke: line.colour,
+        width: line.dots ? 0 : (line.width ?? 2),
+        ...(line.dash ? { dash: line.dash } : {}),
+        ...(line.fill ? { fill: line.fill, fillTo: (_plot, _index, low, high) => (spec.downward ? high : low) } : {}),
+        ...(line.stepped && stepped ? { paths: stepped } : {}),
+        points: { show: line.dots === true, size: 8, stroke: line.colour, fill: line.colour },
+        spanGaps: false,
+      })),
+    ],
+  };
+}
+
+function rangeOf(low: number | null, high: number | null, fromZero: boolean): [number, number] {
+  if (low === null || high === null) return [0, 1];
+  const start = fromZero ? Math.min(0, low) : low;
+  const room = 0.06 * Math.max(high - start, 1e-3);
+  return [fromZero && low >= 0 ? 0 : start - room, high + room];
+}
+
+const months = ['Jan', 'Feb', 'Mar', 'Apr', 'May', 'Jun', 'Jul', 'Aug', 'Sep', 'Oct', 'Nov', 'Dec'];
+
+/** "06Z", and the day where it begins or the axis does. */
+function tickText(time_s: number, before_s: number | undefined): string {
+  const date = new Date(1000 * time_s);
+  const newDay = before_s === undefined || new Date(1000 * before_s).getUTCDate() !== date.getUTCDate();
+  if (newDay) return `${date.getUTCDate()} ${months[date.getUTCMonth()] ?? ''}`;
+  const minutes = date.getUTCMinutes();
+  return `${String(date.getUTCHours()).padStart(2, '0')}${minutes ? `:${String(minutes).padStart(2, '0')}` : ''}Z`;
+}

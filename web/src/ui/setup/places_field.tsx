@@ -1,0 +1,54 @@
+import type { VNode } from 'preact';
+import { draft, edit, faults } from '../../model/draft';
+import { drawer } from '../../model/screen';
+import { tool } from '../../model/view';
+import { Icon, IconButton } from '../common/icon';
+
+/** The places to pass, each a line of its own: typed, picked on the map, moved up and down. */
+export function PlacesField(): VNode {
+  const lines = draft.value.via === '' ? [] : draft.value.via.split('\n');
+  const fault = faults.value.via;
+  const set = (next: string[]): void => edit({ via: next.join('\n') });
+  const swap = (i: number, j: number): void => {
+    const next = [...lines];
+    [next[i], next[j]] = [lines[j] ?? '', lines[i] ?? ''];
+    set(next);
+  };
+  const picking = tool.value === 'via';
+  return (
+    <fieldset class={fault ? 'field places faulty' : 'field places'}>
+      <legend>Places to pass</legend>
+      {lines.map((line, i) => (
+        <div class="field-row" key={i}>
+          <input
+            type="text" id={i === 0 ? 'field-via' : undefined} aria-label={`Place ${i + 1} to pass`} value={line} placeholder="69°05.0′N 52°00.0′W"
+            autocomplete="off" spellcheck={false} aria-invalid={fault ? true : undefined} aria-describedby={fault ? 'fault-via' : undefined}
+            onInput={(event) => set(lines.map((old, j) => (j === i ? event.currentTarget.value : old)))}
+          />
+          <IconButton icon="up" label={`Move place ${i + 1} up`} disabled={i === 0} onClick={() => swap(i, i - 1)} />
+          <IconButton icon="x" label={`Remove place ${i + 1}`} onClick={() => set(lines.filter((_, j) => j !== i))} />
+        </div>
+      ))}
+      {fault && <p class="fault" id="fault-via">{fault}</p>}
+      <div class="field-row">
+        <button type="button" onClick={() => set([...lines, ' '])}><Icon name="plus" /> Add a place</button>
+        <IconButton
+          icon="crosshair" label="Pick places to pass on the map" pressed={picking}
+          onClick={() => {
+            tool.value = picking ? 'pan' : 'via';
+            drawer.value = undefined;
+          }}
+        />
+      </div>
+      {lines.length > 1 && (
+        <select
+          aria-label="Order of the places" value={draft.value.via_order}
+          onChange={(event) => edit({ via_order: event.currentTarget.value === 'best' ? 'best' : 'given' })}
+        >
+          <option value="given">Pass them in this order</option>
+          <option value="best">Pass them in the best order</option>
+        </select>
+      )}
+    </fieldset>
+  );
+}
