@@ -2,12 +2,14 @@ import { render } from 'preact';
 import { followRouteEdit } from './api/evaluating';
 import { followFields } from './api/fields';
 import { followSpans, refresh } from './api/session';
+import { followAddress } from './model/shared_view';
 import { keepDraft } from './model/stored_draft';
 import { followTheme } from './theme/theme';
 import { App } from './ui/app';
 import { listenForShortcuts } from './ui/shortcuts';
 
 keepDraft();
+followAddress();
 followTheme();
 followSpans();
 const root = document.getElementById('app');

@@ -1,4 +1,4 @@
-import { expect, open, pixelOf, planByTyping, test, type LonLat } from '../support/page';
+import { expect, mapAtRest, open, pixelOf, planByTyping, test, type LonLat } from '../support/page';
 import { findPlaces } from '../support/places';
 import type { Page } from '@playwright/test';
 
@@ -53,18 +53,6 @@ test('a copy of a plan is changed with the mouse, judged anew, taken back and st
   await expect(page.getByRole('button', { name: 'Export mission' })).toBeVisible();
   await expect(page.getByRole('heading', { name: /\(edited\)/ })).toBeVisible();
 });
-
-async function mapAtRest(page: Page): Promise<void> {
-  let before: string | null = null;
-  await expect
-    .poll(async () => {
-      const now = await page.locator('#map').getAttribute('data-view');
-      const same = now === before;
-      before = now;
-      return same;
-    })
-    .toBe(true);
-}
 
 test('a copy of a plan is changed with the keyboard alone', async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);

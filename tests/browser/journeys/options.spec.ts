@@ -19,12 +19,10 @@ test('a window of departures is swept, and another departure chosen on the chart
   await expect(window.locator(chartDrawn)).toBeVisible();
   const plot = window.locator('.u-over');
   const box = await plot.boundingBox();
-  await plot.click({ position: { x: (box?.width ?? 4) - 3, y: 20 } });
   const chosen = window.getByRole('button', { name: 'Plan this departure' });
-  const first = window.getByRole('status');
-  const last = await first.innerText();
+  // At one end of the window at least stands a departure that is not the one planned.
+  await plot.click({ position: { x: (box?.width ?? 4) - 3, y: 20 } });
   if (!(await chosen.isVisible())) await plot.click({ position: { x: 3, y: 20 } });
-  expect(last).toMatch(/Z/);
   const plans = Number(await page.locator('#map').getAttribute('data-plans'));
   await chosen.click();
   await expect(page.locator('#map')).toHaveAttribute('data-plans', String(plans + 1), { timeout: 120_000 });

@@ -40,6 +40,19 @@ export async function settled(page: Page): Promise<void> {
   await expect(page.locator('#map')).toHaveAttribute('data-ready', 'true');
 }
 
+/** Waits until the map has stopped moving. */
+export async function mapAtRest(page: Page): Promise<void> {
+  let before: string | null = null;
+  await expect
+    .poll(async () => {
+      const now = await page.locator('#map').getAttribute('data-view');
+      const same = now === before;
+      before = now;
+      return same;
+    })
+    .toBe(true);
+}
+
 /** Where a place is on the screen, from the view that the map publishes. */
 export async function pixelOf(page: Page, place: LonLat): Promise<{ x: number; y: number }> {
   const map = page.locator('#map');

@@ -1,6 +1,6 @@
 import type {
   Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, IcebergFeature, JobStatus, MissionPreview, PlanFeature, PlanInputs,
-  PlanResults, Probe, Problem, Vehicle,
+  PlanResults, Probe, Problem, Reach, ReachInputs, Vehicle,
 } from './types';
 import { decodeGrid, type Grid } from '../geo/grid';
 
@@ -106,6 +106,11 @@ export const planNow = (inputs: PlanInputs): Promise<PlanResults> =>
 
 export const evaluateRoute = (inputs: EvaluateInputs, signal: AbortSignal): Promise<EvaluationResults> =>
   json('/processes/evaluate-route/execution', { method: 'POST', headers: answered, body: JSON.stringify({ inputs }), signal });
+
+export const reach = (inputs: ReachInputs, signal: AbortSignal): Promise<{ reach: Reach }> =>
+  json('/processes/reach/execution', { method: 'POST', headers: answered, body: JSON.stringify({ inputs }), signal });
+
+export const jobs = (): Promise<{ jobs: JobStatus[] }> => json(address('/jobs', { limit: 50 }));
 
 /** Answers at the job's next change, or after `wait_s`. */
 export const job = (id: string, wait_s: number, signal: AbortSignal): Promise<JobStatus> =>

@@ -3,6 +3,8 @@ import { range, setSpan, setTime } from '../model/clock';
 import { connectionFault, chosenCurrents, currentTimes_ms, datasets, vehicles } from '../model/datasets';
 import { draft, fill } from '../model/draft';
 import * as model from '../model/plans';
+import type { Link } from '../model/link';
+import { opening } from '../model/shared_view';
 import { announce, probed } from '../model/screen';
 import { fieldOf, hour_ms, isoOf } from '../model/time';
 import { time_ms } from '../model/clock';
@@ -22,11 +24,18 @@ export async function refresh(): Promise<void> {
       .sort((a, b) => Date.parse(b.created ?? b.departure) - Date.parse(a.created ?? a.departure));
     connectionFault.value = undefined;
     if (draft.value.vehicle === '') fill({ vehicle: known.vehicles[0]?.name ?? '' });
-    const newest = model.plans.value[0];
-    if (newest && model.shown.value.length === 0) model.select(newest.plan_id);
+    if (model.shown.value.length === 0) showFirst(opening);
   } catch (error) {
     connectionFault.value = faultOf(error);
   }
+}
+
+/** The plans that the address names, as far as they are stored; else the newest. */
+function showFirst({ plans = [], selected }: Link): void {
+  const stored = plans.filter((id) => model.plans.value.some(({ plan_id }) => plan_id === id));
+  model.shown.value = stored;
+  const chosen = stored.find((id) => id === selected) ?? stored[0] ?? model.plans.value[0]?.plan_id;
+  if (chosen !== undefined) model.select(chosen);
 }
 
 /** Lets the clock's range follow the currents and the plans on the map. Call once. */
@@ -57,11 +66,12 @@ export function followSpans(): void {
   });
 }
 
-/** The clock starts now where the data cover now, else at their first whole hour; the departure with it. */
+/** The clock starts where the address says, else now where the data cover now, else at their first whole hour; the departure with it. */
 function openAt(start_ms: number, end_ms: number): void {
   const now_ms = Math.floor(Date.now() / hour_ms) * hour_ms;
   const first_ms = Math.ceil(start_ms / hour_ms) * hour_ms;
   setTime(now_ms >= start_ms && now_ms <= end_ms ? now_ms : Math.min(first_ms, range.value.end_ms));
+  if (opening.time_ms !== undefined) setTime(opening.time_ms);
   if (draft.value.depart === '') fill({ depart: fieldOf(time_ms.value) });
 }
 

@@ -288,6 +288,19 @@ export interface JobStatus {
   links: Link[];
 }
 
+export interface Reach {
+  status: 'ok' | 'infeasible';
+  explanation?: string;
+  features: {
+    type: 'Feature';
+    properties: { hours: number; time: string; area_km2: number };
+    geometry: { type: 'MultiPolygon'; coordinates: Position[][][] };
+  }[];
+  warnings: string[];
+}
+
+export type ReachInputs = Conditions & { from: Position; hours: number[] };
+
 export interface PlanResults {
   plan: Plan | Infeasible;
 }

@@ -15,9 +15,11 @@ import { datasets, homeBox } from '../model/datasets';
 import { draft, edit } from '../model/draft';
 import { coast, currents, icebergs, isLoading } from '../model/field';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
+import { reach } from '../model/reach';
 import { openEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
 import { announce } from '../model/screen';
+import { opening } from '../model/shared_view';
 import { command, hoveredBerg, pointer, tool, view, type Command } from '../model/view';
 import { areaLayer } from './area_layer';
 import { bathymetryLayer } from './bathymetry_layer';
@@ -28,6 +30,7 @@ import { graticuleLayer } from './graticule_layer';
 import { icebergLayer, safetyLayer } from './iceberg_layer';
 import { markerLayer } from './marker_layer';
 import { planLayer, vehicleLayer, waypointLayer } from './plan_layer';
+import { reachLayer } from './reach_layer';
 import { registerProjections, toMap, viewExtent } from './projections';
 
 /** Whether the map has moved to the data it opens on. */
@@ -51,7 +54,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
       new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), route.drag, areas.draw,
     ],
     layers: [
-      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), areas.layer, safetyLayer(), planLayer(), bergs,
+      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), reachLayer(), areas.layer, safetyLayer(), planLayer(), bergs,
       waypointLayer(), vehicleLayer(), route.layer, markerLayer(),
     ],
   });
@@ -95,7 +98,12 @@ function followProjection(map: Map): void {
     const box = homeBox.value;
     if (opened.value || datasets.value === undefined) return;
     untracked(() => {
-      fit(map, cornersOf(box), 0);
+      const { centre, metresPerPixel } = opening;
+      if (centre && metresPerPixel !== undefined) {
+        const code = projection.peek();
+        map.getView().setCenter(project(code, centre));
+        map.getView().setResolution(metresPerPixel * scaleFactor(code, centre));
+      } else fit(map, cornersOf(box), 0);
       map.renderSync();
       opened.value = true;
     });
@@ -112,12 +120,17 @@ function cornersOf([west, south, east, north]: Box): Position[] {
   return places;
 }
 
+/** The legend covers the right edge of a wide map; what is fitted stays clear of it. */
+function roomForLegend_px(map: Map): number {
+  return (map.getSize()?.[0] ?? 0) > 600 ? 220 : 60;
+}
+
 function fit(map: Map, places: Position[], time_ms: number): void {
   if (places.length === 0) return;
   const code = projection.peek();
   const south_deg = projections[code].polar ? 40 : -84;
   const drawn = toMap(code, places.map(([lon, lat]) => [lon, Math.max(lat, south_deg)]));
-  map.getView().fit(boundingExtent(drawn), { padding: [70, 80, 80, 100], minResolution: 15, duration: time_ms });
+  map.getView().fit(boundingExtent(drawn), { padding: [70, roomForLegend_px(map), 80, 100], minResolution: 15, duration: time_ms });
 }
 
 function followCommands(map: Map): void {
@@ -259,6 +272,7 @@ function publishState(map: Map, target: HTMLElement): void {
   effect(() => {
     target.dataset['icebergs'] = String(icebergs.value.length);
     target.dataset['plans'] = String(shownPlans.value.length);
+    target.dataset['reach'] = reach.value?.state ?? 'none';
     target.dataset['areas'] = String(draft.value.areas.length);
     target.dataset['handles'] = String(openEdit.value?.route.now.length ?? 0);
     target.dataset['coast'] = String(coast.value.length);

@@ -8,9 +8,11 @@ import type { Position } from '../api/types';
 import { project } from '../geo/projections';
 import { draft, placeIn, placesIn } from '../model/draft';
 import { failure } from '../model/job';
+import { selectedId } from '../model/plans';
 import { openEdit } from '../model/route_edit';
 import { probed } from '../model/screen';
 import { projection } from '../model/settings';
+import { rechecks } from '../model/stale';
 import { palette, type Palette } from '../theme/palette';
 
 /** Start, goal and places between of the set-up, the place where planning failed, and the place last probed. */
@@ -35,6 +37,8 @@ export function markerLayer(): VectorLayer<VectorSource> {
     if (fault?.kind === 'infeasible') put([fault.answer.at.lon, fault.answer.at.lat], cross(colours));
     const verdict = openEdit.value?.verdict;
     if (verdict?.state === 'infeasible') put([verdict.answer.at.lon, verdict.answer.at.lat], cross(colours));
+    const checked = rechecks.value[selectedId.value ?? ''];
+    if (checked?.state === 'infeasible') put([checked.answer.at.lon, checked.answer.at.lat], cross(colours));
     const probe = probed.value;
     if (probe) put([probe.lon, probe.lat], target(colours));
   });

@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 export const layerTitles = {
   plans: 'Plans',
   areas: 'Areas',
+  reach: 'Reach',
   icebergs: 'Icebergs',
   safety: 'Safety circles',
   graticule: 'Graticule',
@@ -16,7 +17,7 @@ export type LayerName = keyof typeof layerTitles;
 export const layerNames = Object.keys(layerTitles) as LayerName[];
 
 export const visible = signal<Record<LayerName, boolean>>({
-  plans: true, areas: true, icebergs: true, safety: true, graticule: true, coast: true, currents: true, bathymetry: true,
+  plans: true, areas: true, reach: true, icebergs: true, safety: true, graticule: true, coast: true, currents: true, bathymetry: true,
 });
 
 export function toggleLayer(name: LayerName): void {

@@ -4,11 +4,26 @@ import type { Probe } from '../api/types';
 /** What is open on the screen apart from the map. */
 export const leftTab = signal<'setup' | 'plans'>('setup');
 export const rightTab = signal<'waypoints' | 'profile' | 'departures'>('waypoints');
-export const dialog = signal<'export' | 'compare' | 'help' | 'data' | undefined>(undefined);
+export const dialog = signal<'export' | 'compare' | 'help' | 'data' | 'jobs' | undefined>(undefined);
 export const drawer = signal<'left' | 'right' | undefined>(undefined);
 
 /** The answer to the last click of the probe tool. */
 export const probed = signal<{ lon: number; lat: number; answer: Probe | undefined; fault: string | undefined } | undefined>(undefined);
+
+/** A word on what was just done, for a few seconds on the screen. */
+export const notice = signal('');
+const notice_ms = 4000;
+let noticeTimer: ReturnType<typeof setTimeout> | undefined;
+
+/** Says it on the screen and to screen readers. */
+export function tell(text: string): void {
+  announce(text);
+  notice.value = text;
+  clearTimeout(noticeTimer);
+  noticeTimer = setTimeout(() => {
+    notice.value = '';
+  }, notice_ms);
+}
 
 /** Spoken politely to screen readers. */
 export const announcement = signal('');

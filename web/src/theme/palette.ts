@@ -18,6 +18,8 @@ export interface Palette {
   berg: string;
   ink: string;
   casing: string;
+  reach: string;
+  reachFill: string;
   start: string;
   goal: string;
   plans: readonly [string, string, string, string];
@@ -40,6 +42,8 @@ export const light: Palette = {
   berg: '#ffffff',
   ink: '#13232f',
   casing: '#ffffff',
+  reach: '#6a4c00',
+  reachFill: 'rgba(138, 97, 0, 0.09)',
   start: '#117733',
   goal: '#13232f',
   plans: ['#b5400a', '#5b2a86', '#006b5b', '#8a1550'],
@@ -62,6 +66,8 @@ export const dark: Palette = {
   berg: '#e6f1f7',
   ink: '#dbe6ed',
   casing: '#0b151c',
+  reach: '#e6b354',
+  reachFill: 'rgba(230, 179, 84, 0.09)',
   start: '#6fd08c',
   goal: '#dbe6ed',
   plans: ['#ff9d6b', '#c9a6f2', '#5fd4c0', '#f58bb8'],

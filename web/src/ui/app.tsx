@@ -1,9 +1,10 @@
 import type { VNode } from 'preact';
-import { announcement, dialog, drawer, leftTab } from '../model/screen';
+import { announcement, dialog, drawer, leftTab, notice } from '../model/screen';
 import { plans } from '../model/plans';
 import { ClockBar } from './clock/clock_bar';
 import { DataDialog } from './dialogs/data_dialog';
 import { HelpDialog } from './dialogs/help_dialog';
+import { JobsDialog } from './dialogs/jobs_dialog';
 import { ExportDialog } from './export/export_dialog';
 import { Header } from './header/header';
 import { LayersPanel } from './layers/layers_panel';
@@ -39,7 +40,9 @@ export function App(): VNode {
       {dialog.value === 'export' && <ExportDialog />}
       {dialog.value === 'compare' && <CompareDialog />}
       {dialog.value === 'help' && <HelpDialog />}
+      {dialog.value === 'jobs' && <JobsDialog />}
       {dialog.value === 'data' && <DataDialog />}
+      {notice.value && <p class="notice" aria-hidden="true">{notice.value}</p>}
       <div class="visually-hidden" aria-live="polite">{announcement.value}</div>
     </div>
   );

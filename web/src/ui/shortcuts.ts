@@ -37,7 +37,9 @@ const actions: Record<string, () => void> = {
   },
   d: () => {
     const chosen = selectedPlan.peek();
-    if (chosen && !openEdit.peek()) startEdit(chosen);
+    if (!chosen || openEdit.peek()) return;
+    startEdit(chosen);
+    ask({ do: 'fit', places: routeOf(chosen) });
   },
   l: () => focus('.layers summary'),
   '?': () => {

@@ -21,9 +21,11 @@ import play from 'lucide-static/icons/play.svg?raw';
 import plus from 'lucide-static/icons/plus.svg?raw';
 import polygon from 'lucide-static/icons/pentagon.svg?raw';
 import probe from 'lucide-static/icons/scan-search.svg?raw';
+import reach from 'lucide-static/icons/radar.svg?raw';
 import redo from 'lucide-static/icons/redo-2.svg?raw';
 import refresh from 'lucide-static/icons/rotate-ccw.svg?raw';
 import route from 'lucide-static/icons/route.svg?raw';
+import share from 'lucide-static/icons/link.svg?raw';
 import save from 'lucide-static/icons/save.svg?raw';
 import settings from 'lucide-static/icons/sliders-horizontal.svg?raw';
 import skipBack from 'lucide-static/icons/skip-back.svg?raw';
@@ -39,7 +41,7 @@ import x from 'lucide-static/icons/x.svg?raw';
 
 const icons = {
   chevronRight, clock, compare, compass, crosshair, database, download, edit, eye, eyeOff, hand, help, info, list, maximize, minus, moon, pause,
-  play, plus, polygon, probe, redo, refresh, route, save, settings, skipBack, skipForward, stepBack, stepForward, sun, trash, undo, up, warning, x,
+  play, plus, polygon, probe, reach, redo, refresh, route, save, settings, share, skipBack, skipForward, stepBack, stepForward, sun, trash, undo, up, warning, x,
 };
 
 export type IconName = keyof typeof icons;

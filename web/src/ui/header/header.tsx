@@ -2,7 +2,7 @@ import type { VNode } from 'preact';
 import type { Dataset } from '../../api/types';
 import { projectionCodes, projections, type ProjectionCode } from '../../geo/projections';
 import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, datasets, isSynthetic } from '../../model/datasets';
-import { dialog, drawer } from '../../model/screen';
+import { dialog, drawer, tell } from '../../model/screen';
 import { change, settings } from '../../model/settings';
 import { age, shortTime } from '../../model/time';
 import { Icon, IconButton } from '../common/icon';
@@ -24,12 +24,24 @@ export function Header(): VNode {
         </label>
         <Switch label="Distances" now={now.distance} choices={[['km', 'km'], ['nm', 'NM']]} choose={(distance) => change({ distance })} />
         <Switch label="Speeds" now={now.speed} choices={[['m/s', 'm/s'], ['kn', 'kn']]} choose={(speed) => change({ speed })} />
+        <IconButton icon="share" label="Copy a link to this view" class="only-wide" onClick={() => void copyLink()} />
+        <IconButton icon="list" label="Jobs" class="only-wide" onClick={() => { dialog.value = 'jobs'; }} />
         <ThemeButton />
         <IconButton icon="help" label="Help and settings (?)" onClick={() => { dialog.value = 'help'; }} />
       </div>
       <IconButton icon="list" label="Waypoints" class="only-narrow" onClick={() => { drawer.value = drawer.value === 'right' ? undefined : 'right'; }} />
     </header>
   );
+}
+
+/** The address bar holds the view; where the clipboard is out of reach it is copied from there. */
+async function copyLink(): Promise<void> {
+  try {
+    await navigator.clipboard.writeText(location.href);
+    tell('The link to this view was copied.');
+  } catch {
+    tell('The address bar holds the link to this view; copy it from there.');
+  }
 }
 
 function Switch<T extends string>({ label, now, choices, choose }: { label: string; now: T; choices: [T, string][]; choose: (value: T) => void }): VNode {

@@ -3,8 +3,8 @@ import { useState } from 'preact/hooks';
 import { layerNames, layerTitles, toggleLayer, visible } from '../../model/layers';
 import { IconButton } from '../common/icon';
 
-/** Below this height of the window the list starts folded, so that the set-up and its messages keep their room. */
-const roomy = '(min-height: 800px)';
+/** Below this size of the window the list starts folded, so that the set-up and its messages keep their room. */
+const roomy = '(min-height: 800px) and (min-width: 901px)';
 
 /** What the map shows, each with an eye. */
 export function LayersPanel(): VNode {

@@ -1,7 +1,9 @@
 import type { VNode } from 'preact';
 import type { Plan } from '../../api/types';
 import { plans, select, selectedId, show, shown, shownPlans, titleOf } from '../../model/plans';
+import { routeEdit } from '../../model/route_edit';
 import { dialog } from '../../model/screen';
+import { staleness } from '../../model/stale';
 import { duration, shortTime } from '../../model/time';
 import { distance } from '../../model/units';
 import { Icon } from '../common/icon';
@@ -42,6 +44,8 @@ function PlanRow({ plan }: { plan: Plan }): VNode {
       <button type="button" class="plan-choose" aria-pressed={selectedId.value === id} onClick={() => select(id)}>
         <span class="plan-name">
           {key && <PlanKey letter={key.letter} style={key.style} />} {titleOf(plan)}
+          {staleness(plan).length > 0 && <span class="badge"><Icon name="clock" size={12} /> stale data</span>}
+          {routeEdit.value?.origin.plan_id === id && <span class="badge"><Icon name="edit" size={12} /> under change</span>}
           {plan.warnings.length > 0 && (
             <span class="badge" title={plan.warnings.join('\n')}><Icon name="warning" size={12} /> {plan.warnings.length}</span>
           )}

@@ -5,6 +5,7 @@ import { draft, emptyDraft, faults, type Field } from '../../model/draft';
 import { AreasField } from './areas_field';
 import { CheckField, SelectField, TextField, type Choice } from './field';
 import { PlacesField } from './places_field';
+import { ReachPart } from './reach_part';
 
 const methods: Choice[] = [
   { value: 'astar', title: 'A* (fastest)' },
@@ -30,6 +31,7 @@ export function Advanced(): VNode {
         </div>
         <TextField name="arrive_by" label="Latest arrival" unit="UTC" placeholder="any" hint="With it the latest departure that arrives in time is found." />
       </Part>
+      <ReachPart />
       <Part title="Vehicle" fields={['objective', 'speed_m_s', 'dive_depth_m', 'pitch_deg', 'climb_to_m', 'altimeter_margin_m', 'battery_start_share', 'require_battery', 'thruster']}>
         <SelectField name="objective" label="Optimise" choices={[{ value: 'time', title: 'Travel time' }, { value: 'energy', title: 'Energy' }]} />
         <div class="field-pair">

@@ -28,8 +28,8 @@ export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }
         <IconButton icon="x" label="Discard the changes" onClick={discardEdit} />
       </div>
       <State edit={edit} />
-      <Figures plan={figures} beside={origin} pending={pending} />
-      {(verdict.state === 'ok' || verdict.state === 'pending') && (
+      <Figures plan={figures} {...(edit.number > 0 ? { beside: origin } : {})} pending={pending} />
+      {figures.warnings.length > 0 && (verdict.state === 'ok' || verdict.state === 'pending') && (
         <div class={pending ? 'pending' : undefined}><Warnings warnings={figures.warnings} /></div>
       )}
       <Save edit={edit} />

@@ -15,6 +15,7 @@ import { Profile } from '../charts/profile';
 import { PlanKey } from '../common/plan_key';
 import { EditPanel } from './edit_panel';
 import { Figures } from './figures';
+import { StaleBox } from './stale_box';
 import { Warnings } from './warnings';
 import { WaypointTable } from './waypoint_table';
 
@@ -44,10 +45,11 @@ export function WaypointsPanel(): VNode {
         <IconButton icon="refresh" label="Copy start, goal and departure into the set-up" onClick={() => reuse(plan)} />
         <IconButton icon="trash" label="Delete this plan" onClick={() => confirmDelete(plan)} />
       </div>
+      <StaleBox plan={plan} />
       <Figures plan={plan} />
       <Warnings warnings={plan.warnings} />
       <div class="edit-save">
-        <button type="button" onClick={() => startEdit(plan)}><Icon name="edit" /> Edit copy</button>
+        <button type="button" onClick={() => editCopy(plan)}><Icon name="edit" /> Edit copy</button>
         <button
           type="button" class="export-button"
           onClick={() => {
@@ -79,6 +81,11 @@ export function WaypointsPanel(): VNode {
       </details>
     </div>
   );
+}
+
+function editCopy(plan: Plan): void {
+  startEdit(plan);
+  ask({ do: 'fit', places: routeOf(plan) });
 }
 
 function Tabs({ plan }: { plan: Plan }): VNode {

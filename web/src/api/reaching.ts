@@ -1,0 +1,50 @@
+import { draft, inputsOf, refuse } from '../model/draft';
+import { hoursIn, reach, reachHours } from '../model/reach';
+import { conditionsIn } from '../model/requests';
+import { announce } from '../model/screen';
+import { ask } from '../model/view';
+import * as api from './client';
+
+let question: AbortController | undefined;
+
+const notAsked = new Set(['under_ice', 'objective', 'thruster', 'require_battery']);
+
+/** Asks how far the vehicle of the set-up comes from its start in each of the hours, and shows it. */
+export async function showReach(): Promise<void> {
+  const hours = hoursIn(reachHours.value);
+  const form = inputsOf({ ...draft.value, to: draft.value.from, via: '' });
+  if (!hours) {
+    reach.value = { state: 'failed', detail: 'Write the hours as 6, 12, 24.' };
+    return;
+  }
+  if ('faults' in form) {
+    refuse({ ...form.faults, to: undefined });
+    return;
+  }
+  hideReach();
+  const { signal } = (question = new AbortController());
+  reach.value = { state: 'pending' };
+  const { from } = form.inputs;
+  const conditions = Object.entries(conditionsIn(form.inputs)).filter(([name]) => !notAsked.has(name));
+  try {
+    const { reach: answer } = await api.reach({ ...Object.fromEntries(conditions), from, hours }, signal);
+    if (answer.status !== 'ok') {
+      reach.value = { state: 'failed', detail: answer.explanation ?? 'Nothing can be reached from there.' };
+      return;
+    }
+    reach.value = { state: 'ok', answer };
+    const widest = answer.features.at(-1);
+    ask({ do: 'fit', places: widest ? widest.geometry.coordinates.flatMap(([outer]) => outer ?? []) : [from] });
+    announce(`Reach shown for ${hours.join(', ')} hours.`);
+  } catch (error) {
+    if (signal.aborted) return;
+    const faults = error instanceof api.ApiError ? (error.problem.errors ?? []).map(({ pointer, detail }) => `${pointer.replace('/inputs/', '')} ${detail}`) : [];
+    reach.value = { state: 'failed', detail: faults.join('; ') || (error instanceof Error ? error.message : String(error)) };
+  }
+}
+
+/** Gives up what is asked for and takes what is shown off the map. */
+export function hideReach(): void {
+  question?.abort();
+  reach.value = undefined;
+}

@@ -1,0 +1,32 @@
+import { conditionsOf } from '../model/requests';
+import { routeOf } from '../model/plans';
+import { announce } from '../model/screen';
+import { rechecks, staleness, type Recheck } from '../model/stale';
+import { duration } from '../model/time';
+import { ask } from '../model/view';
+import { reasonTitle } from '../model/job';
+import * as api from './client';
+import type { Conditions, Plan } from './types';
+
+/** Judges a plan's route, as it is, on the newest data of the kinds that have been renewed since. */
+export async function recheck(plan: Plan): Promise<void> {
+  const tell = (verdict: Recheck): void => {
+    rechecks.value = { ...rechecks.value, [plan.plan_id]: verdict };
+  };
+  tell({ state: 'pending' });
+  const renewed = Object.fromEntries(staleness(plan).map(({ kind }) => [kind, 'newest']));
+  const conditions: Conditions = { ...conditionsOf(plan).conditions, ...renewed };
+  try {
+    const { evaluation } = await api.evaluateRoute({ ...conditions, route: routeOf(plan) }, new AbortController().signal);
+    if (evaluation.status === 'ok') {
+      tell({ state: 'ok', plan: evaluation });
+      announce(`The plan holds on the newest data; travel time ${duration(evaluation.travel_time_s)}.`);
+    } else {
+      tell({ state: 'infeasible', answer: evaluation });
+      ask({ do: 'centre', place: [evaluation.at.lon, evaluation.at.lat] });
+      announce(`The plan does not hold on the newest data. ${reasonTitle(evaluation.reason)}. ${evaluation.explanation}`);
+    }
+  } catch (error) {
+    tell({ state: 'failed', detail: error instanceof Error ? error.message : String(error) });
+  }
+}

@@ -1,0 +1,50 @@
+import { effect } from '@preact/signals';
+import Feature from 'ol/Feature.js';
+import MultiPolygon from 'ol/geom/MultiPolygon.js';
+import Point from 'ol/geom/Point.js';
+import VectorLayer from 'ol/layer/Vector.js';
+import VectorSource from 'ol/source/Vector.js';
+import { Fill, Stroke, Style, Text } from 'ol/style.js';
+import type { Position } from '../api/types';
+import { project } from '../geo/projections';
+import { visible } from '../model/layers';
+import { reach } from '../model/reach';
+import { projection } from '../model/settings';
+import { palette } from '../theme/palette';
+import { toMap } from './projections';
+
+/** Where the vehicle can be after so many hours: a line around each, the later the thinner, named at its northern end. */
+export function reachLayer(): VectorLayer<VectorSource> {
+  const source = new VectorSource();
+  const layer = new VectorLayer({ source, zIndex: 3, declutter: true });
+  effect(() => {
+    const code = projection.value;
+    const { reach: color, reachFill, halo } = palette.value;
+    const shown = reach.value;
+    source.clear(true);
+    if (shown?.state !== 'ok') return;
+    shown.answer.features.forEach(({ geometry, properties }, i) => {
+      const area = new Feature(new MultiPolygon(geometry.coordinates.map((rings) => rings.map((ring) => toMap(code, ring)))));
+      area.setStyle(new Style({ fill: new Fill({ color: reachFill }), stroke: new Stroke({ color, width: Math.max(1.2, 2.6 - 0.5 * i) }) }));
+      source.addFeature(area);
+      const top = northernmost(geometry.coordinates.flatMap(([outer]) => outer ?? []));
+      if (!top) return;
+      const name = new Feature(new Point(project(code, top)));
+      name.setStyle(
+        new Style({
+          text: new Text({
+            text: `${properties.hours} h`, font: '700 12px system-ui, sans-serif', offsetY: -9,
+            fill: new Fill({ color }), stroke: new Stroke({ color: halo, width: 3.5 }),
+          }),
+        }),
+      );
+      source.addFeature(name);
+    });
+  });
+  effect(() => layer.setVisible(visible.value.reach));
+  return layer;
+}
+
+function northernmost(ring: Position[]): Position | undefined {
+  return ring.reduce<Position | undefined>((top, place) => (!top || place[1] > top[1] ? place : top), undefined);
+}

@@ -1,0 +1,33 @@
+import { effect } from '@preact/signals';
+import { playing, time_ms } from './clock';
+import { layerNames, visible } from './layers';
+import { readLink, written, type Link } from './link';
+import { selectedId, shown } from './plans';
+import { change, projection } from './settings';
+import { view } from './view';
+
+/** What the address asked for when the page was opened. */
+export const opening: Link = readLink(location.hash);
+
+const pause_ms = 300;
+
+/** Takes from the address what needs no data, and keeps the address in step with the view from then on. Call once. */
+export function followAddress(): void {
+  if (opening.projection) change({ projection: opening.projection });
+  const hidden = opening.hidden ?? [];
+  if (hidden.length > 0) {
+    visible.value = { ...visible.value, ...Object.fromEntries(layerNames.filter((name) => hidden.includes(name)).map((name) => [name, false])) };
+  }
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  effect(() => {
+    const seen = view.value;
+    const link: Link = {
+      projection: projection.value, time_ms: time_ms.value, hidden: layerNames.filter((name) => !visible.value[name]), plans: shown.value,
+      ...(selectedId.value ? { selected: selectedId.value } : {}),
+      ...(seen ? { centre: seen.centre, metresPerPixel: seen.metresPerPixel } : {}),
+    };
+    if (!seen || playing.value) return;
+    clearTimeout(timer);
+    timer = setTimeout(() => history.replaceState(null, '', `#${written(link)}`), pause_ms);
+  });
+}

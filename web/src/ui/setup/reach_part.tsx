@@ -1,0 +1,35 @@
+import type { VNode } from 'preact';
+import { hideReach, showReach } from '../../api/reaching';
+import { reach, reachHours } from '../../model/reach';
+import { Icon } from '../common/icon';
+
+/** How far the vehicle comes from the start in so many hours. */
+export function ReachPart(): VNode {
+  const shown = reach.value;
+  return (
+    <details class="advanced">
+      <summary>Reach from the start</summary>
+      <div class="field">
+        <label for="reach-hours">Hours after departure</label>
+        <input
+          id="reach-hours" type="text" value={reachHours.value} autocomplete="off"
+          onInput={(event) => { reachHours.value = event.currentTarget.value; }}
+        />
+      </div>
+      {shown?.state === 'failed' && <p class="fault" role="alert">{shown.detail}</p>}
+      {shown?.state === 'ok' && (
+        <ul class="reach-list" aria-label="Areas within reach">
+          {shown.answer.features.map(({ properties }) => (
+            <li key={properties.hours}><b>{properties.hours} h</b> {Math.round(properties.area_km2).toLocaleString('en')} km²</li>
+          ))}
+        </ul>
+      )}
+      <div class="field-row">
+        <button type="button" disabled={shown?.state === 'pending'} onClick={() => void showReach()}>
+          <Icon name="reach" /> {shown?.state === 'pending' ? 'Working …' : 'Show reach'}
+        </button>
+        {shown && <button type="button" onClick={hideReach}>{shown.state === 'pending' ? 'Cancel' : 'Remove'}</button>}
+      </div>
+    </details>
+  );
+}

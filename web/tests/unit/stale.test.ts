@@ -1,0 +1,26 @@
+import { describe, expect, it } from 'vitest';
+import type { Dataset } from '../../src/api/types';
+import { newerThan } from '../../src/model/stale';
+import { makePlan } from './make_plan';
+
+const dataset = (part: Partial<Dataset>): Dataset => ({
+  id: 'new', kind: 'icebergs', name: 'bergs', variables: [], bbox: [-53, 68, -50, 70], time_start: null, time_end: null, rows_accepted: 1,
+  rows_refused: 0, warnings: [], file_name: '', file_size_bytes: 0, sha256: '', ingested: '2026-11-21T00:00:00Z', tool_version: '', ...part,
+});
+const plan = {
+  ...makePlan('one', [[-52, 69], [-51, 69.1]]), created: '2026-11-20T12:00:00Z',
+  datasets: [{ id: 'old', kind: 'icebergs' as const, name: 'bergs', sha256: '' }],
+};
+
+describe('a plan is stale', () => {
+  it('when data of a kind it used came in later and cover its way', () => {
+    expect(newerThan(plan, [dataset({})]).map(({ id }) => id)).toEqual(['new']);
+  });
+
+  it('not for older data, another kind or another sea', () => {
+    expect(newerThan(plan, [dataset({ ingested: '2026-11-20T00:00:00Z' })])).toEqual([]);
+    expect(newerThan(plan, [dataset({ kind: 'currents' })])).toEqual([]);
+    expect(newerThan(plan, [dataset({ kind: 'bathymetry' })])).toEqual([]);
+    expect(newerThan(plan, [dataset({ bbox: [-10, 68, 0, 70] })])).toEqual([]);
+  });
+});
