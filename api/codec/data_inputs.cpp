@@ -12,16 +12,21 @@ using How = repository::DatasetChoice::How;
 
 constexpr std::size_t max_ensemble = 64;
 
-/// "newest", "none", an id, or (where `several`) an array of ids.
+constexpr const char* newest = "newest";
+constexpr const char* all = "all";
+
+/// The choice without a word (`absent`); `unnamed`, which leaves it to the kind; "none"; an id; or (where `several`) an
+/// array of ids.
 repository::DatasetChoice read_choice(InputReader& reader, const std::string& key, bool several,
-                                      repository::DatasetChoice absent = {}) {
+                                      repository::DatasetChoice absent = {},
+                                      const std::string& unnamed = newest) {
   const json* value = reader.member(key);
   if (value == nullptr) return absent;
-  const std::string rule = several ? "must be \"newest\", \"none\", an id or an array of ids, not "
-                                   : "must be \"newest\", \"none\" or an id, not ";
+  const std::string rule = "must be \"" + unnamed + "\", \"none\"" +
+                           (several ? ", an id or an array of ids, not " : " or an id, not ");
   if (value->is_string()) {
     const auto& text = value->get_ref<const std::string&>();
-    if (text == "newest") return {How::newest, {}};
+    if (text == unnamed) return {How::newest, {}};
     if (text == "none") return {How::none, {}};
     return {How::named, {{text}}};
   }
@@ -41,8 +46,8 @@ repository::DatasetChoice read_choice(InputReader& reader, const std::string& ke
   return choice;
 }
 
-json choice_json(const repository::DatasetChoice& choice) {
-  if (choice.how == How::newest) return "newest";
+json choice_json(const repository::DatasetChoice& choice, const char* otherwise = newest) {
+  if (choice.how == How::newest) return otherwise;
   if (choice.how == How::none) return "none";
   if (choice.ids.size() == 1) return choice.ids.front().value;
   json ids = json::array();
@@ -73,11 +78,13 @@ void read_data(InputReader& reader, repository::EnvironmentQuery& data) {
   data.steady = reader.boolean("steady").value_or(false);
   data.tides.choice = read_choice(reader, "tides", true, {How::none, {}});
   data.tides.mode = read_tides_mode(reader);
+  data.wind = read_choice(reader, "wind", false);
   data.bathymetry = read_choice(reader, "bathymetry", false);
   data.ice = read_choice(reader, "ice", false);
   data.icebergs = read_choice(reader, "icebergs", false);
   data.icebergs_as_of = reader.time("icebergs_as_of");
   data.coastline = read_choice(reader, "coastline", false);
+  data.zones = read_choice(reader, "zones", true, {}, all);
 }
 
 void write_data(const repository::EnvironmentQuery& data, json& inputs) {
@@ -85,11 +92,13 @@ void write_data(const repository::EnvironmentQuery& data, json& inputs) {
   inputs["steady"] = data.steady;
   inputs["tides"] = choice_json(data.tides.choice);
   inputs["tides_mode"] = tides_mode_json(data.tides.mode);
+  inputs["wind"] = choice_json(data.wind);
   inputs["bathymetry"] = choice_json(data.bathymetry);
   inputs["ice"] = choice_json(data.ice);
   inputs["icebergs"] = choice_json(data.icebergs);
   inputs["icebergs_as_of"] = data.icebergs_as_of ? json(core::iso8601(*data.icebergs_as_of)) : json();
   inputs["coastline"] = choice_json(data.coastline);
+  inputs["zones"] = choice_json(data.zones, all);
 }
 
 }  // namespace floeplan::codec

@@ -30,7 +30,7 @@ nlohmann::json dataset_document(const repository::Dataset& dataset, const std::v
                           {"sha256", dataset.provenance.sha256},
                           {"ingested", core::iso8601(dataset.provenance.ingested)},
                           {"tool_version", dataset.provenance.tool_version}};
-  if (dataset.kind == repository::DatasetKind::currents || dataset.kind == repository::DatasetKind::ice) {
+  if (repository::has_steps(dataset.kind)) {
     auto& listed = document["times"] = nlohmann::json::array();
     if (times.size() <= max_listed_times) {
       for (const auto time : times) listed.push_back(core::iso8601(time));

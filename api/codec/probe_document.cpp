@@ -1,5 +1,6 @@
 #include "api/codec/probe_document.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/utc_text.hpp"
@@ -15,15 +16,15 @@ json optional_time(const std::optional<core::UtcTime>& time) {
 
 json optional_text(const std::string& text) { return text.empty() ? json() : json(text); }
 
-json currents_json(const Probe::Currents& currents) {
-  const auto& velocity = currents.velocity;
+json velocity_json(const Probe::Velocity& part) {
+  const auto& velocity = part.velocity;
   return {{"u_m_s", velocity ? json(velocity->east.value) : json()},
           {"v_m_s", velocity ? json(velocity->north.value) : json()},
-          {"reason", optional_text(currents.reason)},
-          {"dataset_id", optional_text(currents.dataset_id)},
-          {"dataset_name", optional_text(currents.dataset_name)},
-          {"time_before", optional_time(currents.time_before)},
-          {"time_after", optional_time(currents.time_after)}};
+          {"reason", optional_text(part.reason)},
+          {"dataset_id", optional_text(part.dataset_id)},
+          {"dataset_name", optional_text(part.dataset_name)},
+          {"time_before", optional_time(part.time_before)},
+          {"time_after", optional_time(part.time_after)}};
 }
 
 json ice_json(const Probe::Ice& ice) {
@@ -47,6 +48,19 @@ json tide_json(const Probe::Tide& tide) {
           {"constituents", tide.constituents}};
 }
 
+json zone_json(const Probe::HereZone& here) {
+  const ocean::Zone& zone = here.zone;
+  return {{"name", zone.name},
+          {"kind", ocean::zone_kind_name(zone.kind)},
+          {"from", optional_time(zone.from)},
+          {"until", optional_time(zone.until)},
+          {"top_m", zone.top.value},
+          {"bottom_m", std::isfinite(zone.bottom.value) ? json(zone.bottom.value) : json()},
+          {"in_force", here.in_force},
+          {"dataset_id", here.dataset_id},
+          {"dataset_name", here.dataset_name}};
+}
+
 }  // namespace
 
 json probe_document(const Probe& probe) {
@@ -57,18 +71,22 @@ json probe_document(const Probe& probe) {
                         {"observed", core::iso8601(near.iceberg.observed)},
                         {"size", ocean::size_name(near.iceberg.size)}});
   }
+  json zones = json::array();
+  for (const auto& here : probe.zones) zones.push_back(zone_json(here));
   return {{"lon", probe.place.lon_deg},
           {"lat", probe.place.lat_deg},
           {"time", core::iso8601(probe.time)},
           {"depth_m", probe.depth ? json(probe.depth->value) : json()},
           {"depth_reason", optional_text(probe.depth_reason)},
           {"land", probe.land ? json(*probe.land) : json()},
-          {"currents", currents_json(probe.currents)},
+          {"currents", velocity_json(probe.currents)},
+          {"wind", velocity_json(probe.wind)},
           {"ice_concentration", probe.ice.state ? json(probe.ice.state->concentration) : json()},
           {"ice_concentration_reason", optional_text(probe.ice.reason)},
           {"ice", ice_json(probe.ice)},
           {"tide", tide_json(probe.tide)},
-          {"icebergs_within", std::move(icebergs)}};
+          {"icebergs_within", std::move(icebergs)},
+          {"zones", std::move(zones)}};
 }
 
 }  // namespace floeplan::codec

@@ -10,12 +10,13 @@
 #include "engine/geo/velocity.hpp"
 #include "engine/ocean/ice_field.hpp"
 #include "engine/ocean/iceberg.hpp"
+#include "engine/ocean/zone.hpp"
 
 namespace floeplan::codec {
 
 /// What is known of the sea at one place and time. A value that is not known has a reason beside it.
 struct Probe {
-  struct Currents {
+  struct Velocity {
     std::optional<geo::VelocityEn> velocity;
     std::string reason;  // empty when there is a velocity
     std::string dataset_id;
@@ -40,6 +41,12 @@ struct Probe {
     std::vector<std::string> constituents;  // that took part, inferred ones included
     std::string station;                    // "12 km away" in words: empty when from a grid
   };
+  struct HereZone {
+    ocean::Zone zone;
+    bool in_force{};  // at the time asked for
+    std::string dataset_id;
+    std::string dataset_name;
+  };
   struct NearIceberg {
     ocean::Iceberg iceberg;
     core::Metres distance;  // from the place to the sighted position
@@ -50,10 +57,12 @@ struct Probe {
   std::optional<core::Metres> depth;  // of the sea bed
   std::string depth_reason;           // empty when there is a depth
   std::optional<bool> land;           // empty: no coastline and no bathymetry here
-  Currents currents;
+  Velocity currents;
+  Velocity wind;  // 10 m above the sea, towards which it blows
   Ice ice;
   Tide tide;
   std::vector<NearIceberg> icebergs;  // nearest first
+  std::vector<HereZone> zones;        // that hold the place, whenever they are in force
 };
 
 [[nodiscard]] nlohmann::json probe_document(const Probe& probe);

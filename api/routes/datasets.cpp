@@ -11,8 +11,7 @@ using nlohmann::json;
 
 std::vector<core::UtcTime> times_of(sqlite::Connection& db, const repository::Dataset& dataset) {
   std::vector<core::UtcTime> times;
-  const bool has_steps =
-      dataset.kind == repository::DatasetKind::currents || dataset.kind == repository::DatasetKind::ice;
+  const bool has_steps = repository::has_steps(dataset.kind);
   if (!has_steps) return times;
   const auto shape = repository::FieldRepository{db}.shape(dataset.id);
   if (!shape || !shape->times_s) return times;

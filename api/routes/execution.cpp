@@ -42,10 +42,12 @@ core::Violations check_data(sqlite::Connection& db, const repository::Environmen
   core::Violations violations;
   check_choice(db, data.currents, "currents", DatasetKind::currents, violations);
   check_choice(db, data.tides.choice, "tides", DatasetKind::tides, violations);
+  check_choice(db, data.wind, "wind", DatasetKind::wind, violations);
   check_choice(db, data.bathymetry, "bathymetry", DatasetKind::bathymetry, violations);
   check_choice(db, data.ice, "ice", DatasetKind::ice, violations);
   check_choice(db, data.icebergs, "icebergs", DatasetKind::icebergs, violations);
   check_choice(db, data.coastline, "coastline", DatasetKind::coastline, violations);
+  check_choice(db, data.zones, "zones", DatasetKind::zones, violations);
   return violations;
 }
 

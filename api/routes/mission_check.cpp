@@ -17,8 +17,8 @@ namespace {
 using nlohmann::json;
 
 /// Query parameters that are members of a plan's inputs, too: with one of them the sea is asked.
-const std::vector<std::string> texts{"depart",     "vehicle", "currents", "tides",    "tides_mode",
-                                     "bathymetry", "ice",     "icebergs", "coastline"};
+const std::vector<std::string> texts{"depart",     "vehicle", "currents", "tides",     "tides_mode", "wind",
+                                     "bathymetry", "ice",     "icebergs", "coastline", "zones"};
 const std::vector<std::string> numbers{"speed_m_s", "dive_depth_m", "margin_m"};
 
 /// Adds what the query says of the flight to what the body says.

@@ -11,6 +11,7 @@
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/zone_repository.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -90,30 +91,33 @@ void read_ice(sqlite::Connection& db, const Source& source, codec::Probe& probe)
   if (!ice.state) ice.reason = "no value here: land, a gap of the data, or beyond their area";
 }
 
-void read_currents(sqlite::Connection& db, const Source& source, const ProbeQuery& query,
-                   codec::Probe& probe) {
-  auto& currents = probe.currents;
-  currents.reason = source.reason;
+/// The velocity of the sea or the air, at the depth asked for or the shallowest there is.
+void read_velocity(sqlite::Connection& db, const Source& source, const ProbeQuery& query,
+                   codec::Probe::Velocity& part) {
+  part.reason = source.reason;
   if (!source.dataset) return;
   const Dataset& dataset = *source.dataset;
-  currents.dataset_id = dataset.id.value;
-  currents.dataset_name = dataset.name;
+  part.dataset_id = dataset.id.value;
+  part.dataset_name = dataset.name;
   if (!covers_time(dataset, query.time)) {
-    currents.reason = outside_period(dataset);
+    part.reason = outside_period(dataset);
     return;
   }
-  read_steps(db, dataset, query.time, currents);
+  read_steps(db, dataset, query.time, part);
   const auto grid = repository::FieldRepository{db}.load_currents(
       dataset.id, box_at(query.place), repository::Period{query.time, query.time}, std::nullopt);
   if (!grid) {
-    currents.reason = "outside the area of the data";
+    part.reason = "outside the area of the data";
     return;
   }
   const auto& depths = grid->samples().depths_m;
   const core::Metres depth = query.depth.value_or(core::Metres{depths ? depths->front() : 0.0});
-  currents.velocity = grid->at(query.place, depth, query.time);
-  if (!currents.velocity)
-    currents.reason = "no value here: land, below the bottom, or outside the data's depths";
+  part.velocity = grid->at(query.place, depth, query.time);
+  if (!part.velocity) {
+    part.reason = dataset.kind == DatasetKind::wind
+                      ? "no value here: a gap of the data"
+                      : "no value here: land, below the bottom, or outside the data's depths";
+  }
 }
 
 void read_land(sqlite::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
@@ -142,6 +146,17 @@ void read_icebergs(sqlite::Connection& db, const std::vector<Dataset>& datasets,
                    [](const auto& a, const auto& b) { return a.distance < b.distance; });
 }
 
+void read_zones(sqlite::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
+  for (const auto& dataset : datasets) {
+    if (dataset.kind != DatasetKind::zones) continue;
+    for (ocean::Zone& zone : repository::ZoneRepository{db}.at(dataset.id, probe.place)) {
+      const bool in_force =
+          (!zone.from || *zone.from <= probe.time) && (!zone.until || probe.time <= *zone.until);
+      probe.zones.push_back({std::move(zone), in_force, dataset.id.value, dataset.name});
+    }
+  }
+}
+
 }  // namespace
 
 tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const ProbeQuery& query) {
@@ -151,21 +166,26 @@ tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const
     named = repository::DatasetRepository{db}.find({*query.dataset_id});
     if (!named)
       return tl::unexpected(core::Violations{{"dataset", "no dataset has the id " + *query.dataset_id}});
-    if (named->kind != DatasetKind::currents && named->kind != DatasetKind::bathymetry &&
-        named->kind != DatasetKind::ice && named->kind != DatasetKind::tides) {
-      return tl::unexpected(core::Violations{{"dataset", "must be currents, bathymetry, ice or tides, not " +
-                                                             repository::kind_name(named->kind)}});
+    if (!repository::has_steps(named->kind) && named->kind != DatasetKind::bathymetry &&
+        named->kind != DatasetKind::tides) {
+      return tl::unexpected(
+          core::Violations{{"dataset", "must be currents, wind, bathymetry, ice or tides, not " +
+                                           repository::kind_name(named->kind)}});
     }
   }
   codec::Probe result;
   result.place = query.place;
   result.time = query.time;
   read_depth(db, choose(datasets, DatasetKind::bathymetry, named, query), result);
-  read_currents(db, choose(datasets, DatasetKind::currents, named, query), query, result);
+  read_velocity(db, choose(datasets, DatasetKind::currents, named, query), query, result.currents);
+  ProbeQuery above = query;
+  above.depth.reset();
+  read_velocity(db, choose(datasets, DatasetKind::wind, named, query), above, result.wind);
   read_ice(db, choose(datasets, DatasetKind::ice, named, query), result);
   result.tide = probe_tide(db, datasets, named, query);
   read_land(db, datasets, result);
   read_icebergs(db, datasets, result);
+  read_zones(db, datasets, result);
   return result;
 }
 

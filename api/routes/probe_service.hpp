@@ -18,8 +18,8 @@ struct ProbeQuery {
   core::UtcTime time;
   std::optional<core::Metres> depth;  // for currents; default: the shallowest level of the data
   std::optional<std::string>
-      dataset_id;  // currents, bathymetry, ice or tides; default: the newest of each kind that covers the place,
-                   // and all tide models there together
+      dataset_id;  // currents, wind, bathymetry, ice or tides; default: the newest of each kind that covers the
+                   // place, and all tide models there together
 };
 
 /// Icebergs farther away than this are not listed.

@@ -107,12 +107,15 @@ json common_inputs() {
                       several_datasets_schema())},
       {"tides_mode", input("What tides are for: add them to currents that are without, or use them alone",
                            one_of({"add", "only"}))},
+      {"wind", input("Wind, which moves icebergs: newest, none or an id", dataset_schema())},
       {"bathymetry", input("Bathymetry: newest, none or an id", dataset_schema())},
       {"ice", input("Sea ice: newest, none or an id", dataset_schema())},
       {"icebergs", input("Icebergs: newest, none or an id", dataset_schema())},
       {"icebergs_as_of", input("Use no sighting later than this; default: the departure", time)},
       {"under_ice", input("How the vehicle may work where there is sea ice", under_ice_schema())},
       {"coastline", input("Coastline: newest, none or an id", dataset_schema())},
+      {"zones", input("Stored zones, obeyed beside the areas: all, none, an id or several ids",
+                      several_datasets_schema())},
       {"name", input("Name of the result, for people", {{"type", "string"}, {"maxLength", 200}})}};
 }
 

@@ -22,6 +22,7 @@ struct Flags {
   std::optional<std::string> variable;
   std::optional<std::string> at;
   std::optional<std::string> unit;
+  std::optional<std::string> zone_kind;
   bool json_out{false};
 };
 
@@ -65,6 +66,7 @@ int run(const Flags& flags, const Program& program) {
   ingest::IngestOptions options{
       .name = flags.name, .crs = flags.crs, .positive = flags.positive, .variable = flags.variable};
   options.unit = flags.unit;
+  options.zone_kind = flags.zone_kind;
   if (flags.at) {
     options.at = parse_place(*flags.at);
     if (!options.at || !geo::is_valid(*options.at))
@@ -94,11 +96,13 @@ int run(const Flags& flags, const Program& program) {
 void add_ingest(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
   auto* command = app.add_subcommand("ingest", "Read data files into the store");
-  command->add_option("FILE", flags->files, "Bathymetry, currents, tides, sea ice, icebergs or coastline")
+  command
+      ->add_option("FILE", flags->files, "Bathymetry, currents, tides, sea ice, icebergs, coastline or zones")
       ->required();
   command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
   command->add_option("--kind", flags->kind, "What to take the file for")
-      ->check(CLI::IsMember({"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides"}))
+      ->check(
+          CLI::IsMember({"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides", "zones"}))
       ->capture_default_str();
   command->add_option("--crs", flags->crs, "Reference system of a file that states none, as EPSG:4326");
   command
@@ -111,6 +115,9 @@ void add_ingest(CLI::App& app, Program& program) {
                       "Where a station of the tide is whose file does not say it, LON,LAT");
   command->add_option("--unit", flags->unit, "Of a station's amplitudes where its file does not say it")
       ->check(CLI::IsMember({"m", "cm", "mm", "ft"}));
+  command
+      ->add_option("--zone-kind", flags->zone_kind, "Rule of zones whose file states none: no_go or stay_in")
+      ->check(CLI::IsMember({"no_go", "stay_in"}));
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run(*flags, program); });
 }

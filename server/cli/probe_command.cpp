@@ -35,6 +35,14 @@ void print(const codec::Probe& probe) {
   } else {
     std::cout << "current   - (" << probe.currents.reason << ")\n";
   }
+  if (probe.wind.velocity) {
+    const geo::VelocityEn& wind = *probe.wind.velocity;
+    std::cout << std::setprecision(1) << "wind      " << geo::strength(wind).value << " m/s, "
+              << wind.east.value << " east, " << wind.north.value << " north (" << probe.wind.dataset_name
+              << ")\n";
+  } else {
+    std::cout << "wind      - (" << probe.wind.reason << ")\n";
+  }
   if (probe.ice.state) {
     std::cout << std::setprecision(2) << "sea ice   " << probe.ice.state->concentration << " covered";
     if (probe.ice.state->thickness) std::cout << ", " << probe.ice.state->thickness->value << " m thick";
@@ -54,6 +62,14 @@ void print(const codec::Probe& probe) {
     std::cout << "iceberg   " << near.iceberg.id << ", " << std::setprecision(1)
               << near.distance.value / 1000.0 << " km away, seen " << core::iso8601(near.iceberg.observed)
               << '\n';
+  }
+  for (const auto& here : probe.zones) {
+    const ocean::Zone& zone = here.zone;
+    std::cout << "zone      " << (zone.name.empty() ? "without a name" : zone.name) << ", "
+              << ocean::zone_kind_name(zone.kind) << (here.in_force ? ", in force" : ", not in force now")
+              << (zone.from ? ", from " + core::iso8601(*zone.from) : "")
+              << (zone.until ? ", until " + core::iso8601(*zone.until) : "") << " (" << here.dataset_name
+              << ")\n";
   }
 }
 
@@ -91,13 +107,13 @@ int run(const Flags& flags, const Program& program) {
 
 void add_probe(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
-  auto* command =
-      app.add_subcommand("probe", "Depth, current, tide, sea ice and icebergs at a place and a time");
+  auto* command = app.add_subcommand(
+      "probe", "Depth, current, tide, wind, sea ice, icebergs and zones at a place and a time");
   command->add_option("--at", flags->at, "LON,LAT in degrees")->required();
   command->add_option("--time", flags->time, "ISO 8601 with zone; default: now");
   command->add_option("--depth", flags->depth_m, "Metres below the surface, for the current");
   command->add_option("--dataset", flags->dataset,
-                      "Currents, bathymetry, ice or tides to ask; default: the newest that covers it");
+                      "Currents, wind, bathymetry, ice or tides to ask; default: the newest that covers it");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run(*flags, program); });
 }

@@ -53,14 +53,18 @@ std::string refusal_of_foreign(std::string_view head) {
   if (head.starts_with("%PDF") || head.starts_with("\x89PNG") || head.starts_with("\xff\xd8\xff"))
     return "this is a picture or a document, not data; give the data that it was made from";
   if (head.starts_with("SQLite format 3"))
-    return "this is an SQLite database (perhaps a GeoPackage); this layout is not yet supported; convert it "
-           "to GeoJSON";
-  if (head.starts_with("\x00\x00\x27\x0a"sv))
-    return "this is a shapefile; this layout is not yet supported; convert it to GeoJSON in longitude and "
-           "latitude";
+    return "this is an SQLite database, but no GeoPackage; convert it to GeoJSON";
   if (head.starts_with("CDF") || head.starts_with("\x89HDF") || head.starts_with("\x0e\x03\x13\x01"))
     return "this is a variant of NetCDF or HDF that this program does not know; convert it to NetCDF-4";
   return {};
+}
+
+/// By the application's id in the head of an SQLite database, "GPKG" or, of version 1.1 and before, "GP10", "GP11".
+/// Source  OGC 12-128, requirement 2; sqlite.org/fileformat.html, 1.3
+bool is_geopackage(std::string_view head) {
+  constexpr std::size_t id_offset = 68;
+  return head.starts_with("SQLite format 3") && head.size() > id_offset + 4 &&
+         head.substr(id_offset, 2) == "GP";
 }
 
 bool is_text(std::string_view head) {
@@ -105,6 +109,8 @@ Checked<FileFormat> format_of_text(std::string_view head, const std::string& ext
         "this is JSON, but not GeoJSON; the places in it have no agreed meaning; convert it to a GeoJSON "
         "FeatureCollection in longitude and latitude");
   }
+  if (start.starts_with("<") && contains_any(head.substr(0, 4096), {"<kml", "<kml:kml"}))
+    return FileFormat::kml;
   if (start.starts_with("ncols") || start.starts_with("nrows")) return FileFormat::ascii_grid;
   if (is_ice_patrol_header(std::string{first_line(head)})) return FileFormat::ice_patrol_csv;
   if (is_iceberg_table_header(std::string{first_line(head)})) return FileFormat::iceberg_table;
@@ -125,7 +131,7 @@ Checked<FileFormat> format_of_text(std::string_view head, const std::string& ext
         "\"); probably the download returned a message instead of data; read it and download again");
   return refuse(
       "this is a text of a kind that this program does not know; give NetCDF, GeoTIFF, ESRI ASCII, XYZ, "
-      "GeoJSON or the sightings of the International Ice Patrol");
+      "GeoJSON, KML or the sightings of the International Ice Patrol");
 }
 
 Checked<FileFormat> format_of_classic_netcdf(const std::filesystem::path& file) {
@@ -161,6 +167,8 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
   if (bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv) ||
       bytes.starts_with("MM\0+"sv))
     return FileFormat::geotiff;
+  if (is_geopackage(bytes)) return FileFormat::geopackage;
+  if (bytes.starts_with("\x00\x00\x27\x0a"sv)) return FileFormat::shapefile;
   if (auto foreign = refusal_of_foreign(bytes); !foreign.empty()) return refuse(std::move(foreign));
   if (is_text(bytes)) {
     const auto format = format_of_text(bytes, lower(file.extension().string()));
@@ -170,8 +178,8 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
   }
   return refuse(
       "this program does not know what this file is; give NetCDF, GRIB, GeoTIFF, BAG, ESRI ASCII, XYZ, "
-      "GeoJSON or "
-      "the sightings of the International Ice Patrol");
+      "GeoJSON, "
+      "KML, GeoPackage, a shapefile or the sightings of the International Ice Patrol");
 }
 
 }  // namespace floeplan::ingest

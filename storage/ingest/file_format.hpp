@@ -23,7 +23,10 @@ enum class FileFormat {
   iceberg_json,
   tide_json,
   tide_table,
-  otps_extract
+  otps_extract,
+  kml,
+  geopackage,
+  shapefile
 };
 
 /// Errors   every other file, by name where it is known (chart pictures, Zarr, archives, ...); an empty

@@ -9,6 +9,9 @@
 
 CPL_C_START
 void CPL_DLL RegisterOGRGeoJSON();
+void CPL_DLL RegisterOGRGeoPackage();
+void CPL_DLL RegisterOGRLIBKML();
+void CPL_DLL RegisterOGRShape();
 CPL_C_END
 
 namespace floeplan::ingest {
@@ -34,6 +37,9 @@ void register_drivers() {
     GDALRegister_XYZ();
     GDALRegister_MEM();  // target of a resampling, never a source
     RegisterOGRGeoJSON();
+    RegisterOGRGeoPackage();
+    RegisterOGRLIBKML();
+    RegisterOGRShape();
   });
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <sstream>
 #include <stdexcept>
 
 #include "storage/ingest/bathymetry_netcdf_reader.hpp"
@@ -20,7 +21,9 @@
 #include "storage/ingest/recognise.hpp"
 #include "storage/ingest/tide_reader.hpp"
 #include "storage/ingest/tide_table.hpp"
+#include "storage/ingest/vector_file.hpp"
 #include "storage/ingest/zarr_store.hpp"
+#include "storage/ingest/zone_reader.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/sqlite/transaction.hpp"
 
@@ -60,8 +63,12 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
     case FileFormat::iceberg_json: return read_iceberg_list_json(file.path);
     case FileFormat::ice_patrol_csv: return read_ice_patrol_csv(file.path);
     case FileFormat::geojson:
-      return kind == DatasetKind::icebergs ? read_geojson_icebergs(*file.geojson)
-                                           : read_geojson_coastline(*file.geojson);
+      if (kind == DatasetKind::zones) return read_zones(*file.features, options);
+      return kind == DatasetKind::icebergs ? read_geojson_icebergs(*file.features)
+                                           : read_geojson_coastline(*file.features);
+    case FileFormat::kml:
+    case FileFormat::geopackage:
+    case FileFormat::shapefile: return read_zones(*file.features, options);
   }
   throw std::logic_error{"a file format without a reader"};
 }
@@ -117,7 +124,8 @@ IngestReport refused(const FileGroup& files, std::string reason) {
   IngestReport report;
   report.file = names_of(files);
   for (const std::filesystem::path& file : files) reason = without_folder(std::move(reason), file);
-  report.errors.push_back(std::move(reason));
+  std::istringstream lines{reason};
+  for (std::string line; std::getline(lines, line);) report.errors.push_back(line);
   return report;
 }
 
@@ -185,6 +193,13 @@ Checked<NetcdfFiles> open_companions(const FileGroup& files) {
   return companions;
 }
 
+/// Of all the files that what was recognised consists of.
+Checked<std::string> digest_of(const RecognisedFile& recognised, const FileGroup& files) {
+  if (recognised.format == FileFormat::zarr) return sha256_of_zarr(files.front());
+  if (recognised.format == FileFormat::shapefile) return sha256_of_files(parts_of_shapefile(files.front()));
+  return sha256_of_files(files);
+}
+
 std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& files,
                                        const IngestOptions& options, core::UtcTime now,
                                        const core::ProgressCallback& progress) {
@@ -194,8 +209,7 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
   auto companions = open_companions(files);
   if (!companions) return {refused(files, companions.error())};
   recognised->companions = std::move(*companions);
-  const auto sha256 =
-      recognised->format == FileFormat::zarr ? sha256_of_zarr(files.front()) : sha256_of_files(files);
+  const auto sha256 = digest_of(*recognised, files);
   if (!sha256) return {refused(files, sha256.error())};
 
   std::vector<Candidate> candidates;

@@ -20,9 +20,10 @@ struct IngestOptions {
   std::optional<repository::DatasetKind> kind{};  // default: recognised
   std::optional<std::string> crs{};               // "EPSG:4326", for files that state none
   std::optional<std::string> positive{};          // "up" or "down", for bathymetry that does not say
-  std::optional<geo::LonLat> at{};        // of a station of the tide whose file does not say where it is
-  std::optional<std::string> unit{};      // "m" or "ft", of its amplitudes where the file does not say it
-  std::optional<std::string> variable{};  // of ice: the concentration to use when a file holds several
+  std::optional<geo::LonLat> at{};         // of a station of the tide whose file does not say where it is
+  std::optional<std::string> unit{};       // "m" or "ft", of its amplitudes where the file does not say it
+  std::optional<std::string> zone_kind{};  // "no_go" or "stay_in", for zones that do not say
+  std::optional<std::string> variable{};   // of ice: the concentration to use when a file holds several
 };
 
 enum class IngestStatus { stored, refused, unchanged };

@@ -10,6 +10,7 @@
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/tide_variables.hpp"
+#include "storage/ingest/vector_file.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
@@ -57,6 +58,14 @@ std::string nothing_known(const NetcdfFile& file) {
          "with, for example, uo and vo, elevation or siconc";
 }
 
+Checked<bool> look_into_zones(RecognisedFile& file, const char* driver) {
+  auto features = open_vector_file(file.path, driver);
+  if (!features) return refuse(features.error());
+  file.features = std::move(*features);
+  file.kinds = {DatasetKind::zones};
+  return true;
+}
+
 Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted) {
   switch (file.format) {
     case FileFormat::netcdf_classic:
@@ -74,9 +83,9 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
     case FileFormat::geojson: {
       auto geojson = open_geojson(file.path);
       if (!geojson) return refuse(geojson.error());
-      const auto kind = kind_of_geojson(**geojson);
+      const auto kind = kind_of_geojson(**geojson, wanted);
       if (!kind) return refuse(kind.error());
-      file.geojson = std::move(*geojson);
+      file.features = std::move(*geojson);
       file.kinds = {*kind};
       return true;
     }
@@ -86,6 +95,9 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
     case FileFormat::otps_extract: file.kinds = {DatasetKind::tides}; return true;
     case FileFormat::iceberg_table:
     case FileFormat::iceberg_json:
+    case FileFormat::kml: return look_into_zones(file, "LIBKML");
+    case FileFormat::geopackage: return look_into_zones(file, "GPKG");
+    case FileFormat::shapefile: return look_into_zones(file, "ESRI Shapefile");
     case FileFormat::ice_patrol_csv: file.kinds = {DatasetKind::icebergs}; return true;
     case FileFormat::bag:
     case FileFormat::geotiff:
@@ -101,7 +113,7 @@ Checked<RecognisedFile> recognise(const std::filesystem::path& file, std::option
   const auto format = format_of(file);
   if (!format) return refuse(format.error());
   RecognisedFile result{
-      .path = file, .format = *format, .kinds = {}, .netcdf = nullptr, .companions = {}, .geojson = nullptr};
+      .path = file, .format = *format, .kinds = {}, .netcdf = nullptr, .companions = {}, .features = nullptr};
   const auto looked = look_into(result, wanted);
   if (!looked) return refuse(looked.error());
   if (!wanted) return result;

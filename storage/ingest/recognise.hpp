@@ -21,7 +21,7 @@ struct RecognisedFile {
   std::vector<repository::DatasetKind> kinds;  // at least one
   std::shared_ptr<const NetcdfFile> netcdf;    // for the NetCDF formats
   NetcdfFiles companions;                      // files that were given to be read together with it
-  std::shared_ptr<GDALDataset> geojson;        // for GeoJSON
+  std::shared_ptr<GDALDataset> features;       // for GeoJSON, KML, GeoPackage and shapefiles
 };
 
 /// Finds out by content which kinds of data a file holds; its name plays no part.

@@ -6,7 +6,8 @@
 
 namespace floeplan::ingest {
 
-/// A value, or why the file is refused: one sentence for a pilot in the form "what; why; what to do".
+/// A value, or why the file is refused: one sentence for a pilot in the form "what; why; what to do", or several of
+/// them, one a line.
 template <class T>
 using Checked = tl::expected<T, std::string>;
 

@@ -8,10 +8,13 @@ namespace floeplan::repository {
 namespace {
 
 constexpr std::array names{std::pair{DatasetKind::bathymetry, "bathymetry"},
-                           std::pair{DatasetKind::currents, "currents"}, std::pair{DatasetKind::ice, "ice"},
+                           std::pair{DatasetKind::currents, "currents"},
+                           std::pair{DatasetKind::wind, "wind"},
+                           std::pair{DatasetKind::ice, "ice"},
                            std::pair{DatasetKind::icebergs, "icebergs"},
                            std::pair{DatasetKind::coastline, "coastline"},
-                           std::pair{DatasetKind::tides, "tides"}};
+                           std::pair{DatasetKind::tides, "tides"},
+                           std::pair{DatasetKind::zones, "zones"}};
 
 }  // namespace
 
@@ -27,6 +30,10 @@ std::optional<DatasetKind> parse_kind(const std::string& name) {
     if (name == candidate) return kind;
   }
   return std::nullopt;
+}
+
+bool has_steps(DatasetKind kind) {
+  return kind == DatasetKind::currents || kind == DatasetKind::wind || kind == DatasetKind::ice;
 }
 
 }  // namespace floeplan::repository

@@ -11,10 +11,13 @@
 namespace floeplan::repository {
 
 /// Kinds of data the store holds.
-enum class DatasetKind { bathymetry, currents, ice, icebergs, coastline, tides };
+enum class DatasetKind { bathymetry, currents, wind, ice, icebergs, coastline, tides, zones };
 
 [[nodiscard]] std::string kind_name(DatasetKind kind);
 [[nodiscard]] std::optional<DatasetKind> parse_kind(const std::string& name);
+
+/// Whether data of the kind are fields at steps of time.
+[[nodiscard]] bool has_steps(DatasetKind kind);
 
 /// Names one dataset: "<kind>-<first eight hexadecimal digits of its file's SHA-256>".
 struct DatasetId {
@@ -32,7 +35,8 @@ struct Provenance {
   std::string tool_version;  // "floeplan 0.1.0, GDAL 3.6.2"
 };
 
-/// What a list of datasets shows; the data themselves are in the field, iceberg and coastline repositories.
+/// What a list of datasets shows; the data themselves are in the repositories of fields, icebergs, coasts and
+/// zones.
 struct Dataset {
   DatasetId id;
   DatasetKind kind{};
@@ -41,7 +45,7 @@ struct Dataset {
   geo::BoundingBox bounds;
   std::optional<core::UtcTime> time_start;  // empty: the data have no time
   std::optional<core::UtcTime> time_end;
-  std::int64_t rows_accepted{};  // grid nodes, sightings or polygons
+  std::int64_t rows_accepted{};  // grid nodes, sightings, polygons or zones
   std::int64_t rows_refused{};
   std::vector<std::string> warnings;
   Provenance provenance;

@@ -9,7 +9,7 @@
 
 namespace floeplan::repository {
 
-/// Which dataset of a kind to use.
+/// Which dataset of a kind to use. Without a word: the newest, of zones all that there are.
 struct DatasetChoice {
   enum class How { newest, none, named } how{How::newest};
   std::vector<DatasetId> ids;  // when named

@@ -12,6 +12,7 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/zone_repository.hpp"
 #include "storage/sqlite/snapshot.hpp"
 
 namespace floeplan::repository {
@@ -372,6 +373,81 @@ void add_coastline(Draft& draft) {
   }
 }
 
+std::size_t corners_of(const ocean::Zone& zone) {
+  std::size_t corners = zone.area.outer.size();
+  for (const geo::Ring& hole : zone.area.holes) corners += hole.size();
+  return corners;
+}
+
+void add_wind(Draft& draft) {
+  const EnvironmentQuery& query = draft.query;
+  const auto found = candidates(draft.stored, DatasetKind::wind, query.wind, query.area, draft.violations);
+  const bool named = query.wind.how == DatasetChoice::How::named;
+  if (named && query.wind.ids.size() > 1) {
+    draft.refuse(DatasetKind::wind, "one dataset at a time; name the one to plan with");
+    return;
+  }
+  const bool moves_something = query.iceberg_drift && !draft.environment.icebergs.empty();
+  if (!named && !moves_something) return;
+
+  std::string periods_missed;
+  for (const Dataset& dataset : found) {
+    auto period = period_of(dataset);
+    if (!period) continue;
+    if (!covers_begin(*period, query)) {
+      periods_missed +=
+          (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
+      continue;
+    }
+    period->from = drift_start(draft);
+    auto wind = FieldRepository{draft.db}.load_currents(dataset.id, geo::grown(query.area, reach_of_drift),
+                                                        period, std::nullopt);
+    if (!wind) continue;
+    draft.environment.wind = std::make_shared<const ocean::CurrentGrid>(std::move(*wind));
+    draft.cite(dataset);
+    return;
+  }
+
+  if (named && !periods_missed.empty()) {
+    draft.refuse(DatasetKind::wind,
+                 "says nothing of the wind at " + core::iso8601(query.depart) + ": " + periods_missed);
+  } else if (named && !found.empty()) {
+    draft.refuse(DatasetKind::wind, title(found.front()) + " has no node near the area");
+  } else if (!periods_missed.empty()) {
+    draft.warn("no stored wind for the time of departure (" + periods_missed +
+               "): icebergs drift as the water carries them");
+  }
+}
+
+/// Says so where zones that are stored for the area are left out: nothing in the plan shows it otherwise.
+void warn_of_zones_left_out(Draft& draft) {
+  const DatasetChoice all;
+  for (const Dataset& dataset :
+       candidates(draft.stored, DatasetKind::zones, all, draft.query.area, draft.violations)) {
+    const bool named = std::ranges::find(draft.query.zones.ids, dataset.id) != draft.query.zones.ids.end();
+    if (!named) draft.warn("zones of " + title(dataset) + " left out as requested: they are not obeyed");
+  }
+}
+
+void add_zones(Draft& draft) {
+  const EnvironmentQuery& query = draft.query;
+  std::size_t corners = 0;
+  for (const Dataset& dataset :
+       candidates(draft.stored, DatasetKind::zones, query.zones, query.area, draft.violations)) {
+    for (ocean::Zone& zone : ZoneRepository{draft.db}.load(dataset.id, query.area, query.depart)) {
+      corners += corners_of(zone);
+      draft.environment.zones.push_back(std::move(zone));
+    }
+    draft.cite(dataset);
+  }
+  if (corners > max_zone_corners) {
+    draft.refuse(DatasetKind::zones, "the stored zones of the area have " + std::to_string(corners) +
+                                         " corners, more than " + std::to_string(max_zone_corners) +
+                                         "; name those that matter, or store them with simpler outlines");
+  }
+  if (query.zones.how != DatasetChoice::How::newest) warn_of_zones_left_out(draft);
+}
+
 }  // namespace
 
 core::UtcTime oldest_sighting_used(core::UtcTime as_of, core::Seconds max_age) {
@@ -388,10 +464,12 @@ tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Conn
   add_icebergs(icebergs);
   draft.environment.icebergs = std::move(icebergs.environment.icebergs);
   add_water(draft);
+  add_wind(draft);
   add_bathymetry(draft);
   add_ice(draft);
   draft.append_report(icebergs);
   add_coastline(draft);
+  add_zones(draft);
   if (!draft.violations.empty()) return tl::unexpected(std::move(draft.violations));
   return std::move(draft.environment);
 }

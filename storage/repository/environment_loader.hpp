@@ -33,6 +33,7 @@ struct EnvironmentQuery {
   bool may_begin_later{false};        // `depart` is the earliest possible one: data may begin after it
   core::Metres dive_depth{200.0};
   DatasetChoice currents;
+  DatasetChoice wind;  // only where icebergs drift, unless one is named
   bool steady{false};  // one time step, or the mean of all, for every time
   TidesQuery tides;
   DatasetChoice bathymetry;
@@ -43,6 +44,7 @@ struct EnvironmentQuery {
   core::Seconds max_sighting_age{repository::max_sighting_age};
   bool iceberg_drift{true};  // also what their drift needs: tracks, and currents from the sightings on
   DatasetChoice coastline;
+  DatasetChoice zones;  // obeyed are all that meet the area, unless some are named
 };
 
 /// The earliest sighting that still counts. Feeds often give the day of a sighting alone, so the whole day on which

@@ -189,6 +189,24 @@ CREATE TABLE tide_constant (
   UNIQUE (dataset_row, position, constituent),
   FOREIGN KEY (dataset_row, position) REFERENCES tide_station (dataset_row, position) ON DELETE CASCADE
 ) STRICT;
+)sql",
+                                R"sql(
+CREATE TABLE zone (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  dataset_row INTEGER NOT NULL REFERENCES dataset (row) ON DELETE CASCADE,
+  name TEXT NOT NULL,
+  kind TEXT NOT NULL CHECK (kind IN ('no_go', 'stay_in')),
+  from_s REAL,   -- NULL: since ever
+  until_s REAL,  -- NULL: for ever
+  top_m REAL NOT NULL,
+  bottom_m REAL,  -- NULL: at every depth below the top
+  rings BLOB NOT NULL
+) STRICT;
+CREATE INDEX zone_by_dataset ON zone (dataset_row);
+CREATE VIRTUAL TABLE zone_box USING rtree (row, west_deg, east_deg, south_deg, north_deg);
+CREATE TRIGGER zone_deleted AFTER DELETE ON zone BEGIN
+  DELETE FROM zone_box WHERE row = old.row;
+END;
 )sql"};
 
 constexpr auto newest_schema = static_cast<std::int64_t>(migrations.size());

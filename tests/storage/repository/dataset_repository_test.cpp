@@ -115,7 +115,7 @@ TEST(DatasetKind, HasANameThatLeadsBackToIt) {
        {DatasetKind::bathymetry, DatasetKind::currents, DatasetKind::icebergs, DatasetKind::coastline}) {
     EXPECT_EQ(parse_kind(kind_name(kind)), kind);
   }
-  EXPECT_EQ(parse_kind("wind"), std::nullopt);
+  EXPECT_EQ(parse_kind("weather"), std::nullopt);
 }
 
 }  // namespace

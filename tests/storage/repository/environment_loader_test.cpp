@@ -7,6 +7,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/migrations.hpp"
+#include "storage/repository/zone_repository.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 
 namespace floeplan::repository {
@@ -457,6 +458,56 @@ TEST_F(EnvironmentLoaderTest, TakesNoIceOfAnotherTime) {
   query_.ice = named({"ice"});
   EXPECT_THAT(violations(), ElementsAre(AllOf(HasSubstr("/ice says nothing of the ice at"),
                                               HasSubstr("at most 3 days beyond"))));
+}
+
+ocean::Zone zone_of(const std::string& name, const geo::BoundingBox& box) {
+  ocean::Zone zone;
+  zone.name = name;
+  zone.area.outer = {{box.west_deg, box.south_deg},
+                     {box.east_deg, box.south_deg},
+                     {box.east_deg, box.north_deg},
+                     {box.west_deg, box.north_deg}};
+  return zone;
+}
+
+TEST_F(EnvironmentLoaderTest, ObeysEveryZoneThatIsStoredForTheArea) {
+  add("zones-1", DatasetKind::zones, bay);
+  ZoneRepository{db_}.insert({"zones-1"}, {zone_of("a", bay), zone_of("b", elsewhere)});
+  add("zones-2", DatasetKind::zones, bay);
+  ZoneRepository{db_}.insert({"zones-2"}, {zone_of("c", bay)});
+  add("zones-3", DatasetKind::zones, elsewhere);
+  ZoneRepository{db_}.insert({"zones-3"}, {zone_of("d", elsewhere)});
+
+  const auto environment = load_environment(db_, query_);
+
+  ASSERT_TRUE(environment);
+  ASSERT_EQ(environment->zones.size(), 2U);
+  EXPECT_EQ(environment->zones[0].name, "c") << "the newest first";
+  EXPECT_EQ(environment->zones[1].name, "a");
+  EXPECT_EQ(environment->datasets.size(), 2U);
+  EXPECT_THAT(environment->warnings, Not(Contains(HasSubstr("zones"))));
+}
+
+TEST_F(EnvironmentLoaderTest, ObeysNamedZonesAndTellsOfThoseLeftOut) {
+  for (const char* const id : {"zones-1", "zones-2"}) {
+    add(id, DatasetKind::zones, bay);
+    ZoneRepository{db_}.insert({id}, {zone_of(id, bay)});
+  }
+  query_.zones = {DatasetChoice::How::named, {{"zones-1"}}};
+  const auto one = load_environment(db_, query_);
+  query_.zones = {DatasetChoice::How::none, {}};
+  const auto none = load_environment(db_, query_);
+  query_.zones = {DatasetChoice::How::named, {{"zones-9"}}};
+  const auto unknown = load_environment(db_, query_);
+
+  ASSERT_TRUE(one && none);
+  ASSERT_EQ(one->zones.size(), 1U);
+  EXPECT_EQ(one->zones[0].name, "zones-1");
+  EXPECT_THAT(one->warnings, Contains(HasSubstr("zones-2")));
+  EXPECT_TRUE(none->zones.empty());
+  EXPECT_THAT(none->warnings, Contains(HasSubstr("zones-1")));
+  ASSERT_FALSE(unknown);
+  EXPECT_EQ(unknown.error().front().field, "/zones");
 }
 
 }  // namespace

@@ -11,6 +11,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/job_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
+#include "storage/repository/zone_repository.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "storage/sqlite/transaction.hpp"
 #include "tests/storage/repository/sample_data.hpp"
@@ -68,6 +69,8 @@ DROP TABLE tide_constant;
 DROP TABLE tide_station;
 DROP TABLE dataset;
 ALTER TABLE first_dataset RENAME TO dataset;
+DROP TABLE zone;
+DROP TABLE zone_box;
 PRAGMA user_version = 1;
 )sql");
 }
@@ -86,6 +89,10 @@ TEST(OpenStore, BringsAnOlderStoreUpToDateWithEverythingInIt) {
   EXPECT_EQ(DatasetRepository{db}.find({"a"}).value().warnings.size(), 2U);
   EXPECT_EQ(IcebergRepository{db}.count({}), 1);
   DatasetRepository{db}.insert(sample_dataset("b", DatasetKind::ice));
+  DatasetRepository{db}.insert(sample_dataset("c", DatasetKind::zones));
+  ocean::Zone zone;
+  zone.area.outer = {{0.0, 60.0}, {1.0, 60.0}, {1.0, 61.0}};
+  ZoneRepository{db}.insert({"c"}, {zone});
   EXPECT_TRUE(DatasetRepository{db}.remove({"a"}));
   EXPECT_EQ(IcebergRepository{db}.count({}), 0) << "foreign keys are obeyed again";
 }

@@ -1,0 +1,47 @@
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "engine/geo/polygon.hpp"
+#include "storage/ingest/refusal.hpp"
+
+class OGRCoordinateTransformation;
+class OGRGeometry;
+class OGRLinearRing;
+class OGRPolygon;
+class OGRSpatialReference;
+
+namespace floeplan::ingest {
+
+/// Polygons of a file as places on WGS84.
+/// Edges    straight where the file has them straight: those of a projection are divided until they keep within
+///          10 m of it between corners that are straight in longitude and latitude
+class PolygonShapes {
+ public:
+  /// Of coordinates that are longitude and latitude on WGS84 already.
+  PolygonShapes();
+  /// Errors   a reference system that cannot be brought to WGS84
+  [[nodiscard]] static Checked<PolygonShapes> in(const OGRSpatialReference& crs);
+  PolygonShapes(PolygonShapes&&) noexcept;
+  ~PolygonShapes();
+
+  /// The polygons of a polygon, a multipolygon or a collection of them; curves are laid out as lines.
+  /// Errors   other geometries; rings of fewer than three corners; corners that are no places
+  [[nodiscard]] Checked<std::vector<geo::Polygon>> polygons(const OGRGeometry* geometry) const;
+
+ private:
+  struct Release {
+    void operator()(OGRCoordinateTransformation* transformation) const;
+  };
+  [[nodiscard]] Checked<geo::LonLat> place(double x, double y) const;
+  [[nodiscard]] Checked<geo::Ring> ring(const OGRLinearRing& line) const;
+  [[nodiscard]] Checked<geo::Polygon> polygon(const OGRPolygon& shape) const;
+  [[nodiscard]] Checked<bool> divide(double x0, double y0, geo::LonLat from, double x1, double y1,
+                                     geo::LonLat to, int depth, geo::Ring& ring) const;
+
+  std::unique_ptr<OGRCoordinateTransformation, Release> to_wgs84_;  // null: they are on it
+  bool straight_{true};  // edges are straight in longitude and latitude
+};
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,40 @@
+#include "storage/ingest/vector_file.hpp"
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include "storage/ingest/gdal_guard.hpp"
+
+namespace floeplan::ingest {
+
+Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::path& file,
+                                                       const char* driver) {
+  register_drivers();
+  const GdalMessages messages;
+  const char* const drivers[] = {driver, nullptr};
+  const std::string path = std::filesystem::absolute(file).string();
+  std::shared_ptr<GDALDataset> dataset{
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers)};
+  if (!dataset)
+    return refuse(
+        "the file cannot be read (" + messages.first_error() +
+        "); it is damaged, was cut short, or misses the files that belong to it (of a shapefile .shx "
+        "and .dbf); copy or download it again");
+  GIntBig features = 0;
+  for (OGRLayer* const layer : dataset->GetLayers()) features += layer->GetFeatureCount();
+  if (features == 0)
+    return refuse("the file holds no features; there is nothing to store; check what you exported");
+  return dataset;
+}
+
+std::vector<std::filesystem::path> parts_of_shapefile(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> parts{file};
+  for (const char* const ending : {".dbf", ".prj", ".cpg", ".DBF", ".PRJ", ".CPG"}) {
+    std::filesystem::path part = file;
+    part.replace_extension(ending);
+    if (std::filesystem::is_regular_file(part)) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+}  // namespace floeplan::ingest

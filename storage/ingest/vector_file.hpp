@@ -1,0 +1,21 @@
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <vector>
+
+#include "storage/ingest/refusal.hpp"
+
+class GDALDataset;
+
+namespace floeplan::ingest {
+
+/// Opens a file of features with one of GDAL's drivers, "GPKG", "LIBKML" or "ESRI Shapefile".
+/// Errors   damaged; no features
+[[nodiscard]] Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::path& file,
+                                                                     const char* driver);
+
+/// A shapefile and the files beside it that belong to it.
+[[nodiscard]] std::vector<std::filesystem::path> parts_of_shapefile(const std::filesystem::path& file);
+
+}  // namespace floeplan::ingest

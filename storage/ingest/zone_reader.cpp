@@ -1,0 +1,202 @@
+#include "storage/ingest/zone_reader.hpp"
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/polygon_shapes.hpp"
+#include "storage/ingest/text.hpp"
+#include "storage/ingest/zone_attributes.hpp"
+#include "storage/repository/zone_repository.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr std::size_t most_faults = 50;  // a report that a person reads
+constexpr double widest_edge_deg = 90.0;
+
+/// A ring with longitudes that do not jump, as GEOS wants it, and how far round the Earth it leads.
+struct Unrolled {
+  OGRLinearRing ring;
+  double round_deg{};
+  double widest_edge_deg{};
+  bool jumps{};
+};
+
+Unrolled unrolled(const geo::Ring& ring) {
+  Unrolled result;
+  double lon_deg = ring.front().lon_deg;
+  for (std::size_t i = 0; i <= ring.size(); ++i) {
+    const geo::LonLat corner = ring[i % ring.size()];
+    if (i > 0) {
+      const geo::LonLat last = ring[i - 1];
+      const double edge_deg = geo::longitude_difference(last.lon_deg, corner.lon_deg);
+      lon_deg += edge_deg;
+      result.round_deg += edge_deg;
+      result.widest_edge_deg = std::max(result.widest_edge_deg, std::abs(edge_deg));
+      if (std::abs(corner.lon_deg - last.lon_deg) > 180.0) result.jumps = true;
+    }
+    result.ring.addPoint(lon_deg, corner.lat_deg);
+  }
+  return result;
+}
+
+/// What is wrong with the outline of a zone; empty: nothing.
+std::string fault_of(const geo::Polygon& polygon) {
+  std::vector<const geo::Ring*> rings{&polygon.outer};
+  for (const geo::Ring& hole : polygon.holes) rings.push_back(&hole);
+  OGRPolygon shape;
+  for (const geo::Ring* const ring : rings) {
+    Unrolled line = unrolled(*ring);
+    if (std::abs(line.round_deg) > 180.0)
+      return "leads round a pole, which outlines in longitude and latitude cannot; divide it along meridians";
+    if (line.widest_edge_deg >= widest_edge_deg)
+      return "has an edge of " + number(line.widest_edge_deg, 4) +
+             " degrees of longitude, which could lead round the Earth either way; put corners between its "
+             "ends";
+    const double shift_deg =
+        shape.IsEmpty() != 0
+            ? 0.0
+            : 360.0 * std::round((shape.getExteriorRing()->getX(0) - line.ring.getX(0)) / 360.0);
+    for (int i = 0; i < line.ring.getNumPoints(); ++i)
+      line.ring.setPoint(i, line.ring.getX(i) + shift_deg, line.ring.getY(i));
+    shape.addRing(&line.ring);
+  }
+  const GdalMessages messages;
+  if (shape.IsValid() != 0) return "";
+  return "crosses or touches itself, or a hole lies outside its outline, so that inside and outside are not "
+         "clear; mend it "
+         "(in QGIS: Fix geometries)";
+}
+
+bool crosses_antimeridian(const geo::Polygon& polygon) { return unrolled(polygon.outer).jumps; }
+
+std::size_t corners_of(const geo::Polygon& polygon) {
+  std::size_t corners = polygon.outer.size();
+  for (const geo::Ring& hole : polygon.holes) corners += hole.size();
+  return corners;
+}
+
+/// Zones as they are gathered, and everything that is wrong with them.
+struct Gathering {
+  std::vector<ocean::Zone> zones;
+  std::vector<std::string> faults;
+  std::vector<std::string> warnings;
+  std::size_t corners{};
+};
+
+void gather(Gathering& all, const OGRFeature& feature, const std::string& label, const PolygonShapes& shapes,
+            std::optional<ocean::ZoneKind> kind_of_others) {
+  ZoneAttributes attributes = read_zone_attributes(feature, kind_of_others);
+  const std::string subject =
+      label + (attributes.zone.name.empty() ? "" : " \"" + attributes.zone.name + "\"") + ": ";
+  for (const std::string& fault : attributes.faults) all.faults.push_back(subject + fault);
+  auto polygons = shapes.polygons(feature.GetGeometryRef());
+  if (!polygons) {
+    all.faults.push_back(subject + polygons.error() + "; draw it as an area, or leave it out");
+    return;
+  }
+  for (geo::Polygon& polygon : *polygons) {
+    if (const std::string fault = fault_of(polygon); !fault.empty()) {
+      all.faults.push_back(subject + fault);
+      continue;
+    }
+    if (crosses_antimeridian(polygon)) {
+      const double width = geo::width_deg(geo::bounding_box(polygon));
+      all.warnings.push_back(
+          subject + "crosses the antimeridian, " + number(width, 4) +
+          " degrees of longitude wide; divide it there if it was meant to lead the other way round");
+    }
+    all.corners += corners_of(polygon);
+    attributes.zone.area = std::move(polygon);
+    all.zones.push_back(attributes.zone);
+  }
+}
+
+/// Brings the layer's coordinates to WGS84.
+Checked<PolygonShapes> shapes_of(OGRLayer& layer, const IngestOptions& options) {
+  if (const OGRSpatialReference* crs = layer.GetSpatialRef()) return PolygonShapes::in(*crs);
+  if (!options.crs)
+    return refuse(
+        std::string{"the layer \""} + layer.GetName() +
+        "\" states no coordinate reference system (of a shapefile: the .prj file is missing); its zones "
+        "could lie anywhere; give --crs, for example EPSG:4326");
+  OGRSpatialReference stated;
+  if (stated.SetFromUserInput(options.crs->c_str()) != OGRERR_NONE)
+    return refuse("--crs " + *options.crs + " is no coordinate reference system that is known; as EPSG:4326");
+  return PolygonShapes::in(stated);
+}
+
+std::string report_of(std::vector<std::string> faults) {
+  const std::size_t more = faults.size() > most_faults ? faults.size() - most_faults : 0;
+  faults.resize(faults.size() - more);
+  if (more > 0) faults.push_back("and " + std::to_string(more) + " faults more");
+  std::string text;
+  for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
+  return text;
+}
+
+/// The earliest beginning and the latest end; empty where a zone has none.
+void set_period(PreparedDataset& data, const std::vector<ocean::Zone>& zones) {
+  const bool begin =
+      std::ranges::all_of(zones, [](const ocean::Zone& zone) { return zone.from.has_value(); });
+  const bool end = std::ranges::all_of(zones, [](const ocean::Zone& zone) { return zone.until.has_value(); });
+  for (const ocean::Zone& zone : zones) {
+    if (begin) data.time_start = data.time_start ? std::min(*data.time_start, *zone.from) : *zone.from;
+    if (end) data.time_end = data.time_end ? std::max(*data.time_end, *zone.until) : *zone.until;
+  }
+}
+
+}  // namespace
+
+Checked<PreparedDataset> read_zones(GDALDataset& dataset, const IngestOptions& options) {
+  std::optional<ocean::ZoneKind> kind_of_others;
+  if (options.zone_kind) {
+    kind_of_others = zone_kind_of(*options.zone_kind);
+    if (!kind_of_others) return refuse("--zone-kind is no_go or stay_in, not " + *options.zone_kind);
+  }
+  Gathering all;
+  for (OGRLayer* const layer : dataset.GetLayers()) {
+    if (layer->GetFeatureCount() == 0) continue;
+    const auto shapes = shapes_of(*layer, options);
+    if (!shapes) return refuse(shapes.error());
+    const std::string in_layer =
+        dataset.GetLayerCount() > 1 ? std::string{" of layer \""} + layer->GetName() + "\"" : "";
+    int number_of_feature = 0;
+    layer->ResetReading();
+    for (const auto& feature : *layer) {
+      ++number_of_feature;
+      gather(all, *feature, "feature " + std::to_string(number_of_feature) + in_layer, *shapes,
+             kind_of_others);
+    }
+  }
+  if (all.corners > repository::max_zone_corners)
+    all.faults.push_back("the zones have " + std::to_string(all.corners) + " corners in all, more than " +
+                         std::to_string(repository::max_zone_corners) + "; simplify their outlines");
+  if (!all.faults.empty()) return refuse(report_of(std::move(all.faults)));
+
+  std::vector<geo::LonLat> corners;
+  for (const ocean::Zone& zone : all.zones)
+    corners.insert(corners.end(), zone.area.outer.begin(), zone.area.outer.end());
+  PreparedDataset data;
+  data.kind = repository::DatasetKind::zones;
+  for (const ocean::ZoneKind kind : {ocean::ZoneKind::no_go, ocean::ZoneKind::stay_in})
+    if (std::ranges::find(all.zones, kind, &ocean::Zone::kind) != all.zones.end())
+      data.variables.push_back(ocean::zone_kind_name(kind));
+  data.bounds = geo::bounding_box(corners);
+  set_period(data, all.zones);
+  data.rows_accepted = static_cast<std::int64_t>(all.zones.size());
+  data.warnings = std::move(all.warnings);
+  data.write = [zones = std::move(all.zones)](
+                   sqlite::Connection& db,
+                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+    repository::ZoneRepository{db}.insert(id, zones);
+    return {};
+  };
+  return data;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,287 @@
+#include <gdal_priv.h>
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <ogrsf_frmts.h>
+
+#include <array>
+#include <cmath>
+#include <fstream>
+
+#include "engine/core/utc_text.hpp"
+#include "storage/ingest/gdal_guard.hpp"
+#include "storage/repository/zone_repository.hpp"
+#include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/property.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using testing::Contains;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+const geo::BoundingBox everywhere{-180.0, -90.0, 180.0, 90.0};
+const core::UtcTime long_ago = core::from_unix_seconds(0.0);
+
+/// What one feature of a test file states; empty texts are left out.
+struct Feature {
+  std::string wkt;
+  std::vector<std::pair<std::string, std::string>> texts;
+};
+
+/// How a format is written by GDAL itself.
+struct Format {
+  const char* driver;
+  const char* file;
+};
+
+constexpr std::array formats{Format{"GeoJSON", "zones.geojson"}, Format{"LIBKML", "zones.kml"},
+                             Format{"GPKG", "zones.gpkg"}, Format{"ESRI Shapefile", "zones.shp"}};
+
+class Zones : public StoreFixture {
+ protected:
+  /// Writes the features with all their attributes as texts; `epsg` 0 states no reference system.
+  std::filesystem::path write(const Format& format, const std::vector<Feature>& features,
+                              int epsg = 4326) const {
+    register_drivers();
+    const std::filesystem::path file = path(format.file);
+    GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName(format.driver);
+    const std::unique_ptr<GDALDataset> dataset{driver.Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr)};
+    OGRSpatialReference crs;
+    if (epsg != 0) crs.importFromEPSG(epsg);
+    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    OGRLayer& layer = *dataset->CreateLayer("zones", epsg != 0 ? &crs : nullptr, wkbUnknown, nullptr);
+    for (const Feature& feature : features)
+      for (const auto& [name, text] : feature.texts)
+        if (layer.GetLayerDefn()->GetFieldIndex(name.c_str()) < 0) {
+          OGRFieldDefn field{name.c_str(), OFTString};
+          layer.CreateField(&field);
+        }
+    for (const Feature& feature : features) {
+      OGRFeature row{layer.GetLayerDefn()};
+      OGRGeometry* geometry = nullptr;
+      OGRGeometryFactory::createFromWkt(feature.wkt.c_str(), nullptr, &geometry);
+      row.SetGeometryDirectly(geometry);
+      for (const auto& [name, text] : feature.texts) row.SetField(name.c_str(), text.c_str());
+      EXPECT_EQ(layer.CreateFeature(&row), OGRERR_NONE);
+    }
+    return file;
+  }
+
+  [[nodiscard]] std::vector<ocean::Zone> stored(const IngestReport& report) {
+    return repository::ZoneRepository{db_}.load(report.dataset->id, everywhere, long_ago);
+  }
+};
+
+const Feature harbour{
+    "POLYGON ((-53.4 69.0,-53.0 69.0,-53.0 69.3,-53.4 69.3,-53.4 69.0),"
+    "(-53.3 69.1,-53.1 69.1,-53.1 69.2,-53.3 69.1))",
+    {{"name", "Harbour"},
+     {"kind", "no_go"},
+     {"from", "2026-11-20T06:00:00Z"},
+     {"until", "2026-11-21"},
+     {"top_m", "10"},
+     {"bottom_m", "150.5"}}};
+const Feature range{"MULTIPOLYGON (((-52 68,-51 68,-51 69,-52 69,-52 68)),((-50 68,-49 68,-49 69,-50 68)))",
+                    {{"name", "Range"}, {"kind", "stay_in"}}};
+
+TEST_F(Zones, AreReadAlikeFromEveryFormat) {
+  for (const Format& format : formats) {
+    SCOPED_TRACE(format.driver);
+    const auto report = ingest(write(format, {harbour, range}));
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    EXPECT_EQ(report.dataset->kind, repository::DatasetKind::zones);
+    EXPECT_EQ(report.dataset->rows_accepted, 3);
+    EXPECT_THAT(report.dataset->variables, ElementsAre("no_go", "stay_in"));
+    const auto zones = stored(report);
+    ASSERT_EQ(zones.size(), 3U);
+    EXPECT_EQ(zones[0].name, "Harbour");
+    EXPECT_EQ(zones[0].kind, ocean::ZoneKind::no_go);
+    EXPECT_EQ(core::iso8601(zones[0].from.value()), "2026-11-20T06:00:00Z");
+    EXPECT_EQ(core::iso8601(zones[0].until.value()), "2026-11-22T00:00:00Z") << "to the end of that day";
+    EXPECT_EQ(zones[0].top, core::Metres{10.0});
+    EXPECT_EQ(zones[0].bottom, core::Metres{150.5});
+    EXPECT_EQ(zones[0].area.outer.size(), 4U);
+    ASSERT_EQ(zones[0].area.holes.size(), 1U);
+    EXPECT_EQ(zones[1].kind, ocean::ZoneKind::stay_in);
+    EXPECT_EQ(zones[1].name, "Range");
+    EXPECT_FALSE(zones[1].from || zones[1].until);
+    EXPECT_TRUE(std::isinf(zones[2].bottom.value));
+  }
+}
+
+TEST_F(Zones, HoldThePlacesThatGeosFindsInThem) {
+  for (const Format& format : formats) {
+    SCOPED_TRACE(format.driver);
+    const auto report = ingest(write(format, {harbour}));
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const auto zones = stored(report);
+    OGRGeometry* geometry = nullptr;
+    OGRGeometryFactory::createFromWkt(harbour.wkt.c_str(), nullptr, &geometry);
+    const std::unique_ptr<OGRGeometry> original{geometry};
+
+    support::for_each_seed(300, [&](std::mt19937_64& rng) {
+      const OGRPoint point{support::uniform(rng, -53.5, -52.9), support::uniform(rng, 68.9, 69.4)};
+      ASSERT_EQ(geo::contains(zones.front().area, {point.getX(), point.getY()}),
+                original->Contains(&point) != 0);
+    });
+  }
+}
+
+TEST_F(Zones, OfAProjectionKeepToItsStraightEdges) {
+  // 400 km a side in the polar stereographic projection of the NSIDC, whose edges bend in longitude and latitude.
+  const Feature ice_camp{
+      "POLYGON ((-800000 -1600000,-400000 -1600000,-400000 -1200000,-800000 -1200000,"
+      "-800000 -1600000))",
+      {{"kind", "no_go"}}};
+  OGRSpatialReference polar;
+  polar.importFromEPSG(3413);
+  polar.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRSpatialReference wgs84;
+  wgs84.importFromEPSG(4326);
+  wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const std::unique_ptr<OGRCoordinateTransformation> to_wgs84{
+      OGRCreateCoordinateTransformation(&polar, &wgs84)};
+  for (const Format& format : {formats[2], formats[3]}) {
+    SCOPED_TRACE(format.driver);
+    const auto report = ingest(write(format, {ice_camp}, 3413));
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const auto zones = stored(report);
+    EXPECT_GT(zones.front().area.outer.size(), 20U);
+    EXPECT_LT(zones.front().area.outer.size(), 2000U);
+    constexpr double near_m = 25.0;  // the 10 m kept, by the scale of the projection, and some more
+    support::for_each_seed(300, [&](std::mt19937_64& rng) {
+      const double along = support::uniform(rng, -799'000.0, -401'000.0);
+      const double offset = support::uniform(rng, 0.0, 1.0) < 0.5 ? -near_m : near_m;
+      double x = along;
+      double y = -1'600'000.0 + offset;
+      ASSERT_EQ(to_wgs84->Transform(1, &x, &y), 1);
+      ASSERT_EQ(geo::contains(zones.front().area, {x, y}), offset > 0.0) << along;
+    });
+  }
+}
+
+TEST_F(Zones, AcceptTheNamesOfOthers) {
+  const Feature spelled{"POLYGON ((0 50,1 50,1 51,0 50))",
+                        {{"TITLE", "Wind farm"},
+                         {"Rule", "Keep-Out"},
+                         {"VALID_FROM", "2026-11-20T08:00:00+02:00"},
+                         {"valid_to", "2026-12-01T00:00:00Z"},
+                         {"Min_Depth", "5"},
+                         {"MAX_DEPTH", "80"}}};
+  for (const Format& format : formats) {
+    SCOPED_TRACE(format.driver);
+    const auto report = ingest(write(format, {spelled}), {.kind = repository::DatasetKind::zones});
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const auto zones = stored(report);
+    EXPECT_EQ(zones.front().name, "Wind farm");
+    EXPECT_EQ(zones.front().kind, ocean::ZoneKind::no_go);
+    EXPECT_EQ(core::iso8601(zones.front().from.value()), "2026-11-20T06:00:00Z");
+    EXPECT_EQ(zones.front().top, core::Metres{5.0});
+    EXPECT_EQ(zones.front().bottom, core::Metres{80.0});
+  }
+}
+
+TEST_F(Zones, TellEveryFaultOfEveryFeature) {
+  const std::vector<Feature> faulty{
+      {"POLYGON ((0 50,1 50,1 51,0 50))", {{"name", "A"}, {"kind", "maybe"}, {"from", "tomorrow"}}},
+      {"POLYGON ((0 50,1 50,1 51,0 50))", {{"name", "B"}}},
+      {"POLYGON ((0 50,2 52,2 50,0 52,0 50))", {{"name", "C"}, {"kind", "no_go"}}},
+      {"POLYGON ((0 50,1 50,1 51,0 50))", {{"kind", "no_go"}, {"top_m", "90"}, {"bottom_m", "-5"}}},
+      {"POLYGON ((0 50,1 50,1 51,0 50))",
+       {{"kind", "no_go"}, {"from", "2026-11-21T00:00:00Z"}, {"until", "2026-11-20T00:00:00Z"}}},
+      {"LINESTRING (0 50,1 50)", {{"kind", "no_go"}}},
+      {"POLYGON ((0 50,1 50,1 51,0 50))", {{"kind", "no_go"}, {"from", "2026-11-21T00:00:00"}}}};
+  const auto report = ingest(write(formats[2], faulty));
+
+  EXPECT_EQ(report.status, IngestStatus::refused);
+  EXPECT_EQ(stored_datasets(), 0U);
+  EXPECT_THAT(report.errors, SizeIs(8)) << words(report);
+  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 1 \"A\": \"kind\" is \"maybe\"")));
+  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 1 \"A\": \"from\" is \"tomorrow\"")));
+  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 2 \"B\": states no kind")));
+  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 3 \"C\": crosses or touches itself")));
+  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 4: \"bottom_m\" is \"-5\"")));
+  EXPECT_THAT(report.errors,
+              Contains(HasSubstr("feature 5: ends at 2026-11-20T00:00:00Z, before it begins")));
+  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 6: it is no polygon")));
+  EXPECT_THAT(report.errors, Contains(HasSubstr("feature 7: \"from\" is \"2026-11-21T00:00:00\"")));
+}
+
+TEST_F(Zones, WithoutAKindTakeTheOneThatIsStatedForThem) {
+  const Feature silent{"POLYGON ((0 50,1 50,1 51,0 50))", {{"name", "A"}}};
+  const auto file = write(formats[1], {silent});
+  expect_refused(file, "--zone-kind");
+
+  const auto report = ingest(file, {.zone_kind = "stay_in"});
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_EQ(stored(report).front().kind, ocean::ZoneKind::stay_in);
+}
+
+TEST_F(Zones, WithoutAReferenceSystemAreRefusedUnlessOneIsStated) {
+  const auto file = write(formats[3], {harbour}, 0);
+  expect_refused(file, "--crs");
+
+  EXPECT_EQ(ingest(file, {.crs = "EPSG:4326"}).status, IngestStatus::stored);
+}
+
+TEST_F(Zones, MayCrossTheAntimeridian) {
+  const Feature strait{"POLYGON ((179 60,-179 60,-179 61,179 61,179 60))", {{"kind", "no_go"}}};
+  const auto report = ingest(write(formats[0], {strait}));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("crosses the antimeridian, 2 degrees")));
+  const auto zones = stored(report);
+  EXPECT_TRUE(geo::contains(zones.front().area, {179.9, 60.5}));
+  EXPECT_TRUE(geo::contains(zones.front().area, {-179.9, 60.5}));
+  EXPECT_FALSE(geo::contains(zones.front().area, {0.0, 60.5}));
+  EXPECT_THAT(repository::ZoneRepository{db_}.at(report.dataset->id, {-179.5, 60.5}), SizeIs(1));
+  EXPECT_THAT(repository::ZoneRepository{db_}.at(report.dataset->id, {178.5, 60.5}), SizeIs(0));
+}
+
+TEST_F(Zones, WhoseOutlineIsNotClearAreRefused) {
+  expect_refused(
+      write(formats[0], {{"POLYGON ((-100 50,100 50,100 60,-100 60,-100 50))", {{"kind", "no_go"}}}}),
+      "either way");
+  expect_refused(
+      write(formats[2], {{"POLYGON ((0 80,80 80,160 80,-120 80,-40 80,0 80))", {{"kind", "no_go"}}}}),
+      "leads round a pole");
+}
+
+TEST_F(Zones, OfPolygonsThatStateNoRuleAreLand) {
+  const auto report = ingest(write(formats[0], {{"POLYGON ((0 50,1 50,1 51,0 50))", {{"name", "Island"}}}}));
+  EXPECT_EQ(report.dataset->kind, repository::DatasetKind::coastline);
+}
+
+TEST_F(Zones, OfATableAreTheSameFileOnlyWithTheSameTable) {
+  const auto file = write(formats[3], {harbour});
+  ASSERT_EQ(ingest(file).status, IngestStatus::stored);
+  EXPECT_EQ(ingest(file).status, IngestStatus::unchanged);
+
+  Feature moved = harbour;
+  moved.texts[1].second = "stay_in";
+  for (const char* const part : {"zones.shp", "zones.shx", "zones.dbf", "zones.prj"})
+    std::filesystem::remove(path(part));
+  EXPECT_EQ(ingest(write(formats[3], {moved})).status, IngestStatus::stored);
+  EXPECT_EQ(stored_datasets(), 2U);
+}
+
+TEST_F(Zones, AreNotReadFromDamagedFiles) {
+  for (const Format& format : {formats[1], formats[2], formats[3]}) {
+    SCOPED_TRACE(format.driver);
+    const auto file = write(format, {harbour, range});
+    std::filesystem::resize_file(file, std::filesystem::file_size(file) / 2);
+    const auto report = ingest(file);
+    EXPECT_EQ(report.status, IngestStatus::refused);
+    EXPECT_FALSE(report.errors.empty());
+  }
+  EXPECT_EQ(stored_datasets(), 0U);
+}
+
+}  // namespace
+}  // namespace floeplan::ingest
