@@ -11,24 +11,27 @@
 
 namespace floeplan::graph {
 
-/// What is known beforehand of travel times, whatever the hour.
-/// Law (admissible)  least_time(edge) is never more than the time of that edge at any departure
-/// Law (consistent)  remaining(tail) <= least_time(edge) + remaining(head); remaining(goal) = 0
+/// What is known beforehand of travel times.
+/// Law (admissible)  least_time(edge, depart) is never more than the time of that edge for who leaves its tail then
+/// Law (consistent)  remaining(tail) <= least_time(edge, depart) + remaining(head); remaining(goal) = 0
+/// Law (latest)      who is at v after latest_use(v) is not at the goal by the query's latest arrival
 template <class B>
-concept TravelTimeBound = requires(const B& bound, const Edge& edge, Vertex v) {
-  { bound.least_time(edge) } -> std::convertible_to<core::Seconds>;
+concept TravelTimeBound = requires(const B& bound, const Edge& edge, core::Seconds depart, Vertex v) {
+  { bound.least_time(edge, depart) } -> std::convertible_to<core::Seconds>;
   { bound.remaining(v) } -> std::convertible_to<core::Seconds>;
+  { bound.latest_use(v) } -> std::convertible_to<core::Seconds>;
 };
 
 /// Knows nothing: with it the search is Dijkstra's on arrival times.
 struct NoBound {
-  [[nodiscard]] static core::Seconds least_time(const Edge&) { return core::Seconds{0.0}; }
+  [[nodiscard]] static core::Seconds least_time(const Edge&, core::Seconds) { return core::Seconds{0.0}; }
   [[nodiscard]] static core::Seconds remaining(Vertex) { return core::Seconds{0.0}; }
+  [[nodiscard]] static core::Seconds latest_use(Vertex) { return core::Seconds{SearchTree::never}; }
 };
 
 /// Earliest arrivals, each vertex expanded once: Dijkstra on arrival times, A* with a bound. Exact under
 /// FIFO. An edge that cannot improve its head even at its least time, or from whose head the goal cannot be
-/// reached by `query.latest`, is not evaluated.
+/// reached by `query.latest`, is not evaluated; a vertex reached too late for that does not count as reached.
 /// Returns  arrival and predecessor of every vertex expanded before the goal, and of the goal when it can be
 ///          reached
 /// Source   Dreyfus 1969, An appraisal of some shortest-path algorithms, Operations Research
@@ -62,16 +65,19 @@ SearchTree find_earliest_arrivals(const GridGraph& graph, const Query& query, co
 
     const double arrival_u = tree.arrival_s(u);
     graph.for_each_edge(u, [&](const Edge& edge) {
-      const double least_s = arrival_u + core::Seconds{bound.least_time(edge)}.count();
+      const double least_s =
+          arrival_u + core::Seconds{bound.least_time(edge, core::Seconds{arrival_u})}.count();
       if (least_s >= tree.arrival_s(edge.head)) return;
       if (settled[edge.head]) return;
       if (bounded && least_s + remaining_s(edge.head) > query.latest.count()) return;
+      const double latest_use_s = core::Seconds{bound.latest_use(edge.head)}.count();
+      if (least_s > latest_use_s) return;
       ++tree.counters.edge_evaluations;
       const auto duration =
           travel_time(edge, core::Seconds{arrival_u}, core::Seconds{tree.arrival_s(edge.head)});
       if (!duration) return;
       const double arrival_v = arrival_u + core::Seconds{*duration}.count();
-      if (!(arrival_v < tree.arrival_s(edge.head))) return;
+      if (!(arrival_v < tree.arrival_s(edge.head)) || arrival_v > latest_use_s) return;
 
       tree.reach(edge, arrival_v);
       const double key = arrival_v + remaining_s(edge.head);

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <memory>
 #include <stdexcept>
 #include <utility>
 
@@ -17,6 +18,9 @@
 
 namespace floeplan::planning {
 namespace {
+
+/// A sweep back costs about as much as the search for one departure.
+constexpr double departures_a_sweep = 2.0;
 
 /// What one departure leads to, on grids of one reach.
 struct Journey {
@@ -45,8 +49,8 @@ class DepartureSweep {
     const bool is_direct = request_.method == Method::direct;
     if (!request_.energy.objective.is_time()) return is_direct ? straight(after) : cheapest(after, stop);
     if (is_direct) return straight(after);
-    auto found =
-        search_voyage(chart_.sea, grids_, request_, after, stop, [](double) {}, last_ ? &*last_ : nullptr);
+    auto found = search_voyage(chart_->sea, grids_, request_, after, stop, [](double) {},
+                               {.way = last_ ? &*last_ : nullptr, .foresights = &foresights_});
     if (!found) return tl::unexpected(std::move(found.error()));
     last_ = std::move(*found);
     return on_first_drive(last_->route.points, last_->touches_rim, after);
@@ -54,26 +58,29 @@ class DepartureSweep {
 
  private:
   DepartureSweep(Chart chart, std::vector<OpenGrid> grids, const PlanRequest& request)
-      : chart_{std::move(chart)}, grids_{std::move(grids)}, request_{request} {}
+      : chart_{std::make_unique<const Chart>(std::move(chart))}, grids_{std::move(grids)}, request_{request} {
+    const core::Seconds ahead = departures_a_sweep * request.departures.step;
+    for (const OpenGrid& open : grids_) foresights_.emplace_back(chart_->sea, open, ahead);
+  }
 
   Result<Journey> straight(core::Seconds after) const {
-    return on_first_drive(chart_.layout.points, false, after);
+    return on_first_drive(chart_->layout.points, false, after);
   }
 
   Result<Journey> cheapest(core::Seconds after, const std::stop_token& stop) const {
-    const auto found = search_least_cost(chart_.sea, grids_, request_, after, stop, [](double) {});
+    const auto found = search_least_cost(chart_->sea, grids_, request_, after, stop, [](double) {});
     if (!found) return tl::unexpected(found.error());
-    const auto times = drive_along(chart_.sea, found->route, after);
+    const auto times = drive_along(chart_->sea, found->route, after);
     if (!times) {
       const RouteClosed closed{.reason = times.error(), .at = found->route.points.front()};
-      return tl::unexpected(explain_route(closed, chart_.sea, request_));
+      return tl::unexpected(explain_route(closed, chart_->sea, request_));
     }
     return journey(times->arrivals, times->energy, found->touches_rim);
   }
 
   Result<Journey> on_first_drive(const std::vector<geo::PlanePoint>& points, bool touches_rim,
-                                core::Seconds after) const {
-    const Sea& sea = chart_.sea;
+                                 core::Seconds after) const {
+    const Sea& sea = chart_->sea;
     const auto arrivals = arrivals_along(sea, points, after);
     if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request_));
     EnergyUse energy;
@@ -85,16 +92,17 @@ class DepartureSweep {
   }
 
   [[nodiscard]] Journey journey(const std::vector<core::Seconds>& arrivals, const EnergyUse& energy,
-                              bool touches_rim) const {
+                                bool touches_rim) const {
     const core::Seconds time = arrivals.back() - arrivals.front();
     return {arrivals.back(), energy.total(), request_.energy.objective.cost(time, energy.total()),
             touches_rim};
   }
 
-  Chart chart_;
+  std::unique_ptr<const Chart> chart_;
   std::vector<OpenGrid> grids_;
-  const PlanRequest& request_;    // borrowed
-  std::optional<FoundWay> last_;  // of the departure before
+  std::vector<Foresight> foresights_;  // one for each grid
+  const PlanRequest& request_;         // borrowed
+  std::optional<FoundWay> last_;       // of the departure before
 };
 
 /// As a plan for this departure alone would choose between the two reaches.

@@ -44,18 +44,20 @@ geo::GridPoint GridLookup::exact(geo::PlanePoint point) const {
   return geo::to_grid(frame_, place);
 }
 
-geo::GridPoint GridLookup::coordinates(geo::PlanePoint point) const {
+GridLookup::Cell GridLookup::cell(geo::PlanePoint point) const {
   const double x = (point.x_m - low_.x_m) * inverse_step_;
   const double y = (point.y_m - low_.y_m) * inverse_step_;
   const auto ix = std::min(static_cast<std::size_t>(std::max(0.0, x)), nx_ - 2);
   const auto iy = std::min(static_cast<std::size_t>(std::max(0.0, y)), ny_ - 2);
-  const double fx = x - static_cast<double>(ix);
-  const double fy = y - static_cast<double>(iy);
+  return {nodes_.data() + iy * nx_ + ix, x - static_cast<double>(ix), y - static_cast<double>(iy)};
+}
 
-  const geo::GridPoint& sw = nodes_[iy * nx_ + ix];
-  const geo::GridPoint& se = nodes_[iy * nx_ + ix + 1];
-  const geo::GridPoint& nw = nodes_[(iy + 1) * nx_ + ix];
-  const geo::GridPoint& ne = nodes_[(iy + 1) * nx_ + ix + 1];
+geo::GridPoint GridLookup::coordinates(geo::PlanePoint point) const {
+  const auto [corner, fx, fy] = cell(point);
+  const geo::GridPoint& sw = corner[0];
+  const geo::GridPoint& se = corner[1];
+  const geo::GridPoint& nw = corner[nx_];
+  const geo::GridPoint& ne = corner[nx_ + 1];
   if (has_jump_) {
     const auto [least, most] = std::minmax({sw.x, se.x, nw.x, ne.x});
     if (most - least > jump_deg) return exact(point);
@@ -64,6 +66,34 @@ geo::GridPoint GridLookup::coordinates(geo::PlanePoint point) const {
   const double south_y = sw.y + fx * (se.y - sw.y);
   return {south_x + fy * (nw.x + fx * (ne.x - nw.x) - south_x),
           south_y + fy * (nw.y + fx * (ne.y - nw.y) - south_y)};
+}
+
+GridLookup::Surroundings GridLookup::around(geo::PlanePoint point) const {
+  const auto [corner, fx, fy] = cell(point);
+  const geo::GridPoint& sw = corner[0];
+  const geo::GridPoint& se = corner[1];
+  const geo::GridPoint& nw = corner[nx_];
+  const geo::GridPoint& ne = corner[nx_ + 1];
+  const geo::GridPoint south{se.x - sw.x, se.y - sw.y};
+  const geo::GridPoint west{nw.x - sw.x, nw.y - sw.y};
+  const geo::GridPoint twist{ne.x - nw.x - south.x, ne.y - nw.y - south.y};
+  return {{sw.x + fx * south.x + fy * (west.x + fx * twist.x),
+           sw.y + fx * south.y + fy * (west.y + fx * twist.y)},
+          {(south.x + fy * twist.x) * inverse_step_, (south.y + fy * twist.y) * inverse_step_},
+          {(west.x + fx * twist.x) * inverse_step_, (west.y + fx * twist.y) * inverse_step_}};
+}
+
+geo::GridPoint GridLookup::steepest() const {
+  geo::GridPoint along_x{};
+  geo::GridPoint along_y{};
+  const auto worsen = [](geo::GridPoint& most, const geo::GridPoint& a, const geo::GridPoint& b) {
+    most = {std::max(most.x, std::abs(b.x - a.x)), std::max(most.y, std::abs(b.y - a.y))};
+  };
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if ((i + 1) % nx_ != 0) worsen(along_x, nodes_[i], nodes_[i + 1]);
+    if (i + nx_ < nodes_.size()) worsen(along_y, nodes_[i], nodes_[i + nx_]);
+  }
+  return {std::hypot(along_x.x, along_y.x) * inverse_step_, std::hypot(along_x.y, along_y.y) * inverse_step_};
 }
 
 geo::GridPoint GridLookup::bend() const {

@@ -25,13 +25,31 @@ class GridLookup {
 
   /// Precondition: `point` lies within the area.
   [[nodiscard]] geo::GridPoint coordinates(geo::PlanePoint point) const;
+  /// The same point and how the coordinates change from it, for each metre along the plane's axes. Precondition:
+  /// nothing jumps.
+  struct Surroundings {
+    geo::GridPoint at;
+    geo::GridPoint per_x_m;
+    geo::GridPoint per_y_m;
+  };
+  [[nodiscard]] Surroundings around(geo::PlanePoint point) const;
   /// Whether longitudes jump somewhere in the area.
   [[nodiscard]] bool has_jump() const { return has_jump_; }
   /// How much each coordinate bends at most: its second derivative along any straight line of the plane, in
   /// coordinate units for each square metre. Meaningless where there is a jump.
   [[nodiscard]] geo::GridPoint bend() const;
+  /// The most that each coordinate changes for a metre of the plane, in whatever direction. Meaningless likewise.
+  [[nodiscard]] geo::GridPoint steepest() const;
+  /// Step of the table, metres of the plane.
+  [[nodiscard]] double step_m() const { return 1.0 / inverse_step_; }
 
  private:
+  struct Cell {
+    const geo::GridPoint* south_west;
+    double fx;
+    double fy;
+  };
+  [[nodiscard]] Cell cell(geo::PlanePoint point) const;
   [[nodiscard]] geo::GridPoint exact(geo::PlanePoint point) const;
 
   geo::GridFrame frame_;

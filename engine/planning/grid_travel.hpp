@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <tl/expected.hpp>
 #include <vector>
@@ -76,18 +77,25 @@ struct StraightBound {
     }
   }
 
-  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge) const { return least_times[edge.step]; }
+  /// Whatever the hour.
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds = {}) const {
+    return least_times[edge.step];
+  }
   [[nodiscard]] core::Seconds remaining(graph::Vertex v) const {
     return sea.least_time(grid.point(v), grid.point(target));
   }
+  [[nodiscard]] static core::Seconds latest_use(graph::Vertex) { return core::Seconds{INFINITY}; }
 };
 
 /// The same knowledge of edges, none of the way to the goal: Dijkstra's search.
 struct EdgeBound {
   const StraightBound& straight;
 
-  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge) const { return straight.least_time(edge); }
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds) const {
+    return straight.least_time(edge);
+  }
   [[nodiscard]] static core::Seconds remaining(graph::Vertex) { return core::Seconds{0.0}; }
+  [[nodiscard]] static core::Seconds latest_use(graph::Vertex) { return core::Seconds{INFINITY}; }
 };
 
 }  // namespace floeplan::planning

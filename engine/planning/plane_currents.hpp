@@ -56,6 +56,7 @@ class PlaneCurrents {
 
  private:
   friend class CurrentLine;
+  friend class NearbyCurrents;
 
   struct Corner {
     std::size_t first;  // index of the south-western node

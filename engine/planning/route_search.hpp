@@ -7,6 +7,7 @@
 
 #include "engine/core/progress.hpp"
 #include "engine/motion/edge_closed.hpp"
+#include "engine/planning/foresight.hpp"
 #include "engine/planning/open_grid.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
@@ -32,10 +33,12 @@ struct RouteSearch {
 /// than they could. Where the time without surfacing is bounded, by search_with_surfacings whatever the method.
 /// `latest`: when the goal can certainly be reached by then, later ways need not be looked at, nor legs that open later.
 /// `since_surfacing`: at the start, when that time is bounded.
+/// `foresight`: of this grid, kept from search to search; without it one is made. Changes no result.
 [[nodiscard]] RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
                                        core::Seconds depart, const std::stop_token& stop,
                                        const std::function<void(double)>& report_fraction,
                                        core::Seconds latest = core::Seconds{INFINITY},
-                                       core::Seconds since_surfacing = core::Seconds{0.0});
+                                       core::Seconds since_surfacing = core::Seconds{0.0},
+                                       Foresight* foresight = nullptr);
 
 }  // namespace floeplan::planning

@@ -58,6 +58,18 @@ ZoneRules zone_rules(const ocean::Environment& environment, const PlanRequest& r
   return sort_zones(zones, {core::Metres{0.0}, request.vehicle.dive_depth});
 }
 
+/// The most that a lattice of scales changes over a metre of the plane, in whatever direction.
+double steepest_scale(const std::vector<double>& scales, const PlaneBox& area) {
+  constexpr std::size_t row = scale_cells + 1;
+  double along_x = 0.0;
+  double along_y = 0.0;
+  for (std::size_t i = 0; i < scales.size(); ++i) {
+    if ((i + 1) % row != 0) along_x = std::max(along_x, std::abs(scales[i + 1] - scales[i]));
+    if (i + row < scales.size()) along_y = std::max(along_y, std::abs(scales[i + row] - scales[i]));
+  }
+  return std::hypot(along_x * scale_cells / area.width_m(), along_y * scale_cells / area.height_m());
+}
+
 }  // namespace
 
 Sea::Sea(const ocean::Environment& environment, const PlanRequest& request,
@@ -93,6 +105,7 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
     }
   }
   largest_scale_ = std::ranges::max(scales_);
+  steepest_scale_ = steepest_scale(scales_, area);
   core::MetresPerSecond fastest{currents_ ? currents_->strongest().value : 0.0};
   fastest = fastest + std::max(speed(drives_.front()), speed(drives_.back()));
   // A hair below the bound, because integrated times carry the tolerance as an error.
@@ -117,6 +130,10 @@ core::Metres Sea::ground_length(geo::PlanePoint a, geo::PlanePoint b) const {
   const geo::PlanePoint middle{0.5 * (a.x_m + b.x_m), 0.5 * (a.y_m + b.y_m)};
   const double mean = (1.0 / scale_at(a) + 4.0 / scale_at(middle) + 1.0 / scale_at(b)) / 6.0;
   return core::Metres{mean * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m)};
+}
+
+double Sea::least_ground_per_plane(geo::PlanePoint from, core::Metres length) const {
+  return 1.0 / (scale_at(from) + steepest_scale_ * length.value);
 }
 
 std::optional<motion::EdgeClosed> Sea::closed_between(geo::PlanePoint a, geo::PlanePoint b) const {

@@ -109,6 +109,9 @@ class Sea {
   [[nodiscard]] const std::optional<UnderIce>& ice() const { return ice_; }
   [[nodiscard]] const std::optional<PlaneCurrents>& currents() const { return currents_; }
   [[nodiscard]] core::Metres ground_length(geo::PlanePoint a, geo::PlanePoint b) const;
+  /// Metres on the ground for one of the plane: never more than on any line of this length that leaves the point.
+  [[nodiscard]] double least_ground_per_plane(geo::PlanePoint from, core::Metres length) const;
+  [[nodiscard]] double edge_tolerance() const { return edge_tolerance_; }
 
  private:
   Sea(const ocean::Environment& environment, const PlanRequest& request, ZoneRules zones,
@@ -140,6 +143,7 @@ class Sea {
   EnergyMap energy_;
   std::vector<double> scales_;  // of the projection, [y][x] on a coarse lattice over the area
   double largest_scale_{1.0};
+  double steepest_scale_{};    // change of the scale over a metre of the plane at most
   double least_slowness_s_m_;  // for each metre on the ground, with the strongest current astern
 };
 

@@ -58,7 +58,7 @@ bool touches_rim(const std::vector<geo::PlanePoint>& path, const RouteGrid& grid
 Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grids, const PlanRequest& request,
                                core::Seconds depart, const std::stop_token& stop,
                                const std::function<void(double)>& report_fraction,
-                               const FoundWay* other_departure) {
+                               const OtherDepartures& others) {
   FoundWay found;
   core::Seconds since_surfacing{0.0};
   found.route.points.push_back(grids.front().grid.point(grids.front().grid.start));
@@ -68,11 +68,11 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grid
       const auto report = [&](double fraction) {
         report_fraction((static_cast<double>(i) + fraction) / static_cast<double>(grids.size()));
       };
-      return search_route(sea, grids[i], request, depart, stop, report, latest, since_surfacing);
+      return search_route(sea, grids[i], request, depart, stop, report, latest, since_surfacing,
+                          others.foresights != nullptr ? &(*others.foresights)[i] : nullptr);
     };
-    const bool bounded = other_departure != nullptr && !sea.has_timed_closures();
-    const core::Seconds latest =
-        bounded ? arrival_by(sea, *other_departure, i, depart) : core::Seconds{INFINITY};
+    const bool bounded = others.way != nullptr && !sea.has_timed_closures();
+    const core::Seconds latest = bounded ? arrival_by(sea, *others.way, i, depart) : core::Seconds{INFINITY};
     RouteSearch search = search_by(latest);
     // Where FIFO does not hold the search may miss the way that gave the bound.
     if (search.path.empty() && std::isfinite(latest.count()) && !search.cancelled) {

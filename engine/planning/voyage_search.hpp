@@ -4,6 +4,7 @@
 #include <stop_token>
 #include <vector>
 
+#include "engine/planning/foresight.hpp"
 #include "engine/planning/infeasible.hpp"
 #include "engine/planning/open_grid.hpp"
 #include "engine/planning/plan.hpp"
@@ -22,17 +23,23 @@ struct FoundWay {
   bool touches_rim{false};  // it keeps to the rim of a grid, beyond which a better way may lie
 };
 
+/// What is known from the departures before, on the same grids.
+struct OtherDepartures {
+  const FoundWay* way{};                 // of one of them
+  std::vector<Foresight>* foresights{};  // one for each grid
+};
+
 /// Searches grid after grid with the request's method (not Method::direct), from `depart` on (counted from the
 /// sea's epoch); under FIFO the earliest arrival at each stop is the best departure from it.
-/// `other_departure`: a way on the same grids, which bounds the search and changes no result (not used where something
-/// closes for a while); without it legs that open later are looked for.
+/// `others`: bound the search and change no result (their way not where something closes for a while); without a way
+/// legs that open later are looked for.
 /// Errors   where and why there is no way
 /// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grids,
                                              const PlanRequest& request, core::Seconds depart,
                                              const std::stop_token& stop,
                                              const std::function<void(double)>& report_fraction,
-                                             const FoundWay* other_departure = nullptr);
+                                             const OtherDepartures& others = {});
 
 /// Whether a way keeps to the rim of its grid, beyond which a better way may lie.
 [[nodiscard]] bool touches_rim(const std::vector<geo::PlanePoint>& path, const RouteGrid& grid);

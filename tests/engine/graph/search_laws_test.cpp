@@ -110,13 +110,14 @@ struct StraightLineBound {
   const GridGraph& graph;
   Vertex goal;
 
-  [[nodiscard]] core::Seconds least_time(const Edge& edge) const {
+  [[nodiscard]] core::Seconds least_time(const Edge& edge, core::Seconds) const {
     return core::Seconds{SwingingTimes::least_pace_s * SwingingTimes::cells(graph.offsets()[edge.step])};
   }
   [[nodiscard]] core::Seconds remaining(Vertex v) const {
     const Offset to_goal{graph.column(goal) - graph.column(v), graph.row(goal) - graph.row(v)};
     return core::Seconds{SwingingTimes::least_pace_s * SwingingTimes::cells(to_goal)};
   }
+  [[nodiscard]] static core::Seconds latest_use(Vertex) { return core::Seconds{SearchTree::never}; }
 };
 
 TEST(LabelSettingSearch, WithABoundFindsTheSameArrivalWithNoMoreExpansions) {

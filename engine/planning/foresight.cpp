@@ -1,0 +1,142 @@
+#include "engine/planning/foresight.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "engine/graph/label_setting_search.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr double slowest_share = 0.6;  // of the speed through water: slower drives are not told apart
+constexpr double most_share = 0.95;    // likewise of a current that leaves room on every course
+/// Times that are integrated may be short of the true ones by their tolerance; what an edge is short of shifts the
+/// departures of those before it by no more than a few times as much.
+constexpr double tolerances = 5.0;
+
+std::vector<geo::PlanePoint> edges_of(const OpenGrid& open) {
+  std::vector<geo::PlanePoint> edges;
+  for (const graph::Offset offset : open.graph.offsets()) {
+    edges.push_back({offset.dx * open.grid.along.x_m + offset.dy * open.grid.across.x_m,
+                     offset.dx * open.grid.along.y_m + offset.dy * open.grid.across.y_m});
+  }
+  return edges;
+}
+
+/// A travel time for a search: asks for all edges of a vertex when it is asked for the first.
+template <class TimeFan>
+class FanTravelTime {
+ public:
+  explicit FanTravelTime(const TimeFan& time_fan) : time_fan_{time_fan} {}
+
+  std::optional<core::Seconds> operator()(const graph::Edge& edge, core::Seconds depart,
+                                          core::Seconds latest) const {
+    const bool is_new = edge.tail != tail_;
+    tail_ = edge.tail;
+    return time_fan_(edge, depart, latest, is_new);
+  }
+
+ private:
+  const TimeFan& time_fan_;
+  mutable graph::Vertex tail_{Foresight::no_vertex};
+};
+
+}  // namespace
+
+Foresight::Foresight(const Sea& sea, const OpenGrid& open, core::Seconds ahead)
+    : sea_{sea},
+      open_{open},
+      ahead_{ahead},
+      straight_{sea, open.grid, open.graph, open.grid.goal},
+      fan_{edges_of(open)} {
+  longest_edge_ = core::Metres{static_cast<double>(std::ranges::max(fan_.length_m))};
+  longest_drive_ = longest_edge_ / (slowest_share * sea.through_water());
+  if (sea.currents()) nearby_.emplace(*sea.currents(), longest_edge_, longest_drive_);
+}
+
+bool Foresight::look(graph::Vertex v, core::Seconds time, NearbyCurrents::Film film, Fidelity fidelity) {
+  tail_ = no_vertex;
+  const geo::PlanePoint point = open_.grid.point(v);
+  motion::NearbyCurrent near;
+  near.known_s = std::numeric_limits<float>::infinity();
+  if (nearby_) {
+    const auto found = nearby_->on_film(point, time, film);
+    if (!found) return false;
+    near = *found;
+  }
+  const motion::FanVehicle vehicle{
+      .through_water_m_s = static_cast<float>(sea_.through_water().value),
+      .ground_per_plane = static_cast<float>(sea_.least_ground_per_plane(point, longest_edge_)),
+      .longest_s = static_cast<float>(longest_drive_.count()),
+      .never_stopped = !sea_.currents() || sea_.currents()->strongest() < most_share * sea_.through_water()};
+  if (fidelity == Fidelity::estimate) {
+    motion::estimate_fan(fan_, near, vehicle, times_);
+  } else {
+    motion::bound_fan(fan_, near, vehicle, times_);
+  }
+  return true;
+}
+
+std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::stop_token& stop) {
+  const RouteGrid& grid = open_.grid;
+  bool is_known = false;
+  const auto time_fan = [&](const graph::Edge& edge, core::Seconds now, core::Seconds latest,
+                            bool is_new) -> std::optional<core::Seconds> {
+    if (is_new) is_known = look(edge.tail, now, NearbyCurrents::Film::forwards, Fidelity::estimate);
+    if (!is_known) return std::nullopt;
+    const core::Seconds time{static_cast<double>(times_.time_s[edge.step])};
+    if (now + time >= latest) return std::nullopt;
+    if (sea_.closed_between(grid.point(edge.tail), grid.point(edge.head))) return std::nullopt;
+    return time;
+  };
+  const StraightBound straight{sea_, grid, open_.graph, grid.goal};
+  const graph::SearchTree tree = graph::find_earliest_arrivals(
+      open_.graph, graph::Query{grid.start, grid.goal, depart}, FanTravelTime{time_fan}, stop, straight);
+  std::vector<graph::Edge> way;
+  const std::vector<graph::Vertex> path = graph::path_to(open_.graph, tree, grid.goal);
+  for (std::size_t i = 1; i < path.size(); ++i) way.push_back({path[i - 1], path[i], tree.step(path[i])});
+  return way;
+}
+
+core::Seconds Foresight::proven(const graph::Edge& edge, bool is_known) const {
+  const core::Seconds least = straight_.least_time(edge);
+  if (!is_known) return least;
+  const double share = 1.0 - tolerances * sea_.edge_tolerance();
+  return std::max(least, core::Seconds{share * static_cast<double>(times_.time_s[edge.step])});
+}
+
+core::Seconds Foresight::least_time(const graph::Edge& edge, core::Seconds depart) {
+  if (edge.tail != tail_) {
+    tail_is_known_ = look(edge.tail, depart, NearbyCurrents::Film::forwards, Fidelity::bound);
+    tail_ = edge.tail;
+  }
+  return proven(edge, tail_is_known_);
+}
+
+const graph::SearchTree& Foresight::until_when_of_use(core::Seconds depart, core::Seconds arrive,
+                                                      const std::stop_token& stop) {
+  if (!found_ || depart < found_->depart || arrive > found_->arrive) {
+    found_.emplace(Found{depart, arrive + ahead_, sweep_back(depart, arrive + ahead_, stop)});
+  }
+  return found_->until_when;
+}
+
+graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
+                                        const std::stop_token& stop) {
+  const RouteGrid& grid = open_.grid;
+  const StraightBound to_start{sea_, grid, open_.graph, grid.start};
+  bool is_known = false;
+  const auto time_fan = [&](const graph::Edge& edge, core::Seconds film_time, core::Seconds latest,
+                            bool is_new) -> std::optional<core::Seconds> {
+    if (is_new) is_known = look(edge.tail, -film_time, NearbyCurrents::Film::backwards, Fidelity::bound);
+    const core::Seconds time = proven(edge, is_known);
+    if (film_time + time >= latest) return std::nullopt;
+    if (sea_.closed_between(grid.point(edge.head), grid.point(edge.tail))) return std::nullopt;
+    return time;
+  };
+  const graph::Query query{.source = grid.goal, .goal = {}, .depart = -arrive, .latest = -depart};
+  return graph::find_earliest_arrivals(open_.graph, query, FanTravelTime{time_fan}, stop, to_start);
+}
+
+}  // namespace floeplan::planning

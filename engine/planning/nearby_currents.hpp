@@ -1,0 +1,77 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <optional>
+#include <vector>
+
+#include "engine/motion/edge_fan.hpp"
+#include "engine/planning/plane_currents.hpp"
+
+namespace floeplan::planning {
+
+/// What a vehicle can meet of the currents on edges of bounded length that leave a point: the water at the point
+/// itself as it changes with time, and enclosures of how much it may differ elsewhere, taken from the data's nodes.
+/// Accuracy encloses all that the currents answer on edges that the data cover throughout; elsewhere no vehicle
+///          gets through
+/// Threads  one at a time: enclosures are worked out when they are first needed
+class NearbyCurrents {
+ public:
+  /// `currents` is borrowed and outlives this. `longest_edge`: in metres of the plane; `longest_drive`: along one.
+  NearbyCurrents(const PlaneCurrents& currents, core::Metres longest_edge, core::Seconds longest_drive);
+
+  /// Whether there is something to be gained: not where the data's longitudes jump, nor where edges reach over so
+  /// many cells of the data that an enclosure would say little, nor with so many data that it would cost too much.
+  [[nodiscard]] bool is_useful() const { return useful_; }
+
+  enum class Film {
+    forwards,
+    backwards  // its clock shows -t, and the water flows the other way
+  };
+  /// The water about a point from a time on, as the film shows it. Empty where nothing is known. Precondition:
+  /// `is_useful()`.
+  [[nodiscard]] std::optional<motion::NearbyCurrent> on_film(geo::PlanePoint point, core::Seconds time,
+                                                             Film film);
+
+ private:
+  enum class Cover : std::uint8_t {
+    never,
+    always,
+    sometimes  // nothing can be said of it
+  };
+  /// Between which values the current's changes lie: of x and y for each unit of u, of x and y for each of v.
+  struct Box {
+    std::array<float, 4> low;
+    std::array<float, 4> high;
+  };
+  struct Place {
+    GridLookup::Surroundings around;
+    std::size_t cell;
+    std::size_t first;  // index of the south-western node
+    double fx;
+    double fy;
+  };
+  [[nodiscard]] std::optional<Place> place(geo::PlanePoint point) const;
+  [[nodiscard]] motion::CurrentXy at(const Place& place, std::size_t slice) const;
+  void judge_cells();
+  [[nodiscard]] const std::vector<Box>& boxes(std::size_t slice);
+  [[nodiscard]] std::vector<Box> boxes_of(std::size_t slice) const;
+  [[nodiscard]] Box box_of(std::size_t ix, std::size_t iy, std::size_t slice) const;
+  /// Adds what slices `first` to `last` enclose; false where nothing can be said.
+  bool enclose(motion::NearbyCurrent& near, const Place& place, std::size_t first, std::size_t last,
+               float sign);
+
+  const PlaneCurrents& currents_;
+  double longest_s_;
+  bool useful_{false};
+  std::size_t cells_x_{};
+  std::size_t cells_y_{};
+  std::size_t reach_x_{};  // of an edge, in cells beside the one it begins in
+  std::size_t reach_y_{};
+  geo::GridPoint off_line_;    // how far an edge may lie beside a straight line in the data's coordinates
+  std::vector<Cover> covers_;  // [y][x]
+  std::vector<std::vector<Box>> boxes_;  // of each slice, [y][x]; empty before they are needed
+};
+
+}  // namespace floeplan::planning
