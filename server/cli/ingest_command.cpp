@@ -97,7 +97,9 @@ void add_ingest(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
   auto* command = app.add_subcommand("ingest", "Read data files into the store");
   command
-      ->add_option("FILE", flags->files, "Bathymetry, currents, tides, sea ice, icebergs, coastline or zones")
+      ->add_option("FILE", flags->files,
+                   "Bathymetry, currents, tides, sea ice, icebergs, coastline or zones; files that belong "
+                   "together (both components of a current, a model's grid) in one command")
       ->required();
   command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
   command->add_option("--kind", flags->kind, "What to take the file for")

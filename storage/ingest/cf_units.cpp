@@ -59,7 +59,10 @@ std::string bare(std::string_view unit) {
   std::string text = lower(unit);
   std::erase_if(text,
                 [](char c) { return c == ' ' || c == '.' || c == '*' || c == '^' || c == '_' || c == '\t'; });
-  if (const std::size_t per = text.find("per"); per != std::string::npos) text.replace(per, 3, "/");
+  if (const std::size_t per = text.find("per"); per != std::string::npos) {
+    text[per] = '/';
+    text.erase(per + 1, 2);
+  }
   return text;
 }
 
@@ -85,7 +88,15 @@ std::optional<double> speed_factor(std::string_view unit) {
   return std::nullopt;
 }
 
-std::optional<double> length_factor(std::string_view unit) { return find(lengths_m, bare(unit)); }
+std::optional<double> length_factor(std::string_view unit) {
+  const std::string text = bare(unit);
+  const std::size_t digits = std::min(text.find_first_not_of("0123456789"), text.size());
+  const auto length = find(lengths_m, std::string_view{text}.substr(digits));
+  if (!length || digits == 0) return length;
+  const auto multiple = parse_number(text.substr(0, digits));
+  if (!multiple || *multiple <= 0.0) return std::nullopt;
+  return *multiple * *length;
+}
 
 bool is_degrees_east(std::string_view unit) {
   const std::string text = bare(unit);

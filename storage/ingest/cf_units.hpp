@@ -10,7 +10,8 @@ namespace floeplan::ingest {
 /// Outside  nullopt for a unit that is not a speed or not known
 [[nodiscard]] std::optional<double> speed_factor(std::string_view unit);
 
-/// Metres in one of the unit: "m", "metres", "METERS", "km", "feet", "fathoms", ...
+/// Metres in one of the unit: "m", "metres", "METERS", "km", "feet", "fathoms", ...; also a
+/// multiple of one, as "100 km" of the Arctic products of Copernicus.
 /// Outside  nullopt for a unit that is not a length or not known
 [[nodiscard]] std::optional<double> length_factor(std::string_view unit);
 

@@ -47,5 +47,12 @@ TEST(Degrees, AreEastOrNorthInTheSpellingsOfTheConventions) {
   EXPECT_FALSE(is_degrees_north("degrees_east"));
 }
 
+TEST(CfUnits, LengthsMayBeMultiplesOfAUnit) {
+  EXPECT_EQ(length_factor("100 km"), 1e5);
+  EXPECT_EQ(length_factor("100  km"), 1e5);
+  EXPECT_FALSE(length_factor("0 km").has_value());
+  EXPECT_FALSE(length_factor("100").has_value());
+}
+
 }  // namespace
 }  // namespace floeplan::ingest

@@ -271,23 +271,43 @@ void write_fvcom(const ModelGrid& grid, const std::filesystem::path& file) {
   }
 }
 
-void write_polar_plane(const std::filesystem::path& file, bool along_axes) {
+void write_polar_plane(const std::filesystem::path& file, const PolarOptions& options) {
   const geo::GridFrame frame =
       geo::PolarStereographicFrame{.north = true, .lat_ts_deg = 70.0, .lon_0_deg = -45.0};
   const std::vector<double> x{-300000.0, -250000.0, -200000.0, -150000.0};
   const std::vector<double> y{-600000.0, -650000.0, -700000.0};
   NetcdfWriter writer{file};
   writer.axis("time", {0.0}, hours);
-  writer.axis("y", y, {{"units", "m"}, {"standard_name", "projection_y_coordinate"}});
-  writer.axis("x", x, {{"units", "m"}, {"standard_name", "projection_x_coordinate"}});
+  const auto written = [&](std::vector<double> nodes) {
+    for (double& node : nodes) node /= options.as_topaz ? 1e5 : 1.0;
+    return nodes;
+  };
+  const std::string unit = options.as_topaz ? "100 km" : "m";
+  writer.axis("y", written(y), {{"units", unit}, {"standard_name", "projection_y_coordinate"}});
+  writer.axis("x", written(x), {{"units", unit}, {"standard_name", "projection_x_coordinate"}});
+  for (const bool is_lon : {true, false}) {
+    std::vector<double> values;
+    for (const double at_y : y)
+      for (const double at_x : x) {
+        const geo::LonLat here = geo::to_lon_lat(frame, {at_x, at_y});
+        values.push_back(is_lon ? here.lon_deg : here.lat_deg);
+      }
+    if (options.as_topaz)
+      writer.variable(variable(is_lon ? "longitude" : "latitude", {"y", "x"}, std::move(values),
+                               {{"units", is_lon ? "degrees_east" : "degrees_north"}}));
+  }
   NetcdfWriter::Variable crs = variable("crs", {}, {1.0}, {{"grid_mapping_name", "polar_stereographic"}});
   crs.numbers = {{"straight_vertical_longitude_from_pole", -45.0},
                  {"latitude_of_projection_origin", 90.0},
                  {"standard_parallel", 70.0},
                  {"false_easting", 0.0},
-                 {"false_northing", 0.0},
-                 {"semi_major_axis", 6378137.0},
-                 {"inverse_flattening", 298.257223563}};
+                 {"false_northing", 0.0}};
+  if (options.as_topaz) {
+    crs.numbers["earth_radius"] = 6378273.0;
+  } else {
+    crs.numbers["semi_major_axis"] = 6378137.0;
+    crs.numbers["inverse_flattening"] = 298.257223563;
+  }
   crs.type = NetcdfWriter::Type::int32;
   writer.variable(crs);
   for (const bool is_u : {true, false}) {
@@ -296,17 +316,19 @@ void write_polar_plane(const std::filesystem::path& file, bool along_axes) {
       for (const double at_x : x) {
         const geo::LonLat here = geo::to_lon_lat(frame, {at_x, at_y});
         const geo::VelocityEn water = turning_sea(here);
-        const double turn = along_axes ? -(here.lon_deg + 45.0) * radians : 0.0;  // of the x axis from east
+        const double turn =
+            options.along_axes ? -(here.lon_deg + 45.0) * radians : 0.0;  // of the x axis from east
         values.push_back(is_u ? water.east.value * std::cos(turn) + water.north.value * std::sin(turn)
                               : water.north.value * std::cos(turn) - water.east.value * std::sin(turn));
       }
     const std::string axis = is_u ? "x" : "y";
-    writer.variable(variable(is_u ? "vxo" : "vyo", {"time", "y", "x"}, std::move(values),
-                             {{"units", "m s-1"},
-                              {"grid_mapping", "crs"},
-                              {"standard_name", along_axes ? "sea_water_" + axis + "_velocity"
-                                                           : (is_u ? "eastward_sea_water_velocity"
-                                                                   : "northward_sea_water_velocity")}}));
+    writer.variable(variable(
+        is_u ? "vxo" : "vyo", {"time", "y", "x"}, std::move(values),
+        {{"units", "m s-1"},
+         {"grid_mapping", "crs"},
+         {"standard_name", options.along_axes
+                               ? "sea_water_" + axis + "_velocity"
+                               : (is_u ? "eastward_sea_water_velocity" : "northward_sea_water_velocity")}}));
   }
 }
 

@@ -55,7 +55,13 @@ void write_roms(const ModelGrid& grid, const std::filesystem::path& file, const 
 /// 40 m; the lower one has half the current of the upper.
 void write_fvcom(const ModelGrid& grid, const std::filesystem::path& file);
 
-/// One file on a polar stereographic plane (EPSG:3413, rows from north to south), components along its axes.
-void write_polar_plane(const std::filesystem::path& file, bool along_axes);
+/// How a file on a polar stereographic plane is written.
+struct PolarOptions {
+  bool along_axes{true};
+  bool as_topaz{false};  // coordinates in units of 100 km, a sphere, tables of longitude and latitude
+};
+
+/// One file on a polar stereographic plane (EPSG:3413, rows from north to south).
+void write_polar_plane(const std::filesystem::path& file, const PolarOptions& options);
 
 }  // namespace floeplan::ingest

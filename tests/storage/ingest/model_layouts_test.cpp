@@ -183,7 +183,7 @@ TEST_F(ModelLayouts, FacesOfAMeshAreInterpolatedAtDepthsAboveASigmaBed) {
 
 TEST_F(ModelLayouts, AProjectedPlaneKeepsItsFrameAndItsVectorsAreTurned) {
   for (const bool along_axes : {true, false}) {
-    write_polar_plane(path("polar.nc"), along_axes);
+    write_polar_plane(path("polar.nc"), {.along_axes = along_axes});
 
     const auto currents = stored({path("polar.nc")});
 
@@ -192,6 +192,55 @@ TEST_F(ModelLayouts, AProjectedPlaneKeepsItsFrameAndItsVectorsAreTurned) {
     EXPECT_EQ(currents.samples().grid.y().front(), -700000.0);
     std::filesystem::remove(path("polar.nc"));
   }
+}
+
+TEST_F(ModelLayouts, APlaneThatContradictsItsTablesIsPlacedByTheTables) {
+  write_polar_plane(path("topaz.nc"), {.as_topaz = true});
+  expect_turning_sea(stored({path("topaz.nc")}), 0, 1.0, 20, 3e-3);  // nodes 50 km apart
+  EXPECT_THAT(words(report_), HasSubstr("resampled"));
+}
+
+/// Components half a cell apart on plain axes, as MOM6 writes them: u on (yh, xq), v on (yq, xh).
+void write_mom6(const std::filesystem::path& file, double south_deg) {
+  constexpr std::size_t side = 12;
+  NetcdfWriter writer{file};
+  const auto axis = [&](const std::string& name, double from, const std::string& units) {
+    std::vector<double> nodes;
+    for (std::size_t i = 0; i < side; ++i) nodes.push_back(from + 0.25 * static_cast<double>(i));
+    writer.axis(name, nodes, {{"units", units}});
+    return nodes;
+  };
+  writer.axis("time", {0.0}, {{"units", "hours since 2026-11-20"}});
+  const auto xh = axis("xh", -300.0, "degrees_east");
+  const auto xq = axis("xq", -299.875, "degrees_east");
+  const auto yh = axis("yh", south_deg, "degrees_north");
+  const auto yq = axis("yq", south_deg + 0.125, "degrees_north");
+  for (const bool is_u : {true, false}) {
+    std::vector<double> values;
+    for (const double lat : is_u ? yh : yq)
+      for (const double lon : is_u ? xq : xh) {
+        const geo::VelocityEn water = turning_sea({lon, lat});
+        values.push_back(is_u ? water.east.value : water.north.value);
+      }
+    const std::string axis_name = is_u ? "x" : "y";
+    writer.variable({.name = is_u ? "uo" : "vo",
+                     .dimensions = {"time", is_u ? "yh" : "yq", is_u ? "xq" : "xh"},
+                     .values = std::move(values),
+                     .texts = {{"units", "m s-1"}, {"standard_name", "sea_water_" + axis_name + "_velocity"}},
+                     .numbers = {},
+                     .fill = {},
+                     .type = NetcdfWriter::Type::float64});
+  }
+}
+
+TEST_F(ModelLayouts, ComponentsHalfACellApartOnPlainAxesAreBroughtTogether) {
+  write_mom6(path("mom6.nc"), -40.0);
+  expect_turning_sea(stored({path("mom6.nc")}), 0, 1.0, 350);
+}
+
+TEST_F(ModelLayouts, PlainAxesInTheFarNorthAreNotBelievedToBeStraight) {
+  write_mom6(path("mom6.nc"), 70.0);
+  expect_refused(path("mom6.nc"), "bent round poles on land");
 }
 
 TEST_F(ModelLayouts, ABentGridWithoutPositionsAsksForTheGridFile) {
