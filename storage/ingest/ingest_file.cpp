@@ -68,7 +68,9 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
                                            : read_geojson_coastline(*file.features);
     case FileFormat::kml:
     case FileFormat::geopackage:
-    case FileFormat::shapefile: return read_zones(*file.features, options);
+    case FileFormat::shapefile:
+      return kind == DatasetKind::icebergs ? read_geojson_icebergs(*file.features)
+                                           : read_zones(*file.features, options);
   }
   throw std::logic_error{"a file format without a reader"};
 }

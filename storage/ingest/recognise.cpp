@@ -58,11 +58,14 @@ std::string nothing_known(const NetcdfFile& file) {
          "with, for example, uo and vo, elevation or siconc";
 }
 
-Checked<bool> look_into_zones(RecognisedFile& file, const char* driver) {
+/// Points are icebergs, whatever else is an area with a rule, unless outlines are asked for as icebergs.
+Checked<bool> look_into_features(RecognisedFile& file, const char* driver,
+                                 std::optional<DatasetKind> wanted) {
   auto features = open_vector_file(file.path, driver);
   if (!features) return refuse(features.error());
   file.features = std::move(*features);
-  file.kinds = {DatasetKind::zones};
+  const bool icebergs = wanted == DatasetKind::icebergs || (!wanted && holds_points_alone(*file.features));
+  file.kinds = {icebergs ? DatasetKind::icebergs : DatasetKind::zones};
   return true;
 }
 
@@ -93,11 +96,11 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
     case FileFormat::tide_json:
     case FileFormat::tide_table:
     case FileFormat::otps_extract: file.kinds = {DatasetKind::tides}; return true;
+    case FileFormat::kml: return look_into_features(file, "LIBKML", wanted);
+    case FileFormat::geopackage: return look_into_features(file, "GPKG", wanted);
+    case FileFormat::shapefile: return look_into_features(file, "ESRI Shapefile", wanted);
     case FileFormat::iceberg_table:
     case FileFormat::iceberg_json:
-    case FileFormat::kml: return look_into_zones(file, "LIBKML");
-    case FileFormat::geopackage: return look_into_zones(file, "GPKG");
-    case FileFormat::shapefile: return look_into_zones(file, "ESRI Shapefile");
     case FileFormat::ice_patrol_csv: file.kinds = {DatasetKind::icebergs}; return true;
     case FileFormat::bag:
     case FileFormat::geotiff:
