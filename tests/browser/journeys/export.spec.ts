@@ -14,7 +14,7 @@ test('a plan is previewed as the glider will read it, and downloaded', async ({ 
   await dialog.getByLabel(/^Number of the waypoint list/).fill('27');
   await expect(dialog.getByText('goto_l27.ma').first()).toBeVisible();
 
-  for (const [button, ending] of [['Mission files (.zip)', 'zip'], ['GPX', 'gpx'], ['GeoJSON', 'geojson']] as const) {
+  for (const [button, ending] of [['Mission files (.zip)', 'zip'], ['GPX', 'gpx'], ['KML', 'kml'], ['GeoJSON', 'geojson'], ['CSV', 'csv'], ['Brief (PDF)', 'pdf']] as const) {
     const waiting = page.waitForEvent('download');
     await dialog.getByRole('link', { name: button, exact: true }).click();
     const download = await waiting;
@@ -23,4 +23,20 @@ test('a plan is previewed as the glider will read it, and downloaded', async ({ 
   }
   await page.keyboard.press('Escape');
   await expect(dialog).toBeHidden();
+});
+
+test('a plan is exported with the keyboard alone', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await planByTyping(page, start, goal);
+  const button = page.getByRole('button', { name: 'Export mission' });
+  await button.focus();
+  await page.keyboard.press('Enter');
+  await expect(page.getByRole('dialog').locator('pre')).toBeVisible();
+  const waiting = page.waitForEvent('download');
+  await page.getByRole('link', { name: 'Mission files (.zip)' }).focus();
+  await page.keyboard.press('Enter');
+  expect((await waiting).suggestedFilename()).toMatch(/\.zip$/);
+  await page.keyboard.press('Escape');
+  await expect(button).toBeFocused();
 });

@@ -84,8 +84,10 @@ export const deletePlan = async (planId: string): Promise<void> => {
 export const mission = (planId: string, number: number): Promise<MissionPreview> =>
   json(address(`/collections/plans/items/${encodeURIComponent(planId)}/mission`, { number }));
 
+export type ExportFormat = 'zip' | 'gpx' | 'kml' | 'geojson' | 'csv' | 'pdf';
+
 /** Where the browser downloads a plan from; only mission files have a list number. */
-export const downloadAddress = (planId: string, format: 'zip' | 'gpx' | 'geojson', number: number): string =>
+export const downloadAddress = (planId: string, format: ExportFormat, number: number): string =>
   address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, format === 'zip' ? { number } : {});
 
 export const probe = (lon: number, lat: number, time: string, signal?: AbortSignal): Promise<Probe> =>

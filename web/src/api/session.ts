@@ -66,13 +66,16 @@ export function followSpans(): void {
   });
 }
 
-/** The clock starts where the address says, else now where the data cover now, else at their first whole hour; the departure with it. */
+/**
+ * The clock starts now where the data cover now, else at their first whole hour, and the departure with it; then it goes
+ * where the address says.
+ */
 function openAt(start_ms: number, end_ms: number): void {
   const now_ms = Math.floor(Date.now() / hour_ms) * hour_ms;
   const first_ms = Math.ceil(start_ms / hour_ms) * hour_ms;
   setTime(now_ms >= start_ms && now_ms <= end_ms ? now_ms : Math.min(first_ms, range.value.end_ms));
-  if (opening.time_ms !== undefined) setTime(opening.time_ms);
   if (draft.value.depart === '') fill({ depart: fieldOf(time_ms.value) });
+  if (opening.time_ms !== undefined) setTime(opening.time_ms);
 }
 
 export async function deletePlan(id: string): Promise<void> {

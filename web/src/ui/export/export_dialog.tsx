@@ -1,11 +1,15 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
-import { downloadAddress, mission } from '../../api/client';
+import { downloadAddress, mission, type ExportFormat } from '../../api/client';
 import type { MissionPreview, Plan } from '../../api/types';
 import { selectedPlan, titleOf } from '../../model/plans';
 import { Icon } from '../common/icon';
 import { Modal } from '../common/modal';
 import { Warnings } from '../waypoints/warnings';
+
+const others: [ExportFormat, string][] = [
+  ['gpx', 'GPX'], ['kml', 'KML'], ['geojson', 'GeoJSON'], ['csv', 'CSV'], ['pdf', 'Brief (PDF)'],
+];
 
 /** The mission files as the server would write them, and the downloads. */
 export function ExportDialog(): VNode | null {
@@ -52,8 +56,7 @@ function Export({ plan }: { plan: Plan }): VNode {
         </div>
         <div class="downloads" role="group" aria-label="Downloads">
           <Download plan={plan} format="zip" number={valid ? number : 10} title="Mission files (.zip)" primary />
-          <Download plan={plan} format="gpx" number={valid ? number : 10} title="GPX" />
-          <Download plan={plan} format="geojson" number={valid ? number : 10} title="GeoJSON" />
+          {others.map(([format, title]) => <Download key={format} plan={plan} format={format} number={number} title={title} />)}
         </div>
       </div>
       <Warnings warnings={[...new Set([...(preview?.warnings ?? []), ...plan.warnings])]} />
@@ -80,7 +83,7 @@ function Export({ plan }: { plan: Plan }): VNode {
 
 interface DownloadProps {
   plan: Plan;
-  format: 'zip' | 'gpx' | 'geojson';
+  format: ExportFormat;
   number: number;
   title: string;
   primary?: boolean;
