@@ -24,13 +24,14 @@ std::optional<double> bare(const std::optional<core::Quantity<Tag>>& quantity) {
 }  // namespace
 
 std::string plan_csv(const planning::Plan& plan) {
-  std::string text = "index,lon_deg,lat_deg,eta_utc,leg_m,course_deg,speed_over_ground_m_s,depth_m\n";
+  std::string text = "index,lon_deg,lat_deg,eta_utc,leg_m,course_deg,speed_over_ground_m_s,depth_m,wait_s\n";
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     const planning::Waypoint& waypoint = plan.waypoints[i];
     text += std::to_string(i) + "," + cell(waypoint.place.lon_deg, 7) + "," +
             cell(waypoint.place.lat_deg, 7) + "," + core::iso8601(waypoint.eta) + "," +
             cell(bare(waypoint.leg_length), 1) + "," + cell(waypoint.course_deg, 2) + "," +
-            cell(bare(waypoint.speed_over_ground), 4) + "," + cell(bare(waypoint.depth), 1) + "\n";
+            cell(bare(waypoint.speed_over_ground), 4) + "," + cell(bare(waypoint.depth), 1) + "," +
+            cell(waypoint.wait.count(), 0) + "\n";
   }
   return text;
 }

@@ -30,6 +30,7 @@ json waypoint_json(const planning::Waypoint& waypoint, std::size_t index) {
           {"lon", position(waypoint.place.lon_deg)},
           {"lat", position(waypoint.place.lat_deg)},
           {"eta", core::iso8601(waypoint.eta)},
+          {"wait_s", waypoint.wait.count()},
           {"leg_m", optional_value(waypoint.leg_length)},
           {"course_deg", optional_number(waypoint.course_deg)},
           {"speed_over_ground_m_s", optional_value(waypoint.speed_over_ground)},
@@ -96,6 +97,8 @@ planning::Waypoint parse_waypoint(const json& object) {
   if (const auto speed = number_at(object, "speed_over_ground_m_s")) {
     waypoint.speed_over_ground = core::MetresPerSecond{*speed};
   }
+  waypoint.wait =
+      core::Seconds{object.value("wait_s", 0.0)};  // plans stored by older versions do not have it
   if (object.contains("iceberg_encounters")) {
     waypoint.iceberg_encounters = number_at(object, "iceberg_encounters");
   }

@@ -38,6 +38,8 @@ void read_common(InputReader& reader, planning::PlanRequest& request, repository
   read_under_ice(reader, request.under_ice);
   read_data(reader, data);
   read_iceberg_rules(reader, request.icebergs, data);
+  if (const auto longest = reader.number("max_loiter_s", {0.0, 864'000.0}))
+    request.max_loiter = core::Seconds{*longest};
   name = reader.text("name").value_or("");
 }
 
@@ -127,6 +129,7 @@ json common_json(const planning::PlanRequest& request, const repository::Environ
   write_under_ice(request.under_ice, inputs);
   write_data(data, inputs);
   write_iceberg_rules(request.icebergs, data, inputs);
+  inputs["max_loiter_s"] = request.max_loiter.count();
   return inputs;
 }
 

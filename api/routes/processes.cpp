@@ -101,6 +101,11 @@ json common_inputs() {
                                 number_schema(0.0, 1e5))},
       {"max_sighting_age_days",
        input("Leave out icebergs last seen longer ago, by whole UTC days", number_schema(0.0, 30.0))},
+      {"max_loiter_s",
+       input("Longest wait at a waypoint for what clears later, seconds; 0: the vehicle never waits. It "
+             "keeps its "
+             "place by making way, where the current is weaker than its speed, and draws energy meanwhile",
+             number_schema(0.0, 864'000.0))},
       {"currents", input("Currents: newest, none, an id or several ids", several_datasets_schema())},
       {"steady", input("Use one time step, or the mean, of the currents at any time", {{"type", "boolean"}})},
       {"tides", input("Tides: none (default), newest, an id or several ids of models with currents",
@@ -174,6 +179,7 @@ json reach_inputs() {
   const json time{{"type", "string"}, {"format", "date-time"}};
   const json hours = number_schema(0.0, 720.0);
   json inputs = common_inputs();
+  inputs.erase("max_loiter_s");
   inputs["depart"] = input("Departure, with from", time);
   inputs["arrive_by"] = input("Latest arrival, with to", time);
   inputs["from"] =

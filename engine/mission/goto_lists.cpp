@@ -107,6 +107,13 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
               "the vehicle aborts.",
               i + 1, legs[i].value / 1000.0));
   }
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    if (plan.waypoints[i].wait.count() <= 0.0) continue;
+    warnings.push_back(
+        print("The plan waits %.1f h at waypoint %zu, which a list cannot: fly to it, and send the rest "
+              "from there when the time has come.",
+              plan.waypoints[i].wait.count() / 3600.0, i));
+  }
   const bool beyond_utm =
       std::any_of(plan.waypoints.begin(), plan.waypoints.end(), [](const planning::Waypoint& w) {
         return w.place.lat_deg > utm_north_end_deg || w.place.lat_deg < utm_south_end_deg;

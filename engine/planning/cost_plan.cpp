@@ -51,7 +51,8 @@ Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, cons
     const RouteClosed closed{.reason = times.error(), .at = route.points.front()};
     return tl::unexpected(explain_route(closed, sea, request));
   }
-  Plan plan = assemble_plan(sea, environment, request, route.points, times->arrivals, route.drives);
+  const Schedule schedule{times->arrivals, std::vector<core::Seconds>(times->arrivals.size())};
+  Plan plan = assemble_plan(sea, environment, request, route.points, schedule, route.drives);
   plan.search = way.statistics;
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
   if (way.cut_short) {
@@ -113,9 +114,12 @@ Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRe
   const auto cheaper = [&](const Result<Plan>& a, const Result<Plan>& b) {
     return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
   };
-  Attempt attempt = plan_within(first_reach, environment, request, stop, progress);
+  // Only the fastest plans wait: they are among those compared.
+  PlanRequest on_the_move = request;
+  on_the_move.max_loiter = core::Seconds{0.0};
+  Attempt attempt = plan_within(first_reach, environment, on_the_move, stop, progress);
   if (attempt.wider_may_help) {
-    Attempt wider = plan_within(second_reach, environment, request, stop, progress);
+    Attempt wider = plan_within(second_reach, environment, on_the_move, stop, progress);
     if (cheaper(wider.plan, attempt.plan) || (!attempt.plan && !wider.plan)) attempt = std::move(wider);
   }
   progress("comparison", 0.8);

@@ -36,7 +36,10 @@ class DepartureSweep {
   /// Errors   as draw_chart
   static Result<DepartureSweep> on_grids(GridReach reach, const ocean::Environment& environment,
                                          const PlanRequest& request, const std::stop_token& stop) {
-    auto chart = draw_chart(environment, request, reach, stop);
+    // Only the fastest way waits.
+    PlanRequest drawn = request;
+    if (!request.energy.objective.is_time()) drawn.max_loiter = core::Seconds{0.0};
+    auto chart = draw_chart(environment, drawn, reach, stop);
     if (!chart) return tl::unexpected(chart.error());
     std::vector<OpenGrid> grids;
     if (request.method != Method::direct) {

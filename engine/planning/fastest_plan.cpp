@@ -1,5 +1,6 @@
 #include "engine/planning/fastest_plan.hpp"
 
+#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -56,11 +57,10 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
           .wider_may_help = way.touches_rim};
 }
 
-}  // namespace
-
-Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanRequest& request,
-                          const std::stop_token& stop, const core::ProgressCallback& progress,
-                          const core::SteadyClock& clock) {
+/// On the nearer grids, and on the wider ones where they may do better.
+Result<Plan> plan_on_grids(const ocean::Environment& environment, const PlanRequest& request,
+                           const std::stop_token& stop, const core::ProgressCallback& progress,
+                           const core::SteadyClock& clock) {
   Attempt best = plan_within(first_reach, environment, request, stop, progress, clock);
   if (best.wider_may_help) {
     Attempt wider = plan_within(second_reach, environment, request, stop, progress, clock);
@@ -69,8 +69,30 @@ Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanReque
   }
   if (best.plan) rate(*best.plan, best.chart->sea, request, best.route, stop);
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-  progress("done", 1.0);
   return std::move(best.plan);
+}
+
+bool waits(const Plan& plan) {
+  return std::ranges::any_of(plan.waypoints,
+                             [](const Waypoint& waypoint) { return waypoint.wait.count() > 0.0; });
+}
+
+}  // namespace
+
+Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanRequest& request,
+                          const std::stop_token& stop, const core::ProgressCallback& progress,
+                          const core::SteadyClock& clock) {
+  Result<Plan> plan = plan_on_grids(environment, request, stop, progress, clock);
+  if (plan && waits(*plan)) {
+    // Refinement finds other ways when nothing waits: a plan that waits must beat the best one on the move.
+    PlanRequest on_the_move = request;
+    on_the_move.max_loiter = core::Seconds{0.0};
+    Result<Plan> moving = plan_on_grids(environment, on_the_move, stop, progress, clock);
+    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+    if (moving && moving->arrival <= plan->arrival) plan = std::move(moving);
+  }
+  progress("done", 1.0);
+  return plan;
 }
 
 }  // namespace floeplan::planning

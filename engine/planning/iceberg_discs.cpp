@@ -209,22 +209,60 @@ std::optional<double> IcebergDiscs::touch(const Berg& berg, const motion::EvenMo
   return first;
 }
 
-bool IcebergDiscs::touched(const motion::EvenMove& move, double slack_m) const {
-  if (bergs_.empty()) return false;
+const IcebergDiscs::Berg* IcebergDiscs::met_by(const motion::EvenMove& move, double slack_m) const {
+  if (bergs_.empty()) return nullptr;
   // Slot by slot, because over a longer time the box of a long move meets discs that the vehicle does not.
   double from_s = move.t0_s;
   for (double slot = std::floor(move.t0_s / slot_s_); from_s <= move.t1_s; slot += 1.0) {
     const double end_s = (slot + 1.0) * slot_s_;
     const double until_s = std::clamp(end_s, from_s, move.t1_s);
     const motion::EvenMove part{place_at(move, from_s), place_at(move, until_s), from_s, until_s};
-    const bool met =
-        index_.any_in(box_of(part).grown(slack_m), {core::Seconds{from_s}, core::Seconds{until_s}},
-                      [&](std::uint32_t i) { return touch(bergs_[i], part, slack_m).has_value(); });
-    if (met) return true;
-    if (end_s >= move.t1_s) return false;
+    const Berg* met = nullptr;
+    index_.any_in(box_of(part).grown(slack_m), {core::Seconds{from_s}, core::Seconds{until_s}},
+                  [&](std::uint32_t i) {
+                    if (touch(bergs_[i], part, slack_m)) met = &bergs_[i];
+                    return met != nullptr;
+                  });
+    if (met != nullptr) return met;
+    if (end_s >= move.t1_s) return nullptr;
     from_s = until_s;
   }
-  return false;
+  return nullptr;
+}
+
+bool IcebergDiscs::touched(const motion::EvenMove& move, double slack_m) const {
+  return met_by(move, slack_m) != nullptr;
+}
+
+std::optional<core::Seconds> IcebergDiscs::first_clear(geo::PlanePoint from, geo::PlanePoint to,
+                                                       core::Seconds duration, core::Seconds depart,
+                                                       core::Seconds latest) const {
+  constexpr int most_bergs = 64;         // in the way one after the other
+  constexpr double first_step_s = 60.0;  // out of one disc's way, then twice as far each time
+  constexpr double longest_step_s =
+      900.0;  // a berg that turns back may leave the way open for an hour or two
+  constexpr double close_enough_s = 5.0;
+  const auto leaving = [&](double t_s) { return motion::EvenMove{from, to, t_s, t_s + duration.count()}; };
+  double t_s = depart.count();
+  for (int i = 0; i < most_bergs && t_s <= latest.count(); ++i) {
+    const Berg* berg = met_by(leaving(t_s), 0.0);
+    if (berg == nullptr) return core::Seconds{t_s};
+    // For one piece of a straight drift the departures that touch the disc are all those between two of them.
+    double closed_s = t_s;
+    double open_s = t_s + first_step_s;
+    for (double step_s = first_step_s; touch(*berg, leaving(open_s), 0.0);) {
+      if (open_s > latest.count()) return std::nullopt;
+      step_s = std::min(2.0 * step_s, longest_step_s);
+      closed_s = open_s;
+      open_s += step_s;
+    }
+    while (open_s - closed_s > close_enough_s) {
+      const double middle_s = 0.5 * (closed_s + open_s);
+      (touch(*berg, leaving(middle_s), 0.0) ? closed_s : open_s) = middle_s;
+    }
+    t_s = open_s;
+  }
+  return std::nullopt;
 }
 
 bool IcebergDiscs::touched(const motion::PlaneEdge& edge, const motion::EdgePiece& piece,

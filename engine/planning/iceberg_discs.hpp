@@ -39,6 +39,12 @@ class IcebergDiscs {
                              double slack_m) const;
   /// Whether a vehicle that moves evenly, or waits, touches a disc.
   [[nodiscard]] bool touched(const motion::EvenMove& move, double slack_m = 0.0) const;
+  /// The earliest departure, from `depart` on and no later than `latest`, for which a vehicle that goes straight and
+  /// evenly from one point to the other in this time touches no disc; empty: there is none.
+  /// Accuracy  some seconds later than the earliest
+  [[nodiscard]] std::optional<core::Seconds> first_clear(geo::PlanePoint from, geo::PlanePoint to,
+                                                         core::Seconds duration, core::Seconds depart,
+                                                         core::Seconds latest) const;
   /// When a disc covers the point: ascending, apart from each other; the last one may never end.
   [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point) const;
 
@@ -83,6 +89,8 @@ class IcebergDiscs {
   [[nodiscard]] static std::optional<double> touch(const Berg& berg, const motion::EvenMove& move,
                                                    double slack_m);
   void index(const PlaneBox& area, core::Seconds horizon);
+  /// The first berg found whose disc the move touches.
+  [[nodiscard]] const Berg* met_by(const motion::EvenMove& move, double slack_m) const;
 
   [[nodiscard]] double mean_error_m(const Berg& berg, double t_s) const;
 

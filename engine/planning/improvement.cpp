@@ -3,6 +3,7 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/planning/loiter.hpp"
 #include "engine/planning/refinement.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/straightening.hpp"
@@ -15,6 +16,7 @@ constexpr core::Seconds at_departure{0.0};
 /// Legs timed for each second that refinement may take: so few that hardly any machine runs out of time first,
 /// and the same request gives the same route everywhere.
 constexpr double evaluations_per_second = 200'000.0;
+constexpr double cost_of_waiting = 8.0;  // of a leg that is timed at several departures until it opens
 
 /// What asks the sea, in the shape that refinement wants.
 struct SeaTimer {
@@ -22,14 +24,16 @@ struct SeaTimer {
 
   tl::expected<core::Seconds, motion::EdgeClosed> operator()(geo::PlanePoint a, geo::PlanePoint b,
                                                              core::Seconds depart) const {
-    return sea.leg_time(a, b, depart);
+    return time_with_wait(sea, a, b, depart);
   }
 };
 
-RefinementBudget budget_of(const PlanRequest& request, const std::stop_token& stop,
+RefinementBudget budget_of(const Sea& sea, const PlanRequest& request, const std::stop_token& stop,
                            const core::SteadyClock& clock) {
-  RefinementBudget budget{
-      .most_evaluations = std::llround(evaluations_per_second * request.refine_time.count()), .stop = stop};
+  const bool waits = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
+  const double per_second = waits ? evaluations_per_second / cost_of_waiting : evaluations_per_second;
+  RefinementBudget budget{.most_evaluations = std::llround(per_second * request.refine_time.count()),
+                          .stop = stop};
   if (clock) {
     budget.out_of_time = [&clock, end = clock() + request.refine_time] { return clock() >= end; };
   }
@@ -50,7 +54,7 @@ Improved refined(const Sea& sea, const Route& way, const PlanRequest& request, c
   const auto start = legs.timed(drop_needless_points(sea, way, at_departure, stop), at_departure);
   if (!on_grid || !start) return {way, std::nullopt};
   Refined result =
-      refine_route(timer, *start, {.most_legs = most_legs(request)}, budget_of(request, stop, clock));
+      refine_route(timer, *start, {.most_legs = most_legs(request)}, budget_of(sea, request, stop, clock));
   result.report.before = on_grid->travel_time();
   return {std::move(result.itinerary.route), std::move(result.report)};
 }

@@ -20,11 +20,13 @@ Openings::Openings(const Sea& sea, const OpenGrid& grid, core::Seconds latest, c
   for (graph::Vertex v = 0; v < windows.size(); ++v) {
     if (v % vertices_between_looks == 0 && stop.stop_requested()) return;
     if (!grid.graph.is_open(v)) continue;
-    for (const TimeSpan& closed : sea.closed_times(grid.grid.point(v))) {
+    std::vector<TimeSpan> spans = sea.closed_times(grid.grid.point(v));
+    for (const TimeSpan& closed : spans) {
       if (closed.until > latest || !std::isfinite(closed.until.count())) continue;
       any = true;
       windows[v].include({closed.from.count() - before_s, closed.until.count()});
     }
+    if (!spans.empty()) closed_.emplace(v, std::move(spans));
   }
   if (!any) return;
   windows_ = std::move(windows);

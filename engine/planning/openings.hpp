@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stop_token>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/planning/open_grid.hpp"
@@ -22,6 +23,11 @@ class Openings {
 
   /// Whether there are none at all.
   [[nodiscard]] bool empty() const { return windows_.empty(); }
+  /// When the vertex is closed: ascending, apart from each other.
+  [[nodiscard]] const std::vector<TimeSpan>& closed(graph::Vertex v) const {
+    const auto found = closed_.find(v);
+    return found == closed_.end() ? never_ : found->second;
+  }
   [[nodiscard]] bool matter(graph::Vertex v, double arrival_s) const {
     return !windows_.empty() && windows_[v].from_s <= arrival_s && arrival_s <= windows_[v].until_s;
   }
@@ -39,6 +45,8 @@ class Openings {
   void widen(int nx, int ny);
 
   std::vector<Window> windows_;  // of each vertex; none at all when nothing opens
+  std::unordered_map<graph::Vertex, std::vector<TimeSpan>> closed_;  // of the vertices that ever are
+  std::vector<TimeSpan> never_;
 };
 
 }  // namespace floeplan::planning

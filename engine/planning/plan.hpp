@@ -20,15 +20,17 @@ namespace floeplan::planning {
 /// A place of the plan and the leg that leads to it. The first waypoint is the start and has no leg.
 struct Waypoint {
   geo::LonLat place;
-  core::UtcTime eta;
+  core::UtcTime eta;                       // of the arrival
   std::optional<core::Metres> leg_length;  // geodesic on WGS84
   std::optional<double> course_deg;        // of the leg at its start, clockwise from true north
   std::optional<core::MetresPerSecond> speed_over_ground;  // mean over the leg
   std::optional<core::Metres> depth;                       // of the sea bed here
-  std::optional<double> iceberg_encounters;  // expected on the leg; empty where no iceberg is known
+  std::optional<double> iceberg_encounters;  // expected on the leg and in the wait before it; empty where
+                                             // no iceberg is known
   std::optional<core::Joules> energy{};      // drawn since the departure
   std::optional<vehicle::Drive> drive{};     // of the leg
   std::optional<core::MetresPerSecond> speed_through_water{};  // horizontal, on the leg
+  core::Seconds wait{};  // here, after the arrival and before the next leg; draws energy as if under way
 };
 
 /// A leg that the current closed when the search came to its start and that opens later: arriving later there

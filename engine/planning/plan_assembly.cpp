@@ -33,34 +33,46 @@ void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
   }
 }
 
+/// The waits and drives of the plan's vehicle as even moves, leg by leg: `visit(leg, move)`.
+template <class Visit>
+void for_each_move(const Sea& sea, const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
+                   const std::vector<vehicle::Drive>& drives, Visit&& visit) {
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const core::Seconds leaves = schedule.leaves(i - 1);
+    if (schedule.waits[i - 1].count() > 0.0) {
+      visit(i,
+            motion::EvenMove{route[i - 1], route[i - 1], schedule.arrivals[i - 1].count(), leaves.count()});
+    }
+    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], leaves, drives[i - 1]))
+      visit(i, move);
+  }
+}
+
 /// From the hulls where they are forecast to be as the vehicle passes.
 std::optional<core::Metres> iceberg_clearance(const Sea& sea, const std::vector<geo::PlanePoint>& route,
-                                              const std::vector<core::Seconds>& arrivals,
+                                              const Schedule& schedule,
                                               const std::vector<vehicle::Drive>& drives) {
   std::optional<core::Metres> least;
   if (sea.icebergs().empty()) return least;
-  for (std::size_t i = 1; i < route.size(); ++i) {
-    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], arrivals[i - 1], drives[i - 1])) {
-      const auto nearest = sea.icebergs().distance_from_hulls(move);
-      if (nearest && (!least || *nearest < *least)) least = nearest;
-    }
-  }
+  for_each_move(sea, route, schedule, drives, [&](std::size_t, const motion::EvenMove& move) {
+    const auto nearest = sea.icebergs().distance_from_hulls(move);
+    if (nearest && (!least || *nearest < *least)) least = nearest;
+  });
   return least;
 }
 
 /// Expected encounters with icebergs whose positions are not known well, leg by leg and in all.
 void add_iceberg_encounters(Plan& plan, const Sea& sea, const std::vector<geo::PlanePoint>& route,
-                            const std::vector<core::Seconds>& arrivals,
-                            const std::vector<vehicle::Drive>& drives) {
+                            const Schedule& schedule, const std::vector<vehicle::Drive>& drives) {
   if (sea.icebergs().empty()) return;
+  std::vector<double> of_leg(route.size(), 0.0);
+  for_each_move(sea, route, schedule, drives, [&](std::size_t leg, const motion::EvenMove& move) {
+    of_leg[leg] += sea.icebergs().expected_encounters(move);
+  });
   double all = 0.0;
   for (std::size_t i = 1; i < route.size(); ++i) {
-    double of_leg = 0.0;
-    for (const motion::EvenMove& move : sea.drive(route[i - 1], route[i], arrivals[i - 1], drives[i - 1])) {
-      of_leg += sea.icebergs().expected_encounters(move);
-    }
-    plan.waypoints[i].iceberg_encounters = of_leg;
-    all += of_leg;
+    plan.waypoints[i].iceberg_encounters = of_leg[i];
+    all += of_leg[i];
   }
   plan.iceberg_encounters = all;
 }
@@ -122,11 +134,11 @@ void warn_of_extended_currents(Plan& plan, const Sea& sea, const std::vector<geo
 }
 
 void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
-                    const std::vector<geo::PlanePoint>& route, const std::vector<core::Seconds>& arrivals) {
+                    const std::vector<geo::PlanePoint>& route, const Schedule& schedule) {
   const UnderIceRules& rules = request.under_ice;
   const bool asked = rules.max_time_without_surfacing || rules.surfacing_interval || rules.escape_plan;
   if (!sea.ice() && !asked) return;
-  plan.surfacing = plan_surfacings(sea, request, route, arrivals);
+  plan.surfacing = plan_surfacings(sea, request, route, schedule);
   if (plan.surfacing->unknown_ice.value > 0.0) {
     char text[160];
     std::snprintf(
@@ -143,8 +155,9 @@ void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
 }  // namespace
 
 Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const PlanRequest& request,
-                   const std::vector<geo::PlanePoint>& route, const std::vector<core::Seconds>& arrivals,
+                   const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
                    const std::vector<vehicle::Drive>& drives) {
+  const std::vector<core::Seconds>& arrivals = schedule.arrivals;
   Plan plan;
   plan.method = request.method;
   plan.vehicle = request.vehicle.name;
@@ -160,7 +173,7 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
       const geo::GeodesicLine leg = geo::geodesic_between(plan.waypoints.back().place, waypoint.place);
       waypoint.leg_length = leg.length;
       waypoint.course_deg = leg.course_at_start.degrees();
-      const core::Seconds duration = arrivals[i] - arrivals[i - 1];
+      const core::Seconds duration = arrivals[i] - schedule.leaves(i - 1);
       waypoint.speed_over_ground = core::MetresPerSecond{leg.length.value / duration.count()};
       plan.distance = plan.distance + leg.length;
       drawn += sea.energy().use(route[i - 1], route[i], duration, drives[i - 1]);
@@ -168,10 +181,14 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
       waypoint.speed_through_water = sea.speed(drives[i - 1]);
     }
     waypoint.energy = drawn.total();
+    if (schedule.waits[i].count() > 0.0) {
+      waypoint.wait = schedule.waits[i];
+      drawn += sea.energy().use(route[i], route[i], waypoint.wait, drives[i]);
+    }
     plan.waypoints.push_back(waypoint);
   }
-  plan.clearances.iceberg = iceberg_clearance(sea, route, arrivals, drives);
-  add_iceberg_encounters(plan, sea, route, arrivals, drives);
+  plan.clearances.iceberg = iceberg_clearance(sea, route, schedule, drives);
+  add_iceberg_encounters(plan, sea, route, schedule, drives);
   plan.energy = PlanEnergy{.use = drawn, .usable = request.vehicle.energy.usable()};
   plan.clearances.bottom = bottom_clearance(sea, environment, request, route);
   plan.clearances.land = land_clearance(sea, environment, route);
@@ -179,7 +196,7 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
   plan.datasets = environment.datasets;
   plan.warnings = environment.warnings;
   warn_of_extended_currents(plan, sea, route);
-  add_surfacings(plan, sea, request, route, arrivals);
+  add_surfacings(plan, sea, request, route, schedule);
   return plan;
 }
 

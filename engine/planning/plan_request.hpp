@@ -50,7 +50,10 @@ struct PlanRequest {
   bool optimality_gap{true};            // compare the plan with the best way in open water
   std::optional<int> max_waypoints;     // start and goal included
   std::optional<core::Metres> max_leg;  // longer legs are parted
-  std::vector<ocean::Zone> zones;       // obeyed beside those of the environment
+  /// The longest that the vehicle may wait at one waypoint for something that is closed for a while: icebergs that
+  /// drift, zones with times. Zero: it never waits. It keeps its place by making way against the current.
+  core::Seconds max_loiter{0.0};
+  std::vector<ocean::Zone> zones;  // obeyed beside those of the environment
   IcebergRules icebergs;
   UncertaintyRules uncertainty;
   UnderIceRules under_ice;      // where there is sea ice

@@ -9,6 +9,7 @@
 #include "engine/planning/optimality.hpp"
 #include "engine/planning/plan_assembly.hpp"
 #include "engine/planning/route_cost.hpp"
+#include "engine/planning/time_killing.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -36,20 +37,22 @@ Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, 
                      const std::stop_token& stop) {
   const Sea& sea = chart.sea;
   const std::vector<geo::PlanePoint>& points = improved.route.points;
-  const auto arrivals = arrivals_along(sea, points, at_departure);
-  if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request));
+  const auto schedule = schedule_along(sea, points, at_departure);
+  if (!schedule) return tl::unexpected(explain_route(schedule.error(), sea, request));
   const std::vector<vehicle::Drive> drives(improved.route.legs(), sea.drives().front());
-  Plan plan = assemble_plan(sea, environment, request, points, *arrivals, drives);
+  Plan plan = assemble_plan(sea, environment, request, points, *schedule, drives);
   plan.search = statistics;
   plan.refinement = improved.refinement;
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
   if (request.under_ice.escape_plan) {
     auto escapes =
-        plan_escapes(sea, chart.layout, request, points, *arrivals, plan.surfacing->waypoints, stop);
+        plan_escapes(sea, chart.layout, request, points, schedule->arrivals, plan.surfacing->waypoints, stop);
     if (!escapes) return tl::unexpected(std::move(escapes.error()));
     plan.surfacing->escapes = std::move(*escapes);
     if (auto exceeded = check_escapes(plan, request)) return tl::unexpected(std::move(*exceeded));
   }
+  if (const auto killed = longest_killing_of_time(sea, points, *schedule))
+    plan.warnings.push_back(describe(*killed));
   add_warnings(plan, request);
   return plan;
 }

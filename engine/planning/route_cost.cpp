@@ -1,5 +1,11 @@
 #include "engine/planning/route_cost.hpp"
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
+#include "engine/planning/loiter.hpp"
+
 namespace floeplan::planning {
 namespace {
 
@@ -26,11 +32,8 @@ RouteClosed locate(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, cor
   return {reason, here, now, false};
 }
 
-}  // namespace
-
-tl::expected<std::vector<core::Seconds>, RouteClosed> arrivals_along(
-    const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
-    core::Seconds since_surfacing) {
+tl::expected<Schedule, RouteClosed> without_waits(const Sea& sea, const std::vector<geo::PlanePoint>& route,
+                                                  core::Seconds depart, core::Seconds since_surfacing) {
   std::vector<core::Seconds> arrivals{depart};
   for (std::size_t i = 1; i < route.size(); ++i) {
     const auto leg = sea.leg(route[i - 1], route[i], arrivals.back(), since_surfacing);
@@ -41,7 +44,76 @@ tl::expected<std::vector<core::Seconds>, RouteClosed> arrivals_along(
     arrivals.push_back(arrivals.back() + leg->time);
     since_surfacing = leg->since_surfacing;
   }
-  return arrivals;
+  return Schedule{std::move(arrivals), std::vector<core::Seconds>(route.size())};
+}
+
+/// One way to come to a point of the route in time.
+struct Stage {
+  core::Seconds arrival;
+  core::Seconds waited{};  // at the point before
+  std::size_t before{};    // of that point's stages
+};
+
+/// Whether the vehicle that comes first can do all that the other one can: it waits until the other is there.
+bool replaces(const Sea& sea, geo::PlanePoint point, const std::vector<TimeSpan>& closed, const Stage& first,
+              const Stage& other) {
+  return first.arrival <= other.arrival && other.arrival - first.arrival <= sea.longest_wait() &&
+         interval_of(closed, first.arrival) == interval_of(closed, other.arrival) &&
+         current_lets_stay(sea, point, first.arrival, other.arrival);
+}
+
+/// Safe intervals along the route: an earlier arrival is not always the better one, because the place may be closed
+/// before the leg onward opens.
+std::optional<Schedule> with_waits(const Sea& sea, const std::vector<geo::PlanePoint>& route,
+                                   core::Seconds depart) {
+  constexpr std::size_t most_stages = 16;
+  std::vector<std::vector<Stage>> stages{{{.arrival = depart}}};
+  for (std::size_t i = 1; i < route.size(); ++i) {
+    const std::vector<TimeSpan> closed = sea.closed_times(route[i]);
+    std::vector<Stage> here;
+    const auto add = [&](const Stage& stage) {
+      const auto is_replaced = [&](const Stage& other) {
+        return replaces(sea, route[i], closed, other, stage);
+      };
+      if (here.size() < most_stages && !std::ranges::any_of(here, is_replaced)) here.push_back(stage);
+    };
+    for (std::size_t s = 0; s < stages.back().size(); ++s) {
+      const core::Seconds arrive = stages.back()[s].arrival;
+      for_each_opening(sea, route[i - 1], route[i], closed, arrive, core::Seconds{INFINITY},
+                       [&](const WaitedLeg& leg) { add({arrive + leg.total(), leg.wait, s}); });
+    }
+    if (here.empty()) return std::nullopt;
+    stages.push_back(std::move(here));
+  }
+  Schedule schedule{std::vector<core::Seconds>(route.size()), std::vector<core::Seconds>(route.size())};
+  std::size_t best = static_cast<std::size_t>(std::ranges::min_element(stages.back(), {}, &Stage::arrival) -
+                                              stages.back().begin());
+  for (std::size_t i = route.size(); i-- > 0;) {
+    const Stage& stage = stages[i][best];
+    schedule.arrivals[i] = stage.arrival;
+    if (i > 0) schedule.waits[i - 1] = stage.waited;
+    best = stage.before;
+  }
+  return schedule;
+}
+
+}  // namespace
+
+tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::vector<geo::PlanePoint>& route,
+                                                   core::Seconds depart, core::Seconds since_surfacing) {
+  auto at_once = without_waits(sea, route, depart, since_surfacing);
+  const bool may_wait = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
+  if (at_once || !may_wait) return at_once;
+  if (auto waited = with_waits(sea, route, depart)) return *std::move(waited);
+  return at_once;
+}
+
+tl::expected<std::vector<core::Seconds>, RouteClosed> arrivals_along(
+    const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
+    core::Seconds since_surfacing) {
+  return schedule_along(sea, route, depart, since_surfacing).map([](Schedule schedule) {
+    return std::move(schedule.arrivals);
+  });
 }
 
 }  // namespace floeplan::planning

@@ -16,8 +16,21 @@ struct RouteClosed {
   bool out_of_time{false};  // the data reach on from here, but not long enough
 };
 
-/// Arrival at every point of a route of straight legs, the departure first. The one cost that every plan is
-/// published with, whatever found it.
+/// When the vehicle comes to each point of a route, and how long it stays there before it goes on.
+struct Schedule {
+  std::vector<core::Seconds> arrivals;  // the departure first
+  std::vector<core::Seconds> waits;     // zero but where something in the way opens later
+
+  [[nodiscard]] core::Seconds leaves(std::size_t i) const { return arrivals[i] + waits[i]; }
+};
+
+/// The earliest schedule for a route of straight legs. The one cost that every plan is published with, whatever found
+/// it. Where the request allows waits the vehicle waits where that brings it through, no longer than it must.
+[[nodiscard]] tl::expected<Schedule, RouteClosed> schedule_along(
+    const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
+    core::Seconds since_surfacing = core::Seconds{0.0});
+
+/// Its arrivals alone.
 [[nodiscard]] tl::expected<std::vector<core::Seconds>, RouteClosed> arrivals_along(
     const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0});

@@ -99,6 +99,22 @@ void describe_end(RouteSearch& result, const Sea& sea, const RouteGrid& grid, co
   }
 }
 
+/// The best way as if nothing closed and opened in time, with all that does.
+struct UntimedWay {
+  bool is_best{false};         // nothing delays it
+  double arrival_s{INFINITY};  // with the waits it needs; infinite when it is closed
+};
+
+UntimedWay timed_without_delay(const Sea& sea, const std::vector<geo::PlanePoint>& path, core::Seconds depart,
+                               double least_s) {
+  if (path.empty()) return {};
+  const auto schedule = schedule_along(sea, path, depart);
+  if (!schedule) return {};
+  const bool waits =
+      std::ranges::any_of(schedule->waits, [](core::Seconds wait) { return wait.count() > 0.0; });
+  return {!waits, std::max(least_s, schedule->arrivals.back().count())};
+}
+
 /// Replaces the way by one that arrives before `latest` although it arrives later somewhere, if there is one.
 void look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& open, core::Seconds depart,
                          core::Seconds latest, const std::stop_token& stop) {
@@ -201,16 +217,23 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
   graph::SearchTree tree =
       in_time ? search(UntimedTravelTime{sea, grid, &refused}) : search(GridTravelTime{sea, grid, &refused});
   adopt(tree);
-  if (in_time && !result.path.empty() && !arrivals_along(sea, result.path, depart)) {
+  const auto untimed_way = in_time ? timed_without_delay(sea, result.path, depart, tree.arrival_s(grid.goal))
+                                   : UntimedWay{.is_best = true, .arrival_s = INFINITY};
+  if (in_time && !result.path.empty() && !untimed_way.is_best) {
     const double least_s = tree.arrival_s(grid.goal);
+    const std::vector<geo::PlanePoint> waiting_path = result.path;
     refused.edges.clear();
     tree = search(GridTravelTime{sea, grid, &refused});
     adopt(tree);
-    const double arrival_s = tree.arrival_s(grid.goal);
+    double arrival_s = tree.arrival_s(grid.goal);
+    if (untimed_way.arrival_s < arrival_s) {
+      arrival_s = untimed_way.arrival_s;
+      result.path = waiting_path;
+    }
     const bool may_gain =
         result.path.empty() || arrival_s - least_s > least_gain * (arrival_s - depart.count());
     if (!result.cancelled && may_gain) {
-      look_for_later_ways(result, sea, open, depart, core::Seconds{tree.arrival_s(grid.goal)}, stop);
+      look_for_later_ways(result, sea, open, depart, core::Seconds{arrival_s}, stop);
     }
   }
   // With weights fixed at departure nothing opens later.

@@ -86,6 +86,7 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       buoyancy_speed_{request.vehicle.speed_through_water},
       thruster_speed_{request.vehicle.thruster ? request.vehicle.thruster->speed : buoyancy_speed_},
       edge_tolerance_{request.edge_tolerance},
+      longest_wait_{request.max_loiter},
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{zones.timed, projection, request.depart},
@@ -206,6 +207,28 @@ std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, c
   };
   (void)drive_time(edge, depart, core::Seconds{INFINITY}, speed(drive), follow);
   return moves;
+}
+
+std::optional<core::Seconds> Sea::first_clear_departure(geo::PlanePoint a, geo::PlanePoint b,
+                                                        core::Seconds duration, core::Seconds depart,
+                                                        core::Seconds latest) const {
+  constexpr core::Seconds step{60.0};  // past a zone's rule
+  while (depart <= latest) {
+    if (!icebergs_.standing()) {
+      const auto clear = icebergs_.first_clear(a, b, duration, depart, latest);
+      if (!clear) return std::nullopt;
+      depart = *clear;
+    }
+    if (!timed_zones_.forbid(a, b, {depart, depart + duration})) return depart;
+    depart += step;
+  }
+  return std::nullopt;
+}
+
+bool Sea::holds_against_current(geo::PlanePoint point, core::Seconds time) const {
+  if (!currents_) return true;
+  const auto current = (*currents_)(point, time);
+  return current && std::hypot(current->x_m_s, current->y_m_s) < through_water().value;
 }
 
 std::vector<TimeSpan> Sea::closed_times(geo::PlanePoint point) const {

@@ -52,6 +52,16 @@ class Sea {
   /// The same as if nothing closed and opened in time: never more than `leg_time`, for it drives the same way.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_without_timed_closures(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const;
+  /// The earliest departure, from `depart` on and no later than `latest`, for which nothing that closes for a while is
+  /// in the way of a vehicle that goes straight and evenly from a to b in this time; empty: there is none.
+  [[nodiscard]] std::optional<core::Seconds> first_clear_departure(geo::PlanePoint a, geo::PlanePoint b,
+                                                                   core::Seconds duration,
+                                                                   core::Seconds depart,
+                                                                   core::Seconds latest) const;
+  /// How long the vehicle may wait at one place; zero where the request does not allow it.
+  [[nodiscard]] core::Seconds longest_wait() const { return longest_wait_; }
+  /// Whether the current there and then is known and weaker than the vehicle is fast.
+  [[nodiscard]] bool holds_against_current(geo::PlanePoint point, core::Seconds time) const;
   /// The drive along a leg that is open, as even moves one after the other, each within a metre of it.
   [[nodiscard]] std::vector<motion::EvenMove> drive(geo::PlanePoint a, geo::PlanePoint b,
                                                     core::Seconds depart, vehicle::Drive drive) const;
@@ -133,6 +143,7 @@ class Sea {
   core::MetresPerSecond buoyancy_speed_;
   core::MetresPerSecond thruster_speed_;  // as the buoyancy drive where there is none
   double edge_tolerance_;
+  core::Seconds longest_wait_;
   motion::EdgeAccuracy accuracy_;
   SafetyMap safety_;
   TimedZones timed_zones_;

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/planning/loiter.hpp"
 #include "engine/planning/route_cost.hpp"
 
 namespace floeplan::planning {
@@ -12,7 +13,7 @@ namespace {
 /// Arrival at the point after `i` when `i` is left out and the point before is left at `depart`.
 std::optional<core::Seconds> arrival_without(const Sea& sea, const Route& route, std::size_t i,
                                              core::Seconds depart) {
-  const auto time = sea.leg_time(route.points[i - 1], route.points[i + 1], depart);
+  const auto time = time_with_wait(sea, route.points[i - 1], route.points[i + 1], depart);
   if (!time) return std::nullopt;
   return depart + *time;
 }
@@ -64,9 +65,9 @@ Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds dep
     core::Seconds now = depart;
     for (std::size_t i = 1; i + 1 < result.points.size();) {
       if (stop.stop_requested()) return result;
-      const auto to_here = sea.leg_time(result.points[i - 1], result.points[i], now);
+      const auto to_here = time_with_wait(sea, result.points[i - 1], result.points[i], now);
       const auto onward =
-          to_here ? sea.leg_time(result.points[i], result.points[i + 1], now + *to_here) : to_here;
+          to_here ? time_with_wait(sea, result.points[i], result.points[i + 1], now + *to_here) : to_here;
       if (!onward) return result;  // a route that is closed itself is left as it is
       const auto without = result.fixed[i] ? std::nullopt : arrival_without(sea, result, i, now);
       if (without && *without <= now + *to_here + *onward && still_passable(sea, result, i, depart)) {

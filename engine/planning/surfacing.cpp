@@ -76,20 +76,28 @@ class Log {
   std::optional<Sea::Passage> here_;
 };
 
+void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
+  constexpr core::Seconds between_looks{900.0};
+  while (from < until) {
+    from = std::min(from + between_looks, until);
+    log.look({place, from});
+  }
+}
+
 }  // namespace
 
 SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
-                              const std::vector<geo::PlanePoint>& route,
-                              const std::vector<core::Seconds>& arrivals) {
+                              const std::vector<geo::PlanePoint>& route, const Schedule& schedule) {
   const core::Metres step = sea.ice() ? sea.ice()->step() : step_in_open_water;
   Log log{sea, request, route.front()};
-  const Sea::Passage start{route.front(), arrivals.front()};
+  const Sea::Passage start{route.front(), schedule.arrivals.front()};
   log.look(start);
   log.plan.waypoints.push_back(log.state(start));
   for (std::size_t i = 1; i < route.size(); ++i) {
-    for (const Sea::Passage& passage : sea.passages(route[i - 1], route[i], arrivals[i - 1], step))
+    look_while_waiting(log, route[i - 1], schedule.arrivals[i - 1], schedule.leaves(i - 1));
+    for (const Sea::Passage& passage : sea.passages(route[i - 1], route[i], schedule.leaves(i - 1), step))
       log.look(passage);
-    log.plan.waypoints.push_back(log.state({route[i], arrivals[i]}));
+    log.plan.waypoints.push_back(log.state({route[i], schedule.arrivals[i]}));
   }
   return std::move(log.plan);
 }

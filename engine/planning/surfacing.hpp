@@ -4,6 +4,7 @@
 
 #include "engine/planning/infeasible.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/route_cost.hpp"
 #include "engine/planning/sea.hpp"
 #include "engine/planning/surfacing_plan.hpp"
 
@@ -18,6 +19,6 @@ namespace floeplan::planning {
 /// Precondition: `arrivals` are those of the route
 [[nodiscard]] SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
                                             const std::vector<geo::PlanePoint>& route,
-                                            const std::vector<core::Seconds>& arrivals);
+                                            const Schedule& schedule);
 
 }  // namespace floeplan::planning

@@ -17,7 +17,15 @@ bool Voyage::dominates(graph::Vertex v, const graph::Label<State>& a, const grap
                         a.state.since_surfacing_s <= b.state.since_surfacing_s &&
                         a.state.interval == b.state.interval;
   if (!no_worse || !openings_.matter(v, b.arrival_s)) return no_worse;
-  return std::floor(a.arrival_s / span_s_) == std::floor(b.arrival_s / span_s_);
+  const bool same_span = std::floor(a.arrival_s / span_s_) == std::floor(b.arrival_s / span_s_);
+  if (sea_.longest_wait().count() <= 0.0) return same_span;
+
+  const std::vector<TimeSpan>& closed = openings_.closed(v);
+  const core::Seconds first{a.arrival_s};
+  const core::Seconds other{b.arrival_s};
+  if (interval_of(closed, first) != interval_of(closed, other)) return false;
+  return same_span ||
+         (other - first <= sea_.longest_wait() && current_lets_stay(sea_, grid_.point(v), first, other));
 }
 
 }  // namespace floeplan::planning

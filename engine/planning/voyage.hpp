@@ -3,6 +3,7 @@
 #include <cstdint>
 
 #include "engine/graph/label_search.hpp"
+#include "engine/planning/loiter.hpp"
 #include "engine/planning/openings.hpp"
 #include "engine/planning/route_grid.hpp"
 #include "engine/planning/sea.hpp"
@@ -21,6 +22,9 @@ struct VoyageState {
 /// Closures  near what opens again, an earlier arrival dominates a later one only within the same span of time, the
 ///           time the vehicle needs for a step of the grid; elsewhere always. So arriving later can be the only way
 ///           through, and is found to within that span
+/// Waits     where the request allows them, an earlier arrival also dominates a later one if the vehicle can stay until
+///           then; the wait before a leg is the least that lets it through, or into a later of its end's times between
+///           closures
 /// Threads   one search at a time
 class Voyage {
  public:
@@ -33,9 +37,12 @@ class Voyage {
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) const {
     const geo::PlanePoint head = grid_.point(edge.head);
     const double latest_s = latest_s_ - sea_.least_time(head, goal_).count();
-    const auto time =
-        sea_.leg_time(grid_.point(edge.tail), head, core::Seconds{arrival_s}, core::Seconds{latest_s});
-    if (time && arrival_s + time->count() < latest_s) emit(arrival_s + time->count(), state, 0U);
+    const core::Seconds arrive{arrival_s};
+    for_each_opening(sea_, grid_.point(edge.tail), head, openings_.closed(edge.head), arrive,
+                     core::Seconds{latest_s}, [&](const WaitedLeg& leg) {
+                       const double there_s = (arrive + leg.total()).count();
+                       if (there_s < latest_s) emit(there_s, state, 0U);
+                     });
   }
 
   void wait(graph::Vertex, double, const State&, auto&&) const {}

@@ -97,6 +97,10 @@ void InputFlags::add_common(CLI::App& command) {
                      "Kept from icebergs for the error of their positions, metres at most; default 5000");
   command.add_option("--max-sighting-age", max_sighting_age_days_,
                      "Leave out icebergs last seen longer ago, days; default 3");
+  command.add_option(
+      "--max-loiter", max_loiter_s_,
+      "Let the vehicle wait at a waypoint for what clears later, icebergs or timed areas, seconds "
+      "at most; default 0");
   command.add_option("--name", name_, "Name of the plan");
   add_under_ice(command);
 }
@@ -243,6 +247,7 @@ json InputFlags::inputs() const {
   set("margin_m", margin_m_);
   set("max_inflation_m", max_inflation_m_);
   set("max_sighting_age_days", max_sighting_age_days_);
+  set("max_loiter_s", max_loiter_s_);
   set("name", name_);
   if (members_) inputs["uncertainty"]["members"] = *members_;
   if (current_error_m_s_) inputs["uncertainty"]["current_error_m_s"] = *current_error_m_s_;

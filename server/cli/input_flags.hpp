@@ -86,6 +86,7 @@ class InputFlags {
   bool no_iceberg_drift_{false};
   std::optional<double> max_inflation_m_;
   std::optional<double> max_sighting_age_days_;
+  std::optional<double> max_loiter_s_;
   std::optional<std::string> name_;
 };
 

@@ -42,6 +42,11 @@ void print_table(const json& plan) {
         cell(waypoint.at("depth_m"), "%.0f").c_str(), cell(waypoint.at("energy_j"), "%.1f", 1e-3).c_str(),
         waypoint.at("propulsion").is_string() ? waypoint.at("propulsion").get<std::string>().c_str() : "-");
   }
+  for (const json& waypoint : plan.at("waypoints")) {
+    if (waypoint.value("wait_s", 0.0) <= 0.0) continue;
+    std::printf("wait at waypoint %d for %s h\n", waypoint.at("index").get<int>(),
+                cell(waypoint.at("wait_s"), "%.2f", 1.0 / 3600.0).c_str());
+  }
 }
 
 /// What refinement saved, and what more legs are worth.

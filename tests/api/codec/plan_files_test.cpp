@@ -64,9 +64,9 @@ TEST(PlanDocument, IsReadBackFromAnOlderVersionThatDidNotLookForThem) {
 
 TEST(PlanCsv, HasARowForEachWaypointAndEmptyCellsForTheUnknown) {
   EXPECT_EQ(plan_csv(two_legs()),
-            "index,lon_deg,lat_deg,eta_utc,leg_m,course_deg,speed_over_ground_m_s,depth_m\n"
-            "0,-53.2500000,69.2000000,2026-11-20T06:00:00Z,,,,\n"
-            "1,-53.0000000,69.1250000,2026-11-20T08:00:00Z,12932.0,130.13,0.3500,231.5\n");
+            "index,lon_deg,lat_deg,eta_utc,leg_m,course_deg,speed_over_ground_m_s,depth_m,wait_s\n"
+            "0,-53.2500000,69.2000000,2026-11-20T06:00:00Z,,,,,0\n"
+            "1,-53.0000000,69.1250000,2026-11-20T08:00:00Z,12932.0,130.13,0.3500,231.5,0\n");
 }
 
 TEST(PlanGpx, IsARouteOfVersionOneOne) {

@@ -150,6 +150,7 @@ export interface Waypoint {
   lon: number;
   lat: number;
   eta: string;
+  wait_s?: number; // between the arrival and the next leg; plans of older servers have none
   leg_m: number | null;
   course_deg: number | null;
   speed_over_ground_m_s: number | null;

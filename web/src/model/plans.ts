@@ -70,7 +70,8 @@ export function vehicleAt(plan: Plan, at_ms: number): OnTheWay | undefined {
   const to = plan.waypoints[next];
   if (!from || !to || at_ms < Date.parse(from.eta)) return undefined;
   const leg = inverse([from.lon, from.lat], [to.lon, to.lat]);
-  const share = (at_ms - Date.parse(from.eta)) / Math.max(1, Date.parse(to.eta) - Date.parse(from.eta));
+  const leaves_ms = Date.parse(from.eta) + 1000 * (from.wait_s ?? 0);
+  const share = Math.max(0, at_ms - leaves_ms) / Math.max(1, Date.parse(to.eta) - leaves_ms);
   const place = destination([from.lon, from.lat], leg.azimuth_deg, leg.distance_m * share);
   return { place, course_deg: leg.azimuth_deg, leg: next };
 }

@@ -1,0 +1,81 @@
+#include "engine/planning/loiter.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace floeplan::planning {
+namespace {
+
+constexpr core::Seconds between_looks{900.0};
+constexpr int most_tries = 8;  // of a leg, each at a departure at which the straight and even way is clear
+constexpr core::Seconds least_delay{30.0};  // after a departure at which only the exact drive is closed
+
+bool opens_again(motion::EdgeClosed closed) {
+  return closed == motion::EdgeClosed::obstacle || closed == motion::EdgeClosed::in_zone;
+}
+
+/// Last look until which the vehicle keeps its place against the current and below the ice; before `from`: not at all.
+core::Seconds held_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
+  core::Seconds held = from - between_looks;
+  for (core::Seconds now = from;; now = std::min(now + between_looks, until)) {
+    if (!sea.holds_against_current(place, now)) return held;
+    if (sea.ice() && !sea.ice()->may_transit(place, now)) return held;
+    held = now;
+    if (now >= until) return held;
+  }
+}
+
+}  // namespace
+
+core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
+  for (const TimeSpan& closed : sea.closed_times(place)) {
+    if (closed.until < from) continue;
+    until = std::min(until, closed.from);
+    break;
+  }
+  return until < from ? until : held_until(sea, place, from, until);
+}
+
+bool current_lets_stay(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
+  return held_until(sea, place, from, until) >= until;
+}
+
+tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::PlanePoint a,
+                                                          geo::PlanePoint b, core::Seconds arrive,
+                                                          core::Seconds latest, core::Seconds not_before) {
+  const core::Seconds earliest = std::max(arrive, not_before);
+  const auto at_once = sea.leg_time(a, b, arrive, latest);
+  if (at_once && earliest == arrive) return WaitedLeg{core::Seconds{0.0}, *at_once};
+  const bool may_wait = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
+  if (!may_wait || (!at_once && !opens_again(at_once.error())))
+    return at_once.map([](core::Seconds time) { return WaitedLeg{core::Seconds{0.0}, time}; });
+  const auto closed = tl::unexpected(at_once ? motion::EdgeClosed::too_late : at_once.error());
+  if (sea.closed_between(a, b)) return closed;
+
+  const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.longest_wait());
+  core::Seconds depart = earliest;
+  for (int i = 0; i < most_tries && depart <= stays; ++i) {
+    const auto unhindered = sea.leg_time_without_timed_closures(a, b, depart, latest);
+    if (!unhindered) return closed;
+    const auto clear = sea.first_clear_departure(a, b, *unhindered, depart, stays);
+    if (!clear) return closed;
+    depart = *clear;
+    const auto time = sea.leg_time(a, b, depart, latest);
+    if (time) return WaitedLeg{depart - arrive, *time};
+    if (!opens_again(time.error())) return closed;
+    depart += std::max(least_delay, 0.02 * *unhindered);
+  }
+  return closed;
+}
+
+tl::expected<core::Seconds, motion::EdgeClosed> time_with_wait(const Sea& sea, geo::PlanePoint a,
+                                                               geo::PlanePoint b, core::Seconds arrive) {
+  return leg_when_open(sea, a, b, arrive).map([](const WaitedLeg& leg) { return leg.total(); });
+}
+
+std::size_t interval_of(const std::vector<TimeSpan>& closed, core::Seconds time) {
+  return static_cast<std::size_t>(
+      std::ranges::count_if(closed, [&](const TimeSpan& span) { return span.until < time; }));
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,45 @@
+#include "engine/planning/time_killing.hpp"
+
+#include <cmath>
+#include <cstdio>
+
+#include "engine/planning/loiter.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr core::Seconds worth_telling{600.0};
+constexpr std::size_t most_points_between = 64;  // of a route; parts with more are not looked at
+
+}  // namespace
+
+std::optional<TimeKilled> longest_killing_of_time(const Sea& sea, const std::vector<geo::PlanePoint>& route,
+                                                  const Schedule& schedule) {
+  if (!sea.has_timed_closures()) return std::nullopt;
+  std::optional<TimeKilled> longest;
+  for (std::size_t from = 0; from + 2 < route.size(); ++from) {
+    for (std::size_t to = from + 2; to < route.size() && to <= from + most_points_between; ++to) {
+      const core::Seconds leaves = schedule.leaves(from);
+      const core::Seconds arrives = schedule.arrivals[to];
+      const core::Seconds worth = longest ? longest->time : worth_telling;
+      if (arrives - leaves - sea.least_time(route[from], route[to]) <= worth) continue;
+      const auto straight = sea.leg_time_back(route[from], route[to], arrives, leaves + worth);
+      if (!straight || arrives - *straight - leaves <= worth) continue;
+      if (can_stay_until(sea, route[from], leaves, arrives - *straight) < arrives - *straight) continue;
+      longest = TimeKilled{from, to, arrives - *straight - leaves};
+    }
+  }
+  return longest;
+}
+
+std::string describe(const TimeKilled& killed) {
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "between waypoints %zu and %zu the way is %.1f h longer than it need be, because what is in the "
+      "way opens later: let the vehicle wait (--max-loiter), or depart later",
+      killed.from, killed.to, killed.time.count() / 3600.0);
+  return text;
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,230 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+
+#include "engine/planning/evaluate_route.hpp"
+#include "engine/planning/loiter.hpp"
+#include "engine/planning/plan_route.hpp"
+#include "tests/engine/planning/drifting_bergs.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+constexpr core::Seconds half_a_day{12.0 * hour_s};
+
+Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
+  return plan_route(environment, request, {}, {});
+}
+
+core::Seconds waited(const Plan& plan) {
+  core::Seconds sum{0.0};
+  for (const Waypoint& waypoint : plan.waypoints) sum += waypoint.wait;
+  return sum;
+}
+
+bool speaks_of_waiting(const Plan& plan) {
+  return std::ranges::any_of(plan.warnings, [](const std::string& warning) {
+    return warning.find("--max-loiter") != std::string::npos;
+  });
+}
+
+/// A berg drifts eastwards through the only gap in a wall and closes all of it meanwhile.
+Scene closed_gap() {
+  PlanRequest request = support::eastward_request();
+  request.icebergs.margin = core::Metres{5500.0};
+  request.icebergs.max_inflation = core::Metres{0.0};
+  ocean::Environment environment{.bathymetry = wall_with_a_gap()};
+  environment.icebergs = {drifting_berg({-53.2, 69.0}, 100.0, 0.12, 90.0)};
+  return {request, environment};
+}
+
+ocean::Zone closed_at_first(double until_h) {
+  return {.name = "trawlers",
+          .kind = ocean::ZoneKind::no_go,
+          .area = {.outer = {{-53.05, 67.6}, {-52.95, 67.6}, {-52.95, 70.4}, {-53.05, 70.4}}, .holes = {}},
+          .from = std::nullopt,
+          .until = start + core::Seconds{until_h * hour_s}};
+}
+
+TEST(Loiter, IsNeverDoneUnasked) {
+  auto [request, environment] = closed_gap();
+
+  const Result<Plan> moving = plan(environment, request);
+
+  ASSERT_TRUE(moving);
+  EXPECT_EQ(waited(*moving).count(), 0.0);
+}
+
+TEST(Loiter, LetsTheWayThatOpensLaterBeWaitedFor) {
+  auto [request, environment] = closed_gap();
+  const Result<Plan> moving = plan(environment, request);
+  request.max_loiter = half_a_day;
+
+  const Result<Plan> waiting = plan(environment, request);
+
+  ASSERT_TRUE(moving && waiting);
+  EXPECT_GT(waited(*waiting).count(), hour_s);
+  EXPECT_LE(waiting->arrival, moving->arrival);
+  EXPECT_LT(waiting->distance, moving->distance);
+  EXPECT_GT(waiting->clearances.iceberg->value, request.icebergs.margin.value);
+  EXPECT_FALSE(speaks_of_waiting(*waiting));
+}
+
+TEST(Loiter, IsNotWorthwhileWhereGoingRoundIsFaster) {
+  // A berg comes slowly along the straight way: it would take a day to pass, and a little more way leads round.
+  PlanRequest request = support::eastward_request();
+  request.icebergs.max_inflation = core::Metres{0.0};
+  ocean::Environment environment;
+  environment.icebergs = {drifting_berg({-53.0, 69.005}, 200.0, 0.02, 270.0)};
+  const Result<Plan> moving = plan(environment, request);
+  request.max_loiter = 2.0 * half_a_day;
+
+  const Result<Plan> waiting = plan(environment, request);
+
+  ASSERT_TRUE(moving && waiting);
+  EXPECT_EQ(waited(*waiting).count(), 0.0);
+  EXPECT_NEAR(waiting->travel_time().count(), moving->travel_time().count(),
+              1e-3 * moving->travel_time().count());
+  EXPECT_FALSE(speaks_of_waiting(*moving)) << "a way round is no waste of time";
+}
+
+TEST(Loiter, IsAdvisedWhereAPlanOnTheMoveKillsTime) {
+  auto [request, environment] = closed_gap();
+
+  const Result<Plan> moving = plan(environment, request);
+
+  ASSERT_TRUE(moving);
+  EXPECT_TRUE(speaks_of_waiting(*moving));
+}
+
+TEST(Loiter, NeverLeadsIntoADiscNorArrivesLater) {
+  int found = 0;
+  int waits = 0;
+  support::for_each_seed(500, [&](std::mt19937_64& rng) {
+    auto [request, environment] = random_scene(rng);
+    const Result<Plan> moving = plan(environment, request);
+    request.max_loiter = core::Seconds{support::uniform(rng, 0.5, 12.0) * hour_s};
+
+    const Result<Plan> result = plan(environment, request);
+
+    if (!result) {
+      EXPECT_FALSE(moving) << "waiting is allowed, not asked for";
+      return;
+    }
+    ++found;
+    waits += waited(*result).count() > 0.0 ? 1 : 0;
+    EXPECT_GT(least_gap_m(*result, environment, request.icebergs), -tolerance_m);
+    for (const Waypoint& waypoint : result->waypoints) EXPECT_LE(waypoint.wait, request.max_loiter);
+    if (moving) EXPECT_LE(result->travel_time().count(), moving->travel_time().count() * 1.002);
+  });
+  EXPECT_GT(found, 250);
+  EXPECT_GT(waits, 10);
+}
+
+TEST(Loiter, WaitsForAZoneThatIsOpenedLater) {
+  PlanRequest request = support::eastward_request();
+  request.zones = {closed_at_first(20.0)};
+  request.max_loiter = 2.0 * half_a_day;
+
+  const Result<Plan> result = plan({}, request);
+
+  ASSERT_TRUE(result) << result.error().explanation;
+  // The straight way of 39.9 km takes 31.7 h; the zone begins 17.9 km, 14.2 h, from the start.
+  EXPECT_NEAR(result->travel_time().count() / hour_s, 31.7 + 20.0 - 14.2, 0.3);
+  EXPECT_NEAR(waited(*result).count() / hour_s, 20.0 - 14.2, 0.6);
+}
+
+TEST(Loiter, IsNoLongerThanAllowedAtOnePlace) {
+  PlanRequest request = support::eastward_request();
+  request.from = {-53.06, 69.0};  // right before the zone, which no way leads round
+  request.zones = {closed_at_first(20.0)};
+  request.method = Method::direct;
+  request.max_loiter = core::Seconds{10.0 * hour_s};
+  EXPECT_FALSE(plan({}, request));
+
+  request.max_loiter = core::Seconds{20.0 * hour_s};
+  EXPECT_TRUE(plan({}, request));
+}
+
+TEST(Loiter, DrawsEnergyAsIfUnderWay) {
+  PlanRequest request = support::eastward_request();
+  request.zones = {closed_at_first(20.0)};
+  const Result<Plan> free = plan({}, support::eastward_request());
+  request.max_loiter = 2.0 * half_a_day;
+
+  const Result<Plan> result = plan({}, request);
+
+  ASSERT_TRUE(free && result);
+  const double power = free->energy->use.total().value / free->travel_time().count();
+  EXPECT_NEAR(result->energy->use.total().value, power * result->travel_time().count(),
+              1e-6 * result->energy->use.total().value);
+  EXPECT_EQ(result->waypoints.back().energy->value, result->energy->use.total().value);
+}
+
+TEST(Loiter, IsPossibleOnlyWhereTheCurrentIsWeakerThanTheVehicle) {
+  // Slack for five hours, then half a metre a second; the vehicle makes 0.35.
+  const ocean::Environment environment{
+      .currents = support::currents_from(
+          [](geo::LonLat, double hour) { return geo::VelocityEn{{hour <= 5.0 ? 0.1 : 0.5}, {0.0}}; }, 48)};
+  PlanRequest request = support::eastward_request();
+  const geo::LocalProjection projection{{-53.0, 69.0}};
+  const PlaneBox area{{-20'000.0, -10'000.0}, {20'000.0, 10'000.0}};
+  const Sea sea{environment, request, projection, area, core::Metres{500.0}};
+  const geo::PlanePoint here{0.0, 0.0};
+  const core::Seconds from{1.0 * hour_s};
+
+  EXPECT_EQ(can_stay_until(sea, here, from, core::Seconds{4.0 * hour_s}).count(), 4.0 * hour_s);
+  // Between the hours the current grows evenly: 0.35 m/s at 5.6 h.
+  EXPECT_NEAR(can_stay_until(sea, here, from, core::Seconds{20.0 * hour_s}).count(), 5.6 * hour_s, 900.0);
+  EXPECT_LT(can_stay_until(sea, here, core::Seconds{7.0 * hour_s}, core::Seconds{8.0 * hour_s}).count(),
+            7.0 * hour_s);
+  EXPECT_LT(can_stay_until(sea, here, core::Seconds{47.0 * hour_s}, core::Seconds{60.0 * hour_s}).count(),
+            48.1 * hour_s)
+      << "the current is not known any longer";
+}
+
+TEST(Loiter, EndsBeforeADiscComesOverThePlace) {
+  PlanRequest request = support::eastward_request();
+  request.icebergs.max_inflation = core::Metres{0.0};
+  ocean::Environment environment;
+  environment.icebergs = {drifting_berg({-53.2, 69.0}, 100.0, 0.2, 90.0)};
+  const geo::LocalProjection projection{{-53.0, 69.0}};
+  const PlaneBox area{{-20'000.0, -10'000.0}, {20'000.0, 10'000.0}};
+  const Sea sea{environment, request, projection, area, core::Metres{500.0}};
+
+  const core::Seconds end = can_stay_until(sea, {0.0, 0.0}, core::Seconds{0.0}, core::Seconds{48.0 * hour_s});
+
+  // The berg is 7.98 km away; the disc's radius is 550 m.
+  EXPECT_NEAR(end.count(), (7980.0 - 550.0) / 0.2, 300.0);
+}
+
+TEST(Loiter, IsFoundForAGivenRouteToo) {
+  auto [request, environment] = closed_gap();
+  EXPECT_FALSE(evaluate_route(environment, {request.from, request.to}, request));
+  request.max_loiter = 2.0 * half_a_day;
+
+  const Result<Plan> result = evaluate_route(environment, {request.from, request.to}, request);
+
+  ASSERT_TRUE(result) << result.error().explanation;
+  EXPECT_GT(waited(*result).count(), hour_s);
+  EXPECT_EQ(result->waypoints.size(), 2U);
+}
+
+TEST(Loiter, IsRefusedTogetherWithABoundOnTheTimeWithoutSurfacing) {
+  PlanRequest request = support::eastward_request();
+  request.max_loiter = half_a_day;
+  EXPECT_TRUE(request.violations().empty());
+  request.under_ice.max_time_without_surfacing = half_a_day;
+  EXPECT_EQ(request.violations().size(), 1U);
+
+  request.under_ice.max_time_without_surfacing.reset();
+  request.max_loiter = core::Seconds{-1.0};
+  EXPECT_EQ(request.violations().at(0).field, "/max_loiter_s");
+  request.max_loiter = core::Seconds{NAN};
+  EXPECT_EQ(request.violations().size(), 1U);
+}
+
+}  // namespace
+}  // namespace floeplan::planning
