@@ -20,6 +20,10 @@ void read_iceberg_rules(InputReader& reader, planning::IcebergRules& rules,
     data.max_sighting_age = core::Seconds{*days * day_s};
   }
   data.iceberg_drift = rules.drift;
+  if (const auto under = reader.boolean("pass_under_icebergs")) rules.pass_under = *under;
+  if (const auto clearance = reader.number("keel_clearance_m", {0.0, 1000.0}))
+    rules.keel_clearance = {*clearance};
+  if (const auto share = reader.number("draft_uncertainty", {0.0, 2.0})) rules.draft_uncertainty = *share;
 }
 
 void write_iceberg_rules(const planning::IcebergRules& rules, const repository::EnvironmentQuery& data,
@@ -27,6 +31,9 @@ void write_iceberg_rules(const planning::IcebergRules& rules, const repository::
   inputs["margin_m"] = rules.margin.value;
   inputs["icebergs_drift"] = rules.drift;
   inputs["max_inflation_m"] = rules.max_inflation.value;
+  inputs["pass_under_icebergs"] = rules.pass_under;
+  inputs["keel_clearance_m"] = rules.keel_clearance.value;
+  inputs["draft_uncertainty"] = rules.draft_uncertainty;
   inputs["max_sighting_age_days"] = data.max_sighting_age.count() / day_s;
 }
 

@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "api/codec/dataset_document.hpp"
+#include "api/codec/passage_document.hpp"
 #include "api/codec/surfacing_document.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
 #include "engine/core/utc_text.hpp"
@@ -183,6 +184,8 @@ planning::Plan parse_members(const json& document) {
   if (document.contains("iceberg_encounters")) {
     plan.iceberg_encounters = number_at(document, "iceberg_encounters");
   }
+  plan.passed_under = parse_passed_under(document);
+  plan.encounter_trade = parse_encounter_trade(document);
   plan.surfacing = parse_surfacing(document);
   plan.energy = parse_energy(document);
   plan.optimality_gap = number_at(document, "optimality_gap");
@@ -239,6 +242,8 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
           {"distance_m", plan.distance.value},
           {"surfacing", surfacing_json(plan.surfacing)},
           {"iceberg_encounters", optional_number(plan.iceberg_encounters)},
+          {"encounter_trade", encounter_trade_json(plan)},
+          {"passed_under", passed_under_json(plan.passed_under)},
           {"energy_j", plan.energy ? json(plan.energy->use.total().value) : json()},
           {"energy", energy_json(plan.energy)},
           {"optimality_gap", optional_number(plan.optimality_gap)},

@@ -50,6 +50,8 @@ void read_search(InputReader& reader, planning::PlanRequest& request) {
   if (const auto most = reader.number("refine_seconds", {0.05, 60.0}))
     request.refine_time = core::Seconds{*most};
   if (const auto gap = reader.boolean("optimality_gap")) request.optimality_gap = *gap;
+  if (const auto weight = reader.number("encounter_weight_s", {0.0, 1e7}))
+    request.icebergs.encounter_weight = core::Seconds{*weight};
 }
 
 void write_search(const planning::PlanRequest& request, json& inputs) {
@@ -61,6 +63,7 @@ void write_search(const planning::PlanRequest& request, json& inputs) {
   inputs["refine"] = request.refine;
   inputs["refine_seconds"] = request.refine_time.count();
   inputs["optimality_gap"] = request.optimality_gap;
+  inputs["encounter_weight_s"] = request.icebergs.encounter_weight.count();
 }
 
 }  // namespace floeplan::codec

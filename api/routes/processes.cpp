@@ -101,6 +101,13 @@ json common_inputs() {
                                 number_schema(0.0, 1e5))},
       {"max_sighting_age_days",
        input("Leave out icebergs last seen longer ago, by whole UTC days", number_schema(0.0, 30.0))},
+      {"pass_under_icebergs",
+       input("Pass under icebergs of known size whose keels end above the dives: never without being asked",
+             {{"type", "boolean"}})},
+      {"keel_clearance_m",
+       input("Kept below the deepest keel when passing under, metres", number_schema(0.0, 1000.0))},
+      {"draft_uncertainty",
+       input("Share added to every iceberg's draft when passing under", number_schema(0.0, 2.0))},
       {"max_loiter_s",
        input("Longest wait at a waypoint for what clears later, seconds; 0: the vehicle never waits. It "
              "keeps its "
@@ -157,6 +164,10 @@ json plan_inputs() {
       input("Waypoints at most", {{"type", "integer"}, {"minimum", 2}, {"maximum", 10000}});
   inputs["max_leg_m"] =
       input("Length of the longest leg, metres; longer ones are parted", number_schema(100.0, 5e6));
+  inputs["encounter_weight_s"] = input(
+      "Seconds of travel that one expected encounter with an iceberg counts as; 0: encounters are stated, "
+      "not avoided",
+      number_schema(0.0, 1e7));
   inputs["refine_seconds"] =
       input("Computing time for refinement at most, seconds; default 1", number_schema(0.05, 60.0));
   inputs["refine"] = input("Move waypoints off the grid where that saves time", {{"type", "boolean"}});

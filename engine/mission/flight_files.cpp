@@ -57,7 +57,16 @@ MissionFile surfacing_file(const planning::Plan& plan, const MissionSetOptions& 
   return file("surface", number, "comes up when " + std::string{kind.why}, origin, values);
 }
 
-MissionFile yo_file(const MissionSetOptions& options, int number, const std::string& origin) {
+/// Below every keel that the plan passes under, all the way: a yo knows no places.
+double climb_target_m(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
+  double target_m = std::max(least_climb_m, vehicle.climb_to.value);
+  for (const planning::PassedUnder& under : plan.passed_under)
+    target_m = std::max(target_m, std::ceil(under.keel.upper_turn.value));
+  return target_m;
+}
+
+MissionFile yo_file(const planning::Plan& plan, const MissionSetOptions& options, int number,
+                    const std::string& origin) {
   const auto& vehicle = options.vehicle;
   const std::string pitch_rad = decimal(vehicle.pitch.value, 4);
   const std::string pump_cc = whole(vehicle.buoyancy.value * 1e6);
@@ -70,7 +79,7 @@ MissionFile yo_file(const MissionSetOptions& options, int number, const std::str
                {"d_bpump_value", "-" + pump_cc},
                {"d_use_pitch", "3"},  // held by the battery's servo, in radians, down is negative
                {"d_pitch_value", "-" + pitch_rad},
-               {"c_target_depth", whole(std::max(least_climb_m, vehicle.climb_to.value))},
+               {"c_target_depth", whole(climb_target_m(plan, vehicle))},
                {"c_use_bpump", "2"},
                {"c_bpump_value", pump_cc},
                {"c_use_pitch", "3"},
@@ -105,7 +114,7 @@ std::vector<Surfacing> surfacings_of(const MissionSetOptions& options) {
 std::vector<MissionFile> flight_files(const planning::Plan& plan, const MissionSetOptions& options) {
   const int number = options.lists.first_number;
   const std::string origin = origin_comments(plan, options.lists.origin);
-  std::vector<MissionFile> files{yo_file(options, number, origin)};
+  std::vector<MissionFile> files{yo_file(plan, options, number, origin)};
   const auto kinds = kinds_of(options);
   for (std::size_t i = 0; i < kinds.size(); ++i) {
     files.push_back(surfacing_file(plan, options, number + static_cast<int>(i), kinds[i], origin));

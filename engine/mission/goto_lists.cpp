@@ -6,6 +6,7 @@
 #include <cstdio>
 #include <span>
 
+#include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/argument_lines.hpp"
 
@@ -106,6 +107,12 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
         print("The leg to waypoint %zu is %.0f km long: check the mission's max_wpt_distance, beyond which "
               "the vehicle aborts.",
               i + 1, legs[i].value / 1000.0));
+  }
+  for (const planning::PassedUnder& under : plan.passed_under) {
+    warnings.push_back("The plan passes under iceberg " + under.iceberg + " from " +
+                       core::iso8601(under.from) + " to " + core::iso8601(under.until) +
+                       print(": no surfacing meanwhile, and the yo must turn no higher than %.0f m.",
+                             std::ceil(under.keel.upper_turn.value)));
   }
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     if (plan.waypoints[i].wait.count() <= 0.0) continue;

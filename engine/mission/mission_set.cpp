@@ -101,6 +101,12 @@ std::string shallower_target_warning(const vehicle::GliderProfile& vehicle) {
 tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::Plan& plan,
                                                                const MissionSetOptions& options) {
   core::Violations found = violations_of(options);
+  if (!plan.passed_under.empty() && !options.under_ice) {
+    found.push_back(
+        {"/under_ice",
+         "is needed, with open water to head for: the plan passes under icebergs, where the vehicle "
+         "must not surface"});
+  }
   auto lists = write_goto_lists(plan, options.lists);
   if (!lists) std::ranges::copy(lists.error(), std::back_inserter(found));
   if (!found.empty()) return tl::unexpected(std::move(found));

@@ -16,7 +16,7 @@ namespace {
 constexpr core::Seconds at_departure{0.0};
 
 double cost_of(const Plan& plan, const Objective& objective) {
-  return objective.cost(plan.travel_time(), plan.energy->use.total());
+  return objective.cost(plan.travel_time(), plan.energy->use.total(), plan.iceberg_encounters.value_or(0.0));
 }
 
 CostWay straight_way(const Sea& sea, const Layout& layout) {
@@ -30,7 +30,7 @@ CostWay straight_way(const Sea& sea, const Layout& layout) {
 /// What is done to the way of the grid before it is published.
 DrivenRoute improve(const Sea& sea, const DrivenRoute& route, const PlanRequest& request,
                     const std::stop_token& stop) {
-  const Objective& objective = request.energy.objective;
+  const Objective objective = request.objective();
   DrivenRoute improved = route;
   if (request.refine && request.method != Method::direct) {
     improved = drop_costless_points(sea, improved, objective, at_departure, stop);
@@ -105,31 +105,37 @@ std::vector<PlanRequest> fastest_requests(const PlanRequest& request) {
   return requests;
 }
 
+bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& objective) {
+  return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
+}
+
 }  // namespace
+
+Result<Plan> search_least_cost_plan(const ocean::Environment& environment, const PlanRequest& request,
+                                    const std::stop_token& stop, const core::ProgressCallback& progress) {
+  // Only the fastest plans wait.
+  PlanRequest on_the_move = request;
+  on_the_move.max_loiter = core::Seconds{0.0};
+  Attempt attempt = plan_within(first_reach, environment, on_the_move, stop, progress);
+  if (!attempt.wider_may_help) return std::move(attempt.plan);
+  Attempt wider = plan_within(second_reach, environment, on_the_move, stop, progress);
+  const bool is_better =
+      costs_less(wider.plan, attempt.plan, request.objective()) || (!attempt.plan && !wider.plan);
+  return std::move(is_better ? wider.plan : attempt.plan);
+}
 
 Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRequest& request,
                              const std::stop_token& stop, const core::ProgressCallback& progress,
                              const core::SteadyClock& clock) {
-  const Objective& objective = request.energy.objective;
-  const auto cheaper = [&](const Result<Plan>& a, const Result<Plan>& b) {
-    return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
-  };
-  // Only the fastest plans wait: they are among those compared.
-  PlanRequest on_the_move = request;
-  on_the_move.max_loiter = core::Seconds{0.0};
-  Attempt attempt = plan_within(first_reach, environment, on_the_move, stop, progress);
-  if (attempt.wider_may_help) {
-    Attempt wider = plan_within(second_reach, environment, on_the_move, stop, progress);
-    if (cheaper(wider.plan, attempt.plan) || (!attempt.plan && !wider.plan)) attempt = std::move(wider);
-  }
+  Result<Plan> best = search_least_cost_plan(environment, request, stop, progress);
   progress("comparison", 0.8);
   for (const PlanRequest& fastest : fastest_requests(request)) {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
     Result<Plan> other = plan_route(environment, fastest, stop, {}, clock);
-    if (cheaper(other, attempt.plan)) attempt.plan = std::move(other);
+    if (costs_less(other, best, request.objective())) best = std::move(other);
   }
   progress("done", 1.0);
-  return std::move(attempt.plan);
+  return best;
 }
 
 }  // namespace floeplan::planning

@@ -20,4 +20,9 @@ namespace floeplan::planning {
                                            const core::ProgressCallback& progress,
                                            const core::SteadyClock& clock);
 
+/// Its search alone: on the nearer grids, and on the wider ones where they may do better; without waits.
+[[nodiscard]] Result<Plan> search_least_cost_plan(const ocean::Environment& environment,
+                                                  const PlanRequest& request, const std::stop_token& stop,
+                                                  const core::ProgressCallback& progress);
+
 }  // namespace floeplan::planning

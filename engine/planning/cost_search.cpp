@@ -1,11 +1,14 @@
 #include "engine/planning/cost_search.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "engine/graph/label_search.hpp"
 #include "engine/planning/cost_voyage.hpp"
 #include "engine/planning/explanation.hpp"
+#include "engine/planning/openings.hpp"
 #include "engine/planning/voyage_search.hpp"
 
 namespace floeplan::planning {
@@ -48,7 +51,8 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
                                   const std::stop_token& stop,
                                   const std::function<void(double)>& report_fraction) {
   // One drive at one power: energy is power times time, and the earliest arrival costs least.
-  if (sea.drives().size() == 1 && sea.energy().is_even()) {
+  const bool is_by_time = request.objective().of_encounters == 0.0 && sea.energy().is_even();
+  if (sea.drives().size() == 1 && is_by_time) {
     return earliest_way(sea, grids, request, depart, stop, report_fraction);
   }
   CostWay found;
@@ -57,7 +61,10 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
   double now_s = depart.count();
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const OpenGrid& open = grids[i];
-    CostVoyage voyage{sea, open.grid, request.energy.objective};
+    std::optional<Openings> openings;
+    if (sea.has_timed_closures()) openings.emplace(sea, open, core::Seconds{INFINITY}, stop);
+    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+    CostVoyage voyage{sea, open.grid, request.objective(), openings ? &*openings : nullptr};
     const auto report = [&](std::int64_t expansions) {
       const double share = static_cast<double>(expansions) / static_cast<double>(most_labels);
       report_fraction((static_cast<double>(i) + std::min(share, 1.0)) / static_cast<double>(grids.size()));

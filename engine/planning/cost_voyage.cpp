@@ -5,10 +5,12 @@
 
 namespace floeplan::planning {
 
-CostVoyage::CostVoyage(const Sea& sea, const RouteGrid& grid, const Objective& objective)
+CostVoyage::CostVoyage(const Sea& sea, const RouteGrid& grid, const Objective& objective,
+                       const Openings* openings)
     : sea_{sea},
       grid_{grid},
       objective_{objective},
+      openings_{openings},
       goal_{grid.point(grid.goal)},
       steady_{sea.is_steady()},
       closures_{sea.has_timed_closures()} {}

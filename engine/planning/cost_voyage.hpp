@@ -5,6 +5,7 @@
 
 #include "engine/graph/label_search.hpp"
 #include "engine/planning/objective.hpp"
+#include "engine/planning/openings.hpp"
 #include "engine/planning/route_grid.hpp"
 #include "engine/planning/sea.hpp"
 
@@ -15,7 +16,7 @@ namespace floeplan::planning {
 /// Accuracy  in steady waters exact on the grid. In waters that change, an arrival gives way to another that
 ///           costs no more and is not in a later span of ten minutes: the cheapest way may be missed where
 ///           leaving a place later makes the rest of the way cheaper by more than was lost until then. Where
-///           something is closed for a while, only within the same span
+///           something near is closed for a while, only within the same span
 /// Threads   const members may be called from several threads at once
 class CostVoyage {
  public:
@@ -24,7 +25,9 @@ class CostVoyage {
   };
 
   /// `sea` and `grid` are borrowed and outlive the voyage.
-  CostVoyage(const Sea& sea, const RouteGrid& grid, const Objective& objective);
+  /// `openings`: where and when it matters that something opens again, borrowed likewise; null: everywhere.
+  CostVoyage(const Sea& sea, const RouteGrid& grid, const Objective& objective,
+             const Openings* openings = nullptr);
 
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) const {
     const geo::PlanePoint tail = grid_.point(edge.tail);
@@ -34,7 +37,8 @@ class CostVoyage {
       const auto time = sea_.leg_time(tail, head, core::Seconds{arrival_s}, core::Seconds{INFINITY}, drive);
       if (!time) continue;
       const core::Joules energy = sea_.energy().use(tail, head, *time, drive).total();
-      emit(arrival_s + time->count(), State{state.cost + objective_.cost(*time, energy)}, choice);
+      const double encounters = sea_.encounters(tail, head, core::Seconds{arrival_s}, *time);
+      emit(arrival_s + time->count(), State{state.cost + objective_.cost(*time, energy, encounters)}, choice);
     }
   }
 
@@ -42,10 +46,11 @@ class CostVoyage {
 
   [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State& state) const;
 
-  [[nodiscard]] bool dominates(graph::Vertex, const graph::Label<State>& a,
+  [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
                                const graph::Label<State>& b) const {
     if (a.state.cost > b.state.cost) return false;
-    if (closures_) return span(a.arrival_s) == span(b.arrival_s);
+    const bool may_open = closures_ && (openings_ == nullptr || openings_->matter(v, b.arrival_s));
+    if (may_open) return span(a.arrival_s) == span(b.arrival_s);
     return steady_ || span(a.arrival_s) <= span(b.arrival_s);
   }
 
@@ -55,6 +60,7 @@ class CostVoyage {
   const Sea& sea_;
   const RouteGrid& grid_;
   Objective objective_;
+  const Openings* openings_;
   geo::PlanePoint goal_;
   bool steady_;    // nothing in these waters changes with time
   bool closures_;  // something opens again, so that arriving later can be the only way through

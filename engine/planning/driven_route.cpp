@@ -37,13 +37,14 @@ std::optional<Shorter> without(const Sea& sea, const DrivenRoute& route, std::si
 
 tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea, const DrivenRoute& route,
                                                           core::Seconds depart) {
-  DrivenTimes times{.arrivals = {depart}, .energy = {}};
+  DrivenTimes times{.arrivals = {depart}, .energy = {}, .encounters = 0.0};
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     const geo::PlanePoint from = route.points[i - 1];
     const geo::PlanePoint to = route.points[i];
     const vehicle::Drive drive = route.drives[i - 1];
     const auto time = sea.leg_time(from, to, times.arrivals.back(), core::Seconds{INFINITY}, drive);
     if (!time) return tl::unexpected(time.error());
+    times.encounters += sea.encounters(from, to, times.arrivals.back(), *time);
     times.arrivals.push_back(times.arrivals.back() + *time);
     times.energy += sea.energy().use(from, to, *time, drive);
   }

@@ -23,9 +23,10 @@ struct DrivenRoute {
 struct DrivenTimes {
   std::vector<core::Seconds> arrivals;  // one for each point, the departure first
   EnergyUse energy;
+  double encounters{};  // with icebergs, where they have a weight
 
   [[nodiscard]] double cost(const Objective& objective) const {
-    return objective.cost(arrivals.back() - arrivals.front(), energy.total());
+    return objective.cost(arrivals.back() - arrivals.front(), energy.total(), encounters);
   }
 };
 

@@ -1,6 +1,7 @@
 #include "engine/planning/explanation.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 
@@ -51,6 +52,14 @@ std::string iceberg_text(const Sea& sea, geo::PlanePoint place, core::Seconds wh
           metres_text(request.icebergs.margin) + " of margin";
   if (error.value >= 1.0) text += " and " + metres_text(error) + " for the error of its position";
   return text + " are kept";
+}
+
+/// Until when icebergs keep a place that they keep at the departure.
+std::string opening_text(const Sea& sea, geo::PlanePoint place, const PlanRequest& request) {
+  const std::vector<TimeSpan> closed = sea.icebergs().closed_times(place);
+  if (closed.empty() || closed.front().from > core::Seconds{0.0}) return "";
+  if (!std::isfinite(closed.front().until.count())) return ", as far as is forecast for good";
+  return ", until " + core::iso8601(clock(request, closed.front().until));
 }
 
 Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& request, bool out_of_time,
@@ -163,7 +172,8 @@ Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat pla
           reason_at(stop, Reason::start_near_iceberg, Reason::near_iceberg, Reason::goal_near_iceberg), place,
           request.depart,
           subject + " lies too close to " +
-              iceberg_text(sea, sea.projection().to_plane(place), core::Seconds{0.0}, request),
+              iceberg_text(sea, sea.projection().to_plane(place), core::Seconds{0.0}, request) +
+              opening_text(sea, sea.projection().to_plane(place), request),
           "move it, depart at another time, or reduce the margin (--margin) or the error that is allowed for "
           "(--max-inflation)"};
     case motion::EdgeClosed::outside_data:

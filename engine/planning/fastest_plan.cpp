@@ -1,6 +1,5 @@
 #include "engine/planning/fastest_plan.hpp"
 
-#include <algorithm>
 #include <optional>
 #include <utility>
 
@@ -72,9 +71,17 @@ Result<Plan> plan_on_grids(const ocean::Environment& environment, const PlanRequ
   return std::move(best.plan);
 }
 
-bool waits(const Plan& plan) {
-  return std::ranges::any_of(plan.waypoints,
-                             [](const Waypoint& waypoint) { return waypoint.wait.count() > 0.0; });
+/// The request without its leave to wait and to pass under icebergs; empty where neither can make a difference.
+std::optional<PlanRequest> without_leave(const ocean::Environment& environment, const PlanRequest& request) {
+  const bool has_icebergs = !environment.icebergs.empty();
+  const bool something_opens = has_icebergs || !environment.zones.empty() || !request.zones.empty();
+  const bool may_wait = request.max_loiter.count() > 0.0 && something_opens;
+  const bool may_pass_under = request.icebergs.pass_under && has_icebergs;
+  if (!may_wait && !may_pass_under) return std::nullopt;
+  PlanRequest strict = request;
+  strict.max_loiter = core::Seconds{0.0};
+  strict.icebergs.pass_under = false;
+  return strict;
 }
 
 }  // namespace
@@ -83,13 +90,12 @@ Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanReque
                           const std::stop_token& stop, const core::ProgressCallback& progress,
                           const core::SteadyClock& clock) {
   Result<Plan> plan = plan_on_grids(environment, request, stop, progress, clock);
-  if (plan && waits(*plan)) {
-    // Refinement finds other ways when nothing waits: a plan that waits must beat the best one on the move.
-    PlanRequest on_the_move = request;
-    on_the_move.max_loiter = core::Seconds{0.0};
-    Result<Plan> moving = plan_on_grids(environment, on_the_move, stop, progress, clock);
+  const std::optional<PlanRequest> strict = without_leave(environment, request);
+  if (strict && !stop.stop_requested()) {
+    // Refinement finds other ways where less is allowed: a leave must never make a plan later.
+    Result<Plan> without = plan_on_grids(environment, *strict, stop, progress, clock);
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    if (moving && moving->arrival <= plan->arrival) plan = std::move(moving);
+    if (without && (!plan || without->arrival <= plan->arrival)) plan = std::move(without);
   }
   progress("done", 1.0);
   return plan;

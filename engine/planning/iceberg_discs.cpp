@@ -61,6 +61,16 @@ motion::MovingDisc reversed(const motion::MovingDisc& disc) {
       -disc.growth_m_s};
 }
 
+/// When the vehicle is in a disc; empty: never. Distance less radius is convex in time, so it is one span.
+std::optional<TimeSpan> in_disc(const motion::MovingDisc& disc, const motion::EvenMove& move) {
+  const auto first = motion::first_touch(move, disc);
+  if (!first) return std::nullopt;
+  motion::MovingDisc ending = disc;
+  ending.t1_s = std::min(disc.t1_s, move.t1_s);
+  const auto last = motion::first_touch(reversed(move), reversed(ending));
+  return TimeSpan{core::Seconds{*first}, core::Seconds{last ? -*last : *first}};
+}
+
 /// When a disc covers a point; empty: never. Distance less radius is convex in time, so it is one span.
 std::optional<TimeSpan> covered_by(const motion::MovingDisc& disc, geo::PlanePoint point) {
   const motion::EvenMove standing{point, point, disc.t0_s, disc.t1_s};
@@ -119,8 +129,9 @@ double encounters_with(const motion::MovingDisc& disc, const motion::EvenMove& m
 
 IcebergDiscs::IcebergDiscs(const ocean::Environment& environment, const IcebergRules& rules,
                            const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch,
-                           core::Seconds horizon, const std::stop_token& stop)
-    : standing_{!rules.drift || environment.icebergs.empty()} {
+                           core::Seconds horizon, const std::stop_token& stop,
+                           std::optional<PassUnder> pass_under, const std::vector<geo::PlanePoint>& stops)
+    : pass_under_{std::move(pass_under)}, standing_{!rules.drift || environment.icebergs.empty()} {
   for (const ocean::Iceberg& iceberg : environment.icebergs) {
     if (stop.stop_requested()) return;
     const auto track = track_of(iceberg, environment, rules, projection, epoch, horizon, stop);
@@ -138,6 +149,12 @@ IcebergDiscs::IcebergDiscs(const ocean::Environment& environment, const IcebergR
       berg.knots.push_back({point.t_s, point.centre, radius_m});
       include(berg.swept, box_around(point.centre, radius_m));
     }
+    if (pass_under_) berg.keel = pass_under_->keel_of(iceberg);
+    const auto comes_over = [&](geo::PlanePoint stop_here) {
+      const motion::EvenMove staying{stop_here, stop_here, 0.0, std::max(0.0, track.back().t_s)};
+      return berg.swept.contains(stop_here) && touch(berg, staying, 0.0);
+    };
+    if (berg.keel && std::ranges::any_of(stops, comes_over)) berg.keel.reset();
     bergs_.push_back(std::move(berg));
   }
   index(area, horizon);
@@ -220,7 +237,8 @@ const IcebergDiscs::Berg* IcebergDiscs::met_by(const motion::EvenMove& move, dou
     const Berg* met = nullptr;
     index_.any_in(box_of(part).grown(slack_m), {core::Seconds{from_s}, core::Seconds{until_s}},
                   [&](std::uint32_t i) {
-                    if (touch(bergs_[i], part, slack_m)) met = &bergs_[i];
+                    const bool meets = touch(bergs_[i], part, slack_m).has_value();
+                    if (meets && !has_room_under(bergs_[i], part, slack_m)) met = &bergs_[i];
                     return met != nullptr;
                   });
     if (met != nullptr) return met;
@@ -228,6 +246,38 @@ const IcebergDiscs::Berg* IcebergDiscs::met_by(const motion::EvenMove& move, dou
     from_s = until_s;
   }
   return nullptr;
+}
+
+std::optional<double> IcebergDiscs::gap_m(const Berg& berg, geo::PlanePoint point, double t_s) {
+  std::optional<double> gap_m;
+  for_each_disc(berg, t_s, t_s, 0.0, [&](const motion::MovingDisc& disc) {
+    const double since_s = t_s - disc.t0_s;
+    gap_m = std::hypot(point.x_m - disc.centre0.x_m - since_s * disc.velocity.x_m_s,
+                       point.y_m - disc.centre0.y_m - since_s * disc.velocity.y_m_s) -
+            disc.radius0_m - since_s * disc.growth_m_s;
+    return true;
+  });
+  return gap_m;
+}
+
+bool IcebergDiscs::covers(const Berg& berg, geo::PlanePoint point, double t_s) const {
+  const auto gap = gap_m(berg, point, t_s);
+  return gap && *gap <= 0.0;
+}
+
+bool IcebergDiscs::has_room_under(const Berg& berg, const motion::EvenMove& move, double slack_m) const {
+  if (!berg.keel) return false;
+  constexpr double step_m = 100.0;  // about the finest bathymetry in use
+  const double length_m = std::hypot(move.to.x_m - move.from.x_m, move.to.y_m - move.from.y_m);
+  const int steps = std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
+  for (int i = 0; i <= steps; ++i) {
+    const double t_s = move.t0_s + (move.t1_s - move.t0_s) * i / steps;
+    const geo::PlanePoint point = place_at(move, t_s);
+    const auto gap = gap_m(berg, point, t_s);
+    const bool near = gap && *gap <= step_m + slack_m;
+    if (near && !pass_under_->has_room(point, berg.keel->upper_turn)) return false;
+  }
+  return true;
 }
 
 bool IcebergDiscs::touched(const motion::EvenMove& move, double slack_m) const {
@@ -279,6 +329,7 @@ std::vector<TimeSpan> IcebergDiscs::closed_times(geo::PlanePoint point) const {
   std::vector<TimeSpan> closed;
   for (const Berg& berg : bergs_) {
     if (!berg.swept.contains(point)) continue;
+    if (berg.keel && pass_under_->has_room(point, berg.keel->upper_turn)) continue;
     for_each_disc(berg, 0.0, forever, 0.0, [&](const motion::MovingDisc& disc) {
       if (const auto span = covered_by(disc, point)) closed.push_back(*span);
       return false;
@@ -318,16 +369,67 @@ double IcebergDiscs::expected_encounters(const motion::EvenMove& move) const {
       const double from_s = std::max(move.t0_s, disc.t0_s);
       const double until_s = std::min(move.t1_s, disc.t1_s);
       const auto error_at = [&](double t_s) { return mean_error_m(berg, t_s); };
-      if (from_s < until_s) sum += encounters_with(disc, move, {from_s, until_s}, berg.kept_m, error_at);
+      const auto add = [&](double begin_s, double end_s) {
+        if (begin_s < end_s) sum += encounters_with(disc, move, {begin_s, end_s}, berg.kept_m, error_at);
+      };
+      const auto under = berg.keel ? in_disc(disc, move) : std::nullopt;
+      add(from_s, under ? under->from.count() : until_s);
+      if (under) add(under->until.count(), until_s);
       return false;
     });
   }
   return sum;
 }
 
+double IcebergDiscs::encounter_rate(geo::PlanePoint point, core::Seconds time, core::MetresPerSecond speed,
+                                    core::Metres blur) const {
+  const double mean_per_deviation = std::sqrt(0.5 * std::numbers::pi);
+  constexpr double farthest_square = 36.0;  // six standard deviations
+  double sum = 0.0;
+  for (const Berg& berg : bergs_) {
+    const double error_m = mean_error_m(berg, time.count());
+    const double deviation_m = std::max(error_m / mean_per_deviation, blur.value);
+    for_each_disc(berg, time.count(), time.count(), 0.0, [&](const motion::MovingDisc& disc) {
+      const double since_s = time.count() - disc.t0_s;
+      const double dx = point.x_m - disc.centre0.x_m - since_s * disc.velocity.x_m_s;
+      const double dy = point.y_m - disc.centre0.y_m - since_s * disc.velocity.y_m_s;
+      const double square = (dx * dx + dy * dy) / (deviation_m * deviation_m);
+      const bool under = berg.keel && std::hypot(dx, dy) <= disc.radius0_m + since_s * disc.growth_m_s;
+      if (square < farthest_square && error_m > 0.0 && !under) {
+        sum += 2.0 * berg.kept_m * speed.value * std::exp(-0.5 * square) /
+               (2.0 * std::numbers::pi * deviation_m * deviation_m);
+      }
+      return true;
+    });
+  }
+  return sum;
+}
+
+std::optional<core::Metres> IcebergDiscs::least_upper_turn(geo::PlanePoint point, core::Seconds time) const {
+  std::optional<core::Metres> deepest;
+  for (const Berg& berg : bergs_) {
+    if (!berg.keel || !berg.swept.contains(point) || !covers(berg, point, time.count())) continue;
+    deepest = std::max(deepest.value_or(core::Metres{0.0}), berg.keel->upper_turn);
+  }
+  return deepest;
+}
+
+std::vector<IcebergDiscs::Under> IcebergDiscs::passed_under(const motion::EvenMove& move) const {
+  std::vector<Under> result;
+  for (std::size_t i = 0; i < bergs_.size(); ++i) {
+    if (!bergs_[i].keel) continue;
+    for_each_disc(bergs_[i], move.t0_s, move.t1_s, 0.0, [&](const motion::MovingDisc& disc) {
+      if (const auto span = in_disc(disc, move)) result.push_back({i, *span});
+      return false;
+    });
+  }
+  return result;
+}
+
 std::optional<core::Metres> IcebergDiscs::distance_from_hulls(const motion::EvenMove& move) const {
   std::optional<core::Metres> least;
   for (const Berg& berg : bergs_) {
+    if (berg.keel && touch(berg, move, 0.0)) continue;  // passed under
     for_each_disc(berg, move.t0_s, move.t1_s, 0.0, [&](const motion::MovingDisc& disc) {
       const auto distance_m = motion::least_distance(move, disc);
       if (!distance_m) return false;

@@ -12,6 +12,7 @@
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/disc_index.hpp"
 #include "engine/planning/iceberg_rules.hpp"
+#include "engine/planning/pass_under.hpp"
 #include "engine/planning/time_span.hpp"
 
 namespace floeplan::planning {
@@ -19,6 +20,8 @@ namespace floeplan::planning {
 /// Icebergs as discs to keep out of: half the length, the margin, and the expected error of the position up to the
 /// most that the rules allow. They drift and grow, or stand where they were seen when the rules say so; a disc
 /// that stands has the stated error of its sighting only. After the horizon each stays as it is then.
+/// Under    a berg that the vehicle may pass under closes its disc only where the sea is not deep enough for that. One
+///          whose disc ever comes over a stop, where the vehicle surfaces, is not passed under
 /// Time     counted from `epoch`, the departure
 /// Threads  const members may be called from several threads at once
 class IcebergDiscs {
@@ -27,7 +30,9 @@ class IcebergDiscs {
   /// outside it too. Once `stop` is requested the discs stay incomplete and must not be used.
   IcebergDiscs(const ocean::Environment& environment, const IcebergRules& rules,
                const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch,
-               core::Seconds horizon, const std::stop_token& stop = {});
+               core::Seconds horizon, const std::stop_token& stop = {},
+               std::optional<PassUnder> pass_under = std::nullopt,
+               const std::vector<geo::PlanePoint>& stops = {});
 
   [[nodiscard]] bool empty() const { return bergs_.empty(); }
   /// Whether no disc ever moves or grows.
@@ -64,7 +69,26 @@ class IcebergDiscs {
   /// How often, on the average over the errors of the positions, a vehicle on this move comes within the margin of a
   /// hull: what remains beside the discs, because they do not cover every error. The error counts in full, not only
   /// up to the most that widens a disc, and is taken as normal and alike in all directions about the forecast.
+  /// A berg that the vehicle passes under is not met meanwhile.
   [[nodiscard]] double expected_encounters(const motion::EvenMove& move) const;
+  /// The same for each second at a point, for a vehicle of this speed among bergs that stand; the positions count as
+  /// known no better than to `blur`.
+  [[nodiscard]] double encounter_rate(geo::PlanePoint point, core::Seconds time, core::MetresPerSecond speed,
+                                      core::Metres blur) const;
+  [[nodiscard]] std::size_t size() const { return bergs_.size(); }
+
+  /// How deep the dives must turn there and then to pass under what is above; empty where nothing is.
+  [[nodiscard]] std::optional<core::Metres> least_upper_turn(geo::PlanePoint point, core::Seconds time) const;
+  /// A stay of the vehicle in the disc of a berg that it passes under.
+  struct Under {
+    std::size_t berg{};  // a number of its own
+    TimeSpan span;
+  };
+  /// Each on this move, berg by berg.
+  [[nodiscard]] std::vector<Under> passed_under(const motion::EvenMove& move) const;
+  [[nodiscard]] const std::string& name(std::size_t berg) const { return bergs_[berg].name; }
+  /// Precondition  the berg may be passed under
+  [[nodiscard]] const Keel& keel(std::size_t berg) const { return *bergs_[berg].keel; }
 
  private:
   /// Where a disc is at a time; between two knots it moves and grows evenly.
@@ -82,12 +106,17 @@ class IcebergDiscs {
     double sighted_s;
     PlaneBox swept;  // all that its disc ever covers
     std::vector<Knot> knots;
+    std::optional<Keel> keel{};  // of a berg that may be passed under
   };
   [[nodiscard]] static motion::MovingDisc disc(const Berg& berg, std::size_t knot, double slack_m);
   template <class Visit>
   static void for_each_disc(const Berg& berg, double from_s, double until_s, double slack_m, Visit&& visit);
   [[nodiscard]] static std::optional<double> touch(const Berg& berg, const motion::EvenMove& move,
                                                    double slack_m);
+  /// Whether the vehicle may pass under the berg wherever the move is in its disc.
+  [[nodiscard]] bool has_room_under(const Berg& berg, const motion::EvenMove& move, double slack_m) const;
+  [[nodiscard]] bool covers(const Berg& berg, geo::PlanePoint point, double t_s) const;
+  [[nodiscard]] static std::optional<double> gap_m(const Berg& berg, geo::PlanePoint point, double t_s);
   void index(const PlaneBox& area, core::Seconds horizon);
   /// The first berg found whose disc the move touches.
   [[nodiscard]] const Berg* met_by(const motion::EvenMove& move, double slack_m) const;
@@ -95,6 +124,7 @@ class IcebergDiscs {
   [[nodiscard]] double mean_error_m(const Berg& berg, double t_s) const;
 
   std::vector<Berg> bergs_;
+  std::optional<PassUnder> pass_under_;
   bool standing_{true};
   double slot_s_{3600.0};
   DiscIndex index_;

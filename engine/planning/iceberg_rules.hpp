@@ -13,6 +13,18 @@ struct IcebergRules {
   /// the plan states, because within a day it would close the whole sea.
   core::Metres max_inflation{5000.0};
 
+  /// Seconds of travel that one expected encounter counts as in the objective. Zero: encounters are stated, not avoided.
+  core::Seconds encounter_weight{0.0};
+  /// Whether the vehicle may pass under icebergs of known size whose keels end above its dives. All the way across the
+  /// disc its dives then turn below the keel, and it must not come to the surface.
+  bool pass_under{false};
+  /// Kept between the deepest keel and the upper turn. Default: twice as much as the vehicles keep above the sea bed,
+  /// because turns overshoot by metres and a keel is not flat.
+  core::Metres keel_clearance{20.0};
+  /// Share that is added to every draft. Default: a caution of our own, no scatter is published with the relations; for
+  /// a given length those in use differ by up to 1.6 times, and of those the deepest is taken already.
+  double draft_uncertainty{0.25};
+
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };
 

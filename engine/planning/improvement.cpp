@@ -1,5 +1,6 @@
 #include "engine/planning/improvement.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -7,6 +8,7 @@
 #include "engine/planning/refinement.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/straightening.hpp"
+#include "engine/planning/time_killing.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -66,10 +68,33 @@ Route thinned(const Sea& sea, const Route& route, std::size_t most, const std::s
   return timed ? thin_to(legs, std::move(*timed), most).route : route;
 }
 
-/// Whether the time without a possible surfacing stays within its bound. Refinement times each leg alone, and the
-/// drive along other legs is looked at in other places, which may count a little more time under ice.
-bool keeps_bound(const Sea& sea, const Route& route) {
-  return !sea.bounds_surfacing() || arrivals_along(sea, route.points, at_departure).has_value();
+/// The route with a wait and a straight leg for each part that only kills time, as long as it arrives no later.
+Route waiting_instead(const Sea& sea, Route route, const std::stop_token& stop) {
+  auto schedule = schedule_along(sea, route.points, at_departure);
+  while (schedule && !stop.stop_requested()) {
+    const auto killed = longest_killing_of_time(sea, route.points, *schedule);
+    if (!killed) break;
+    const auto from = static_cast<std::ptrdiff_t>(killed->from) + 1;
+    const auto to = static_cast<std::ptrdiff_t>(killed->to);
+    if (std::any_of(route.fixed.begin() + from, route.fixed.begin() + to, [](bool fixed) { return fixed; }))
+      break;
+    Route shorter = route;
+    shorter.points.erase(shorter.points.begin() + from, shorter.points.begin() + to);
+    shorter.fixed.erase(shorter.fixed.begin() + from, shorter.fixed.begin() + to);
+    auto waiting = schedule_along(sea, shorter.points, at_departure);
+    if (!waiting || waiting->arrivals.back() > schedule->arrivals.back()) break;
+    route = std::move(shorter);
+    schedule = std::move(waiting);
+  }
+  return route;
+}
+
+/// Whether the route is open as a whole where its legs depend on each other. Refinement times each leg alone: where the
+/// time without a possible surfacing is bounded, the drive along other legs is looked at in other places, which may
+/// count a little more time under ice; where the vehicle waits, there must be places to wait at.
+bool stays_open(const Sea& sea, const Route& route) {
+  const bool legs_depend = sea.bounds_surfacing() || sea.longest_wait().count() > 0.0;
+  return !legs_depend || arrivals_along(sea, route.points, at_departure).has_value();
 }
 
 }  // namespace
@@ -78,16 +103,22 @@ Improved improve(const Sea& sea, const Route& way, const PlanRequest& request, c
                  const core::SteadyClock& clock) {
   Improved improved{way, std::nullopt};
   if (request.method != Method::direct) {
-    improved.route = join_collinear(way);
+    const Route joined = join_collinear(way);
+    if (stays_open(sea, joined)) improved.route = joined;
     if (request.refine) improved = refined(sea, improved.route, request, stop, clock);
+  }
+  // Where an opening sets the arrival, refinement leaves detours that a wait makes needless.
+  if (request.refine && sea.longest_wait().count() > 0.0) {
+    improved.route =
+        waiting_instead(sea, drop_needless_points(sea, improved.route, at_departure, stop), stop);
   }
   // Refinement has cut the number already; where it could not, this cannot either.
   if (const auto most = most_legs(request)) improved.route = thinned(sea, improved.route, *most, stop);
   if (request.max_leg) improved.route = part_long_legs(sea, improved.route, *request.max_leg);
-  if (keeps_bound(sea, improved.route)) return improved;
+  if (stays_open(sea, improved.route)) return improved;
   const Route joined = join_collinear(way);
   const Route straightened = request.refine ? drop_needless_points(sea, joined, at_departure, stop) : joined;
-  return {keeps_bound(sea, straightened) ? straightened : way, std::nullopt};
+  return {stays_open(sea, straightened) ? straightened : way, std::nullopt};
 }
 
 }  // namespace floeplan::planning

@@ -11,20 +11,22 @@
 
 namespace floeplan::planning {
 
-/// What the best plan has least of: weights of its seconds and of its joules.
+/// What the best plan has least of: weights of its seconds, of its joules and of the encounters with icebergs that it
+/// expects.
 struct Objective {
   double of_time{1.0};
   double of_energy{0.0};
+  double of_encounters{0.0};
 
-  [[nodiscard]] bool is_time() const { return of_energy == 0.0; }
-  [[nodiscard]] double cost(core::Seconds time, core::Joules energy) const {
-    return of_time * time.count() + of_energy * energy.value;
+  [[nodiscard]] bool is_time() const { return of_energy == 0.0 && of_encounters == 0.0; }
+  [[nodiscard]] double cost(core::Seconds time, core::Joules energy, double encounters = 0.0) const {
+    return of_time * time.count() + of_energy * energy.value + of_encounters * encounters;
   }
   friend bool operator==(const Objective&, const Objective&) = default;
 };
 
-inline constexpr Objective time_objective{1.0, 0.0};
-inline constexpr Objective energy_objective{0.0, 1.0};
+inline constexpr Objective time_objective{1.0, 0.0, 0.0};
+inline constexpr Objective energy_objective{0.0, 1.0, 0.0};
 
 enum class ThrusterUse {
   automatic,  // leg by leg, as the objective has it

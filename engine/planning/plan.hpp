@@ -9,6 +9,7 @@
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/dataset_ref.hpp"
 #include "engine/planning/energy_use.hpp"
+#include "engine/planning/keel.hpp"
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/refinement_report.hpp"
 #include "engine/planning/surfacing_plan.hpp"
@@ -73,6 +74,22 @@ struct PlanEnergy {
   core::Joules usable;
 };
 
+/// An iceberg that the vehicle passes under: from entering its disc to leaving it the dives turn below the keel, and
+/// nothing may surface.
+struct PassedUnder {
+  std::string iceberg;  // its name, or number in its source
+  Keel keel;
+  core::UtcTime from;
+  core::UtcTime until;
+};
+
+/// What the weight on encounters with icebergs did: the plan without it, for comparison.
+struct EncounterTrade {
+  core::Seconds weight{};  // of one encounter
+  core::Seconds time_before{};
+  double encounters_before{};
+};
+
 /// A route with times.
 struct Plan {
   Method method{};
@@ -88,6 +105,8 @@ struct Plan {
   Clearances clearances;
   std::optional<double>
       iceberg_encounters;  // expected in all: how often within the margin of a hull, on the average
+  std::vector<PassedUnder> passed_under;          // in the order they are come to
+  std::optional<EncounterTrade> encounter_trade;  // where encounters have a weight
   std::optional<SurfacingPlan> surfacing;  // where something is known of ice or surfacings were asked for
   std::optional<PlanEnergy> energy;
   std::optional<double> optimality_gap;

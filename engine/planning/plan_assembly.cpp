@@ -6,6 +6,7 @@
 #include <limits>
 #include <optional>
 
+#include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/coast_lines.hpp"
 #include "engine/planning/plane_distance.hpp"
@@ -77,6 +78,39 @@ void add_iceberg_encounters(Plan& plan, const Sea& sea, const std::vector<geo::P
   plan.iceberg_encounters = all;
 }
 
+/// Where the vehicle is below icebergs; two stays in one disc that follow each other are one.
+void add_passages_under(Plan& plan, const Sea& sea, const std::vector<geo::PlanePoint>& route,
+                        const Schedule& schedule, const std::vector<vehicle::Drive>& drives) {
+  constexpr core::Seconds apart{1.0};
+  std::vector<IcebergDiscs::Under> stays;
+  for_each_move(sea, route, schedule, drives, [&](std::size_t, const motion::EvenMove& move) {
+    for (const IcebergDiscs::Under& stay : sea.icebergs().passed_under(move)) {
+      const auto goes_on = [&](const IcebergDiscs::Under& other) {
+        return other.berg == stay.berg && stay.span.from <= other.span.until + apart;
+      };
+      const auto known = std::ranges::find_if(stays, goes_on);
+      if (known == stays.end()) {
+        stays.push_back(stay);
+      } else {
+        known->span.until = std::max(known->span.until, stay.span.until);
+      }
+    }
+  });
+  for (const IcebergDiscs::Under& stay : stays) {
+    plan.passed_under.push_back({sea.icebergs().name(stay.berg), sea.icebergs().keel(stay.berg),
+                                 plan.departure + stay.span.from, plan.departure + stay.span.until});
+    const PassedUnder& passed = plan.passed_under.back();
+    char text[240];
+    std::snprintf(
+        text, sizeof text,
+        "the plan passes under iceberg %.60s: no surfacing from %s to %s, and dives that turn no higher "
+        "than %.0f m",
+        passed.iceberg.c_str(), core::iso8601(passed.from).c_str(), core::iso8601(passed.until).c_str(),
+        std::ceil(passed.keel.upper_turn.value));
+    plan.warnings.emplace_back(text);
+  }
+}
+
 std::optional<core::Metres> bottom_clearance(const Sea& sea, const ocean::Environment& environment,
                                              const PlanRequest& request,
                                              const std::vector<geo::PlanePoint>& route) {
@@ -137,7 +171,7 @@ void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
                     const std::vector<geo::PlanePoint>& route, const Schedule& schedule) {
   const UnderIceRules& rules = request.under_ice;
   const bool asked = rules.max_time_without_surfacing || rules.surfacing_interval || rules.escape_plan;
-  if (!sea.ice() && !asked) return;
+  if (!sea.ice() && !asked && plan.passed_under.empty()) return;
   plan.surfacing = plan_surfacings(sea, request, route, schedule);
   if (plan.surfacing->unknown_ice.value > 0.0) {
     char text[160];
@@ -196,6 +230,7 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
   plan.datasets = environment.datasets;
   plan.warnings = environment.warnings;
   warn_of_extended_currents(plan, sea, route);
+  add_passages_under(plan, sea, route, schedule, drives);
   add_surfacings(plan, sea, request, route, schedule);
   return plan;
 }

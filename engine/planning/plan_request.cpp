@@ -19,6 +19,12 @@ constexpr core::Seconds longest_loiter{10.0 * 86'400.0};  // forecasts tell noth
 
 }  // namespace
 
+Objective PlanRequest::objective() const {
+  Objective result = energy.objective;
+  result.of_encounters = result.of_time * icebergs.encounter_weight.count();
+  return result;
+}
+
 core::Violations PlanRequest::violations() const {
   core::Violations found = vehicle.violations();
   const core::Violations of_energy = energy.violations(vehicle);
@@ -78,6 +84,10 @@ core::Violations PlanRequest::violations() const {
   }
   require(edge_tolerance >= 1e-9 && edge_tolerance <= 1e-2, "/edge_tolerance",
           "must be between 1e-9 and 1e-2");
+  require(icebergs.encounter_weight.count() == 0.0 || energy.objective.of_time > 0.0, "/encounter_weight_s",
+          "must be 0 where time has no weight: seconds then tell nothing of what an encounter counts");
+  require(!icebergs.pass_under || !under_ice.max_time_without_surfacing, "/pass_under_icebergs",
+          "must be false where the time without surfacing is bounded: leave out one of the two");
   const core::Violations of_icebergs = icebergs.violations();
   found.insert(found.end(), of_icebergs.begin(), of_icebergs.end());
   for (core::Violation& violation : under_ice.violations()) found.push_back(std::move(violation));

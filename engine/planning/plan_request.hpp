@@ -59,6 +59,8 @@ struct PlanRequest {
   UnderIceRules under_ice;      // where there is sea ice
   double edge_tolerance{1e-4};  // relative, of an edge's travel time
 
+  /// What the best plan has least of, with the weight of encounters.
+  [[nodiscard]] Objective objective() const;
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };
 

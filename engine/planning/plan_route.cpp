@@ -7,6 +7,7 @@
 #include "engine/planning/fastest_plan.hpp"
 #include "engine/planning/layout.hpp"
 #include "engine/planning/relaxation.hpp"
+#include "engine/planning/risk_plan.hpp"
 #include "engine/planning/robust_plan.hpp"
 #include "engine/planning/survey_order.hpp"
 
@@ -51,6 +52,9 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
   throw_if_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
   if (request.via_in_best_order) return plan_survey(environment, request, stop, progress, clock);
+  if (request.objective().of_encounters > 0.0) {
+    return plan_with_fewer_encounters(environment, request, stop, progress, clock);
+  }
   if (!request.energy.objective.is_time()) {
     Result<Plan> plan = plan_least_cost(environment, request, stop, progress, clock);
     if (plan && has_uncertain_currents(environment, request)) {

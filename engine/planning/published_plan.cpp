@@ -51,8 +51,10 @@ Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, 
     plan.surfacing->escapes = std::move(*escapes);
     if (auto exceeded = check_escapes(plan, request)) return tl::unexpected(std::move(*exceeded));
   }
-  if (const auto killed = longest_killing_of_time(sea, points, *schedule))
-    plan.warnings.push_back(describe(*killed));
+  if (request.max_loiter.count() == 0.0) {
+    if (const auto killed = longest_killing_of_time(sea, points, *schedule))
+      plan.warnings.push_back(describe(*killed));
+  }
   add_warnings(plan, request);
   return plan;
 }

@@ -51,6 +51,29 @@ core::Seconds forecast_horizon(const ocean::Environment& environment, const Plan
   return std::min(horizon, 30.0 * day);
 }
 
+std::optional<PassUnder> lay_out_under(const ocean::Environment& environment, const PlanRequest& request,
+                                       const geo::LocalProjection& projection, const PlaneBox& area,
+                                       const std::stop_token& stop) {
+  if (!request.icebergs.pass_under) return std::nullopt;
+  return PassUnder{environment, request.icebergs, request.vehicle, projection, area, stop};
+}
+
+std::optional<EncounterMap> lay_out_encounters(const IcebergDiscs& icebergs,
+                                               const ocean::Environment& environment,
+                                               const PlanRequest& request, const PlaneBox& area,
+                                               const std::stop_token& stop) {
+  if (request.icebergs.encounter_weight.count() <= 0.0 || icebergs.empty()) return std::nullopt;
+  return EncounterMap{icebergs, area, forecast_horizon(environment, request),
+                      request.vehicle.speed_through_water, stop};
+}
+
+/// Where the vehicle surfaces whatever the way.
+std::vector<geo::PlanePoint> stops_of(const PlanRequest& request, const geo::LocalProjection& projection) {
+  std::vector<geo::PlanePoint> stops{projection.to_plane(request.from), projection.to_plane(request.to)};
+  for (const geo::LonLat via : request.via) stops.push_back(projection.to_plane(via));
+  return stops;
+}
+
 /// A glider comes to the surface between its dives.
 ZoneRules zone_rules(const ocean::Environment& environment, const PlanRequest& request) {
   std::vector<ocean::Zone> zones = environment.zones;
@@ -90,9 +113,16 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{zones.timed, projection, request.depart},
-      icebergs_{environment, request.icebergs, projection,
-                area,        request.depart,   forecast_horizon(environment, request),
-                stop},
+      icebergs_{environment,
+                request.icebergs,
+                projection,
+                area,
+                request.depart,
+                forecast_horizon(environment, request),
+                stop,
+                lay_out_under(environment, request, projection, area, stop),
+                stops_of(request, projection)},
+      encounters_{lay_out_encounters(icebergs_, environment, request, area, stop)},
       ice_{lay_out_ice(environment, request, projection, area, cell, stop)},
       depths_{request.vehicle.dive_limits(), environment.bathymetry},
       currents_{lay_out(environment, request, depths_, projection, area, stop)},
@@ -212,15 +242,32 @@ std::vector<motion::EvenMove> Sea::drive(geo::PlanePoint a, geo::PlanePoint b, c
 std::optional<core::Seconds> Sea::first_clear_departure(geo::PlanePoint a, geo::PlanePoint b,
                                                         core::Seconds duration, core::Seconds depart,
                                                         core::Seconds latest) const {
-  constexpr core::Seconds step{60.0};  // past a zone's rule
+  constexpr core::Seconds first_step{60.0};  // past a zone's rule, then twice as far each time
+  constexpr core::Seconds longest_step{900.0};
+  constexpr core::Seconds close_enough{5.0};
+  const auto forbidden = [&](core::Seconds leaves) {
+    return timed_zones_.forbid(a, b, {leaves, leaves + duration});
+  };
   while (depart <= latest) {
     if (!icebergs_.standing()) {
       const auto clear = icebergs_.first_clear(a, b, duration, depart, latest);
       if (!clear) return std::nullopt;
       depart = *clear;
     }
-    if (!timed_zones_.forbid(a, b, {depart, depart + duration})) return depart;
-    depart += step;
+    if (!forbidden(depart)) return depart;
+    core::Seconds closed = depart;
+    core::Seconds open = depart + first_step;
+    for (core::Seconds step = first_step; forbidden(open);) {
+      if (open > latest) return std::nullopt;
+      step = std::min(2.0 * step, longest_step);
+      closed = open;
+      open += step;
+    }
+    while (open - closed > close_enough) {
+      const core::Seconds middle = 0.5 * (closed + open);
+      (forbidden(middle) ? closed : open) = middle;
+    }
+    depart = open;
   }
   return std::nullopt;
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <stop_token>
 #include <tl/expected.hpp>
@@ -7,6 +8,7 @@
 
 #include "engine/motion/edge_time.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/encounter_map.hpp"
 #include "engine/planning/energy_map.hpp"
 #include "engine/planning/flown_depths.hpp"
 #include "engine/planning/iceberg_discs.hpp"
@@ -93,7 +95,17 @@ class Sea {
                                               core::Metres step) const;
   /// Whether the vehicle may come to the surface: anywhere where nothing is known of ice in the whole area.
   [[nodiscard]] bool may_surface(geo::PlanePoint point, core::Seconds time) const {
-    return !ice_ || ice_->may_surface(point, time);
+    return (!ice_ || ice_->may_surface(point, time)) && !icebergs_.least_upper_turn(point, time);
+  }
+  /// How deep the dives must turn there and then, below ice or an iceberg's keel; zero where nothing is above.
+  [[nodiscard]] core::Metres least_upper_turn(geo::PlanePoint point, core::Seconds time) const {
+    const core::Metres of_ice = ice_ ? ice_->least_upper_turn(point, time) : core::Metres{0.0};
+    return std::max(of_ice, icebergs_.least_upper_turn(point, time).value_or(core::Metres{0.0}));
+  }
+  /// Encounters with icebergs to expect on the straight way, for searches that weigh them; zero where none does.
+  [[nodiscard]] double encounters(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
+                                  core::Seconds time) const {
+    return encounters_ ? encounters_->along(a, b, depart, time) : 0.0;
   }
   /// Whether the time without a possible surfacing is bounded, so that a leg depends on those before it.
   [[nodiscard]] bool bounds_surfacing() const { return ice_ && ice_->longest_without_surfacing(); }
@@ -148,7 +160,8 @@ class Sea {
   SafetyMap safety_;
   TimedZones timed_zones_;
   IcebergDiscs icebergs_;
-  std::optional<UnderIce> ice_;  // empty: nothing is known of ice
+  std::optional<EncounterMap> encounters_;  // empty: nothing weighs them
+  std::optional<UnderIce> ice_;             // empty: nothing is known of ice
   FlownDepths depths_;
   std::optional<PlaneCurrents> currents_;  // empty: still water
   EnergyMap energy_;

@@ -40,9 +40,8 @@ class Log {
     SurfacingState state{.may_surface = sea_.may_surface(now.point, now.time),
                          .since_surfacing = now.time - last_open_.time,
                          .position_error = error_at(now.time),
-                         .least_upper_turn = core::Metres{0.0}};
+                         .least_upper_turn = sea_.least_upper_turn(now.point, now.time)};
     if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
-    if (sea_.ice()) state.least_upper_turn = sea_.ice()->least_upper_turn(now.point, now.time);
     return state;
   }
 

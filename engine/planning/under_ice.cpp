@@ -12,39 +12,21 @@ UnderIce::UnderIce(const ocean::Environment& environment, const PlanRequest& req
                    const std::stop_token& stop)
     : rules_{request.under_ice},
       cover_{*environment.ice, request.under_ice, projection, area, request.depart, stop},
-      bathymetry_{environment.bathymetry},
       needed_below_m_{request.vehicle.minimum_working_depth.value},
       dive_room_m_{std::max(
           0.0, request.vehicle.minimum_working_depth.value - request.vehicle.altimeter_margin.value)},
       dive_depth_m_{request.vehicle.dive_depth.value},
       step_m_{std::min(step.value, 0.25 * cover_.spacing().value)} {
-  if (bathymetry_) bed_grid_.emplace(bathymetry_->grid(), projection, area, stop);
-}
-
-std::optional<double> UnderIce::bed_m(geo::PlanePoint point) const {
-  const auto cell = bed_grid_->corner(point);
-  if (!cell) return std::nullopt;
-  const std::size_t nx = bed_grid_->nx();
-  const std::size_t columns = bathymetry_->grid().x().size();
-  const auto node = [&](std::size_t i) {
-    return static_cast<double>(
-        bathymetry_->depth_m()[bed_grid_->row(i / nx) * columns + bed_grid_->column(i % nx)]);
-  };
-  const std::size_t sw = cell->first;
-  const double south = node(sw) + cell->fx * (node(sw + 1) - node(sw));
-  const double north = node(sw + nx) + cell->fx * (node(sw + nx + 1) - node(sw + nx));
-  const double depth_m = south + cell->fy * (north - south);
-  if (std::isnan(depth_m)) return std::nullopt;
-  return depth_m;
+  if (environment.bathymetry) bed_.emplace(environment.bathymetry, projection, area, stop);
 }
 
 bool UnderIce::has_room_below(geo::PlanePoint point, const IceAbove& ice) const {
   if (ice.may_surface || !ice.known) return true;
   const double upper_turn_m = ice.draft_m + rules_.margin_below_ice.value;
   if (upper_turn_m + dive_room_m_ > dive_depth_m_) return false;
-  if (!bathymetry_) return true;
-  const auto depth_m = bed_m(point);
-  return depth_m && *depth_m >= upper_turn_m + needed_below_m_;
+  if (!bed_) return true;
+  const auto depth = bed_->depth(point);
+  return depth && depth->value >= upper_turn_m + needed_below_m_;
 }
 
 core::Metres UnderIce::least_upper_turn(geo::PlanePoint point, core::Seconds time) const {

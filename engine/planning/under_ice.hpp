@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -9,6 +8,7 @@
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/ice_cover.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/plane_bed.hpp"
 
 namespace floeplan::planning {
 
@@ -50,15 +50,12 @@ class UnderIce {
 
  private:
   [[nodiscard]] bool has_room_below(geo::PlanePoint point, const IceAbove& ice) const;
-  /// Depth of the sea bed; empty where it is not known.
-  [[nodiscard]] std::optional<double> bed_m(geo::PlanePoint point) const;
 
   UnderIceRules rules_;
   IceCover cover_;
-  std::shared_ptr<const ocean::Bathymetry> bathymetry_;  // null: every depth will do
-  std::optional<PlaneGrid> bed_grid_;
-  double needed_below_m_;  // from the upper turn to the sea bed
-  double dive_room_m_;     // from the upper turn to the deepest point of the dives
+  std::optional<PlaneBed> bed_;  // empty: every depth will do
+  double needed_below_m_;        // from the upper turn to the sea bed
+  double dive_room_m_;           // from the upper turn to the deepest point of the dives
   double dive_depth_m_;
   double step_m_;
 };

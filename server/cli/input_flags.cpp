@@ -97,6 +97,12 @@ void InputFlags::add_common(CLI::App& command) {
                      "Kept from icebergs for the error of their positions, metres at most; default 5000");
   command.add_option("--max-sighting-age", max_sighting_age_days_,
                      "Leave out icebergs last seen longer ago, days; default 3");
+  command.add_flag("--pass-under", pass_under_,
+                   "Pass under icebergs of known size whose keels end well above the dives' depth");
+  command.add_option("--keel-clearance", keel_clearance_m_,
+                     "Kept below the deepest keel when passing under, metres; default 20");
+  command.add_option("--draft-uncertainty", draft_uncertainty_,
+                     "Share added to every iceberg's draft when passing under, 0 to 2; default 0.25");
   command.add_option(
       "--max-loiter", max_loiter_s_,
       "Let the vehicle wait at a waypoint for what clears later, icebergs or timed areas, seconds "
@@ -137,6 +143,8 @@ void InputFlags::add_start(CLI::App& command) {
 
 void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--request", request_file_, "JSON file with the inputs of process plan-route");
+  command.add_option("--encounter-weight", encounter_weight_s_,
+                     "Seconds of travel that one expected encounter with an iceberg counts as; default 0");
   command.add_option("--from", from_, "Start, LON,LAT in degrees");
   command.add_option("--to", to_, "Goal, LON,LAT in degrees");
   command.add_option("--via", via_, "Place to visit on the way; may be repeated, in order")
@@ -248,6 +256,10 @@ json InputFlags::inputs() const {
   set("max_inflation_m", max_inflation_m_);
   set("max_sighting_age_days", max_sighting_age_days_);
   set("max_loiter_s", max_loiter_s_);
+  set("encounter_weight_s", encounter_weight_s_);
+  if (pass_under_) inputs["pass_under_icebergs"] = true;
+  set("keel_clearance_m", keel_clearance_m_);
+  set("draft_uncertainty", draft_uncertainty_);
   set("name", name_);
   if (members_) inputs["uncertainty"]["members"] = *members_;
   if (current_error_m_s_) inputs["uncertainty"]["current_error_m_s"] = *current_error_m_s_;

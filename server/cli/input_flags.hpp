@@ -87,6 +87,10 @@ class InputFlags {
   std::optional<double> max_inflation_m_;
   std::optional<double> max_sighting_age_days_;
   std::optional<double> max_loiter_s_;
+  std::optional<double> encounter_weight_s_;
+  bool pass_under_{false};
+  std::optional<double> keel_clearance_m_;
+  std::optional<double> draft_uncertainty_;
   std::optional<std::string> name_;
 };
 

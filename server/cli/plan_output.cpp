@@ -123,6 +123,23 @@ void print_surfacings(const json& plan) {
   }
 }
 
+/// What a weight on encounters cost, and what is passed under.
+void print_passages(const json& plan) {
+  if (const json trade = plan.value("encounter_trade", json()); !trade.is_null()) {
+    const json& before = trade.at("before");
+    std::printf("without the weight on encounters: %s h, %s encounters expected\n",
+                cell(before.at("travel_time_s"), "%.2f", 1.0 / 3600.0).c_str(),
+                cell(before.at("iceberg_encounters"), "%.2g").c_str());
+  }
+  for (const json& under : plan.value("passed_under", json::array())) {
+    std::printf("under iceberg %s from %s to %s: keel at %s m at most, dives turn at %s m\n",
+                under.at("iceberg").get<std::string>().c_str(), under.at("from").get<std::string>().c_str(),
+                under.at("until").get<std::string>().c_str(),
+                cell(under.at("deepest_keel_m"), "%.0f").c_str(),
+                cell(under.at("upper_turn_m"), "%.0f").c_str());
+  }
+}
+
 void print_for_people(const json& plan) {
   const std::string id = plan.at("plan_id").is_string() ? plan.at("plan_id").get<std::string>() : "";
   std::printf("%s  %s to %s, %s h, %s km\n", id.empty() ? "route" : id.c_str(),
@@ -152,6 +169,7 @@ void print_for_people(const json& plan) {
     std::printf("expected encounters with icebergs, within the margin: %s\n",
                 cell(plan.at("iceberg_encounters"), "%.2g").c_str());
   }
+  print_passages(plan);
   print_surfacings(plan);
   for (const json& dataset : plan.at("datasets")) {
     std::printf("data: %s (%s)\n", dataset.at("id").get<std::string>().c_str(),

@@ -36,9 +36,8 @@ TEST(IcebergInputs, DriftByDefaultWithinBounds) {
 }
 
 TEST(IcebergInputs, AreWrittenAsTheyAreRead) {
-  const json inputs{{"margin_m", 800.0},
-                    {"icebergs_drift", false},
-                    {"max_inflation_m", 0.0},
+  const json inputs{{"margin_m", 800.0},           {"icebergs_drift", false},  {"max_inflation_m", 0.0},
+                    {"pass_under_icebergs", true}, {"keel_clearance_m", 30.0}, {"draft_uncertainty", 0.5},
                     {"max_sighting_age_days", 1.5}};
 
   const Read given = read(inputs);

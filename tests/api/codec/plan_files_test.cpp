@@ -54,6 +54,40 @@ TEST(PlanDocument, KeepsWhatTheSearchSawOpenTooLate) {
   EXPECT_EQ(plan_document(read, "p-01", ""), document);
 }
 
+TEST(PlanDocument, KeepsWaitsAndWhatIsPassedUnderAndTraded) {
+  planning::Plan plan = two_legs();
+  plan.waypoints[0].wait = core::Seconds{5400.0};
+  plan.iceberg_encounters = 0.02;
+  plan.passed_under = {{.iceberg = "B-17",
+                        .keel = {{40.0}, true, {50.0}, {70.0}},
+                        .from = plan.departure + core::Seconds{600.0},
+                        .until = plan.arrival}};
+  plan.encounter_trade = planning::EncounterTrade{
+      .weight = core::Seconds{3600.0}, .time_before = core::Seconds{7000.0}, .encounters_before = 0.1};
+
+  const json document = plan_document(plan, "p-01", "");
+  const planning::Plan read = parse_plan_document(document);
+
+  EXPECT_EQ(document.at("waypoints").at(0).at("wait_s"), 5400.0);
+  EXPECT_EQ(document.at("passed_under").at(0).at("clearance_m"), 20.0);
+  EXPECT_EQ(document.at("passed_under").at(0).at("draft_from"), "sighting");
+  EXPECT_EQ(document.at("encounter_trade").at("after").at("iceberg_encounters"), 0.02);
+  EXPECT_EQ(plan_document(read, "p-01", ""), document);
+}
+
+TEST(PlanDocument, IsReadBackFromAnOlderVersionWithoutWaitsAndPassages) {
+  json document = plan_document(two_legs(), "p-01", "");
+  document.erase("passed_under");
+  document.erase("encounter_trade");
+  for (json& waypoint : document.at("waypoints")) waypoint.erase("wait_s");
+
+  const planning::Plan read = parse_plan_document(document);
+
+  EXPECT_EQ(read.waypoints[0].wait.count(), 0.0);
+  EXPECT_TRUE(read.passed_under.empty());
+  EXPECT_FALSE(read.encounter_trade);
+}
+
 TEST(PlanDocument, IsReadBackFromAnOlderVersionThatDidNotLookForThem) {
   json document = plan_document(two_legs(), "p-01", "");
   document.at("search").erase("fifo_violations");

@@ -106,6 +106,30 @@ TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
   EXPECT_THAT(set->warnings, Contains(HasSubstr("recov.mi")));
 }
 
+TEST(MissionSet, OfAPlanUnderAnIcebergTurnsBelowItsKeelAndNeedsTheRulesUnderIce) {
+  planning::Plan plan = two_legs();
+  plan.passed_under = {{"B-17", {{40.0}, true, {50.0}, {69.5}}, plan.departure, plan.arrival}};
+
+  const auto in_the_open = write_mission_set(plan, options_for("slocum-g3-200"));
+  const auto below = write_mission_set(plan, under_ice());
+
+  ASSERT_FALSE(in_the_open.has_value());
+  EXPECT_THAT(in_the_open.error(), Contains(Field(&core::Violation::field, "/under_ice")));
+  ASSERT_TRUE(below.has_value());
+  EXPECT_EQ(value_of(read_of(*below, "yo10.ma"), "c_target_depth"), 70.0);
+  EXPECT_THAT(below->warnings, Contains(HasSubstr("under iceberg B-17")));
+}
+
+TEST(MissionSet, SaysWhereAPlanWaits) {
+  planning::Plan plan = two_legs();
+  plan.waypoints[1].wait = core::Seconds{5400.0};
+
+  const auto set = write_mission_set(plan, options_for("slocum-g3-200"));
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_THAT(set->warnings, Contains(HasSubstr("waits 1.5 h at waypoint 1")));
+}
+
 TEST(MissionSet, RefusesEveryBadOptionAtOnce) {
   MissionSetOptions options = under_ice();
   options.name = "Too Long Name";

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <random>
+#include <string>
 #include <vector>
 
 #include "engine/geo/geodesic.hpp"
@@ -29,6 +30,14 @@ inline ocean::Iceberg drifting_berg(geo::LonLat place, double length_m, double s
   return berg;
 }
 
+/// Whether the plan says that it passes under the berg then.
+inline bool is_under(const Plan& plan, const std::string& berg, core::UtcTime time) {
+  constexpr core::Seconds rounding{2.0};
+  return std::ranges::any_of(plan.passed_under, [&](const PassedUnder& under) {
+    return under.iceberg == berg && under.from - rounding <= time && time <= under.until + rounding;
+  });
+}
+
 /// Least distance of the plan's vehicle from the rim of any disc, by a simulation of its own in steps of a second:
 /// the vehicle moves evenly between its waypoints and stays there while it waits, each berg evenly along its observed drift. Bergs are seen at the
 /// start.
@@ -40,6 +49,7 @@ inline double least_gap_m(const Plan& plan, const ocean::Environment& environmen
     geo::PlaneVelocity drift;
     double hull_m;
     double error_m;
+    std::string name;
   };
   std::vector<Disc> discs;
   for (const ocean::Iceberg& berg : environment.icebergs) {
@@ -50,8 +60,8 @@ inline double least_gap_m(const Plan& plan, const ocean::Environment& environmen
       const double span_s = (berg.observed - berg.earlier[0].time).count();
       drift = {(now.x_m - then.x_m) / span_s, (now.y_m - then.y_m) / span_s};
     }
-    discs.push_back(
-        {now, drift, 0.5 * berg.length->value, berg.position_uncertainty.value_or(core::Metres{0.0}).value});
+    discs.push_back({now, drift, 0.5 * berg.length->value,
+                     berg.position_uncertainty.value_or(core::Metres{0.0}).value, berg.id});
   }
   double least_m = INFINITY;
   for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
@@ -65,6 +75,7 @@ inline double least_gap_m(const Plan& plan, const ocean::Environment& environmen
       const double x_m = a.x_m + share * (b.x_m - a.x_m);
       const double y_m = a.y_m + share * (b.y_m - a.y_m);
       for (const Disc& disc : discs) {
+        if (is_under(plan, disc.name, start + core::Seconds{t_s})) continue;
         const double radius_m = disc.hull_m + rules.margin.value +
                                 std::min(disc.error_m + t_s * 0.75 / 3.6, rules.max_inflation.value);
         least_m = std::min(least_m, std::hypot(x_m - disc.centre.x_m - t_s * disc.drift.x_m_s,
@@ -108,6 +119,7 @@ inline Scene random_scene(std::mt19937_64& rng) {
     const geo::LonLat place{uniform(rng, -40.1, -39.9), uniform(rng, 0.04, 0.16)};
     environment.icebergs.push_back(
         drifting_berg(place, uniform(rng, 10.0, 300.0), uniform(rng, 0.0, 0.3), uniform(rng, 0.0, 360.0)));
+    environment.icebergs.back().id = "B-" + std::to_string(i);
     if (i % 2 == 0) environment.icebergs.back().position_uncertainty = core::Metres{uniform(rng, 0.0, 500.0)};
   }
   return {request, environment};

@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plan_route.hpp"
@@ -102,6 +103,23 @@ TEST(PlanAmongIcebergs, CannotBeginInsideADiscAndNamesTheBerg) {
   EXPECT_EQ(result.error().reason, Reason::start_near_iceberg);
   EXPECT_NE(result.error().explanation.find("B-17"), std::string::npos) << result.error().explanation;
   EXPECT_NE(result.error().explanation.find("3000 m for the error"), std::string::npos)
+      << result.error().explanation;
+}
+
+TEST(PlanAmongIcebergs, SaysWhenADiscThatMovesLeavesTheStart) {
+  // Half a kilometre of margin and 50 m of hull at 0.2 m/s: 46 minutes.
+  PlanRequest request = support::eastward_request();
+  request.icebergs.max_inflation = core::Metres{0.0};
+  request.max_loiter = core::Seconds{12.0 * hour_s};
+  ocean::Environment environment;
+  environment.icebergs = {drifting_berg(request.from, 100.0, 0.2, 0.0)};
+
+  const Result<Plan> result = plan(environment, request);
+
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().reason, Reason::start_near_iceberg);
+  const std::string until = core::iso8601(start + core::Seconds{550.0 / 0.2});
+  EXPECT_NE(result.error().explanation.find(", until " + until.substr(0, 15)), std::string::npos)
       << result.error().explanation;
 }
 

@@ -69,7 +69,6 @@ TEST(Loiter, LetsTheWayThatOpensLaterBeWaitedFor) {
   EXPECT_LE(waiting->arrival, moving->arrival);
   EXPECT_LT(waiting->distance, moving->distance);
   EXPECT_GT(waiting->clearances.iceberg->value, request.icebergs.margin.value);
-  EXPECT_FALSE(speaks_of_waiting(*waiting));
 }
 
 TEST(Loiter, IsNotWorthwhileWhereGoingRoundIsFaster) {
@@ -117,7 +116,9 @@ TEST(Loiter, NeverLeadsIntoADiscNorArrivesLater) {
     waits += waited(*result).count() > 0.0 ? 1 : 0;
     EXPECT_GT(least_gap_m(*result, environment, request.icebergs), -tolerance_m);
     for (const Waypoint& waypoint : result->waypoints) EXPECT_LE(waypoint.wait, request.max_loiter);
-    if (moving) EXPECT_LE(result->travel_time().count(), moving->travel_time().count() * 1.002);
+    if (moving) {
+      EXPECT_LE(result->travel_time().count(), moving->travel_time().count());
+    }
   });
   EXPECT_GT(found, 250);
   EXPECT_GT(waits, 10);
@@ -203,12 +204,14 @@ TEST(Loiter, EndsBeforeADiscComesOverThePlace) {
 TEST(Loiter, IsFoundForAGivenRouteToo) {
   auto [request, environment] = closed_gap();
   EXPECT_FALSE(evaluate_route(environment, {request.from, request.to}, request));
-  request.max_loiter = 2.0 * half_a_day;
+  // The vehicle would catch up with the berg: it sets out when the berg, at 0.12 m/s, will be past the goal in time.
+  request.max_loiter = 6.0 * half_a_day;
 
   const Result<Plan> result = evaluate_route(environment, {request.from, request.to}, request);
 
   ASSERT_TRUE(result) << result.error().explanation;
-  EXPECT_GT(waited(*result).count(), hour_s);
+  const double passes_goal_h = (27'900.0 + 5550.0) / 0.12 / hour_s;
+  EXPECT_NEAR(waited(*result).count() / hour_s, passes_goal_h - 31.7, 1.0);
   EXPECT_EQ(result->waypoints.size(), 2U);
 }
 

@@ -1,0 +1,44 @@
+#include "engine/planning/pass_under.hpp"
+
+#include <algorithm>
+
+#include "engine/ocean/iceberg_draft.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+bool is_size_known(const ocean::Iceberg& iceberg) {
+  const bool has_class =
+      iceberg.size != ocean::IcebergSize::unknown && iceberg.size != ocean::IcebergSize::radar_target;
+  return iceberg.draft || iceberg.length || has_class;
+}
+
+}  // namespace
+
+PassUnder::PassUnder(const ocean::Environment& environment, const IcebergRules& rules,
+                     const vehicle::GliderProfile& vehicle, const geo::LocalProjection& projection,
+                     const PlaneBox& area, const std::stop_token& stop)
+    : rules_{rules},
+      needed_below_{vehicle.minimum_working_depth},
+      dive_room_{std::max(0.0, vehicle.minimum_working_depth.value - vehicle.altimeter_margin.value)},
+      dive_depth_{vehicle.dive_depth} {
+  if (rules.pass_under && environment.bathymetry)
+    bed_.emplace(environment.bathymetry, projection, area, stop);
+}
+
+std::optional<Keel> PassUnder::keel_of(const ocean::Iceberg& iceberg) const {
+  if (!rules_.pass_under || !is_size_known(iceberg)) return std::nullopt;
+  const core::Metres draft = ocean::safe_draft(iceberg);
+  const core::Metres deepest{(1.0 + rules_.draft_uncertainty) * draft.value};
+  const core::Metres upper_turn = deepest + rules_.keel_clearance;
+  if (upper_turn + dive_room_ > dive_depth_) return std::nullopt;
+  return Keel{draft, iceberg.draft.has_value(), deepest, upper_turn};
+}
+
+bool PassUnder::has_room(geo::PlanePoint point, core::Metres upper_turn) const {
+  if (!bed_) return true;
+  const auto depth = bed_->depth(point);
+  return depth && *depth >= upper_turn + needed_below_;
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/keel.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/plane_bed.hpp"
+
+namespace floeplan::planning {
+
+/// Whether and where a vehicle may pass under icebergs: all the way across a berg's disc its dives stay below the keel,
+/// and it needs as much water from their upper turn to the sea bed as it otherwise needs from the surface.
+/// Draft    of a berg whose size nobody told, neither length nor draft nor class, nothing is expected: it is never
+///          passed under
+/// Edges    no bathymetry: every depth will do; where the bed is not known there is no room
+/// Threads  const members may be called from several threads at once
+class PassUnder {
+ public:
+  /// Once `stop` is requested it stays incomplete and must not be used.
+  PassUnder(const ocean::Environment& environment, const IcebergRules& rules,
+            const vehicle::GliderProfile& vehicle, const geo::LocalProjection& projection,
+            const PlaneBox& area, const std::stop_token& stop);
+
+  /// Empty where the rules do not allow it, and where the vehicle does not dive deep enough.
+  [[nodiscard]] std::optional<Keel> keel_of(const ocean::Iceberg& iceberg) const;
+  /// Whether the sea is deep enough here for dives that turn at this depth.
+  [[nodiscard]] bool has_room(geo::PlanePoint point, core::Metres upper_turn) const;
+
+ private:
+  IcebergRules rules_;
+  std::optional<PlaneBed> bed_;  // empty: every depth will do
+  core::Metres needed_below_;    // from the upper turn to the sea bed
+  core::Metres dive_room_;       // from the upper turn to the deepest point of the dives
+  core::Metres dive_depth_;
+};
+
+}  // namespace floeplan::planning

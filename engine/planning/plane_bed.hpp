@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <stop_token>
+
+#include "engine/ocean/bathymetry.hpp"
+#include "engine/planning/plane_grid.hpp"
+
+namespace floeplan::planning {
+
+/// The sea bed of a planning area as the inner loop asks for it: bilinear between the data's nodes.
+/// Threads  const members may be called from several threads at once
+class PlaneBed {
+ public:
+  /// `bathymetry` must not be null. Once `stop` is requested the bed stays incomplete and must not be used.
+  PlaneBed(std::shared_ptr<const ocean::Bathymetry> bathymetry, const geo::LocalProjection& projection,
+           const PlaneBox& area, const std::stop_token& stop);
+
+  /// Positive down; empty where it is not known.
+  [[nodiscard]] std::optional<core::Metres> depth(geo::PlanePoint point) const;
+
+ private:
+  std::shared_ptr<const ocean::Bathymetry> bathymetry_;
+  PlaneGrid grid_;
+};
+
+}  // namespace floeplan::planning

@@ -1,0 +1,41 @@
+#include "engine/planning/risk_plan.hpp"
+
+#include <utility>
+
+#include "engine/planning/cost_plan.hpp"
+#include "engine/planning/explanation.hpp"
+#include "engine/planning/plan_route.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+double cost_of(const Plan& plan, const Objective& objective) {
+  return objective.cost(plan.travel_time(), plan.energy->use.total(), plan.iceberg_encounters.value_or(0.0));
+}
+
+}  // namespace
+
+Result<Plan> plan_with_fewer_encounters(const ocean::Environment& environment, const PlanRequest& request,
+                                        const std::stop_token& stop, const core::ProgressCallback& progress,
+                                        const core::SteadyClock& clock) {
+  PlanRequest unweighted = request;
+  unweighted.icebergs.encounter_weight = core::Seconds{0.0};
+  Result<Plan> before = plan_route(environment, unweighted, stop, progress, clock);
+  if (!before) return before;
+  const Objective objective = request.objective();
+  EncounterTrade trade{.weight = request.icebergs.encounter_weight,
+                       .time_before = before->travel_time(),
+                       .encounters_before = before->iceberg_encounters.value_or(0.0)};
+  Plan chosen = std::move(*before);
+  if (trade.encounters_before > 0.0 && request.method != Method::direct) {
+    progress("encounters", 0.5);
+    Result<Plan> weighted = search_least_cost_plan(environment, request, stop, progress);
+    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+    const bool fewer = weighted && weighted->iceberg_encounters.value_or(0.0) <= trade.encounters_before;
+    if (fewer && cost_of(*weighted, objective) < cost_of(chosen, objective)) chosen = std::move(*weighted);
+  }
+  chosen.encounter_trade = trade;
+  return chosen;
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <stop_token>
+
+#include "engine/core/clock.hpp"
+#include "engine/core/progress.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan.hpp"
+#include "engine/planning/plan_request.hpp"
+
+namespace floeplan::planning {
+
+/// Plans with the request's weight on expected encounters with icebergs: the plan without the weight, unless another
+/// one expects fewer of them and costs less with it. So the weight never makes a plan expect more encounters.
+/// Errors   as plan_route
+/// Stops    as plan_route
+[[nodiscard]] Result<Plan> plan_with_fewer_encounters(const ocean::Environment& environment,
+                                                      const PlanRequest& request, const std::stop_token& stop,
+                                                      const core::ProgressCallback& progress,
+                                                      const core::SteadyClock& clock);
+
+}  // namespace floeplan::planning

@@ -1,0 +1,177 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/planning/plan_route.hpp"
+#include "tests/engine/planning/drifting_bergs.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
+  return plan_route(environment, request, {}, {});
+}
+
+/// A berg of a stated draft in the only gap of a wall.
+Scene plugged_gap(double draft_m) {
+  PlanRequest request = support::eastward_request();
+  request.icebergs.margin = core::Metres{5500.0};
+  request.icebergs.drift = false;
+  request.icebergs.pass_under = true;
+  ocean::Environment environment{.bathymetry = wall_with_a_gap()};
+  environment.icebergs = {support::iceberg_at({-53.0, 69.0}, 60.0)};
+  environment.icebergs[0].id = "B-17";
+  environment.icebergs[0].draft = core::Metres{draft_m};
+  return {request, environment};
+}
+
+TEST(PassUnder, IsNeverDoneUnasked) {
+  auto [request, environment] = plugged_gap(40.0);
+  request.icebergs.pass_under = false;
+
+  EXPECT_FALSE(plan(environment, request));
+  EXPECT_FALSE(PlanRequest{}.icebergs.pass_under);
+}
+
+TEST(PassUnder, LeadsBelowTheKeelAndSaysSo) {
+  auto [request, environment] = plugged_gap(40.0);
+
+  const Result<Plan> result = plan(environment, request);
+
+  ASSERT_TRUE(result) << result.error().explanation;
+  ASSERT_EQ(result->passed_under.size(), 1U);
+  const PassedUnder& under = result->passed_under[0];
+  EXPECT_EQ(under.iceberg, "B-17");
+  EXPECT_TRUE(under.keel.draft_is_stated);
+  EXPECT_NEAR(under.keel.deepest.value, 50.0, 1e-9);
+  EXPECT_NEAR(under.keel.upper_turn.value, 70.0, 1e-9);
+  // Eleven kilometres of the disc at 0.35 m/s.
+  EXPECT_NEAR((under.until - under.from).count(), 2.0 * 5530.0 / 0.35, 700.0);
+  EXPECT_TRUE(std::ranges::any_of(result->warnings, [](const std::string& warning) {
+    return warning.find("under iceberg B-17: no surfacing") != std::string::npos;
+  }));
+}
+
+TEST(PassUnder, ForbidsSurfacingInTheDisc) {
+  auto [request, environment] = plugged_gap(40.0);
+  request.max_leg = core::Metres{2000.0};
+
+  const Result<Plan> result = plan(environment, request);
+
+  ASSERT_TRUE(result && result->surfacing);
+  const PassedUnder& under = result->passed_under.at(0);
+  int below = 0;
+  for (std::size_t i = 0; i < result->waypoints.size(); ++i) {
+    const core::UtcTime eta = result->waypoints[i].eta;
+    const bool inside = under.from < eta && eta < under.until;
+    EXPECT_EQ(result->surfacing->waypoints[i].may_surface, !inside) << i;
+    EXPECT_EQ(result->surfacing->waypoints[i].least_upper_turn.value,
+              inside ? under.keel.upper_turn.value : 0.0);
+    below += inside ? 1 : 0;
+  }
+  EXPECT_GE(below, 4);
+  EXPECT_NEAR(result->surfacing->longest_without.count(), (under.until - under.from).count(), 1500.0);
+}
+
+TEST(PassUnder, IsNotPossibleBelowAKeelThatTheDivesDoNotReach) {
+  // Dives to 200 m; 1.25 times 140 m and the clearance of 20 m leave no room.
+  auto [request, environment] = plugged_gap(140.0);
+  EXPECT_FALSE(plan(environment, request));
+
+  request.icebergs.draft_uncertainty = 0.0;
+  EXPECT_TRUE(plan(environment, request));
+}
+
+TEST(PassUnder, IsNotPossibleWhereTheSeaIsTooShallow) {
+  auto [request, environment] = plugged_gap(40.0);
+  // The keel may reach 50 m, dives turn at 70 m and need 20 m from there to the bed.
+  const auto deep_as = [](double depth_m) {
+    return support::bathymetry_from([depth_m](geo::LonLat p) {
+      if (std::abs(p.lon_deg + 53.0) >= 0.15) return 300.0;
+      return std::abs(p.lat_deg - 69.0) < 0.026 ? depth_m : 5.0;
+    });
+  };
+  environment.bathymetry = deep_as(85.0);
+  EXPECT_FALSE(plan(environment, request));
+
+  environment.bathymetry = deep_as(95.0);
+  EXPECT_TRUE(plan(environment, request));
+}
+
+TEST(PassUnder, IsRefusedForABergOfUnknownSize) {
+  auto [request, environment] = plugged_gap(40.0);
+  environment.icebergs[0].draft.reset();
+  environment.icebergs[0].length.reset();
+  environment.icebergs[0].size = ocean::IcebergSize::radar_target;
+  request.icebergs.draft_uncertainty = 0.0;
+  request.vehicle = *vehicle::find_profile("slocum-g3-1000");
+  EXPECT_FALSE(plan(environment, request));
+
+  environment.icebergs[0].size = ocean::IcebergSize::small;
+  const Result<Plan> known = plan(environment, request);
+  ASSERT_TRUE(known);
+  EXPECT_FALSE(known->passed_under.at(0).keel.draft_is_stated);
+}
+
+TEST(PassUnder, DoesNotBeginOrEndUnderABerg) {
+  PlanRequest request = support::eastward_request();
+  request.icebergs.drift = false;
+  request.icebergs.pass_under = true;
+  ocean::Environment environment;
+  environment.icebergs = {support::iceberg_at(request.from, 60.0)};
+  const Result<Plan> at_start = plan(environment, request);
+  ASSERT_FALSE(at_start);
+  EXPECT_EQ(at_start.error().reason, Reason::start_near_iceberg);
+
+  environment.icebergs = {support::iceberg_at(request.to, 60.0)};
+  const Result<Plan> at_goal = plan(environment, request);
+  ASSERT_FALSE(at_goal);
+  EXPECT_EQ(at_goal.error().reason, Reason::goal_near_iceberg);
+}
+
+TEST(PassUnder, IsRefusedTogetherWithABoundOnTheTimeWithoutSurfacing) {
+  PlanRequest request = support::eastward_request();
+  request.icebergs.pass_under = true;
+  EXPECT_TRUE(request.violations().empty());
+  request.under_ice.max_time_without_surfacing = core::Seconds{7200.0};
+  EXPECT_EQ(request.violations().at(0).field, "/pass_under_icebergs");
+}
+
+TEST(PassUnder, NeverLeadsIntoADiscButBelowAKeelAndArrivesNoLater) {
+  int found = 0;
+  int under = 0;
+  support::for_each_seed(500, [&](std::mt19937_64& rng) {
+    auto [request, environment] = random_scene(rng);
+    for (ocean::Iceberg& berg : environment.icebergs)
+      berg.draft = core::Metres{support::uniform(rng, 5.0, 250.0)};
+    const Result<Plan> round = plan(environment, request);
+    request.icebergs.pass_under = true;
+
+    const Result<Plan> result = plan(environment, request);
+
+    if (!result) {
+      EXPECT_FALSE(round) << "passing under is allowed, not asked for";
+      return;
+    }
+    ++found;
+    under += result->passed_under.empty() ? 0 : 1;
+    EXPECT_GT(least_gap_m(*result, environment, request.icebergs), -tolerance_m);
+    for (const PassedUnder& passed : result->passed_under) {
+      const auto berg = std::ranges::find(environment.icebergs, passed.iceberg, &ocean::Iceberg::id);
+      ASSERT_NE(berg, environment.icebergs.end());
+      EXPECT_GE(passed.keel.upper_turn.value, 1.25 * berg->draft->value + 20.0 - 1e-9);
+      EXPECT_LE(passed.keel.upper_turn.value + 10.0, request.vehicle.dive_depth.value);
+    }
+    if (round) {
+      EXPECT_LE(result->travel_time().count(), round->travel_time().count());
+    }
+  });
+  EXPECT_GT(found, 250);
+  EXPECT_GT(under, 50);
+}
+
+}  // namespace
+}  // namespace floeplan::planning
