@@ -103,8 +103,8 @@ void add_ingest(CLI::App& app, Program& program) {
       ->required();
   command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
   command->add_option("--kind", flags->kind, "What to take the file for")
-      ->check(
-          CLI::IsMember({"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides", "zones"}))
+      ->check(CLI::IsMember(
+          {"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides", "wind", "zones"}))
       ->capture_default_str();
   command->add_option("--crs", flags->crs, "Reference system of a file that states none, as EPSG:4326");
   command

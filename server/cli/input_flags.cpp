@@ -88,6 +88,9 @@ void InputFlags::add_common(CLI::App& command) {
   command.add_option("--icebergs", icebergs_, "ID or none; default: the newest");
   command.add_option("--icebergs-as-of", icebergs_as_of_, "Latest sighting to use; default: the departure");
   command.add_option("--coastline", coastline_, "ID or none; default: the newest");
+  command.add_option(
+      "--wind", wind_,
+      "Wind that moves icebergs, ID or none; default: the newest that covers area and departure");
   command.add_option("--zones", zones_,
                      "Stored zones to obey, ID[,ID...] or none; default: all that meet the area");
   command.add_option("--margin", margin_m_, "Kept from icebergs, metres; default 500");
@@ -224,6 +227,7 @@ json InputFlags::inputs() const {
   };
   set_ids("currents", currents_);
   set_ids("tides", tides_);
+  set("wind", wind_);
   set_ids("zones", zones_);
   set("tides_mode", tides_mode_);
   if (areas_file_) inputs["areas"] = read_object(*areas_file_, "file of areas");

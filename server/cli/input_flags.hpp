@@ -80,6 +80,7 @@ class InputFlags {
   std::optional<double> surfacing_interval_s_;
   bool escape_plan_{false};
   std::optional<std::string> coastline_;
+  std::optional<std::string> wind_;
   std::optional<std::string> zones_;
   std::optional<double> margin_m_;
   std::optional<std::string> areas_file_;

@@ -155,22 +155,23 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
     return refuse("the file holds " + std::to_string(shape.times_s.size()) + " times and " +
                   std::to_string(shape.levels) + " depths of " + std::to_string(shape.points()) +
                   " nodes, more than this program accepts; cut out your area and period first");
-  const auto found = survey(*input.source, input.states_unit, progress);
+  const auto found = survey(*input.source, input.what, input.states_unit, progress);
   if (!found) return refuse(found.error());
   if (found->valid == 0)
     return refuse("every value of " + enumeration(input.variables) +
                   " is missing; there is nothing to store; check the area and the period of your download");
   if (found->everything_is_zero)
-    return refuse(
-        "every current in the file is exactly zero; that is a file without data, not still water; check the "
-        "area and the period of your download");
+    return refuse("every " + std::string{input.what == Moving::sea ? "current" : "wind"} +
+                  " in the file is exactly zero; that is a file without data, not a calm; check the area and "
+                  "the period of "
+                  "your download");
 
   auto currents = placed(input, found->land);
   if (!currents) return refuse(currents.error());
   if (auto fault = too_large(*currents)) return refuse(std::move(*fault));
 
   PreparedDataset data;
-  data.kind = repository::DatasetKind::currents;
+  data.kind = input.what == Moving::sea ? repository::DatasetKind::currents : repository::DatasetKind::wind;
   data.variables = std::move(input.variables);
   data.warnings = std::move(input.warnings);
   if (found->undeclared_fill > 0)

@@ -13,8 +13,9 @@
 
 namespace floeplan::ingest {
 
-/// Currents ready to be checked and stored.
+/// Currents, or wind, ready to be checked and stored.
 struct CurrentInput {
+  Moving what{Moving::sea};
   std::shared_ptr<const VelocitySource> source;
   std::optional<ocean::HorizontalGrid> grid;  // its nodes are the source's points; empty: they are resampled
   SourceMesh mesh;                            // of a source that is resampled
@@ -27,7 +28,8 @@ struct CurrentInput {
 /// Reads the source once to check every value and a second time to write it, slice by slice, so memory holds a few
 /// slices whatever the file's size. A source on any other layout than a regular grid is resampled; how far the stored
 /// currents then differ from the source at its own points is among the warnings.
-/// Errors   nothing but missing values; nothing but zeros; faster than 10 m/s; more than this program accepts
+/// Errors   nothing but missing values; nothing but zeros; faster than 10 m/s, wind
+///          than 100 m/s; more than this program accepts
 [[nodiscard]] Checked<PreparedDataset> prepare_currents(CurrentInput input,
                                                         const core::ProgressCallback& progress);
 

@@ -8,9 +8,19 @@
 namespace floeplan::ingest {
 namespace {
 
-std::string too_fast(const VelocitySource& source, bool states_unit, std::size_t point, double speed) {
+/// The strongest mean winds that were measured at sea level are below 90 m/s.
+constexpr double max_wind_m_s = 100.0;
+
+std::string too_fast(const VelocitySource& source, Moving what, bool states_unit, std::size_t point,
+                     double speed) {
   const geo::LonLat place = source.place(point);
   const std::string where = "longitude " + number(place.lon_deg) + ", latitude " + number(place.lat_deg);
+  if (what == Moving::air)
+    return "the wind reaches " + number(speed, 4) + (states_unit ? " m/s at " : " at ") + where +
+           "; no wind is that strong; " +
+           (states_unit ? "the unit is wrong or the file marks missing values without declaring them"
+                        : "the file states no unit, and it is probably not m/s") +
+           "; ask the producer";
   if (!states_unit)
     return "the current reaches " + number(speed, 4) + " at " + where +
            " and the file states no unit; in m/s no ocean is that fast, so the unit is probably cm/s; ask "
@@ -22,11 +32,12 @@ std::string too_fast(const VelocitySource& source, bool states_unit, std::size_t
 
 }  // namespace
 
-Checked<CurrentSurvey> survey(const VelocitySource& source, bool states_unit,
+Checked<CurrentSurvey> survey(const VelocitySource& source, Moving what, bool states_unit,
                               const core::ProgressCallback& progress) {
   const SourceShape& shape = source.shape();
   CurrentSurvey result;
-  const bool in_rows = shape.rows > 1;
+  const double most_m_s = what == Moving::sea ? max_speed_m_s : max_wind_m_s;
+  const bool in_rows = shape.rows > 1 && what == Moving::sea;
   const auto land = in_rows ? std::make_shared<ZeroLand>(shape.columns, shape.rows, shape.levels) : nullptr;
   for (std::size_t time = 0; time < shape.times_s.size(); ++time) {
     for (std::size_t level = 0; level < shape.levels; ++level) {
@@ -36,7 +47,7 @@ Checked<CurrentSurvey> survey(const VelocitySource& source, bool states_unit,
         if (std::isnan(slice->east[i])) continue;
         ++result.valid;
         const double speed = std::hypot(slice->east[i], slice->north[i]);
-        if (speed > max_speed_m_s) return refuse(too_fast(source, states_unit, i, speed));
+        if (speed > most_m_s) return refuse(too_fast(source, what, states_unit, i, speed));
         if (speed > 0.0) result.everything_is_zero = false;
       }
       result.undeclared_fill += slice->undeclared_fill;

@@ -17,8 +17,8 @@ struct CurrentSurvey {
   std::shared_ptr<const ZeroLand> land;  // null: no land that was written as still water
 };
 
-/// Errors  a current that no ocean has; the file cannot be read to its end
-[[nodiscard]] Checked<CurrentSurvey> survey(const VelocitySource& source, bool states_unit,
+/// Errors  a current that no ocean has, or a wind that never blows; the file cannot be read to its end
+[[nodiscard]] Checked<CurrentSurvey> survey(const VelocitySource& source, Moving what, bool states_unit,
                                             const core::ProgressCallback& progress);
 
 }  // namespace floeplan::ingest

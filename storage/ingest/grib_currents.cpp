@@ -23,10 +23,15 @@ namespace {
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 constexpr int oceanography = 10;
 constexpr int currents_category = 1;
-constexpr int east_number = 2;
+constexpr int meteorology = 0;
+constexpr int momentum_category = 2;
+constexpr int east_number = 2;  // of both: direction and speed are 0 and 1, u and v 2 and 3
 constexpr int north_number = 3;
 constexpr int depth_surface = 160;
 constexpr int sea_surface = 1;
+constexpr int height_surface = 103;
+constexpr double wind_height_m = 10.0;
+constexpr double same_height_m = 0.5;
 constexpr double fill_from = 9990.0;  // GDAL writes 9999 where a bitmap has no value
 constexpr std::uint64_t max_points = 10'000'000;
 
@@ -42,9 +47,34 @@ struct Contents {
   std::vector<double> depths_m;
   std::vector<Bands> bands;  // [time][depth]
   bool along_grid{false};
+  bool has_depths{true};
 };
 
-Checked<Contents> contents_of(const std::vector<GribField>& fields) {
+bool is_current(const GribField& field) {
+  return field.discipline == oceanography && field.category == currents_category;
+}
+
+bool is_wind(const GribField& field) {
+  return field.discipline == meteorology && field.category == momentum_category &&
+         (field.number == east_number || field.number == north_number) &&
+         field.surface_type == height_surface &&
+         std::abs(field.surface_value - wind_height_m) <= same_height_m;
+}
+
+std::string nothing_to_store(Moving what, bool direction) {
+  if (what == Moving::air)
+    return "the GRIB file holds no wind 10 m above the ground (discipline 0, category 2, surface 103); there "
+           "is "
+           "nothing to store; give a file with both components of that wind";
+  if (direction)
+    return "the GRIB file gives the current as speed and direction, which this program does not read; give a "
+           "file with its components towards east and north";
+  return "the GRIB file holds no currents of the sea (discipline 10, category 1); there is nothing to store; "
+         "give a file with both components of the current";
+}
+
+Checked<Contents> contents_of(const std::vector<GribField>& fields, Moving what) {
+  const std::string name = what == Moving::sea ? "current" : "wind";
   std::map<std::pair<double, double>, Bands> found;
   std::set<double> times;
   std::set<double> depths;
@@ -52,10 +82,10 @@ Checked<Contents> contents_of(const std::vector<GribField>& fields) {
   bool direction = false;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const GribField& field = fields[i];
-    if (field.discipline != oceanography || field.category != currents_category) continue;
+    if (!(what == Moving::sea ? is_current(field) : is_wind(field))) continue;
     direction = direction || field.number <= 1;
     if (field.number != east_number && field.number != north_number) continue;
-    if (field.surface_type != depth_surface && field.surface_type != sea_surface)
+    if (what == Moving::sea && field.surface_type != depth_surface && field.surface_type != sea_surface)
       return refuse("the GRIB file has currents on a surface of type " + std::to_string(field.surface_type) +
                     ", which is no depth; they cannot be placed in the water; ask for depths in metres");
     if (first == nullptr) first = &field;
@@ -67,23 +97,19 @@ Checked<Contents> contents_of(const std::vector<GribField>& fields) {
     Bands& bands = found[{field.valid_s, depth_m}];
     int& band = field.number == east_number ? bands.east : bands.north;
     if (band != 0)
-      return refuse(
-          "the GRIB file holds a component of the current twice for one time and depth; which of them holds "
-          "is "
-          "unknown; remove one of them");
+      return refuse("the GRIB file holds a component of the " + name +
+                    " twice for one time and place; which of them holds is unknown; remove one of them");
     band = static_cast<int>(i) + 1;
     times.insert(field.valid_s);
     depths.insert(depth_m);
   }
-  if (first == nullptr)
-    return refuse(
-        direction
-            ? "the GRIB file gives the current as speed and direction, which this program does not read; "
-              "give a file with its components towards east and north"
-            : "the GRIB file holds no currents of the sea (discipline 10, category 1); there is nothing "
-              "to store; give a file with both components of the current");
+  if (first == nullptr) return refuse(nothing_to_store(what, direction));
 
-  Contents contents{{times.begin(), times.end()}, {depths.begin(), depths.end()}, {}, first->along_grid};
+  Contents contents{{times.begin(), times.end()},
+                    {depths.begin(), depths.end()},
+                    {},
+                    first->along_grid,
+                    what == Moving::sea};
   if (contents.depths_m.front() < 0.0 || contents.depths_m.back() > 12000.0)
     return refuse("the depths in the GRIB file run from " + number(contents.depths_m.front()) + " to " +
                   number(contents.depths_m.back()) + " m; no ocean does; the file is damaged");
@@ -91,8 +117,9 @@ Checked<Contents> contents_of(const std::vector<GribField>& fields) {
     for (const double depth : contents.depths_m) {
       const Bands bands = found[{time, depth}];
       if (bands.east == 0 || bands.north == 0)
-        return refuse("the GRIB file lacks a component of the current at a depth of " + number(depth) +
-                      " m at one of its times; gaps cannot be filled; ask for a complete file");
+        return refuse("the GRIB file lacks a component of the " + name +
+                      (what == Moving::sea ? " at a depth of " + number(depth) + " m" : std::string{}) +
+                      " at one of its times; gaps cannot be filled; ask for a complete file");
       contents.bands.push_back(bands);
     }
   }
@@ -173,7 +200,7 @@ class GribSource : public VelocitySource {
     shape_.columns = place_.columns.size();
     shape_.rows = place_.rows;
     shape_.times_s = contents_.times_s;
-    shape_.depths_m = contents_.depths_m;
+    if (contents_.has_depths) shape_.depths_m = contents_.depths_m;
     shape_.levels = contents_.depths_m.size();
   }
 
@@ -250,13 +277,11 @@ Checked<GridDirections> directions_on(const RasterPlace& place) {
   return directions_of(collocated, positions, positions, {}, {});
 }
 
-}  // namespace
-
-Checked<PreparedDataset> read_grib_currents(const std::filesystem::path& file,
-                                            const core::ProgressCallback& progress) {
+Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Moving what,
+                                         const core::ProgressCallback& progress) {
   const auto fields = grib_fields(file);
   if (!fields) return refuse(fields.error());
-  auto contents = contents_of(*fields);
+  auto contents = contents_of(*fields, what);
   if (!contents) return refuse(contents.error());
 
   register_drivers();
@@ -276,14 +301,15 @@ Checked<PreparedDataset> read_grib_currents(const std::filesystem::path& file,
   if (!place) return refuse(place.error());
 
   CurrentInput input;
+  input.what = what;
   input.variables = {"u", "v"};
   std::optional<GridDirections> directions;
   if (contents->along_grid && !place->grid) {
     auto found = directions_on(*place);
     if (!found) return refuse(found.error());
     input.warnings.push_back(
-        "the currents point along the axes of the grid, as the file says; they were turned to "
-        "east and north, by up to " +
+        std::string{what == Moving::sea ? "the currents point" : "the wind points"} +
+        " along the axes of the grid, as the file says; it was turned to east and north, by up to " +
         number(found->largest_turn_deg(), 3) + " degrees");
     directions = std::move(*found);
   }
@@ -296,6 +322,28 @@ Checked<PreparedDataset> read_grib_currents(const std::filesystem::path& file,
   input.source = std::make_shared<const GribSource>(std::move(raster), std::move(*contents),
                                                     std::move(*place), std::move(directions));
   return prepare_currents(std::move(input), progress);
+}
+
+}  // namespace
+
+Checked<std::vector<repository::DatasetKind>> kinds_of_grib(const std::filesystem::path& file) {
+  const auto fields = grib_fields(file);
+  if (!fields) return refuse(fields.error());
+  std::vector<repository::DatasetKind> kinds;
+  const bool wind = std::ranges::any_of(*fields, is_wind);
+  if (!wind || std::ranges::any_of(*fields, is_current)) kinds.push_back(repository::DatasetKind::currents);
+  if (wind) kinds.push_back(repository::DatasetKind::wind);
+  return kinds;
+}
+
+Checked<PreparedDataset> read_grib_currents(const std::filesystem::path& file,
+                                            const core::ProgressCallback& progress) {
+  return read_velocities(file, Moving::sea, progress);
+}
+
+Checked<PreparedDataset> read_grib_wind(const std::filesystem::path& file,
+                                        const core::ProgressCallback& progress) {
+  return read_velocities(file, Moving::air, progress);
 }
 
 }  // namespace floeplan::ingest

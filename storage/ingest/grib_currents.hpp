@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <vector>
 
 #include "engine/core/progress.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
@@ -14,5 +15,14 @@ namespace floeplan::ingest {
 ///          on different grids
 [[nodiscard]] Checked<PreparedDataset> read_grib_currents(const std::filesystem::path& file,
                                                           const core::ProgressCallback& progress);
+
+/// The same for the wind 10 m above the ground (discipline 0, category 2, numbers 2 and 3, surface 103); other heights
+/// are passed over.
+[[nodiscard]] Checked<PreparedDataset> read_grib_wind(const std::filesystem::path& file,
+                                                      const core::ProgressCallback& progress);
+
+/// Currents, wind or both; currents where there is neither, whose reader then says so.
+/// Errors   as grib_fields
+[[nodiscard]] Checked<std::vector<repository::DatasetKind>> kinds_of_grib(const std::filesystem::path& file);
 
 }  // namespace floeplan::ingest

@@ -22,6 +22,7 @@
 #include "storage/ingest/tide_reader.hpp"
 #include "storage/ingest/tide_table.hpp"
 #include "storage/ingest/vector_file.hpp"
+#include "storage/ingest/wind_reader.hpp"
 #include "storage/ingest/zarr_store.hpp"
 #include "storage/ingest/zone_reader.hpp"
 #include "storage/repository/dataset_repository.hpp"
@@ -48,10 +49,13 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
     case FileFormat::zarr:
       if (kind == DatasetKind::coastline) return read_gshhg_coastline(file.path, progress);
       if (kind == DatasetKind::tides) return read_tides(file.netcdf, file.path, options, progress);
+      if (kind == DatasetKind::wind) return read_wind(file.netcdf, options.crs, progress);
       if (kind == DatasetKind::ice) return read_ice(file.netcdf, options, progress);
       return kind == DatasetKind::currents ? read_currents(together(file), options.crs, progress)
                                            : read_netcdf_bathymetry(*file.netcdf, options);
-    case FileFormat::grib: return read_grib_currents(file.path, progress);
+    case FileFormat::grib:
+      return kind == DatasetKind::wind ? read_grib_wind(file.path, progress)
+                                       : read_grib_currents(file.path, progress);
     case FileFormat::bag: return read_raster_bathymetry(file.path, "BAG", options);
     case FileFormat::geotiff: return read_raster_bathymetry(file.path, "GTiff", options);
     case FileFormat::ascii_grid: return read_raster_bathymetry(file.path, "AAIGrid", options);

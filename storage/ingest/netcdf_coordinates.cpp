@@ -62,7 +62,9 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std
     if (value == 0.0) value = 0.0;  // -0 becomes 0
 
   auto nodes = monotonic_nodes(coordinate.name(), std::move(*values));
-  if (nodes && (nodes->nodes.front() < -10.0 || nodes->nodes.back() > 12000.0))
+  const bool above_ground =
+      up && contains_any(lower(coordinate.name() + " " + coordinate.attribute("standard_name")), {"height"});
+  if (nodes && !above_ground && (nodes->nodes.front() < -10.0 || nodes->nodes.back() > 12000.0))
     return refuse("the depth axis \"" + coordinate.name() + "\" runs from " + number(nodes->nodes.front()) +
                   " to " + number(nodes->nodes.back()) +
                   " m below the surface; no ocean does; its unit or direction is wrong");

@@ -4,6 +4,7 @@
 
 #include "storage/ingest/bathymetry_netcdf_reader.hpp"
 #include "storage/ingest/geojson_file.hpp"
+#include "storage/ingest/grib_currents.hpp"
 #include "storage/ingest/gshhg_reader.hpp"
 #include "storage/ingest/ice_variables.hpp"
 #include "storage/ingest/netcdf_grid.hpp"
@@ -12,6 +13,7 @@
 #include "storage/ingest/tide_variables.hpp"
 #include "storage/ingest/vector_file.hpp"
 #include "storage/ingest/velocity_pair.hpp"
+#include "storage/ingest/wind_reader.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -31,7 +33,9 @@ bool ice_is_readable(const NetcdfFile& file) {
   return ice && lies_on_regular_grid(file, *ice->concentrations.front(), std::nullopt);
 }
 
-std::vector<DatasetKind> kinds_of_netcdf(const NetcdfFile& file, std::optional<DatasetKind> wanted) {
+std::vector<DatasetKind> kinds_of_netcdf(const std::shared_ptr<const NetcdfFile>& opened,
+                                         std::optional<DatasetKind> wanted) {
+  const NetcdfFile& file = *opened;
   if (holds_tides(file)) return {DatasetKind::tides};
   std::vector<DatasetKind> kinds;
   const bool bathymetry_wanted = wanted == DatasetKind::bathymetry;
@@ -44,6 +48,9 @@ std::vector<DatasetKind> kinds_of_netcdf(const NetcdfFile& file, std::optional<D
   const bool lone_ice = wanted == DatasetKind::ice || !velocity;
   if (holds_ice(file) && (lone_ice || (velocity_parts(file) == VelocityParts::both && ice_is_readable(file))))
     kinds.push_back(DatasetKind::ice);
+  // Wind that cannot be read is no reason to refuse what else the file holds.
+  const bool lone_wind = wanted == DatasetKind::wind || kinds.empty();
+  if (holds_wind(file) && (lone_wind || wind_is_readable(opened))) kinds.push_back(DatasetKind::wind);
   return kinds;
 }
 
@@ -52,10 +59,10 @@ std::string nothing_known(const NetcdfFile& file) {
   for (const NetcdfVariable& variable : file.variables()) names.push_back(variable.name());
   if (names.empty())
     return "the NetCDF file holds no variables at its top level; there is nothing to store; give a file with "
-           "currents, depths or sea ice";
+           "currents, depths, sea ice or wind";
   return "the file holds " + enumeration(names) +
-         ", but neither currents of the sea nor depths nor sea ice; there is nothing to store; give a file "
-         "with, for example, uo and vo, elevation or siconc";
+         ", but neither currents of the sea nor depths nor sea ice nor wind; there is nothing to store; give "
+         "a file with, for example, uo and vo, elevation, siconc or u10 and v10";
 }
 
 /// Points are icebergs, whatever else is an area with a rule, unless outlines are asked for as icebergs.
@@ -77,7 +84,7 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
       auto netcdf = NetcdfFile::open(file.path);
       if (!netcdf) return refuse(netcdf.error());
       file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
-      file.kinds = kinds_of_netcdf(*file.netcdf, wanted);
+      file.kinds = kinds_of_netcdf(file.netcdf, wanted);
       if (file.kinds.empty() && file.format != FileFormat::zarr && is_gshhg(file.path))
         file.kinds = {DatasetKind::coastline};
       if (file.kinds.empty()) return refuse(nothing_known(*file.netcdf));
@@ -92,7 +99,12 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
       file.kinds = {*kind};
       return true;
     }
-    case FileFormat::grib: file.kinds = {DatasetKind::currents}; return true;
+    case FileFormat::grib: {
+      auto kinds = kinds_of_grib(file.path);
+      if (!kinds) return refuse(kinds.error());
+      file.kinds = std::move(*kinds);
+      return true;
+    }
     case FileFormat::tide_json:
     case FileFormat::tide_table:
     case FileFormat::otps_extract: file.kinds = {DatasetKind::tides}; return true;

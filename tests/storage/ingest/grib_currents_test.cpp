@@ -106,6 +106,39 @@ TEST_F(GribCurrents, OfSeveralTimesAndDepthsAreOneField) {
   EXPECT_EQ(currents.samples().times_s.size(), 2U);
 }
 
+TEST_F(GribCurrents, AreNotTheWindOfTheirFile) {
+  std::string octets = both_components({});
+  for (const double height_m : {100.0, 10.0}) {
+    GribMessage wind;
+    wind.wind_height_m = height_m;
+    octets += both_components(wind);
+  }
+
+  const auto reports = ingest_all(write_file("both.grb2", octets));
+
+  ASSERT_EQ(reports.size(), 2U);
+  EXPECT_EQ(reports[0].dataset.value().kind, repository::DatasetKind::currents);
+  EXPECT_EQ(reports[1].dataset.value().kind, repository::DatasetKind::wind);
+}
+
+TEST_F(GribCurrents, AndWindAlikeAreTurnedFromTheirGrid) {
+  GribMessage message;
+  message.wind_height_m = 10.0;
+  message.polar = true;
+  message.along_grid = true;
+  const auto wind = stored(both_components(message));
+
+  expect_turning_sea(wind, 300);
+  EXPECT_EQ(report_.dataset->kind, repository::DatasetKind::wind);
+  EXPECT_FALSE(wind.samples().depths_m);
+}
+
+TEST_F(GribCurrents, AreMissingWhereTheWindBlowsHigherUpAlone) {
+  GribMessage wind;
+  wind.wind_height_m = 100.0;
+  expect_refused(write_file("high.grb2", both_components(wind)), "no currents of the sea");
+}
+
 TEST_F(GribCurrents, WithAGapAreRefused) {
   GribMessage later;
   later.forecast_h = 12;

@@ -106,10 +106,11 @@ std::string GribMessage::octets() const {
         .put(static_cast<std::uint64_t>(micro(step_deg)), 4);
     grid.put(static_cast<std::uint64_t>(scanning), 1);
   }
+  const double surface_m = wind_height_m.value_or(depth_m);
   const std::string product = Octets{}
                                   .put(0, 2)
                                   .put(0, 2)
-                                  .put(1, 1)
+                                  .put(wind_height_m ? 2 : 1, 1)
                                   .put(static_cast<std::uint64_t>(number), 1)
                                   .put(2, 1)
                                   .put(0, 1)
@@ -118,9 +119,9 @@ std::string GribMessage::octets() const {
                                   .put(0, 1)
                                   .put(1, 1)
                                   .put(static_cast<std::uint64_t>(forecast_h), 4)
-                                  .put(160, 1)
+                                  .put(wind_height_m ? 103 : 160, 1)
                                   .put(2, 1)
-                                  .put(static_cast<std::uint64_t>(std::llround(depth_m * 100.0)), 4)
+                                  .put(static_cast<std::uint64_t>(std::llround(surface_m * 100.0)), 4)
                                   .put(255, 1)
                                   .put(255, 1)
                                   .put(0xFFFFFFFFU, 4)
@@ -142,7 +143,14 @@ std::string GribMessage::octets() const {
                2);
   const std::string body = identification + grid.section(3) + product + representation +
                            Octets{}.put(255, 1).section(6) + packed.section(7) + "7777";
-  return Octets{}.text("GRIB").put(0, 2).put(10, 1).put(2, 1).put(body.size() + 16, 8).text() + body;
+  return Octets{}
+             .text("GRIB")
+             .put(0, 2)
+             .put(wind_height_m ? 0 : 10, 1)
+             .put(2, 1)
+             .put(body.size() + 16, 8)
+             .text() +
+         body;
 }
 
 }  // namespace floeplan::ingest

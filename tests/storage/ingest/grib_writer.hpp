@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <string>
 
 #include "engine/geo/lon_lat.hpp"
@@ -20,6 +21,7 @@ struct GribMessage {
   double step_deg{1.0};
   double spacing_m{50000.0};  // of the polar plane, whose middle is 600 km from the pole
   double depth_m{5.0};
+  std::optional<double> wind_height_m;                     // then it is wind at this height above the ground
   int forecast_h{6};                                       // from 2026-11-20T00:00:00Z on
   std::function<double(double column, double row)> value;  // rows from the south
 

@@ -27,6 +27,7 @@ struct Sample {
   std::int64_t rows{};
   std::string warning;  // a fragment that must be among the warnings
   std::optional<std::string> positive;
+  std::optional<repository::DatasetKind> kind{};  // of a file that holds several
 };
 
 void PrintTo(const Sample& sample, std::ostream* out) { *out << sample.file; }
@@ -37,7 +38,7 @@ TEST_P(SampleFile, IsStoredOrRefusedAsItsContentDemands) {
   if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
   const Sample& sample = GetParam();
   const auto file = sample_folder() / sample.file;
-  const IngestOptions options{.name = {}, .kind = {}, .crs = {}, .positive = sample.positive};
+  const IngestOptions options{.name = {}, .kind = sample.kind, .crs = {}, .positive = sample.positive};
   if (sample.outcome != "stored") {
     expect_refused(file, sample.outcome, options);
     return;
@@ -90,7 +91,8 @@ INSTANTIATE_TEST_SUITE_P(
                "2023-07-21T13:00:00Z",
                144,
                "already hold the tide",
-               {}},
+               {},
+               repository::DatasetKind::currents},
         Sample{"currents/test_hycom.nc", "only one component", "", "", 0, "", {}},
         Sample{"currents/ORCA025-N06_20000104d05U_sub.nc", "only one component", "", "", 0, "", {}},
         Sample{"currents/ORCA025-N06_20000104d05V_sub.nc", "only one component", "", "", 0, "", {}},
@@ -270,7 +272,7 @@ TEST_F(StoredCurrents, AreThoseThatAnotherReaderSees) {
   };
   std::map<std::string, ocean::CurrentGrid::Samples> files;
   for (const auto& name : {cmems, gnome, hycom, duacs, baltic}) {
-    const auto report = ingest(sample_folder() / name);
+    const auto report = ingest(sample_folder() / name, {.kind = repository::DatasetKind::currents});
     ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
     files.emplace(name, repository::FieldRepository{db_}
                             .load_currents(report.dataset->id, whole_world, std::nullopt, std::nullopt)
@@ -303,7 +305,8 @@ TEST_F(StoredCurrents, HaveAsManyValidValuesAsAnotherReaderSees) {
       {"nrt_global_allsat_phy_l4_20190223_20190226.nc", 584839},
       {"wrt_reduced_weather.nc", 960}};
   for (const auto& [name, count] : expected) {
-    const auto report = ingest(sample_folder() / "currents" / name);
+    const auto report =
+        ingest(sample_folder() / "currents" / name, {.kind = repository::DatasetKind::currents});
     ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
     const auto field = repository::FieldRepository{db_}.load_currents(report.dataset->id, whole_world,
                                                                       std::nullopt, std::nullopt);

@@ -163,13 +163,14 @@ TEST_F(Refusals, ComponentsThatAreDescribedDifferently) {
   expect_refused_currents(file, "described differently");
 }
 
-TEST_F(Refusals, TheWind) {
+TEST_F(Refusals, TheWindInPlaceOfCurrents) {
   CurrentFile file;
   file.u_name = "u";
   file.v_name = "v";
   file.u_texts = {{"units", "m s-1"}, {"standard_name", "eastward_wind"}};
   file.v_texts = {{"units", "m s-1"}, {"standard_name", "northward_wind"}};
-  expect_refused_currents(file, "neither currents of the sea nor depths");
+  file.write(path("wind.nc"));
+  expect_refused(path("wind.nc"), "holds wind, not currents", {.kind = repository::DatasetKind::currents});
 }
 
 TEST_F(Refusals, LevelsThatAreNoDepths) {
