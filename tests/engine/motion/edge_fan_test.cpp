@@ -73,8 +73,10 @@ class AllowedWater {
 
   std::optional<CurrentXy> operator()(geo::PlanePoint point, core::Seconds time) const {
     if (time.count() > times_s.back()) return std::nullopt;
-    const auto after = std::ranges::upper_bound(times_s, time.count()) - times_s.begin();
-    const std::size_t i = std::min(static_cast<std::size_t>(after), times_s.size() - 1) - 1;
+    // A stage of the integration may look a little before the departure: the first stretch goes on there.
+    const auto after =
+        static_cast<std::size_t>(std::ranges::upper_bound(times_s, time.count()) - times_s.begin());
+    const std::size_t i = std::clamp(after, std::size_t{1}, times_s.size() - 1) - 1;
     const double share = (time.count() - times_s[i]) / (times_s[i + 1] - times_s[i]);
     const auto at = [&](const std::vector<CurrentXy>& of) {
       return CurrentXy{of[i].x_m_s + share * (of[i + 1].x_m_s - of[i].x_m_s),
