@@ -31,10 +31,13 @@ NetcdfVariable::NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> ar
     for (const double fill : attribute->ReadAsDoubleArray())
       fills_.push_back(is_float32() ? static_cast<double>(static_cast<float>(fill)) : fill);
   }
-  // The netCDF driver casts a fill to the packed type, which may make it another number; Zarr states it there alone.
-  bool stated = false;
-  const double no_data = array_->GetNoDataValueAsDouble(&stated);
-  if (fills_.empty() && stated && of_zarr) fills_.push_back(no_data);
+  // Zarr states a fill there alone. The netCDF driver must not be asked: where the type of the attribute is wider than
+  // the variable's, GDAL 3.6 writes it past the end of its buffer, and else casts it to another number.
+  if (of_zarr && fills_.empty()) {
+    bool stated = false;
+    const double no_data = array_->GetNoDataValueAsDouble(&stated);
+    if (stated) fills_.push_back(no_data);
+  }
   // The unit of a variable that counts since a date is not among GDAL's attributes in every version.
   if (!array_->GetUnit().empty()) attributes_.emplace("units", trimmed(array_->GetUnit()));
 
