@@ -40,11 +40,11 @@ test('how far the vehicle comes is drawn and taken off again, with the keyboard 
   await page.keyboard.press('Enter');
   const hours = page.getByLabel('Hours after departure');
   await hours.fill('three');
-  await page.getByRole('button', { name: 'Show reach' }).focus();
+  await page.getByRole('button', { name: 'Draw reach' }).focus();
   await page.keyboard.press('Enter');
   await expect(page.getByText('Write the hours as 6, 12, 24.')).toBeVisible();
   await hours.fill('2, 4');
-  await page.getByRole('button', { name: 'Show reach' }).focus();
+  await page.getByRole('button', { name: 'Draw reach' }).focus();
   await page.keyboard.press('Enter');
   await expect(page.locator('#map')).toHaveAttribute('data-reach', 'ok', { timeout: 120_000 });
   await expect(page.getByRole('list', { name: 'Areas within reach' }).getByRole('listitem')).toHaveCount(2);

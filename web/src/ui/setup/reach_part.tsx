@@ -26,7 +26,7 @@ export function ReachPart(): VNode {
       )}
       <div class="field-row">
         <button type="button" disabled={shown?.state === 'pending'} onClick={() => void showReach()}>
-          <Icon name="reach" /> {shown?.state === 'pending' ? 'Working …' : 'Show reach'}
+          <Icon name="reach" /> {shown?.state === 'pending' ? 'Working …' : 'Draw reach'}
         </button>
         {shown && <button type="button" onClick={hideReach}>{shown.state === 'pending' ? 'Cancel' : 'Remove'}</button>}
       </div>
