@@ -69,9 +69,8 @@ std::string add_places(const json& maneuver, std::vector<geo::LonLat>& places) {
     const auto north = point.is_object() ? number_at(point, "x") : std::nullopt;
     const auto east = point.is_object() ? number_at(point, "y") : std::nullopt;
     if (!north || !east || std::hypot(*north, *east) > 1e6) return "has a point without x and y in metres";
-    places.push_back(geo::geodesic_destination(
-        *reference, geo::Bearing::towards(*east, *north),
-        core::Metres{std::hypot(*north, *east)}));
+    places.push_back(geo::geodesic_destination(*reference, geo::Bearing::towards(*east, *north),
+                                               core::Metres{std::hypot(*north, *east)}));
   }
   return "";
 }

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "engine/planning/chart.hpp"
-#include "engine/planning/explanation.hpp"
 #include "engine/planning/evaluate_route.hpp"
+#include "engine/planning/explanation.hpp"
 #include "engine/planning/route_cost.hpp"
 
 namespace floeplan::planning {

@@ -103,10 +103,10 @@ int run(const Flags& flags, const Program& program) {
 
 void add_check(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
-  auto* command =
-      app.add_subcommand("check",
-                         "Read mission files (.ma, .mi; a Seaglider's targets, science, cmdfile) and judge them; "
-                         "with --depart as one flight through the stored data");
+  auto* command = app.add_subcommand(
+      "check",
+      "Read mission files (.ma, .mi; a Seaglider's targets, science, cmdfile) and judge them; "
+      "with --depart as one flight through the stored data");
   command->add_option("FILE", flags->files, "Mission files, lists in the order in which they are flown")
       ->required();
   command->add_option("--from", flags->from, "Where the vehicle is, LON,LAT; default: the first waypoint");
