@@ -1,0 +1,255 @@
+#!/usr/bin/env python3
+"""Drives every operation of a server's own OpenAPI document and checks each JSON answer against its schema.
+
+usage: openapi_responses.py URL [DOCUMENT]     a server with the demonstration data
+
+Every object of a schema must say what else it may hold (additionalProperties), so that a member that the document
+does not describe is a fault. With DOCUMENT (a file) answers are compared with it and not with what the server serves.
+"""
+import json
+import sys
+import urllib.error
+import urllib.request
+
+import jsonschema
+
+URL = sys.argv[1]
+DEPART = "2026-11-22T06:00:00Z"
+FROM, TO, ON_LAND = [-53.0, 69.0], [-52.9, 69.02], [-51.0, 69.0]
+PLAIN = {"from": FROM, "to": TO, "depart": DEPART, "spacing_m": 2000, "icebergs": "none", "steady": True,
+         "refine_seconds": 0.2}
+UNDER_AN_ICEBERG = {"route": [[-52.47, 69.227], [-52.37, 69.227]], "pass_under_icebergs": True,
+                    "icebergs_drift": False}
+MISSION = "behavior_name=goto_list\n<start:b_arg>\n\tb_arg: num_waypoints(nodim) 1\n<end:b_arg>\n" \
+          "<start:waypoints>\n-5300.0000\t6900.0000\n<end:waypoints>\n"
+VERBS = ("get", "post", "put", "patch", "delete")
+
+faults = []
+driven = set()
+
+
+def ask(method, path, body=None, headers=None):
+    """Status, media type and bytes of an answer."""
+    data = None if body is None else body if isinstance(body, bytes) else json.dumps(body).encode()
+    request = urllib.request.Request(URL + path, data=data, method=method, headers=dict(headers or {}))
+    if data is not None and not request.has_header("Content-type"):
+        request.add_header("Content-Type", "application/json")
+    try:
+        with urllib.request.urlopen(request, timeout=120) as answer:
+            return answer.status, answer.headers.get("Content-Type", ""), answer.read()
+    except urllib.error.HTTPError as refused:
+        return refused.code, refused.headers.get("Content-Type", ""), refused.read()
+
+
+def as_json_schema(schema):
+    """OpenAPI 3.0 writes "nullable" where JSON Schema allows the type null."""
+    if isinstance(schema, list):
+        return [as_json_schema(member) for member in schema]
+    if not isinstance(schema, dict):
+        return schema
+    result = {key: as_json_schema(value) for key, value in schema.items()
+              if key != "nullable" or not isinstance(value, bool)}
+    return {"anyOf": [{"type": "null"}, result]} if schema.get("nullable") is True else result
+
+
+def the_document():
+    """The OpenAPI document that answers are compared with."""
+    if len(sys.argv) < 3:
+        return json.loads(ask("GET", "/api")[2])
+    with open(sys.argv[2], encoding="utf-8") as file:
+        return json.load(file)
+
+
+DOCUMENT = the_document()
+COMPONENTS = as_json_schema(DOCUMENT["components"])
+
+
+def note(where, error):
+    """Of several alternatives none of which fits, what is wrong with the one that fits best."""
+    while error.context:
+        alternatives = {}
+        for inner in error.context:
+            alternatives.setdefault(inner.schema_path[0], []).append(inner)
+        error = min(alternatives.values(), key=len)[0]
+    at = "/".join(str(step) for step in error.absolute_path)
+    faults.append(f"{where}: /{at}: {error.message[:300]}")
+
+
+def drive(method, template, status, body=None, headers=None, query="", **names):
+    """Asks one operation and checks status, media type and, of JSON, the schema. Returns the JSON."""
+    path = template
+    for name, value in names.items():
+        path = path.replace("{" + name + "}", str(value))
+    where = f"{method} {path}{query}"
+    operation = DOCUMENT["paths"][template][method.lower()]
+    driven.add((method.lower(), template))
+    found, media_type, content = ask(method, path + query, body, headers)
+    if found != status:
+        faults.append(f"{where}: status {found}, not {status}: {content[:300]!r}")
+        return None
+    response = operation["responses"].get(str(status), operation["responses"].get("default"))
+    if response is None:
+        faults.append(f"{where}: the status {status} is not described")
+        return None
+    if "$ref" in response:
+        response = DOCUMENT["components"]["responses"][response["$ref"].rsplit("/", 1)[1]]
+    if status == 204:
+        return None
+    kind = media_type.split(";")[0]
+    described = {name.split(";")[0]: value for name, value in response.get("content", {}).items()}
+    if kind not in described:
+        faults.append(f"{where}: the media type {media_type} is not described")
+        return None
+    if not kind.endswith("json"):
+        return content
+    answer = json.loads(content)
+    schema = as_json_schema(described[kind]["schema"])
+    validator = jsonschema.Draft7Validator({**schema, "components": COMPONENTS})
+    for error in validator.iter_errors(answer):
+        note(where, error)
+    return answer
+
+
+def execute(process, inputs, status=200):
+    return drive("POST", f"/processes/{process}/execution", status, {"inputs": inputs},
+                 {"Prefer": "respond-sync"})
+
+
+def plans():
+    """Results with everything that they can hold, and the first plan's id."""
+    plan = execute("plan-route", PLAIN)
+    execute("plan-route", {**PLAIN, "icebergs": "newest", "refine": False, "encounter_weight_s": 3600,
+                           "max_loiter_s": 3600, "remarks": ["the goal was typed by hand"]})
+    execute("plan-route", {**PLAIN, "objective": "energy", "refine": False,
+                           "vehicle": {"thruster": {"speed_m_s": 0.6, "power_w": 8.0}}})
+    execute("plan-route", {**PLAIN, "steady": False, "depart_until": "2026-11-22T12:00:00Z", "depart_step": "PT6H",
+                           "refine": False})
+    execute("plan-route", {**PLAIN, "via": [[-52.97, 69.01], [-52.95, 69.02]], "via_order": "best"})
+    execute("plan-route", {**PLAIN, "uncertainty": {"members": 2, "objective": "quantile", "current_error_m_s": 0.03,
+                                                    "length_scale_m": 20000, "time_scale_s": 43200,
+                                                    "arrive_before": "2026-11-25T00:00:00Z"}})
+    execute("plan-route", {**PLAIN, "steady": False, "depart_until": "2026-11-22T12:00:00Z", "depart_step": "PT6H",
+                           "refine": False, "to": ON_LAND})
+    execute("plan-route", {**PLAIN, "refine": False, "from": [-53.2, 69.2], "to": [-53.1, 69.2],
+                           "under_ice": {"escape_plan": True, "surfacing_interval_s": 3600}})
+    execute("plan-route", {**PLAIN, "to": "nowhere"}, 400)
+    return plan["plan"]["plan_id"]
+
+
+def judged_routes():
+    route = {"route": [FROM, TO], "depart": DEPART, "icebergs": "none", "steady": True}
+    execute("evaluate-route", route)
+    execute("evaluate-route", {**UNDER_AN_ICEBERG, "depart": DEPART})
+    execute("evaluate-route", {**route, "route": [FROM, ON_LAND]})
+    execute("evaluate-route", {**route, "steady": False, "depart": "2026-11-19T00:00:00Z"}, 400)
+    execute("evaluate-route", {**route, "speed_m_s": 0.05})
+
+
+def reaches():
+    reach = {"hours": [1, 3], "spacing_m": 2000, "icebergs": "none", "steady": True}
+    execute("reach", {**reach, "from": FROM, "depart": DEPART})
+    execute("reach", {**reach, "to": TO, "arrive_by": "2026-11-23T06:00:00Z"})
+    execute("reach", {**reach, "from": ON_LAND, "depart": DEPART})
+
+
+def jobs():
+    for process, inputs in (("plan-route", {**PLAIN, "refine": False}),
+                            ("evaluate-route", {"route": [FROM, TO], "depart": DEPART, "icebergs": "none"}),
+                            ("reach", {"from": FROM, "depart": DEPART, "hours": [1], "spacing_m": 2000,
+                                       "icebergs": "none"})):
+        job = drive("POST", f"/processes/{process}/execution", 201, {"inputs": inputs},
+                    {"Prefer": "respond-async"})
+        name = job["jobID"]
+        state = drive("GET", "/jobs/{job_id}", 200, headers={"Prefer": "wait=30"}, job_id=name)
+        while state["status"] in ("accepted", "running"):
+            state = drive("GET", "/jobs/{job_id}", 200, headers={"Prefer": "wait=30"}, job_id=name)
+        drive("GET", "/jobs/{job_id}/results", 200, job_id=name)
+    drive("GET", "/jobs", 200)
+    drive("DELETE", "/jobs/{job_id}", 200, job_id=name)
+    drive("GET", "/jobs/{job_id}", 404, job_id="none")
+
+
+def collections(plan):
+    drive("GET", "/collections", 200)
+    drive("GET", "/collections/{collection_id}", 200, collection_id="icebergs")
+    drive("GET", "/collections/{collection_id}", 404, collection_id="none")
+    bergs = drive("GET", "/collections/icebergs/items", 200, query="?limit=5")
+    drive("GET", "/collections/icebergs/items/{row}", 200, row=bergs["features"][0]["id"])
+    drive("GET", "/collections/plans/items", 200)
+    drive("GET", "/collections/plans/items/{plan_id}", 200, plan_id=plan)
+    for template in DOCUMENT["paths"]:
+        if template.startswith("/collections/plans/items/{plan_id}/"):
+            drive("GET", template, 200, plan_id=plan)
+    drive("DELETE", "/collections/plans/items/{plan_id}", 204, plan_id=plan)
+    drive("GET", "/collections/plans/items/{plan_id}", 404, plan_id=plan)
+
+
+def data():
+    datasets = drive("GET", "/datasets", 200)["datasets"]
+    drive("GET", "/datasets/{dataset_id}", 200, dataset_id=datasets[0]["id"])
+    drive("GET", "/probe", 200, query=f"?lon={FROM[0]}&lat={FROM[1]}&time={DEPART}")
+    drive("GET", "/probe", 200, query="?lon=100&lat=0")
+    drive("GET", "/probe", 400, query="?lon=north")
+    box = "?bbox=-53.5,68.9,-52.5,69.3"
+    drive("GET", "/map/coast", 200, query=box)
+    drive("GET", "/map/bathymetry", 200, query=box + "&nx=32&ny=32")
+    drive("GET", "/map/currents", 200, query=box + f"&nx=32&ny=32&time={DEPART}")
+    coast = next(entry["id"] for entry in datasets if entry["kind"] == "coastline")
+    drive("DELETE", "/datasets/{dataset_id}", 204, dataset_id=coast)
+
+
+def rest():
+    for template in ("/", "/conformance", "/processes", "/vehicles", "/healthz", "/version", "/api"):
+        drive("GET", template, 200)
+    for process in ("plan-route", "evaluate-route", "reach"):
+        drive("GET", "/processes/{process_id}", 200, process_id=process)
+    drive("GET", "/app/{path}", 404, path="none.js")
+    drive("POST", "/missions/check", 200, MISSION.encode(), {"Content-Type": "text/plain"}, "?name=goto_l10.ma")
+    drive("POST", "/missions/check", 200,
+          {"files": [{"name": "goto_l10.ma", "text": MISSION}], "inputs": {"from": FROM, "depart": DEPART}})
+
+
+def open_objects(schema, where, seen):
+    """Objects of a schema that do not say what else they may hold would let an undescribed member pass."""
+    if isinstance(schema, list):
+        for step, member in enumerate(schema):
+            open_objects(member, f"{where}/{step}", seen)
+    if not isinstance(schema, dict):
+        return
+    if schema.get("type") == "object" and "additionalProperties" not in schema:
+        faults.append(f"{where}: the object does not say additionalProperties")
+    for name, member in schema.items():
+        if name == "$ref" and member not in seen:
+            seen.add(member)
+            _, _, kind, component = member.split("/")
+            open_objects(DOCUMENT["components"][kind][component], f"{kind}/{component}", seen)
+        open_objects(member, f"{where}/{name}", seen)
+
+
+def closed_answers():
+    seen = set()
+    for path, operations in DOCUMENT["paths"].items():
+        for verb in set(VERBS) & set(operations):
+            open_objects(operations[verb]["responses"], f"{verb.upper()} {path}", seen)
+
+
+def missing():
+    for path, operations in DOCUMENT["paths"].items():
+        for verb in VERBS:
+            if verb in operations and (verb, path) not in driven:
+                faults.append(f"{verb.upper()} {path} was not asked: add it to this script")
+
+
+try:
+    closed_answers()
+    rest()
+    collections(plans())
+    judged_routes()
+    reaches()
+    jobs()
+    data()
+    missing()
+except (KeyError, StopIteration, TypeError) as stopped:  # what was needed for the next question did not come
+    faults.append(f"stopped: {stopped}")
+print("\n".join(faults) if faults else f"{len(driven)} operations answer as they are described")
+sys.exit(1 if faults else 0)
