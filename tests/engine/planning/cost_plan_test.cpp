@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/planning/plan_route.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning {
@@ -67,6 +68,49 @@ TEST(CostPlan, UsesTheThrusterOnlyAsFarAsItsWeightIsWorthIt) {
   EXPECT_EQ(fastest->waypoints.back().drive, vehicle::Drive::thruster);
   EXPECT_EQ(cheapest->waypoints.back().drive, vehicle::Drive::buoyancy);
   EXPECT_LT(energy_j(*cheapest), energy_j(*fastest));
+}
+
+TEST(CostPlan, SavesEnergyAndTheFastestPlanTimeInWhateverCurrents) {
+  support::for_each_seed(6, [](std::mt19937_64& rng) {
+    const double strength = support::uniform(rng, 0.05, 0.3);
+    const double phase = support::uniform(rng, 0.0, 6.28);
+    const auto swirl = [&](geo::LonLat place, double hour) {
+      const double angle = phase + 4.0 * place.lon_deg + 6.0 * place.lat_deg + 0.3 * hour;
+      return geo::VelocityEn{{strength * std::cos(angle)}, {strength * std::sin(angle)}};
+    };
+    const ocean::Environment environment{.currents = currents_from(swirl, 200), .bathymetry = bank()};
+    PlanRequest request = hybrid_request();
+    request.spacing_along = core::Metres{4000.0};
+
+    const auto fastest = plan(environment, request, time_objective);
+    const auto cheapest = plan(environment, request, energy_objective);
+
+    ASSERT_TRUE(fastest && cheapest);
+    EXPECT_LE(energy_j(*cheapest), energy_j(*fastest));
+    EXPECT_LE(fastest->travel_time().count(), cheapest->travel_time().count() + 1e-6);
+  });
+}
+
+TEST(CostPlan, TurnsTheThrusterOnWhereTheBuoyancyDriveHardlyMakesWay) {
+  // A stream 8 km wide sets against the vehicle at nearly its speed on the buoyancy drive, 0.35 m/s.
+  const auto stream = [](geo::LonLat place, double) {
+    return geo::VelocityEn{{std::abs(place.lon_deg + 53.0) < 0.15 ? -0.32 : 0.0}, {0.0}};
+  };
+  const ocean::Environment environment{.currents = currents_from(stream, 400)};
+
+  const auto fastest = plan(environment, hybrid_request(), time_objective);
+  const auto cheapest = plan(environment, hybrid_request(), energy_objective);
+
+  ASSERT_TRUE(fastest && cheapest);
+  std::vector<vehicle::Drive> stretches;
+  for (std::size_t i = 1; i < cheapest->waypoints.size(); ++i) {
+    const vehicle::Drive drive = cheapest->waypoints[i].drive.value();
+    if (stretches.empty() || stretches.back() != drive) stretches.push_back(drive);
+  }
+  using enum vehicle::Drive;
+  EXPECT_EQ(stretches, (std::vector{buoyancy, thruster, buoyancy}));
+  EXPECT_LT(energy_j(*cheapest), 0.9 * energy_j(*fastest));
+  EXPECT_GT(cheapest->travel_time(), 1.1 * fastest->travel_time());
 }
 
 TEST(CostPlan, OfWeightsLiesBetweenTheFastestAndTheMostSaving) {
