@@ -1,5 +1,6 @@
 #include "engine/planning/driven_route.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <utility>
@@ -8,6 +9,10 @@
 
 namespace floeplan::planning {
 namespace {
+
+/// How much of its cost a route may seem to lose with a point that makes no difference: integrals over one leg and
+/// over its two halves differ by this much, a hundredth of their own tolerance.
+constexpr double rounding = 1e-6;
 
 /// A route with one point less and what it costs.
 struct Shorter {
@@ -56,14 +61,15 @@ DrivenRoute drop_costless_points(const Sea& sea, const DrivenRoute& route, const
   DrivenRoute result = route;
   const auto times = drive_along(sea, result, depart);
   if (!times) return result;
-  double cost = times->cost(objective);
+  const double most = times->cost(objective);
+  double cost = most;
   bool changed = true;
   while (changed) {
     changed = false;
     for (std::size_t i = 1; i + 1 < result.points.size();) {
       if (stop.stop_requested()) return result;
       auto shorter = result.fixed[i] ? std::nullopt : without(sea, result, i, objective, depart);
-      if (shorter && shorter->cost <= cost) {
+      if (shorter && shorter->cost <= std::min(most, cost * (1.0 + rounding))) {
         cost = shorter->cost;
         result = std::move(shorter->route);
         changed = true;

@@ -35,8 +35,8 @@ struct DrivenTimes {
                                                                         const DrivenRoute& route,
                                                                         core::Seconds depart);
 
-/// Takes out points, each merged leg on the drive that suits it best, as long as the whole does not cost more, or
-/// until `stop` is requested.
+/// Takes out points, each merged leg on the drive that suits it best, as long as the whole costs no more than at first
+/// and a step no more than by rounding, or until `stop` is requested.
 [[nodiscard]] DrivenRoute drop_costless_points(const Sea& sea, const DrivenRoute& route,
                                                const Objective& objective, core::Seconds depart,
                                                const std::stop_token& stop);
