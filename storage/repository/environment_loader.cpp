@@ -10,6 +10,8 @@
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/coastline_repository.hpp"
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/environment_draft.hpp"
+#include "storage/repository/environment_water.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/zone_repository.hpp"
@@ -22,204 +24,11 @@ constexpr core::Metres coarse_spacing{5000.0};
 /// How far a berg drifts at 0.4 m/s in three days: from that far outside it may come into the area.
 constexpr core::Metres reach_of_drift{100'000.0};
 
-/// The environment while it is put together.
-struct Draft {
-  sqlite::Connection& db;  // borrowed
-  const EnvironmentQuery& query;
-  std::vector<Dataset> stored;  // newest first
-  ocean::Environment environment;
-  core::Violations violations;
-
-  void warn(std::string text) { environment.warnings.push_back(std::move(text)); }
-  void refuse(DatasetKind kind, std::string rule) {
-    violations.push_back({"/" + kind_name(kind), std::move(rule)});
-  }
-  /// Takes over what another part of the same environment has to say.
-  void append_report(const Draft& part) {
-    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
-    append(environment.warnings, part.environment.warnings);
-    append(environment.datasets, part.environment.datasets);
-    append(violations, part.violations);
-  }
-  void cite(const Dataset& dataset) {
-    environment.datasets.push_back(
-        {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256});
-  }
-};
-
 std::string in_kilometres(core::Metres length) {
   return std::to_string(std::lround(length.value / 1000.0)) + " km";
 }
 
-std::string in_metres(double length_m) { return std::to_string(std::lround(length_m)) + " m"; }
-
-std::optional<Period> period_of(const Dataset& dataset) {
-  if (!dataset.time_start || !dataset.time_end) return std::nullopt;
-  return Period{*dataset.time_start, *dataset.time_end};
-}
-
-std::string period_text(const Period& period) {
-  return core::iso8601(period.from) + " to " + core::iso8601(period.to);
-}
-
-bool covers(const Period& period, core::UtcTime time) { return period.from <= time && time <= period.to; }
-
-void warn_of_gap(Draft& draft, DatasetKind kind, const DatasetChoice& choice,
-                 const std::string& consequence) {
-  if (choice.how == DatasetChoice::How::none) {
-    draft.warn(kind_name(kind) + " left out as requested: " + consequence);
-  } else {
-    draft.warn("no stored " + kind_name(kind) + " for " + bounds_text(draft.query.area) + ": " + consequence);
-  }
-}
-
-void adopt_currents(Draft& draft, const Dataset& dataset, ocean::CurrentGrid currents) {
-  const std::string name = title(dataset);
-  const auto& samples = currents.samples();
-  if (!samples.depths_m) {
-    draft.warn("currents " + name + " state no depth: taken as the same at every depth");
-  } else if (samples.depths_m->size() == 1) {
-    draft.warn("currents " + name + " have one level (" + in_metres(samples.depths_m->front()) +
-               "): used at every depth");
-  } else if (samples.depths_m->back() < draft.query.dive_depth.value) {
-    draft.warn("currents " + name + " reach down to " + in_metres(samples.depths_m->back()) +
-               " only, dives to " + in_metres(draft.query.dive_depth.value) +
-               ": the water below is taken to move like the mean above");
-  }
-
-  const std::size_t steps = samples.times_s.size();
-  const auto covered = period_of(dataset);
-  if (!covered) {
-    draft.warn("currents held steady: " + name + " state no time");
-  } else if (draft.query.steady && steps == 1) {
-    draft.warn("currents held steady: " + name + " as at " + core::iso8601(covered->from));
-  } else if (draft.query.steady) {
-    draft.warn("currents held steady: " + name + ", the mean of " + std::to_string(steps) + " steps from " +
-               period_text(*covered));
-  }
-
-  draft.environment.steady_currents = draft.query.steady || !covered;
-  draft.environment.currents = std::make_shared<const ocean::CurrentGrid>(
-      draft.environment.steady_currents && steps > 1 ? currents.time_mean() : std::move(currents));
-  draft.cite(dataset);
-}
-
-/// From when on currents are needed: an iceberg drifts from its sighting on.
-core::UtcTime drift_start(const Draft& draft) {
-  core::UtcTime start = draft.query.depart;
-  if (!draft.query.iceberg_drift) return start;
-  for (const ocean::Iceberg& iceberg : draft.environment.icebergs) start = std::min(start, iceberg.observed);
-  return start;
-}
-
-bool covers_begin(const Period& period, const EnvironmentQuery& query) {
-  return covers(period, query.depart) || (query.may_begin_later && query.depart <= period.to);
-}
-
-bool covers_end(const Period& period, const EnvironmentQuery& query) {
-  return !query.until || covers(period, query.until->time);
-}
-
-/// `periods` says which dataset covers which period; `begins` whether one of them covers the departure.
-void refuse_period(Draft& draft, const std::string& periods, bool begins) {
-  const bool at_end = draft.query.until && (begins || draft.query.may_begin_later);
-  const std::string input = at_end ? draft.query.until->input : "depart";
-  const core::UtcTime time = at_end ? draft.query.until->time : draft.query.depart;
-  draft.violations.push_back(
-      {"/" + input, core::iso8601(time) + " is outside the currents' period: " + periods + ". " +
-                        (at_end ? "Stay" : "Depart") + " within it, or hold the currents steady (--steady)"});
-}
-
-/// Several currents are the members of an ensemble: every one must serve, the first is the one planned in.
-void add_ensemble(Draft& draft, const std::vector<Dataset>& found) {
-  const EnvironmentQuery& query = draft.query;
-  std::vector<std::shared_ptr<const ocean::CurrentGrid>> members;
-  bool all_steady = true;
-  bool none_steady = true;
-  for (const Dataset& dataset : found) {
-    auto period = query.steady ? std::nullopt : period_of(dataset);
-    if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
-      refuse_period(draft, title(dataset) + " covers " + period_text(*period), covers_begin(*period, query));
-      continue;
-    }
-    if (period) period->from = drift_start(draft);
-    auto currents = FieldRepository{draft.db}.load_currents(dataset.id, query.area, period, query.dive_depth);
-    if (!currents) {
-      draft.refuse(DatasetKind::currents, title(dataset) + " has no node near the area");
-      continue;
-    }
-    adopt_currents(draft, dataset, std::move(*currents));
-    members.push_back(draft.environment.currents);
-    all_steady = all_steady && draft.environment.steady_currents;
-    none_steady = none_steady && !draft.environment.steady_currents;
-  }
-  if (!all_steady && !none_steady) {
-    draft.refuse(DatasetKind::currents,
-                 "some members have times and some have none; hold them all steady (--steady)");
-  }
-  if (members.empty()) return;
-  draft.environment.currents = members.front();
-  draft.environment.members = std::move(members);
-}
-
-void add_currents(Draft& draft) {
-  const EnvironmentQuery& query = draft.query;
-  const auto found =
-      candidates(draft.stored, DatasetKind::currents, query.currents, query.area, draft.violations);
-  const bool named = query.currents.how == DatasetChoice::How::named;
-  if (named && query.currents.ids.size() > 1) {
-    return add_ensemble(draft, found);
-  }
-
-  std::string periods_missed;
-  bool begins = false;
-  for (const Dataset& dataset : found) {
-    auto period = query.steady ? std::nullopt : period_of(dataset);
-    begins = begins || (period && covers_begin(*period, query));
-    if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
-      periods_missed +=
-          (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
-      continue;
-    }
-    if (period) period->from = drift_start(draft);
-    auto currents = FieldRepository{draft.db}.load_currents(dataset.id, query.area, period, query.dive_depth);
-    if (currents) return adopt_currents(draft, dataset, std::move(*currents));
-  }
-
-  if (!periods_missed.empty()) return refuse_period(draft, periods_missed, begins);
-  if (named && !found.empty())
-    draft.refuse(DatasetKind::currents, title(found.front()) + " has no node near the area");
-  if (!named) warn_of_gap(draft, DatasetKind::currents, query.currents, "planned in still water");
-}
-
-/// Tides go on as long as an iceberg's drift is followed, or as long as the request wants the currents to be covered.
-ocean::TidePeriod period_of_tides(const Draft& draft) {
-  constexpr core::Seconds longest{30.0 * 86400.0};
-  core::UtcTime end = draft.query.depart + longest;
-  if (draft.query.until) end = std::max(end, draft.query.until->time + longest);
-  return {drift_start(draft), end};
-}
-
-/// The currents, with tides where they are asked for.
-void add_water(Draft& draft) {
-  const TidesQuery& query = draft.query.tides;
-  const bool alone = query.wanted() && query.mode == TidesMode::only;
-  if (alone && draft.query.currents.how == DatasetChoice::How::named)
-    draft.refuse(
-        DatasetKind::tides,
-        "with tides_mode only the currents that are named would be left out; say add, or name no currents");
-  if (!alone) add_currents(draft);
-  const Tides tides = load_tides(draft.db, draft.stored, query, draft.query.area, draft.violations);
-  if (!query.wanted() || !query.mode || !draft.violations.empty()) return;
-  if (!alone && !draft.environment.currents) {
-    draft.refuse(DatasetKind::tides,
-                 "there are no currents to add tides to; say tides_mode only to plan with the tide alone");
-    return;
-  }
-  lay_tides(draft.environment, tides, *query.mode, period_of_tides(draft));
-}
-
-void add_bathymetry(Draft& draft) {
+void add_bathymetry(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const auto found =
       candidates(draft.stored, DatasetKind::bathymetry, query.bathymetry, query.area, draft.violations);
@@ -257,7 +66,7 @@ std::string shortened_list(const std::vector<std::string>& names) {
   return text;
 }
 
-void adopt_ice(Draft& draft, const Dataset& dataset, ocean::IceField ice) {
+void adopt_ice(EnvironmentDraft& draft, const Dataset& dataset, ocean::IceField ice) {
   const auto covered = period_of(dataset);
   if (covered && !covers(*covered, draft.query.depart)) {
     const core::UtcTime step = draft.query.depart > covered->to ? covered->to : covered->from;
@@ -270,7 +79,7 @@ void adopt_ice(Draft& draft, const Dataset& dataset, ocean::IceField ice) {
   draft.cite(dataset);
 }
 
-void add_ice(Draft& draft) {
+void add_ice(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const auto found = candidates(draft.stored, DatasetKind::ice, query.ice, query.area, draft.violations);
   const bool named = query.ice.how == DatasetChoice::How::named;
@@ -320,7 +129,7 @@ std::vector<Dataset> newest_with_sightings(const std::vector<Dataset>& found, co
   return chosen == found.end() ? std::vector<Dataset>{} : std::vector{*chosen};
 }
 
-void add_icebergs(Draft& draft) {
+void add_icebergs(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const core::UtcTime last_moment = query.may_begin_later && query.until ? query.until->time : query.depart;
   const core::UtcTime as_of = query.icebergs_as_of.value_or(last_moment);
@@ -356,7 +165,7 @@ void add_icebergs(Draft& draft) {
   }
 }
 
-void add_coastline(Draft& draft) {
+void add_coastline(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   auto chosen =
       candidates(draft.stored, DatasetKind::coastline, query.coastline, query.area, draft.violations);
@@ -379,7 +188,7 @@ std::size_t corners_of(const ocean::Zone& zone) {
   return corners;
 }
 
-void add_wind(Draft& draft) {
+void add_wind(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const auto found = candidates(draft.stored, DatasetKind::wind, query.wind, query.area, draft.violations);
   const bool named = query.wind.how == DatasetChoice::How::named;
@@ -420,7 +229,7 @@ void add_wind(Draft& draft) {
 }
 
 /// Says so where zones that are stored for the area are left out: nothing in the plan shows it otherwise.
-void warn_of_zones_left_out(Draft& draft) {
+void warn_of_zones_left_out(EnvironmentDraft& draft) {
   const DatasetChoice all;
   for (const Dataset& dataset :
        candidates(draft.stored, DatasetKind::zones, all, draft.query.area, draft.violations)) {
@@ -429,7 +238,7 @@ void warn_of_zones_left_out(Draft& draft) {
   }
 }
 
-void add_zones(Draft& draft) {
+void add_zones(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   std::size_t corners = 0;
   for (const Dataset& dataset :
@@ -457,10 +266,10 @@ core::UtcTime oldest_sighting_used(core::UtcTime as_of, core::Seconds max_age) {
 tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Connection& db,
                                                                     const EnvironmentQuery& query) {
   const sqlite::Snapshot snapshot{db};
-  Draft draft{
+  EnvironmentDraft draft{
       .db = db, .query = query, .stored = DatasetRepository{db}.list(), .environment = {}, .violations = {}};
   // The oldest sighting says from when on currents are needed; in the report icebergs come after the depths.
-  Draft icebergs = draft;
+  EnvironmentDraft icebergs = draft;
   add_icebergs(icebergs);
   draft.environment.icebergs = std::move(icebergs.environment.icebergs);
   add_water(draft);

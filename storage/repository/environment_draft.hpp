@@ -1,0 +1,53 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/violation.hpp"
+#include "engine/ocean/environment.hpp"
+#include "storage/repository/dataset.hpp"
+#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::repository {
+
+/// The environment while it is put together.
+struct EnvironmentDraft {
+  sqlite::Connection& db;  // borrowed
+  const EnvironmentQuery& query;
+  std::vector<Dataset> stored;  // newest first
+  ocean::Environment environment;
+  core::Violations violations;
+
+  void warn(std::string text) { environment.warnings.push_back(std::move(text)); }
+  void refuse(DatasetKind kind, std::string rule) {
+    violations.push_back({"/" + kind_name(kind), std::move(rule)});
+  }
+  /// Takes over what another part of the same environment has to say.
+  void append_report(const EnvironmentDraft& part) {
+    const auto append = [](auto& to, const auto& from) { to.insert(to.end(), from.begin(), from.end()); };
+    append(environment.warnings, part.environment.warnings);
+    append(environment.datasets, part.environment.datasets);
+    append(violations, part.violations);
+  }
+  void cite(const Dataset& dataset) {
+    environment.datasets.push_back(
+        {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256});
+  }
+};
+
+/// The period that a dataset states; empty where it states none.
+[[nodiscard]] std::optional<Period> period_of(const Dataset& dataset);
+[[nodiscard]] std::string period_text(const Period& period);
+[[nodiscard]] bool covers(const Period& period, core::UtcTime time);
+/// Whether data of this period serve a departure of the query.
+[[nodiscard]] bool covers_begin(const Period& period, const EnvironmentQuery& query);
+/// From when on currents and wind are needed: an iceberg drifts from its sighting on.
+[[nodiscard]] core::UtcTime drift_start(const EnvironmentDraft& draft);
+/// Says what the plan goes without, since a kind was left out or is not stored for the area.
+void warn_of_gap(EnvironmentDraft& draft, DatasetKind kind, const DatasetChoice& choice,
+                 const std::string& consequence);
+
+}  // namespace floeplan::repository

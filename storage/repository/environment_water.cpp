@@ -1,0 +1,150 @@
+#include "storage/repository/environment_water.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "engine/core/utc_text.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+std::string in_metres(double length_m) { return std::to_string(std::lround(length_m)) + " m"; }
+
+void adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, ocean::CurrentGrid currents) {
+  const std::string name = title(dataset);
+  const auto& samples = currents.samples();
+  if (!samples.depths_m) {
+    draft.warn("currents " + name + " state no depth: taken as the same at every depth");
+  } else if (samples.depths_m->size() == 1) {
+    draft.warn("currents " + name + " have one level (" + in_metres(samples.depths_m->front()) +
+               "): used at every depth");
+  } else if (samples.depths_m->back() < draft.query.dive_depth.value) {
+    draft.warn("currents " + name + " reach down to " + in_metres(samples.depths_m->back()) +
+               " only, dives to " + in_metres(draft.query.dive_depth.value) +
+               ": the water below is taken to move like the mean above");
+  }
+
+  const std::size_t steps = samples.times_s.size();
+  const auto covered = period_of(dataset);
+  if (!covered) {
+    draft.warn("currents held steady: " + name + " state no time");
+  } else if (draft.query.steady && steps == 1) {
+    draft.warn("currents held steady: " + name + " as at " + core::iso8601(covered->from));
+  } else if (draft.query.steady) {
+    draft.warn("currents held steady: " + name + ", the mean of " + std::to_string(steps) + " steps from " +
+               period_text(*covered));
+  }
+
+  draft.environment.steady_currents = draft.query.steady || !covered;
+  draft.environment.currents = std::make_shared<const ocean::CurrentGrid>(
+      draft.environment.steady_currents && steps > 1 ? currents.time_mean() : std::move(currents));
+  draft.cite(dataset);
+}
+
+bool covers_end(const Period& period, const EnvironmentQuery& query) {
+  return !query.until || covers(period, query.until->time);
+}
+
+/// `periods` says which dataset covers which period; `begins` whether one of them covers the departure.
+void refuse_period(EnvironmentDraft& draft, const std::string& periods, bool begins) {
+  const bool at_end = draft.query.until && (begins || draft.query.may_begin_later);
+  const std::string input = at_end ? draft.query.until->input : "depart";
+  const core::UtcTime time = at_end ? draft.query.until->time : draft.query.depart;
+  draft.violations.push_back(
+      {"/" + input, core::iso8601(time) + " is outside the currents' period: " + periods + ". " +
+                        (at_end ? "Stay" : "Depart") + " within it, or hold the currents steady (--steady)"});
+}
+
+/// Several currents are the members of an ensemble: every one must serve, the first is the one planned in.
+void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
+  const EnvironmentQuery& query = draft.query;
+  std::vector<std::shared_ptr<const ocean::CurrentGrid>> members;
+  bool all_steady = true;
+  bool none_steady = true;
+  for (const Dataset& dataset : found) {
+    auto period = query.steady ? std::nullopt : period_of(dataset);
+    if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
+      refuse_period(draft, title(dataset) + " covers " + period_text(*period), covers_begin(*period, query));
+      continue;
+    }
+    if (period) period->from = drift_start(draft);
+    auto currents = FieldRepository{draft.db}.load_currents(dataset.id, query.area, period, query.dive_depth);
+    if (!currents) {
+      draft.refuse(DatasetKind::currents, title(dataset) + " has no node near the area");
+      continue;
+    }
+    adopt_currents(draft, dataset, std::move(*currents));
+    members.push_back(draft.environment.currents);
+    all_steady = all_steady && draft.environment.steady_currents;
+    none_steady = none_steady && !draft.environment.steady_currents;
+  }
+  if (!all_steady && !none_steady) {
+    draft.refuse(DatasetKind::currents,
+                 "some members have times and some have none; hold them all steady (--steady)");
+  }
+  if (members.empty()) return;
+  draft.environment.currents = members.front();
+  draft.environment.members = std::move(members);
+}
+
+void add_currents(EnvironmentDraft& draft) {
+  const EnvironmentQuery& query = draft.query;
+  const auto found =
+      candidates(draft.stored, DatasetKind::currents, query.currents, query.area, draft.violations);
+  const bool named = query.currents.how == DatasetChoice::How::named;
+  if (named && query.currents.ids.size() > 1) {
+    return add_ensemble(draft, found);
+  }
+
+  std::string periods_missed;
+  bool begins = false;
+  for (const Dataset& dataset : found) {
+    auto period = query.steady ? std::nullopt : period_of(dataset);
+    begins = begins || (period && covers_begin(*period, query));
+    if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
+      periods_missed +=
+          (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
+      continue;
+    }
+    if (period) period->from = drift_start(draft);
+    auto currents = FieldRepository{draft.db}.load_currents(dataset.id, query.area, period, query.dive_depth);
+    if (currents) return adopt_currents(draft, dataset, std::move(*currents));
+  }
+
+  if (!periods_missed.empty()) return refuse_period(draft, periods_missed, begins);
+  if (named && !found.empty())
+    draft.refuse(DatasetKind::currents, title(found.front()) + " has no node near the area");
+  if (!named) warn_of_gap(draft, DatasetKind::currents, query.currents, "planned in still water");
+}
+
+/// Tides go on as long as an iceberg's drift is followed, or as long as the request wants the currents to be covered.
+ocean::TidePeriod period_of_tides(const EnvironmentDraft& draft) {
+  constexpr core::Seconds longest{30.0 * 86400.0};
+  core::UtcTime end = draft.query.depart + longest;
+  if (draft.query.until) end = std::max(end, draft.query.until->time + longest);
+  return {drift_start(draft), end};
+}
+
+}  // namespace
+
+void add_water(EnvironmentDraft& draft) {
+  const TidesQuery& query = draft.query.tides;
+  const bool alone = query.wanted() && query.mode == TidesMode::only;
+  if (alone && draft.query.currents.how == DatasetChoice::How::named)
+    draft.refuse(
+        DatasetKind::tides,
+        "with tides_mode only the currents that are named would be left out; say add, or name no currents");
+  if (!alone) add_currents(draft);
+  const Tides tides = load_tides(draft.db, draft.stored, query, draft.query.area, draft.violations);
+  if (!query.wanted() || !query.mode || !draft.violations.empty()) return;
+  if (!alone && !draft.environment.currents) {
+    draft.refuse(DatasetKind::tides,
+                 "there are no currents to add tides to; say tides_mode only to plan with the tide alone");
+    return;
+  }
+  lay_tides(draft.environment, tides, *query.mode, period_of_tides(draft));
+}
+
+}  // namespace floeplan::repository
