@@ -9,6 +9,7 @@
 #include "storage/ingest/component_times.hpp"
 #include "storage/ingest/grid_directions.hpp"
 #include "storage/ingest/netcdf_coordinates.hpp"
+#include "storage/ingest/netcdf_shape.hpp"
 #include "storage/ingest/nominal_axes.hpp"
 #include "storage/ingest/position_tables.hpp"
 #include "storage/ingest/s_coordinate.hpp"
@@ -46,17 +47,9 @@ struct CurvilinearParts {
 class CurvilinearSource : public VelocitySource {
  public:
   explicit CurvilinearSource(CurvilinearParts parts) : parts_{std::move(parts)} {
-    const NetcdfLayout& layout = parts_.first.layout();
+    shape_ = shape_in_time_and_depth(parts_.first.layout(), parts_.levels != nullptr);
     shape_.columns = parts_.staggering.columns;
     shape_.rows = parts_.staggering.rows;
-    shape_.times_s = layout.times_s->nodes;
-    if (layout.depths_m) {
-      shape_.depths_m = layout.depths_m->nodes;
-      shape_.levels = shape_.depths_m->size();
-    } else if (parts_.levels) {
-      shape_.levels = layout.bed_levels;
-      shape_.levels_follow_bed = true;
-    }
   }
 
   [[nodiscard]] const SourceShape& shape() const override { return shape_; }

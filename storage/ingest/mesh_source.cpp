@@ -7,6 +7,7 @@
 #include "storage/ingest/bed_levels.hpp"
 #include "storage/ingest/component_times.hpp"
 #include "storage/ingest/mesh_topology.hpp"
+#include "storage/ingest/netcdf_shape.hpp"
 #include "storage/ingest/sigma_levels.hpp"
 #include "storage/ingest/tangent_plane.hpp"
 #include "storage/ingest/velocity_component.hpp"
@@ -32,16 +33,8 @@ struct MeshParts {
 class MeshSource : public VelocitySource {
  public:
   explicit MeshSource(MeshParts parts) : parts_{std::move(parts)} {
-    const NetcdfLayout& layout = parts_.first.layout();
+    shape_ = shape_in_time_and_depth(parts_.first.layout(), parts_.levels != nullptr);
     shape_.columns = parts_.points.size();
-    shape_.times_s = layout.times_s->nodes;
-    if (layout.depths_m) {
-      shape_.depths_m = layout.depths_m->nodes;
-      shape_.levels = shape_.depths_m->size();
-    } else if (parts_.levels) {
-      shape_.levels = layout.bed_levels;
-      shape_.levels_follow_bed = true;
-    }
   }
 
   [[nodiscard]] const SourceShape& shape() const override { return shape_; }

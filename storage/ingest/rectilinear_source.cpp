@@ -6,6 +6,7 @@
 
 #include "storage/ingest/component_times.hpp"
 #include "storage/ingest/netcdf_grid.hpp"
+#include "storage/ingest/netcdf_shape.hpp"
 #include "storage/ingest/nominal_axes.hpp"
 #include "storage/ingest/tangent_plane.hpp"
 #include "storage/ingest/text.hpp"
@@ -46,14 +47,9 @@ class RectilinearSource : public VelocitySource {
         second_{std::move(second)},
         grid_{std::move(grid)},
         turns_{std::move(turns)} {
-    const NetcdfLayout& layout = first_.layout();
+    shape_ = shape_in_time_and_depth(first_.layout(), false);
     shape_.columns = grid_.x().size();
     shape_.rows = grid_.y().size();
-    shape_.times_s = layout.times_s->nodes;
-    if (layout.depths_m) {
-      shape_.depths_m = layout.depths_m->nodes;
-      shape_.levels = shape_.depths_m->size();
-    }
   }
 
   [[nodiscard]] const SourceShape& shape() const override { return shape_; }
