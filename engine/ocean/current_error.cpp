@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/core/random.hpp"
 #include "engine/geo/lon_lat.hpp"
 
 namespace floeplan::ocean {
@@ -22,25 +23,13 @@ struct Wave {
   double phase;
 };
 
-/// Standard normal deviates by the polar method, so that the same seed gives the same numbers with every library.
-/// Source   Marsaglia and Bray 1964, A convenient method for generating normal variables, SIAM Review 6
-double normal(std::mt19937_64& rng) {
-  const auto uniform = [&] { return 2.0 * static_cast<double>(rng() >> 11) * 0x1p-53 - 1.0; };
-  for (;;) {
-    const double x = uniform();
-    const double y = uniform();
-    const double s = x * x + y * y;
-    if (s > 0.0 && s < 1.0) return x * std::sqrt(-2.0 * std::log(s) / s);
-  }
-}
-
 std::vector<Wave> draw_waves(const CurrentErrorModel& model, std::mt19937_64& rng) {
   std::vector<Wave> waves;
   for (std::size_t i = 0; i < wave_count; ++i) {
-    const double k_east = normal(rng) / model.length_scale.value;
-    const double k_north = normal(rng) / model.length_scale.value;
-    const double omega = normal(rng) / model.time_scale.count();
-    const double phase = 2.0 * std::numbers::pi * static_cast<double>(rng() >> 11) * 0x1p-53;
+    const double k_east = core::normal(rng) / model.length_scale.value;
+    const double k_north = core::normal(rng) / model.length_scale.value;
+    const double omega = core::normal(rng) / model.time_scale.count();
+    const double phase = 2.0 * std::numbers::pi * core::uniform(rng);
     waves.push_back({k_east, k_north, omega, phase});
   }
   return waves;
