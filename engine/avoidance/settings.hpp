@@ -1,0 +1,46 @@
+#pragma once
+
+#include <cstdint>
+
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+
+namespace floeplan::avoidance {
+
+/// Where the sonar sees. Body axes; the fan is as wide to either side.
+struct SonarView {
+  core::Metres reach{200.0};
+  core::Radians half_width{1.0472};   // in the plane of forward and starboard: 60 degrees
+  core::Radians half_height{0.6109};  // above and below that plane: 35 degrees
+  core::Metres range_sigma{1.0};
+  core::Radians bearing_sigma{0.0175};
+
+  friend bool operator==(const SonarView&, const SonarView&) = default;
+};
+
+/// What a safety engineer may want to change. Defaults for a Slocum glider at 0.35 m/s with a 200 m sonar.
+struct AvoidanceSettings {
+  SonarView sonar{};
+  core::MetresPerSecond through_water{0.35};  // horizontal, what paths are planned with
+  core::Metres clearance{30.0};               // kept from the nearest known surface of an object
+  core::Metres close{20.0};                   // nearer than that, reactive control steers
+  core::Seconds watch{900.0};    // how far ahead the route is watched: the reach of the sonar at 0.22 m/s
+  core::Seconds imminent{75.0};  // contact sooner than that on the course steered: reactive control
+  core::Seconds settled{20.0};   // a more relaxed mode must have been possible for that long
+  core::Seconds replan{15.0};    // least time between two plans
+  core::Seconds forget{1200.0};  // a surface not seen for that long is dropped
+  core::Seconds give_up{4.0 * 3600.0};        // no nearer to the goal for that long
+  core::MetresPerSecond forecast_sigma{0.1};  // error of the carried forecast, rms of a component
+  core::MetresPerSecond drift_sigma{0.1};     // of objects through the water, before any is measured
+  core::Metres waypoint_radius{50.0};         // a waypoint counts as reached within it
+  core::Metres shallowest{5.0};               // of the mission's saw-tooth
+  core::Metres deepest{200.0};
+  core::Metres vertical_margin{10.0};  // kept below ice and above the sea bed
+  core::Metres least_band{15.0};       // a saw-tooth lower than that is not flown under ice or over a bank
+  std::int64_t most_expansions{4096};  // of one path search on the vehicle's computer
+
+  [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
+  friend bool operator==(const AvoidanceSettings&, const AvoidanceSettings&) = default;
+};
+
+}  // namespace floeplan::avoidance
