@@ -1,0 +1,8 @@
+#include "engine/simulation/ice_layer.hpp"
+
+namespace floeplan::simulation {
+IceLayer::IceLayer(const ocean::IceField& ice, const geo::LocalProjection& projection,
+                   const planning::PlaneBox& area, core::UtcTime epoch)
+    : epoch_{epoch}, cover_{planning::IceCover{ice, planning::UnderIceRules{}, projection, area, epoch}} {}
+
+}  // namespace floeplan::simulation

@@ -1,0 +1,34 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/geo/local_projection.hpp"
+#include "engine/ocean/ice_field.hpp"
+#include "engine/planning/ice_cover.hpp"
+#include "engine/planning/plane_box.hpp"
+
+namespace floeplan::simulation {
+
+/// Sea ice above a flight as the depth of its underside: none, an even sheet, or the deepest keels that an ice field
+/// lets expect: those that a plan with the usual rules under ice keeps below, open water up to one tenth included.
+/// Threads  const members may be called from several threads at once
+class IceLayer {
+ public:
+  IceLayer() = default;  // open water
+  explicit IceLayer(core::Metres draft) : even_m_{draft.value} {}
+  IceLayer(const ocean::IceField& ice, const geo::LocalProjection& projection, const planning::PlaneBox& area,
+           core::UtcTime epoch);
+
+  /// Zero in open water and where nothing is known of ice.
+  [[nodiscard]] double draft_m(double east_m, double north_m, core::UtcTime time) const {
+    if (!cover_) return even_m_;
+    return cover_->above({east_m, north_m}, time - epoch_).draft_m;
+  }
+
+ private:
+  double even_m_{};
+  core::UtcTime epoch_{};
+  std::optional<planning::IceCover> cover_{};
+};
+
+}  // namespace floeplan::simulation

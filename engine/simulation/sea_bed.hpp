@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+
+#include "engine/geo/local_projection.hpp"
+#include "engine/ocean/bathymetry.hpp"
+#include "engine/planning/plane_bed.hpp"
+#include "engine/planning/plane_box.hpp"
+
+namespace floeplan::simulation {
+
+/// The sea bed of a flight: none, flat, or of a bathymetry, bilinear between its nodes.
+/// Threads  const members may be called from several threads at once
+class SeaBed {
+ public:
+  SeaBed() = default;  // as deep as can be
+  explicit SeaBed(core::Metres flat) : flat_{flat.value} {}
+  /// `bathymetry` must not be null.
+  SeaBed(std::shared_ptr<const ocean::Bathymetry> bathymetry, const geo::LocalProjection& projection,
+         const planning::PlaneBox& area)
+      : data_{planning::PlaneBed{std::move(bathymetry), projection, area, {}}} {}
+
+  /// Positive down; empty where there is none, or where it is not known.
+  [[nodiscard]] std::optional<double> depth_m(double east_m, double north_m) const {
+    if (!data_) return flat_;
+    const auto depth = data_->depth({east_m, north_m});
+    if (!depth) return std::nullopt;
+    return depth->value;
+  }
+  /// Whether there are data that end somewhere.
+  [[nodiscard]] bool has_data() const { return data_.has_value(); }
+
+ private:
+  std::optional<double> flat_{};
+  std::optional<planning::PlaneBed> data_{};
+};
+
+}  // namespace floeplan::simulation

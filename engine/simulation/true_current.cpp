@@ -1,0 +1,60 @@
+#include "engine/simulation/true_current.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+namespace floeplan::simulation {
+namespace {
+
+/// The current of the deepest level with water at or above `depth`, between levels linear.
+std::optional<geo::VelocityEn> down_to(const ocean::CurrentGrid& grid, geo::LonLat place, double depth_m,
+                                       core::UtcTime time) {
+  const auto& levels = grid.samples().depths_m;
+  if (!levels) return grid.at(place, {depth_m}, time);
+  const double within_m = std::clamp(depth_m, levels->front(), levels->back());
+  if (const auto found = grid.at(place, {within_m}, time)) return found;
+  const auto& nodes = levels->nodes();
+  for (auto level = std::ranges::lower_bound(nodes, within_m); level != nodes.begin();) {
+    if (const auto found = grid.at(place, {*--level}, time)) return found;
+  }
+  return std::nullopt;
+}
+
+}  // namespace
+
+std::optional<Vector> TrueCurrent::forecast_at(Vector place, core::UtcTime time) const {
+  if (!forecast_.grid) return uniform_;
+  const ocean::CurrentGrid& grid = *forecast_.grid;
+  const core::UtcTime when = forecast_.steady ? core::from_unix_seconds(grid.times_s().front()) : time;
+  const auto in_plane = [&](Vector at) -> std::optional<Vector> {
+    const geo::LonLat lon_lat = projection_->to_lon_lat({at.east, at.north});
+    const auto water = down_to(grid, lon_lat, at.down, when);
+    if (!water) return std::nullopt;
+    const geo::PlaneVelocity velocity = projection_->to_plane(*water, lon_lat);
+    return Vector{velocity.x_m_s, velocity.y_m_s, 0.0};
+  };
+  if (const auto here = in_plane(place)) return here;
+
+  const double cell_m = grid.samples().grid.spacing().value;
+  const std::array<Vector, 4> beside{Vector{cell_m, 0.0, 0.0}, Vector{-cell_m, 0.0, 0.0},
+                                     Vector{0.0, cell_m, 0.0}, Vector{0.0, -cell_m, 0.0}};
+  Vector sum{};
+  int found = 0;
+  for (const Vector& step : beside) {
+    if (const auto water = in_plane(place + step)) {
+      sum = sum + *water;
+      ++found;
+    }
+  }
+  if (found == 0) return std::nullopt;
+  return (1.0 / found) * sum;
+}
+
+std::optional<Vector> TrueCurrent::at(Vector place, core::UtcTime time) const {
+  const auto forecast = forecast_at(place, time);
+  if (!forecast) return std::nullopt;
+  return *forecast + error_.at(place, time);
+}
+
+}  // namespace floeplan::simulation
