@@ -18,15 +18,16 @@ enum class Mode : std::uint8_t {
 
 /// Why the system guides as it does. Every guidance carries one.
 enum class Reason : std::uint8_t {
-  route_clear,     // nothing detected comes near the planned route
-  at_surface,      // nothing can be steered
-  evading,         // the planned route comes too near to a detected object
-  too_close,       // an object is or will very soon be too close for the route being followed
-  no_path,         // evasion is needed, and path planning has found none in its budget
-  path_not_ready,  // evasion is needed, and no path has been planned yet
-  goal_occupied,   // the last waypoint is covered by an object; keeps clear until it is free
-  boxed_in,        // no heading is free of contact: the one with the latest contact
-  no_progress      // no nearer to the goal for longer than the settings allow
+  route_clear,         // nothing detected comes near the planned route
+  at_surface,          // nothing can be steered
+  evading,             // the planned route comes too near to a detected object
+  too_close,           // an object is or will very soon be too close for the route being followed
+  no_path,             // evasion is needed, and path planning has found none in its budget
+  path_not_ready,      // evasion is needed, and no path has been planned yet
+  goal_occupied,       // the last waypoint is covered by an object; keeps clear until it is free
+  boxed_in,            // no heading is free of contact: the one with the latest contact
+  current_too_strong,  // no nearer to the goal for that long, against a current that the vehicle does not master
+  no_progress          // no nearer to the goal for longer than the settings allow
 };
 
 [[nodiscard]] constexpr std::string_view text(Mode mode) {
@@ -49,6 +50,7 @@ enum class Reason : std::uint8_t {
     case Reason::path_not_ready: return "path not ready";
     case Reason::goal_occupied: return "goal occupied";
     case Reason::boxed_in: return "boxed in";
+    case Reason::current_too_strong: return "current too strong";
     case Reason::no_progress: return "no progress";
   }
   return "";

@@ -29,7 +29,7 @@ struct AvoidanceSettings {
   core::Seconds settled{20.0};   // a more relaxed mode must have been possible for that long
   core::Seconds replan{15.0};    // least time between two plans
   core::Seconds forget{1200.0};  // a surface not seen for that long is dropped
-  core::Seconds give_up{4.0 * 3600.0};        // no nearer to the goal for that long
+  core::Seconds give_up{4.0 * 3600.0};        // of evading without coming nearer to the goal
   core::MetresPerSecond forecast_sigma{0.1};  // error of the carried forecast, rms of a component
   core::MetresPerSecond drift_sigma{0.1};     // of objects through the water, before any is measured
   core::Metres waypoint_radius{50.0};         // a waypoint counts as reached within it

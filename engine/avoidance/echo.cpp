@@ -1,0 +1,36 @@
+#include "engine/avoidance/echo.hpp"
+
+#include <cmath>
+
+namespace floeplan::avoidance {
+
+LevelVector levelled(const BodyVector& body, const Attitude& attitude) {
+  const double sin_h = std::sin(attitude.heading.value);
+  const double cos_h = std::cos(attitude.heading.value);
+  const double sin_p = std::sin(attitude.pitch.value);
+  const double cos_p = std::cos(attitude.pitch.value);
+  const double sin_r = std::sin(attitude.roll.value);
+  const double cos_r = std::cos(attitude.roll.value);
+  // First roll and pitch: ahead and to starboard of the heading, and down.
+  const double aside = cos_r * body.starboard - sin_r * body.down;
+  const double below = sin_r * body.starboard + cos_r * body.down;
+  const double ahead = cos_p * body.forward + sin_p * below;
+  const double down = cos_p * below - sin_p * body.forward;
+  return {sin_h * ahead + cos_h * aside, cos_h * ahead - sin_h * aside, down};
+}
+
+Echo placed(const SonarReturn& sonar, const OwnState& own, geo::PlanePoint own_in_water) {
+  const LevelVector beam = levelled(sonar.beam, own.attitude);
+  const double range_m = sonar.range.value;
+  return {{own_in_water.x_m + range_m * beam.east, own_in_water.y_m + range_m * beam.north},
+          own.depth.value + range_m * beam.down,
+          range_m};
+}
+
+bool is_usable(const SonarReturn& sonar, core::Metres reach) {
+  return std::isfinite(sonar.range.value) && sonar.range.value > 0.0 && sonar.range <= reach &&
+         std::isfinite(sonar.beam.forward) && std::isfinite(sonar.beam.starboard) &&
+         std::isfinite(sonar.beam.down);
+}
+
+}  // namespace floeplan::avoidance

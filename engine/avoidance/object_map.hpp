@@ -1,0 +1,45 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <cstdint>
+#include <span>
+
+#include "engine/avoidance/echo_confirmation.hpp"
+#include "engine/avoidance/sensed.hpp"
+#include "engine/avoidance/settings.hpp"
+#include "engine/avoidance/tracked_object.hpp"
+
+namespace floeplan::avoidance {
+
+/// The objects that the sonar's returns have shown so far: confirmed echoes, those near to each other one object, each
+/// tracked over time.
+/// Frame    water
+/// Memory   fixed; no member allocates. When full the object not seen for the longest time gives way
+class ObjectMap {
+ public:
+  static constexpr std::size_t most_objects = 24;
+
+  explicit ObjectMap(const AvoidanceSettings& settings) : settings_{settings} {}
+
+  /// Moves every object on and drops what has not been seen for too long.
+  void advance(double now_s);
+  /// Takes the echoes of one ping. Precondition: advanced to its time.
+  void take(std::span<const Echo> ping, const OwnState& own, geo::PlanePoint own_in_water);
+
+  [[nodiscard]] std::size_t size() const { return size_; }
+  [[nodiscard]] const TrackedObject& operator[](std::size_t i) const { return objects_[i]; }
+
+ private:
+  void look_below(const OwnState& own, geo::PlanePoint own_in_water);
+  void add(const Echo& confirmed, geo::PlanePoint vehicle);
+
+  AvoidanceSettings settings_;
+  EchoConfirmation confirmation_;
+  std::array<TrackedObject, most_objects> objects_{};
+  std::size_t size_{};
+  std::uint32_t next_id_{1};
+  double now_s_{};
+};
+
+}  // namespace floeplan::avoidance

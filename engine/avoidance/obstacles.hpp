@@ -1,0 +1,53 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <optional>
+#include <span>
+
+#include "engine/avoidance/object_map.hpp"
+#include "engine/avoidance/settings.hpp"
+#include "engine/avoidance/vertical_room.hpp"
+#include "engine/geo/local_projection.hpp"
+#include "engine/motion/disc_encounter.hpp"
+
+namespace floeplan::avoidance {
+
+/// A patch of a detected surface as what must not be touched: a disc that moves on and grows with what is not known of
+/// its drift. Frame: water.
+struct Obstacle {
+  geo::PlanePoint centre{};
+  geo::PlaneVelocity drift{};
+  double radius_m{};    // of the patch and twice the sigma of its place
+  double growth_m_s{};  // one sigma of its drift
+  bool is_guess{};      // what may lie behind the surface seen: looked at by path planning alone
+
+  friend bool operator==(const Obstacle&, const Obstacle&) = default;
+};
+
+/// The obstacle from `now_s` to `until_s`, kept off by `clearance_m`.
+[[nodiscard]] motion::MovingDisc disc_of(const Obstacle& obstacle, double now_s, double until_s,
+                                         double clearance_m);
+
+/// The obstacles near the vehicle.
+/// Memory   fixed; no member allocates. When more are near, the farthest are left out
+class Obstacles {
+ public:
+  static constexpr std::size_t most = 768;
+
+  /// Collects the surfaces within `reach_m` of the vehicle that it has to go round.
+  void collect(const ObjectMap& objects, const VerticalRoom& room, const AvoidanceSettings& settings,
+               const OwnState& own, geo::PlanePoint own_in_water, double reach_m);
+
+  [[nodiscard]] std::span<const Obstacle> all() const { return {list_.data(), size_}; }
+  /// Distance from a place to the nearest surface; empty: none.
+  [[nodiscard]] std::optional<double> nearest_m(geo::PlanePoint place) const;
+
+ private:
+  void add(const Obstacle& obstacle, geo::PlanePoint vehicle);
+
+  std::array<Obstacle, most> list_{};
+  std::size_t size_{};
+};
+
+}  // namespace floeplan::avoidance

@@ -1,0 +1,32 @@
+#pragma once
+
+#include <cstdint>
+
+#include "tests/engine/avoidance/light/voyage.hpp"
+
+namespace floeplan::support {
+
+/// What a random field of icebergs is made of.
+struct IcebergField {
+  double route_m{5000.0};
+  double km2_for_each{1.5};
+  double median_length_m{63.0};  // geometric mean of the least and the greatest
+  double length_sigma{0.6};      // of its logarithm
+  double least_length_m{20.0};
+  double most_length_m{200.0};
+  double most_drift{0.5};  // of the vehicle's speed, through the water
+  double most_turn_deg_h{20.0};
+  double current_m_s{0.1};        // of the forecast, in any direction
+  double current_error_m_s{0.1};  // rms of a component
+  double free_round_start_m{150.0};
+};
+
+/// A flight east along the route, through bergs at random places that the plan does not know: half ellipsoids whose
+/// draft is 2.91 L^0.71 (Barker, Sayed and Carrieres 2004) and whose width is 0.55 to 0.95 of the length.
+[[nodiscard]] Flight random_icebergs(std::uint64_t seed, const IcebergField& field = {});
+
+/// Whether a vehicle that knew everything could have saved itself from the moment the body was seen first: by some
+/// steady heading, or by one change of it, it would have kept clear of every body for twenty minutes.
+[[nodiscard]] bool could_be_saved(const Flight& flight, const FlightResult& result);
+
+}  // namespace floeplan::support
