@@ -207,6 +207,25 @@ CREATE VIRTUAL TABLE zone_box USING rtree (row, west_deg, east_deg, south_deg, n
 CREATE TRIGGER zone_deleted AFTER DELETE ON zone BEGIN
   DELETE FROM zone_box WHERE row = old.row;
 END;
+)sql",
+                                R"sql(
+CREATE TABLE simulation (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  id TEXT NOT NULL UNIQUE,
+  plan_id TEXT NOT NULL,  -- of a plan that may be gone
+  name TEXT NOT NULL,
+  created_s REAL NOT NULL,
+  request_json TEXT NOT NULL,
+  document_json TEXT NOT NULL
+) STRICT;
+CREATE INDEX simulation_by_plan ON simulation (plan_id, row);
+
+CREATE TABLE simulation_flight (
+  simulation_row INTEGER NOT NULL REFERENCES simulation (row) ON DELETE CASCADE,
+  run INTEGER NOT NULL,
+  document_json TEXT NOT NULL,
+  PRIMARY KEY (simulation_row, run)
+) STRICT;
 )sql"};
 
 constexpr auto newest_schema = static_cast<std::int64_t>(migrations.size());

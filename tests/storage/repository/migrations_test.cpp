@@ -71,6 +71,8 @@ DROP TABLE dataset;
 ALTER TABLE first_dataset RENAME TO dataset;
 DROP TABLE zone;
 DROP TABLE zone_box;
+DROP TABLE simulation_flight;
+DROP TABLE simulation;
 PRAGMA user_version = 1;
 )sql");
 }
