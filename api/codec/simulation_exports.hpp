@@ -1,0 +1,21 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+namespace floeplan::codec {
+
+/// Simulated flights as one NetCDF file: true and estimated track, attitude, velocity, energy and who steered.
+/// Format   CF-1.8, featureType trajectory, contiguous ragged arrays (CF-1.8, H.4.3); one trajectory for each flight
+/// `flights`    documents of flights, as codec::flight_document makes them; one at least
+/// `simulation` the document of the simulation that they belong to
+[[nodiscard]] std::string simulation_netcdf(const nlohmann::json& simulation,
+                                            const std::vector<nlohmann::json>& flights);
+
+/// The same as GeoJSON: for each flight the true and the estimated track as lines, its events and its closest approaches as
+/// points. Lines are cut where they cross the antimeridian.
+[[nodiscard]] nlohmann::json simulation_geojson(const nlohmann::json& simulation,
+                                                const std::vector<nlohmann::json>& flights);
+
+}  // namespace floeplan::codec
