@@ -1,0 +1,234 @@
+#include "engine/simulation/mission_pilot.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+namespace floeplan::simulation {
+namespace {
+
+using Cause = SurfaceOrders::Cause;
+
+/// For a fix that ends the time at the surface, after the one that began it, so that the drift is known.
+/// Source   gps_postfix_wait_time of the vendor's data dictionary of firmware 10.5
+constexpr core::Seconds postfix{60.0};
+
+double level_distance(Vector a, Vector b) { return std::hypot(a.east - b.east, a.north - b.north); }
+
+std::size_t first_row(const GotoOrders& list, const std::vector<Vector>& places, Vector from) {
+  if (list.initial >= 0) return static_cast<std::size_t>(list.initial);
+  if (list.initial == -1) return 0;
+  const auto closest =
+      std::ranges::min_element(places, {}, [&](Vector place) { return level_distance(place, from); });
+  return static_cast<std::size_t>(closest - places.begin());
+}
+
+}  // namespace
+
+FlightPath lay_path(const MissionOrders& orders, const std::vector<std::vector<Vector>>& lists,
+                    Vector start) {
+  FlightPath path;
+  for (std::size_t i = 0; i < orders.lists.size() && !path.loops_to; ++i) {
+    const GotoOrders& list = orders.lists[i];
+    const Vector from = path.stops.empty() ? start : path.stops.back().place;
+    const std::size_t first = first_row(list, lists[i], from);
+    const std::size_t rows = lists[i].size();
+    const auto add = [&](std::size_t row) {
+      path.stops.push_back({.place = lists[i][row % rows], .radius_m = list.radius.value});
+    };
+    if (list.legs == -2) {
+      for (std::size_t row = first; row < rows; ++row) add(row);
+    } else if (list.legs == -1) {
+      path.loops_to = path.stops.size();
+      for (std::size_t row = first; row < first + rows; ++row) add(row);
+    } else {
+      for (std::size_t row = first; row < first + static_cast<std::size_t>(list.legs); ++row) add(row);
+    }
+  }
+  return path;
+}
+
+MissionPilot::MissionPilot(const MissionOrders& orders, FlightPath path, core::Seconds first_fix,
+                           core::UtcTime start)
+    : orders_{orders},
+      path_{std::move(path)},
+      first_fix_{first_fix},
+      surfaced_{start},
+      fix_due_{start},
+      leave_{start},
+      last_contact_{start},
+      began_(orders.surfaces.size(), start),
+      ended_(orders.surfaces.size(), start) {}
+
+MissionPilot::Turned MissionPilot::step(const Known& known, const avoidance::Guidance& guidance) {
+  if (phase_ == Phase::done) return {};
+  if (phase_ == Phase::at_surface) return at_surface(known);
+
+  Turned turned;
+  if (phase_ == Phase::surfacing) {
+    if (!known.floats) return turned;
+    phase_ = Phase::at_surface;
+    surfaced_ = known.time;
+    fix_due_ = known.time + first_fix_;
+    leave_ = fix_due_ + std::max(wait_, postfix);
+    fixed_ = false;
+    turned.surfaced = true;
+    return turned;
+  }
+  pass_waypoints(known, guidance, turned);
+  turn(known, guidance, turned);
+  if (orders_.overdepth && known.place.down > orders_.overdepth->value) {
+    abort("The mission was aborted below the depth that abend allows.");
+  } else if (!has_finished() && orders_.max_waypoint &&
+             level_distance(path_.stops[stop_].place, known.place) > orders_.max_waypoint->value) {
+    abort("The mission was aborted: the next waypoint lies beyond max_wpt_distance of abend.");
+  } else {
+    seek_surface(known, turned.waypoint.has_value());
+  }
+  return turned;
+}
+
+MissionPilot::Turned MissionPilot::at_surface(const Known& known) {
+  Turned turned;
+  if (!fixed_ && known.time >= fix_due_) {
+    fixed_ = true;
+    turned.fixed = true;
+    last_contact_ = known.time;
+  }
+  if (!fixed_ || known.time < leave_) return turned;
+
+  if (running_) {
+    turned.fixed = true;
+    ended_[*running_] = known.time;
+    running_.reset();
+  }
+  last_contact_ = known.time;
+  if (ends_) {
+    phase_ = Phase::done;
+    return turned;
+  }
+  phase_ = Phase::diving;
+  turns_ = 0;
+  turned.dived = true;
+  return turned;
+}
+
+void MissionPilot::pass_waypoints(const Known& known, const avoidance::Guidance& guidance, Turned& turned) {
+  if (guidance.mode != avoidance::Mode::mission)
+    stop_ = std::min(std::max(stop_, guidance.waypoint), path_.stops.size());
+  while (!has_finished() &&
+         level_distance(path_.stops[stop_].place, known.place) < path_.stops[stop_].radius_m) {
+    turned.waypoint = stop_++;
+    if (has_finished() && path_.loops_to) {
+      stop_ = *path_.loops_to;
+      return;
+    }
+  }
+}
+
+void MissionPilot::turn(const Known& known, const avoidance::Guidance& guidance, Turned& turned) {
+  const double depth_m = known.place.down;
+  if (phase_ == Phase::diving) {
+    const HalfYo& dive = orders_.yo.dive;
+    const bool deep = depth_m >= dive.depth.value || (guidance.deepest && depth_m >= guidance.deepest->value);
+    const bool low = dive.altitude && known.altitude && *known.altitude <= *dive.altitude;
+    turned.inflected = deep || low;
+    if (turned.inflected) phase_ = Phase::climbing;
+  } else if (phase_ == Phase::climbing) {
+    const double shallowest_m =
+        std::max(orders_.yo.climb.depth.value, guidance.shallowest.value_or(core::Metres{0.0}).value);
+    turned.inflected = depth_m <= shallowest_m;
+    if (turned.inflected) phase_ = Phase::diving;
+  }
+  if (turned.inflected) {
+    ++halves_;
+    ++turns_;
+  }
+}
+
+bool MissionPilot::is_due(const SurfaceOrders& orders, std::size_t index, const Known& known,
+                          bool hit_waypoint) const {
+  const bool yo_ended = orders_.yo.half_cycles >= 0 && halves_ >= orders_.yo.half_cycles;
+  switch (orders.cause) {
+    case Cause::any_idle: return has_finished() || yo_ended;
+    case Cause::yo_idle: return yo_ended;
+    case Cause::list_idle: return has_finished();
+    case Cause::after_end: return known.time - ended_[index] >= orders.interval;
+    case Cause::near_waypoint:
+      return !has_finished() && level_distance(path_.stops[stop_].place, known.place) < orders.distance.value;
+    case Cause::waypoint_hit: return hit_waypoint;
+    case Cause::every: return known.time - began_[index] >= orders.interval;
+    case Cause::no_contact: return known.time - last_contact_ >= orders.interval;
+    case Cause::inflections: return orders.turns >= 0 && turns_ > orders.turns;
+  }
+  return false;
+}
+
+void MissionPilot::seek_surface(const Known& known, bool hit_waypoint) {
+  for (std::size_t i = 0; i < orders_.surfaces.size(); ++i) {
+    if (is_due(orders_.surfaces[i], i, known, hit_waypoint))
+      return come_up(orders_.surfaces[i], i, known.time);
+  }
+  if (has_finished()) abort("The list is flown, and nothing else gives a heading.");
+  if (orders_.yo.half_cycles >= 0 && halves_ >= orders_.yo.half_cycles)
+    abort("The yo has ended, and nothing else gives a pitch.");
+}
+
+void MissionPilot::come_up(const SurfaceOrders& orders, std::size_t index, core::UtcTime time) {
+  phase_ = Phase::surfacing;
+  running_ = index;
+  began_[index] = time;
+  climb_ = orders.climb;
+  wait_ = orders.wait;
+  // A list that is flown leaves nothing to go on with, whether the pilot answers or not.
+  ends_ = orders.ends_mission || has_finished();
+  if (orders_.yo.half_cycles >= 0 && halves_ >= orders_.yo.half_cycles) halves_ = 0;
+  if (has_finished()) {
+    reason_ = "The last waypoint was reached.";
+  } else if (ends_) {
+    reason_ = "A surfacing ended the mission before its last waypoint.";
+  }
+}
+
+void MissionPilot::abort(std::string reason) {
+  phase_ = Phase::surfacing;
+  climb_ = orders_.yo.climb;
+  wait_ = core::Seconds{0.0};
+  ends_ = true;
+  reason_ = std::move(reason);
+}
+
+const HalfYo& MissionPilot::half() const {
+  if (phase_ == Phase::diving) return orders_.yo.dive;
+  if (phase_ == Phase::climbing) return orders_.yo.climb;
+  return climb_;
+}
+
+bool MissionPilot::uses_thruster(const avoidance::Guidance& guidance) const {
+  if (phase_ == Phase::at_surface || phase_ == Phase::done) return false;
+  return guidance.thruster || half().thruster;
+}
+
+ActuatorTargets MissionPilot::targets(const Known& known, const avoidance::Guidance& guidance) const {
+  ActuatorTargets targets;
+  if (phase_ == Phase::at_surface || phase_ == Phase::done) {
+    targets.buoyancy_m3 = orders_.yo.climb.buoyancy_m3;
+    return targets;
+  }
+  targets.pitch_rad = half().pitch_rad;
+  targets.buoyancy_m3 = half().buoyancy_m3;
+  if (guidance.heading) {
+    targets.heading_rad = guidance.heading->value;
+    return targets;
+  }
+  const RouteStop& stop = path_.stops[std::min(stop_, path_.stops.size() - 1)];
+  const double east_m = stop.place.east - known.place.east;
+  const double north_m = stop.place.north - known.place.north;
+  const double gap_m = std::hypot(east_m, north_m);
+  if (gap_m == 0.0) return targets;
+  targets.heading_rad = std::atan2(known.speed_m_s * east_m / gap_m - known.current.east,
+                                   known.speed_m_s * north_m / gap_m - known.current.north);
+  return targets;
+}
+
+}  // namespace floeplan::simulation

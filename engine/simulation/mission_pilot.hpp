@@ -1,0 +1,106 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/avoidance/guidance.hpp"
+#include "engine/core/units.hpp"
+#include "engine/simulation/glider_motion.hpp"
+#include "engine/simulation/mission_orders.hpp"
+#include "engine/simulation/space.hpp"
+
+namespace floeplan::simulation {
+
+/// One place of the route that the goto lists make, in the frame of the flight.
+struct RouteStop {
+  Vector place{};
+  double radius_m{};
+};
+
+/// What the vehicle's own computer flies by: its goto lists laid end to end.
+struct FlightPath {
+  std::vector<RouteStop> stops;
+  std::optional<std::size_t> loops_to;  // after the last stop, for a list that goes round and round
+};
+
+/// Lays the lists end to end from where the vehicle starts.
+[[nodiscard]] FlightPath lay_path(const MissionOrders& orders, const std::vector<std::vector<Vector>>& lists,
+                                  Vector start);
+
+/// Runs the mission's behaviours as the vehicle's computer does: which waypoint to steer for, when to turn in the
+/// saw-tooth, when to come up and what to do there. Knows only what the vehicle knows.
+/// Aim      along the course to the waypoint at the vehicle's speed less the current it reckons with: so steers comet in
+///          its log of 21 August 2019, also where no heading would hold the course
+class MissionPilot {
+ public:
+  enum class Phase { at_surface, diving, climbing, surfacing, done };
+
+  /// What the vehicle knows at a step.
+  struct Known {
+    core::UtcTime time{};
+    Vector place{};  // by dead reckoning or fix; its depth by the pressure sensor
+    bool floats{};   // it is at the surface
+    std::optional<core::Metres> altitude{};
+    Vector current{};  // reckoned with
+    double speed_m_s{};
+  };
+  /// What came of a step, for the record.
+  struct Turned {
+    bool dived{};
+    bool inflected{};
+    bool surfaced{};
+    bool fixed{};
+    std::optional<std::size_t> waypoint{};  // reached, by index
+  };
+
+  /// `orders` is borrowed.
+  MissionPilot(const MissionOrders& orders, FlightPath path, core::Seconds first_fix, core::UtcTime start);
+
+  Turned step(const Known& known, const avoidance::Guidance& guidance);
+
+  [[nodiscard]] ActuatorTargets targets(const Known& known, const avoidance::Guidance& guidance) const;
+  [[nodiscard]] Phase phase() const { return phase_; }
+  /// Of the list under way; as many as there are stops when all are behind.
+  [[nodiscard]] std::size_t waypoint() const { return stop_; }
+  [[nodiscard]] bool has_finished() const { return stop_ >= path_.stops.size(); }
+  /// Why the mission ended, once the phase is done.
+  [[nodiscard]] const std::string& reason() const { return reason_; }
+  [[nodiscard]] const FlightPath& path() const { return path_; }
+  /// Whether mission or guidance ask for the propeller.
+  [[nodiscard]] bool uses_thruster(const avoidance::Guidance& guidance) const;
+
+ private:
+  Turned at_surface(const Known& known);
+  void pass_waypoints(const Known& known, const avoidance::Guidance& guidance, Turned& turned);
+  void turn(const Known& known, const avoidance::Guidance& guidance, Turned& turned);
+  void seek_surface(const Known& known, bool hit_waypoint);
+  void come_up(const SurfaceOrders& orders, std::size_t index, core::UtcTime time);
+  void abort(std::string reason);
+  [[nodiscard]] bool is_due(const SurfaceOrders& orders, std::size_t index, const Known& known,
+                            bool hit_waypoint) const;
+  [[nodiscard]] const HalfYo& half() const;
+
+  const MissionOrders& orders_;
+  FlightPath path_;
+  core::Seconds first_fix_;
+  Phase phase_{Phase::at_surface};
+  std::size_t stop_{};
+  int halves_{};    // done of the yo
+  int turns_{};     // since the last time up
+  HalfYo climb_{};  // to the surface
+  core::Seconds wait_{};
+  bool ends_{};
+  std::string reason_;
+  core::UtcTime surfaced_{};
+  core::UtcTime fix_due_{};
+  core::UtcTime leave_{};
+  bool fixed_{true};
+  core::UtcTime last_contact_{};
+  std::vector<core::UtcTime> began_;  // of each surface behaviour
+  std::vector<core::UtcTime> ended_;
+  std::optional<std::size_t> running_;  // surface behaviour
+};
+
+}  // namespace floeplan::simulation

@@ -1,0 +1,279 @@
+#include "engine/simulation/flight.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <stdexcept>
+
+#include "engine/vehicle/energy_model.hpp"
+#include "tests/engine/simulation/flown.hpp"
+#include "tests/support/property.hpp"
+
+namespace floeplan::simulation {
+namespace {
+
+using support::flight_origin;
+using support::flight_start;
+using support::flown;
+using support::for_each_seed;
+using support::orders_through;
+using support::perfect_sensors;
+using support::shallow_glider;
+using support::uniform;
+using support::uniform_water;
+
+double level_distance(Vector a, Vector b) { return std::hypot(a.east - b.east, a.north - b.north); }
+
+std::size_t count(const FlightRecord& record, EventKind kind) {
+  return static_cast<std::size_t>(std::ranges::count(record.events, kind, &FlightEvent::kind));
+}
+
+Shape block(double half_m, double draft_m) {
+  return {.parts = {ConvexPart{{{{1.0, 0.0, 0.0}, half_m},
+                                {{-1.0, 0.0, 0.0}, half_m},
+                                {{0.0, 1.0, 0.0}, half_m},
+                                {{0.0, -1.0, 0.0}, half_m},
+                                {{0.0, 0.0, 1.0}, draft_m},
+                                {{0.0, 0.0, -1.0}, 10.0}}}},
+          .radius_m = 1.5 * half_m,
+          .draft_m = draft_m};
+}
+
+TEST(Flight, GoesStraightAndKnowsWhereItIsInStillWater) {
+  const World world = uniform_water(0.0, 0.0);
+
+  const FlightRecord record = flown(world, orders_through(world, {{3000.0, 0.0, 0.0}}), perfect_sensors());
+
+  EXPECT_EQ(record.end, FlightEnd::arrived) << record.end_reason;
+  for (const TrackPoint& point : record.track) {
+    EXPECT_NEAR(point.position.north, 0.0, 15.0);
+    EXPECT_NEAR(level_distance(point.position, point.believed), 0.0, 0.01);
+  }
+  EXPECT_NEAR(record.distance_m, 3000.0, 100.0);
+  const auto glide = vehicle::steady_glide(shallow_glider().hydrodynamics, shallow_glider().pitch,
+                                           shallow_glider().buoyancy);
+  EXPECT_NEAR(record.duration().count(), 2950.0 / glide->horizontal.value, 600.0);
+}
+
+TEST(Flight, MeasuresAUniformCurrent) {
+  const World world = uniform_water(0.08, -0.05);
+  MissionOrders orders = orders_through(world, {{4000.0, 2000.0, 0.0}});
+  SurfaceOrders hourly{.cause = SurfaceOrders::Cause::every,
+                       .interval = core::Seconds{3600.0},
+                       .wait = core::Seconds{300.0},
+                       .climb = orders.yo.climb};
+  orders.surfaces.insert(orders.surfaces.begin(), hourly);
+
+  const FlightRecord record = flown(world, orders, perfect_sensors());
+
+  EXPECT_EQ(record.end, FlightEnd::arrived) << record.end_reason;
+  ASSERT_GE(record.sensors.fixes.size(), 2U);
+  const FixEntry& last = record.sensors.fixes.back();
+  EXPECT_NEAR(last.depth_averaged.east.value, 0.08, 0.002);
+  EXPECT_NEAR(last.depth_averaged.north.value, -0.05, 0.002);
+  // The second dive reckons with it: the dead reckoning is off by the drift at the surface before the first fix alone.
+  const auto first_of_second = record.sensors.fixes[2];
+  EXPECT_LT(level_distance(first_of_second.fixed, first_of_second.believed), 15.0);
+}
+
+TEST(Flight, ComesBackToWhereItStarted) {
+  const World world = uniform_water(0.0, 0.0);
+  const std::vector<Vector> square{{1500.0, 0.0, 0.0}, {1500.0, 1500.0, 0.0}, {0.0, 1500.0, 0.0}, {}};
+
+  const FlightRecord record = flown(world, orders_through(world, square), perfect_sensors());
+
+  EXPECT_EQ(record.end, FlightEnd::arrived);
+  EXPECT_EQ(count(record, EventKind::waypoint), 4U);
+  EXPECT_LT(length(record.track.back().position), 50.0 + 150.0);
+}
+
+TEST(Flight, AddsUpToItsVelocities) {
+  const World world{
+      {.origin = flight_origin,
+       .bed = SeaBed{core::Metres{500.0}},
+       .current = TrueCurrent{{0.05, 0.02, 0.0}, CurrentErrorField{{.rms = {0.1}}, flight_start, 4}}}};
+  FlightSettings settings = perfect_sensors();
+  settings.record_every = core::Seconds{1.0};
+
+  const FlightRecord record = flown(world, orders_through(world, {{1500.0, 800.0, 0.0}}), settings);
+
+  Vector sum{};
+  for (std::size_t i = 1; i < record.track.size(); ++i) sum = sum + record.track[i].over_ground;
+  EXPECT_NEAR(sum.east, record.track.back().position.east, 1e-6);
+  EXPECT_NEAR(sum.north, record.track.back().position.north, 1e-6);
+  EXPECT_NEAR(sum.down, record.track.back().position.down, 1e-6);
+}
+
+TEST(Flight, DrawsWhatTheEnergyModelSays) {
+  const World world = uniform_water(0.0, 0.0);
+
+  const FlightRecord record = flown(world, orders_through(world, {{4000.0, 0.0, 0.0}}), perfect_sensors());
+
+  const vehicle::EnergyModel& model = shallow_glider().energy;
+  const double teeth = 0.5 * static_cast<double>(count(record, EventKind::inflection));
+  const double by_teeth_j =
+      teeth * vehicle::tooth_energy(model, shallow_glider().buoyancy, {{5.0}, {100.0}}).value;
+  const double expected_j = by_teeth_j + (model.hotel * record.duration()).value +
+                            static_cast<double>(count(record, EventKind::surfacing)) * model.surfacing.value;
+  EXPECT_GE(teeth, 3.0);
+  EXPECT_NEAR(record.energy.value / expected_j, 1.0, 0.06);
+}
+
+TEST(Flight, IsTheSameForTheSameSeedAndAnotherForAnother) {
+  const World world = uniform_water(0.05, 0.0);
+  const MissionOrders orders = orders_through(world, {{1000.0, 500.0, 0.0}});
+
+  const FlightRecord once = flown(world, orders, {}, 5);
+
+  EXPECT_EQ(flown(world, orders, {}, 5), once);
+  EXPECT_NE(flown(world, orders, {}, 6), once);
+}
+
+TEST(Flight, KeepsItsAltitudeAboveTheSeaBed) {
+  const World world{{.origin = flight_origin, .bed = SeaBed{core::Metres{60.0}}}};
+
+  const FlightRecord record = flown(world, orders_through(world, {{1500.0, 0.0, 0.0}}), perfect_sensors());
+
+  EXPECT_EQ(record.end, FlightEnd::arrived);
+  ASSERT_FALSE(record.approaches.empty());
+  EXPECT_EQ(record.approaches.front().to, "sea bed");
+  EXPECT_NEAR(record.approaches.front().distance_m, 10.0 - 2.0, 2.0);
+}
+
+TEST(Flight, EndsAtAnIcebergOnItsWay) {
+  WorldParts parts{.origin = flight_origin};
+  parts.bodies.emplace_back("berg", block(60.0, 150.0), Body::Motion{.track = {{flight_start, 1000.0, 0.0}}});
+  const World world{std::move(parts)};
+
+  const FlightRecord record = flown(world, orders_through(world, {{2000.0, 0.0, 0.0}}), perfect_sensors());
+
+  EXPECT_EQ(record.end, FlightEnd::collided) << record.end_reason;
+  EXPECT_NEAR(record.track.back().position.east, 940.0, 2.0);
+  ASSERT_EQ(record.approaches.size(), 1U);
+  EXPECT_LE(record.approaches.front().distance_m, 0.75);
+}
+
+TEST(Flight, TellsHowNearItCameToWhatItPassed) {
+  for_each_seed(10, [](std::mt19937_64& rng) {
+    const double north_m = uniform(rng, 120.0, 300.0);
+    WorldParts parts{.origin = flight_origin};
+    parts.bodies.emplace_back("berg", block(60.0, 150.0),
+                              Body::Motion{.track = {{flight_start, 700.0, north_m}}});
+    const World world{std::move(parts)};
+    FlightSettings settings = perfect_sensors();
+    settings.record_every = core::Seconds{1.0};
+
+    const FlightRecord record = flown(world, orders_through(world, {{1400.0, 0.0, 0.0}}), settings);
+
+    double nearest_m = 1e9;
+    const Body& berg = world.bodies().front();
+    for (const TrackPoint& point : record.track)
+      nearest_m = std::min(nearest_m, berg.distance(berg.pose_at(point.time), point.position));
+    ASSERT_EQ(record.approaches.size(), 1U);
+    EXPECT_NEAR(record.approaches.front().distance_m, nearest_m, 0.05);
+  });
+}
+
+TEST(Flight, DoesNotComeUpThroughIce) {
+  const World world{{.origin = flight_origin, .ice = IceLayer{core::Metres{2.0}}}};
+  MissionOrders orders = orders_through(world, {{500.0, 0.0, 0.0}});
+  FlightRequest request{.world = world,
+                        .orders = orders,
+                        .vehicle = shallow_glider(),
+                        .start = flight_origin,
+                        .departure = flight_start};
+
+  const core::Violations found = violations(request);
+
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found.front().field, "/start");
+}
+
+TEST(Flight, RefusesAWorldThatDoesNotCoverItsMission) {
+  const geo::LocalProjection projection{flight_origin};
+  const ocean::HorizontalGrid grid{geo::GeographicFrame{}, ocean::Axis{{-52.1, -52.0, -51.9}},
+                                   ocean::Axis{{47.4, 47.5, 47.6}}};
+  const auto bathymetry =
+      std::make_shared<const ocean::Bathymetry>(grid, std::vector<float>(grid.size(), 300.0F));
+  const World world{
+      {.origin = flight_origin, .bed = SeaBed{bathymetry, projection, {{-3e4, -3e4}, {3e4, 3e4}}}}};
+  const MissionOrders orders = orders_through(world, {{2000.0, 0.0, 0.0}, {20'000.0, 0.0, 0.0}});
+  FlightRequest request{.world = world,
+                        .orders = orders,
+                        .vehicle = shallow_glider(),
+                        .start = flight_origin,
+                        .departure = flight_start};
+  request.settings.longest = core::Seconds{-1.0};
+
+  const core::Violations found = violations(request);
+
+  ASSERT_EQ(found.size(), 2U);
+  EXPECT_EQ(found[0].field, "/longest_s");
+  EXPECT_EQ(found[1].field, "/files/list 1/row 2");
+  EXPECT_THROW(Flight{request}, std::invalid_argument);
+}
+
+TEST(Flight, EndsWhereTheDataEndAndWhenItsTimeIsUp) {
+  const World world = uniform_water(0.0, 0.0);
+  FlightSettings settings = perfect_sensors();
+  settings.longest = core::Seconds{600.0};
+
+  const FlightRecord record = flown(world, orders_through(world, {{3000.0, 0.0, 0.0}}), settings);
+
+  EXPECT_EQ(record.end, FlightEnd::time_up);
+  EXPECT_EQ(record.duration(), core::Seconds{600.0});
+}
+
+TEST(Flight, IsStoppedOnRequest) {
+  const World world = uniform_water(0.0, 0.0);
+  const MissionOrders orders = orders_through(world, {{3000.0, 0.0, 0.0}});
+  std::stop_source source;
+  source.request_stop();
+  BareVehicle bare;
+
+  const FlightRecord record = fly({.world = world,
+                                   .orders = orders,
+                                   .vehicle = shallow_glider(),
+                                   .start = flight_origin,
+                                   .departure = flight_start},
+                                  bare, source.get_token());
+
+  EXPECT_EQ(record.end, FlightEnd::stopped);
+}
+
+/// Steers due north whatever the mission says, and turns no deeper than 40 m.
+struct NorthwardBoard {
+  OnBoardAnswer step(const FlightView& /*view*/) const {
+    OnBoardAnswer answer;
+    answer.guidance.mode = avoidance::Mode::path;
+    answer.guidance.reason = avoidance::Reason::evading;
+    answer.guidance.heading = core::Radians{0.0};
+    answer.guidance.deepest = core::Metres{40.0};
+    return answer;
+  }
+};
+
+TEST(Flight, IsGuidedByTheSystemOnBoard) {
+  const World world = uniform_water(0.0, 0.0);
+  const MissionOrders orders = orders_through(world, {{3000.0, 0.0, 0.0}});
+  FlightSettings settings = perfect_sensors();
+  settings.longest = core::Seconds{3600.0};
+  NorthwardBoard board;
+
+  const FlightRecord record = fly({.world = world,
+                                   .orders = orders,
+                                   .vehicle = shallow_glider(),
+                                   .start = flight_origin,
+                                   .departure = flight_start,
+                                   .settings = settings},
+                                  board);
+
+  EXPECT_GT(record.track.back().position.north, 700.0);
+  EXPECT_LT(std::abs(record.track.back().position.east), 30.0);
+  for (const TrackPoint& point : record.track) EXPECT_LT(point.position.down, 44.0);
+  EXPECT_EQ(count(record, EventKind::guidance), 1U);
+}
+
+}  // namespace
+}  // namespace floeplan::simulation
