@@ -119,16 +119,18 @@ void AvoidanceSystem::perceive(const Sensed& sensed) {
   room_.sound(own_, water_.own());
   objects_.advance(now_s);
   if (sensed.sonar) take_ping(*sensed.sonar, own_);
-  obstacles_.collect(objects_, room_, settings_, own_, water_.own(), reach_m);
+  room_.take_covers(objects_);
+  obstacles_.collect(objects_, water_.own(), reach_m);
 }
 
 void AvoidanceSystem::take_ping(const SonarPing& ping, const OwnState& own) {
+  room_.begin_ping();
   std::size_t count = 0;
   for (const SonarReturn& sonar : ping.returns) {
     if (count == echoes_.size()) break;
     if (!is_usable(sonar, settings_.sonar.reach)) continue;
     const Echo echo = placed(sonar, own, water_.own());
-    if (!room_.passes_over(echo, core::unix_seconds(own.time))) echoes_[count++] = echo;
+    if (!room_.passes(echo)) echoes_[count++] = echo;
   }
   objects_.take({echoes_.data(), count}, own, water_.own());
 }
@@ -226,8 +228,8 @@ void AvoidanceSystem::plan_path(const std::stop_token& stop) {
 
 Guidance AvoidanceSystem::guidance(const Choice& choice, const TimedWay& path) {
   Guidance guided{.mode = choice.mode, .reason = choice.reason, .waypoint = route_.next()};
-  guided.shallowest = room_.shallowest(objects_, water_.own());
-  guided.deepest = room_.deepest(going_.time_s);
+  guided.shallowest = room_.shallowest();
+  guided.deepest = room_.deepest();
   if (choice.mode == Mode::mission) return guided;
   if (choice.mode == Mode::path) {
     const auto points = path.points();

@@ -27,6 +27,9 @@ class ObjectMap {
   /// Takes the echoes of one ping. Precondition: advanced to its time.
   void take(std::span<const Echo> ping, const OwnState& own, geo::PlanePoint own_in_water);
 
+  /// Takes an object out; the last one moves to its place.
+  void remove(std::size_t i);
+
   [[nodiscard]] std::size_t size() const { return size_; }
   [[nodiscard]] const TrackedObject& operator[](std::size_t i) const { return objects_[i]; }
 
@@ -39,6 +42,7 @@ class ObjectMap {
   std::array<TrackedObject, most_objects> objects_{};
   std::size_t size_{};
   std::uint32_t next_id_{1};
+  std::size_t pings_{};
   double now_s_{};
 };
 

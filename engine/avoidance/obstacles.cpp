@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/avoidance/steering.hpp"
+
 namespace floeplan::avoidance {
 namespace {
 
@@ -11,12 +13,6 @@ constexpr double most_uncertainty_m =
     30.0;                                 // a surface less sure than that is not believed to be anywhere near
 constexpr double most_growth_m_s = 0.05;  // what is seen again and again is corrected sooner
 constexpr double growth_lasts_s = 300.0;
-
-double distance(geo::PlanePoint a, geo::PlanePoint b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
-
-bool is_under_way_round(const SurfaceCell& cell, const AvoidanceSettings& settings) {
-  return cell.depth_m < settings.deepest.value + settings.vertical_margin.value;
-}
 
 }  // namespace
 
@@ -27,23 +23,21 @@ motion::MovingDisc disc_of(const Obstacle& obstacle, double now_s, double until_
   return {now_s, until_s, obstacle.centre, obstacle.drift, obstacle.radius_m + clearance_m, growth};
 }
 
-void Obstacles::collect(const ObjectMap& objects, const VerticalRoom& room, const AvoidanceSettings& settings,
-                        const OwnState& own, geo::PlanePoint own_in_water, double reach_m) {
+void Obstacles::collect(const ObjectMap& objects, geo::PlanePoint own_in_water, double reach_m) {
   size_ = 0;
   for (std::size_t i = 0; i < objects.size(); ++i) {
     const TrackedObject& object = objects[i];
-    if (room.passes_under(object) && own.depth.value > object.keel_m()) continue;
-    if (distance(object.centre(), own_in_water) - object.half_extent_m() > reach_m) continue;
+    if (distance_m(object.centre(), own_in_water) - object.half_extent_m() > reach_m) continue;
     const double radius_m = patch_m + std::min(2.0 * object.place_sigma_m(), most_uncertainty_m);
     const double growth_m_s = std::min(object.drift_sigma_m_s(), most_growth_m_s);
     for (std::size_t k = 0; k < object.size(); ++k) {
       const SurfaceCell& cell = object.cell(k);
-      if (cell.beside_other || !is_under_way_round(cell, settings)) continue;
+      if (cell.beside_other) continue;
       add({object.place(cell), object.drift(), radius_m, growth_m_s, false}, own_in_water);
     }
     // A berg is about as deep as it is wide: the disc over its visible face.
     const Obstacle body{object.centre(), object.drift(), object.half_extent_m(), growth_m_s, true};
-    if (distance(body.centre, own_in_water) > body.radius_m) add(body, own_in_water);
+    if (distance_m(body.centre, own_in_water) > body.radius_m) add(body, own_in_water);
   }
 }
 
@@ -53,15 +47,15 @@ void Obstacles::add(const Obstacle& obstacle, geo::PlanePoint vehicle) {
     return;
   }
   const auto farthest = std::ranges::max_element(
-      list_, {}, [&](const Obstacle& known) { return distance(known.centre, vehicle) - known.radius_m; });
-  if (distance(farthest->centre, vehicle) > distance(obstacle.centre, vehicle)) *farthest = obstacle;
+      list_, {}, [&](const Obstacle& known) { return distance_m(known.centre, vehicle) - known.radius_m; });
+  if (distance_m(farthest->centre, vehicle) > distance_m(obstacle.centre, vehicle)) *farthest = obstacle;
 }
 
 std::optional<double> Obstacles::nearest_m(geo::PlanePoint place) const {
   std::optional<double> nearest;
   for (const Obstacle& obstacle : all()) {
     if (obstacle.is_guess) continue;
-    const double apart_m = distance(obstacle.centre, place) - obstacle.radius_m;
+    const double apart_m = distance_m(obstacle.centre, place) - obstacle.radius_m;
     if (!nearest || apart_m < *nearest) nearest = apart_m;
   }
   return nearest;

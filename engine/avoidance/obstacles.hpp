@@ -6,8 +6,6 @@
 #include <span>
 
 #include "engine/avoidance/object_map.hpp"
-#include "engine/avoidance/settings.hpp"
-#include "engine/avoidance/vertical_room.hpp"
 #include "engine/geo/local_projection.hpp"
 #include "engine/motion/disc_encounter.hpp"
 
@@ -35,9 +33,8 @@ class Obstacles {
  public:
   static constexpr std::size_t most = 768;
 
-  /// Collects the surfaces within `reach_m` of the vehicle that it has to go round.
-  void collect(const ObjectMap& objects, const VerticalRoom& room, const AvoidanceSettings& settings,
-               const OwnState& own, geo::PlanePoint own_in_water, double reach_m);
+  /// Collects the surfaces within `reach_m` of the vehicle.
+  void collect(const ObjectMap& objects, geo::PlanePoint own_in_water, double reach_m);
 
   [[nodiscard]] std::span<const Obstacle> all() const { return {list_.data(), size_}; }
   /// Distance from a place to the nearest surface; empty: none.

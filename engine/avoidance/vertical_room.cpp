@@ -3,93 +3,124 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/avoidance/steering.hpp"
+
 namespace floeplan::avoidance {
 namespace {
 
-constexpr double sounding_holds_s = 600.0;  // some 200 m of way
-constexpr double soundings_apart_m = 10.0;
-constexpr double steepest_bed = 0.2;  // beyond that it is taken for a wall
-constexpr double bed_noise_m = 3.0;   // of a sonar echo's depth against the altimeter's
+constexpr double soundings_hold_s = 900.0;  // some 300 m of way
+constexpr double steepest = 0.2;            // of a bed or an underside: beyond that it is taken for a wall
+constexpr double noise_m = 3.0;             // of an echo's depth
+constexpr double beside_m = 150.0;          // farther from a sounding nothing is concluded from it
 constexpr double bed_echo_holds_s = 120.0;
-constexpr double cover_width_m =
-    250.0;                        // wider than a berg of the size that is met off Greenland and Newfoundland
-constexpr int looks_needed = 20;  // pings
-constexpr double under_reach_m = 120.0;  // a glider sinks or rises by a good third of that on the way
-
-double distance(geo::PlanePoint a, geo::PlanePoint b) { return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m); }
+constexpr double overhead_m = 3.0;       // the least height above the vehicle of an echo from above
+constexpr double cover_width_m = 200.0;  // of the greatest bergs that are gone round without a doubt
+constexpr int looks_needed = 20;         // pings
+constexpr double least_slope = 0.35;     // of a glider's way: 20 degrees
 
 }  // namespace
 
 void VerticalRoom::sound(const OwnState& own, geo::PlanePoint own_in_water) {
+  now_s_ = core::unix_seconds(own.time);
+  depth_m_ = own.depth.value;
+  place_ = own_in_water;
+  bed_.forget_before(now_s_ - soundings_hold_s);
+  roof_.forget_before(now_s_ - soundings_hold_s);
   if (!own.altitude || !std::isfinite(own.altitude->value)) return;
-  const Sounding found{own_in_water, own.depth.value + own.altitude->value, core::unix_seconds(own.time)};
-  const std::size_t last = (next_ + soundings_.size() - 1) % soundings_.size();
-  if (sounded_ > 0 && distance(soundings_[last].place, own_in_water) < soundings_apart_m) {
-    soundings_[last] = found;
-    return;
-  }
-  soundings_[next_] = found;
-  next_ = (next_ + 1) % soundings_.size();
-  sounded_ = std::min(sounded_ + 1, soundings_.size());
+  bed_.take({own_in_water, own.depth.value + own.altitude->value, now_s_}, true);
 }
 
-bool VerticalRoom::passes_over(const Echo& echo, double now_s) {
-  if (echo.depth_m > settings_.deepest.value + settings_.vertical_margin.value) return true;
-  const auto bed_m = bed_near(echo.place, now_s);
-  if (!bed_m || echo.depth_m < *bed_m) return false;
-  if (echo.depth_m - settings_.vertical_margin.value - settings_.shallowest.value <
-      settings_.least_band.value) {
-    return false;
-  }
-  const bool is_old = now_s - shallowest_bed_.time_s > bed_echo_holds_s;
-  if (is_old || echo.depth_m < shallowest_bed_.depth_m) shallowest_bed_ = {echo.place, echo.depth_m, now_s};
+void VerticalRoom::begin_ping() {
+  bed_confirmation_.begin_ping();
+  roof_confirmation_.begin_ping();
+}
+
+bool VerticalRoom::passes(const Echo& echo) {
+  return echo.depth_m > settings_.deepest.value + settings_.vertical_margin.value || is_bed(echo) ||
+         is_roof(echo);
+}
+
+bool VerticalRoom::has_room_under(double ice_m) const {
+  return ice_m + settings_.vertical_margin.value + settings_.least_band.value <= settings_.deepest.value;
+}
+
+bool VerticalRoom::has_room_over(double bed_m) const {
+  return bed_m - settings_.vertical_margin.value - settings_.least_band.value >= settings_.shallowest.value;
+}
+
+bool VerticalRoom::is_bed(const Echo& echo) {
+  if (!has_room_over(echo.depth_m)) return false;
+  const bool is_known = std::ranges::any_of(bed_.all(), [&](const Sounding& bed) {
+    return echo.depth_m >= bed.depth_m - noise_m - steepest * distance_m(bed.place, echo.place);
+  });
+  if (!is_known) return false;
+  const bool is_old = !shallowest_bed_ || now_s_ - shallowest_bed_->time_s > bed_echo_holds_s;
+  if (is_old || echo.depth_m < shallowest_bed_->depth_m)
+    shallowest_bed_ = Sounding{echo.place, echo.depth_m, now_s_};
   return true;
 }
 
-/// The least depth at which a sea bed may lie there, by the soundings; empty: none near in time.
-std::optional<double> VerticalRoom::bed_near(geo::PlanePoint place, double now_s) const {
-  std::optional<double> least;
-  for (std::size_t i = 0; i < sounded_; ++i) {
-    if (now_s - soundings_[i].time_s > sounding_holds_s) continue;
-    const double bed_m =
-        soundings_[i].depth_m - bed_noise_m - steepest_bed * distance(soundings_[i].place, place);
-    if (!least || bed_m > *least) least = bed_m;
+bool VerticalRoom::is_roof(const Echo& echo) {
+  if (!has_room_under(echo.depth_m)) return false;
+  const double above_m = depth_m_ - echo.depth_m;
+  const bool is_overhead = above_m > overhead_m && above_m > distance_m(place_, echo.place);
+  bool is_known = false;
+  bool goes_on =
+      false;  // at the same slope without the noise: else a wall would be walked down, noise by noise
+  for (const Sounding& roof : roof_.all()) {
+    const double apart_m = distance_m(roof.place, echo.place);
+    if (apart_m > beside_m) continue;
+    is_known |= echo.depth_m <= roof.depth_m + noise_m + steepest * apart_m;
+    goes_on |= echo.depth_m <= roof.depth_m + steepest * apart_m;
   }
-  return least;
+  if (!is_overhead && !is_known) return false;
+  if (is_overhead || goes_on) {
+    if (const auto roof = roof_confirmation_.take(echo))
+      roof_.take({roof->place, roof->depth_m, now_s_}, false);
+  }
+  return true;
 }
 
-bool VerticalRoom::passes_under(const TrackedObject& object) const {
-  return 2.0 * object.half_extent_m() > cover_width_m && object.looks_below() >= looks_needed &&
-         object.keel_m() + settings_.vertical_margin.value + settings_.least_band.value <
-             settings_.deepest.value;
+bool VerticalRoom::is_cover(const TrackedObject& object) const {
+  if (2.0 * object.half_extent_m() < cover_width_m || object.looks_below() < looks_needed) return false;
+  if (!has_room_under(object.keel_m())) return false;
+  double nearest_m = beside_m;
+  for (std::size_t i = 0; i < object.size(); ++i) {
+    nearest_m = std::min(nearest_m, distance_m(object.place(object.cell(i)), place_));
+  }
+  return depth_m_ + least_slope * nearest_m > object.keel_m() + settings_.vertical_margin.value;
 }
 
-std::optional<core::Metres> VerticalRoom::shallowest(const ObjectMap& objects,
-                                                     geo::PlanePoint own_in_water) const {
-  std::optional<core::Metres> limit;
-  for (std::size_t i = 0; i < objects.size(); ++i) {
-    if (!passes_under(objects[i])) continue;
-    for (std::size_t k = 0; k < objects[i].size(); ++k) {
-      const SurfaceCell& cell = objects[i].cell(k);
-      if (distance(objects[i].place(cell), own_in_water) > under_reach_m) continue;
-      const core::Metres below{cell.depth_m + settings_.vertical_margin.value};
-      if (below > settings_.shallowest && (!limit || below > *limit)) limit = below;
+void VerticalRoom::take_covers(ObjectMap& objects) {
+  for (std::size_t i = objects.size(); i-- > 0;) {
+    const TrackedObject& object = objects[i];
+    if (!is_cover(object)) continue;
+    for (std::size_t k = 0; k < object.size(); ++k) {
+      roof_.take({object.place(object.cell(k)), object.keel_m(), now_s_}, true);
     }
+    objects.remove(i);
+  }
+}
+
+std::optional<core::Metres> VerticalRoom::shallowest() const {
+  std::optional<core::Metres> limit;
+  for (const Sounding& roof : roof_.all()) {
+    if (distance_m(roof.place, place_) > beside_m) continue;
+    const core::Metres below{roof.depth_m + settings_.vertical_margin.value};
+    if (below > settings_.shallowest && (!limit || below > *limit)) limit = below;
   }
   return limit;
 }
 
-std::optional<core::Metres> VerticalRoom::deepest(double now_s) const {
+std::optional<core::Metres> VerticalRoom::deepest() const {
   std::optional<core::Metres> limit;
   const auto hold = [&](double bed_m) {
     const core::Metres above{std::max(bed_m - settings_.vertical_margin.value, settings_.shallowest.value)};
     if (above < settings_.deepest && (!limit || above < *limit)) limit = above;
   };
-  if (shallowest_bed_.time_s > 0.0 && now_s - shallowest_bed_.time_s <= bed_echo_holds_s)
-    hold(shallowest_bed_.depth_m);
-  if (sounded_ > 0) {
-    const Sounding& last = soundings_[(next_ + soundings_.size() - 1) % soundings_.size()];
-    if (now_s - last.time_s <= bed_echo_holds_s) hold(last.depth_m);
+  if (shallowest_bed_ && now_s_ - shallowest_bed_->time_s <= bed_echo_holds_s) hold(shallowest_bed_->depth_m);
+  for (const Sounding& bed : bed_.all()) {
+    if (distance_m(bed.place, place_) < Soundings::apart_m) hold(bed.depth_m);
   }
   return limit;
 }

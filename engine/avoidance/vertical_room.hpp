@@ -5,9 +5,11 @@
 #include <optional>
 
 #include "engine/avoidance/echo.hpp"
+#include "engine/avoidance/echo_confirmation.hpp"
 #include "engine/avoidance/object_map.hpp"
 #include "engine/avoidance/sensed.hpp"
 #include "engine/avoidance/settings.hpp"
+#include "engine/avoidance/soundings.hpp"
 
 namespace floeplan::avoidance {
 
@@ -19,35 +21,43 @@ class VerticalRoom {
  public:
   explicit VerticalRoom(const AvoidanceSettings& settings) : settings_{settings} {}
 
-  /// Remembers what the altimeter has found below the vehicle.
+  /// Takes up the vehicle's place, and what the altimeter has found below it.
   void sound(const OwnState& own, geo::PlanePoint own_in_water);
-  /// Whether the echo is none to go round: from below the saw-tooth, or from a sea bed that a lower saw-tooth passes
-  /// over. A sea bed is told from a wall by the altimeter: it rises by no more than 1 in 5 from the nearest sounding.
-  /// A bed without room above it is a thing to go round. A bed that is one limits the depth from now on.
-  [[nodiscard]] bool passes_over(const Echo& echo, double now_s);
-  /// Whether the object is a cover of ice that the vehicle passes under: wider than any berg, the sonar has looked below
-  /// its keel for long enough, and a saw-tooth has room under it. Bergs are gone round.
-  [[nodiscard]] bool passes_under(const TrackedObject& object) const;
+  void begin_ping();
+  /// Whether the echo is none to go round:
+  /// - from below the saw-tooth;
+  /// - from a sea bed that a lower saw-tooth passes over. A bed is told from a wall by the altimeter's soundings: it
+  ///   rises by no more than 1 in 5 from the nearest;
+  /// - from the underside of a cover of ice that a deeper saw-tooth passes under, told from a wall in the same way. Its
+  ///   first soundings are echoes from steeply above, and covers recognised from afar.
+  /// A bed or a cover that leaves no room is a thing to go round. One that does limits the depth from now on,
+  /// once its echoes have confirmed each other.
+  [[nodiscard]] bool passes(const Echo& echo);
+  /// Recognises covers of ice among the objects and takes them out. A cover is as wide as the greatest bergs at least,
+  /// the sonar has looked below its keel for long enough, a saw-tooth has room under it, and the vehicle gets below it
+  /// in time.
+  void take_covers(ObjectMap& objects);
 
   /// Where to inflect at the latest, climbing and diving; empty: as the mission says.
-  [[nodiscard]] std::optional<core::Metres> shallowest(const ObjectMap& objects,
-                                                       geo::PlanePoint own_in_water) const;
-  [[nodiscard]] std::optional<core::Metres> deepest(double now_s) const;
+  [[nodiscard]] std::optional<core::Metres> shallowest() const;
+  [[nodiscard]] std::optional<core::Metres> deepest() const;
 
  private:
-  struct Sounding {
-    geo::PlanePoint place{};
-    double depth_m{};
-    double time_s{};
-  };
-
-  [[nodiscard]] std::optional<double> bed_near(geo::PlanePoint place, double now_s) const;
+  [[nodiscard]] bool has_room_under(double ice_m) const;
+  [[nodiscard]] bool has_room_over(double bed_m) const;
+  [[nodiscard]] bool is_bed(const Echo& echo);
+  [[nodiscard]] bool is_roof(const Echo& echo);
+  [[nodiscard]] bool is_cover(const TrackedObject& object) const;
 
   AvoidanceSettings settings_;
-  std::array<Sounding, 32> soundings_{};
-  std::size_t sounded_{};
-  std::size_t next_{};
-  Sounding shallowest_bed_{};  // that an echo showed lately
+  double now_s_{};
+  double depth_m_{};
+  geo::PlanePoint place_{};
+  Soundings bed_{};
+  Soundings roof_{};
+  EchoConfirmation bed_confirmation_{};
+  EchoConfirmation roof_confirmation_{};
+  std::optional<Sounding> shallowest_bed_{};  // that an echo showed lately
 };
 
 }  // namespace floeplan::avoidance

@@ -22,7 +22,7 @@ using support::random_icebergs;
 /// FLOEPLAN_ICEBERG_FIELDS asks for more than the few that every run of the tests flies.
 std::uint64_t fields() {
   const char* const asked = std::getenv("FLOEPLAN_ICEBERG_FIELDS");
-  return asked != nullptr ? std::strtoull(asked, nullptr, 10) : 16;
+  return asked != nullptr ? std::strtoull(asked, nullptr, 10) : 8;
 }
 
 /// Fewer say nothing of a share of them.

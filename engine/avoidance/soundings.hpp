@@ -1,0 +1,36 @@
+#pragma once
+
+#include <array>
+#include <cstddef>
+#include <span>
+
+#include "engine/geo/local_projection.hpp"
+
+namespace floeplan::avoidance {
+
+/// A depth found at a place.
+struct Sounding {
+  geo::PlanePoint place{};
+  double depth_m{};
+  double time_s{};
+
+  friend bool operator==(const Sounding&, const Sounding&) = default;
+};
+
+/// Depths of the sea bed or of the ice's underside around the vehicle, some 15 m apart.
+/// Memory   fixed; when full the oldest gives way
+class Soundings {
+ public:
+  static constexpr double apart_m = 15.0;
+
+  /// Where one lies near already, only its time and `depth_m` as the caller wants it are renewed.
+  void take(const Sounding& found, bool renews_depth);
+  void forget_before(double time_s);
+  [[nodiscard]] std::span<const Sounding> all() const { return {list_.data(), size_}; }
+
+ private:
+  std::array<Sounding, 96> list_{};
+  std::size_t size_{};
+};
+
+}  // namespace floeplan::avoidance
