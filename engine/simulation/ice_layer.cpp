@@ -3,6 +3,8 @@
 namespace floeplan::simulation {
 IceLayer::IceLayer(const ocean::IceField& ice, const geo::LocalProjection& projection,
                    const planning::PlaneBox& area, core::UtcTime epoch)
-    : epoch_{epoch}, cover_{planning::IceCover{ice, planning::UnderIceRules{}, projection, area, epoch}} {}
+    : epoch_{epoch},
+      cover_{planning::IceCover{ice, planning::UnderIceRules{}, projection, area, epoch}},
+      area_{area} {}
 
 }  // namespace floeplan::simulation

@@ -19,9 +19,10 @@ class IceLayer {
   IceLayer(const ocean::IceField& ice, const geo::LocalProjection& projection, const planning::PlaneBox& area,
            core::UtcTime epoch);
 
-  /// Zero in open water and where nothing is known of ice.
+  /// Zero in open water and where nothing is known of ice, as beyond the area.
   [[nodiscard]] double draft_m(double east_m, double north_m, core::UtcTime time) const {
     if (!cover_) return even_m_;
+    if (!area_.contains({east_m, north_m})) return 0.0;
     return cover_->above({east_m, north_m}, time - epoch_).draft_m;
   }
 
@@ -29,6 +30,7 @@ class IceLayer {
   double even_m_{};
   core::UtcTime epoch_{};
   std::optional<planning::IceCover> cover_{};
+  planning::PlaneBox area_{};
 };
 
 }  // namespace floeplan::simulation

@@ -19,11 +19,12 @@ class SeaBed {
   /// `bathymetry` must not be null.
   SeaBed(std::shared_ptr<const ocean::Bathymetry> bathymetry, const geo::LocalProjection& projection,
          const planning::PlaneBox& area)
-      : data_{planning::PlaneBed{std::move(bathymetry), projection, area, {}}} {}
+      : data_{planning::PlaneBed{std::move(bathymetry), projection, area, {}}}, area_{area} {}
 
-  /// Positive down; empty where there is none, or where it is not known.
+  /// Positive down; empty where there is none, or where it is not known, as beyond the area.
   [[nodiscard]] std::optional<double> depth_m(double east_m, double north_m) const {
     if (!data_) return flat_;
+    if (!area_.contains({east_m, north_m})) return std::nullopt;
     const auto depth = data_->depth({east_m, north_m});
     if (!depth) return std::nullopt;
     return depth->value;
@@ -34,6 +35,7 @@ class SeaBed {
  private:
   std::optional<double> flat_{};
   std::optional<planning::PlaneBed> data_{};
+  planning::PlaneBox area_{};
 };
 
 }  // namespace floeplan::simulation
