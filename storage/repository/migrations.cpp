@@ -295,6 +295,12 @@ sqlite::Connection open_store(const std::filesystem::path& store) {
   return db;
 }
 
+sqlite::Connection open_scratch_store(const std::filesystem::path& folder) {
+  sqlite::Connection db = sqlite::Connection::open_scratch(folder);
+  migrate(db);
+  return db;
+}
+
 sqlite::Connection open_store_in_memory() {
   sqlite::Connection db = sqlite::Connection::in_memory();
   migrate(db);

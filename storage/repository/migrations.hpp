@@ -12,6 +12,10 @@ namespace floeplan::repository {
 ///          and when the folder cannot be written
 [[nodiscard]] sqlite::Connection open_store(const std::filesystem::path& store);
 
+/// A store of the same schema whose contents nobody misses after a kill: where data lie until they are complete.
+/// The folder exists.
+[[nodiscard]] sqlite::Connection open_scratch_store(const std::filesystem::path& folder);
+
 /// A private, empty store in memory, for tests.
 [[nodiscard]] sqlite::Connection open_store_in_memory();
 

@@ -71,6 +71,18 @@ Connection Connection::open(const std::filesystem::path& store) {
   }
 }
 
+Connection Connection::open_scratch(const std::filesystem::path& folder) {
+  const std::string file = (folder / "floeplan.sqlite").string();
+  try {
+    Connection scratch{std::make_unique<SQLite::Database>(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
+                                                          busy_timeout_ms)};
+    scratch.handle().exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF");
+    return scratch;
+  } catch (const SQLite::Exception& cause) {
+    throw failure_of(cause, file);
+  }
+}
+
 Connection Connection::in_memory() {
   return Connection{std::make_unique<SQLite::Database>(
       ":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, busy_timeout_ms)};

@@ -22,6 +22,9 @@ class Connection {
  public:
   /// Opens (and creates, with its folder) `<store>/floeplan.sqlite`.
   [[nodiscard]] static Connection open(const std::filesystem::path& store);
+  /// Opens (and creates) `<folder>/floeplan.sqlite` for data that are thrown away when anything goes wrong: nothing
+  /// waits for the disk, and nobody else may have it open for writing.
+  [[nodiscard]] static Connection open_scratch(const std::filesystem::path& folder);
   /// A private database in memory, for tests.
   [[nodiscard]] static Connection in_memory();
 

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::sqlite {
+
+/// While it lives, the tables of another database file can be read beside the connection's own, as `name.table`.
+/// Errors   Failure when the file cannot be opened; inside a transaction
+class Attachment {
+ public:
+  Attachment(Connection& db, const std::filesystem::path& file, std::string name);
+  Attachment(const Attachment&) = delete;
+  Attachment& operator=(const Attachment&) = delete;
+  ~Attachment();
+
+ private:
+  Connection& db_;  // borrowed
+  std::string name_;
+};
+
+}  // namespace floeplan::sqlite

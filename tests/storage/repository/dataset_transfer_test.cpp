@@ -1,0 +1,89 @@
+#include "storage/repository/dataset_transfer.hpp"
+
+#include <gtest/gtest.h>
+
+#include <stdexcept>
+
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/migrations.hpp"
+#include "storage/sqlite/statement.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+Dataset named(const std::string& id) {
+  return {.id = {id},
+          .kind = DatasetKind::icebergs,
+          .name = id,
+          .variables = {"berg"},
+          .bounds = {-60.0, 60.0, -40.0, 75.0},
+          .warnings = {"seen from afar"},
+          .provenance = {.sha256 = id}};
+}
+
+void store(sqlite::Connection& db, const std::string& id, double lon_deg) {
+  DatasetRepository{db}.insert(named(id));
+  ocean::Iceberg sighting;
+  sighting.id = id + "-berg";
+  sighting.place = {lon_deg, 70.0};
+  IcebergRepository{db}.insert({id}, {sighting});
+}
+
+std::int64_t count(sqlite::Connection& db, const std::string& rows) {
+  sqlite::Statement query{db, "SELECT count(*) FROM " + rows};
+  return query.step() ? query.integer(0) : -1;
+}
+
+TEST(DatasetTransfer, TakesOverWhatIsNewAndLeavesTheRestAsItWas) {
+  const support::TemporaryFolder arrived;
+  auto db = open_store_in_memory();
+  store(db, "icebergs-here", -50.0);
+  {
+    auto scratch = open_scratch_store(arrived.path());
+    DatasetRepository{scratch}.insert(named("icebergs-here"));  // listed there, its data are here alone
+    store(scratch, "icebergs-new", -55.0);
+  }
+
+  const auto ids = take_over_datasets(db, arrived.path());
+
+  EXPECT_EQ(ids, std::vector{DatasetId{"icebergs-new"}});
+  EXPECT_EQ(count(db, "dataset"), 2);
+  EXPECT_EQ(DatasetRepository{db}.find({"icebergs-new"})->warnings,
+            std::vector<std::string>{"seen from afar"});
+  EXPECT_EQ(count(db, "sighting JOIN dataset ON dataset.row = dataset_row WHERE berg_id = id || '-berg'"), 2);
+  EXPECT_EQ(
+      count(db, "sighting JOIN sighting_box USING (row) WHERE west_deg BETWEEN lon_deg - 1 AND lon_deg"), 2);
+}
+
+TEST(DatasetTransfer, TakesOverNothingTwice) {
+  const support::TemporaryFolder arrived;
+  auto db = open_store_in_memory();
+  {
+    auto scratch = open_scratch_store(arrived.path());
+    store(scratch, "icebergs-new", -55.0);
+  }
+  EXPECT_EQ(take_over_datasets(db, arrived.path()).size(), 1U);
+  EXPECT_EQ(take_over_datasets(db, arrived.path()).size(), 0U);
+  EXPECT_EQ(count(db, "sighting"), 1);
+}
+
+TEST(DatasetTransfer, RefusesAStoreThatHoldsAViewOrATriggerOfItsOwn) {
+  for (const char* foreign : {"CREATE VIEW extra AS SELECT 1 AS row",
+                              "CREATE TRIGGER extra AFTER INSERT ON dataset BEGIN SELECT 1; END",
+                              "DROP TABLE zone; CREATE VIEW zone AS SELECT 1 AS row"}) {
+    const support::TemporaryFolder arrived;
+    auto db = open_store_in_memory();
+    {
+      auto scratch = open_scratch_store(arrived.path());
+      store(scratch, "icebergs-new", -55.0);
+      sqlite::execute(scratch, foreign);
+    }
+    EXPECT_THROW(take_over_datasets(db, arrived.path()), std::runtime_error) << foreign;
+    EXPECT_EQ(count(db, "dataset"), 0) << foreign;
+  }
+}
+
+}  // namespace
+}  // namespace floeplan::repository
