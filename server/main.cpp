@@ -19,6 +19,7 @@ int main(int argc, char** argv) {
   app.set_config("--config", "", "File with options in TOML, a [section] for each command");
   cli::add_serve(app, program);
   cli::add_ingest(app, program);
+  cli::add_read_files(app, program);
   cli::add_datasets(app, program);
   cli::add_probe(app, program);
   cli::add_plan(app, program);

@@ -21,6 +21,8 @@ std::filesystem::path default_store() {
 
 core::UtcTime now() { return std::chrono::time_point_cast<core::Seconds>(std::chrono::system_clock::now()); }
 
+std::filesystem::path own_program() { return "/proc/self/exe"; }
+
 int complain(ExitCode code, const std::string& sentence) {
   std::cerr << "floeplan: " << sentence << '\n';
   return code;

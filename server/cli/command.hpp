@@ -25,6 +25,9 @@ struct Program {
 
 [[nodiscard]] core::UtcTime now();
 
+/// This program's own file, however it was called.
+[[nodiscard]] std::filesystem::path own_program();
+
 /// One line on stderr: "floeplan: what; why; what to do". Returns `code`.
 int complain(ExitCode code, const std::string& sentence);
 /// One such line for each violation.
@@ -35,6 +38,7 @@ int complain(ExitCode code, const core::Violations& violations);
 [[nodiscard]] core::ProgressCallback terminal_progress();
 
 void add_ingest(CLI::App& app, Program& program);
+void add_read_files(CLI::App& app, Program& program);
 void add_datasets(CLI::App& app, Program& program);
 void add_probe(CLI::App& app, Program& program);
 void add_plan(CLI::App& app, Program& program);

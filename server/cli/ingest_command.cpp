@@ -5,7 +5,7 @@
 #include "api/codec/dataset_document.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
-#include "storage/ingest/ingest_file.hpp"
+#include "storage/ingest/guarded_ingest.hpp"
 #include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {
@@ -86,7 +86,8 @@ int run(const Flags& flags, const Program& program) {
   std::vector<std::filesystem::path> files(flags.files.begin(), flags.files.end());
   for (std::filesystem::path& file : files)
     if (!file.has_filename()) file = file.parent_path();  // "ice.zarr/"
-  static_cast<void>(ingest::ingest_files(db, files, options, now(), terminal_progress(), tell));
+  const ingest::Guard guard{.program = own_program(), .staging = program.store / "incoming"};
+  static_cast<void>(ingest::guarded_ingest(db, guard, files, options, now(), {}, terminal_progress(), tell));
   if (flags.json_out) std::cout << json{{"datasets", documents}}.dump(2) << '\n';
   return exit_code;
 }

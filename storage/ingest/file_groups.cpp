@@ -65,12 +65,16 @@ bool fits(const Member& tables, const Member& velocity) {
 
 }  // namespace
 
-std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& files) {
+std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& files,
+                                   const std::function<void(std::size_t)>& looking_at) {
   std::vector<FileGroup> groups;
   if (files.size() == 1) return {files};
   const GdalMessages quiet;
   std::vector<Member> members;
-  for (const auto& file : files) members.push_back(member_of(file));
+  for (const auto& file : files) {
+    if (looking_at) looking_at(members.size());
+    members.push_back(member_of(file));
+  }
 
   for (Member& member : members) {
     if (member.taken || member.tables_alone) continue;

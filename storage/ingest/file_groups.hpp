@@ -1,6 +1,8 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <vector>
 
 namespace floeplan::ingest {
@@ -12,6 +14,8 @@ using FileGroup = std::vector<std::filesystem::path>;
 /// Puts together what belongs together, told by content: a file with one component of the currents and one with the
 /// other for the same times, and files with tables of positions, angles and depths on the grid of a file of currents.
 /// Files keep their order; a file of tables that belongs to nothing is a group of its own.
-[[nodiscard]] std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& files);
+/// `looking_at`  called with the number of each file before it is opened; may be empty
+[[nodiscard]] std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& files,
+                                                 const std::function<void(std::size_t)>& looking_at = {});
 
 }  // namespace floeplan::ingest

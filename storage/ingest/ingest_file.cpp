@@ -126,15 +126,6 @@ std::string without_folder(std::string reason, const std::filesystem::path& file
   return reason;
 }
 
-IngestReport refused(const FileGroup& files, std::string reason) {
-  IngestReport report;
-  report.file = names_of(files);
-  for (const std::filesystem::path& file : files) reason = without_folder(std::move(reason), file);
-  std::istringstream lines{reason};
-  for (std::string line; std::getline(lines, line);) report.errors.push_back(line);
-  return report;
-}
-
 /// One kind of data of the file on its way into the store.
 struct Candidate {
   IngestReport report;
@@ -206,6 +197,17 @@ Checked<std::string> digest_of(const RecognisedFile& recognised, const FileGroup
   return sha256_of_files(files);
 }
 
+}  // namespace
+
+IngestReport refused(const FileGroup& files, std::string reason) {
+  IngestReport report;
+  report.file = names_of(files);
+  for (const std::filesystem::path& file : files) reason = without_folder(std::move(reason), file);
+  std::istringstream lines{reason};
+  for (std::string line; std::getline(lines, line);) report.errors.push_back(line);
+  return report;
+}
+
 std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& files,
                                        const IngestOptions& options, core::UtcTime now,
                                        const core::ProgressCallback& progress) {
@@ -237,8 +239,6 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
   for (Candidate& candidate : candidates) reports.push_back(std::move(candidate.report));
   return reports;
 }
-
-}  // namespace
 
 std::vector<IngestReport> ingest_file(sqlite::Connection& db, const std::filesystem::path& file,
                                       const IngestOptions& options, core::UtcTime now,

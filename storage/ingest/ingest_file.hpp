@@ -9,6 +9,7 @@
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "storage/ingest/file_groups.hpp"
 #include "storage/repository/dataset.hpp"
 #include "storage/sqlite/connection.hpp"
 
@@ -44,6 +45,15 @@ struct IngestReport {
 [[nodiscard]] std::vector<IngestReport> ingest_file(sqlite::Connection& db, const std::filesystem::path& file,
                                                     const IngestOptions& options, core::UtcTime now,
                                                     const core::ProgressCallback& progress);
+
+/// As ingest_file, of files that make one dataset.
+/// Errors   as ingest_file
+[[nodiscard]] std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& files,
+                                                     const IngestOptions& options, core::UtcTime now,
+                                                     const core::ProgressCallback& progress);
+
+/// The report of files of which nothing is stored. `reason`: sentences, one a line; where the files lie is taken out.
+[[nodiscard]] IngestReport refused(const FileGroup& files, std::string reason);
 
 /// Reads several files. Those that belong together make one dataset (the two components of a current in two files,
 /// tables of a model's positions in a third), told by their content; every other file makes its own.

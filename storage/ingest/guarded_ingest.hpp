@@ -1,0 +1,30 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <stop_token>
+#include <vector>
+
+#include "storage/ingest/ingest_file.hpp"
+
+namespace floeplan::ingest {
+
+/// How foreign files are kept away from this process.
+struct Guard {
+  std::filesystem::path
+      program;  // ours: started as `program read-files STAGING FILE...`, it calls read_foreign_files
+  std::filesystem::path staging;  // folder for data that are not complete yet; on the store's disk
+};
+
+/// Reads several files as ingest_files does, but opens none of them itself: a child process with limits reads each
+/// group of files into a store of its own; what has arrived there whole is taken over in one transaction. A file that
+/// breaks its reader, or takes more time or memory than a file of its size may, is refused and costs nothing else.
+/// `reported`  called with each report as soon as it is known; may be empty
+/// Returns  the reports; of a group during which `stop` was requested none, and none of those after it
+/// Errors   std::runtime_error when the store or the machine fails
+[[nodiscard]] std::vector<IngestReport> guarded_ingest(
+    sqlite::Connection& db, const Guard& guard, const std::vector<std::filesystem::path>& files,
+    const IngestOptions& options, core::UtcTime now, const std::stop_token& stop,
+    const core::ProgressCallback& progress, const std::function<void(const IngestReport&)>& reported);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,112 @@
+#include "storage/ingest/reader_main.hpp"
+
+#include <fcntl.h>
+#include <sys/prctl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cmath>
+#include <csignal>
+#include <fstream>
+#include <iterator>
+#include <new>
+#include <stdexcept>
+
+#include "storage/ingest/reader_messages.hpp"
+#include "storage/repository/migrations.hpp"
+#include "storage/sqlite/failure.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+/// Nobody waits for the answers of a process whose parent is gone, and no program that this one might be made to start
+/// has more rights than it has.
+void bind_to_parent() {
+  prctl(PR_SET_PDEATHSIG, SIGKILL);
+  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
+}
+
+/// The pipe to the parent. Libraries print what they please on standard output and error; that goes nowhere.
+class Reporter {
+ public:
+  Reporter() : pipe_{fcntl(STDOUT_FILENO, F_DUPFD_CLOEXEC, STDERR_FILENO + 1)} {
+    const int nowhere = open("/dev/null", O_WRONLY | O_CLOEXEC);
+    if (pipe_ < 0 || nowhere < 0) throw std::runtime_error{"no pipe to report by"};
+    dup2(nowhere, STDOUT_FILENO);
+#if !defined(__SANITIZE_ADDRESS__) && !defined(__SANITIZE_THREAD__)
+    dup2(nowhere, STDERR_FILENO);
+#endif
+    close(nowhere);
+  }
+
+  void tell(const ReaderEvent& event) const {
+    const std::string line = to_text(event) + '\n';
+    for (std::size_t done = 0; done < line.size();) {
+      const ssize_t count = write(pipe_, line.data() + done, line.size() - done);
+      if (count <= 0) _exit(1);  // nobody listens
+      done += static_cast<std::size_t>(count);
+    }
+  }
+
+ private:
+  int pipe_;
+};
+
+/// A line for each whole percent, not for each call.
+core::ProgressCallback progress_to(const Reporter& reporter) {
+  return [&reporter, last_stage = std::string{}, last_percent = -1.0](std::string_view stage,
+                                                                      double share) mutable {
+    const double percent = std::floor(100.0 * share);
+    if (percent == last_percent && stage == last_stage) return;
+    last_stage = stage;
+    last_percent = percent;
+    reporter.tell(Progressed{last_stage, share});
+  };
+}
+
+Grouped group(const std::vector<std::filesystem::path>& files, const Reporter& reporter) {
+  Grouped grouped;
+  for (const FileGroup& members :
+       group_files(files, [&](std::size_t file) { reporter.tell(LooksAt{file}); })) {
+    auto& numbers = grouped.groups.emplace_back();
+    for (const auto& member : members)
+      numbers.push_back(static_cast<std::size_t>(std::ranges::find(files, member) - files.begin()));
+  }
+  return grouped;
+}
+
+void work(const ReaderRequest& request, const std::filesystem::path& staging,
+          const std::vector<std::filesystem::path>& files, const Reporter& reporter) {
+  keep_to(request.limits);
+  if (request.task == ReaderRequest::Task::group) return reporter.tell(group(files, reporter));
+  auto db = repository::open_scratch_store(staging);
+  for (IngestReport& report : ingest_group(db, files, request.options, request.now, progress_to(reporter)))
+    reporter.tell(Reported{std::move(report)});
+}
+
+ReaderRequest read_request(const std::filesystem::path& staging) {
+  std::ifstream in{staging / reader_request_file, std::ios::binary};
+  return parse_reader_request({std::istreambuf_iterator<char>{in}, {}});
+}
+
+}  // namespace
+
+int read_foreign_files(const std::filesystem::path& staging,
+                       const std::vector<std::filesystem::path>& files) {
+  bind_to_parent();
+  const ReaderRequest request = read_request(staging);
+  const Reporter reporter;
+  try {
+    work(request, staging, files, reporter);
+  } catch (const std::bad_alloc&) {
+    reporter.tell(Failed{Failed::Cause::memory, ""});
+  } catch (const sqlite::Failure& failure) {
+    reporter.tell(Failed{Failed::Cause::store, failure.what()});
+  } catch (const std::exception& fault) {
+    reporter.tell(Failed{Failed::Cause::reader, fault.what()});
+  }
+  reporter.tell(Finished{});
+  return 0;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+namespace floeplan::ingest {
+
+/// Of the file in a staging folder that holds a ReaderRequest.
+inline constexpr const char* reader_request_file = "request.json";
+
+/// The whole of a process that reads foreign files: bounds itself, does what the request in `staging` says with the
+/// files, and tells it on standard output, one ReaderEvent a line. Nothing else of the process is of use afterwards.
+/// Returns  its exit code: 0 unless the request could not be read
+[[nodiscard]] int read_foreign_files(const std::filesystem::path& staging,
+                                     const std::vector<std::filesystem::path>& files);
+
+}  // namespace floeplan::ingest

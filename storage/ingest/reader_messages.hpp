@@ -1,0 +1,62 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "storage/ingest/ingest_file.hpp"
+#include "storage/ingest/reader_limits.hpp"
+
+namespace floeplan::ingest {
+
+/// What a process that reads foreign files is to do.
+struct ReaderRequest {
+  enum class Task {
+    group,  // say which of the files belong together
+    ingest  // read the files, which make one group, into the store
+  };
+  Task task{Task::ingest};
+  IngestOptions options;
+  core::UtcTime now;
+  ReaderLimits limits;
+};
+
+/// What it tells while it works, in this order as often as there is something to tell.
+struct Progressed {
+  std::string stage;
+  double share{};  // 0 to 1
+};
+struct LooksAt {
+  std::size_t file{};  // which of the files is opened now, to be put into a group
+};
+struct Grouped {
+  std::vector<std::vector<std::size_t>> groups;  // of the files' numbers
+};
+struct Reported {
+  IngestReport report;
+};
+struct Failed {
+  enum class Cause {
+    memory,  // more than the limit
+    reader,  // an error that no reader has foreseen
+    store    // the machine's, not the file's
+  };
+  Cause cause{Cause::reader};
+  std::string reason;
+};
+struct Finished {};  // the last one; without it the process broke down
+
+using ReaderEvent = std::variant<Progressed, LooksAt, Grouped, Reported, Failed, Finished>;
+
+/// JSON texts. An event is one line without its end.
+[[nodiscard]] std::string to_text(const ReaderRequest& request);
+[[nodiscard]] std::string to_text(const ReaderEvent& event);
+
+/// Errors   std::runtime_error for a text that is none
+[[nodiscard]] ReaderRequest parse_reader_request(const std::string& text);
+/// Nothing of a line that is no event: the process that wrote it may have been broken by a file. Of a dataset in a
+/// report only the id is there.
+[[nodiscard]] std::optional<ReaderEvent> parse_reader_event(const std::string& line);
+
+}  // namespace floeplan::ingest
