@@ -59,21 +59,16 @@ void read_remarks(InputReader& reader, std::vector<std::string>& warnings) {
 
 /// Goals from a file; without "from" the first of them is the start.
 void read_goals(InputReader& reader, planning::PlanRequest& request, std::vector<std::string>& warnings) {
-  auto goals = read_file_member(reader, "goals_file");
   if (reader.member("to") != nullptr || reader.member("via") != nullptr)
     reader.refuse("/goals_file", "takes the place of \"to\" and \"via\"; give one or the other");
-  const auto from = reader.place("from");
-  if (!goals) return;
-  if (from) goals->places.insert(goals->places.begin(), *from);
-  if (goals->places.size() < 2 || goals->places.size() > max_vias + 2) {
-    reader.refuse("/goals_file",
-                  "must hold one goal besides the start at least, and at most 50 on the way to it");
-    return;
-  }
-  request.from = goals->places.front();
-  request.to = goals->places.back();
-  request.via.assign(goals->places.begin() + 1, goals->places.end() - 1);
-  warnings = std::move(goals->warnings);
+  GivenRoute goals = read_file_route(reader, "goals_file");
+  if (goals.places.size() > max_vias + 2)
+    return reader.refuse("/goals_file", "must hold at most 50 places on the way to the goal");
+  if (goals.places.size() < 2) return;
+  request.from = goals.places.front();
+  request.to = goals.places.back();
+  request.via.assign(goals.places.begin() + 1, goals.places.end() - 1);
+  warnings = std::move(goals.warnings);
 }
 
 void read_places(InputReader& reader, planning::PlanRequest& request) {

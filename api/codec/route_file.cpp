@@ -59,6 +59,7 @@ tl::expected<RouteFile, core::Violations> read_route_file(const std::string& nam
   const std::string_view head = bytes.substr(first, 4096);
   if (head.front() == '<' && head.find("<gpx") != std::string_view::npos) return checked(read_gpx(bytes));
   if (head.front() == '<' && head.find("<kml") != std::string_view::npos) return checked(read_kml(bytes));
+  if (head.front() == '$') return checked(read_nmea(bytes));
   if (looks_like_mission(name, bytes)) return read_mission(name, bytes);
   if (looks_like_targets(bytes)) return read_mission("targets", bytes);
   return checked(read_csv(bytes));

@@ -19,7 +19,7 @@ struct RouteFile {
 /// Reads a route from a file of another program or of a vehicle. What it is its content says; `name` helps where
 /// both kinds of mission file are possible, and is named in messages.
 /// Formats  GliderDOS lists and missions (.ma, .mi), GPX, KML, GeoJSON, CSV with columns for longitude and
-///          latitude, Seaglider targets, IMC plans of Neptus (JSON)
+///          latitude, Seaglider targets, IMC plans of Neptus (JSON), NMEA 0183 waypoints and routes
 /// Errors   what is wrong, each with its line where the format has lines; files of more than 1 MiB or 10000 places
 [[nodiscard]] tl::expected<RouteFile, core::Violations> read_route_file(const std::string& name,
                                                                         std::string_view bytes);

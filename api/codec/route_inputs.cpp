@@ -52,19 +52,35 @@ void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
   route.places = std::move(kept);
 }
 
-/// The places of a file, from the start where that is given.
-GivenRoute read_route_from_file(InputReader& reader) {
-  auto file = read_file_member(reader, "route_file");
-  const auto from = reader.place("from");
-  if (!file) return {};
-  if (from) file->places.insert(file->places.begin(), *from);
-  GivenRoute route{std::move(file->places), {}, std::move(file->warnings)};
-  if (route.places.size() < 2) {
-    reader.refuse("/route_file", "must hold two places at least, or one and \"from\"");
-  } else {
-    settle(reader, {"/route_file", false}, route);
+/// A file that came with a request as {"name": ..., "text": ...}; nothing where it cannot be read, and what is wrong is noted.
+std::optional<RouteFile> read_file_member(InputReader& reader, const std::string& key) {
+  const json* file = reader.member(key);
+  if (file == nullptr) return std::nullopt;
+  const auto text_at = [&](const char* name) {
+    return file->is_object() && file->contains(name) && (*file)[name].is_string();
+  };
+  if (!text_at("name") || !text_at("text") || file->size() != 2) {
+    reader.refuse("/" + key, "must be an object of a file's \"name\" and its \"text\"");
+    return std::nullopt;
   }
-  return route;
+  auto read =
+      read_route_file((*file)["name"].get<std::string>(), (*file)["text"].get_ref<const std::string&>());
+  if (read) return std::move(*read);
+  for (const core::Violation& violation : read.error()) {
+    reader.refuse("/" + key, violation.field + ": " + violation.rule);
+  }
+  return std::nullopt;
+}
+
+/// A file that we wrote begins at the start, a vehicle's own list does not: the start is there once.
+void begin_at(geo::LonLat start, std::vector<geo::LonLat>& places) {
+  const bool is_there =
+      !places.empty() && geo::geodesic_between(start, places.front()).length.value < same_place_m;
+  if (is_there) {
+    places.front() = start;
+  } else {
+    places.insert(places.begin(), start);
+  }
 }
 
 /// The positions of a route given as GeoJSON or as a bare array.
@@ -91,23 +107,18 @@ GivenRoute read_positions(InputReader& reader, const json* route) {
 
 }  // namespace
 
-std::optional<RouteFile> read_file_member(InputReader& reader, const std::string& key) {
-  const json* file = reader.member(key);
-  if (file == nullptr) return std::nullopt;
-  const auto text_at = [&](const char* name) {
-    return file->is_object() && file->contains(name) && (*file)[name].is_string();
-  };
-  if (!text_at("name") || !text_at("text") || file->size() != 2) {
-    reader.refuse("/" + key, "must be an object of a file's \"name\" and its \"text\"");
-    return std::nullopt;
+GivenRoute read_file_route(InputReader& reader, const std::string& key) {
+  auto file = read_file_member(reader, key);
+  const auto from = reader.place("from");
+  if (!file) return {};
+  if (from) begin_at(*from, file->places);
+  GivenRoute route{std::move(file->places), {}, std::move(file->warnings)};
+  if (route.places.size() < 2) {
+    reader.refuse("/" + key, "must hold two places at least, or one and \"from\"");
+    return {};
   }
-  auto read =
-      read_route_file((*file)["name"].get<std::string>(), (*file)["text"].get_ref<const std::string&>());
-  if (read) return std::move(*read);
-  for (const core::Violation& violation : read.error()) {
-    reader.refuse("/" + key, violation.field + ": " + violation.rule);
-  }
-  return std::nullopt;
+  settle(reader, {"/" + key, false}, route);
+  return route;
 }
 
 GivenRoute read_route(InputReader& reader) {
@@ -119,7 +130,7 @@ GivenRoute read_route(InputReader& reader) {
     reader.refuse("/route", "is required, or else \"plan_id\" or \"route_file\", and only one of them");
     return given;
   }
-  if (from_file) return read_route_from_file(reader);
+  if (from_file) return read_file_route(reader, "route_file");
   return route == nullptr ? given : read_positions(reader, route);
 }
 

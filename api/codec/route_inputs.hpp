@@ -10,15 +10,18 @@
 
 namespace floeplan::codec {
 
-/// A file that came with a request as {"name": ..., "text": ...}: its places, or nothing, and what is wrong is noted.
-[[nodiscard]] std::optional<RouteFile> read_file_member(InputReader& reader, const std::string& key);
-
 /// A route to evaluate, as a request gives it.
 struct GivenRoute {
   std::vector<geo::LonLat> places;     // two or more, no two in a row the same; empty with `plan_id`
   std::optional<std::string> plan_id;  // of the plan whose waypoints are the route
   std::vector<std::string> warnings;   // lines of its file, places that were given twice
 };
+
+/// Reads the file in the member `key`, {"name": ..., "text": ...}, from `from`, where that is given: a file that begins
+/// there is taken as it is. Empty where it cannot be read.
+/// Edges    as for `read_route`
+/// Errors   noted: what is wrong with the file, fewer than two different places, legs of more than 5000 km
+[[nodiscard]] GivenRoute read_file_route(InputReader& reader, const std::string& key);
 
 /// Reads `route` (GeoJSON LineString or bare array), `route_file` (from `from`, where that is given) or `plan_id`.
 /// Edges    a place within a metre of the one before it is taken once, and a warning names it

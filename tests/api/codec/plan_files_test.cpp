@@ -11,6 +11,7 @@
 #include "api/codec/plan_kml.hpp"
 #include "api/codec/route_file.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/mission/nmea_route.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::codec {
@@ -172,10 +173,11 @@ TEST(PlanKml, RunsOnPastTheAntimeridian) {
 
 TEST(PlanFiles, ReadBackToTheSameRoute) {
   const planning::Plan plan = two_legs();
-  for (const auto& [name, text] :
-       std::vector<std::pair<std::string, std::string>>{{"a.gpx", plan_gpx(plan, "p-01", "")},
-                                                        {"a.kml", plan_kml(plan, "p-01", "")},
-                                                        {"a.csv", plan_csv(plan)}}) {
+  for (const auto& [name, text] : std::vector<std::pair<std::string, std::string>>{
+           {"a.gpx", plan_gpx(plan, "p-01", "")},
+           {"a.kml", plan_kml(plan, "p-01", "")},
+           {"a.csv", plan_csv(plan)},
+           {"a.nmea", mission::write_nmea_route(plan, "p-01").text}}) {
     const auto read = read_route_file(name, text);
     ASSERT_TRUE(read.has_value()) << name;
     ASSERT_EQ(read->places.size(), 2U) << name;

@@ -41,6 +41,9 @@ TEST(RouteFile, ReadsEveryFormatAlike) {
       {"goto_l10.ma",
        "behavior_name=goto_list\n<start:b_arg>\nb_arg: num_waypoints(nodim) 2\n<end:b_arg>\n"
        "<start:waypoints>\n-5330.0 6915.0\n-5245 6900\n<end:waypoints>\n"},
+      {"route.nmea",
+       "$GPGGA,120000,6900,N,05300,W,1,8,1,0,M,,,,*00\r\n$GPWPL,6900.0000,N,05245.0000,W,B*12\r\n"
+       "$IIWPL,6915.0000,N,05330.0000,W,A\r\n$GPRTE,2,1,c,r,A*2B\r\n$GPRTE,2,2,c,r,B*2B\r\n"},
       {"targets",
        "/ comment\nB lat=6900.00 lon=-5245.00 radius=100 goto=B\nA lat=6915 lon=-5330 radius=500 goto=B\n"}};
 
@@ -131,6 +134,19 @@ TEST(GoalsFile, GivesStartWaysAndGoal) {
   EXPECT_FALSE(parse_plan_inputs(with_start).has_value());
 }
 
+TEST(GoalsFile, ThatBeginsWhereTheVehicleIsGivesThatPlaceOnce) {
+  json inputs = inputs_with("goals_file", "lon,lat\n-53.5,69.2500001\n-53,69.1\n-53,69.1\n-52.75,69\n");
+  inputs["from"] = {-53.5, 69.25};
+
+  const auto parsed = parse_plan_inputs(inputs);
+
+  ASSERT_TRUE(parsed.has_value()) << parsed.error().front().rule;
+  EXPECT_EQ(parsed->request.from, first) << "as the request says it";
+  EXPECT_THAT(parsed->request.via, ElementsAre(geo::LonLat{-53.0, 69.1}));
+  ASSERT_EQ(parsed->warnings.size(), 1U);
+  EXPECT_THAT(parsed->warnings[0], HasSubstr("place 2 of the route"));
+}
+
 TEST(RouteFileInput, IsEvaluatedFromTheGivenStart) {
   json inputs = inputs_with("route_file", "lon,lat\n-52.75,69\n");
   EXPECT_FALSE(parse_evaluate_inputs(inputs).has_value()) << "one place alone is no route";
@@ -154,6 +170,27 @@ std::string imc_plan(const std::vector<std::string>& maneuvers) {
       plan["transitions"].push_back({{"source_man", std::to_string(i - 1)}, {"dest_man", std::to_string(i)}});
   }
   return plan.dump();
+}
+
+TEST(NmeaRoute, IsFlownInTheOrderOfItsWaypointsWhereNoRouteIsGiven) {
+  const auto read =
+      read_route_file("a.txt", "$GPWPL,6915.0000,N,05330.0000,W,A\n$GPWPL,6900.0000,N,05245.0000,W,B\n");
+  ASSERT_TRUE(read.has_value()) << read.error().front().rule;
+  EXPECT_THAT(read->places, ElementsAre(first, second));
+}
+
+TEST(NmeaRoute, IsRefusedWithTheLineThatIsWrong) {
+  const std::string good = "$GPWPL,6915.0000,N,05330.0000,W,A\n";
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6915.0000,N,05330.0000,W,B*00\n"),
+              HasSubstr("line 2: has a check"));
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6960.0000,N,05330.0000,W,B\n"),
+              HasSubstr("line 2: is no latitude"));
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,69.25,N,53.5,W,B\n"), HasSubstr("line 2: is no latitude"));
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6915.0000,E,05330.0000,W,B\n"), HasSubstr("line 2"));
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPWPL,6916.0000,N,05330.0000,W,A\n"), HasSubstr("somewhere else"));
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPRTE,1,1,c,r,A,B\n"), HasSubstr("waypoint B in its route"));
+  EXPECT_THAT(fault_of("a.nmea", good + "$GPRTE,1,1,c,r,A\n$GPRTE,1,1,c,s,A\n"), HasSubstr("second route"));
+  EXPECT_THAT(fault_of("a.nmea", "$GPGGA,120000\n"), HasSubstr("no WPL"));
 }
 
 TEST(ImcRoute, FollowsTheTransitionsThroughGotosAndPaths) {

@@ -1,0 +1,146 @@
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <map>
+
+#include "api/codec/route_formats.hpp"
+#include "engine/mission/line_words.hpp"
+
+namespace floeplan::codec {
+namespace {
+
+constexpr std::size_t most_faults = 20;
+constexpr std::size_t check_sum_length = 3;  // '*' and two digits
+
+using Fields = std::vector<std::string_view>;
+
+Fields fields_of(std::string_view body) {
+  Fields fields;
+  while (true) {
+    const std::size_t end = body.find(',');
+    fields.push_back(body.substr(0, end));
+    if (end == std::string_view::npos) return fields;
+    body.remove_prefix(end + 1);
+  }
+}
+
+int hex_digit(char c) {
+  if (c >= '0' && c <= '9') return c - '0';
+  if (c >= 'A' && c <= 'F') return c - 'A' + 10;
+  if (c >= 'a' && c <= 'f') return c - 'a' + 10;
+  return -1;
+}
+
+/// Whether the check sum is right, where there is one.
+bool sums_up(std::string_view body, std::string_view sum) {
+  if (sum.empty()) return true;
+  if (sum.size() != check_sum_length) return false;
+  int expected = 0;
+  for (const char c : body) expected ^= static_cast<std::uint8_t>(c);
+  return hex_digit(sum[1]) * 16 + hex_digit(sum[2]) == expected && hex_digit(sum[1]) >= 0 &&
+         hex_digit(sum[2]) >= 0;
+}
+
+/// Degrees of "05312.0000" with its hemisphere; nothing where it is no such angle of at most `most_deg`.
+std::optional<double> angle_of(std::string_view text, std::string_view side, std::size_t degree_digits,
+                               char positive, char negative, double most_deg) {
+  if (text.size() < degree_digits + 2 || side.size() != 1) return std::nullopt;
+  if (side[0] != positive && side[0] != negative) return std::nullopt;
+  const bool plain = text.find_first_not_of("0123456789.") == std::string_view::npos;
+  const auto degrees = mission::parse_number(text.substr(0, degree_digits));
+  const auto minutes = mission::parse_number(text.substr(degree_digits));
+  if (!plain || !degrees || !minutes || *minutes >= 60.0) return std::nullopt;
+  const double angle = *degrees + *minutes / 60.0;
+  if (angle > most_deg) return std::nullopt;
+  return side[0] == negative ? -angle : angle;
+}
+
+/// What the sentences of a file have said so far.
+struct Sentences {
+  std::vector<std::string> order_of_waypoints;
+  std::map<std::string, geo::LonLat> waypoints;
+  std::optional<std::string> route;  // the first route's name
+  std::vector<std::string> order_of_route;
+  core::Violations faults;
+
+  void refuse(int line, const std::string& rule) { faults.push_back({at_line(line), rule}); }
+
+  void read_waypoint(const Fields& fields, int line) {
+    if (fields.size() < 6 || fields[5].empty())
+      return refuse(line, "must be WPL,latitude,N or S,longitude,E or W,name");
+    const auto lat = angle_of(fields[1], fields[2], 2, 'N', 'S', 90.0);
+    const auto lon = angle_of(fields[3], fields[4], 3, 'E', 'W', 180.0);
+    if (!lat || !lon)
+      return refuse(line, "is no latitude as DDMM.mmmm,N and longitude as DDDMM.mmmm,E: degrees and minutes");
+    const std::string name{fields[5]};
+    const auto [known, is_new] = waypoints.try_emplace(name, *lon, *lat);
+    if (is_new) order_of_waypoints.push_back(name);
+    if (!is_new && known->second != geo::LonLat{*lon, *lat})
+      refuse(line, "places the waypoint " + name + " somewhere else than a line before");
+  }
+
+  void read_route(const Fields& fields, int line) {
+    if (fields.size() < 6) return refuse(line, "must be RTE,sentences,number,c or w,name,waypoints");
+    const std::string name{fields[4]};
+    if (route && *route != name)
+      return refuse(line, "begins a second route; a file may hold one, for nobody can tell which is meant");
+    route = name;
+    for (std::size_t i = 5; i < fields.size(); ++i) {
+      if (!fields[i].empty()) order_of_route.emplace_back(fields[i]);
+    }
+  }
+
+  void read(std::string_view line, int number) {
+    const std::size_t star = line.find('*');
+    const std::string_view body = line.substr(1, star == std::string_view::npos ? star : star - 1);
+    const Fields fields = fields_of(body);
+    const bool is_waypoint = fields[0].ends_with("WPL");
+    if (!is_waypoint && !fields[0].ends_with("RTE"))
+      return;  // fixes, depths and whatever else a logger writes
+    if (!sums_up(body, star == std::string_view::npos ? "" : line.substr(star)))
+      return refuse(number, "has a check sum that does not fit: the line is damaged");
+    if (is_waypoint) {
+      read_waypoint(fields, number);
+    } else {
+      read_route(fields, number);
+    }
+  }
+};
+
+RoutePlaces places_in_order(const Sentences& sentences) {
+  const auto& order = sentences.route ? sentences.order_of_route : sentences.order_of_waypoints;
+  std::vector<geo::LonLat> places;
+  core::Violations faults;
+  for (const std::string& name : order) {
+    const auto found = sentences.waypoints.find(name);
+    if (found == sentences.waypoints.end()) {
+      faults.push_back({"file", "has the waypoint " + name + " in its route, yet no WPL says where it is"});
+      if (faults.size() == most_faults) break;
+    } else {
+      places.push_back(found->second);
+    }
+  }
+  if (faults.empty() && places.empty()) return route_fault("file", "holds no WPL sentence with a waypoint");
+  if (!faults.empty()) return tl::unexpected(std::move(faults));
+  return places;
+}
+
+}  // namespace
+
+RoutePlaces read_nmea(std::string_view bytes) {
+  Sentences sentences;
+  int number = 0;
+  while (!bytes.empty() && sentences.faults.size() < most_faults) {
+    const std::size_t end = std::min(bytes.find('\n'), bytes.size() - 1);
+    std::string_view line = bytes.substr(0, end + 1);
+    bytes.remove_prefix(end + 1);
+    ++number;
+    while (!line.empty() && (line.back() == '\n' || line.back() == '\r' || line.back() == ' '))
+      line.remove_suffix(1);
+    if (line.starts_with('$')) sentences.read(line, number);
+  }
+  if (!sentences.faults.empty()) return tl::unexpected(std::move(sentences.faults));
+  return places_in_order(sentences);
+}
+
+}  // namespace floeplan::codec
