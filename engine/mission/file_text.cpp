@@ -100,8 +100,7 @@ void split_lines(std::string_view text, FileText& file) {
 tl::expected<FileText, Message> decode_file(std::string_view bytes) {
   if (bytes.size() > max_file_bytes) {
     return tl::unexpected(Message{0, Severity::error, "file_too_large",
-                                  "the file has " + std::to_string(bytes.size()) +
-                                      " bytes; mission files of more than 64 KiB are not read"});
+                                  "the file has more than 64 KiB, and mission files so large are not read"});
   }
   if (const auto nul = bytes.find('\0'); nul != std::string_view::npos) {
     const auto line = 1 + std::ranges::count(bytes.substr(0, nul), '\n');

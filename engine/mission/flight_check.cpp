@@ -105,6 +105,11 @@ void note_timing(Document& document, const planning::Plan& timing) {
   report(document, 0, Severity::note, "route_clear", text);
 }
 
+/// What the answer rests on: data that are missing or stretched, a battery that falls short.
+void warn_of_grounds(Document& document, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings) report(document, 0, Severity::warning, "sea_data", warning);
+}
+
 void check_mission(Document& mission, const std::vector<Document>& documents,
                    const std::optional<DiveArguments>& dive, const std::vector<geo::LonLat>& places) {
   check_files(mission, documents);
@@ -133,6 +138,7 @@ void check_sea(std::vector<Document>& documents, const ocean::Environment& envir
     report(documents[stop.document], stop.line, finding.dangerous ? Severity::error : Severity::warning,
            finding.code.c_str(), finding.text);
   }
+  warn_of_grounds(first, check.timing ? check.timing->warnings : environment.warnings);
   if (check.findings.empty() && check.timing) note_timing(first, *check.timing);
 }
 

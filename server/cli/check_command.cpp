@@ -56,7 +56,8 @@ void print(const mission::Document& document, const std::string& file) {
   if (!document.waypoints.empty()) std::printf(", %zu waypoints", document.waypoints.size());
   std::printf("\n");
   for (const auto& message : document.messages) {
-    std::printf("  line %d: %s: %s [%s]\n", message.line, mission::severity_name(message.severity).c_str(),
+    const std::string line = message.line > 0 ? "line " + std::to_string(message.line) + ": " : "";
+    std::printf("  %s%s: %s [%s]\n", line.c_str(), mission::severity_name(message.severity).c_str(),
                 message.text.c_str(), message.code.c_str());
   }
 }

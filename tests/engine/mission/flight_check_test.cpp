@@ -135,6 +135,18 @@ TEST(FlightCheck, NotesTheTimesOfAClearRoute) {
   EXPECT_THAT(files[0].messages, has("route_clear", Severity::note, 0));
 }
 
+TEST(FlightCheck, WarnsOfWhatItsAnswerDoesNotRestOn) {
+  ocean::Environment sea = deep_sea();
+  sea.warnings = {"no stored icebergs: no iceberg is avoided"};
+  std::vector<Document> files{list("-5300.0 6900.0\n-5230.0 6900.0\n", 2)};
+
+  check_flight(files, sea, std::nullopt, request());
+
+  EXPECT_EQ(files[0].verdict(), Verdict::warn);
+  EXPECT_THAT(files[0].messages, has("sea_data", Severity::warning, 0));
+  EXPECT_THAT(files[0].messages, has("route_clear", Severity::note, 0));
+}
+
 TEST(FlightCheck, FollowsAListThatGoesRoundBackToItsFirstRow) {
   const std::vector<Document> files{list("-5300.0 6900.0\n-5230.0 6900.0\n-5230.0 6912.0\n", 3, -1)};
 
