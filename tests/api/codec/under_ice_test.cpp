@@ -76,8 +76,11 @@ planning::Plan plan_with_surfacings() {
   planning::Plan plan;
   plan.departure = core::from_unix_seconds(1'800'000'000.0);
   plan.arrival = plan.departure + core::Seconds{7200.0};
-  plan.waypoints = {{.place = {-53.0, 69.0}, .eta = plan.departure},
-                    {.place = {-52.9, 69.0}, .eta = plan.arrival}};
+  plan.waypoints.resize(2);
+  plan.waypoints[0].place = {-53.0, 69.0};
+  plan.waypoints[0].eta = plan.departure;
+  plan.waypoints[1].place = {-52.9, 69.0};
+  plan.waypoints[1].eta = plan.arrival;
   plan.surfacing = planning::SurfacingPlan{
       .longest_without = core::Seconds{5400.0},
       .unknown_ice = {1200.0},

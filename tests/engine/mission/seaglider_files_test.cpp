@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "engine/mission/document_text.hpp"
 #include "engine/mission/read_document.hpp"
 #include "tests/engine/mission/random_plan.hpp"
@@ -126,9 +128,9 @@ TEST(SeagliderSet, IsTakenByTheStrictReaderForAnyPlan) {
       EXPECT_EQ(write_document(read), file.text);
       if (read.kind != DocumentKind::cmdfile) continue;
       EXPECT_EQ(read.sensors.at(0).value, std::ceil(options.vehicle.dive_depth.value));
-      for (const Argument& parameter : read.sensors)
-        if (parameter.name == "D_TGT")
-          EXPECT_EQ(parameter.value, std::ceil(options.vehicle.dive_depth.value));
+      const auto target = std::ranges::find(read.sensors, "D_TGT", &Argument::name);
+      ASSERT_NE(target, read.sensors.end());
+      EXPECT_EQ(target->value, std::ceil(options.vehicle.dive_depth.value));
     }
   });
 }
