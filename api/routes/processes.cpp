@@ -146,7 +146,7 @@ json plan_inputs() {
   inputs["goals_file"] = input(
       "File whose places take the place of via and to; without from the first of them is the start: "
       "GliderDOS "
-      ".ma or .mi, GPX, KML, GeoJSON, CSV, Seaglider targets",
+      ".ma or .mi, GPX, KML, GeoJSON, CSV, NMEA, Seaglider targets, an IMC plan",
       file_schema());
   inputs["via"] = input("Places to visit in this order", {{"type", "array"}, {"items", position_schema()}});
   inputs["uncertainty"] = input(

@@ -64,8 +64,8 @@ void add_evaluate(CLI::App& app, Program& program) {
   auto* command = app.add_subcommand("evaluate", "Time a given route in the stored data");
   command
       ->add_option("ROUTE", *route,
-                   "A plan's id or a file with a route: GeoJSON, .ma, .mi, GPX, KML, CSV, Seaglider targets "
-                   "or an IMC plan")
+                   "A plan's id or a file with a route: GeoJSON, .ma, .mi, GPX, KML, CSV, NMEA, Seaglider "
+                   "targets or an IMC plan")
       ->required();
   flags->add_start(*command);
   flags->add_common(*command);

@@ -154,7 +154,7 @@ void InputFlags::add_planning(CLI::App& command) {
       ->allow_extra_args(false);
   command.add_option(
       "--goals", goals_file_,
-      "File with the places to visit instead of --via and --to: .ma, .mi, GPX, KML, GeoJSON, CSV, "
+      "File with the places to visit instead of --via and --to: .ma, .mi, GPX, KML, GeoJSON, CSV, NMEA, "
       "Seaglider targets or an IMC plan; without --from its first place is the start");
   command.add_option("--members", members_,
                      "Draw this many errors of the currents (2 to 64) and show the spread");
