@@ -66,8 +66,12 @@ Vector GliderMotion::through_water() const {
 
 void GliderMotion::advance(const ActuatorTargets& targets, double depth_m) {
   buoyancy_m3_ = towards(buoyancy_m3_, targets.buoyancy_m3, hull_.pump_rate_m3_s * step_s);
-  const double pitch_rate = std::clamp((targets.pitch_rad - attitude_.pitch_rad) / hull_.pitch_time.count(),
-                                       -hull_.most_pitch_rate_rad_s, hull_.most_pitch_rate_rad_s);
+  // The pump sits in the nose: the hull pitches over as the water goes in or out, and the servo trims the rest.
+  const double pumped_share =
+      targets.buoyancy_m3 != 0.0 ? std::clamp(buoyancy_m3_ / targets.buoyancy_m3, -1.0, 1.0) : 1.0;
+  const double pitch_rate =
+      std::clamp((pumped_share * targets.pitch_rad - attitude_.pitch_rad) / hull_.pitch_time.count(),
+                 -hull_.most_pitch_rate_rad_s, hull_.most_pitch_rate_rad_s);
   pitch_rate_rad_s_ += (pitch_rate - pitch_rate_rad_s_) * (1.0 - std::exp(-step_s / hull_.pitch_lag.count()));
   attitude_.pitch_rad += pitch_rate_rad_s_ * step_s;
 

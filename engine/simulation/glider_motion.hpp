@@ -19,8 +19,8 @@ struct HullMotion {
   double added_normal_share{1.4};   // of the mass, across it
   double pump_rate_m3_s{36e-6};     // of the piston, out and in
   core::Seconds pitch_lag{5.0};     // in which the hull follows the shift of its battery
-  core::Seconds pitch_time{7.0};    // in which the battery's servo closes in on its target
-  double most_pitch_rate_rad_s{0.07};
+  core::Seconds pitch_time{6.0};    // in which the battery's servo closes in on its target
+  double most_pitch_rate_rad_s{0.1};
   core::Metres turn_radius{7.0};  // with the rudder hard over
   core::Seconds yaw_time{5.0};    // in which a turn sets in: three hull lengths at the usual speed
   core::CubicMetres trim{0.0};    // lighter than ballasted for by so much water

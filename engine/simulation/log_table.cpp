@@ -1,0 +1,94 @@
+#include "engine/simulation/log_table.hpp"
+
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+#include <utility>
+
+namespace floeplan::simulation {
+namespace {
+
+constexpr std::size_t most_bytes = 256UL * 1024 * 1024;
+constexpr std::size_t most_faults = 10;
+
+std::string_view trimmed(std::string_view text) {
+  const auto first = text.find_first_not_of(" \t\r");
+  if (first == std::string_view::npos) return {};
+  return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
+}
+
+std::vector<std::string_view> fields_of(std::string_view line) {
+  std::vector<std::string_view> fields;
+  for (;;) {
+    const auto comma = line.find(',');
+    fields.push_back(trimmed(line.substr(0, comma)));
+    if (comma == std::string_view::npos) return fields;
+    line.remove_prefix(comma + 1);
+  }
+}
+
+/// Empty for a text that is no number; an empty optional inside for an empty field and for nan.
+std::optional<std::optional<double>> number(std::string_view field) {
+  if (field.empty()) return std::optional<double>{};
+  double value = 0.0;
+  const auto [end, fault] = std::from_chars(field.data(), field.data() + field.size(), value);
+  if (fault != std::errc{} || end != field.data() + field.size()) return std::nullopt;
+  return std::isfinite(value) ? std::optional{value} : std::optional<double>{};
+}
+
+bool is_units(const std::vector<std::string_view>& fields) {
+  return std::ranges::none_of(fields, [](std::string_view field) { return !field.empty() && number(field); });
+}
+
+}  // namespace
+
+tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text) {
+  core::Violations found;
+  if (text.size() > most_bytes)
+    return tl::unexpected(core::Violations{{"/file", "is larger than 256 MiB; cut it by segments"}});
+  std::vector<std::string> names;
+  std::vector<Column> columns;
+  bool first_row = true;
+  for (std::size_t line_number = 1; !text.empty(); ++line_number) {
+    const auto end = text.find('\n');
+    const std::string_view line = trimmed(text.substr(0, end));
+    text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
+    if (line.empty() || line.front() == '#') continue;
+    const auto fields = fields_of(line);
+    if (names.empty()) {
+      names.assign(fields.begin(), fields.end());
+      columns.resize(names.size());
+      continue;
+    }
+    if (std::exchange(first_row, false) && is_units(fields)) continue;
+    if (fields.size() > names.size()) {
+      found.push_back({"/line " + std::to_string(line_number), "has more fields than the line of names"});
+    }
+    for (std::size_t i = 0; i < columns.size(); ++i) {
+      const auto value = i < fields.size() ? number(fields[i]) : std::optional{std::optional<double>{}};
+      if (!value) {
+        found.push_back({"/line " + std::to_string(line_number) + "/" + names[i],
+                         "must be a number or empty, not " + std::string{fields[i].substr(0, 40)}});
+      }
+      columns[i].push_back(value.value_or(std::nullopt));
+    }
+    if (found.size() >= most_faults) break;
+  }
+  if (names.empty()) found.push_back({"/file", "must begin with a line of sensor names between commas"});
+  if (!found.empty()) return tl::unexpected(std::move(found));
+
+  LogTable table;
+  table.rows_ = columns.front().size();
+  for (std::size_t i = 0; i < names.size(); ++i) table.columns_.emplace(names[i], std::move(columns[i]));
+  return table;
+}
+
+std::optional<double> LogTable::before(const std::string& name, std::size_t row) const {
+  const Column& column = columns_.at(name);
+  for (std::size_t i = std::min(row + 1, column.size()); i-- > 0;) {
+    if (column[i]) return column[i];
+  }
+  return std::nullopt;
+}
+
+}  // namespace floeplan::simulation

@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "engine/core/violation.hpp"
+
+namespace floeplan::simulation {
+
+/// Columns of a log, by the name of their sensor; a field that is empty or no number of the sea (nan) is not there.
+class LogTable {
+ public:
+  using Column = std::vector<std::optional<double>>;
+
+  /// Errors   lines that are no row, at most ten of them; no line of names
+  [[nodiscard]] static tl::expected<LogTable, core::Violations> read(std::string_view text);
+
+  [[nodiscard]] std::size_t rows() const { return rows_; }
+  [[nodiscard]] bool has(const std::string& name) const { return columns_.contains(name); }
+  /// Errors   std::out_of_range for a column that is not there
+  [[nodiscard]] const Column& operator[](const std::string& name) const { return columns_.at(name); }
+  /// The last value at or before a row.
+  [[nodiscard]] std::optional<double> before(const std::string& name, std::size_t row) const;
+
+ private:
+  std::map<std::string, Column> columns_;
+  std::size_t rows_{};
+};
+
+}  // namespace floeplan::simulation

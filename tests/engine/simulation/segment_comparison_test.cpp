@@ -1,0 +1,135 @@
+#include "engine/simulation/segment_comparison.hpp"
+
+#include <gmock/gmock.h>
+
+#include <filesystem>
+#include <fstream>
+#include <iterator>
+
+#include "tests/engine/simulation/flown.hpp"
+#include "tests/engine/simulation/logged.hpp"
+
+namespace floeplan::simulation {
+namespace {
+
+using support::flight_start;
+using support::shallow_glider;
+using support::uniform_water;
+using testing::Contains;
+using testing::Field;
+using testing::HasSubstr;
+using testing::SizeIs;
+
+/// A flight of two hours in a uniform current towards a waypoint that is out of reach, as a log.
+std::string simulated_log(double east_m_s, double north_m_s) {
+  const World world = uniform_water(east_m_s, north_m_s);
+  MissionOrders orders = support::orders_through(world, {{20'000.0, 5'000.0, 0.0}});
+  orders.surfaces.front() = {.cause = SurfaceOrders::Cause::every,
+                             .interval = core::Seconds{7200.0},
+                             .ends_mission = true,
+                             .climb = orders.yo.climb};
+  FlightSettings settings = support::perfect_sensors();
+  settings.record_every = core::Seconds{2.0};
+  const FlightRecord record = support::flown(world, orders, settings);
+  return support::log_of(record, world, orders.lists.front().waypoints.front(), 230.0, east_m_s, north_m_s);
+}
+
+std::vector<LoggedSegment> shared_segments() {
+  std::vector<LoggedSegment> segments;
+  const auto folder = std::filesystem::path{FLOEPLAN_SOURCE_DIR} / "../shared/data/env/glider";
+  for (const char* name :
+       {"slocum_amadeus-2014-204-05-000_nav.csv", "slocum_comet-2019-222-02-154_nav.csv"}) {
+    std::ifstream stream{folder / name, std::ios::binary};
+    const std::string text{std::istreambuf_iterator<char>{stream}, {}};
+    if (const auto read = read_glider_log(text)) segments.insert(segments.end(), read->begin(), read->end());
+  }
+  return segments;
+}
+
+TEST(GliderLog, TellsTheSettingsOfAFlightThatWasSimulated) {
+  const auto segments = read_glider_log(simulated_log(0.05, -0.08));
+
+  ASSERT_TRUE(segments.has_value());
+  ASSERT_THAT(*segments, SizeIs(1));
+  const LoggedSegment& segment = segments->front();
+  EXPECT_NEAR(segment.start.lon_deg, support::flight_origin.lon_deg, 1e-6);
+  EXPECT_NEAR(segment.depth_averaged.north.value, -0.08, 1e-9);
+  EXPECT_NEAR(segment.turns_down_at.value, 100.0, 4.0);
+  EXPECT_NEAR(segment.dive_pitch.value, -0.4538, 0.01);
+  EXPECT_NEAR(segment.climb_buoyancy.value, 230e-6, 1e-9);
+  EXPECT_NEAR(segment.trim().value, 0.0, 15e-6);
+  EXPECT_THAT(segment.waypoints, SizeIs(1));
+}
+
+TEST(SegmentComparison, FindsASimulatedFlightAgain) {
+  const auto segments = read_glider_log(simulated_log(0.05, -0.08));
+  ASSERT_TRUE(segments.has_value());
+
+  const auto compared = compare_segment(segments->front(), shallow_glider(), HullMotion{}, DragOf::log);
+
+  ASSERT_TRUE(compared.has_value());
+  EXPECT_NEAR(compared->parasite_drag, shallow_glider().hydrodynamics.parasite_drag, 0.01);
+  EXPECT_LT(std::abs(compared->speed_m_s.deviation_share()), 0.05);
+  EXPECT_LT(compared->apart_share, 0.06);
+  EXPECT_LT(std::abs(compared->under_water_s.deviation_share()), 0.06);
+}
+
+TEST(SegmentComparison, AgreesWithRealDivesWithinATenth) {
+  const std::vector<LoggedSegment> segments = shared_segments();
+  if (segments.empty()) GTEST_SKIP() << "the shared logs are not there";
+  ASSERT_THAT(segments, SizeIs(2));
+
+  std::vector<SegmentComparison> comparisons;
+  for (const LoggedSegment& segment : segments) {
+    const auto compared = compare_segment(segment, shallow_glider(), HullMotion{}, DragOf::log);
+    ASSERT_TRUE(compared.has_value());
+    comparisons.push_back(*compared);
+  }
+
+  const ComparisonSummary summary = summary_of(comparisons);
+  EXPECT_LT(summary.under_water_share, 0.05);
+  EXPECT_LT(summary.dives_share, 0.1);
+  EXPECT_LT(summary.speed_share, 0.05);
+  EXPECT_LT(summary.apart_share, 0.06);
+  EXPECT_TRUE(summary.within_a_tenth());
+}
+
+TEST(GliderLog, ReadsFromARealLogWhatItsMissionFileSays) {
+  const std::vector<LoggedSegment> segments = shared_segments();
+  if (segments.empty()) GTEST_SKIP() << "the shared logs are not there";
+
+  // comet's goto list: two waypoints, a radius of 500 m; its yo turns at 4 m above the bed of 42 m.
+  const LoggedSegment& comet = segments.back();
+  ASSERT_THAT(comet.waypoints, SizeIs(2));
+  EXPECT_NEAR(comet.waypoints.front().reached_within->value, 500.0, 5.0);
+  EXPECT_EQ(comet.dives, 17);
+  EXPECT_NEAR(comet.turns_down_at.value, 38.0, 1.5);
+}
+
+TEST(GliderLog, RefusesWhatIsNoLogWithEveryFaultAtOnce) {
+  const auto columns = read_glider_log("m_present_time,m_depth\ntimestamp,m\n1,2\n");
+  ASSERT_FALSE(columns.has_value());
+  EXPECT_GE(columns.error().size(), 10U);
+
+  const auto words = read_glider_log("m_present_time,m_depth\ntimestamp,m\n1,deep\n2,x\n");
+  ASSERT_FALSE(words.has_value());
+  EXPECT_THAT(words.error(), SizeIs(2));
+  EXPECT_THAT(words.error(), Contains(Field(&core::Violation::field, "/line 3/m_depth")));
+
+  EXPECT_FALSE(read_glider_log("").has_value());
+  EXPECT_FALSE(read_glider_log("# nothing\n\n").has_value());
+}
+
+TEST(GliderLog, RefusesALogWithoutAWholeDive) {
+  std::string text = simulated_log(0.0, 0.0);
+  text.resize(text.size() / 2);
+  text.resize(text.rfind('\n') + 1);
+
+  const auto segments = read_glider_log(text);
+
+  ASSERT_FALSE(segments.has_value());
+  EXPECT_THAT(segments.error().front().rule, HasSubstr("no dive"));
+}
+
+}  // namespace
+}  // namespace floeplan::simulation
