@@ -15,6 +15,7 @@ namespace {
 constexpr double most_rays = 4000.0;          // a ping is heard in well under a millisecond
 constexpr double rays_in_height = 5.0;        // of a beam; a face of a fifth of its height is met
 constexpr double least_false_alarm = 1e-12;   // of a cell, where none is wanted
+constexpr float loudest_neighbour = 3.98F;    // 6 dB: more than that and the echo is the neighbour's
 constexpr std::size_t surface_entries = 256;  // of the table of the surface's strength
 constexpr double right_angle = std::numbers::pi / 2.0;
 
@@ -52,6 +53,7 @@ Sonar::Sonar(const SonarSettings& settings) : settings_{settings} {
   lay_beams();
   lay_rays();
   weigh_rays();
+  find_neighbours();
   tabulate();
 }
 
@@ -135,7 +137,8 @@ void Sonar::tabulate() {
   false_alarm_log_ = std::log(std::clamp(settings_.false_alarms_per_ping / places, least_false_alarm, 0.5));
   returns_.reserve(avoidance::SonarPing::most_returns);
   detections_.reserve(avoidance::SonarPing::most_returns + 128);
-  powers_.resize(static_cast<std::size_t>(cells_));
+  powers_.resize(beams_.size() * static_cast<std::size_t>(cells_));
+  spans_.resize(beams_.size());
 }
 
 Sonar::Heard Sonar::heard(const Ray& ray, const RayHit& hit) const {
@@ -152,29 +155,60 @@ Sonar::Heard Sonar::heard(const Ray& ray, const RayHit& hit) const {
   return {cell, from_steradian * power_of(strength_db) * hit.cosine, false};
 }
 
+void Sonar::find_neighbours() {
+  const auto of_row = static_cast<std::size_t>(settings_.beams);
+  for (std::size_t i = 0; i < beams_.size(); ++i) {
+    std::vector<std::size_t> beside;
+    if (i % of_row > 0) beside.push_back(i - 1);
+    if (i % of_row + 1 < of_row) beside.push_back(i + 1);
+    if (i >= of_row) beside.push_back(i - of_row);
+    if (i + of_row < beams_.size()) beside.push_back(i + of_row);
+    neighbours_.push_back(std::move(beside));
+  }
+}
+
 /// What the beam's own directions bring, cell by cell.
-Sonar::CellSpan Sonar::gather(std::size_t beam) {
-  CellSpan span{powers_.size(), 0};
+void Sonar::gather(std::size_t beam) {
+  const auto cells = static_cast<std::size_t>(cells_);
+  CellPower* powers = &powers_[beam * cells];
+  CellSpan span{cells, 0};
   for (const Weight& weight : weights_[beam]) {
     const Heard& from = heard_[weight.ray];
     if (from.cell < 0) continue;
     const auto cell = static_cast<std::size_t>(from.cell);
-    const double power = static_cast<double>(weight.two_way) * from.power;
-    (from.open_surface ? powers_[cell].surface : powers_[cell].echo) += power;
+    const float power = weight.two_way * static_cast<float>(from.power);
+    (from.open_surface ? powers[cell].surface : powers[cell].echo) += power;
     span = {std::min(span.begin, cell), std::max(span.end, cell + 1)};
   }
-  return span;
+  spans_[beam] = span;
+}
+
+bool Sonar::is_a_neighbours(std::size_t beam, std::size_t cell) const {
+  const auto cells = static_cast<std::size_t>(cells_);
+  const float loudest = loudest_neighbour * powers_[beam * cells + cell].echo;
+  return std::ranges::any_of(neighbours_[beam],
+                             [&](std::size_t other) { return powers_[other * cells + cell].echo > loudest; });
+}
+
+void Sonar::forget_powers() {
+  const auto cells = static_cast<std::size_t>(cells_);
+  for (std::size_t beam = 0; beam < beams_.size(); ++beam) {
+    for (std::size_t cell = spans_[beam].begin; cell < spans_[beam].end; ++cell)
+      powers_[beam * cells + cell] = {};
+  }
 }
 
 void Sonar::listen(std::size_t beam, std::mt19937_64& rng) {
-  const CellSpan span = gather(beam);
+  const CellSpan span = spans_[beam];
   int returned = 0;
   std::size_t end_of_last = 0;
   for (std::size_t cell = span.begin; cell < span.end; ++cell) {
-    const CellPower power = std::exchange(powers_[cell], CellPower{});
-    if (power.echo <= 0.0) continue;
-    const double against = background_[cell] + power.surface + side_lobes_ * total_[cell];
-    const double mean = against + power.echo;
+    const CellPower& heard_here = powers_[beam * static_cast<std::size_t>(cells_) + cell];
+    if (heard_here.echo <= 0.0F || is_a_neighbours(beam, cell)) continue;
+    const auto echo = static_cast<double>(heard_here.echo);
+    const auto surface = static_cast<double>(heard_here.surface);
+    const double against = background_[cell] + surface + side_lobes_ * total_[cell];
+    const double mean = against + echo;
     if (std::log1p(-core::uniform(rng)) > false_alarm_log_ * against / mean) continue;
 
     // Above the threshold an exponential power has the same distribution as from zero.

@@ -29,6 +29,8 @@ concept CastRay = requires(const F& cast, Vector origin, Vector direction, doubl
 ///          the same cell and what side lobes hear of all echoes there. The receiver knows this background, and its
 ///          threshold lies so high above it that the stated number of false alarms is met. Echo and background fluctuate as sums of many scatterers do
 ///          (Rayleigh), so an echo of mean signal-to-background ratio s is heard with probability Pfa^(1 / (1 + s)).
+/// Direction an echo belongs to the beams that hear it best: one that hears it 6 dB weaker than a beam next to it gives no
+///          return, as receivers look for peaks across their beams
 /// Returns  ranges are the middles of range cells; neighbouring cells above the threshold give one return, at the nearest
 /// Left out refraction, multipath, motion while the ping is under way
 /// Memory   none taken after construction
@@ -75,8 +77,8 @@ class Sonar {
   };
   /// What a beam hears in one cell from its own directions, mean powers.
   struct CellPower {
-    double echo{};
-    double surface{};
+    float echo{};
+    float surface{};
   };
   /// Cells from the first up to the end.
   struct CellSpan {
@@ -94,8 +96,11 @@ class Sonar {
   void weigh_rays();
   void tabulate();
   [[nodiscard]] Heard heard(const Ray& ray, const RayHit& hit) const;
-  [[nodiscard]] CellSpan gather(std::size_t beam);
+  void find_neighbours();
+  void gather(std::size_t beam);
+  [[nodiscard]] bool is_a_neighbours(std::size_t beam, std::size_t cell) const;
   void listen(std::size_t beam, std::mt19937_64& rng);
+  void forget_powers();
   void add_false_alarms(std::mt19937_64& rng);
   void hand_out();
 
@@ -114,7 +119,9 @@ class Sonar {
   std::vector<double> surface_strength_;      // [sine of grazing], per square metre across the ray
   std::vector<Heard> heard_;                  // [ray]
   std::vector<double> total_;                 // [cell], power of all rays
-  std::vector<CellPower> powers_;             // [cell], of the beam that listens; else zero
+  std::vector<CellPower> powers_;             // [beam][cell]; zero outside the spans
+  std::vector<CellSpan> spans_;               // [beam], cells that it hears
+  std::vector<std::vector<std::size_t>> neighbours_;  // [beam], beside, above and below it
   std::vector<Detection> detections_;
   std::vector<avoidance::SonarReturn> returns_;
 };
@@ -135,7 +142,11 @@ std::span<const avoidance::SonarReturn> Sonar::ping(const TrueState& state, cons
     total_[static_cast<std::size_t>(heard_[i].cell)] += heard_[i].power;
     anything = anything || !heard_[i].open_surface;
   }
-  for (std::size_t beam = 0; anything && beam < beams_.size(); ++beam) listen(beam, rng);
+  if (anything) {
+    for (std::size_t beam = 0; beam < beams_.size(); ++beam) gather(beam);
+    for (std::size_t beam = 0; beam < beams_.size(); ++beam) listen(beam, rng);
+    forget_powers();
+  }
   add_false_alarms(rng);
   hand_out();
   return returns_;

@@ -210,6 +210,24 @@ TEST(Sonar, HearsNoGhostsOfAStrongEchoInItsSideLobes) {
   }
 }
 
+TEST(Sonar, PlacesTheSeaBedWhereItIsAndNotAheadOfTheVehicle) {
+  Sonar sonar{quiet()};
+  auto rng = core::random_stream(9, "bed");
+  const auto bed = [](Vector, Vector direction, double max_m) -> std::optional<RayHit> {
+    if (direction.down <= 0.0) return std::nullopt;
+    const double range_m = 70.0 / direction.down;
+    if (range_m > max_m) return std::nullopt;
+    return RayHit{range_m, direction.down, Scatterer::sea_bed};
+  };
+
+  for (int ping = 0; ping < 20; ++ping) {
+    for (const auto& echo : sonar.ping(TrueState{}, bed, rng)) {
+      // Half a row's step off at most, of 200 m.
+      EXPECT_NEAR(echo.range.value * echo.beam.down, 70.0, 30.0);
+    }
+  }
+}
+
 TEST(Sonar, GivesTheSamePingsForTheSameSeed) {
   const auto fly = [] {
     Sonar sonar{SonarSettings{}};
@@ -238,6 +256,7 @@ TEST(Sonar, RefusesNonsenseWithEveryReason) {
 TEST(Sonar, RefusesAFanWiderThanItsHalfSpaceAndAnEchoTooLateForItsInterval) {
   SonarSettings settings;
   settings.beams = 80;
+  settings.rows = 3;
   settings.beam_step_rad = 0.1;
   settings.most_returns_per_beam = 1;
   settings.range_m = 900.0;

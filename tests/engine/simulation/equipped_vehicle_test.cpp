@@ -1,0 +1,86 @@
+#include "engine/simulation/equipped_vehicle.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/core/random.hpp"
+#include "engine/simulation/iceberg_shape.hpp"
+#include "tests/engine/simulation/flown.hpp"
+
+namespace floeplan::simulation {
+namespace {
+
+using support::flight_origin;
+using support::flight_start;
+using support::orders_through;
+using support::perfect_sensors;
+using support::shallow_glider;
+
+World sea_with_berg_at(std::vector<Vector> places) {
+  WorldParts parts{.origin = flight_origin};
+  parts.bed = SeaBed{core::Metres{320.0}};
+  auto rng = core::random_stream(1, "berg");
+  for (const Vector& place : places) {
+    parts.bodies.emplace_back("berg", iceberg_shape(IcebergForm::blocky, {120.0}, {110.0}, rng),
+                              Body::Motion{.track = {{flight_start, place.east, place.north}}});
+  }
+  return World{std::move(parts)};
+}
+
+FlightRecord fly_equipped(const World& world, bool avoidance, std::uint64_t seed = 1) {
+  const MissionOrders orders = orders_through(world, {{3000.0, 0.0, 0.0}});
+  const Equipment equipment;
+  std::optional<SystemOnBoard> system;
+  if (avoidance) {
+    system = system_for(world, orders, flight_origin, flight_start, core::Seconds{86400.0});
+    system->settings = avoidance_for(shallow_glider(), orders, equipment.sonar.settings());
+  }
+  EquippedVehicle vehicle{equipment, world, seed, system};
+  FlightRecord record = fly({.world = world,
+                             .orders = orders,
+                             .vehicle = shallow_glider(),
+                             .start = flight_origin,
+                             .departure = flight_start,
+                             .settings = perfect_sensors(),
+                             .seed = seed},
+                            vehicle);
+  record.sensors.sonar = vehicle.log().sonar;
+  record.sensors.altimeter = vehicle.log().altimeter;
+  record.sensors.currents = vehicle.log().currents;
+  return record;
+}
+
+TEST(EquippedVehicle, ArrivesInOpenWaterAndLogsItsSensors) {
+  const World world = sea_with_berg_at({});
+
+  const FlightRecord record = fly_equipped(world, true);
+
+  EXPECT_EQ(record.end, FlightEnd::arrived) << record.end_reason;
+  EXPECT_GT(record.sensors.currents.size(), 10U);
+}
+
+TEST(EquippedVehicle, RunsIntoTheBergWithoutTheSystemAndRoundItWithIt) {
+  const World world = sea_with_berg_at({{1500.0, 0.0, 0.0}});
+
+  const FlightRecord without = fly_equipped(world, false);
+  const FlightRecord with = fly_equipped(world, true);
+
+  EXPECT_EQ(without.end, FlightEnd::collided);
+  EXPECT_EQ(with.end, FlightEnd::arrived) << with.end_reason;
+  EXPECT_FALSE(with.sensors.sonar.empty());
+  EXPECT_TRUE(std::ranges::any_of(
+      with.track, [](const TrackPoint& point) { return point.mode != avoidance::Mode::mission; }));
+}
+
+TEST(EquippedVehicle, LeavesTheSameRecordForTheSameSeed) {
+  const World world = sea_with_berg_at({{1500.0, 60.0, 0.0}});
+
+  EXPECT_EQ(fly_equipped(world, true, 5), fly_equipped(world, true, 5));
+}
+
+}  // namespace
+}  // namespace floeplan::simulation
