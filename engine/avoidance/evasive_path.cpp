@@ -165,8 +165,9 @@ EvasivePath plan_evasion(const Going& going, geo::PlanePoint goal, const WaterFr
   };
   std::stop_source budget;
   const std::stop_callback forward{stop, [&] { budget.request_stop(); }};
+  // A search looks at its stop before it reports, so the stop is asked for one look ahead.
   const auto spend = [&](std::int64_t expansions) {
-    if (expansions >= settings.most_expansions) budget.request_stop();
+    if (expansions + 2 * graph::expansions_between_looks > settings.most_expansions) budget.request_stop();
   };
   const double fastest_m_s = going.through_water_m_s + geo::strength(going.current).value;
   const graph::Query query{.source = grid.start_of(graph),

@@ -20,7 +20,7 @@ struct TimedPoint {
 /// Memory   fixed
 class TimedWay {
  public:
-  static constexpr std::size_t most_points = 48;
+  static constexpr std::size_t most_points = 128;
 
   /// A point beyond the room is left out: the way then ends earlier.
   void add(const TimedPoint& point) {

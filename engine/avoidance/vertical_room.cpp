@@ -55,8 +55,8 @@ bool VerticalRoom::is_bed(const Echo& echo) {
   });
   if (!is_known) return false;
   const bool is_old = !shallowest_bed_ || now_s_ - shallowest_bed_->time_s > bed_echo_holds_s;
-  if (is_old || echo.depth_m < shallowest_bed_->depth_m)
-    shallowest_bed_ = Sounding{echo.place, echo.depth_m, now_s_};
+  if (!is_old && echo.depth_m >= shallowest_bed_->depth_m) return true;
+  if (const auto bed = bed_confirmation_.take(echo)) shallowest_bed_ = {bed->place, bed->depth_m, now_s_};
   return true;
 }
 

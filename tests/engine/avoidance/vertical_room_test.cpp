@@ -1,0 +1,90 @@
+#include "engine/avoidance/vertical_room.hpp"
+
+#include <gtest/gtest.h>
+
+#include <memory>
+
+namespace floeplan::avoidance {
+namespace {
+
+AvoidanceSettings to_60_m() {
+  AvoidanceSettings settings;
+  settings.deepest = core::Metres{60.0};
+  return settings;
+}
+
+OwnState own_over(double second, double depth_m, std::optional<double> bed_m = {}) {
+  OwnState own;
+  own.time = core::from_unix_seconds(1e9 + second);
+  own.depth = core::Metres{depth_m};
+  if (bed_m) own.altitude = core::Metres{*bed_m - depth_m};
+  return own;
+}
+
+Echo echo(double x, double depth) { return {{x, 0.0}, depth, x}; }
+
+/// Shows the room the same echo in ping after ping; whether the last is passed.
+bool passes(VerticalRoom& room, const Echo& shown, int pings = 5) {
+  bool passed = false;
+  for (int i = 0; i < pings; ++i) {
+    room.begin_ping();
+    passed = room.passes(shown);
+  }
+  return passed;
+}
+
+TEST(VerticalRoom, PassesOverWhatLiesBelowTheSawTooth) {
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
+  room->sound(own_over(0.0, 20.0), {});
+  EXPECT_TRUE(passes(*room, echo(100.0, 71.0)));
+  EXPECT_FALSE(passes(*room, echo(100.0, 69.0)));
+  EXPECT_FALSE(room->deepest());
+}
+
+TEST(VerticalRoom, TellsASeaBedFromAWallByItsSlope) {
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
+  room->sound(own_over(0.0, 20.0, 60.0), {});
+  EXPECT_TRUE(passes(*room, echo(50.0, 55.0)));
+  EXPECT_FALSE(passes(*room, echo(50.0, 40.0)));
+}
+
+TEST(VerticalRoom, GoesRoundABedThatLeavesNoRoom) {
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
+  room->sound(own_over(0.0, 10.0, 32.0), {});
+  EXPECT_TRUE(passes(*room, echo(50.0, 31.0)));
+  EXPECT_FALSE(passes(*room, echo(50.0, 29.0)));  // 29 m less the margin is no 15 m below 5 m
+}
+
+TEST(VerticalRoom, HoldsTheSawToothAboveAConfirmedBed) {
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
+  room->sound(own_over(0.0, 20.0, 68.0), {});
+  ASSERT_TRUE(room->deepest());
+  EXPECT_DOUBLE_EQ(room->deepest()->value, 58.0);
+  EXPECT_TRUE(passes(*room, echo(80.0, 52.0), 1));
+  EXPECT_DOUBLE_EQ(room->deepest()->value, 58.0);  // one echo may be a false alarm
+  EXPECT_TRUE(passes(*room, echo(80.0, 52.0), 3));
+  EXPECT_DOUBLE_EQ(room->deepest()->value, 42.0);
+  room->sound(own_over(300.0, 20.0), {500.0, 0.0});
+  EXPECT_FALSE(room->deepest());
+}
+
+TEST(VerticalRoom, KeepsBelowTheIceOverhead) {
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
+  room->sound(own_over(0.0, 40.0), {});
+  EXPECT_TRUE(passes(*room, echo(10.0, 15.0)));
+  ASSERT_TRUE(room->shallowest());
+  EXPECT_DOUBLE_EQ(room->shallowest()->value, 25.0);
+  EXPECT_TRUE(passes(*room, echo(60.0, 18.0)));   // the underside goes on
+  EXPECT_FALSE(passes(*room, echo(60.0, 34.0)));  // a keel that hangs from it does not
+}
+
+TEST(VerticalRoom, DoesNotWalkDownAWall) {
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
+  room->sound(own_over(0.0, 40.0), {});
+  EXPECT_TRUE(passes(*room, echo(10.0, 12.0)));
+  for (double depth = 14.0; depth < 32.0; depth += 2.0) (void)passes(*room, echo(14.0, depth));
+  EXPECT_FALSE(passes(*room, echo(14.0, 32.0)));
+}
+
+}  // namespace
+}  // namespace floeplan::avoidance
