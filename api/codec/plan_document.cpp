@@ -282,6 +282,7 @@ json infeasible_document(const planning::Infeasible& infeasible, const ocean::En
           {"binding_constraint", planning::constraint_name(infeasible.binding)},
           {"smallest_change", changes.empty() ? json() : changes.front()},
           {"changes", std::move(changes)},
+          {"changes_cut_short", infeasible.changes_cut_short},
           {"warnings", environment.warnings},
           {"datasets", dataset_refs_json(environment.datasets)}};
 }

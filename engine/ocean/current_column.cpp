@@ -5,18 +5,19 @@
 
 namespace floeplan::ocean {
 
-CurrentColumn::CurrentColumn(const std::vector<double>& depths_m,
-                             const std::vector<geo::VelocityEn>& levels) {
-  knots_.reserve(levels.size() + 1);
-  knots_.push_back({0.0, levels.front().east.value, levels.front().north.value, 0.0, 0.0});
-  for (std::size_t i = 0; i < levels.size(); ++i) {
-    const Knot& above = knots_.back();
-    Knot knot{std::max(depths_m[i], 0.0), levels[i].east.value, levels[i].north.value, 0.0, 0.0};
-    const double thickness_m = knot.depth_m - above.depth_m;
-    knot.east_m2_s = above.east_m2_s + 0.5 * thickness_m * (above.east_m_s + knot.east_m_s);
-    knot.north_m2_s = above.north_m2_s + 0.5 * thickness_m * (above.north_m_s + knot.north_m_s);
-    knots_.push_back(knot);
-  }
+CurrentColumn::CurrentColumn(core::Metres depth, const geo::VelocityEn& velocity, std::size_t levels) {
+  knots_.reserve(levels + 1);
+  knots_.push_back({0.0, velocity.east.value, velocity.north.value, 0.0, 0.0});
+  add(depth, velocity);
+}
+
+void CurrentColumn::add(core::Metres depth, const geo::VelocityEn& velocity) {
+  const Knot& above = knots_.back();
+  Knot knot{std::max(depth.value, 0.0), velocity.east.value, velocity.north.value, 0.0, 0.0};
+  const double thickness_m = knot.depth_m - above.depth_m;
+  knot.east_m2_s = above.east_m2_s + 0.5 * thickness_m * (above.east_m_s + knot.east_m_s);
+  knot.north_m2_s = above.north_m2_s + 0.5 * thickness_m * (above.north_m_s + knot.north_m_s);
+  knots_.push_back(knot);
 }
 
 CurrentColumn::Knot CurrentColumn::at(double depth_m) const {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <vector>
 
 #include "engine/core/units.hpp"
@@ -12,8 +13,10 @@ namespace floeplan::ocean {
 /// Threads  const members may be called from several threads at once
 class CurrentColumn {
  public:
-  /// The levels that have water, from the top down, at least one; `depths_m` ascending, as many as velocities.
-  CurrentColumn(const std::vector<double>& depths_m, const std::vector<geo::VelocityEn>& levels);
+  /// From its highest level with water. `levels`: how many are to come, this one included.
+  CurrentColumn(core::Metres depth, const geo::VelocityEn& velocity, std::size_t levels);
+  /// The next level with water below those before.
+  void add(core::Metres depth, const geo::VelocityEn& velocity);
 
   /// Mean over the depths from top to bottom, as far down as there is water; the lowest water where that is all
   /// above `top`. A band without thickness gives the current there.

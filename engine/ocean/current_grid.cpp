@@ -109,16 +109,19 @@ std::optional<geo::VelocityEn> CurrentGrid::at(geo::LonLat place, core::Metres d
 std::optional<CurrentColumn> CurrentGrid::column(const GridPosition& at, std::size_t time_index) const {
   const auto tide = tide_at(at, time_index);
   if (!tide) return std::nullopt;
-  std::vector<double> depths_m;
-  std::vector<geo::VelocityEn> levels;
-  for (std::size_t i = 0; i < depth_count(samples_); ++i) {
+  std::optional<CurrentColumn> column;
+  const std::size_t levels = depth_count(samples_);
+  for (std::size_t i = 0; i < levels; ++i) {
     const auto water = level(at, time_index, i);
     if (!water) break;  // the sea bed
-    depths_m.push_back(samples_.depths_m ? (*samples_.depths_m)[i] : 0.0);
-    levels.push_back(sum(*water, *tide));
+    const core::Metres depth{samples_.depths_m ? (*samples_.depths_m)[i] : 0.0};
+    if (column) {
+      column->add(depth, sum(*water, *tide));
+    } else {
+      column.emplace(depth, sum(*water, *tide), levels);
+    }
   }
-  if (levels.empty()) return std::nullopt;
-  return CurrentColumn{depths_m, levels};
+  return column;
 }
 
 std::optional<CurrentColumn> CurrentGrid::column_at_node(std::size_t ix, std::size_t iy,

@@ -131,7 +131,7 @@ Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRe
   progress("comparison", 0.8);
   for (const PlanRequest& fastest : fastest_requests(request)) {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    Result<Plan> other = plan_route(environment, fastest, stop, {}, clock);
+    Result<Plan> other = try_to_plan(environment, fastest, stop, {}, clock);
     if (costs_less(other, best, request.objective())) best = std::move(other);
   }
   progress("done", 1.0);

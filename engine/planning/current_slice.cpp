@@ -6,7 +6,7 @@ namespace floeplan::planning {
 
 CurrentSlice::CurrentSlice(const ocean::CurrentGrid& currents, const NodeWindow& window,
                            const std::vector<NodeTurn>& turns, std::size_t time_index)
-    : window_{window}, turns_{turns} {
+    : window_{window}, turns_{turns}, answers_(window.size()) {
   columns_.reserve(window.size());
   for (std::size_t iy = 0; iy < window.y.size(); ++iy) {
     for (const std::size_t column : window.columns) {
@@ -22,8 +22,15 @@ motion::CurrentXy CurrentSlice::turned(std::size_t node, const vehicle::DiveBand
           mean.east.value * turn.sine + mean.north.value * turn.cosine};
 }
 
-std::optional<CurrentSlice::Mean> CurrentSlice::at_node(std::size_t ix, std::size_t iy,
-                                                        const vehicle::DiveBand& band) const {
+const std::optional<CurrentSlice::Mean>& CurrentSlice::at_node(std::size_t ix, std::size_t iy,
+                                                               const vehicle::DiveBand& band) {
+  std::optional<Answer>& answer = answers_[iy * window_.x.size() + ix];
+  if (!answer || answer->band != band) answer = Answer{band, worked_out(ix, iy, band)};
+  return answer->mean;
+}
+
+std::optional<CurrentSlice::Mean> CurrentSlice::worked_out(std::size_t ix, std::size_t iy,
+                                                           const vehicle::DiveBand& band) const {
   const std::size_t nx = window_.x.size();
   const std::size_t ny = window_.y.size();
   if (columns_[iy * nx + ix]) return Mean{turned(iy * nx + ix, band), false};
@@ -43,13 +50,13 @@ std::optional<CurrentSlice::Mean> CurrentSlice::at_node(std::size_t ix, std::siz
 }
 
 std::optional<CurrentSlice::Mean> CurrentSlice::mean(const CellPosition& x, const CellPosition& y,
-                                                     const vehicle::DiveBand& band) const {
+                                                     const vehicle::DiveBand& band) {
   Mean result;
   for (const std::size_t up : {0U, 1U}) {
     for (const std::size_t right : {0U, 1U}) {
       const double weight = (up == 1 ? y.share : 1.0 - y.share) * (right == 1 ? x.share : 1.0 - x.share);
       if (weight == 0.0) continue;
-      const auto node = at_node(x.cell + right, y.cell + up, band);
+      const auto& node = at_node(x.cell + right, y.cell + up, band);
       if (!node) return std::nullopt;
       result.current.x_m_s += weight * node->current.x_m_s;
       result.current.y_m_s += weight * node->current.y_m_s;

@@ -34,16 +34,24 @@ class CurrentSlice {
   /// Mean over the depths of the band, each node's column by itself, bilinear between the nodes; empty where
   /// there is no water.
   [[nodiscard]] std::optional<Mean> mean(const CellPosition& x, const CellPosition& y,
-                                         const vehicle::DiveBand& band) const;
+                                         const vehicle::DiveBand& band);
 
  private:
-  [[nodiscard]] std::optional<Mean> at_node(std::size_t ix, std::size_t iy,
-                                            const vehicle::DiveBand& band) const;
+  /// What a node answered last: places beside each other mostly ask for the same band.
+  struct Answer {
+    vehicle::DiveBand band;
+    std::optional<Mean> mean;
+  };
+  [[nodiscard]] const std::optional<Mean>& at_node(std::size_t ix, std::size_t iy,
+                                                   const vehicle::DiveBand& band);
+  [[nodiscard]] std::optional<Mean> worked_out(std::size_t ix, std::size_t iy,
+                                               const vehicle::DiveBand& band) const;
   [[nodiscard]] motion::CurrentXy turned(std::size_t node, const vehicle::DiveBand& band) const;
 
   const NodeWindow& window_;
   const std::vector<NodeTurn>& turns_;
   std::vector<std::optional<ocean::CurrentColumn>> columns_;  // [y][x]
+  std::vector<std::optional<Answer>> answers_;                // likewise
 };
 
 }  // namespace floeplan::planning

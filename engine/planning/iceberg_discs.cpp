@@ -330,8 +330,16 @@ std::vector<TimeSpan> IcebergDiscs::closed_times(geo::PlanePoint point) const {
   for (const Berg& berg : bergs_) {
     if (!berg.swept.contains(point)) continue;
     if (berg.keel && pass_under_->has_room(point, berg.keel->upper_turn)) continue;
+    const std::size_t of_others = closed.size();
     for_each_disc(berg, 0.0, forever, 0.0, [&](const motion::MovingDisc& disc) {
-      if (const auto span = covered_by(disc, point)) closed.push_back(*span);
+      const auto span = covered_by(disc, point);
+      if (!span) return false;
+      // Where the disc covers the point at a knot, two pieces of its drift end and begin there.
+      if (closed.size() > of_others && span->from <= closed.back().until) {
+        closed.back().until = std::max(closed.back().until, span->until);
+      } else {
+        closed.push_back(*span);
+      }
       return false;
     });
   }

@@ -5,29 +5,14 @@
 #include "engine/planning/cost_plan.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/fastest_plan.hpp"
-#include "engine/planning/layout.hpp"
 #include "engine/planning/relaxation.hpp"
 #include "engine/planning/risk_plan.hpp"
 #include "engine/planning/robust_plan.hpp"
 #include "engine/planning/survey_order.hpp"
+#include "engine/planning/way_trials.hpp"
 
 namespace floeplan::planning {
 namespace {
-
-/// Inputs whose change makes a way possible. The trials are searches alone, on a grid of bounded size.
-std::vector<Change> changes_that_help(const ocean::Environment& environment, const PlanRequest& request,
-                                      Constraint binding, const std::stop_token& stop) {
-  constexpr double most_vertices_of_a_trial = 1e5;  // a few tenths of a second each
-  if (lay_out(request, first_reach).most_vertices() > most_vertices_of_a_trial) return {};
-  const Trial trial = [&](const PlanRequest& changed) {
-    PlanRequest plain = changed;
-    plain.refine = false;
-    plain.optimality_gap = false;
-    plain.max_waypoints.reset();
-    return plan_fastest(environment, plain, stop, [](std::string_view, double) {}, {}).has_value();
-  };
-  return find_changes(environment, request, binding, trial, stop);
-}
 
 /// Plans the visits in their best order; where no order is possible, in the order given, which then says why.
 Result<Plan> plan_survey(const ocean::Environment& environment, const PlanRequest& request,
@@ -46,12 +31,11 @@ Result<Plan> plan_survey(const ocean::Environment& environment, const PlanReques
 
 }  // namespace
 
-Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
-                        const std::stop_token& stop, const core::ProgressCallback& report,
-                        const core::SteadyClock& clock) {
+Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
+                         const std::stop_token& stop, const core::ProgressCallback& report,
+                         const core::SteadyClock& clock) {
   throw_if_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
-  if (request.via_in_best_order) return plan_survey(environment, request, stop, progress, clock);
   if (request.objective().of_encounters > 0.0) {
     return plan_with_fewer_encounters(environment, request, stop, progress, clock);
   }
@@ -76,9 +60,24 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
   if (plan && is_uncertain && request.optimality_gap) {
     plan->optimality_gap_reason = "the currents are not certain, so that no one way is the best";
   }
-  if (plan || !plan.error().changes.empty()) return plan;
+  return plan;
+}
+
+Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
+                        const std::stop_token& stop, const core::ProgressCallback& report,
+                        const core::SteadyClock& clock) {
+  throw_if_invalid(request);
+  const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
+  if (request.via_in_best_order) return plan_survey(environment, request, stop, progress, clock);
+  Result<Plan> plan = try_to_plan(environment, request, stop, progress, clock);
+  if (plan || !plan.error().changes.empty() || stop.stop_requested()) return plan;
   progress("what would help", 0.95);
-  plan.error().changes = changes_that_help(environment, request, plan.error().binding, stop);
+  WayTrials trials{environment, stop};
+  FoundChanges found = find_changes(
+      environment, request, plan.error().binding,
+      [&trials](const PlanRequest& changed) { return trials(changed); }, stop);
+  plan.error().changes = std::move(found.changes);
+  plan.error().changes_cut_short = found.cut_short;
   return plan;
 }
 

@@ -106,7 +106,7 @@ void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& w
   extended_.assign(slice, 0);
   double strongest = 0.0;
   for (std::size_t t = 0; t < slices; ++t) {
-    const CurrentSlice water{currents, window, turns, t};
+    CurrentSlice water{currents, window, turns, t};
     for (std::size_t iy = 0; iy < y_.size(); ++iy) {
       if (stop.stop_requested()) return;
       for (std::size_t ix = 0; ix < x_.size(); ++ix) {

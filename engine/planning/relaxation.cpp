@@ -71,11 +71,12 @@ class Relaxation {
 
   /// Later departures within the period of the data, closer ones first: half a tide, then whole tides and days.
   void depart_later() {
+    begin_input();
     if (environment_.steady_currents || !environment_.currents) return;
     const double end_s = environment_.currents->times_s().back();
     for (const double hours : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 9.0, 12.0, 18.0, 24.0, 48.0}) {
       const core::UtcTime later = request_.depart + core::Seconds{3600.0 * hours};
-      if (stop_.stop_requested() || core::unix_seconds(later) >= end_s) return;
+      if (is_over() || core::unix_seconds(later) >= end_s) return;
       PlanRequest changed = request_;
       changed.depart = later;
       if (!works(changed)) continue;
@@ -86,10 +87,11 @@ class Relaxation {
   }
 
   void leave_out_a_zone() {
+    begin_input();
     for (std::size_t i = 0; i < request_.zones.size() && i < most_zones; ++i) {
       PlanRequest changed = request_;
       changed.zones.erase(changed.zones.begin() + static_cast<std::ptrdiff_t>(i));
-      if (stop_.stop_requested()) return;
+      if (is_over()) return;
       if (!works(changed)) continue;
       const std::string& name = request_.zones[i].name;
       add("areas/features/" + std::to_string(i), name, std::string{}, 2.0,
@@ -112,6 +114,7 @@ class Relaxation {
   }
 
   void refine_the_grid() {
+    begin_input();
     if (!request_.spacing_along) return;
     const double now = request_.spacing_along->value;
     for (const double share : {0.5, 0.25}) {
@@ -119,7 +122,7 @@ class Relaxation {
       changed.spacing_along = core::Metres{share * now};
       if (request_.spacing_across)
         changed.spacing_across = core::Metres{share * request_.spacing_across->value};
-      if (stop_.stop_requested() || !changed.violations().empty()) return;
+      if (is_over() || !changed.violations().empty()) return;
       if (!works(changed)) continue;
       add("spacing_m", now, share * now, 1.0 / share,
           written("search on a grid of %.0f m instead of %.0f m", share * now, now));
@@ -127,11 +130,11 @@ class Relaxation {
     }
   }
 
-  [[nodiscard]] std::vector<Change> changes() && {
+  [[nodiscard]] FoundChanges changes() && {
     std::ranges::stable_sort(found_, {}, &Found::effort);
-    std::vector<Change> changes;
-    for (Found& found : found_) changes.push_back(std::move(found.change));
-    return changes;
+    FoundChanges result{.changes = {}, .cut_short = cut_short_};
+    for (Found& found : found_) result.changes.push_back(std::move(found.change));
+    return result;
   }
 
  private:
@@ -142,15 +145,25 @@ class Relaxation {
     double effort;  // how much is asked: 1 for nothing, 2 for twice the value or a day
   };
 
-  bool works(const PlanRequest& request) const { return request.violations().empty() && trial_(request); }
+  void begin_input() { told_nothing_ = false; }
+  /// Whether no more is to be tried of the input at hand.
+  [[nodiscard]] bool is_over() const { return told_nothing_ || stop_.stop_requested(); }
+
+  bool works(const PlanRequest& request) {
+    if (!request.violations().empty()) return false;
+    const TrialOutcome outcome = trial_(request);
+    if (outcome == TrialOutcome::not_known) cut_short_ = told_nothing_ = true;
+    return outcome == TrialOutcome::possible;
+  }
 
   /// The value nearest to `now` that helps, on the way to `extreme`, as a multiple of `unit`.
   template <class With>
-  std::optional<double> nearest_that_helps(double now, double extreme, double unit, const With& with) const {
-    if (now == extreme || stop_.stop_requested() || !works(with(extreme))) return std::nullopt;
+  std::optional<double> nearest_that_helps(double now, double extreme, double unit, const With& with) {
+    begin_input();
+    if (now == extreme || is_over() || !works(with(extreme))) return std::nullopt;
     double fails = now;
     double helps = extreme;
-    for (int i = 0; i < halvings && !stop_.stop_requested(); ++i) {
+    for (int i = 0; i < halvings && !is_over(); ++i) {
       const double raw = 0.5 * (fails + helps);
       // Rounded towards the generous end, so that what is named is what was tried.
       const double middle = unit * (extreme > now ? std::ceil(raw / unit) : std::floor(raw / unit));
@@ -169,12 +182,14 @@ class Relaxation {
   const Trial& trial_;
   const std::stop_token& stop_;
   std::vector<Found> found_;
+  bool told_nothing_{false};  // a trial of the input at hand
+  bool cut_short_{false};     // likewise of any input
 };
 
 }  // namespace
 
-std::vector<Change> find_changes(const ocean::Environment& environment, const PlanRequest& request,
-                                 Constraint binding, const Trial& trial, const std::stop_token& stop) {
+FoundChanges find_changes(const ocean::Environment& environment, const PlanRequest& request,
+                          Constraint binding, const Trial& trial, const std::stop_token& stop) {
   Relaxation relaxation{environment, request, trial, stop};
   switch (binding) {
     case Constraint::current:

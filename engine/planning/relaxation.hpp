@@ -10,17 +10,27 @@
 
 namespace floeplan::planning {
 
-/// Whether there is a way for another request in the same sea.
-using Trial = std::function<bool(const PlanRequest&)>;
+/// What a trial tells of another request in the same sea.
+enum class TrialOutcome {
+  possible,
+  impossible,
+  not_known  // the work set aside for it was done before it was decided
+};
+using Trial = std::function<TrialOutcome(const PlanRequest&)>;
+
+struct FoundChanges {
+  std::vector<Change> changes;  // the one that asks least first
+  bool cut_short{false};        // some trial told nothing: smaller changes, or others, may help, too
+};
 
 /// Single changes of a request's inputs that make it possible: for each input that can help against the binding
 /// constraint the smallest one found, by halving an interval between the request's value and the most generous one,
-/// or by trying one after the other where less is not always easier. The one that asks least comes first.
-/// Accuracy a twentieth of the interval; a change is only named when its trial succeeded
+/// or by trying one after the other where less is not always easier.
+/// Accuracy a twentieth of the interval; a change is only named when its trial succeeded. Where a trial tells nothing
+///          its input is left at that
 /// Bounds   at most 30 trials; none for constraints that no input governs (land, memory)
 /// Stops    with what was found so far once `stop` is requested
-[[nodiscard]] std::vector<Change> find_changes(const ocean::Environment& environment,
-                                               const PlanRequest& request, Constraint binding,
-                                               const Trial& trial, const std::stop_token& stop);
+[[nodiscard]] FoundChanges find_changes(const ocean::Environment& environment, const PlanRequest& request,
+                                        Constraint binding, const Trial& trial, const std::stop_token& stop);
 
 }  // namespace floeplan::planning

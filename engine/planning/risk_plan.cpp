@@ -20,7 +20,7 @@ Result<Plan> plan_with_fewer_encounters(const ocean::Environment& environment, c
                                         const core::SteadyClock& clock) {
   PlanRequest unweighted = request;
   unweighted.icebergs.encounter_weight = core::Seconds{0.0};
-  Result<Plan> before = plan_route(environment, unweighted, stop, progress, clock);
+  Result<Plan> before = try_to_plan(environment, unweighted, stop, progress, clock);
   if (!before) return before;
   const Objective objective = request.objective();
   EncounterTrade trade{.weight = request.icebergs.encounter_weight,

@@ -12,10 +12,9 @@
 #include "engine/planning/foresight.hpp"
 #include "engine/planning/grid_travel.hpp"
 #include "engine/planning/late_openings.hpp"
-#include "engine/planning/openings.hpp"
+#include "engine/planning/later_ways.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/surfacing_search.hpp"
-#include "engine/planning/voyage.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -118,22 +117,14 @@ UntimedWay timed_without_delay(const Sea& sea, const std::vector<geo::PlanePoint
 /// Replaces the way by one that arrives before `latest` although it arrives later somewhere, if there is one.
 void look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& open, core::Seconds depart,
                          core::Seconds latest, const std::stop_token& stop) {
-  const Openings openings{sea, open, latest, stop};
-  result.cancelled = stop.stop_requested();
-  if (result.cancelled || openings.empty()) return;
-
-  const Voyage voyage{sea, open.grid, openings, latest};
-  const auto search = graph::find_best_labels(
-      open.graph, open.grid.start, open.grid.goal, depart.count(), {}, voyage,
-      result.path.empty() ? most_labels_for_a_way : most_labels_for_a_better_way, stop);
-  result.statistics.expansions += search.counters.expansions;
-  result.statistics.edge_evaluations += search.counters.edge_evaluations;
-  result.cancelled = search.stopped;
-  result.cut_short = search.full;
-  if (!search.goal) return;
-  result.path.clear();
-  for (const auto& label : graph::way_to(search, *search.goal))
-    result.path.push_back(open.grid.point(label.vertex));
+  LaterWay later =
+      search_later_ways(sea, open, depart, latest,
+                        result.path.empty() ? most_labels_for_a_way : most_labels_for_a_better_way, stop);
+  result.statistics.expansions += later.counters.expansions;
+  result.statistics.edge_evaluations += later.counters.edge_evaluations;
+  result.cancelled = later.cancelled;
+  result.cut_short = later.cut_short;
+  if (!later.path.empty()) result.path = std::move(later.path);
 }
 
 }  // namespace

@@ -13,8 +13,6 @@ namespace {
 using graph::Edge;
 using graph::Vertex;
 
-constexpr std::size_t most_labels = 4'000'000;  // about 300 MB
-
 /// The model of the search over labels.
 class SurfacingVoyage {
  public:
@@ -101,7 +99,8 @@ void describe_end(RouteSearch& result, const Sea& sea, const OpenGrid& open, con
 
 RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::Seconds depart,
                                    core::Seconds since_surfacing, const std::stop_token& stop,
-                                   const std::function<void(double)>& report_fraction) {
+                                   const std::function<void(double)>& report_fraction,
+                                   std::size_t most_labels) {
   SurfacingVoyage voyage{sea, open};
   const auto report = [&](std::int64_t expansions) {
     const auto vertices = static_cast<double>(std::max<std::int64_t>(1, open.vertices));
@@ -117,6 +116,7 @@ RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::S
   result.statistics.expansions = search.counters.expansions;
   result.statistics.edge_evaluations = search.counters.edge_evaluations;
   result.cancelled = search.stopped;
+  result.cut_short = search.full;
   if (search.goal) {
     for (const auto& label : graph::way_to(search, *search.goal))
       result.path.push_back(open.grid.point(label.vertex));

@@ -9,15 +9,18 @@
 
 namespace floeplan::planning {
 
+inline constexpr std::size_t most_surfacing_labels = 4'000'000;  // about 300 MB
+
 /// The earliest arrival at the goal of a grid along ways on which the time without a possible surfacing stays within
 /// the request's bound, everywhere on the way: a search over arrivals that also carries that time, because a way that
 /// passes open water may be the only one that goes on.
 /// Exact    where currents and ice do not change with time. Where they do, an arrival that is earlier and no worse
 ///          as to its last possible surfacing is held to be better; it may be that a later one would meet a faster
 ///          current, or ice that has opened since
-/// Stops    early and says so once `stop` is requested; a way is not found beyond four million arrivals
+/// Stops    early and says so once `stop` is requested; a way is not found beyond `most_labels` arrivals
 [[nodiscard]] RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::Seconds depart,
                                                  core::Seconds since_surfacing, const std::stop_token& stop,
-                                                 const std::function<void(double)>& report_fraction);
+                                                 const std::function<void(double)>& report_fraction,
+                                                 std::size_t most_labels = most_surfacing_labels);
 
 }  // namespace floeplan::planning

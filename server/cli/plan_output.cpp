@@ -198,6 +198,10 @@ int print_plan(const json& document, bool json_out) {
     helps +=
         (helps.empty() ? "; it would be possible to " : ", or to ") + change.at("text").get<std::string>();
   }
+  if (document.at("changes_cut_short") == true) {
+    helps += helps.empty() ? "; what would help was looked for only in part"
+                           : "; whether less would do was looked for only in part";
+  }
   return complain(could_not, "no plan: " + document.at("explanation").get<std::string>() + " (at " +
                                  degrees_minutes(at.at("lat"), 'N', 'S') + ' ' +
                                  degrees_minutes(at.at("lon"), 'E', 'W') + "); " +

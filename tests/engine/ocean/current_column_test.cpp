@@ -8,9 +8,10 @@ namespace floeplan::ocean {
 namespace {
 
 CurrentColumn eastward(const std::vector<double>& depths_m, const std::vector<double>& east_m_s) {
-  std::vector<geo::VelocityEn> levels;
-  for (const double east : east_m_s) levels.push_back({{east}, {-2.0 * east}});
-  return {depths_m, levels};
+  const auto velocity = [&](std::size_t i) { return geo::VelocityEn{{east_m_s[i]}, {-2.0 * east_m_s[i]}}; };
+  CurrentColumn column{{depths_m.front()}, velocity(0), depths_m.size()};
+  for (std::size_t i = 1; i < depths_m.size(); ++i) column.add({depths_m[i]}, velocity(i));
+  return column;
 }
 
 TEST(CurrentColumn, AveragesABandThatEndsInsideItsLayers) {

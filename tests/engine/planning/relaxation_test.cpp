@@ -144,11 +144,39 @@ TEST(Relaxation, LooksForNothingOnceItIsToStop) {
   int trials = 0;
   const Trial count = [&](const PlanRequest&) {
     ++trials;
-    return true;
+    return TrialOutcome::possible;
   };
 
-  EXPECT_TRUE(find_changes({}, eastward_request(), Constraint::iceberg, count, source.get_token()).empty());
+  EXPECT_TRUE(
+      find_changes({}, eastward_request(), Constraint::iceberg, count, source.get_token()).changes.empty());
   EXPECT_EQ(trials, 0);
+}
+
+TEST(Relaxation, SaysThatSmallerChangesWereNotLookedForAndNamesWhatSucceeded) {
+  int trials = 0;
+  const Trial two_then_nothing = [&](const PlanRequest&) {
+    return ++trials <= 2 ? TrialOutcome::possible : TrialOutcome::not_known;
+  };
+
+  const FoundChanges found =
+      find_changes({}, eastward_request(), Constraint::data_period, two_then_nothing, {});
+
+  EXPECT_TRUE(found.cut_short);
+  EXPECT_EQ(trials, 3) << "an input is left at the first trial that tells nothing";
+  ASSERT_EQ(found.changes.size(), 1U);
+  EXPECT_EQ(found.changes.front().input, "speed_m_s");
+}
+
+TEST(Relaxation, TriesTheNextInputAfterOneWhoseTrialToldNothing) {
+  const Trial by_error_only = [&](const PlanRequest& changed) {
+    return changed.icebergs.max_inflation.value < 5000.0 ? TrialOutcome::possible : TrialOutcome::not_known;
+  };
+
+  const FoundChanges found = find_changes({}, eastward_request(), Constraint::iceberg, by_error_only, {});
+
+  EXPECT_TRUE(found.cut_short);
+  ASSERT_EQ(found.changes.size(), 1U);
+  EXPECT_EQ(found.changes.front().input, "max_inflation_m");
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#include "engine/planning/later_ways.hpp"
+
+#include "engine/planning/openings.hpp"
+#include "engine/planning/voyage.hpp"
+
+namespace floeplan::planning {
+
+LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds latest,
+                           std::size_t most_labels, const std::stop_token& stop) {
+  LaterWay result;
+  const Openings openings{sea, open, latest, stop};
+  result.cancelled = stop.stop_requested();
+  if (result.cancelled || openings.empty()) return result;
+
+  const Voyage voyage{sea, open.grid, openings, latest};
+  const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, depart.count(), {},
+                                              voyage, most_labels, stop);
+  result.counters = search.counters;
+  result.cancelled = search.stopped;
+  result.cut_short = search.full;
+  if (!search.goal) return result;
+  for (const auto& label : graph::way_to(search, *search.goal))
+    result.path.push_back(open.grid.point(label.vertex));
+  return result;
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,28 @@
+#pragma once
+
+#include <cstddef>
+#include <stop_token>
+#include <vector>
+
+#include "engine/graph/label_search.hpp"
+#include "engine/planning/open_grid.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// A way that arrives later somewhere than it could, to pass what opens again.
+struct LaterWay {
+  std::vector<geo::PlanePoint> path;  // start and goal included; empty: none was found
+  graph::LabelCounters counters;
+  bool cancelled{false};
+  bool cut_short{false};  // the bound on labels was met: a better way may exist
+};
+
+/// Searches a grid for the earliest arrival at its goal before `latest` among all ways, also those that arrive
+/// somewhere later than they could. Nothing where nothing that is closed opens again before that.
+/// Stops    early and says so once `stop` is requested or `most_labels` arrivals are kept, some ten microseconds each
+[[nodiscard]] LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds depart,
+                                         core::Seconds latest, std::size_t most_labels,
+                                         const std::stop_token& stop);
+
+}  // namespace floeplan::planning

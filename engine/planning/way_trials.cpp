@@ -1,0 +1,191 @@
+#include "engine/planning/way_trials.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "engine/graph/label_setting_search.hpp"
+#include "engine/planning/chart.hpp"
+#include "engine/planning/foresight.hpp"
+#include "engine/planning/grid_travel.hpp"
+#include "engine/planning/improvement.hpp"
+#include "engine/planning/later_ways.hpp"
+#include "engine/planning/published_plan.hpp"
+#include "engine/planning/route_cost.hpp"
+#include "engine/planning/surfacing_search.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+// Microseconds, measured on the demonstration data: what sets the pace, not what it takes.
+constexpr std::int64_t work_of_a_leg = 3;
+constexpr std::int64_t work_of_a_label = 300;   // all legs from it
+constexpr std::int64_t work_of_a_berg = 1000;   // its forecast
+constexpr double work_of_a_vertex = 10.0;       // its part of the maps, and which of its edges are open
+constexpr double work_of_a_value = 1.0 / 50.0;  // of the currents, to average them over the depths flown
+constexpr std::size_t most_labels_of_a_trial = 100'000;
+
+std::int64_t work_of_a_chart(const ocean::Environment& environment, const Layout& layout) {
+  double work = static_cast<double>(environment.icebergs.size()) * static_cast<double>(work_of_a_berg);
+  for (const RouteGrid& grid : layout.grids) work += work_of_a_vertex * grid.vertex_count();
+  if (environment.currents) {
+    work += work_of_a_value * static_cast<double>(environment.currents->samples().u.size());
+  }
+  return std::llround(std::min(work, 1e15));
+}
+
+/// Where a way comes to the goal of a grid.
+struct Reached {
+  std::vector<geo::PlanePoint> path;  // empty: no way was found
+  core::Seconds since_surfacing{};
+};
+
+/// The search for any way over one grid, in the order in which the planner looks for the best one.
+class GridTrial {
+ public:
+  /// `left`: of the work; below zero once it is done. Everything is borrowed and outlives the trial.
+  GridTrial(const Sea& sea, const OpenGrid& open, std::int64_t& left, const std::stop_token& stop)
+      : sea_{sea}, open_{open}, left_{left}, stop_{stop}, foresight_{sea, open} {}
+
+  Reached operator()(core::Seconds depart, core::Seconds since_surfacing) {
+    if (sea_.bounds_surfacing()) return with_surfacings(depart, since_surfacing);
+    if (!sea_.has_timed_closures()) return {earliest_path(depart, GridTravelTime{sea_, open_.grid}), {}};
+    const auto untimed = [this](const graph::Edge& edge, core::Seconds leaves, core::Seconds latest) {
+      return sea_.leg_time_without_timed_closures(open_.grid.point(edge.tail), open_.grid.point(edge.head),
+                                                  leaves, latest);
+    };
+    std::vector<geo::PlanePoint> path = earliest_path(depart, untimed);
+    if (path.empty() || schedule_along(sea_, path, depart)) return {std::move(path), {}};
+    path = earliest_path(depart, GridTravelTime{sea_, open_.grid});
+    if (path.empty() && left_ > 0) path = later_path(depart);
+    return {std::move(path), {}};
+  }
+
+ private:
+  [[nodiscard]] std::size_t affordable_labels() const {
+    const auto affordable = static_cast<std::size_t>(std::max<std::int64_t>(1, left_ / work_of_a_label));
+    return std::min(most_labels_of_a_trial, affordable);
+  }
+
+  Reached with_surfacings(core::Seconds depart, core::Seconds since_surfacing) {
+    RouteSearch found = search_with_surfacings(
+        sea_, open_, depart, since_surfacing, stop_, [](double) {}, affordable_labels());
+    left_ -= work_of_a_leg * found.statistics.edge_evaluations;
+    if (found.cut_short) left_ = std::min<std::int64_t>(left_, 0);
+    return {std::move(found.path), found.since_surfacing};
+  }
+
+  /// Times legs as long as there is work left; after that each counts as closed, and the search comes to its end.
+  template <class LegTimes>
+  std::vector<geo::PlanePoint> earliest_path(core::Seconds depart, const LegTimes& leg_times) {
+    const auto rationed = [&](const graph::Edge& edge, core::Seconds leaves,
+                              core::Seconds latest) -> tl::expected<core::Seconds, motion::EdgeClosed> {
+      if (left_ <= 0) return tl::unexpected(motion::EdgeClosed::too_late);
+      left_ -= work_of_a_leg;
+      return leg_times(edge, leaves, latest);
+    };
+    const graph::SearchTree tree = earliest_arrivals(depart, rationed);
+    std::vector<geo::PlanePoint> path;
+    for (const graph::Vertex v : graph::path_to(open_.graph, tree, open_.grid.goal))
+      path.push_back(open_.grid.point(v));
+    return path;
+  }
+
+  template <class TravelTime>
+  graph::SearchTree earliest_arrivals(core::Seconds depart, const TravelTime& travel_time) {
+    const StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
+    const graph::Query query{open_.grid.start, open_.grid.goal, depart};
+    const auto end = sea_.currents() ? sea_.currents()->end() : std::nullopt;
+    if (!end || !foresight_.is_useful())
+      return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, straight);
+    // Beyond the end of the data nothing is open: what cannot be at the goal by then is not looked at.
+    const graph::SearchTree& until_when = foresight_.until_when_of_use(depart, *end, stop_);
+    const ForesightBound bound{foresight_, straight, until_when};
+    if (bound.latest_use(open_.grid.start) < depart) return graph::SearchTree{open_.graph.size()};
+    return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);
+  }
+
+  std::vector<geo::PlanePoint> later_path(core::Seconds depart) {
+    LaterWay later =
+        search_later_ways(sea_, open_, depart, core::Seconds{INFINITY}, affordable_labels(), stop_);
+    left_ -= work_of_a_leg * later.counters.edge_evaluations;
+    if (later.cut_short) left_ = std::min<std::int64_t>(left_, 0);
+    return std::move(later.path);
+  }
+
+  const Sea& sea_;
+  const OpenGrid& open_;
+  std::int64_t& left_;
+  const std::stop_token& stop_;
+  Foresight foresight_;
+};
+
+/// The way from stop to stop; empty where there is none, or no work left to find one.
+std::optional<Route> search_all(const Sea& sea, const std::vector<RouteGrid>& grids, int sectors,
+                                std::int64_t& left, const std::stop_token& stop) {
+  Route route;
+  core::Seconds now{0.0};
+  core::Seconds since_surfacing{0.0};
+  for (const RouteGrid& grid : grids) {
+    const OpenGrid open = open_grid(sea, grid, sectors, stop);
+    if (route.points.empty()) {
+      route.points.push_back(grid.point(grid.start));
+      route.fixed.push_back(true);
+    }
+    const Reached reached = GridTrial{sea, open, left, stop}(now, since_surfacing);
+    if (reached.path.empty()) return std::nullopt;
+    const auto arrivals = arrivals_along(sea, reached.path, now, since_surfacing);
+    if (!arrivals) return std::nullopt;
+    now = arrivals->back();
+    since_surfacing = reached.since_surfacing;
+    for (std::size_t i = 1; i < reached.path.size(); ++i) {
+      route.points.push_back(reached.path[i]);
+      route.fixed.push_back(i + 1 == reached.path.size());
+    }
+  }
+  return route;
+}
+
+}  // namespace
+
+TrialOutcome WayTrials::operator()(const PlanRequest& request) {
+  PlanRequest plain = request;
+  plain.energy.objective = time_objective;
+  plain.icebergs.encounter_weight = core::Seconds{0.0};
+  plain.refine = false;
+  plain.optimality_gap = false;
+  plain.max_waypoints.reset();
+  const std::int64_t share = left_ / 2;
+  std::int64_t of_share = share;
+  TrialOutcome outcome = TrialOutcome::impossible;
+  for (const GridReach reach : {first_reach, second_reach}) {
+    outcome = within(reach, plain, of_share);
+    if (outcome != TrialOutcome::impossible || plain.method == Method::direct) break;
+  }
+  left_ -= share - of_share;
+  return outcome;
+}
+
+TrialOutcome WayTrials::within(GridReach reach, const PlanRequest& request, std::int64_t& share) const {
+  const std::int64_t laid_out = work_of_a_chart(environment_, lay_out(request, reach));
+  if (laid_out >= share) return TrialOutcome::not_known;
+  share -= laid_out;
+  const Result<Chart> chart = draw_chart(environment_, request, reach, stop_);
+  if (stop_.stop_requested()) return TrialOutcome::not_known;
+  if (!chart) return TrialOutcome::impossible;
+
+  std::optional<Route> way = fixed_route(chart->layout.points);
+  if (request.method != Method::direct) {
+    way = search_all(chart->sea, chart->layout.grids, request.sectors, share, stop_);
+  }
+  if (stop_.stop_requested() || (!way && share <= 0)) return TrialOutcome::not_known;
+  if (!way) return TrialOutcome::impossible;
+  const Improved improved = improve(chart->sea, *way, request, stop_, {});
+  const auto plan = publish(*chart, environment_, request, improved, {}, stop_);
+  if (stop_.stop_requested()) return TrialOutcome::not_known;
+  return plan ? TrialOutcome::possible : TrialOutcome::impossible;
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,42 @@
+#pragma once
+
+#include <cstdint>
+#include <stop_token>
+
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/layout.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/relaxation.hpp"
+
+namespace floeplan::planning {
+
+/// Finds out of one request after the other in the same sea whether it has a plan at all, with a bounded amount of work
+/// for all of them together: each may take half of what is left.
+/// Law      where the answer is `possible`, `plan_route` finds a plan, too
+/// Work     counted in timed legs and laid out data, about a microsecond a unit, and not by a clock: the same trials
+///          give the same answers on every machine
+/// Threads  one at a time
+class WayTrials {
+ public:
+  static constexpr std::int64_t standard_work = 2'500'000;
+
+  /// `environment` is borrowed and outlives the trials.
+  WayTrials(const ocean::Environment& environment, const std::stop_token& stop,
+            std::int64_t most_work = standard_work)
+      : environment_{environment}, stop_{stop}, left_{most_work} {}
+
+  /// `not_known` also once `stop` is requested.
+  [[nodiscard]] TrialOutcome operator()(const PlanRequest& request);
+
+  /// Of the work; below zero by no more than the least that a search does.
+  [[nodiscard]] std::int64_t left() const { return left_; }
+
+ private:
+  [[nodiscard]] TrialOutcome within(GridReach reach, const PlanRequest& request, std::int64_t& share) const;
+
+  const ocean::Environment& environment_;
+  std::stop_token stop_;
+  std::int64_t left_;
+};
+
+}  // namespace floeplan::planning
