@@ -27,6 +27,7 @@ int main(int argc, char** argv) {
   cli::add_reach(app, program);
   cli::add_export(app, program);
   cli::add_check(app, program);
+  cli::add_compare_flight(app, program);
   cli::add_reproduce(app, program);
   cli::add_demo(app, program);
 

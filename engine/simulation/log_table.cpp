@@ -36,6 +36,13 @@ std::optional<std::optional<double>> number(std::string_view field) {
   return std::isfinite(value) ? std::optional{value} : std::optional<double>{};
 }
 
+/// A sensor's name, as "m_depth".
+bool is_name(std::string_view field) {
+  return !field.empty() && std::ranges::all_of(field, [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_';
+  });
+}
+
 bool is_units(const std::vector<std::string_view>& fields) {
   return std::ranges::none_of(fields, [](std::string_view field) { return !field.empty() && number(field); });
 }
@@ -56,6 +63,7 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text) {
     if (line.empty() || line.front() == '#') continue;
     const auto fields = fields_of(line);
     if (names.empty()) {
+      if (!std::ranges::all_of(fields, is_name)) break;
       names.assign(fields.begin(), fields.end());
       columns.resize(names.size());
       continue;
@@ -74,7 +82,10 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text) {
     }
     if (found.size() >= most_faults) break;
   }
-  if (names.empty()) found.push_back({"/file", "must begin with a line of sensor names between commas"});
+  if (names.empty())
+    found.push_back({"/file",
+                     "must begin with a line of sensor names between commas; turn a vehicle's binary log "
+                     "into such text first"});
   if (!found.empty()) return tl::unexpected(std::move(found));
 
   LogTable table;

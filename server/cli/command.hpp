@@ -46,6 +46,7 @@ void add_evaluate(CLI::App& app, Program& program);
 void add_reach(CLI::App& app, Program& program);
 void add_export(CLI::App& app, Program& program);
 void add_check(CLI::App& app, Program& program);
+void add_compare_flight(CLI::App& app, Program& program);
 void add_reproduce(CLI::App& app, Program& program);
 void add_demo(CLI::App& app, Program& program);
 void add_serve(CLI::App& app, Program& program);

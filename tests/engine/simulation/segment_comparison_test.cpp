@@ -118,6 +118,9 @@ TEST(GliderLog, RefusesWhatIsNoLogWithEveryFaultAtOnce) {
 
   EXPECT_FALSE(read_glider_log("").has_value());
   EXPECT_FALSE(read_glider_log("# nothing\n\n").has_value());
+  const auto binary = read_glider_log("dbd_label:    DBD(dinkum_binary_data)file\nencoding_ver: 5\n");
+  ASSERT_FALSE(binary.has_value());
+  EXPECT_THAT(binary.error(), SizeIs(1));
 }
 
 TEST(GliderLog, RefusesALogWithoutAWholeDive) {
