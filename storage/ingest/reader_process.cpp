@@ -12,6 +12,7 @@
 #include <cerrno>
 #include <csignal>
 #include <cstdlib>
+#include <stdexcept>
 #include <system_error>
 
 namespace floeplan::ingest {
@@ -131,6 +132,8 @@ ReaderProcess::Reading ReaderProcess::read_line(const std::stop_token& stop,
 }
 
 int ReaderProcess::kill() {
+  // To the system -1 means every process there is.
+  if (pid_ <= 0) throw std::logic_error{"ReaderProcess: its process has ended before"};
   ::kill(pid_, SIGKILL);
   return collect();
 }

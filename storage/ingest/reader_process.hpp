@@ -31,6 +31,7 @@ class ReaderProcess {
   [[nodiscard]] const std::string& line() const { return line_; }
 
   /// Kills what still runs and returns how it ended, as waitpid gives it.
+  /// Errors   std::logic_error when its end was told before
   int kill();
   /// Waits for the end of a process whose output has ended; returns as kill().
   int wait();
