@@ -12,5 +12,7 @@ std::vector<Row> search_rows();
 std::vector<Row> plan_rows();
 /// A window of departures beside plans for each of them alone.
 std::vector<Row> window_rows();
+/// Steps of the obstacle avoidance system on board: the longest, and the usual one.
+std::vector<Row> avoidance_rows();
 
 }  // namespace floeplan::bench
