@@ -14,7 +14,7 @@ int main(int argc, char** argv) {
   }
   try {
     std::vector<Row> rows = search_rows();
-    for (const auto& more : {plan_rows(), window_rows(), avoidance_rows()})
+    for (const auto& more : {plan_rows(), window_rows(), avoidance_rows(), flight_rows()})
       rows.insert(rows.end(), more.begin(), more.end());
     std::cout << (as_json ? json_text(rows) : table_text(rows));
   } catch (const std::exception& error) {
