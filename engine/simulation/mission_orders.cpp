@@ -16,6 +16,10 @@ using mission::Document;
 using mission::DocumentKind;
 
 constexpr double cm3 = 1e-6;
+/// Of one list: weeks of waypoints an hour apart, and a bound for time and memory.
+constexpr int most_legs = 1000;
+/// No code or count of a mission comes near it.
+constexpr double largest_code = 1e6;
 
 std::string text(double value) {
   char buffer[32];
@@ -33,6 +37,10 @@ std::string lower(std::string name) {
   std::ranges::transform(name, name.begin(),
                          [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
   return name;
+}
+
+int whole(double value) {
+  return static_cast<int>(std::lround(std::clamp(value, -largest_code, largest_code)));
 }
 
 /// The arguments of one behaviour from wherever they stand: its file, the mission, the dictionary.
@@ -53,9 +61,7 @@ class Arguments {
   [[nodiscard]] double value(std::string_view name, double otherwise) const {
     return find(name).value_or(otherwise);
   }
-  [[nodiscard]] int code(std::string_view name, int otherwise) const {
-    return static_cast<int>(std::lround(value(name, otherwise)));
-  }
+  [[nodiscard]] int code(std::string_view name, int otherwise) const { return whole(value(name, otherwise)); }
   /// Of the file, or what the mission gives inline.
   [[nodiscard]] const std::string& where() const { return where_; }
   [[nodiscard]] const Document* file() const { return file_; }
@@ -124,7 +130,7 @@ class Reader {
       const Document* file = nullptr;
       std::string where = mission.name;
       if (number != nullptr && number->value >= 0.0) {
-        where = file_name(behavior.name, static_cast<int>(std::lround(number->value)));
+        where = file_name(behavior.name, whole(number->value));
         file = document(where);
         if (file == nullptr && matters(behavior.name)) {
           refuse("/files/" + mission.name, "asks for " + where + " in line " + std::to_string(behavior.line) +
@@ -175,8 +181,9 @@ class Reader {
     list.radius = {arguments.value("list_when_wpt_dist", 10.0)};
     list.legs = arguments.code("num_legs_to_run", -1);
     list.initial = arguments.code("initial_wpt", -2);
-    if (list.legs == 0 || list.legs < -2)
-      refuse("/files/" + arguments.where() + "/num_legs_to_run", "must be positive, -1 or -2");
+    if (list.legs == 0 || list.legs < -2 || list.legs > most_legs)
+      refuse("/files/" + arguments.where() + "/num_legs_to_run",
+             "must be from 1 to " + std::to_string(most_legs) + ", -1 (round and round) or -2 (once)");
     if (list.initial < -2 || list.initial >= static_cast<int>(list.waypoints.size()))
       refuse("/files/" + arguments.where() + "/initial_wpt", "must name a row of the list, or be -1 or -2");
     orders_.lists.push_back(std::move(list));

@@ -130,6 +130,42 @@ TEST(Flight, IsTheSameForTheSameSeedAndAnotherForAnother) {
   EXPECT_NE(flown(world, orders, {}, 6), once);
 }
 
+TEST(Flight, StraysFromItsDeadReckoningAsTheErrorsSay) {
+  const World world = uniform_water(0.0, 0.0);
+  const MissionOrders orders = orders_through(world, {{1500.0, 0.0, 0.0}});
+  constexpr int runs = 100;
+  double squares = 0.0;
+  for (std::uint64_t seed = 1; seed <= runs; ++seed) {
+    const FixEntry fix = flown(world, orders, {}, seed).sensors.fixes.front();
+    squares += std::pow(level_distance(fix.fixed, fix.believed) / level_distance(fix.fixed, {}), 2);
+  }
+
+  // Biases of compass and speed together; the deviation of a hundred runs is good to 7 %.
+  const NavigationErrors errors;
+  EXPECT_NEAR(std::sqrt(squares / runs) / std::hypot(errors.compass.value, errors.speed_share), 1.0, 0.25);
+}
+
+TEST(Flight, IsOffItsDeadReckoningByTheWayOfTheWater) {
+  // A first dive reckons with still water.
+  const World world{
+      {.origin = flight_origin,
+       .bed = {},
+       .ice = {},
+       .current = TrueCurrent{{0.03, 0.0, 0.0}, CurrentErrorField{{.rms = {0.05}}, flight_start, 9}},
+       .bodies = {}}};
+  FlightSettings settings = perfect_sensors();
+  settings.record_every = core::Seconds{1.0};
+  settings.longest = core::Seconds{3600.0};
+
+  const FlightRecord record = flown(world, orders_through(world, {{5000.0, 0.0, 0.0}}), settings);
+
+  Vector by_water{};
+  for (std::size_t i = 0; i + 1 < record.track.size(); ++i)
+    by_water = by_water + *world.current(record.track[i].position, record.track[i].time);
+  const TrackPoint& last = record.track.back();
+  EXPECT_NEAR(level_distance(last.position - by_water, last.believed), 0.0, 2.0);
+}
+
 TEST(Flight, KeepsItsAltitudeAboveTheSeaBed) {
   const World world{{.origin = flight_origin, .bed = SeaBed{core::Metres{60.0}}}};
 

@@ -101,6 +101,18 @@ TEST(MissionOrders, RefuseADocumentThatIsBrokenAndOneOfAnotherMake) {
   EXPECT_THAT(orders.error(), Contains(Field(&core::Violation::rule, HasSubstr("Seaglider"))));
 }
 
+TEST(MissionOrders, RefuseCountsThatNoVehicleFlies) {
+  for (const char* legs : {"0", "-3", "1000000000", "1e300"}) {
+    const auto list = mission::read_document(
+        "goto_l10.ma",
+        std::string{"behavior_name=goto_list\n<start:b_arg>\n b_arg: num_legs_to_run(nodim) "} + legs +
+            "\n b_arg: num_waypoints(nodim) 1\n<end:b_arg>\n<start:waypoints>\n"
+            "-5157.0000 4730.0000\n<end:waypoints>\n");
+
+    EXPECT_FALSE(read_orders(std::vector{list}, *vehicle::find_profile("slocum-g3-200")).has_value()) << legs;
+  }
+}
+
 TEST(MissionOrders, FillUpAListAloneFromTheVehicle) {
   const auto list = mission::read_document(
       "goto_l10.ma",
