@@ -109,7 +109,9 @@ IcebergField random_icebergs(const IcebergFieldSettings& settings, geo::LonLat s
   const vehicle::GliderProfile vehicle = glider(settings.dive_depth);
   auto rng = core::random_stream(seed, "iceberg field");
   const Vector forecast = in_any_direction(settings.current.value, rng);
-  const TrueCurrent current{forecast, CurrentErrorField{{.rms = settings.current_error}, departure, seed}};
+  const TrueCurrent current{
+      forecast,
+      CurrentErrorField{{.rms = std::numbers::sqrt2 / 2.0 * settings.current_error}, departure, seed}};
   WorldParts parts{.origin = start, .current = current};
   const double width_m = settings.route.value + 2.0 * about_route_m;
   const double count = width_m * 2.0 * about_route_m / (1e6 * settings.km2_for_each);

@@ -15,14 +15,14 @@ namespace floeplan::simulation {
 struct IcebergFieldSettings {
   core::Metres route{5000.0};  // eastward
   double km2_for_each{1.5};
-  core::Metres median_length{63.0};  // the geometric mean of the least and the greatest
-  double length_sigma{0.6};          // of its logarithm: nine in ten bergs are between 24 and 169 m long
+  core::Metres median_length{70.0};
+  double length_sigma{0.6};  // of its logarithm: seven in ten bergs are between 38 and 128 m long
   core::Metres least_length{20.0};
   core::Metres greatest_length{200.0};
   double most_drift{0.5};                    // through the water, of the vehicle's speed
   double most_spin_deg_h{30.0};              // an assumption, for no statistics were at hand
   core::MetresPerSecond current{0.05};       // of the forecast, in any direction
-  core::MetresPerSecond current_error{0.1};  // rms of either component
+  core::MetresPerSecond current_error{0.1};  // rms of the vector: 0.07 m/s of either component
   core::Metres free_about_start{200.0};      // nobody starts a glider beside a berg
   core::Metres dive_depth{
       30.0};  // less than the draft of most bergs: deeper dives pass under some of them by luck
