@@ -28,6 +28,23 @@ std::vector<std::vector<Vector>> in_frame(const World& world, const MissionOrder
   return lists;
 }
 
+/// Nothing carries a glider over its whole way faster than this many times its own speed.
+constexpr double fastest_over_own = 2.0;
+
+/// Whether the data end before the vehicle can be at its last waypoint, however the water helps it.
+bool data_end_too_early(const FlightRequest& request) {
+  Vector place = request.world.to_frame(request.start);
+  double way_m = 0.0;
+  for (const std::vector<Vector>& list : in_frame(request.world, request.orders)) {
+    for (const Vector& next : list) {
+      way_m += std::hypot(next.east - place.east, next.north - place.north);
+      place = next;
+    }
+  }
+  const core::Seconds least{way_m / (fastest_over_own * request.vehicle.speed_through_water.value)};
+  return !request.world.covers(place, request.departure + least);
+}
+
 FlightPath path_of(const FlightRequest& request) {
   return lay_path(request.orders, in_frame(request.world, request.orders),
                   request.world.to_frame(request.start));
@@ -76,6 +93,11 @@ core::Violations violations(const FlightRequest& request) {
                          "lies outside the data of sea bed and currents"});
       }
     }
+  }
+  if (found.empty() && data_end_too_early(request)) {
+    found.push_back({"/departure",
+                     "is too late: the currents end before the vehicle can be at its last "
+                     "waypoint, even at twice its speed; use data that reach further"});
   }
   return found;
 }

@@ -47,7 +47,7 @@ struct FlightRequest {
 };
 
 /// Why this mission cannot be flown in this world: settings and vehicle out of range, a start or a waypoint outside the
-/// data, a start on land. Empty when it can.
+/// data, a start on land or under ice, data that end long before it could arrive. Empty when it can.
 [[nodiscard]] core::Violations violations(const FlightRequest& request);
 
 /// What there is to sense at a step: for the sensors' models. The vehicle's own computer sees `own` alone.

@@ -250,7 +250,46 @@ TEST(Flight, RefusesAWorldThatDoesNotCoverItsMission) {
   EXPECT_THROW(Flight{request}, std::invalid_argument);
 }
 
-TEST(Flight, EndsWhereTheDataEndAndWhenItsTimeIsUp) {
+/// Currents of 0.1 m/s to the east for so many hours, on a grid about the origin.
+World sea_for(int hours) {
+  const geo::LocalProjection projection{flight_origin};
+  const ocean::HorizontalGrid grid{geo::GeographicFrame{}, ocean::Axis{{-52.5, -52.0, -51.5}},
+                                   ocean::Axis{{47.2, 47.5, 47.8}}};
+  const double begin_s = core::unix_seconds(flight_start);
+  const auto currents = std::make_shared<const ocean::CurrentGrid>(ocean::CurrentGrid::Samples{
+      grid, std::nullopt, ocean::Axis{{begin_s, begin_s + 3600.0 * hours}},
+      std::vector<float>(2 * grid.size(), 0.1F), std::vector<float>(2 * grid.size(), 0.0F)});
+  return World{{.origin = flight_origin,
+                .bed = {},
+                .ice = {},
+                .current = TrueCurrent{{currents, false}, projection, {}},
+                .bodies = {}}};
+}
+
+TEST(Flight, RefusesDataThatEndLongBeforeItCouldArrive) {
+  const World world = sea_for(2);
+  const MissionOrders orders = orders_through(world, {{15'000.0, 0.0, 0.0}});
+
+  const core::Violations found = violations({.world = world,
+                                             .orders = orders,
+                                             .vehicle = shallow_glider(),
+                                             .start = flight_origin,
+                                             .departure = flight_start});
+
+  ASSERT_EQ(found.size(), 1U);
+  EXPECT_EQ(found.front().field, "/departure");
+}
+
+TEST(Flight, EndsWhenTheDataEndOnItsWay) {
+  const World world = sea_for(2);
+
+  const FlightRecord record = flown(world, orders_through(world, {{4500.0, 0.0, 0.0}}), perfect_sensors());
+
+  EXPECT_EQ(record.end, FlightEnd::left_data);
+  EXPECT_NEAR(record.duration().count(), 7200.0, 2.0);
+}
+
+TEST(Flight, EndsWhenItsTimeIsUp) {
   const World world = uniform_water(0.0, 0.0);
   FlightSettings settings = perfect_sensors();
   settings.longest = core::Seconds{600.0};
