@@ -22,6 +22,8 @@ constexpr double stroke_begun = 0.05;
 constexpr double gliding_from_m = 5.0;
 constexpr double flattest_glide_rad = 0.15;
 constexpr double cm3 = 1e-6;
+/// No Slocum stays down longer; the times of such a log jump.
+constexpr core::Seconds longest_dive{10.0 * 86400.0};
 /// Of the way between two turns: where the hull glides steadily.
 constexpr double middle_from = 0.3;
 constexpr double middle_to = 0.7;
@@ -212,6 +214,7 @@ class Reader {
     if (!start || !end || !dived || !surfaced || !reckoned_with || !averaged || waypoints.empty() || deep < 2)
       return std::nullopt;
 
+    if (!(*surfaced > *dived) || *surfaced - *dived > longest_dive) return std::nullopt;
     LoggedSegment segment{.dived = *dived,
                           .surfaced = *surfaced,
                           .fixed = *time_of(span.fixed),
@@ -221,7 +224,7 @@ class Reader {
                           .depth_averaged = *averaged,
                           .waypoints = waypoints};
     segment.dives = static_cast<int>(deep);
-    read_settings(span, turns, segment);
+    if (!read_settings(span, turns, segment)) return std::nullopt;
     const auto last_deep = std::ranges::find(turns.rbegin(), turns.rend(), true, &Turn::deep);
     segment.until_ascent = 0.5 * ((*time_of(last_deep->row) - *dived) + segment.under_water());
     return segment;
@@ -251,7 +254,9 @@ class Reader {
     return {rates.empty() ? 0.0 : median(rates)};
   }
 
-  void read_settings(const Span& span, const std::vector<Turn>& turns, LoggedSegment& segment) const {
+  /// False where pump or pitch do not tell dive from climb.
+  [[nodiscard]] bool read_settings(const Span& span, const std::vector<Turn>& turns,
+                                   LoggedSegment& segment) const {
     const std::string pump = *pump_column();
     std::vector<double> strokes_cc;
     std::vector<double> down_rad;
@@ -263,14 +268,16 @@ class Reader {
       if (*pitch < -flattest_glide_rad) down_rad.push_back(*pitch);
       if (*pitch > flattest_glide_rad) up_rad.push_back(*pitch);
     }
+    if (strokes_cc.empty() || down_rad.empty() || up_rad.empty()) return false;
     const auto [low, high] = std::ranges::minmax(strokes_cc);
     std::vector<double> heavy_cc;
     std::vector<double> light_cc;
     for (const double cc : strokes_cc) (cc < 0.5 * (low + high) ? heavy_cc : light_cc).push_back(cc);
+    if (heavy_cc.empty() || median(heavy_cc) >= 0.0 || median(light_cc) <= 0.0) return false;
     segment.dive_buoyancy = {cm3 * median(heavy_cc)};
     segment.climb_buoyancy = {cm3 * median(light_cc)};
-    if (!down_rad.empty()) segment.dive_pitch = {median(down_rad)};
-    if (!up_rad.empty()) segment.climb_pitch = {median(up_rad)};
+    segment.dive_pitch = {median(down_rad)};
+    segment.climb_pitch = {median(up_rad)};
     std::vector<double> deep_m;
     std::vector<double> shallow_m;
     for (const Turn& turn : turns)
@@ -279,6 +286,7 @@ class Reader {
     segment.rises = rate_after(turns, true);
     segment.turns_down_at = {median(deep_m)};
     segment.turns_up_at = {shallow_m.empty() ? 0.0 : median(shallow_m)};
+    return true;
   }
 
   LogTable log_;

@@ -113,6 +113,7 @@ tl::expected<SegmentComparison, core::Violations> compare_segment(const LoggedSe
   request.settings.first_fix = segment.fixed - segment.surfaced;
   request.settings.longest = longest_share * segment.under_water();
   request.settings.known_current = segment.reckoned_with;
+  request.settings.record_every = core::Seconds{3600.0};  // the events tell all that is compared
   if (auto found = violations(request); !found.empty()) return tl::unexpected(std::move(found));
   BareVehicle bare;
   const FlightRecord record = fly(request, bare);

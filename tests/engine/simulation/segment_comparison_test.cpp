@@ -8,6 +8,7 @@
 
 #include "tests/engine/simulation/flown.hpp"
 #include "tests/engine/simulation/logged.hpp"
+#include "tests/support/property.hpp"
 
 namespace floeplan::simulation {
 namespace {
@@ -121,6 +122,34 @@ TEST(GliderLog, RefusesWhatIsNoLogWithEveryFaultAtOnce) {
   const auto binary = read_glider_log("dbd_label:    DBD(dinkum_binary_data)file\nencoding_ver: 5\n");
   ASSERT_FALSE(binary.has_value());
   EXPECT_THAT(binary.error(), SizeIs(1));
+}
+
+TEST(GliderLog, SurvivesDamagedLogs) {
+  const std::string whole = simulated_log(0.02, 0.01);
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    std::string text = whole;
+    for (int i = 0; i < 20; ++i) {
+      const auto at = static_cast<std::size_t>(support::uniform(rng, 0.0, static_cast<double>(text.size())));
+      text[at] = "0123456789-.,\n#e"[support::uniform_int(rng, 0, 15)];
+    }
+
+    const auto segments = read_glider_log(text);
+
+    if (!segments) return;
+    for (const LoggedSegment& segment : *segments)
+      EXPECT_NO_THROW(
+          static_cast<void>(compare_segment(segment, shallow_glider(), HullMotion{}, DragOf::log)));
+  });
+}
+
+TEST(GliderLog, RefusesALogWhosePumpTellsNothing) {
+  std::string text = simulated_log(0.0, 0.0);
+  for (std::size_t at = 0; (at = text.find(",-230.0,", at)) != std::string::npos;)
+    text.replace(at, 8, ",230.0,");
+
+  const auto segments = read_glider_log(text);
+
+  EXPECT_FALSE(segments.has_value());
 }
 
 TEST(GliderLog, RefusesALogWithoutAWholeDive) {
