@@ -1,9 +1,28 @@
 #pragma once
 
+#include <memory>
 #include <string>
 #include <string_view>
 
 namespace floeplan::codec {
+
+/// SHA-256 of bytes that come one block after the other.
+/// Threads  one at a time
+class Sha256 {
+ public:
+  Sha256();
+  Sha256(const Sha256&) = delete;
+  Sha256& operator=(const Sha256&) = delete;
+  ~Sha256();
+
+  void add(std::string_view bytes);
+  /// As 64 lower-case hexadecimal digits; nothing can be added afterwards.
+  [[nodiscard]] std::string text();
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 /// SHA-256 of the bytes, as 64 lower-case hexadecimal digits.
 [[nodiscard]] std::string sha256(std::string_view bytes);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
@@ -18,6 +19,12 @@ struct Resumption {
   bool last{false};   // the time is up: answer now
 };
 
+/// A body that was written to disk while it came in. The file is removed after the answer unless it was moved away.
+struct BodyFile {
+  std::filesystem::path path;
+  std::string sha256;  // lower-case hexadecimal
+};
+
 /// An HTTP request, free of sockets.
 struct Request {
   std::string method;
@@ -26,6 +33,7 @@ struct Request {
       query;                                   // decoded, in order; of repeats the last one counts
   std::map<std::string, std::string> headers;  // names in lower case
   std::string body;
+  std::optional<BodyFile> body_file;  // then `body` is empty
   core::UtcTime now;
   std::optional<Resumption> resumption;
 

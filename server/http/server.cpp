@@ -23,8 +23,9 @@ namespace net = boost::asio;
 /// The listener's state; everything but the constructor runs on the I/O thread.
 class Server::Listener {
  public:
-  Listener(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads, Limits limits)
-      : share_{std::move(handler), limits, handler_threads} {
+  Listener(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads, Limits limits,
+           Streaming streaming)
+      : share_{std::move(handler), limits, std::move(streaming), handler_threads} {
     const net::ip::tcp::endpoint endpoint{net::ip::make_address(address.host), address.port};
     boost::system::error_code error;
     acceptor_.open(endpoint.protocol());
@@ -116,8 +117,9 @@ class Server::Listener {
 };
 
 Server::Server(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads,
-               Limits limits)
-    : listener_{std::make_unique<Listener>(address, std::move(handler), handler_threads, limits)} {}
+               Limits limits, Streaming streaming)
+    : listener_{std::make_unique<Listener>(address, std::move(handler), handler_threads, limits,
+                                           std::move(streaming))} {}
 
 Server::~Server() = default;
 

@@ -6,6 +6,7 @@
 #include <memory>
 
 #include "api/routes/message.hpp"
+#include "server/http/body_sink.hpp"
 #include "server/http/listen_address.hpp"
 
 namespace floeplan::http {
@@ -15,8 +16,8 @@ struct Limits {
   std::uint32_t header_bytes{16 * 1024};
   std::uint64_t body_bytes{1024 * 1024};
   std::chrono::seconds header_time{10};  // from the first byte of a request to the end of its header
-  std::chrono::seconds body_time{30};
-  std::chrono::seconds idle_time{60};  // between requests
+  std::chrono::seconds body_time{30};    // of one that goes to disk: for each 64 KiB
+  std::chrono::seconds idle_time{60};    // between requests
   std::chrono::seconds write_time{60};
   std::chrono::seconds stop_time{8};  // for open requests, when the server stops
   std::size_t connections{1000};
@@ -28,7 +29,7 @@ struct Limits {
 class Server {
  public:
   Server(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads,
-         Limits limits = {});
+         Limits limits = {}, Streaming streaming = {});
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;

@@ -2,12 +2,15 @@
 
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <atomic>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <charconv>
+#include <optional>
+#include <vector>
 
 #include "server/http/finish_response.hpp"
 
@@ -33,7 +36,8 @@ std::string lower_case(std::string_view text) {
   return result;
 }
 
-std::optional<Request> to_request(beast::http::request<beast::http::string_body>& message) {
+/// All but the body.
+std::optional<Request> to_request(const beast::http::request_header<>& message) {
   const auto target = message.target();
   auto parsed = routes::parse_target({target.data(), target.size()});
   if (!parsed) return std::nullopt;
@@ -45,8 +49,6 @@ std::optional<Request> to_request(beast::http::request<beast::http::string_body>
     const auto name = field.name_string();
     request.headers[lower_case({name.data(), name.size()})] = std::string{field.value()};
   }
-  request.body = std::move(message.body());
-  request.now = now();
   return request;
 }
 
@@ -84,25 +86,35 @@ void Session::finish() {
 
 /// Reads one request and answers it. False: the connection is to end.
 net::awaitable<bool> Session::exchange() {
-  Parser parser;
-  parser.header_limit(share_.limits.header_bytes);
-  parser.body_limit(share_.limits.body_bytes);
-  const error_code error = co_await read(parser);
+  Head head;
+  head.header_limit(share_.limits.header_bytes);
+  head.body_limit(std::max(share_.limits.body_bytes, share_.streaming.most_bytes));
+  error_code error = co_await read_head(head);
   idle_ = false;
+  const bool to_disk = goes_to_disk(head);
+  const std::string method{head.get().method_string()};
+  const std::string target = std::string{head.get().target()}.substr(0, 300);
+  const bool head_only = head.get().method() == beast::http::verb::head;
+  const bool keep_alive = !error && head.keep_alive();
+  std::optional<Request> request;
+  std::optional<BodySink> sink;  // until the answer is there
+  Request body;
+  if (!error) {
+    request = to_request(head.get());
+    error = co_await receive(head, to_disk, body, sink);
+  }
   if (error) {
-    co_await refuse(error);
+    sink.reset();  // while the client reads why
+    co_await refuse(error, to_disk ? share_.streaming.most_bytes : share_.limits.body_bytes);
     co_return false;
   }
 
   const auto begin = std::chrono::steady_clock::now();
-  auto message = parser.release();
-  const std::string method{message.method_string()};
-  const std::string target = std::string{message.target()}.substr(0, 300);
-  const bool head_only = message.method() == beast::http::verb::head;
-  const bool keep_alive = message.keep_alive();
-  auto request = to_request(message);
   Response response;
   if (request) {
+    request->body = std::move(body.body);
+    if (sink) request->body_file = sink->finish();
+    request->now = now();
     response = co_await answer(std::move(*request));
   } else {
     response = problem(400, "invalid-target", "Invalid request", "The address of the request is not valid.");
@@ -117,7 +129,14 @@ net::awaitable<bool> Session::exchange() {
   co_return written&& open;
 }
 
-net::awaitable<error_code> Session::read(Parser& parser) {
+bool Session::goes_to_disk(const Head& head) const {
+  if (!share_.streaming.wanted) return false;
+  const auto target = head.get().target();
+  const auto parsed = routes::parse_target({target.data(), target.size()});
+  return parsed && share_.streaming.wanted(std::string{head.get().method_string()}, parsed->path);
+}
+
+net::awaitable<error_code> Session::read_head(Head& head) {
   error_code error;
   if (buffer_.size() == 0) {
     idle_ = true;
@@ -130,18 +149,77 @@ net::awaitable<error_code> Session::read(Parser& parser) {
   }
   idle_ = false;
   stream_.expires_after(share_.limits.header_time);
-  co_await beast::http::async_read_header(stream_, buffer_, parser,
+  co_await beast::http::async_read_header(stream_, buffer_, head,
                                           net::redirect_error(net::use_awaitable, error));
-  if (error || parser.is_done()) co_return error;
+  if (error || head.is_done()) co_return error;
 
-  stream_.expires_after(share_.limits.body_time);
-  if (beast::iequals(parser.get()[beast::http::field::expect], "100-continue")) {
+  const auto length = head.content_length();
+  const std::uint64_t most = goes_to_disk(head) ? share_.streaming.most_bytes : share_.limits.body_bytes;
+  if (length && *length > most) co_return beast::http::error::body_limit;
+  if (beast::iequals(head.get()[beast::http::field::expect], "100-continue")) {
     beast::http::response<beast::http::empty_body> go_on{beast::http::status::continue_, 11};
+    stream_.expires_after(share_.limits.write_time);
     co_await beast::http::async_write(stream_, go_on, net::redirect_error(net::use_awaitable, error));
+  }
+  co_return error;
+}
+
+net::awaitable<error_code> Session::receive(Head& head, bool to_disk, Request& body,
+                                            std::optional<BodySink>& sink) {
+  if (!to_disk) co_return co_await read_body(head, body);
+  try {
+    sink.emplace(share_.streaming.folder);
+  } catch (const std::system_error& closed) {
+    spdlog::error("peer={} {}", peer_, closed.what());
+    co_return error_code{closed.code().value(), boost::system::generic_category()};
+  }
+  co_return co_await stream_body(head, *sink);
+}
+
+net::awaitable<error_code> Session::read_body(Head& head, Request& request) {
+  error_code error;
+  beast::http::request_parser<beast::http::string_body> parser{std::move(head)};
+  parser.body_limit(share_.limits.body_bytes);
+  if (!parser.is_done()) {
+    stream_.expires_after(share_.limits.body_time);
+    co_await beast::http::async_read(stream_, buffer_, parser,
+                                     net::redirect_error(net::use_awaitable, error));
+  }
+  request.body = std::move(parser.get().body());
+  co_return error;
+}
+
+/// Never holds more than one block of the body.
+net::awaitable<error_code> Session::stream_body(Head& head, BodySink& sink) {
+  constexpr std::size_t block_bytes = 65'536;
+  std::vector<char> block(block_bytes);
+  beast::http::request_parser<beast::http::buffer_body> parser{std::move(head)};
+  parser.body_limit(share_.streaming.most_bytes);
+  while (!parser.is_done()) {
+    error_code error;
+    parser.get().body().data = block.data();
+    parser.get().body().size = block.size();
+    stream_.expires_after(share_.limits.body_time);
+    co_await beast::http::async_read(stream_, buffer_, parser,
+                                     net::redirect_error(net::use_awaitable, error));
+    if (error && error != beast::http::error::need_buffer) co_return error;
+    error = co_await net::co_spawn(share_.pool.get_executor(),
+                                   store(sink, {block.data(), block.size() - parser.get().body().size}),
+                                   net::use_awaitable);
     if (error) co_return error;
   }
-  co_await beast::http::async_read(stream_, buffer_, parser, net::redirect_error(net::use_awaitable, error));
-  co_return error;
+  co_return error_code{};
+}
+
+/// Runs on a thread of the handlers: a slow disk holds up nobody else's bytes.
+net::awaitable<error_code> Session::store(BodySink& sink, std::string_view bytes) {
+  try {
+    sink.add(bytes);
+  } catch (const std::system_error& full) {
+    spdlog::error("peer={} {}", peer_, full.what());
+    co_return error_code{full.code().value(), boost::system::generic_category()};
+  }
+  co_return error_code{};
 }
 
 net::awaitable<Response> Session::answer(Request request) {
@@ -212,17 +290,23 @@ net::awaitable<bool> Session::write(const Response& response, bool head_only, bo
 }
 
 /// Says what was wrong with a request that could not be read, if there is somebody to tell.
-net::awaitable<void> Session::refuse(error_code fault) {
+net::awaitable<void> Session::refuse(error_code fault, std::uint64_t most_bytes) {
   using beast::http::error;
-  const bool http_fault = fault.category() == beast::http::make_error_code(error::end_of_stream).category();
+  const bool disk_failed = fault.category() == boost::system::generic_category();
+  const bool http_fault =
+      disk_failed || fault.category() == beast::http::make_error_code(error::end_of_stream).category();
   if (!http_fault || fault == error::end_of_stream || fault == error::partial_message) co_return;
   Response response =
       problem(400, "invalid-request", "Invalid request", "The request is not valid HTTP/1.1.");
   if (fault == error::header_limit) {
     response = problem(431, "header-too-large", "Header too large", "The header is larger than 16 KiB.");
   } else if (fault == error::body_limit) {
-    response = problem(413, "body-too-large", "Body too large", "The body is larger than 1 MiB.");
+    response = problem(413, "body-too-large", "Body too large",
+                       "The body is larger than " + std::to_string(most_bytes >> 20U) + " MiB.");
   }
+  if (disk_failed)
+    response = problem(507, "insufficient-storage", "Insufficient storage",
+                       "The server cannot write the body to its disk.");
   spdlog::info("peer={} status={} reason=\"{}\"", peer_, response.status, fault.message());
   co_await write(response, false, false);
   co_await linger();

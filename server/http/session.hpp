@@ -9,6 +9,8 @@
 #include <boost/asio/thread_pool.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
+#include <optional>
+#include <string_view>
 
 #include "api/routes/message.hpp"
 #include "server/http/server.hpp"
@@ -19,10 +21,11 @@ namespace floeplan::http {
 struct SessionShare {
   routes::Handler handler;
   Limits limits;
+  Streaming streaming;
   boost::asio::thread_pool pool;
 
-  SessionShare(routes::Handler answer, Limits bounds, std::size_t threads)
-      : handler{std::move(answer)}, limits{bounds}, pool{threads} {}
+  SessionShare(routes::Handler answer, Limits bounds, Streaming to_disk, std::size_t threads)
+      : handler{std::move(answer)}, limits{bounds}, streaming{std::move(to_disk)}, pool{threads} {}
 };
 
 /// One connection: reads requests, has them answered, writes the answers, until the client or the server ends
@@ -37,15 +40,21 @@ class Session {
   void finish();
 
  private:
-  using Parser = boost::beast::http::request_parser<boost::beast::http::string_body>;
+  using Head = boost::beast::http::request_parser<boost::beast::http::empty_body>;
 
   boost::asio::awaitable<bool> exchange();
-  boost::asio::awaitable<boost::beast::error_code> read(Parser& parser);
+  boost::asio::awaitable<boost::beast::error_code> read_head(Head& head);
+  boost::asio::awaitable<boost::beast::error_code> receive(Head& head, bool to_disk, routes::Request& body,
+                                                           std::optional<BodySink>& sink);
+  boost::asio::awaitable<boost::beast::error_code> read_body(Head& head, routes::Request& request);
+  boost::asio::awaitable<boost::beast::error_code> stream_body(Head& head, BodySink& sink);
+  boost::asio::awaitable<boost::beast::error_code> store(BodySink& sink, std::string_view bytes);
   boost::asio::awaitable<routes::Response> answer(routes::Request request);
   boost::asio::awaitable<routes::Response> answer_on_pool(const routes::Request& request);
   boost::asio::awaitable<routes::Response> wait_and_answer(routes::Request& request, routes::Wait wait);
   boost::asio::awaitable<bool> write(const routes::Response& response, bool head_only, bool keep_alive);
-  boost::asio::awaitable<void> refuse(boost::beast::error_code fault);
+  boost::asio::awaitable<void> refuse(boost::beast::error_code fault, std::uint64_t most_bytes);
+  [[nodiscard]] bool goes_to_disk(const Head& head) const;
   boost::asio::awaitable<void> linger();
 
   boost::beast::tcp_stream stream_;
