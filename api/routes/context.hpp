@@ -11,8 +11,9 @@ namespace floeplan::routes {
 
 /// What is the same for every request of a server.
 struct ServiceInfo {
-  std::string public_url;     // links begin with it; no slash at its end
-  std::filesystem::path web;  // folder of the built client; empty: none
+  std::string public_url;         // links begin with it; no slash at its end
+  std::filesystem::path web;      // folder of the built client; empty: none
+  std::filesystem::path uploads;  // folder of what was sent and waits to be ingested
 };
 
 /// What a resource answers from.

@@ -1,5 +1,7 @@
 #include <algorithm>
+#include <set>
 
+#include "api/codec/ingest_inputs.hpp"
 #include "api/codec/job_document.hpp"
 #include "api/codec/json_text.hpp"
 #include "api/codec/plan_inputs.hpp"
@@ -10,6 +12,7 @@
 #include "api/routes/resources.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
+#include "storage/repository/upload_repository.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -52,40 +55,62 @@ core::Violations check_data(sqlite::Connection& db, const repository::Environmen
 }
 
 /// The inputs in canonical form, ready for the queue.
-tl::expected<json, core::Violations> checked_plan_inputs(sqlite::Connection& db, const json& inputs) {
+tl::expected<json, core::Violations> checked_plan_inputs(const Context& context, const json& inputs) {
   const auto parsed = codec::parse_plan_inputs(inputs);
   if (!parsed) return tl::unexpected(parsed.error());
-  auto violations = check_data(db, parsed->data);
+  auto violations = check_data(context.db, parsed->data);
   if (!violations.empty()) return tl::unexpected(std::move(violations));
   return codec::to_json(*parsed);
 }
 
-tl::expected<json, core::Violations> checked_evaluate_inputs(sqlite::Connection& db, const json& inputs) {
+tl::expected<json, core::Violations> checked_evaluate_inputs(const Context& context, const json& inputs) {
   const auto parsed = codec::parse_evaluate_inputs(inputs);
   if (!parsed) return tl::unexpected(parsed.error());
-  auto violations = check_data(db, parsed->data);
-  if (parsed->plan_id && !repository::PlanRepository{db}.find({*parsed->plan_id})) {
+  auto violations = check_data(context.db, parsed->data);
+  if (parsed->plan_id && !repository::PlanRepository{context.db}.find({*parsed->plan_id})) {
     violations.push_back({"/plan_id", "no plan has the id " + *parsed->plan_id});
   }
   if (!violations.empty()) return tl::unexpected(std::move(violations));
   return codec::to_json(*parsed);
 }
 
-tl::expected<json, core::Violations> checked_reach_inputs(sqlite::Connection& db, const json& inputs) {
+tl::expected<json, core::Violations> checked_reach_inputs(const Context& context, const json& inputs) {
   const auto parsed = codec::parse_reach_inputs(inputs);
   if (!parsed) return tl::unexpected(parsed.error());
-  auto violations = check_data(db, parsed->data);
+  auto violations = check_data(context.db, parsed->data);
   if (!violations.empty()) return tl::unexpected(std::move(violations));
   return codec::to_json(*parsed);
 }
 
-using CheckInputs = tl::expected<json, core::Violations> (*)(sqlite::Connection&, const json&);
+tl::expected<json, core::Violations> checked_ingest_inputs(const Context& context, const json& inputs) {
+  const auto parsed = codec::parse_ingest_inputs(inputs);
+  if (!parsed) return tl::unexpected(parsed.error());
+  const repository::UploadRepository uploads{context.service.uploads};
+  core::Violations violations;
+  std::set<std::string> names;
+  for (std::size_t i = 0; i < parsed->uploads.size(); ++i) {
+    const std::string pointer = "/uploads/" + std::to_string(i);
+    const auto upload = uploads.find(parsed->uploads[i]);
+    if (!upload) {
+      violations.push_back(
+          {pointer, "no upload has the id " + parsed->uploads[i] + "; it was removed or has expired"});
+    } else if (!names.insert(upload->name).second) {
+      violations.push_back(
+          {pointer, "a file named " + upload->name + " is there already; ingest them one by one"});
+    }
+  }
+  if (!violations.empty()) return tl::unexpected(std::move(violations));
+  return codec::to_json(*parsed);
+}
+
+using CheckInputs = tl::expected<json, core::Violations> (*)(const Context&, const json&);
 
 /// Null when there is no such process.
 CheckInputs check_of(const std::string& process) {
   if (process == "plan-route") return checked_plan_inputs;
   if (process == "evaluate-route") return checked_evaluate_inputs;
   if (process == "reach") return checked_reach_inputs;
+  if (process == "ingest") return checked_ingest_inputs;
   return nullptr;
 }
 
@@ -144,7 +169,7 @@ Response execute(const Context& context, const Request& request, const PathParam
   if (!body) return problem_reply(request, {400, "invalid-json", "Invalid JSON", body.error(), {}});
   const auto raw = inputs_of(*body);
   if (!raw) return invalid(request, raw.error());
-  const auto inputs = check(context.db, *raw);
+  const auto inputs = check(context, *raw);
   if (!inputs) return invalid(request, under_inputs(inputs.error()));
 
   const auto job = context.jobs.submit(context.db, process, inputs->dump(), request.now);

@@ -207,6 +207,32 @@ json reach_inputs() {
   return inputs;
 }
 
+json ingest_inputs() {
+  const json text{{"type", "string"}, {"maxLength", 200}};
+  const json ids{{"type", "array"}, {"items", {{"type", "string"}}}, {"minItems", 1}, {"maxItems", 1000}};
+  return {
+      {"uploads",
+       input(
+           "Ids of uploads; files that belong together (both components of a current, a model's grid) in one "
+           "request",
+           ids, true)},
+      {"name", input("Name of the dataset; default: the file's name", text)},
+      {"kind", input("What to take the files for; default: recognised",
+                     one_of({"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides",
+                             "wind", "zones"}))},
+      {"crs", input("Reference system of a file that states none, as EPSG:4326", text)},
+      {"positive",
+       input("Sign of bathymetry that does not say: up (elevation) or down (depth)", one_of({"up", "down"}))},
+      {"variable",
+       input("Concentration of sea ice to use when a file holds several; default: the greatest", text)},
+      {"at",
+       input("Where a station of the tide is whose file does not say it, [longitude, latitude] in degrees",
+             position_schema())},
+      {"unit",
+       input("Of a station's amplitudes where its file does not say it", one_of({"m", "cm", "mm", "ft"}))},
+      {"zone_kind", input("Rule of zones whose file states none", one_of({"no_go", "stay_in"}))}};
+}
+
 json process(const std::string& id, const std::string& title, const std::string& description) {
   return {{"id", id},
           {"title", title},
@@ -238,7 +264,12 @@ std::vector<Description> descriptions() {
                "The places that the vehicle can reach within given times, or from which it can still be "
                "somewhere "
                "in time, as GeoJSON polygons."),
-       reach_inputs, "reach", "A GeoJSON FeatureCollection, one MultiPolygon for each time"}};
+       reach_inputs, "reach", "A GeoJSON FeatureCollection, one MultiPolygon for each time"},
+      {process("ingest", "Read uploads into the store",
+               "Recognises each file by its content, checks it and stores it whole, or refuses it and says "
+               "why. A file "
+               "that is refused is part of the report: the job is successful."),
+       ingest_inputs, "report", "What became of each file"}};
 }
 
 json with_links(json summary, const std::string& url) {

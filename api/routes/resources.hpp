@@ -18,6 +18,7 @@ namespace floeplan::routes {
 [[nodiscard]] std::vector<Route> execution_routes();      // POST that starts a job
 [[nodiscard]] std::vector<Route> job_routes();
 [[nodiscard]] std::vector<Route> dataset_routes();
+[[nodiscard]] std::vector<Route> upload_routes();
 [[nodiscard]] std::vector<Route> vehicle_routes();
 [[nodiscard]] std::vector<Route> probe_routes();
 [[nodiscard]] std::vector<Route> map_field_routes();  // bathymetry and currents as binary grids

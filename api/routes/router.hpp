@@ -32,6 +32,9 @@ class Router {
   std::vector<Route> routes_;
 };
 
+/// Whether the body of a request is a file that belongs on the disk, not in memory.
+[[nodiscard]] bool streams_body(const std::string& method, const std::string& path);
+
 /// Every operation of the service.
 [[nodiscard]] std::vector<Route> all_routes();
 

@@ -2,16 +2,14 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "api/codec/dataset_document.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
+#include "server/jobs/ingest_service.hpp"
 #include "storage/ingest/guarded_ingest.hpp"
 #include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {
 namespace {
-
-using nlohmann::json;
 
 struct Flags {
   std::vector<std::string> files;
@@ -26,31 +24,8 @@ struct Flags {
   bool json_out{false};
 };
 
-std::string status_name(ingest::IngestStatus status) {
-  switch (status) {
-    case ingest::IngestStatus::stored: return "stored";
-    case ingest::IngestStatus::refused: return "refused";
-    case ingest::IngestStatus::unchanged: return "unchanged";
-  }
-  return "refused";
-}
-
-json report_document(const ingest::IngestReport& report) {
-  json document = report.dataset
-                      ? codec::dataset_document(*report.dataset)
-                      : json{{"kind", nullptr},    {"name", nullptr},       {"variables", json::array()},
-                             {"bbox", nullptr},    {"time_start", nullptr}, {"time_end", nullptr},
-                             {"rows_accepted", 0}, {"rows_refused", 0}};
-  document["dataset_id"] = report.dataset ? json(report.dataset->id.value) : json(nullptr);
-  document["file"] = report.file;
-  document["status"] = status_name(report.status);
-  document["warnings"] = report.warnings;
-  document["errors"] = report.errors;
-  return document;
-}
-
 void print(const ingest::IngestReport& report) {
-  std::cout << status_name(report.status) << "  " << report.file;
+  std::cout << jobs::status_name(report.status) << "  " << report.file;
   if (report.dataset) {
     std::cout << "  " << repository::kind_name(report.dataset->kind) << "  " << report.dataset->id.value
               << "  " << report.dataset->rows_accepted << " accepted";
@@ -75,11 +50,9 @@ int run(const Flags& flags, const Program& program) {
   if (flags.kind != "auto") options.kind = repository::parse_kind(flags.kind);
 
   auto db = repository::open_store(program.store);
-  json documents = json::array();
   int exit_code = done;
   const auto tell = [&](const ingest::IngestReport& report) {
     if (report.status == ingest::IngestStatus::refused) exit_code = bad_data;
-    documents.push_back(report_document(report));
     if (!flags.json_out) return print(report);
     for (const std::string& error : report.errors) complain(bad_data, report.file + ": " + error);
   };
@@ -87,8 +60,9 @@ int run(const Flags& flags, const Program& program) {
   for (std::filesystem::path& file : files)
     if (!file.has_filename()) file = file.parent_path();  // "ice.zarr/"
   const ingest::Guard guard{.program = own_program(), .staging = program.store / "incoming"};
-  static_cast<void>(ingest::guarded_ingest(db, guard, files, options, now(), {}, terminal_progress(), tell));
-  if (flags.json_out) std::cout << json{{"datasets", documents}}.dump(2) << '\n';
+  const auto reports =
+      ingest::guarded_ingest(db, guard, files, options, now(), {}, terminal_progress(), tell);
+  if (flags.json_out) std::cout << jobs::report_document(reports).dump(2) << '\n';
   return exit_code;
 }
 

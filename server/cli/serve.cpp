@@ -6,10 +6,14 @@
 #include <iostream>
 #include <memory>
 
+#include "api/routes/router.hpp"
 #include "server/cli/api_handler.hpp"
+#include "server/cli/command.hpp"
 #include "server/http/server.hpp"
+#include "server/jobs/watched_folder.hpp"
 #include "server/jobs/worker_pool.hpp"
 #include "storage/repository/migrations.hpp"
+#include "storage/repository/upload_repository.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -52,13 +56,23 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
   const auto open_store = [store = options.store] { return repository::open_store(store); };
   jobs::JobBoard board;
   routes::Handler handler;  // needs the port, so it is filled in once that is known
-  http::Server server{address, [&handler](const routes::Request& request) { return handler(request); },
-                      handler_threads};
+  constexpr std::uint64_t megabyte = 1'000'000;
+  const std::filesystem::path uploads = options.store / "uploads";
+  const jobs::IngestPlace place{{.program = own_program(), .staging = options.store / "incoming"}, uploads};
+  http::Server server{address,
+                      [&handler](const routes::Request& request) { return handler(request); },
+                      handler_threads,
+                      {},
+                      {routes::streams_body, uploads, options.max_upload_mb * megabyte}};
   const std::string local = origin(address, server.port());
-  handler = make_api_handler(
-      open_store, board,
-      {.public_url = without_slash(options.public_url.value_or(local)), .web = find_web(options)});
-  jobs::WorkerPool workers{open_store, board, options.workers};
+  handler = make_api_handler(open_store, board,
+                             {.public_url = without_slash(options.public_url.value_or(local)),
+                              .web = find_web(options),
+                              .uploads = uploads});
+  repository::UploadRepository{uploads}.remove_expired(now());
+  jobs::WorkerPool workers{open_store, board, options.workers, place};
+  std::optional<jobs::WatchedFolder> watched;
+  if (options.watch) watched.emplace(*options.watch, open_store, place.guard);
   std::cerr << "floeplan: serving " << local << std::endl;
   server.run();
   workers.stop();

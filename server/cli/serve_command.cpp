@@ -11,6 +11,12 @@ void add_serve(CLI::App& app, Program& program) {
   command->add_option("--listen", options->listen, "ADDR:PORT; port 0: any free port")->capture_default_str();
   command->add_option("--workers", options->workers, "Planning jobs at the same time")->capture_default_str();
   command->add_option("--web", options->web, "Folder of the built map client");
+  command->add_option("--watch", options->watch,
+                      "Folder whose files are ingested as soon as they are complete, then moved to done/ or "
+                      "refused/ in it with their reports");
+  command->add_option("--max-upload-mb", options->max_upload_mb, "Largest file that may be sent, megabytes")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}))
+      ->capture_default_str();
   command->add_option("--public-url", options->public_url, "What links in answers begin with");
   command->callback([options, &program] {
     options->store = program.store;

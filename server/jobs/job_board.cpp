@@ -39,7 +39,7 @@ std::optional<repository::JobRecord> JobBoard::submit(sqlite::Connection& db, co
     const std::lock_guard lock{mutex_};
     ++submissions_;
   }
-  work_.notify_one();
+  work_.notify_all();  // a worker takes only what belongs to its lane
   return job;
 }
 

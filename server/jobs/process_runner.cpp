@@ -29,7 +29,7 @@ tl::expected<std::string, std::string> result(const char* output,
 }  // namespace
 
 tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const repository::JobRecord& job,
-                                                   const std::stop_token& stop,
+                                                   const IngestPlace& place, const std::stop_token& stop,
                                                    const core::ProgressCallback& progress,
                                                    core::UtcTime now) {
   const json request = json::parse(job.request_json);
@@ -47,6 +47,13 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
     const auto inputs = codec::parse_reach_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
     return result("reach", reach_document(db, *inputs, stop, progress));
+  }
+  if (job.process == "ingest") {
+    const auto inputs = codec::parse_ingest_inputs(request);
+    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
+    const auto report = ingest_document(db, *inputs, place, stop, progress, now);
+    if (!report) return tl::unexpected(report.error());
+    return json{{"report", *report}}.dump(-1, ' ', false, json::error_handler_t::replace);
   }
   return tl::unexpected("this version knows no process " + job.process);
 }

@@ -6,6 +6,7 @@
 
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
+#include "server/jobs/ingest_service.hpp"
 #include "storage/repository/job_repository.hpp"
 #include "storage/sqlite/connection.hpp"
 
@@ -14,10 +15,8 @@ namespace floeplan::jobs {
 /// Does the work of a job.
 /// Returns  the results document as JSON text; of no use when `stop` was requested meanwhile
 /// Errors   why it could not be done, for a person; std::exception when the machine or the stored data fail
-[[nodiscard]] tl::expected<std::string, std::string> run_process(sqlite::Connection& db,
-                                                                 const repository::JobRecord& job,
-                                                                 const std::stop_token& stop,
-                                                                 const core::ProgressCallback& progress,
-                                                                 core::UtcTime now);
+[[nodiscard]] tl::expected<std::string, std::string> run_process(
+    sqlite::Connection& db, const repository::JobRecord& job, const IngestPlace& place,
+    const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now);
 
 }  // namespace floeplan::jobs

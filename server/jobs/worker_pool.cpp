@@ -41,14 +41,15 @@ void pause(std::chrono::milliseconds time, const std::stop_token& stop) {
 
 }  // namespace
 
-WorkerPool::WorkerPool(OpenStore open_store, JobBoard& board, std::size_t workers)
-    : open_store_{std::move(open_store)}, board_{board} {
+WorkerPool::WorkerPool(OpenStore open_store, JobBoard& board, std::size_t workers, IngestPlace place)
+    : open_store_{std::move(open_store)}, board_{board}, place_{std::move(place)} {
   auto db = open_store_();
   JobRepository{db}.release_all_leases(now());
   lease_keeper_ = std::jthread{[this](const std::stop_token& stop) { keep_leases(stop); }};
-  for (std::size_t i = 0; i < workers; ++i) {
+  for (std::size_t i = 0; i <= workers; ++i) {
     const std::string name = std::to_string(getpid()) + "-" + std::to_string(i + 1);
-    threads_.emplace_back([this, name](const std::stop_token& stop) { work(stop, name); });
+    const auto lane = i < workers ? repository::Lane::planning : repository::Lane::ingest;
+    threads_.emplace_back([this, name, lane](const std::stop_token& stop) { work(stop, name, lane); });
   }
 }
 
@@ -61,13 +62,13 @@ void WorkerPool::stop() {
   lease_keeper_ = {};
 }
 
-void WorkerPool::work(const std::stop_token& stop, const std::string& name) {
+void WorkerPool::work(const std::stop_token& stop, const std::string& name, repository::Lane lane) {
   lower_priority();
   auto db = open_store_();
   while (!stop.stop_requested()) {
     const auto seen = board_.submissions();
     try {
-      const auto job = JobRepository{db}.claim(name, now(), lease);
+      const auto job = JobRepository{db}.claim(name, now(), lease, lane);
       if (job) {
         run(db, *job, name, stop);
         continue;
@@ -91,7 +92,7 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   tl::expected<std::string, std::string> result;
   try {
     result = run_process(
-        db, job, job_stop.get_token(),
+        db, job, place_, job_stop.get_token(),
         [&](std::string_view stage, double share) { board_.report(job.id, stage, share); }, now());
   } catch (const std::exception& error) {
     spdlog::error("job={} broke off: {}", job.id.value, error.what());

@@ -106,6 +106,7 @@ Told listen(ReaderProcess& process, const ReaderLimits& limits, const std::stop_
 Told run_reader(const Guard& guard, const std::filesystem::path& staging, const FileGroup& files,
                 ReaderRequest request, const std::stop_token& stop, const core::ProgressCallback& progress) {
   request.limits = limits_for(files);
+  request.limits.cpu_s = std::min(request.limits.cpu_s, guard.most_cpu_s.value_or(request.limits.cpu_s));
   std::ofstream{staging / reader_request_file, std::ios::binary} << to_text(request);
   std::vector<std::string> arguments{"read-files", staging.string()};
   for (const auto& file : files) arguments.push_back(std::filesystem::absolute(file).string());
@@ -208,6 +209,7 @@ std::vector<IngestReport> guarded_ingest(sqlite::Connection& db, const Guard& gu
     auto of_group = ingest_one_group(db, guard, groups[i], options, now, stop, of_all);
     if (!of_group) break;
     for (IngestReport& report : *of_group) {
+      report.files = groups[i];
       if (reported) reported(report);
       reports.push_back(std::move(report));
     }

@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -14,6 +16,8 @@ struct Guard {
   std::filesystem::path
       program;  // ours: started as `program read-files STAGING FILE...`, it calls read_foreign_files
   std::filesystem::path staging;  // folder for data that are not complete yet; on the store's disk
+  std::optional<std::uint64_t>
+      most_cpu_s{};  // computing time, where it shall be less than files of a size may take
 };
 
 /// Reads several files as ingest_files does, but opens none of them itself: a child process with limits reads each

@@ -36,6 +36,7 @@ struct IngestReport {
   std::optional<repository::Dataset> dataset;  // empty when refused
   std::vector<std::string> warnings;
   std::vector<std::string> errors;  // each: what; why; what to do
+  FileGroup files{};                // what `file` names; set by guarded_ingest
 };
 
 /// Reads a file into the store: recognises it by content, checks it, normalises it (WGS84, UTC, SI, depth positive down,

@@ -46,12 +46,20 @@ JobRecord read_job(const sqlite::Statement& row) {
           .message = row.text(13)};
 }
 
+std::string condition_of(Lane lane) {
+  switch (lane) {
+    case Lane::any: return "";
+    case Lane::ingest: return "process = 'ingest' AND ";
+    case Lane::planning: return "process <> 'ingest' AND ";
+  }
+  throw std::logic_error{"Lane without a condition"};
+}
+
 /// A read, which many idle workers may do at once, before anybody asks for the right to write.
-bool has_claimable(sqlite::Connection& db, core::UtcTime now) {
-  sqlite::Statement query{
-      db,
-      "SELECT 1 FROM job WHERE status = 'accepted' OR (status = 'running' AND (lease_until_s IS "
-      "NULL OR lease_until_s <= ?1)) LIMIT 1"};
+bool has_claimable(sqlite::Connection& db, core::UtcTime now, Lane lane) {
+  sqlite::Statement query{db, "SELECT 1 FROM job WHERE " + condition_of(lane) +
+                                  "(status = 'accepted' OR (status = 'running' AND (lease_until_s IS "
+                                  "NULL OR lease_until_s <= ?1))) LIMIT 1"};
   query.bind(1, now);
   return query.step();
 }
@@ -108,8 +116,8 @@ std::int64_t JobRepository::count(JobStatus status) const {
 }
 
 std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::UtcTime now,
-                                              core::Seconds lease) {
-  if (!has_claimable(db_, now)) return std::nullopt;
+                                              core::Seconds lease, Lane lane) {
+  if (!has_claimable(db_, now, lane)) return std::nullopt;
 
   sqlite::Transaction transaction{db_};
   fail_exhausted(db_, now);
@@ -119,10 +127,11 @@ std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::U
                              "UPDATE job SET status = 'running', worker = ?1, lease_until_s = ?3, attempts = "
                              "attempts + 1, started_s = "
                              "coalesce(started_s, ?2), updated_s = ?2, stage = '', progress = 0.0 WHERE row "
-                             "= (SELECT row FROM job WHERE "
-                             "status = 'accepted' OR (status = 'running' AND (lease_until_s IS NULL OR "
-                             "lease_until_s <= ?2)) ORDER BY row "
-                             "LIMIT 1) RETURNING " +
+                             "= (SELECT row FROM job WHERE " +
+                                 condition_of(lane) +
+                                 "(status = 'accepted' OR (status = 'running' AND (lease_until_s IS NULL OR "
+                                 "lease_until_s <= ?2))) ORDER BY row "
+                                 "LIMIT 1) RETURNING " +
                                  columns};
     update.bind_all(worker, now, now + lease);
     if (update.step()) claimed = read_job(update);

@@ -21,6 +21,9 @@ enum class JobStatus { accepted, running, successful, failed, dismissed };
 
 [[nodiscard]] std::string status_name(JobStatus status);
 
+/// Which jobs a worker takes: those that read files, which may take minutes, the others, or any.
+enum class Lane { any, ingest, planning };
+
 /// A job as it stands in the store.
 struct JobRecord {
   std::int64_t row{};  // given by the store, ascending in the order of submission
@@ -57,7 +60,7 @@ class JobRepository {
 
   /// The oldest accepted job, or a running one whose lease ran out, made this worker's until `now + lease`.
   [[nodiscard]] std::optional<JobRecord> claim(const std::string& worker, core::UtcTime now,
-                                               core::Seconds lease);
+                                               core::Seconds lease, Lane lane = Lane::any);
   /// Reports progress and renews the lease. False when the job was dismissed or is no longer this worker's:
   /// stop then.
   [[nodiscard]] bool renew(const JobId& id, const std::string& worker, const std::string& stage,

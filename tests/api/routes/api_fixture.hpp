@@ -58,7 +58,7 @@ class ApiTest : public testing::Test {
 
   sqlite::Connection db_{repository::open_store_in_memory()};
   IdleJobs jobs_;
-  routes::ServiceInfo service_{"http://127.0.0.1:8080", {}};
+  routes::ServiceInfo service_{"http://127.0.0.1:8080", {}, {}};
   routes::Router router_{routes::all_routes()};
   routes::Request last_request_;
 };

@@ -6,6 +6,7 @@ usage: openapi_responses.py URL [DOCUMENT]     a server with the demonstration d
 Every object of a schema must say what else it may hold (additionalProperties), so that a member that the document
 does not describe is a fault. With DOCUMENT (a file) answers are compared with it and not with what the server serves.
 """
+import hashlib
 import json
 import sys
 import urllib.error
@@ -198,10 +199,34 @@ def data():
     drive("DELETE", "/datasets/{dataset_id}", 204, dataset_id=coast)
 
 
+def uploads():
+    file = b"ncols 2\nnrows 2\nxllcorner -60\nyllcorner 60\ncellsize 0.5\n-9 -8\n-7 -6\n"
+    binary = {"Content-Type": "application/octet-stream"}
+    digest = hashlib.sha256(file).hexdigest()
+    sent = drive("POST", "/uploads", 201, file, binary, f"?name=bed.asc&sha256={digest}")
+    letter = drive("POST", "/uploads", 201, b"a letter", binary, "?name=letter.txt")
+    drive("POST", "/uploads", 400, file, binary, f"?name=bed.asc&sha256={64 * '0'}")
+    drive("GET", "/uploads/{upload_id}", 200, upload_id=sent["id"])
+    reports = execute("ingest", {"uploads": [sent["id"], letter["id"]], "positive": "up"})["report"]["datasets"]
+    statuses = [report["status"] for report in reports]
+    if statuses != ["stored", "refused"]:
+        faults.append(f"ingestion: {statuses}: {reports}")
+    execute("ingest", {"uploads": [sent["id"]], "kind": "bathymetry", "positive": "sideways"}, 400)
+    job = drive("POST", "/processes/ingest/execution", 201, {"inputs": {"uploads": [sent["id"]]}},
+                {"Prefer": "respond-async"})
+    state = job
+    while state["status"] in ("accepted", "running"):
+        state = drive("GET", "/jobs/{job_id}", 200, headers={"Prefer": "wait=30"}, job_id=job["jobID"])
+    drive("GET", "/jobs/{job_id}/results", 200, job_id=job["jobID"])
+    drive("DELETE", "/uploads/{upload_id}", 204, upload_id=sent["id"])
+    drive("GET", "/uploads/{upload_id}", 404, upload_id=sent["id"])
+    execute("ingest", {"uploads": [sent["id"]]}, 400)
+
+
 def rest():
     for template in ("/", "/conformance", "/processes", "/vehicles", "/healthz", "/version", "/api"):
         drive("GET", template, 200)
-    for process in ("plan-route", "evaluate-route", "reach"):
+    for process in ("plan-route", "evaluate-route", "reach", "ingest"):
         drive("GET", "/processes/{process_id}", 200, process_id=process)
     drive("GET", "/app/{path}", 404, path="none.js")
     drive("POST", "/missions/check", 200, MISSION.encode(), {"Content-Type": "text/plain"}, "?name=goto_l10.ma")
@@ -247,6 +272,7 @@ try:
     judged_routes()
     reaches()
     jobs()
+    uploads()
     data()
     missing()
 except (KeyError, StopIteration, TypeError) as stopped:  # what was needed for the next question did not come

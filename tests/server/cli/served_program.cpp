@@ -38,7 +38,12 @@ void drain_in_background(int descriptor) {
 
 }  // namespace
 
-ServedProgram::ServedProgram(const std::filesystem::path& store) {
+ServedProgram::ServedProgram(const std::filesystem::path& store, const std::vector<std::string>& flags) {
+  std::vector<std::string> words{"floeplan", "--data", store.string(), "serve", "--listen", "127.0.0.1:0"};
+  words.insert(words.end(), flags.begin(), flags.end());
+  std::vector<char*> argv;
+  for (std::string& word : words) argv.push_back(word.data());
+  argv.push_back(nullptr);
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error{"no pipe"};
   pid_ = fork();
@@ -46,8 +51,7 @@ ServedProgram::ServedProgram(const std::filesystem::path& store) {
     dup2(ends[1], STDERR_FILENO);
     close(ends[0]);
     close(ends[1]);
-    execl(FLOEPLAN_BINARY_DIR "/floeplan", "floeplan", "--data", store.c_str(), "serve", "--listen",
-          "127.0.0.1:0", nullptr);
+    execv(FLOEPLAN_BINARY_DIR "/floeplan", argv.data());
     _exit(127);
   }
   close(ends[1]);
@@ -76,8 +80,10 @@ Answer ServedProgram::request(const std::string& method, const std::string& targ
   const std::string text =
       method + ' ' + target + " HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\n" + headers +
       "Content-Type: application/json\r\nContent-Length: " + std::to_string(body.size()) + "\r\n\r\n" + body;
-  if (write(connection, text.data(), text.size()) != static_cast<ssize_t>(text.size())) {
-    throw std::runtime_error{"the server took no request"};
+  for (std::size_t sent = 0; sent < text.size();) {
+    const ssize_t count = send(connection, text.data() + sent, text.size() - sent, MSG_NOSIGNAL);
+    if (count <= 0) break;  // the server may refuse before it has read everything
+    sent += static_cast<std::size_t>(count);
   }
   std::string reply;
   char bytes[65536];

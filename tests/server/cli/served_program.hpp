@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 namespace floeplan::support {
 
@@ -20,13 +21,18 @@ struct Answer {
 /// The real program serving a store on a free port of the loopback address, until the end of the test.
 class ServedProgram {
  public:
-  explicit ServedProgram(const std::filesystem::path& store);
+  explicit ServedProgram(const std::filesystem::path& store, const std::vector<std::string>& flags = {});
   ~ServedProgram();
   ServedProgram(const ServedProgram&) = delete;
   ServedProgram& operator=(const ServedProgram&) = delete;
 
   [[nodiscard]] std::string address() const { return "http://127.0.0.1:" + std::to_string(port_); }
   [[nodiscard]] Answer get(const std::string& target) const { return request("GET", target, "", ""); }
+  [[nodiscard]] Answer remove(const std::string& target) const { return request("DELETE", target, "", ""); }
+  /// Sends a file; `query` begins with "?" unless it is empty.
+  [[nodiscard]] Answer upload(const std::string& content, const std::string& query) const {
+    return request("POST", "/uploads" + query, "", content);
+  }
   /// Executes a process at once (`Prefer: respond-sync`).
   [[nodiscard]] Answer execute(const std::string& process, const nlohmann::json& inputs) const {
     return request("POST", "/processes/" + process + "/execution", "Prefer: respond-sync\r\n",

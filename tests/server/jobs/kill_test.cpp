@@ -3,11 +3,17 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <chrono>
 #include <csignal>
+#include <fstream>
 
 #include "server/jobs/job_board.hpp"
+#include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/migrations.hpp"
+#include "storage/repository/upload_repository.hpp"
+#include "storage/sqlite/statement.hpp"
 #include "tests/server/jobs/wait_until.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::jobs {
@@ -69,6 +75,52 @@ TEST(KilledServer, DoesItsJobOnceMoreAfterTheRestart) {
   ASSERT_TRUE(reached(JobStatus::successful)) << JobRepository{db}.find(job->id)->message;
   EXPECT_EQ(JobRepository{db}.find(job->id)->attempts, 2);
   EXPECT_EQ(restarted.end(SIGTERM), 0);
+}
+
+/// A grid of depths that takes a moment to read.
+std::string large_grid() {
+  constexpr int side = 600;
+  std::string text = "ncols 600\nnrows 600\nxllcorner 0\nyllcorner 50\ncellsize 0.01\n";
+  for (int row = 0; row < side; ++row) {
+    for (int column = 0; column < side; ++column) text += std::to_string(-100 - (row * column) % 97) + ' ';
+    text += '\n';
+  }
+  return text;
+}
+
+TEST(KilledServer, StoresAnUploadWholeAndOnceWheneverItIsKilled) {
+  support::for_each_seed(3, [](std::mt19937_64& rng) {
+    const support::TemporaryFolder store;
+    auto db = repository::open_store(store.path());
+    std::ofstream{store.path() / "arriving"} << large_grid();
+    const auto upload = repository::UploadRepository{store.path() / "uploads"}.add(
+        store.path() / "arriving", "bed.asc", "", std::chrono::system_clock::now());
+    JobBoard queue;
+    const auto job = queue.submit(db, "ingest", R"({"positive": "up", "uploads": [")" + upload.id + "\"]}",
+                                  core::UtcTime{});
+    const auto reached = [&](JobStatus status) {
+      return support::wait_until([&] { return JobRepository{db}.find(job->id)->status == status; });
+    };
+    for (int kills = 0; kills < 2; ++kills) {
+      ServerProcess killed{store.path()};
+      const auto moment =
+          std::chrono::steady_clock::now() + std::chrono::milliseconds{support::uniform_int(rng, 50, 600)};
+      static_cast<void>(support::wait_until([&] { return std::chrono::steady_clock::now() >= moment; }));
+      killed.end(SIGKILL);
+      EXPECT_LE(repository::DatasetRepository{db}.list().size(), 1U);
+    }
+
+    const ServerProcess restarted{store.path()};
+
+    ASSERT_TRUE(reached(JobStatus::successful)) << JobRepository{db}.find(job->id)->message;
+    const auto datasets = repository::DatasetRepository{db}.list();
+    ASSERT_EQ(datasets.size(), 1U) << JobRepository{db}.find(job->id)->result_json.value_or("");
+    EXPECT_EQ(datasets.front().rows_accepted, 600 * 600);
+    EXPECT_TRUE(std::filesystem::is_empty(store.path() / "incoming"));
+    sqlite::Statement check{db, "PRAGMA integrity_check"};
+    ASSERT_TRUE(check.step());
+    EXPECT_EQ(check.text(0), "ok");
+  });
 }
 
 }  // namespace

@@ -60,7 +60,7 @@ class GuardedIngest : public StoreFixture {
   std::vector<IngestReport> guarded(const std::vector<std::filesystem::path>& files,
                                     const core::ProgressCallback& progress = {},
                                     const std::stop_token& stop = {}) {
-    return guarded_ingest(db_, guard_, files, {}, core::from_unix_seconds(1.8e9), stop, progress, {});
+    return guarded_ingest(db_, guard_, files, options_, core::from_unix_seconds(1.8e9), stop, progress, {});
   }
 
   /// Files of every kind that this folder can write.
@@ -70,14 +70,15 @@ class GuardedIngest : public StoreFixture {
     u_alone.with_north = false;
     u_alone.times = {100.0, 106.0};
     u_alone.write(path("u.nc"));
-    return {path("currents.nc"),
-            write_file("bed.asc",
-                       "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 50\ncellsize 0.5\n-9 -8 -7\n-6 -5 -4\n"),
-            write_file("bergs.geojson", point_),
-            write_file("zone.geojson", polygon(R"({"name": "Range", "kind": "no_go"})")),
-            write_file("coast.geojson", polygon("{}")),
-            write_file("notes.txt", "a letter"),
-            path("u.nc")};
+    return {
+        path("currents.nc"),
+        write_file("bed.asc",
+                   "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 50\ncellsize 0.5\n-900 -800 70\n-600 -5 4\n"),
+        write_file("bergs.geojson", point_),
+        write_file("zone.geojson", polygon(R"({"name": "Range", "kind": "no_go"})")),
+        write_file("coast.geojson", polygon("{}")),
+        write_file("notes.txt", "a letter"),
+        path("u.nc")};
   }
 
   static std::string polygon(const std::string& properties) {
@@ -89,13 +90,14 @@ class GuardedIngest : public StoreFixture {
   const std::string point_{R"({"type": "FeatureCollection", "features": [{"type": "Feature",
       "properties": {"id": "a", "observed": "2026-11-20T06:00:00Z", "length_m": 120},
       "geometry": {"type": "Point", "coordinates": [-52.0, 69.0]}}]})"};
+  const IngestOptions options_{.positive = "up"};
   const Guard guard_{.program = FLOEPLAN_BINARY_DIR "/floeplan", .staging = path("incoming")};
 };
 
 TEST_F(GuardedIngest, StoresWhatReadingInThisProcessStores) {
   const auto files = good_files();
   auto here = repository::open_store_in_memory();
-  const auto expected = ingest_files(here, files, {}, core::from_unix_seconds(1.8e9), {}, {});
+  const auto expected = ingest_files(here, files, options_, core::from_unix_seconds(1.8e9), {}, {});
 
   const auto found = guarded(files);
 
