@@ -46,7 +46,8 @@ struct LoggedSegment {
 };
 
 /// Reads the dives of a Slocum's log as comma-separated text: a line of sensor names, a line of units, rows in the
-/// order of time; lines that begin with # and empty fields are left out. Positions are packed degrees and minutes, as the
+/// order of time; lines that begin with # and empty fields are left out. Or as the vendor's program dbd2asc turns a
+/// binary log into text. Positions are packed degrees and minutes, as the
 /// vehicle has them; 69696969 is no position.
 /// Needs    m_present_time, m_lat, m_lon, m_gps_lat, m_gps_lon, m_depth, m_pitch, x_dr_state, m_water_vx, m_water_vy,
 ///          c_wpt_lat, c_wpt_lon, m_initial_water_vx and _vy (or m_final_water_...), m_ballast_pumped or m_de_oil_vol

@@ -17,14 +17,41 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(" \t\r") - first + 1);
 }
 
-std::vector<std::string_view> fields_of(std::string_view line) {
+/// How a log is laid out.
+struct Layout {
+  bool by_blanks{};  // not by commas
+  int lines_of_labels{};  // after the names, whatever they hold; else a line of units is told from a row by its words
+};
+
+std::vector<std::string_view> fields_of(std::string_view line, const Layout& layout) {
   std::vector<std::string_view> fields;
+  if (layout.by_blanks) {
+    while (!line.empty()) {
+      const auto end = line.find_first_of(" \t");
+      fields.push_back(line.substr(0, end));
+      line = end == std::string_view::npos ? std::string_view{} : trimmed(line.substr(end));
+    }
+    return fields;
+  }
   for (;;) {
     const auto comma = line.find(',');
     fields.push_back(trimmed(line.substr(0, comma)));
     if (comma == std::string_view::npos) return fields;
     line.remove_prefix(comma + 1);
   }
+}
+
+/// Whether the vendor's program dbd2asc made the text of a binary log: tags, names, units, sizes in bytes, rows, all by
+/// blanks.
+bool is_converted(std::string_view text) {
+  const std::string_view first = text.substr(0, text.find('\n'));
+  return first.starts_with("dbd_label:") && first.find("DBD_ASC") != std::string_view::npos;
+}
+
+/// Tags of the vendor's converter stand before the names as "key: value".
+bool is_tag(std::string_view line) {
+  const auto colon = line.find(':');
+  return colon != std::string_view::npos && line.find_first_of(" \t,") > colon;
 }
 
 /// Empty for a text that is no number; an empty optional inside for an empty field and for nan.
@@ -55,20 +82,24 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text) {
     return tl::unexpected(core::Violations{{"/file", "is larger than 256 MiB; cut it by segments"}});
   std::vector<std::string> names;
   std::vector<Column> columns;
-  bool first_row = true;
+  Layout layout;
+  if (is_converted(text)) layout = {.by_blanks = true, .lines_of_labels = 2};
+  int rows_seen = 0;
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
     const auto end = text.find('\n');
     const std::string_view line = trimmed(text.substr(0, end));
     text.remove_prefix(end == std::string_view::npos ? text.size() : end + 1);
     if (line.empty() || line.front() == '#') continue;
-    const auto fields = fields_of(line);
+    if (layout.by_blanks && names.empty() && is_tag(line)) continue;
+    const auto fields = fields_of(line, layout);
     if (names.empty()) {
       if (!std::ranges::all_of(fields, is_name)) break;
       names.assign(fields.begin(), fields.end());
       columns.resize(names.size());
       continue;
     }
-    if (std::exchange(first_row, false) && is_units(fields)) continue;
+    ++rows_seen;
+    if (rows_seen <= layout.lines_of_labels || (rows_seen == 1 && is_units(fields))) continue;
     if (fields.size() > names.size()) {
       found.push_back({"/line " + std::to_string(line_number), "has more fields than the line of names"});
     }

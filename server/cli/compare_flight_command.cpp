@@ -154,8 +154,9 @@ void add_compare_flight(CLI::App& app, Program& program) {
   auto* command = app.add_subcommand(
       "compare-flight", "Fly the dives of a Slocum's log again in the simulator and set both side by side");
   command
-      ->add_option("FILE", flags->files,
-                   "Logs as comma-separated text: a line of sensor names, a line of units, rows by time")
+      ->add_option(
+          "FILE", flags->files,
+          "Logs as text: of dbd2asc, or with commas: a line of sensor names, a line of units, rows by time")
       ->required();
   command->add_option("--vehicle", flags->vehicle, "Kind of the vehicle")->capture_default_str();
   command

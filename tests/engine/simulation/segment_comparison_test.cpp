@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
@@ -60,6 +61,33 @@ TEST(GliderLog, TellsTheSettingsOfAFlightThatWasSimulated) {
   EXPECT_NEAR(segment.climb_buoyancy.value, 230e-6, 1e-9);
   EXPECT_NEAR(segment.trim().value, 0.0, 15e-6);
   EXPECT_THAT(segment.waypoints, SizeIs(1));
+}
+
+TEST(GliderLog, ReadsWhatTheVendorsConverterWrites) {
+  const std::string commas = simulated_log(0.05, -0.08);
+  std::string converted =
+      "dbd_label:    DBD_ASC(dinkum_binary_data_ascii)file\nencoding_ver: 2\nnum_ascii_tags: 14\n"
+      "fileopen_time: Wed_Aug_21_13:54:25_2019\nsensors_per_cycle: 15\nnum_label_lines: 3\n";
+  for (std::size_t at = 0; at < commas.size();) {
+    const std::size_t end = commas.find('\n', at);
+    std::string line = commas.substr(at, end - at);
+    at = end + 1;
+    if (line.starts_with('#')) continue;
+    std::ranges::replace(line, ',', ' ');
+    converted += line + " \n";
+    if (line.starts_with("timestamp"))
+      converted +=
+          "8 8 8 8 8 1 4 4 4 4 4 4 4 8 8 \n8 NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN NaN\n";
+  }
+
+  const auto by_commas = read_glider_log(commas);
+  const auto by_blanks = read_glider_log(converted);
+
+  ASSERT_TRUE(by_commas.has_value());
+  ASSERT_TRUE(by_blanks.has_value());
+  EXPECT_EQ(by_blanks->front().dived, by_commas->front().dived);
+  EXPECT_EQ(by_blanks->front().end, by_commas->front().end);
+  EXPECT_EQ(by_blanks->front().trim(), by_commas->front().trim());
 }
 
 TEST(SegmentComparison, FindsASimulatedFlightAgain) {
