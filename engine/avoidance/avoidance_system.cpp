@@ -27,6 +27,15 @@ AvoidanceSettings checked(AvoidanceSettings settings) {
   throw std::invalid_argument{violations.front().field + " " + violations.front().rule};
 }
 
+bool is_usable(const OwnState& own, std::optional<core::UtcTime> last) {
+  const bool is_finite = std::isfinite(core::unix_seconds(own.time)) && std::isfinite(own.place.x_m) &&
+                         std::isfinite(own.place.y_m) && std::isfinite(own.depth.value) &&
+                         std::isfinite(own.attitude.heading.value) &&
+                         std::isfinite(own.attitude.pitch.value) && std::isfinite(own.attitude.roll.value) &&
+                         std::isfinite(own.through_water.value);
+  return is_finite && !(last && own.time < *last);
+}
+
 /// The beginning of a way.
 TimedWay until(const TimedWay& way, double end_s) {
   TimedWay beginning;
@@ -72,8 +81,20 @@ Guidance AvoidanceSystem::step(const Sensed& sensed, const std::stop_token& stop
 }
 
 Guidance AvoidanceSystem::react(const Sensed& sensed) {
-  perceive(sensed);
   path_wanted_ = false;
+  if (!is_usable(sensed.own, last_time_)) {
+    Guidance held = last_;
+    held.reason = Reason::own_state_unusable;
+    return held;
+  }
+  last_time_ = sensed.own.time;
+  perceive(sensed);
+  last_ = guide();
+  return last_;
+}
+
+/// What to do, from what has been perceived.
+Guidance AvoidanceSystem::guide() {
   if (own_.at_surface) {
     route_clear_since_s_.reset();
     reacted_s_.reset();
@@ -97,7 +118,6 @@ Guidance AvoidanceSystem::react(const Sensed& sensed) {
   if (mode_ == Mode::mission && choice.mode != Mode::mission) ++counters_.evasions;
   if (choice.mode == Mode::mission) {
     path_ = {};
-    path_waypoint_.reset();
     planned_s_.reset();
     reactive_.release();
   }
@@ -220,7 +240,7 @@ void AvoidanceSystem::plan_path(const std::stop_token& stop) {
     ++counters_.paths_planned;
     path_ = planned.way;
     path_point_ = 1;
-    path_waypoint_ = goal->waypoint;
+    why_no_path_ = Reason::path_not_ready;
     route_.skip_to(goal->waypoint);
     return;
   }

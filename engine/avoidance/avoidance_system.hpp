@@ -89,6 +89,7 @@ class AvoidanceSystem {
     Reason reason;
   };
 
+  [[nodiscard]] Guidance guide();
   void perceive(const Sensed& sensed);
   void take_ping(const SonarPing& ping, const OwnState& own);
   [[nodiscard]] TimedWay path_from_here() const;
@@ -111,11 +112,12 @@ class AvoidanceSystem {
   std::array<Echo, SonarPing::most_returns> echoes_{};
 
   OwnState own_{};
+  std::optional<core::UtcTime> last_time_{};
+  Guidance last_{};
   Going going_{};
   EstimatedCurrent current_now_{};
   TimedWay path_{};
-  std::size_t path_point_{};                    // the one steered for
-  std::optional<std::size_t> path_waypoint_{};  // the end of the leg that the path returns to
+  std::size_t path_point_{};  // the one steered for
   Mode mode_{Mode::mission};
   Reason why_no_path_{Reason::path_not_ready};
   bool path_wanted_{};

@@ -19,6 +19,7 @@ enum class Mode : std::uint8_t {
 /// Why the system guides as it does. Every guidance carries one.
 enum class Reason : std::uint8_t {
   route_clear,         // nothing detected comes near the planned route
+  own_state_unusable,  // a number of the vehicle's own state is none, or its time goes back: what was said holds
   at_surface,          // nothing can be steered
   evading,             // the planned route comes too near to a detected object
   too_close,           // an object is or will very soon be too close for the route being followed
@@ -43,6 +44,7 @@ enum class Reason : std::uint8_t {
 [[nodiscard]] constexpr std::string_view text(Reason reason) {
   switch (reason) {
     case Reason::route_clear: return "route clear";
+    case Reason::own_state_unusable: return "own state unusable";
     case Reason::at_surface: return "at the surface";
     case Reason::evading: return "evading";
     case Reason::too_close: return "too close";

@@ -41,8 +41,7 @@ void ObjectMap::take(std::span<const Echo> ping, const OwnState& own, geo::Plane
     bool on_surface = false;
     for (std::size_t i = 0; i < size_; ++i) {
       TrackedObject& object = objects_[i];
-      on_surface |=
-          object.take(echo, settings_.sonar.bearing_sigma.value) == TrackedObject::Match::on_surface;
+      on_surface |= object.take(echo, settings_.sonar) == TrackedObject::Match::on_surface;
       if (looks_past) object.contradict(echo, own_in_water, own.depth.value);
     }
     if (on_surface) continue;
@@ -64,8 +63,7 @@ void ObjectMap::look_below(const OwnState& own, geo::PlanePoint own_in_water) {
 
 void ObjectMap::add(const Echo& confirmed, geo::PlanePoint vehicle) {
   for (std::size_t i = 0; i < size_; ++i) {
-    if (objects_[i].take(confirmed, settings_.sonar.bearing_sigma.value) == TrackedObject::Match::none)
-      continue;
+    if (objects_[i].take(confirmed, settings_.sonar) == TrackedObject::Match::none) continue;
     objects_[i].add(confirmed, vehicle);
     return;
   }

@@ -40,7 +40,7 @@ struct SonarReturn {
   friend bool operator==(const SonarReturn&, const SonarReturn&) = default;
 };
 
-/// All echoes of one transmission; at most `most_returns` are looked at, the strongest bodies first or not.
+/// All echoes of one transmission; beyond `most_returns` they are left out.
 struct SonarPing {
   static constexpr std::size_t most_returns = 512;
 

@@ -26,7 +26,6 @@ class Rules {
 core::Violations AvoidanceSettings::violations() const {
   Rules rules;
   rules.positive("sonar/reach", sonar.reach.value);
-  rules.positive("sonar/half_width", sonar.half_width.value);
   rules.positive("sonar/half_height", sonar.half_height.value);
   rules.positive("sonar/range_sigma", sonar.range_sigma.value);
   rules.positive("sonar/bearing_sigma", sonar.bearing_sigma.value);

@@ -7,11 +7,10 @@
 
 namespace floeplan::avoidance {
 
-/// Where the sonar sees. Body axes; the fan is as wide to either side.
+/// How far and how well the sonar sees. Body axes.
 struct SonarView {
   core::Metres reach{200.0};
-  core::Radians half_width{1.0472};   // in the plane of forward and starboard: 60 degrees
-  core::Radians half_height{0.6109};  // above and below that plane: 35 degrees
+  core::Radians half_height{0.6109};  // above and below the plane of forward and starboard: 35 degrees
   core::Metres range_sigma{1.0};
   core::Radians bearing_sigma{0.0175};
 

@@ -97,7 +97,7 @@ void TrackedObject::advance(double now_s) {
   }
 }
 
-TrackedObject::Match TrackedObject::take(const Echo& echo, double bearing_sigma_rad) {
+TrackedObject::Match TrackedObject::take(const Echo& echo, const SonarView& sonar) {
   const geo::PlanePoint seen{echo.place.x_m - state_[0], echo.place.y_m - state_[1]};
   constexpr double join_m = 25.0;  // a surface so near belongs to the same body
   if (seen.x_m < low_.x_m - join_m || seen.x_m > high_.x_m + join_m || seen.y_m < low_.y_m - join_m ||
@@ -122,7 +122,8 @@ TrackedObject::Match TrackedObject::take(const Echo& echo, double bearing_sigma_
   if (any_m2 > squared(join_m)) return Match::none;
 
   if (const auto fit = line.fit(); fit && std::abs(fit->residual_m) < neighbourhood_m) {
-    const double weight = 1.0 / (squared(surface_sigma_m) + squared(bearing_sigma_rad * echo.range_m));
+    const double weight = 1.0 / (squared(surface_sigma_m) + squared(sonar.range_sigma.value) +
+                                 squared(sonar.bearing_sigma.value * echo.range_m));
     information_[0] += weight * fit->normal_x * fit->normal_x;
     information_[1] += weight * fit->normal_x * fit->normal_y;
     information_[2] += weight * fit->normal_y * fit->normal_y;

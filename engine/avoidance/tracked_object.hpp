@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/avoidance/echo.hpp"
+#include "engine/avoidance/settings.hpp"
 #include "engine/core/units.hpp"
 #include "engine/geo/local_projection.hpp"
 
@@ -41,7 +42,7 @@ class TrackedObject {
   /// How near the echo is to the surface seen so far.
   enum class Match : std::uint8_t { none, near_by, on_surface };
   /// An echo on the surface refreshes it and is remembered for `correct`.
-  Match take(const Echo& echo, double bearing_sigma_rad);
+  Match take(const Echo& echo, const SonarView& sonar);
   /// Corrects place and drift by the echoes that were on the surface since the last time.
   void correct();
   /// Adds a patch of surface that has been confirmed.

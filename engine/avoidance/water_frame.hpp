@@ -11,6 +11,7 @@ namespace floeplan::avoidance {
 /// The frame that drifts with the water, reckoned from compass and speed alone. In it the vehicle moves where its nose
 /// points, a berg moves by its drift through the water, and what is fixed to the ground moves against the current. No
 /// error of the current, and no position fix that corrects the place, ever moves an obstacle against the vehicle.
+/// Surface  a vehicle that drifts there is taken to drift with the water
 /// Frame    metres east and north of the place where the reckoning began
 class WaterFrame {
  public:

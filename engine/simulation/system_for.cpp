@@ -76,7 +76,6 @@ avoidance::AvoidanceSettings avoidance_for(const vehicle::GliderProfile& vehicle
                                            const SonarSettings& sonar) {
   avoidance::AvoidanceSettings settings;
   settings.sonar.reach = {sonar.range_m};
-  settings.sonar.half_width = {0.5 * ((sonar.beams - 1) * sonar.beam_step_rad + sonar.beam.width_rad)};
   settings.sonar.half_height = {0.5 * ((sonar.rows - 1) * sonar.row_step_rad + sonar.beam.height_rad)};
   settings.through_water = vehicle.speed_through_water;
   settings.shallowest = orders.yo.climb.depth;

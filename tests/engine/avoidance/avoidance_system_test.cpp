@@ -138,6 +138,20 @@ TEST(AvoidanceSystem, SteersNothingAtTheSurface) {
   EXPECT_FALSE(guided.heading);
 }
 
+TEST(AvoidanceSystem, HoldsWhatItSaidWhileTheOwnStateIsUnusable) {
+  const auto system = system_to({1000.0, 0.0});
+  const Guidance said = towards_wall(*system, 180.0, 20, true).back();
+  OwnState broken = own_at(21.0, {7.0, 0.0});
+  broken.attitude.heading = core::Radians{std::nan("")};
+  for (const OwnState& own : {broken, own_at(3.0, {7.0, 0.0})}) {
+    const Guidance held = system->step({.own = own});
+    EXPECT_EQ(held.reason, Reason::own_state_unusable);
+    EXPECT_EQ(held.mode, said.mode);
+    EXPECT_EQ(held.heading, said.heading);
+  }
+  EXPECT_EQ(system->step({.own = own_at(22.0, {7.7, 0.0})}).mode, said.mode);
+}
+
 TEST(AvoidanceSystem, ReportsObjectsInTheFlightsPlane) {
   const auto system = system_to({1000.0, 0.0});
   (void)towards_wall(*system, 150.0, 20, true);

@@ -95,7 +95,6 @@ TEST(Trap, OvertakingBergIsLetPass) {
   Flight flight = eastward();
   flight.sonar.half_width_deg = 180.0;
   flight.sonar.bearing_step_deg = 4.0;
-  flight.settings.sonar.half_width = core::Radians{std::numbers::pi};
   for (const double aside_m : {-40.0, 5.0, 60.0}) {
     flight.sea.bodies = {round_berg(-350.0, aside_m, 60.0, {0.5, 0.0})};
     expect_safe_arrival(flight, "overtaking " + std::to_string(aside_m) + " m aside");
