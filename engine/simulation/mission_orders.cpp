@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "engine/mission/argument_rules.hpp"
 #include "engine/mission/behavior_table.hpp"
 
 namespace floeplan::simulation {
@@ -196,7 +197,11 @@ class Reader {
       half.depth = {arguments.value(prefix + "target_depth", sign > 0.0 ? 3.0 : 12.0)};
       const double altitude_m = arguments.value(prefix + "target_altitude", -1.0);
       if (altitude_m >= 0.0) half.altitude = core::Metres{altitude_m};
-      if (half.depth > vehicle_.depth_rating) {
+      if (half.depth.value >= mission::first_mission_parameter) {
+        refuse(field + "target_depth",
+               "stands for a parameter that another program on board sets; the "
+               "simulator needs the depth itself");
+      } else if (half.depth > vehicle_.depth_rating) {
         refuse(field + "target_depth", "is " + text(half.depth.value) + " m, below the rating of " +
                                            vehicle_.title + " (" + text(vehicle_.depth_rating.value) +
                                            " m): the files are for another vehicle");

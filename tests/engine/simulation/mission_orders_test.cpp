@@ -101,6 +101,21 @@ TEST(MissionOrders, RefuseADocumentThatIsBrokenAndOneOfAnotherMake) {
   EXPECT_THAT(orders.error(), Contains(Field(&core::Violation::rule, HasSubstr("Seaglider"))));
 }
 
+TEST(MissionOrders, RefuseADepthThatAnotherProgramOnBoardSets) {
+  const std::vector<mission::Document> documents{
+      mission::read_document(
+          "goto_l10.ma",
+          "behavior_name=goto_list\n<start:b_arg>\n b_arg: num_waypoints(nodim) 1\n<end:b_arg>\n"
+          "<start:waypoints>\n-5157.0000 4730.0000\n<end:waypoints>\n"),
+      mission::read_document(
+          "yo10.ma", "behavior_name=yo\n<start:b_arg>\n b_arg: d_target_depth(m) 1000000\n<end:b_arg>\n")};
+
+  const auto orders = read_orders(documents, *vehicle::find_profile("slocum-g3-200"));
+
+  ASSERT_FALSE(orders.has_value());
+  EXPECT_THAT(orders.error(), Contains(Field(&core::Violation::rule, HasSubstr("the depth itself"))));
+}
+
 TEST(MissionOrders, RefuseCountsThatNoVehicleFlies) {
   for (const char* legs : {"0", "-3", "1000000000", "1e300"}) {
     const auto list = mission::read_document(
