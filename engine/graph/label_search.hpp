@@ -67,7 +67,7 @@ struct LabelSearch {
 
 /// How often a search over labels looks at its stop token: an expansion may travel each edge in several ways
 /// and past moving obstacles, some hundred microseconds in all.
-inline constexpr std::int64_t label_expansions_between_looks = 32;
+inline constexpr std::int64_t label_expansions_between_looks = 4;
 
 /// The best way from a source to a goal where more than the arrival time counts: several labels for each
 /// vertex, of which none dominates another, expanded by ascending key. Exact under the model's laws; equal

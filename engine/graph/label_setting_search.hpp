@@ -56,7 +56,9 @@ SearchTree find_earliest_arrivals(const GridGraph& graph, const Query& query, co
         tree.stopped = true;
         break;
       }
-      if (report) report(tree.counters.expansions);
+      if (report && tree.counters.expansions % expansions_between_reports == 0) {
+        report(tree.counters.expansions);
+      }
     }
     const Vertex u = queue.extract_min();
     settled[u] = true;

@@ -10,7 +10,8 @@ namespace floeplan::graph {
 
 /// How often a search looks at its stop token and reports: often enough for 100 ms, seldom enough to cost
 /// nothing.
-inline constexpr std::int64_t expansions_between_looks = 1024;
+inline constexpr std::int64_t expansions_between_looks = 64;
+inline constexpr std::int64_t expansions_between_reports = 1024;
 
 /// Earliest arrivals in a time-varying environment; label-correcting, exact under FIFO. Runs until the queue
 /// is empty, as printed: a goal or a latest arrival in the query do not end it early.
@@ -36,7 +37,9 @@ SearchTree find_earliest_arrivals_tve(const GridGraph& graph, const Query& query
         tree.stopped = true;
         break;
       }
-      if (report) report(tree.counters.expansions);
+      if (report && tree.counters.expansions % expansions_between_reports == 0) {
+        report(tree.counters.expansions);
+      }
     }
     const Vertex u = queue.extract_min();
     expanded[u] = true;

@@ -9,6 +9,7 @@
 #include "engine/planning/cost_voyage.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/openings.hpp"
+#include "engine/planning/route_search.hpp"
 #include "engine/planning/voyage_search.hpp"
 
 namespace floeplan::planning {
@@ -44,6 +45,56 @@ Result<CostWay> earliest_way(const Sea& sea, const std::vector<OpenGrid>& grids,
                  .touches_rim = found->touches_rim};
 }
 
+/// What the way costs at once and without waits; infinite where it is closed then.
+double cost_along(const Sea& sea, const std::vector<geo::PlanePoint>& path, const Objective& objective,
+                  core::Seconds depart, vehicle::Drive drive) {
+  double cost = path.empty() ? INFINITY : 0.0;
+  for (std::size_t i = 1; i < path.size() && std::isfinite(cost); ++i) {
+    const auto time = sea.leg_time(path[i - 1], path[i], depart, core::Seconds{INFINITY}, drive);
+    if (!time) return INFINITY;
+    const core::Joules energy = sea.energy().use(path[i - 1], path[i], *time, drive).total();
+    cost += objective.cost(*time, energy, sea.encounters(path[i - 1], path[i], depart, *time));
+    depart += *time;
+  }
+  return cost;
+}
+
+/// What the fastest way over a grid tells a search for the cheapest: no more than its cost need be spent, and no more
+/// time than so much can buy.
+class KnownLimit {
+ public:
+  KnownLimit(const Sea& sea, const OpenGrid& open, const PlanRequest& request, core::Seconds depart,
+             const std::stop_token& stop)
+      : foresight_{sea, open} {
+    constexpr double rounding = 1e-9;  // of sums of costs
+    if (!foresight_.is_useful()) return;
+    PlanRequest by_time = request;
+    by_time.method = Method::astar;
+    const RouteSearch fastest = search_route(sea, open, by_time, depart, stop, [](double) {});
+    double cost = INFINITY;
+    for (const vehicle::Drive drive : sea.drives()) {
+      cost = std::min(cost, cost_along(sea, fastest.path, request.objective(), depart, drive));
+    }
+    if (!std::isfinite(cost) || stop.stop_requested()) return;
+    const core::Seconds last =
+        depart + core::Seconds{cost / CostVoyage::least_rate(sea, request.objective())};
+    const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+    ladder_.emplace(foresight_, open, depart, std::min(last, end.value_or(last)), stop);
+    if (ladder_->has_hope()) limit_ = CostVoyage::Limit{(1.0 + rounding) * cost, &*ladder_};
+  }
+  KnownLimit(const KnownLimit&) = delete;
+  KnownLimit& operator=(const KnownLimit&) = delete;
+
+  [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
+  /// Null without a limit.
+  [[nodiscard]] const ArrivalLadder* ladder() const { return limit_ ? &*ladder_ : nullptr; }
+
+ private:
+  Foresight foresight_;
+  std::optional<ArrivalLadder> ladder_;
+  std::optional<CostVoyage::Limit> limit_;
+};
+
 }  // namespace
 
 Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& grids,
@@ -62,9 +113,10 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const OpenGrid& open = grids[i];
     std::optional<Openings> openings;
-    if (sea.has_timed_closures()) openings.emplace(sea, open, core::Seconds{INFINITY}, stop);
+    const KnownLimit known{sea, open, request, core::Seconds{now_s}, stop};
+    if (sea.has_timed_closures()) openings.emplace(sea, open, core::Seconds{INFINITY}, stop, known.ladder());
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    CostVoyage voyage{sea, open.grid, request.objective(), openings ? &*openings : nullptr};
+    CostVoyage voyage{sea, open.grid, request.objective(), openings ? &*openings : nullptr, known.limit()};
     const auto report = [&](std::int64_t expansions) {
       const double share = static_cast<double>(expansions) / static_cast<double>(most_labels);
       report_fraction((static_cast<double>(i) + std::min(share, 1.0)) / static_cast<double>(grids.size()));

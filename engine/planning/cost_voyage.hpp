@@ -2,8 +2,10 @@
 
 #include <cmath>
 #include <cstdint>
+#include <optional>
 
 #include "engine/graph/label_search.hpp"
+#include "engine/planning/arrival_ladder.hpp"
 #include "engine/planning/objective.hpp"
 #include "engine/planning/openings.hpp"
 #include "engine/planning/route_grid.hpp"
@@ -24,21 +26,38 @@ class CostVoyage {
     double cost{};  // by the objective, since the departure
   };
 
+  /// What is known beforehand of the voyage; changes no result.
+  struct Limit {
+    double most_cost{};       // that of a way known to be possible
+    ArrivalLadder* ladder{};  // as far as that cost may last; borrowed
+  };
+
   /// `sea` and `grid` are borrowed and outlive the voyage.
   /// `openings`: where and when it matters that something opens again, borrowed likewise; null: everywhere.
   CostVoyage(const Sea& sea, const RouteGrid& grid, const Objective& objective,
-             const Openings* openings = nullptr);
+             const Openings* openings = nullptr, const std::optional<Limit>& limit = std::nullopt);
+
+  /// No second of any voyage costs less.
+  [[nodiscard]] static double least_rate(const Sea& sea, const Objective& objective);
 
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) const {
     const geo::PlanePoint tail = grid_.point(edge.tail);
     const geo::PlanePoint head = grid_.point(edge.head);
+    double latest_s = INFINITY;
+    if (limit_) {
+      const double least_s = limit_->ladder->least_time_s(edge, arrival_s);
+      if (!is_worthwhile(edge.head, arrival_s + least_s, state.cost + least_rate_ * least_s)) return;
+      latest_s = limit_->ladder->latest_use_s(edge.head);
+    }
     for (std::uint32_t choice = 0; choice < sea_.drives().size(); ++choice) {
       const vehicle::Drive drive = sea_.drives()[choice];
-      const auto time = sea_.leg_time(tail, head, core::Seconds{arrival_s}, core::Seconds{INFINITY}, drive);
+      const auto time = sea_.leg_time(tail, head, core::Seconds{arrival_s}, core::Seconds{latest_s}, drive);
       if (!time) continue;
       const core::Joules energy = sea_.energy().use(tail, head, *time, drive).total();
       const double encounters = sea_.encounters(tail, head, core::Seconds{arrival_s}, *time);
-      emit(arrival_s + time->count(), State{state.cost + objective_.cost(*time, energy, encounters)}, choice);
+      const double cost = state.cost + objective_.cost(*time, energy, encounters);
+      if (limit_ && !is_worthwhile(edge.head, arrival_s + time->count(), cost)) continue;
+      emit(arrival_s + time->count(), State{cost}, choice);
     }
   }
 
@@ -55,12 +74,19 @@ class CostVoyage {
   }
 
  private:
+  /// The least that the rest of the way costs.
+  [[nodiscard]] double rest(graph::Vertex v, double arrival_s) const;
+  [[nodiscard]] bool is_worthwhile(graph::Vertex v, double arrival_s, double cost) const {
+    return cost + rest(v, arrival_s) <= limit_->most_cost;
+  }
   static double span(double arrival_s) { return std::floor(arrival_s / 600.0); }
 
   const Sea& sea_;
   const RouteGrid& grid_;
   Objective objective_;
   const Openings* openings_;
+  std::optional<Limit> limit_;
+  double least_rate_;
   geo::PlanePoint goal_;
   bool steady_;    // nothing in these waters changes with time
   bool closures_;  // something opens again, so that arriving later can be the only way through

@@ -49,9 +49,10 @@ Foresight::Foresight(const Sea& sea, const OpenGrid& open, core::Seconds ahead)
       open_{open},
       ahead_{ahead},
       straight_{sea, open.grid, open.graph, open.grid.goal},
-      fan_{edges_of(open)} {
+      fan_{edges_of(open)},
+      through_water_{std::max(sea.speed(sea.drives().front()), sea.speed(sea.drives().back()))} {
   longest_edge_ = core::Metres{static_cast<double>(std::ranges::max(fan_.length_m))};
-  longest_drive_ = longest_edge_ / (slowest_share * sea.through_water());
+  longest_drive_ = longest_edge_ / (slowest_share * through_water_);
   if (sea.currents()) nearby_.emplace(*sea.currents(), longest_edge_, longest_drive_);
 }
 
@@ -66,10 +67,10 @@ bool Foresight::look(graph::Vertex v, core::Seconds time, NearbyCurrents::Film f
     near = *found;
   }
   const motion::FanVehicle vehicle{
-      .through_water_m_s = static_cast<float>(sea_.through_water().value),
+      .through_water_m_s = static_cast<float>(through_water_.value),
       .ground_per_plane = static_cast<float>(sea_.least_ground_per_plane(point, longest_edge_)),
       .longest_s = static_cast<float>(longest_drive_.count()),
-      .never_stopped = !sea_.currents() || sea_.currents()->strongest() < most_share * sea_.through_water()};
+      .never_stopped = !sea_.currents() || sea_.currents()->strongest() < most_share * through_water_};
   if (fidelity == Fidelity::estimate) {
     motion::estimate_fan(fan_, near, vehicle, times_);
   } else {

@@ -39,6 +39,10 @@ class Foresight {
   [[nodiscard]] const graph::SearchTree& until_when_of_use(core::Seconds depart, core::Seconds arrive,
                                                            const std::stop_token& stop);
 
+  /// The same for these two times exactly, not kept.
+  [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
+                                             const std::stop_token& stop);
+
   /// Never more than the time of an edge for who leaves its tail then. Fast for the edges of a vertex in a row.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart);
 
@@ -47,9 +51,6 @@ class Foresight {
   /// Times all edges out of a vertex; false where nothing is known of the water.
   [[nodiscard]] bool look(graph::Vertex v, core::Seconds time, NearbyCurrents::Film film, Fidelity fidelity);
   [[nodiscard]] core::Seconds proven(const graph::Edge& edge, bool is_known) const;
-  [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
-                                             const std::stop_token& stop);
-
   struct Found {
     core::Seconds depart;
     core::Seconds arrive;
@@ -62,6 +63,7 @@ class Foresight {
   motion::EdgeFan fan_;
   core::Metres longest_edge_{};
   core::Seconds longest_drive_{};
+  core::MetresPerSecond through_water_;   // on the fastest drive
   std::optional<NearbyCurrents> nearby_;  // empty: still water
   std::optional<Found> found_;
   motion::FanTimes times_{};

@@ -1,5 +1,11 @@
 #include "engine/planning/later_ways.hpp"
 
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "engine/planning/arrival_ladder.hpp"
+#include "engine/planning/foresight.hpp"
 #include "engine/planning/openings.hpp"
 #include "engine/planning/voyage.hpp"
 
@@ -8,11 +14,22 @@ namespace floeplan::planning {
 LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds latest,
                            std::size_t most_labels, const std::stop_token& stop) {
   LaterWay result;
-  const Openings openings{sea, open, latest, stop};
+  const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+  std::optional<Foresight> foresight;
+  std::optional<ArrivalLadder> ladder;
+  const core::Seconds last = std::min(latest, end.value_or(latest));
+  if (std::isfinite(last.count()) && foresight.emplace(sea, open).is_useful()) {
+    ladder.emplace(*foresight, open, depart, last, stop);
+    if (!ladder->has_hope()) {
+      result.cancelled = stop.stop_requested();
+      return result;
+    }
+  }
+  const Openings openings{sea, open, latest, stop, ladder ? &*ladder : nullptr};
   result.cancelled = stop.stop_requested();
   if (result.cancelled || openings.empty()) return result;
 
-  const Voyage voyage{sea, open.grid, openings, latest};
+  const Voyage voyage{sea, open.grid, openings, latest, ladder ? &*ladder : nullptr};
   const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, depart.count(), {},
                                               voyage, most_labels, stop);
   result.counters = search.counters;

@@ -8,7 +8,7 @@ namespace {
 using graph::Edge;
 using graph::Vertex;
 
-constexpr Vertex vertices_between_looks = 4096;  // at the stop token: about a millisecond
+constexpr Vertex vertices_between_looks = 256;  // at the stop token: some milliseconds among icebergs
 
 std::vector<std::uint8_t> open_vertices(const Sea& sea, const RouteGrid& grid, const std::stop_token& stop) {
   std::vector<std::uint8_t> open(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny));

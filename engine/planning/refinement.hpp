@@ -99,11 +99,19 @@ class Refiner {
     }
   }
 
-  /// Twice the legs and back to as many as before, so that the points end up where they serve best.
-  void place_better(const Itinerary& chosen) {
+  /// Twice the legs and back to as many as before, so that the points end up where they serve best: again and again
+  /// until that gains nothing more.
+  void place_better(Itinerary chosen) {
+    constexpr double worth_a_round = 1e-5;  // share of the travel time
     const std::size_t legs = chosen.route.legs();
-    Itinerary finer = settle(split_to(legs_, chosen, 2 * legs));
-    found_.offer(settle(thin_to(legs_, std::move(finer), legs)));
+    for (;;) {
+      Itinerary finer = settle(split_to(legs_, chosen, 2 * legs));
+      Itinerary placed = settle(thin_to(legs_, std::move(finer), legs));
+      found_.offer(placed);
+      const core::Seconds gain = chosen.travel_time() - placed.travel_time();
+      if (placed.route.legs() != legs || gain <= worth_a_round * chosen.travel_time()) return;
+      chosen = std::move(placed);
+    }
   }
 
   LegMeter<Timer> legs_;

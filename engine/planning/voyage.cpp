@@ -5,8 +5,14 @@
 
 namespace floeplan::planning {
 
-Voyage::Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, core::Seconds latest)
-    : sea_{sea}, grid_{grid}, openings_{openings}, goal_{grid.point(grid.goal)}, latest_s_{latest.count()} {
+Voyage::Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, core::Seconds latest,
+               ArrivalLadder* ladder)
+    : sea_{sea},
+      grid_{grid},
+      openings_{openings},
+      goal_{grid.point(grid.goal)},
+      latest_s_{latest.count()},
+      ladder_{ladder} {
   const double step_m =
       std::min(std::hypot(grid.along.x_m, grid.along.y_m), std::hypot(grid.across.x_m, grid.across.y_m));
   span_s_ = (core::Metres{step_m} / sea.through_water()).count();

@@ -1,8 +1,10 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 
 #include "engine/graph/label_search.hpp"
+#include "engine/planning/arrival_ladder.hpp"
 #include "engine/planning/loiter.hpp"
 #include "engine/planning/openings.hpp"
 #include "engine/planning/route_grid.hpp"
@@ -30,13 +32,18 @@ class Voyage {
  public:
   using State = VoyageState;
 
-  /// `latest`: an arrival at the goal that is not before it is of no use. Everything is borrowed and outlives the
-  /// voyage.
-  Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, core::Seconds latest);
+  /// `latest`: an arrival at the goal that is not before it is of no use. `ladder`: bounds up to that arrival that
+  /// change no result; null: a straight line's. Everything is borrowed and outlives the voyage.
+  Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, core::Seconds latest,
+         ArrivalLadder* ladder = nullptr);
 
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) const {
     const geo::PlanePoint head = grid_.point(edge.head);
-    const double latest_s = latest_s_ - sea_.least_time(head, goal_).count();
+    double latest_s = latest_s_ - sea_.least_time(head, goal_).count();
+    if (ladder_ != nullptr) {
+      latest_s = std::min(latest_s, ladder_->latest_use_s(edge.head));
+      if (arrival_s + ladder_->least_time_s(edge, arrival_s) > latest_s) return;
+    }
     const core::Seconds arrive{arrival_s};
     for_each_opening(sea_, grid_.point(edge.tail), head, openings_.closed(edge.head), arrive,
                      core::Seconds{latest_s}, [&](const WaitedLeg& leg) {
@@ -48,7 +55,9 @@ class Voyage {
   void wait(graph::Vertex, double, const State&, auto&&) const {}
 
   [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State&) const {
-    return arrival_s + sea_.least_time(grid_.point(v), goal_).count();
+    const double straight_s = arrival_s + sea_.least_time(grid_.point(v), goal_).count();
+    if (ladder_ == nullptr || v == grid_.goal) return straight_s;
+    return std::max(straight_s, ladder_->earliest_s(v, arrival_s));
   }
 
   [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
@@ -61,6 +70,7 @@ class Voyage {
   geo::PlanePoint goal_;
   double latest_s_;
   double span_s_;
+  ArrivalLadder* ladder_;
 };
 
 }  // namespace floeplan::planning

@@ -80,9 +80,9 @@ TEST(Searches, StopAtTheNextLookOnceTheStopIsRequestedOnTheWay) {
       });
 
   EXPECT_TRUE(tve.stopped);
-  EXPECT_EQ(tve.counters.expansions, 2 * expansions_between_looks);
+  EXPECT_EQ(tve.counters.expansions, expansions_between_reports + expansions_between_looks);
   EXPECT_TRUE(label_setting.stopped);
-  EXPECT_EQ(label_setting.counters.expansions, 2 * expansions_between_looks);
+  EXPECT_EQ(label_setting.counters.expansions, expansions_between_reports + expansions_between_looks);
 }
 
 TEST(Searches, AreNotStoppedWhenTheyRunToTheEnd) {

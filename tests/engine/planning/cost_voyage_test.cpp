@@ -6,6 +6,7 @@
 #include <limits>
 #include <set>
 
+#include "engine/planning/cost_search.hpp"
 #include "engine/planning/open_grid.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
@@ -113,6 +114,56 @@ TEST(CostVoyage, IsNearlyExactInATide) {
         },
         96);
     for (const Objective& objective : objectives) expect_least_cost(environment, objective, 0.01);
+  });
+}
+
+/// What the search with its limits costs, as a share of what a search without any does.
+double share_of_plain_cost(const ocean::Environment& environment, const Objective& objective) {
+  const PlanRequest request = hybrid_request(objective);
+  const RouteGrid grid = lay_grid({-20'000.0, 0.0}, {20'000.0, 3000.0},
+                                  {core::Metres{2500.0}, core::Metres{2500.0}}, {0.5, 0.25});
+  const Sea sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, grid.bounds().grown(2500.0),
+                core::Metres{800.0}};
+  std::vector<OpenGrid> grids;
+  grids.push_back(open_grid(sea, grid, request.sectors, {}));
+  CostVoyage voyage{sea, grid, objective};
+  const auto plain = graph::find_best_labels(grids[0].graph, grid.start, grid.goal, 0.0, CostVoyage::State{},
+                                             voyage, 1'000'000, {});
+  const auto found = search_least_cost(sea, grids, request, core::Seconds{0.0}, {}, [](double) {});
+  EXPECT_EQ(plain.goal.has_value(), found.has_value());
+  if (!plain.goal || !found) return 1.0;
+  EXPECT_LE(found->statistics.expansions, plain.counters.expansions);
+  double cost = 0.0;
+  core::Seconds now{0.0};
+  const DrivenRoute& route = found->route;
+  for (std::size_t i = 1; i < route.points.size(); ++i) {
+    const auto time =
+        sea.leg_time(route.points[i - 1], route.points[i], now, core::Seconds{INFINITY}, route.drives[i - 1]);
+    if (!time) return INFINITY;
+    cost += objective.cost(
+        *time, sea.energy().use(route.points[i - 1], route.points[i], *time, route.drives[i - 1]).total());
+    now += *time;
+  }
+  return cost / plain.labels[*plain.goal].state.cost;
+}
+
+TEST(SearchLeastCost, FindsWithItsLimitsWhatASearchWithoutThemFinds) {
+  support::for_each_seed(3, [](std::mt19937_64& rng) {
+    const auto seed = static_cast<std::uint64_t>(support::uniform_int(rng, 0, 1000));
+    ocean::Environment environment;
+    environment.bathymetry =
+        support::bathymetry_from([&](geo::LonLat place) { return random_depth_m(seed, place); });
+    environment.currents = support::currents_from(
+        [&](geo::LonLat place, double hour) {
+          return geo::VelocityEn{{0.15 * std::sin(9.0 * place.lon_deg + 0.5 * hour)},
+                                 {0.1 * std::cos(0.5 * hour + static_cast<double>(seed))}};
+        },
+        240);
+    for (const Objective& objective : objectives) {
+      EXPECT_LE(share_of_plain_cost(environment, objective), 1.002);
+    }
+    environment.steady_currents = true;
+    EXPECT_NEAR(share_of_plain_cost(environment, energy_objective), 1.0, 1e-9);
   });
 }
 

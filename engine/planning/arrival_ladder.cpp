@@ -1,0 +1,61 @@
+#include "engine/planning/arrival_ladder.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace floeplan::planning {
+namespace {
+
+constexpr std::size_t most_rungs = 24;
+constexpr std::size_t most_values = 4'000'000;  // 32 MB
+constexpr int halvings = 6;  // of the time from the departure to the last arrival, to find the first rung
+constexpr double rounding_s = 1e-3;  // of sums of times
+
+}  // namespace
+
+ArrivalLadder::ArrivalLadder(Foresight& foresight, const OpenGrid& open, core::Seconds depart,
+                             core::Seconds last, const std::stop_token& stop)
+    : foresight_{foresight}, base_s_{depart.count()} {
+  const graph::Vertex start = open.grid.start;
+  const auto sweep = [&](double arrive_s) {
+    return foresight_.sweep_back(depart, core::Seconds{arrive_s}, stop);
+  };
+  const auto reaches_start = [&](const graph::SearchTree& tree) {
+    return rounding_s - tree.arrival_s(start) >= depart.count();
+  };
+  const graph::SearchTree by_last = sweep(last.count());
+  has_hope_ = reaches_start(by_last);
+  if (!has_hope_) return;
+
+  double possible_s = last.count();
+  for (int i = 0; i < halvings && !stop.stop_requested(); ++i) {
+    const double middle_s = 0.5 * (base_s_ + possible_s);
+    (reaches_start(sweep(middle_s)) ? possible_s : base_s_) = middle_s;
+  }
+
+  // Closer to each other at the bottom, where the best ways are.
+  const std::size_t count = std::clamp<std::size_t>(most_values / open.graph.size(), 1, most_rungs);
+  for (std::size_t rung = 1; rung <= count; ++rung) {
+    const double share = static_cast<double>(rung) / static_cast<double>(count);
+    rungs_s_.push_back(base_s_ + share * share * (last.count() - base_s_));
+  }
+  rungs_s_.back() = last.count();
+  until_s_.resize(open.graph.size() * count);
+  for (std::size_t rung = 0; rung < count && !stop.stop_requested(); ++rung) {
+    const graph::SearchTree tree = rung + 1 == count ? by_last : sweep(rungs_s_[rung]);
+    for (graph::Vertex v = 0; v < open.graph.size(); ++v) {
+      until_s_[v * count + rung] = rounding_s - tree.arrival_s(v);
+    }
+  }
+}
+
+double ArrivalLadder::earliest_s(graph::Vertex v, double t_s) const {
+  const auto first = until_s_.begin() + static_cast<std::ptrdiff_t>(v * rungs_s_.size());
+  const auto last = first + static_cast<std::ptrdiff_t>(rungs_s_.size());
+  const auto rung = std::partition_point(first, last, [&](double until_s) { return until_s < t_s; });
+  if (rung == last) return std::numeric_limits<double>::infinity();
+  return rung == first ? base_s_ : rungs_s_[static_cast<std::size_t>(rung - first) - 1];
+}
+
+}  // namespace floeplan::planning

@@ -1,0 +1,66 @@
+#include "engine/planning/arrival_ladder.hpp"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "engine/graph/label_setting_search.hpp"
+#include "engine/planning/grid_travel.hpp"
+#include "tests/engine/planning/foresight_waters.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+using graph::SearchTree;
+using graph::Vertex;
+
+TEST(ArrivalLadder, IsNeverLaterThanAnArrivalThatIsPossible) {
+  int bounded = 0;
+  support::for_each_seed(6, [&](std::mt19937_64& rng) {
+    const Waters waters{random_environment(rng)};
+    const core::Seconds depart{support::uniform(rng, 0.0, 40'000.0)};
+    const GridTravelTime exact{waters.sea, waters.grid};
+    const SearchTree all = graph::find_earliest_arrivals(
+        waters.open.graph, graph::Query{waters.grid.start, {}, depart}, exact, {});
+    if (!all.is_reached(waters.grid.goal)) return;
+    const double best_s = all.arrival_s(waters.grid.goal);
+    const core::Seconds last{best_s + 0.3 * (best_s - depart.count())};
+    Foresight foresight{waters.sea, waters.open};
+    ArrivalLadder ladder{foresight, waters.open, depart, last, {}};
+    ASSERT_TRUE(ladder.has_hope());
+
+    for (int i = 0; i < 20; ++i) {
+      const Vertex v = random_vertex(rng, waters.open);
+      if (!all.is_reached(v) || v == waters.grid.goal) continue;
+      const double here_s = all.arrival_s(v) + support::uniform(rng, 0.0, 5'000.0);
+      const SearchTree onward = graph::find_earliest_arrivals(
+          waters.open.graph, graph::Query{v, waters.grid.goal, core::Seconds{here_s}}, exact, {});
+      const double arrival_s = onward.arrival_s(waters.grid.goal);
+      const double bound_s = ladder.earliest_s(v, here_s);
+      if (arrival_s <= last.count()) {
+        EXPECT_LE(bound_s, arrival_s);
+        EXPECT_LE(here_s, ladder.latest_use_s(v));
+      } else {
+        EXPECT_LE(bound_s, std::isinf(bound_s) ? bound_s : last.count());
+      }
+      if (bound_s > best_s) ++bounded;
+      EXPECT_LE(bound_s, ladder.earliest_s(v, here_s + 1'000.0)) << "later at a place, no earlier bound";
+    }
+  });
+  EXPECT_GT(bounded, 0) << "it says something";
+}
+
+TEST(ArrivalLadder, HasNoHopeOfAnArrivalThatNoVehicleMakes) {
+  const Waters waters{{.currents = support::currents_from(
+                           [](geo::LonLat, double) { return geo::VelocityEn{{-0.05}, {0.0}}; }, 120)}};
+  Foresight foresight{waters.sea, waters.open};
+  const double straight_s = 40'000.0 / (waters.sea.through_water().value - 0.05);
+
+  EXPECT_FALSE((ArrivalLadder{foresight, waters.open, core::Seconds{0.0}, core::Seconds{0.9 * straight_s}, {}}
+                    .has_hope()));
+  EXPECT_TRUE((ArrivalLadder{foresight, waters.open, core::Seconds{0.0}, core::Seconds{1.1 * straight_s}, {}}
+                   .has_hope()));
+}
+
+}  // namespace
+}  // namespace floeplan::planning
