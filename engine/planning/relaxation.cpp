@@ -193,8 +193,8 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
   Relaxation relaxation{environment, request, trial, stop};
   switch (binding) {
     case Constraint::current:
-      relaxation.depart_later();
       relaxation.raise_speed();
+      relaxation.depart_later();
       break;
     case Constraint::data_period: relaxation.raise_speed(); break;
     case Constraint::iceberg:

@@ -19,10 +19,10 @@
 namespace floeplan::planning {
 namespace {
 
-// Microseconds, measured on the demonstration data: what sets the pace, not what it takes.
-constexpr std::int64_t work_of_a_leg = 3;
-constexpr std::int64_t work_of_a_label = 300;   // all legs from it
-constexpr std::int64_t work_of_a_berg = 1000;   // its forecast
+// Measured on the demonstration data: what sets the pace, not what it takes.
+constexpr std::int64_t work_of_a_leg = 6;
+constexpr std::int64_t work_of_a_label = 600;   // all legs from it
+constexpr std::int64_t work_of_a_berg = 2000;   // its forecast
 constexpr double work_of_a_vertex = 10.0;       // its part of the maps, and which of its edges are open
 constexpr double work_of_a_value = 1.0 / 50.0;  // of the currents, to average them over the depths flown
 constexpr std::size_t most_labels_of_a_trial = 100'000;
@@ -51,16 +51,23 @@ class GridTrial {
 
   Reached operator()(core::Seconds depart, core::Seconds since_surfacing) {
     if (sea_.bounds_surfacing()) return with_surfacings(depart, since_surfacing);
-    if (!sea_.has_timed_closures()) return {earliest_path(depart, GridTravelTime{sea_, open_.grid}), {}};
     const auto untimed = [this](const graph::Edge& edge, core::Seconds leaves, core::Seconds latest) {
       return sea_.leg_time_without_timed_closures(open_.grid.point(edge.tail), open_.grid.point(edge.head),
                                                   leaves, latest);
     };
-    std::vector<geo::PlanePoint> path = earliest_path(depart, untimed);
-    if (path.empty() || schedule_along(sea_, path, depart)) return {std::move(path), {}};
-    path = earliest_path(depart, GridTravelTime{sea_, open_.grid});
-    if (path.empty() && left_ > 0) path = later_path(depart);
-    return {std::move(path), {}};
+    const GridTravelTime timed{sea_, open_.grid};
+    if (!sea_.has_timed_closures())
+      return {earliest_way(depart, likely_arrival(depart, timed), timed).path, {}};
+
+    Way way = earliest_way(depart, likely_arrival(depart, untimed), untimed);
+    if (way.path.empty() || schedule_along(sea_, way.path, depart)) return {std::move(way.path), {}};
+    // Round what is in the way: seldom much farther, and what is out of reach in that time need not be looked at.
+    constexpr double detour = 1.25;
+    const core::Seconds soon = depart + detour * (way.arrival - depart);
+    way = earliest_way(depart, soon, timed);
+    if (way.path.empty()) way = earliest_way(depart, whenever, timed);
+    if (way.path.empty() && left_ > 0) way.path = later_path(depart);
+    return {std::move(way.path), {}};
   }
 
  private:
@@ -77,31 +84,60 @@ class GridTrial {
     return {std::move(found.path), found.since_surfacing};
   }
 
-  /// Times legs as long as there is work left; after that each counts as closed, and the search comes to its end.
+  struct Way {
+    std::vector<geo::PlanePoint> path;  // empty: there is none
+    core::Seconds arrival{};
+  };
+  static constexpr core::Seconds whenever{INFINITY};
+
+  /// Times a leg as long as there is work left; after that each counts as closed, and a search comes to its end.
   template <class LegTimes>
-  std::vector<geo::PlanePoint> earliest_path(core::Seconds depart, const LegTimes& leg_times) {
-    const auto rationed = [&](const graph::Edge& edge, core::Seconds leaves,
+  auto rationed(const LegTimes& leg_times) {
+    return [this, &leg_times](const graph::Edge& edge, core::Seconds leaves,
                               core::Seconds latest) -> tl::expected<core::Seconds, motion::EdgeClosed> {
       if (left_ <= 0) return tl::unexpected(motion::EdgeClosed::too_late);
       left_ -= work_of_a_leg;
       return leg_times(edge, leaves, latest);
     };
-    const graph::SearchTree tree = earliest_arrivals(depart, rationed);
-    std::vector<geo::PlanePoint> path;
+  }
+
+  /// When a way that is likely to be about the best is at the goal; infinite where it is closed.
+  template <class LegTimes>
+  core::Seconds likely_arrival(core::Seconds depart, const LegTimes& leg_times) {
+    const auto times = rationed(leg_times);
+    if (!foresight_.is_useful()) return whenever;
+    const std::vector<graph::Edge> way = foresight_.likely_way(depart, stop_);
+    if (way.empty()) return whenever;
+    for (const graph::Edge& edge : way) {
+      const auto time = times(edge, depart, whenever);
+      if (!time) return whenever;
+      depart += *time;
+    }
+    return depart;
+  }
+
+  /// The earliest way that is at the goal by `latest`.
+  template <class LegTimes>
+  Way earliest_way(core::Seconds depart, core::Seconds latest, const LegTimes& leg_times) {
+    const graph::SearchTree tree = earliest_arrivals(depart, latest, rationed(leg_times));
+    Way way;
     for (const graph::Vertex v : graph::path_to(open_.graph, tree, open_.grid.goal))
-      path.push_back(open_.grid.point(v));
-    return path;
+      way.path.push_back(open_.grid.point(v));
+    way.arrival = core::Seconds{tree.arrival_s(open_.grid.goal)};
+    return way;
   }
 
   template <class TravelTime>
-  graph::SearchTree earliest_arrivals(core::Seconds depart, const TravelTime& travel_time) {
+  graph::SearchTree earliest_arrivals(core::Seconds depart, core::Seconds latest,
+                                      const TravelTime& travel_time) {
     const StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
-    const graph::Query query{open_.grid.start, open_.grid.goal, depart};
-    const auto end = sea_.currents() ? sea_.currents()->end() : std::nullopt;
-    if (!end || !foresight_.is_useful())
-      return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, straight);
+    const graph::Query query{open_.grid.start, open_.grid.goal, depart, latest};
     // Beyond the end of the data nothing is open: what cannot be at the goal by then is not looked at.
-    const graph::SearchTree& until_when = foresight_.until_when_of_use(depart, *end, stop_);
+    const auto end = sea_.currents() ? sea_.currents()->end() : std::nullopt;
+    const core::Seconds last = std::min(latest, end.value_or(latest));
+    if (!std::isfinite(last.count()) || !foresight_.is_useful())
+      return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, straight);
+    const graph::SearchTree& until_when = foresight_.until_when_of_use(depart, last, stop_);
     const ForesightBound bound{foresight_, straight, until_when};
     if (bound.latest_use(open_.grid.start) < depart) return graph::SearchTree{open_.graph.size()};
     return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);

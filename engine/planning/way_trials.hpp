@@ -13,12 +13,12 @@ namespace floeplan::planning {
 /// Finds out of one request after the other in the same sea whether it has a plan at all, with a bounded amount of work
 /// for all of them together: each may take half of what is left.
 /// Law      where the answer is `possible`, `plan_route` finds a plan, too
-/// Work     counted in timed legs and laid out data, about a microsecond a unit, and not by a clock: the same trials
+/// Work     counted in timed legs and laid out data, half a microsecond a unit, and not by a clock: the same trials
 ///          give the same answers on every machine
 /// Threads  one at a time
 class WayTrials {
  public:
-  static constexpr std::int64_t standard_work = 2'500'000;
+  static constexpr std::int64_t standard_work = 8'000'000;
 
   /// `environment` is borrowed and outlives the trials.
   WayTrials(const ocean::Environment& environment, const std::stop_token& stop,

@@ -59,7 +59,7 @@ TEST(WayTrials, AnswerAsThePlannerDoes) {
 TEST(WayTrials, NeverDoMoreWorkThanTheyMay) {
   support::for_each_seed(2, [](std::mt19937_64& rng) {
     const ocean::Environment environment = eddies(rng);
-    const std::int64_t most_work = support::uniform_int(rng, 1, 300'000);
+    const std::int64_t most_work = support::uniform_int(rng, 1, 150'000);
     WayTrials trials{environment, {}, most_work};
 
     bool told_nothing = false;
@@ -76,8 +76,8 @@ TEST(WayTrials, SpendTheSameOnTheSameTrial) {
   support::for_each_seed(2, [](std::mt19937_64& rng) {
     const ocean::Environment environment = eddies(rng);
     const PlanRequest request = plain_request(0.2);
-    WayTrials once{environment, {}, 500'000};
-    WayTrials again{environment, {}, 500'000};
+    WayTrials once{environment, {}, 1'500'000};
+    WayTrials again{environment, {}, 1'500'000};
 
     EXPECT_EQ(once(request), again(request));
     EXPECT_EQ(once.left(), again.left());
