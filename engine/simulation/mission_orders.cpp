@@ -65,7 +65,6 @@ class Arguments {
   [[nodiscard]] int code(std::string_view name, int otherwise) const { return whole(value(name, otherwise)); }
   /// Of the file, or what the mission gives inline.
   [[nodiscard]] const std::string& where() const { return where_; }
-  [[nodiscard]] const Document* file() const { return file_; }
 
  private:
   const Behavior& own_;

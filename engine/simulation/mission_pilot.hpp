@@ -67,7 +67,6 @@ class MissionPilot {
   [[nodiscard]] bool has_finished() const { return stop_ >= path_.stops.size(); }
   /// Why the mission ended, once the phase is done.
   [[nodiscard]] const std::string& reason() const { return reason_; }
-  [[nodiscard]] const FlightPath& path() const { return path_; }
   /// Whether mission or guidance ask for the propeller.
   [[nodiscard]] bool uses_thruster(const avoidance::Guidance& guidance) const;
 
