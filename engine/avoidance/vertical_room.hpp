@@ -15,6 +15,8 @@ namespace floeplan::avoidance {
 
 /// The depths left to the saw-tooth between ice above and the sea bed below, and which echoes the vehicle need not go
 /// round because it passes above or below what they come from.
+/// Sonar    an echo counts as from the axis of its beam. A cover that beams 20 degrees high meet at a shallow angle looks as
+///          if it reached down to the axis, and is gone round like a wall until it is overhead
 /// Frame    water
 /// Memory   fixed; no member allocates
 class VerticalRoom {
