@@ -25,6 +25,7 @@ int main(int argc, char** argv) {
   cli::add_plan(app, program);
   cli::add_evaluate(app, program);
   cli::add_reach(app, program);
+  cli::add_simulate(app, program);
   cli::add_export(app, program);
   cli::add_check(app, program);
   cli::add_compare_flight(app, program);

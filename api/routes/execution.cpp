@@ -6,6 +6,7 @@
 #include "api/codec/json_text.hpp"
 #include "api/codec/plan_inputs.hpp"
 #include "api/codec/reach_inputs.hpp"
+#include "api/codec/simulate_inputs.hpp"
 #include "api/routes/job_reply.hpp"
 #include "api/routes/preferences.hpp"
 #include "api/routes/reply.hpp"
@@ -103,6 +104,14 @@ tl::expected<json, core::Violations> checked_ingest_inputs(const Context& contex
   return codec::to_json(*parsed);
 }
 
+tl::expected<json, core::Violations> checked_simulate_inputs(const Context& context, const json& inputs) {
+  const auto parsed = codec::parse_simulate_inputs(inputs);
+  if (!parsed) return tl::unexpected(parsed.error());
+  if (!repository::PlanRepository{context.db}.find({parsed->plan_id}))
+    return tl::unexpected(core::Violations{{"/plan_id", "no plan has the id " + parsed->plan_id}});
+  return codec::to_json(*parsed);
+}
+
 using CheckInputs = tl::expected<json, core::Violations> (*)(const Context&, const json&);
 
 /// Null when there is no such process.
@@ -111,6 +120,7 @@ CheckInputs check_of(const std::string& process) {
   if (process == "evaluate-route") return checked_evaluate_inputs;
   if (process == "reach") return checked_reach_inputs;
   if (process == "ingest") return checked_ingest_inputs;
+  if (process == "simulate-plan") return checked_simulate_inputs;
   return nullptr;
 }
 

@@ -1,3 +1,4 @@
+#include "api/codec/simulate_inputs.hpp"
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
@@ -233,6 +234,53 @@ json ingest_inputs() {
       {"zone_kind", input("Rule of zones whose file states none", one_of({"no_go", "stay_in"}))}};
 }
 
+json simulate_inputs() {
+  const json object{{"type", "object"}};
+  const json text{{"type", "string"}};
+  const auto integer = [](int least, int most) {
+    return json{{"type", "integer"}, {"minimum", least}, {"maximum", most}};
+  };
+  return {
+      {"plan_id", input("The stored plan to fly", text, true)},
+      {"mission_files",
+       input("Mission files to fly instead of those that the plan is exported as",
+             {{"type", "array"}, {"items", file_schema()}, {"minItems", 1}, {"maxItems", 100}})},
+      {"vehicle", input("Refuse a plan for another vehicle than this", text)},
+      {"runs",
+       input("Flights, each with errors and icebergs of its own; default 1", integer(1, codec::most_runs))},
+      {"seed",
+       input("Of all chance: the same seed gives the same flights; default 1", integer(0, 2'000'000'000))},
+      {"tracks", input("Flights to keep whole, the first ones; default 10", integer(0, codec::most_tracks))},
+      {"avoidance",
+       input("Fly with sonar, ADCP and the obstacle avoidance system; default true", {{"type", "boolean"}})},
+      {"current_error",
+       input("How far the currents are from the forecast: rms_m_s, length_scale_m, depth_scale_m, "
+             "time_scale_s",
+             object)},
+      {"sonar", input("Settings of the sonar that differ from the defaults", object)},
+      {"altimeter", input("Settings of the altimeter that differ from the defaults", object)},
+      {"adcp", input("Settings of the ADCP that differ from the defaults", object)},
+      {"navigation",
+       input("Errors of the vehicle's own sensors: compass_sigma_deg, speed_sigma_share, fix_sigma_m, "
+             "current_sigma_m_s",
+             object)},
+      {"longest_s", input("Longest flight, seconds; default thrice the planned time and a day",
+                          number_schema(60.0, 90.0 * 86400.0))},
+      {"record_every_s",
+       input("From one point of a track to the next, seconds; default 60", number_schema(1.0, 86400.0))},
+      {"currents", input("True currents: newest, none, an id or several ids; default the plan's choice",
+                         several_datasets_schema())},
+      {"steady", input("As of plan-route; default the plan's choice", {{"type", "boolean"}})},
+      {"tides", input("As of plan-route; default the plan's choice", several_datasets_schema())},
+      {"tides_mode", input("As of plan-route; default the plan's choice", one_of({"add", "only"}))},
+      {"bathymetry", input("Sea bed: newest, none or an id; default the plan's choice", dataset_schema())},
+      {"ice", input("Sea ice: newest, none or an id; default the plan's choice", dataset_schema())},
+      {"icebergs", input("Icebergs: newest, none or an id; default the plan's choice", dataset_schema())},
+      {"icebergs_as_of", input("Use no sighting later than this; default the plan's choice",
+                               {{"type", "string"}, {"format", "date-time"}})},
+      {"name", input("Name of the simulation, for people", {{"type", "string"}, {"maxLength", 200}})}};
+}
+
 json process(const std::string& id, const std::string& title, const std::string& description) {
   return {{"id", id},
           {"title", title},
@@ -269,7 +317,14 @@ std::vector<Description> descriptions() {
                "Recognises each file by its content, checks it and stores it whole, or refuses it and says "
                "why. A file "
                "that is refused is part of the report: the job is successful."),
-       ingest_inputs, "report", "What became of each file"}};
+       ingest_inputs, "report", "What became of each file"},
+      {process("simulate-plan", "Fly a plan in the test bed",
+               "Flies a stored plan by its own mission files in a simulated sea, once or many times, with "
+               "errors of "
+               "currents and sensors and with icebergs, with or without the obstacle avoidance system on "
+               "board, and "
+               "tells how arrivals, position errors, clearances and energy are spread."),
+       simulate_inputs, "simulation", "A row for each flight, and their statistics"}};
 }
 
 json with_links(json summary, const std::string& url) {

@@ -49,6 +49,7 @@ void add_check(CLI::App& app, Program& program);
 void add_compare_flight(CLI::App& app, Program& program);
 void add_reproduce(CLI::App& app, Program& program);
 void add_demo(CLI::App& app, Program& program);
+void add_simulate(CLI::App& app, Program& program);
 void add_serve(CLI::App& app, Program& program);
 
 }  // namespace floeplan::cli

@@ -1,11 +1,15 @@
 #include "server/jobs/process_runner.hpp"
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "api/codec/plan_inputs.hpp"
 #include "api/codec/reach_inputs.hpp"
+#include "api/codec/simulate_inputs.hpp"
 #include "server/jobs/plan_service.hpp"
 #include "server/jobs/reach_service.hpp"
+#include "server/jobs/simulation_service.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -54,6 +58,12 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
     const auto report = ingest_document(db, *inputs, place, stop, progress, now);
     if (!report) return tl::unexpected(report.error());
     return json{{"report", *report}}.dump(-1, ' ', false, json::error_handler_t::replace);
+  }
+  if (job.process == "simulate-plan") {
+    const auto inputs = codec::parse_simulate_inputs(request);
+    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
+    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
+    return result("simulation", simulate_plan_document(db, *inputs, cores, stop, progress, now));
   }
   return tl::unexpected("this version knows no process " + job.process);
 }

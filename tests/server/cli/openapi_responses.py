@@ -153,6 +153,21 @@ def reaches():
     execute("reach", {**reach, "from": ON_LAND, "depart": DEPART})
 
 
+def simulations(plan):
+    made = execute("simulate-plan", {"plan_id": plan, "runs": 2, "tracks": 1, "longest_s": 1800, "icebergs": "none"})
+    name = made["simulation"]["simulation_id"]
+    execute("simulate-plan", {"plan_id": plan, "runs": 0}, 400)
+    drive("GET", "/simulations", 200, query=f"?plan_id={plan}")
+    drive("GET", "/simulations/{simulation_id}", 200, simulation_id=name)
+    drive("GET", "/simulations/{simulation_id}/flights/{run}", 200, simulation_id=name, run=0)
+    drive("GET", "/simulations/{simulation_id}/flights/{run}", 404, simulation_id=name, run=1)
+    drive("GET", "/simulations/{simulation_id}/tracks.nc", 200, simulation_id=name)
+    drive("GET", "/simulations/{simulation_id}/tracks.geojson", 200, query="?run=0", simulation_id=name)
+    drive("GET", "/simulations/{simulation_id}/tracks.nc", 404, query="?run=1", simulation_id=name)
+    drive("DELETE", "/simulations/{simulation_id}", 204, simulation_id=name)
+    drive("GET", "/simulations/{simulation_id}", 404, simulation_id=name)
+
+
 def jobs():
     for process, inputs in (("plan-route", {**PLAIN, "refine": False}),
                             ("evaluate-route", {"route": [FROM, TO], "depart": DEPART, "icebergs": "none"}),
@@ -226,7 +241,7 @@ def uploads():
 def rest():
     for template in ("/", "/conformance", "/processes", "/vehicles", "/healthz", "/version", "/api"):
         drive("GET", template, 200)
-    for process in ("plan-route", "evaluate-route", "reach", "ingest"):
+    for process in ("plan-route", "evaluate-route", "reach", "simulate-plan", "ingest"):
         drive("GET", "/processes/{process_id}", 200, process_id=process)
     drive("GET", "/app/{path}", 404, path="none.js")
     drive("POST", "/missions/check", 200, MISSION.encode(), {"Content-Type": "text/plain"}, "?name=goto_l10.ma")
@@ -268,7 +283,9 @@ def missing():
 try:
     closed_answers()
     rest()
-    collections(plans())
+    plan = plans()
+    simulations(plan)
+    collections(plan)
     judged_routes()
     reaches()
     jobs()

@@ -1,0 +1,56 @@
+#pragma once
+
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "engine/core/violation.hpp"
+#include "engine/simulation/adcp_settings.hpp"
+#include "engine/simulation/altimeter.hpp"
+#include "engine/simulation/current_error_field.hpp"
+#include "engine/simulation/flight.hpp"
+#include "engine/simulation/sonar_settings.hpp"
+
+namespace floeplan::codec {
+
+/// Most flights of one batch, and most of them that are kept whole.
+inline constexpr int most_runs = 10'000;
+inline constexpr int most_tracks = 100;
+
+struct SimulatedFile {
+  std::string name;
+  std::string text;
+};
+
+/// Inputs of process simulate-plan.
+struct SimulateInputs {
+  std::string plan_id;
+  std::vector<SimulatedFile>
+      mission_files;                   // flown instead of those that the plan is exported as; empty: those
+  std::optional<std::string> vehicle;  // what the vehicle that flies is; must be the plan's
+  int runs{1};
+  std::uint64_t seed{1};
+  int tracks{1};         // flights kept whole, the first ones
+  bool avoidance{true};  // with sonar, ADCP and the obstacle avoidance system on board
+  simulation::CurrentErrorSettings current_error{};
+  simulation::SonarSettings sonar{};
+  simulation::AltimeterSettings altimeter{};
+  simulation::AdcpSettings adcp{};
+  simulation::FlightSettings flight{.record_every = core::Seconds{60.0}};
+  std::optional<core::Seconds> longest;  // a flight; empty: as long as the plan lets expect
+  nlohmann::json data =
+      nlohmann::json::object();  // members of the plan's inputs that choose other data than the plan's
+  std::string name;
+};
+
+/// Errors   every violation at once, each with the JSON pointer of its value relative to `inputs`
+[[nodiscard]] tl::expected<SimulateInputs, core::Violations> parse_simulate_inputs(
+    const nlohmann::json& inputs);
+
+/// The inputs with every default written out and keys in a fixed order: the same request gives the same text.
+[[nodiscard]] nlohmann::json to_json(const SimulateInputs& inputs);
+
+}  // namespace floeplan::codec

@@ -1,0 +1,229 @@
+#include <algorithm>
+#include <chrono>
+#include <cmath>
+#include <cstdint>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <stdexcept>
+#include <thread>
+
+#include "api/codec/simulate_inputs.hpp"
+#include "api/routes/simulation_exports.hpp"
+#include "server/cli/command.hpp"
+#include "server/cli/file_set.hpp"
+#include "server/cli/input_flags.hpp"
+#include "server/cli/plan_output.hpp"
+#include "server/jobs/scenario_service.hpp"
+#include "server/jobs/simulation_service.hpp"
+#include "storage/repository/migrations.hpp"
+#include "storage/repository/simulation_repository.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+
+struct Flags {
+  std::string plan_id;
+  std::string scenario;
+  std::optional<std::string> request_file;
+  std::optional<int> runs;
+  std::optional<int> seed;
+  std::optional<int> tracks;
+  std::optional<double> current_error_m_s;
+  std::optional<double> record_every_s;
+  std::optional<std::string> vehicle;
+  std::vector<std::string> missions;
+  std::optional<std::string> currents;
+  std::optional<std::string> bathymetry;
+  std::optional<std::string> ice;
+  std::optional<std::string> icebergs;
+  std::optional<std::string> name;
+  bool no_avoidance{false};
+  std::size_t workers{std::max(1U, std::thread::hardware_concurrency())};
+  std::optional<std::filesystem::path> out;
+  bool force{false};
+  bool json_out{false};
+};
+
+template <class Value>
+void set(json& inputs, const char* key, const std::optional<Value>& value) {
+  if (value) inputs[key] = *value;
+}
+
+/// The flags over the members of the request file.
+json inputs_of(const Flags& flags) {
+  json inputs = json::object();
+  if (flags.request_file) {
+    inputs = json::parse(file_member(*flags.request_file).at("text").get<std::string>(), nullptr, false);
+    if (!inputs.is_object())
+      throw std::runtime_error{*flags.request_file +
+                               " is no JSON object; it holds the inputs of simulate-plan"};
+  }
+  inputs["plan_id"] = flags.plan_id;
+  set(inputs, "runs", flags.runs);
+  set(inputs, "seed", flags.seed);
+  set(inputs, "tracks", flags.tracks);
+  set(inputs, "vehicle", flags.vehicle);
+  set(inputs, "record_every_s", flags.record_every_s);
+  set(inputs, "currents", flags.currents);
+  set(inputs, "bathymetry", flags.bathymetry);
+  set(inputs, "ice", flags.ice);
+  set(inputs, "icebergs", flags.icebergs);
+  set(inputs, "name", flags.name);
+  if (flags.no_avoidance) inputs["avoidance"] = false;
+  if (flags.current_error_m_s) inputs["current_error"]["rms_m_s"] = *flags.current_error_m_s;
+  for (const std::string& file : flags.missions) inputs["mission_files"].push_back(file_member(file));
+  return inputs;
+}
+
+void print_distribution(const char* what, const json& distribution, double unit, const char* unit_name) {
+  if (distribution.is_null()) return;
+  std::printf("%-24s", what);
+  for (const json& quantile : distribution.at("quantiles"))
+    std::printf(" %9.2f", quantile.at("value").get<double>() / unit);
+  std::printf("  %s\n", unit_name);
+}
+
+void print_statistics(const json& document) {
+  const json& statistics = document.at("statistics");
+  for (const json& end : statistics.at("ends")) {
+    const json& interval = end.at("share_interval_95");
+    std::printf("%-24s %9d  %5.1f %% (%.1f to %.1f)\n", end.at("end").get<std::string>().c_str(),
+                end.at("runs").get<int>(), 100.0 * end.at("share").get<double>(),
+                100.0 * interval[0].get<double>(), 100.0 * interval[1].get<double>());
+  }
+  std::printf("%-24s %9s %9s %9s %9s %9s\n", "quantiles", "5 %", "25 %", "50 %", "75 %", "95 %");
+  print_distribution("travel time, arrived", statistics.at("travel_time_s"), 3600.0, "h");
+  print_distribution("position error, end", statistics.at("final_position_error_m"), 1.0, "m");
+  print_distribution("position error, worst", statistics.at("worst_position_error_m"), 1.0, "m");
+  print_distribution("clearance", statistics.at("clearance_m"), 1.0, "m");
+  print_distribution("energy, arrived", statistics.at("energy_j"), 1000.0, "kJ");
+  if (const json& detour = document.at("median_detour_pct"); !detour.is_null())
+    std::printf("median detour %.1f %%\n", detour.get<double>());
+  std::printf("simulated %.0f times faster than real time\n", document.at("real_time_factor").get<double>());
+}
+
+void print_table(const json& document) {
+  std::printf("simulation %s of plan %s: %d runs, seed %s, obstacle avoidance %s\n",
+              document.at("simulation_id").get<std::string>().c_str(),
+              document.at("plan_id").get<std::string>().c_str(), document.at("runs").get<int>(),
+              document.at("seed").get<std::string>().c_str(),
+              document.at("avoidance").get<bool>() ? "on" : "off");
+  print_statistics(document);
+  std::printf("planned travel time %.2f h\n", document.at("planned_travel_time_s").get<double>() / 3600.0);
+  for (const json& warning : document.at("warnings"))
+    std::printf("warning: %s\n", warning.get<std::string>().c_str());
+}
+
+/// Simulated time of all runs over the time that they took.
+double real_time_factor(const json& document, std::chrono::steady_clock::time_point begin) {
+  double simulated_s = 0.0;
+  for (const json& flight : document.at("flights")) simulated_s += flight.at("travel_time_s").get<double>();
+  const core::Seconds took = std::chrono::steady_clock::now() - begin;
+  return std::round(simulated_s / std::max(1e-3, took.count()));
+}
+
+int write_files(sqlite::Connection& db, const json& document, const Flags& flags) {
+  const std::string id = document.at("simulation_id").get<std::string>();
+  const auto record = repository::SimulationRepository{db}.find({id});
+  std::vector<OutputFile> files;
+  for (const auto& format : routes::simulation_formats())
+    files.push_back({id + "." + format.name, *routes::export_simulation(db, *record, format, {})});
+  if (const auto there = first_existing(*flags.out, files); there && !flags.force)
+    return complain(could_not, there->string() + " exists; --force replaces it");
+  for (const auto& file : write_set(*flags.out, files)) std::cerr << "wrote " << file.string() << '\n';
+  return done;
+}
+
+int run(const Flags& flags, const Program& program) {
+  const auto inputs = codec::parse_simulate_inputs(inputs_of(flags));
+  if (!inputs) return print_violations(inputs.error(), flags.json_out);
+  if (flags.out && inputs->tracks == 0)
+    return complain(wrong_usage, "--out writes the flights that are kept, of which --tracks 0 leaves none");
+
+  auto db = repository::open_store(program.store);
+  const auto begin = std::chrono::steady_clock::now();
+  auto document = jobs::simulate_plan_document(db, *inputs, flags.workers, {}, terminal_progress(), now());
+  if (!document) return print_violations(document.error(), flags.json_out);
+  (*document)["real_time_factor"] = real_time_factor(*document, begin);
+  if (flags.json_out) {
+    std::cout << document->dump(2) << '\n';
+  } else {
+    print_table(*document);
+  }
+  return flags.out ? write_files(db, *document, flags) : done;
+}
+
+int run_scenario(const Flags& flags) {
+  const jobs::ScenarioRuns asked{.runs = flags.runs.value_or(1),
+                                 .seed = static_cast<std::uint64_t>(flags.seed.value_or(1)),
+                                 .avoidance = !flags.no_avoidance,
+                                 .workers = flags.workers};
+  const auto begin = std::chrono::steady_clock::now();
+  json document = jobs::random_icebergs_document(asked, {}, terminal_progress());
+  document["real_time_factor"] = real_time_factor(document, begin);
+  if (flags.json_out) {
+    std::cout << document.dump(2) << '\n';
+    return done;
+  }
+  std::printf("%s: %d runs, seed %s, obstacle avoidance %s\n", flags.scenario.c_str(), asked.runs,
+              document.at("seed").get<std::string>().c_str(), asked.avoidance ? "on" : "off");
+  print_statistics(document);
+  return done;
+}
+
+}  // namespace
+
+void add_simulate(CLI::App& app, Program& program) {
+  auto flags = std::make_shared<Flags>();
+  auto* command = app.add_subcommand("simulate", "Fly a stored plan in the test bed, once or many times");
+  command->add_option("PLAN", flags->plan_id, "The plan's id");
+  command
+      ->add_option("--scenario", flags->scenario,
+                   "Instead of a plan: random-icebergs, 5 km through icebergs that nobody knew of; takes "
+                   "--runs, --seed, "
+                   "--no-avoidance, --workers and --json")
+      ->check(CLI::IsMember({"random-icebergs"}));
+  command->add_option("--request", flags->request_file,
+                      "JSON file with the inputs of process simulate-plan, for what has no flag");
+  command->add_option("--runs", flags->runs, "Flights, each with errors and icebergs of its own; default 1")
+      ->check(CLI::Range(1, codec::most_runs));
+  command->add_option("--seed", flags->seed, "Of all chance; the same seed gives the same flights; default 1")
+      ->check(CLI::Range(0, 2'000'000'000));
+  command->add_option("--tracks", flags->tracks, "Flights to keep whole, the first ones; default 10");
+  command->add_option("--current-error", flags->current_error_m_s,
+                      "How far the currents are from the forecast, m/s rms of each component; default 0");
+  command->add_flag("--no-avoidance", flags->no_avoidance,
+                    "Without sonar, ADCP and the obstacle avoidance system on board");
+  command
+      ->add_option("--mission", flags->missions,
+                   "Mission file to fly instead of those that the plan is exported as; may be repeated")
+      ->allow_extra_args(false);
+  command->add_option("--vehicle", flags->vehicle, "Refuse a plan for another vehicle than this");
+  command->add_option("--currents", flags->currents,
+                      "True currents: an id, newest or none; default the plan's choice");
+  command->add_option("--bathymetry", flags->bathymetry,
+                      "Sea bed: an id, newest or none; default the plan's choice");
+  command->add_option("--ice", flags->ice, "Sea ice: an id, newest or none; default the plan's choice");
+  command->add_option("--icebergs", flags->icebergs,
+                      "Icebergs: an id, newest or none; default the plan's choice");
+  command->add_option("--record-every", flags->record_every_s,
+                      "Seconds between two points of a track; default 60");
+  command->add_option("--name", flags->name, "Name of the simulation");
+  command->add_option("--workers", flags->workers, "Flights at the same time; does not change what comes out")
+      ->check(CLI::Range(1, 256));
+  command->add_option("--out", flags->out, "Folder to write the kept flights into, as NetCDF and GeoJSON");
+  command->add_flag("--force", flags->force, "Replace files that exist");
+  command->add_flag("--json", flags->json_out, "Answer with one JSON document");
+  command->callback([flags, &program] {
+    if (flags->plan_id.empty() == flags->scenario.empty())
+      throw CLI::ValidationError{"simulate", "takes the id of a plan, or --scenario and no plan"};
+    program.exit_code = flags->scenario.empty() ? run(*flags, program) : run_scenario(*flags);
+  });
+}
+
+}  // namespace floeplan::cli

@@ -1,0 +1,26 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <nlohmann/json_fwd.hpp>
+#include <stop_token>
+
+#include "engine/core/progress.hpp"
+
+namespace floeplan::jobs {
+
+/// How often a scenario is flown.
+struct ScenarioRuns {
+  int runs{1};
+  std::uint64_t seed{1};
+  bool avoidance{true};
+  std::size_t workers{1};
+};
+
+/// Flies so many seas full of icebergs that the plan does not know (simulation::random_icebergs), each with a seed of its own;
+/// stores nothing.
+/// Returns  how the flights ended, a row for each, and their statistics; the same with any number of workers
+[[nodiscard]] nlohmann::json random_icebergs_document(const ScenarioRuns& asked, const std::stop_token& stop,
+                                                      const core::ProgressCallback& progress);
+
+}  // namespace floeplan::jobs

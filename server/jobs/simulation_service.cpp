@@ -1,0 +1,308 @@
+#include "server/jobs/simulation_service.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "api/codec/flight_document.hpp"
+#include "api/codec/plan_document.hpp"
+#include "api/codec/plan_inputs.hpp"
+#include "api/codec/sha256.hpp"
+#include "engine/core/random.hpp"
+#include "engine/core/utc_text.hpp"
+#include "engine/mission/mission_set.hpp"
+#include "engine/mission/read_document.hpp"
+#include "engine/simulation/equipped_vehicle.hpp"
+#include "engine/simulation/make_world.hpp"
+#include "server/jobs/parallel_runs.hpp"
+#include "storage/repository/environment_loader.hpp"
+#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/simulation_repository.hpp"
+
+namespace floeplan::jobs {
+namespace {
+
+using codec::SimulateInputs;
+using nlohmann::json;
+using simulation::FlightRecord;
+
+/// A plan as it is to be flown.
+struct FlownPlan {
+  repository::PlanRecord record;
+  planning::Plan plan;
+  vehicle::GliderProfile vehicle;
+  repository::EnvironmentQuery data;
+};
+
+core::Violations below(const std::string& pointer, core::Violations violations) {
+  for (core::Violation& violation : violations) violation.field.insert(0, pointer);
+  return violations;
+}
+
+/// The plan, with the choice of data that the simulation makes instead of the plan's own.
+tl::expected<FlownPlan, core::Violations> plan_of(sqlite::Connection& db, const SimulateInputs& inputs) {
+  auto record = repository::PlanRepository{db}.find({inputs.plan_id});
+  if (!record) return tl::unexpected(core::Violations{{"/plan_id", "no plan has the id " + inputs.plan_id}});
+  json request = json::parse(record->request_json);
+  request.update(inputs.data);
+  auto planned = codec::parse_plan_inputs(request);
+  if (!planned) return tl::unexpected(planned.error());
+  const vehicle::GliderProfile& vehicle = planned->request.vehicle;
+  if (inputs.vehicle && *inputs.vehicle != vehicle.name) {
+    return tl::unexpected(core::Violations{
+        {"/vehicle", "is " + *inputs.vehicle + ", but the plan " + inputs.plan_id + " is for " +
+                         vehicle.name + "; plan anew for the vehicle that shall fly, or leave it out"}});
+  }
+  planning::Plan plan = codec::parse_plan_document(json::parse(record->document_json));
+  planned->data.depart = plan.departure;
+  planned->data.until = repository::CoveredUntil{"plan_id", plan.arrival};
+  planned->data.may_begin_later = false;
+  return FlownPlan{std::move(*record), std::move(plan), vehicle, std::move(planned->data)};
+}
+
+/// The files that were given, or those that the plan is exported as.
+tl::expected<std::vector<codec::SimulatedFile>, core::Violations> files_of(const SimulateInputs& inputs,
+                                                                           const FlownPlan& flown) {
+  if (!inputs.mission_files.empty()) return inputs.mission_files;
+  mission::MissionSetOptions options;
+  options.vehicle = flown.vehicle;
+  options.lists.max_waypoints = flown.vehicle.max_waypoints_per_list;
+  options.lists.origin = {flown.record.id.value, flown.record.name, flown.plan.departure, "floeplan"};
+  const auto set = mission::write_mission_set(flown.plan, options);
+  if (!set) return tl::unexpected(set.error());
+  std::vector<codec::SimulatedFile> files;
+  for (const auto& file : set->files) files.push_back({file.name, file.text});
+  return files;
+}
+
+tl::expected<simulation::MissionOrders, core::Violations> orders_of(
+    const std::vector<codec::SimulatedFile>& files, const vehicle::GliderProfile& vehicle) {
+  std::vector<mission::Document> documents;
+  for (const codec::SimulatedFile& file : files)
+    documents.push_back(mission::read_document(file.name, file.text));
+  auto orders = simulation::read_orders(documents, vehicle);
+  if (!orders) return tl::unexpected(below("/mission_files/", orders.error()));
+  return orders;
+}
+
+/// The same plan, inputs and data, simulated by the same version, have the same id.
+std::string simulation_id(const json& inputs, const FlownPlan& flown, const ocean::Environment& environment) {
+  std::string text = std::string{FLOEPLAN_VERSION} + "\n" + inputs.dump() + "\n" + flown.record.document_json;
+  for (const auto& dataset : environment.datasets) text += "\n" + dataset.id + " " + dataset.sha256;
+  return "s" + codec::sha256(text).substr(0, 12);
+}
+
+std::vector<geo::LonLat> places_of(const FlownPlan& flown, const simulation::MissionOrders& orders) {
+  std::vector<geo::LonLat> places{flown.plan.waypoints.front().place};
+  for (const simulation::GotoOrders& list : orders.lists)
+    places.insert(places.end(), list.waypoints.begin(), list.waypoints.end());
+  return places;
+}
+
+/// Thrice the planned time and a day, unless told: who is not there by then turned back long ago.
+core::Seconds longest_of(const SimulateInputs& inputs, const planning::Plan& plan) {
+  return inputs.longest.value_or(3.0 * plan.travel_time() + core::Seconds{86400.0});
+}
+
+/// All that the runs of a batch share.
+class Batch {
+ public:
+  Batch(const SimulateInputs& inputs, const FlownPlan& flown, const simulation::MissionOrders& orders,
+        const ocean::Environment& environment, const std::stop_token& stop)
+      : inputs_{inputs},
+        flown_{flown},
+        orders_{orders},
+        environment_{environment},
+        route_{places_of(flown, orders)},
+        equipment_{simulation::Sonar{inputs.sonar}, simulation::Altimeter{inputs.altimeter},
+                   simulation::AdcpErrorModel{inputs.adcp}},
+        settings_{inputs.flight},
+        forecast_{world_of(0, {}, stop)} {
+    settings_.longest = longest_of(inputs, flown.plan);
+    settings_.hull = simulation::hull_motion_for(flown.vehicle);
+    if (!inputs.avoidance) return;
+    system_ = simulation::system_for(forecast_, orders, route_.front(), flown.plan.departure,
+                                     flown.plan.travel_time());
+    system_->settings = simulation::avoidance_for(flown.vehicle, orders, inputs.sonar);
+  }
+
+  /// Why no run of it can begin.
+  [[nodiscard]] core::Violations violations() const {
+    core::Violations found = simulation::violations(request_in(forecast_, 0));
+    if (system_ && !system_->settings.violations().empty()) {
+      const core::Violation& first = system_->settings.violations().front();
+      found.push_back({"/sonar", "does not suit the obstacle avoidance system: its " + first.field.substr(1) +
+                                     " " + first.rule + "; or fly without it, with avoidance false"});
+    }
+    return found;
+  }
+
+  [[nodiscard]] FlightRecord fly(std::size_t run, const std::stop_token& stop) const {
+    const std::uint64_t seed = core::seed_of_run(inputs_.seed, run);
+    const simulation::World world = world_of(seed, inputs_.current_error, stop);
+    simulation::EquippedVehicle on_board{equipment_, world, seed, system_, stop};
+    FlightRecord record = simulation::fly(request_in(world, seed), on_board, stop);
+    record.sensors.sonar = on_board.log().sonar;
+    record.sensors.altimeter = on_board.log().altimeter;
+    record.sensors.currents = on_board.log().currents;
+    return record;
+  }
+
+  /// Of the frame of all its worlds.
+  [[nodiscard]] const geo::LocalProjection& projection() const { return forecast_.projection(); }
+
+ private:
+  [[nodiscard]] simulation::World world_of(std::uint64_t seed, const simulation::CurrentErrorSettings& error,
+                                           const std::stop_token& stop) const {
+    simulation::WorldSettings settings;
+    settings.current_error = error;
+    const core::UtcTime begin = flown_.plan.departure;
+    return simulation::make_world(environment_, route_, begin, begin + longest_of(inputs_, flown_.plan),
+                                  settings, seed, stop);
+  }
+
+  [[nodiscard]] simulation::FlightRequest request_in(const simulation::World& world,
+                                                     std::uint64_t seed) const {
+    return {.world = world,
+            .orders = orders_,
+            .vehicle = flown_.vehicle,
+            .start = route_.front(),
+            .departure = flown_.plan.departure,
+            .settings = settings_,
+            .seed = seed};
+  }
+
+  const SimulateInputs& inputs_;  // borrowed
+  const FlownPlan& flown_;
+  const simulation::MissionOrders& orders_;
+  const ocean::Environment& environment_;
+  std::vector<geo::LonLat> route_;
+  simulation::Equipment equipment_;
+  simulation::FlightSettings settings_;
+  simulation::World forecast_;  // without any error
+  std::optional<simulation::SystemOnBoard> system_;
+};
+
+struct Flown {
+  std::vector<simulation::RunSummary> summaries;
+  std::vector<repository::SimulatedFlight> kept;
+};
+
+Flown fly_all(const Batch& batch, const SimulateInputs& inputs, std::size_t workers,
+              const std::stop_token& stop, const core::ProgressCallback& progress) {
+  const auto runs = static_cast<std::size_t>(inputs.runs);
+  const auto tracks = static_cast<std::size_t>(inputs.tracks);
+  Flown flown{std::vector<simulation::RunSummary>(runs), std::vector<repository::SimulatedFlight>(tracks)};
+  run_in_parallel(
+      runs, workers, stop,
+      [&](std::size_t run, const std::stop_token& run_stop) {
+        const FlightRecord record = batch.fly(run, run_stop);
+        flown.summaries[run] = simulation::summary_of(record);
+        if (run < tracks) {
+          flown.kept[run] = {static_cast<std::int64_t>(run),
+                             codec::flight_document(record, batch.projection(), run).dump()};
+        }
+      },
+      [&](std::size_t done) {
+        if (progress) progress("flying", static_cast<double>(done) / static_cast<double>(runs));
+      });
+  return flown;
+}
+
+json datasets_json(const ocean::Environment& environment) {
+  json datasets = json::array();
+  for (const auto& dataset : environment.datasets) {
+    datasets.push_back(
+        {{"id", dataset.id}, {"kind", dataset.kind}, {"name", dataset.name}, {"sha256", dataset.sha256}});
+  }
+  return datasets;
+}
+
+/// Median of how much longer the way of the runs that arrived was than the plan's, in per cent; null when none did.
+json median_detour(const std::vector<simulation::RunSummary>& summaries, core::Metres planned) {
+  std::vector<double> detours;
+  for (const auto& summary : summaries) {
+    if (summary.end == simulation::FlightEnd::arrived && planned.value > 0.0)
+      detours.push_back(100.0 * (summary.distance_m / planned.value - 1.0));
+  }
+  const auto found = simulation::distribution_of(std::move(detours));
+  return found ? json(std::round(100.0 * found->quantiles[2].value) / 100.0) : json();
+}
+
+json document_of(const std::string& id, const SimulateInputs& inputs, const FlownPlan& flown,
+                 const Flown& batch, const std::vector<codec::SimulatedFile>& files) {
+  json names = json::array();
+  for (const codec::SimulatedFile& file : files) names.push_back(file.name);
+  json flights = json::array();
+  for (std::size_t run = 0; run < batch.summaries.size(); ++run)
+    flights.push_back(codec::summary_document(batch.summaries[run], run));
+  const auto ended = [&](simulation::FlightEnd end) {
+    return std::ranges::count(batch.summaries, end, &simulation::RunSummary::end);
+  };
+  return {{"simulation_id", id},
+          {"status", "ok"},
+          {"plan_id", inputs.plan_id},
+          {"name", inputs.name},
+          {"vehicle", flown.vehicle.name},
+          {"departure", core::iso8601(flown.plan.departure)},
+          {"planned_arrival", core::iso8601(flown.plan.arrival)},
+          {"planned_travel_time_s", flown.plan.travel_time().count()},
+          {"mission_files", std::move(names)},
+          {"seed", std::to_string(inputs.seed)},
+          {"avoidance", inputs.avoidance},
+          {"tracks", inputs.tracks},
+          {"statistics", codec::statistics_document(simulation::statistics_of(batch.summaries))},
+          {"runs", inputs.runs},
+          {"arrived", ended(simulation::FlightEnd::arrived)},
+          {"collisions", ended(simulation::FlightEnd::collided) + ended(simulation::FlightEnd::grounded)},
+          {"gave_up", ended(simulation::FlightEnd::gave_up)},
+          {"median_detour_pct", median_detour(batch.summaries, flown.plan.distance)},
+          {"flights", std::move(flights)}};
+}
+
+}  // namespace
+
+tl::expected<json, core::Violations> simulate_plan_document(sqlite::Connection& db,
+                                                            const SimulateInputs& inputs, std::size_t workers,
+                                                            const std::stop_token& stop,
+                                                            const core::ProgressCallback& progress,
+                                                            core::UtcTime now) {
+  if (progress) progress("loading data", 0.0);
+  const auto flown = plan_of(db, inputs);
+  if (!flown) return tl::unexpected(flown.error());
+  const auto files = files_of(inputs, *flown);
+  if (!files) return tl::unexpected(files.error());
+  const auto orders = orders_of(*files, flown->vehicle);
+  if (!orders) return tl::unexpected(orders.error());
+  const auto environment = repository::load_environment(db, flown->data);
+  if (!environment) return tl::unexpected(environment.error());
+
+  const json cancelled{{"status", "cancelled"}, {"plan_id", inputs.plan_id}};
+  const Batch batch{inputs, *flown, *orders, *environment, stop};
+  if (stop.stop_requested()) return cancelled;
+  if (auto violations = batch.violations(); !violations.empty()) return tl::unexpected(std::move(violations));
+
+  const Flown result = fly_all(batch, inputs, workers, stop, progress);
+  if (stop.stop_requested()) return cancelled;
+  const json request = codec::to_json(inputs);
+  const std::string id = simulation_id(request, *flown, *environment);
+  json document = document_of(id, inputs, *flown, result, *files);
+  document["datasets"] = datasets_json(*environment);
+  document["warnings"] = environment->warnings;
+  for (const std::string& note : orders->notes) document["warnings"].push_back(note);
+  repository::SimulationRepository{db}.insert({.row = 0,
+                                               .id = {id},
+                                               .plan_id = inputs.plan_id,
+                                               .name = inputs.name,
+                                               .created = now,
+                                               .request_json = request.dump(),
+                                               .document_json = document.dump()},
+                                              result.kept);
+  return document;
+}
+
+}  // namespace floeplan::jobs
