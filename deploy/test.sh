@@ -89,6 +89,8 @@ main() {
 
   step "C++ tests, release" run_ctest release
   if [[ $full == yes ]]; then
+    step "damaged files, 1000 of each format" env FLOEPLAN_DAMAGED_FILES=1000 \
+      "$root/build/release/ingest_test" --gtest_filter='HostileFiles.*'
     step "C++ tests, dev" all_of_preset dev
     step "C++ tests, ci" all_of_preset ci
     step "C++ tests, asan" all_of_preset asan

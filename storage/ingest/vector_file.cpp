@@ -1,11 +1,31 @@
 #include "storage/ingest/vector_file.hpp"
 
+#include <cpl_error.h>
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
 #include "storage/ingest/gdal_guard.hpp"
 
 namespace floeplan::ingest {
+
+namespace {
+
+/// GDAL ends a layer early, as if it held no more, where a feature cannot be read; only its error tells.
+Checked<void> every_feature_can_be_read(GDALDataset& dataset) {
+  CPLErrorReset();
+  for (OGRLayer* const layer : dataset.GetLayers()) {
+    layer->ResetReading();
+    for (const auto& feature : *layer) static_cast<void>(feature);
+    if (CPLGetLastErrorType() >= CE_Failure)
+      return refuse(
+          std::string{"not every feature of the file can be read ("} + CPLGetLastErrorMsg() +
+          "); it is damaged or holds texts larger than this program takes; copy or download it again");
+    layer->ResetReading();
+  }
+  return {};
+}
+
+}  // namespace
 
 Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::path& file,
                                                        const char* driver) {
@@ -24,6 +44,7 @@ Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::pa
   for (OGRLayer* const layer : dataset->GetLayers()) features += layer->GetFeatureCount();
   if (features == 0)
     return refuse("the file holds no features; there is nothing to store; check what you exported");
+  if (const auto whole = every_feature_can_be_read(*dataset); !whole) return refuse(whole.error());
   return dataset;
 }
 

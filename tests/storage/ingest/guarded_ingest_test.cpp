@@ -54,7 +54,7 @@ void kill_children() {
   for (pid_t child = 0; children >> child;) kill(child, SIGKILL);
 }
 
-/// The real program reads for this process.
+/// A process of its own reads for this one.
 class GuardedIngest : public StoreFixture {
  protected:
   std::vector<IngestReport> guarded(const std::vector<std::filesystem::path>& files,
@@ -91,7 +91,7 @@ class GuardedIngest : public StoreFixture {
       "properties": {"id": "a", "observed": "2026-11-20T06:00:00Z", "length_m": 120},
       "geometry": {"type": "Point", "coordinates": [-52.0, 69.0]}}]})"};
   const IngestOptions options_{.positive = "up"};
-  const Guard guard_{.program = FLOEPLAN_BINARY_DIR "/floeplan", .staging = path("incoming")};
+  const Guard guard_{.program = FLOEPLAN_BINARY_DIR "/ingest_reader", .staging = path("incoming")};
 };
 
 TEST_F(GuardedIngest, StoresWhatReadingInThisProcessStores) {
