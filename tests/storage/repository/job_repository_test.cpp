@@ -82,6 +82,18 @@ TEST_F(JobRepositoryTest, GivesTheOldestJobToAWorker) {
   EXPECT_FALSE(jobs_.claim("w3", start, lease));
 }
 
+TEST_F(JobRepositoryTest, KeepsFilesAndPlansInLanesOfTheirOwn) {
+  JobRecord files = job("files");
+  files.process = "ingest";
+  jobs_.submit(files);
+  jobs_.submit(job("plan"));
+
+  EXPECT_EQ(jobs_.claim("w1", start, lease, Lane::planning)->id.value, "plan");
+  EXPECT_FALSE(jobs_.claim("w1", start, lease, Lane::planning));
+  EXPECT_EQ(jobs_.claim("w2", start, lease, Lane::ingest)->id.value, "files");
+  EXPECT_FALSE(jobs_.claim("w2", start + lease, lease, Lane::ingest)->id.value == "plan");
+}
+
 TEST_F(JobRepositoryTest, ReportsProgressAndKeepsTheLease) {
   jobs_.submit(job("a"));
   ASSERT_TRUE(jobs_.claim("w1", start, lease));
