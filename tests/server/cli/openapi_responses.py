@@ -154,7 +154,8 @@ def reaches():
 
 
 def simulations(plan):
-    made = execute("simulate-plan", {"plan_id": plan, "runs": 2, "tracks": 1, "longest_s": 1800, "icebergs": "none"})
+    made = execute("simulate-plan", {"plan_id": plan, "runs": 2, "tracks": 1, "longest_s": 1800, "icebergs": "none",
+                                     "ice": "none"})
     name = made["simulation"]["simulation_id"]
     execute("simulate-plan", {"plan_id": plan, "runs": 0}, 400)
     drive("GET", "/simulations", 200, query=f"?plan_id={plan}")
