@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -38,8 +39,13 @@ struct FlownPlan {
   repository::EnvironmentQuery data;
 };
 
-core::Violations below(const std::string& pointer, core::Violations violations) {
-  for (core::Violation& violation : violations) violation.field.insert(0, pointer);
+/// Faults of mission files are those of the input that holds them.
+core::Violations of_mission_files(core::Violations violations) {
+  constexpr std::string_view files = "/files";
+  for (core::Violation& violation : violations) {
+    const bool named = violation.field.starts_with(files);
+    violation.field = "/mission_files" + (named ? violation.field.substr(files.size()) : violation.field);
+  }
   return violations;
 }
 
@@ -85,7 +91,7 @@ tl::expected<simulation::MissionOrders, core::Violations> orders_of(
   for (const codec::SimulatedFile& file : files)
     documents.push_back(mission::read_document(file.name, file.text));
   auto orders = simulation::read_orders(documents, vehicle);
-  if (!orders) return tl::unexpected(below("/mission_files/", orders.error()));
+  if (!orders) return tl::unexpected(of_mission_files(orders.error()));
   return orders;
 }
 
