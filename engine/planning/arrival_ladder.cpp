@@ -9,17 +9,17 @@ namespace {
 
 constexpr std::size_t most_rungs = 24;
 constexpr std::size_t most_values = 4'000'000;  // 32 MB
-constexpr int halvings = 6;  // of the time from the departure to the last arrival, to find the first rung
+constexpr int halvings = 10;  // of the time from the departure to the last arrival, to find the first rung
 constexpr double rounding_s = 1e-3;  // of sums of times
 
 }  // namespace
 
-ArrivalLadder::ArrivalLadder(Foresight& foresight, const OpenGrid& open, core::Seconds depart,
-                             core::Seconds last, const std::stop_token& stop)
+ArrivalLadder::ArrivalLadder(Foresight& foresight, VertexClosures& closures, const OpenGrid& open,
+                             core::Seconds depart, core::Seconds last, const std::stop_token& stop)
     : foresight_{foresight}, base_s_{depart.count()} {
   const graph::Vertex start = open.grid.start;
   const auto sweep = [&](double arrive_s) {
-    return foresight_.sweep_back(depart, core::Seconds{arrive_s}, stop);
+    return foresight_.sweep_back(depart, core::Seconds{arrive_s}, stop, &closures);
   };
   const auto reaches_start = [&](const graph::SearchTree& tree) {
     return rounding_s - tree.arrival_s(start) >= depart.count();

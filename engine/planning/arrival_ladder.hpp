@@ -18,11 +18,14 @@ class ArrivalLadder {
  public:
   /// `foresight` is borrowed and outlives the ladder; precondition: it is useful. `last`: an arrival after which nothing
   /// is of use. Once `stop` is requested the ladder stays incomplete and must not be used.
-  ArrivalLadder(Foresight& foresight, const OpenGrid& open, core::Seconds depart, core::Seconds last,
-                const std::stop_token& stop);
+  /// `closures`: of the grid's vertices.
+  ArrivalLadder(Foresight& foresight, VertexClosures& closures, const OpenGrid& open, core::Seconds depart,
+                core::Seconds last, const std::stop_token& stop);
 
   /// Whether some way may be at the goal by the last arrival.
   [[nodiscard]] bool has_hope() const { return has_hope_; }
+  /// No way is at the goal before.
+  [[nodiscard]] core::Seconds least_arrival() const { return core::Seconds{base_s_}; }
   /// The earliest arrival at the goal for who is at the vertex then; infinite when it is after the last.
   [[nodiscard]] double earliest_s(graph::Vertex v, double t_s) const;
   /// Until when the vertex is of use; minus infinity: never.

@@ -65,7 +65,7 @@ class KnownLimit {
  public:
   KnownLimit(const Sea& sea, const OpenGrid& open, const PlanRequest& request, core::Seconds depart,
              const std::stop_token& stop)
-      : foresight_{sea, open} {
+      : closures_{sea, open.grid}, foresight_{sea, open} {
     constexpr double rounding = 1e-9;  // of sums of costs
     if (!foresight_.is_useful()) return;
     PlanRequest by_time = request;
@@ -79,17 +79,19 @@ class KnownLimit {
     const core::Seconds last =
         depart + core::Seconds{cost / CostVoyage::least_rate(sea, request.objective())};
     const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
-    ladder_.emplace(foresight_, open, depart, std::min(last, end.value_or(last)), stop);
+    ladder_.emplace(foresight_, closures_, open, depart, std::min(last, end.value_or(last)), stop);
     if (ladder_->has_hope()) limit_ = CostVoyage::Limit{(1.0 + rounding) * cost, &*ladder_};
   }
   KnownLimit(const KnownLimit&) = delete;
   KnownLimit& operator=(const KnownLimit&) = delete;
 
   [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
+  [[nodiscard]] VertexClosures& closures() { return closures_; }
   /// Null without a limit.
   [[nodiscard]] const ArrivalLadder* ladder() const { return limit_ ? &*ladder_ : nullptr; }
 
  private:
+  VertexClosures closures_;
   Foresight foresight_;
   std::optional<ArrivalLadder> ladder_;
   std::optional<CostVoyage::Limit> limit_;
@@ -113,8 +115,9 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const OpenGrid& open = grids[i];
     std::optional<Openings> openings;
-    const KnownLimit known{sea, open, request, core::Seconds{now_s}, stop};
-    if (sea.has_timed_closures()) openings.emplace(sea, open, core::Seconds{INFINITY}, stop, known.ladder());
+    KnownLimit known{sea, open, request, core::Seconds{now_s}, stop};
+    if (sea.has_timed_closures())
+      openings.emplace(sea, open, core::Seconds{INFINITY}, stop, &known.closures(), known.ladder());
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
     CostVoyage voyage{sea, open.grid, request.objective(), openings ? &*openings : nullptr, known.limit()};
     const auto report = [&](std::int64_t expansions) {

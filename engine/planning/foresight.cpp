@@ -14,6 +14,8 @@ constexpr double most_share = 0.95;    // likewise of a current that leaves room
 /// Times that are integrated may be short of the true ones by their tolerance; what an edge is short of shifts the
 /// departures of those before it by no more than a few times as much.
 constexpr double tolerances = 5.0;
+/// By so much closures are taken to be shorter than they are: more than integrated times are in error by.
+constexpr core::Seconds border{5.0};
 
 std::vector<geo::PlanePoint> edges_of(const OpenGrid& open) {
   std::vector<geo::PlanePoint> edges;
@@ -124,19 +126,31 @@ const graph::SearchTree& Foresight::until_when_of_use(core::Seconds depart, core
 }
 
 graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
-                                        const std::stop_token& stop) {
+                                        const std::stop_token& stop, VertexClosures* closures) {
   const RouteGrid& grid = open_.grid;
   const StraightBound to_start{sea_, grid, open_.graph, grid.start};
+  // On the film a closed vertex is come to when its closure begins.
+  const auto when_open = [&](graph::Vertex v, core::Seconds film_time) {
+    if (closures == nullptr) return film_time;
+    for (const TimeSpan& closed : closures->at(v)) {
+      const bool is_closed = closed.from + border < -film_time && -film_time < closed.until - border;
+      if (is_closed) return -(closed.from + border);
+    }
+    return film_time;
+  };
   bool is_known = false;
   const auto time_fan = [&](const graph::Edge& edge, core::Seconds film_time, core::Seconds latest,
                             bool is_new) -> std::optional<core::Seconds> {
     if (is_new) is_known = look(edge.tail, -film_time, NearbyCurrents::Film::backwards, Fidelity::bound);
-    const core::Seconds time = proven(edge, is_known);
+    core::Seconds time = proven(edge, is_known);
+    if (film_time + time >= latest) return std::nullopt;
+    time = when_open(edge.head, film_time + time) - film_time;
     if (film_time + time >= latest) return std::nullopt;
     if (sea_.closed_between(grid.point(edge.head), grid.point(edge.tail))) return std::nullopt;
     return time;
   };
-  const graph::Query query{.source = grid.goal, .goal = {}, .depart = -arrive, .latest = -depart};
+  const graph::Query query{
+      .source = grid.goal, .goal = {}, .depart = when_open(grid.goal, -arrive), .latest = -depart};
   return graph::find_earliest_arrivals(open_.graph, query, FanTravelTime{time_fan}, stop, to_start);
 }
 

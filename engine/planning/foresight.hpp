@@ -9,6 +9,7 @@
 #include "engine/planning/grid_travel.hpp"
 #include "engine/planning/nearby_currents.hpp"
 #include "engine/planning/open_grid.hpp"
+#include "engine/planning/vertex_closures.hpp"
 
 namespace floeplan::planning {
 
@@ -40,8 +41,10 @@ class Foresight {
                                                            const std::stop_token& stop);
 
   /// The same for these two times exactly, not kept.
+  /// `closures`: where given, nobody is at a vertex while it is closed: who comes to one too late for the last opening
+  /// in time has to be there before the closure
   [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
-                                             const std::stop_token& stop);
+                                             const std::stop_token& stop, VertexClosures* closures = nullptr);
 
   /// Never more than the time of an edge for who leaves its tail then. Fast for the edges of a vertex in a row.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart);

@@ -15,17 +15,18 @@ LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds d
                            std::size_t most_labels, const std::stop_token& stop) {
   LaterWay result;
   const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+  VertexClosures closures{sea, open.grid};
   std::optional<Foresight> foresight;
   std::optional<ArrivalLadder> ladder;
   const core::Seconds last = std::min(latest, end.value_or(latest));
   if (std::isfinite(last.count()) && foresight.emplace(sea, open).is_useful()) {
-    ladder.emplace(*foresight, open, depart, last, stop);
+    ladder.emplace(*foresight, closures, open, depart, last, stop);
     if (!ladder->has_hope()) {
       result.cancelled = stop.stop_requested();
       return result;
     }
   }
-  const Openings openings{sea, open, latest, stop, ladder ? &*ladder : nullptr};
+  const Openings openings{sea, open, latest, stop, &closures, ladder ? &*ladder : nullptr};
   result.cancelled = stop.stop_requested();
   if (result.cancelled || openings.empty()) return result;
 

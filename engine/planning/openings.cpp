@@ -12,7 +12,7 @@ constexpr graph::Vertex vertices_between_looks = 256;
 }  // namespace
 
 Openings::Openings(const Sea& sea, const OpenGrid& grid, core::Seconds latest, const std::stop_token& stop,
-                   const ArrivalLadder* ladder) {
+                   VertexClosures* closures, const ArrivalLadder* ladder) {
   const double step_m = std::max(std::hypot(grid.grid.along.x_m, grid.grid.along.y_m),
                                  std::hypot(grid.grid.across.x_m, grid.grid.across.y_m));
   const double before_s = 2.0 * reach * (core::Metres{step_m} / sea.through_water()).count();
@@ -23,7 +23,8 @@ Openings::Openings(const Sea& sea, const OpenGrid& grid, core::Seconds latest, c
     if (!grid.graph.is_open(v)) continue;
     const core::Seconds of_use{ladder != nullptr ? ladder->latest_use_s(v) : INFINITY};
     if (of_use.count() == -INFINITY) continue;
-    std::vector<TimeSpan> spans = sea.closed_times(grid.grid.point(v));
+    std::vector<TimeSpan> spans =
+        closures != nullptr ? closures->at(v) : sea.closed_times(grid.grid.point(v));
     for (const TimeSpan& closed : spans) {
       if (closed.until > std::min(latest, of_use) || !std::isfinite(closed.until.count())) continue;
       any = true;

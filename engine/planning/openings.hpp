@@ -19,10 +19,11 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class Openings {
  public:
-  /// `latest`: what opens after it is of no use. `ladder`: where given, neither is what opens near a vertex after that
+  /// `latest`: what opens after it is of no use. `closures`: of the grid, so
+  /// far as they are worked out. `ladder`: where given, neither is what opens near a vertex after that
   /// is of use. Stops early once `stop` is requested; then not to be used.
   Openings(const Sea& sea, const OpenGrid& grid, core::Seconds latest, const std::stop_token& stop,
-           const ArrivalLadder* ladder = nullptr);
+           VertexClosures* closures = nullptr, const ArrivalLadder* ladder = nullptr);
 
   /// Whether there are none at all.
   [[nodiscard]] bool empty() const { return windows_.empty(); }

@@ -224,7 +224,9 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
     const bool may_gain =
         result.path.empty() || arrival_s - least_s > least_gain * (arrival_s - depart.count());
     if (!result.cancelled && may_gain) {
-      look_for_later_ways(result, sea, open, depart, core::Seconds{arrival_s}, stop);
+      const double worthwhile_s =
+          result.path.empty() ? arrival_s : arrival_s - least_gain * (arrival_s - depart.count());
+      look_for_later_ways(result, sea, open, depart, core::Seconds{worthwhile_s}, stop);
     }
   }
   // With weights fixed at departure nothing opens later.

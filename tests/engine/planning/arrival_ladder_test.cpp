@@ -26,7 +26,8 @@ TEST(ArrivalLadder, IsNeverLaterThanAnArrivalThatIsPossible) {
     const double best_s = all.arrival_s(waters.grid.goal);
     const core::Seconds last{best_s + 0.3 * (best_s - depart.count())};
     Foresight foresight{waters.sea, waters.open};
-    ArrivalLadder ladder{foresight, waters.open, depart, last, {}};
+    VertexClosures closures{waters.sea, waters.grid};
+    ArrivalLadder ladder{foresight, closures, waters.open, depart, last, {}};
     ASSERT_TRUE(ladder.has_hope());
 
     for (int i = 0; i < 20; ++i) {
@@ -54,12 +55,15 @@ TEST(ArrivalLadder, HasNoHopeOfAnArrivalThatNoVehicleMakes) {
   const Waters waters{{.currents = support::currents_from(
                            [](geo::LonLat, double) { return geo::VelocityEn{{-0.05}, {0.0}}; }, 120)}};
   Foresight foresight{waters.sea, waters.open};
+  VertexClosures closures{waters.sea, waters.grid};
   const double straight_s = 40'000.0 / (waters.sea.through_water().value - 0.05);
 
-  EXPECT_FALSE((ArrivalLadder{foresight, waters.open, core::Seconds{0.0}, core::Seconds{0.9 * straight_s}, {}}
-                    .has_hope()));
-  EXPECT_TRUE((ArrivalLadder{foresight, waters.open, core::Seconds{0.0}, core::Seconds{1.1 * straight_s}, {}}
-                   .has_hope()));
+  EXPECT_FALSE((
+      ArrivalLadder{foresight, closures, waters.open, core::Seconds{0.0}, core::Seconds{0.9 * straight_s}, {}}
+          .has_hope()));
+  EXPECT_TRUE((
+      ArrivalLadder{foresight, closures, waters.open, core::Seconds{0.0}, core::Seconds{1.1 * straight_s}, {}}
+          .has_hope()));
 }
 
 }  // namespace
