@@ -31,7 +31,8 @@ World sea_with_berg_at(std::vector<Vector> places) {
   return World{std::move(parts)};
 }
 
-FlightRecord fly_equipped(const World& world, bool avoidance, std::uint64_t seed = 1) {
+FlightRecord fly_equipped(const World& world, bool avoidance, std::uint64_t seed = 1,
+                          core::Seconds longest = core::Seconds{86400.0}) {
   const MissionOrders orders = orders_through(world, {{3000.0, 0.0, 0.0}});
   const Equipment equipment;
   std::optional<SystemOnBoard> system;
@@ -39,19 +40,26 @@ FlightRecord fly_equipped(const World& world, bool avoidance, std::uint64_t seed
     system = system_for(world, orders, flight_origin, flight_start, core::Seconds{86400.0});
     system->settings = avoidance_for(shallow_glider(), orders, equipment.sonar.settings());
   }
+  FlightSettings settings = perfect_sensors();
+  settings.longest = longest;
   EquippedVehicle vehicle{equipment, world, seed, system};
   FlightRecord record = fly({.world = world,
                              .orders = orders,
                              .vehicle = shallow_glider(),
                              .start = flight_origin,
                              .departure = flight_start,
-                             .settings = perfect_sensors(),
+                             .settings = settings,
                              .seed = seed},
                             vehicle);
   record.sensors.sonar = vehicle.log().sonar;
   record.sensors.altimeter = vehicle.log().altimeter;
   record.sensors.currents = vehicle.log().currents;
   return record;
+}
+
+bool has_evaded(const FlightRecord& record) {
+  return std::ranges::any_of(record.track,
+                             [](const TrackPoint& point) { return point.mode != avoidance::Mode::mission; });
 }
 
 TEST(EquippedVehicle, ArrivesInOpenWaterAndLogsItsSensors) {
@@ -72,14 +80,18 @@ TEST(EquippedVehicle, RunsIntoTheBergWithoutTheSystemAndRoundItWithIt) {
   EXPECT_EQ(without.end, FlightEnd::collided);
   EXPECT_EQ(with.end, FlightEnd::arrived) << with.end_reason;
   EXPECT_FALSE(with.sensors.sonar.empty());
-  EXPECT_TRUE(std::ranges::any_of(
-      with.track, [](const TrackPoint& point) { return point.mode != avoidance::Mode::mission; }));
+  EXPECT_TRUE(has_evaded(with));
 }
 
 TEST(EquippedVehicle, LeavesTheSameRecordForTheSameSeed) {
   const World world = sea_with_berg_at({{900.0, 20.0, 0.0}});
 
-  EXPECT_EQ(fly_equipped(world, true, 5), fly_equipped(world, true, 5));
+  constexpr core::Seconds into_the_evasion{3000.0};
+
+  const FlightRecord record = fly_equipped(world, true, 5, into_the_evasion);
+
+  EXPECT_EQ(record, fly_equipped(world, true, 5, into_the_evasion));
+  EXPECT_TRUE(has_evaded(record));
 }
 
 }  // namespace
