@@ -18,6 +18,7 @@
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/iceberg_geojson_reader.hpp"
 #include "storage/ingest/iceberg_table_reader.hpp"
+#include "storage/ingest/open_end.hpp"
 #include "storage/ingest/recognise.hpp"
 #include "storage/ingest/tide_reader.hpp"
 #include "storage/ingest/tide_table.hpp"
@@ -151,6 +152,8 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
   }
   auto data = prepare(file, kind, options, progress);
   if (!data) return {refused(files, data.error()), std::nullopt};
+  if (auto warning = warning_of_open_end(file.path, file.format))
+    data->warnings.push_back(std::move(*warning));
   return {{}, std::move(*data)};
 }
 

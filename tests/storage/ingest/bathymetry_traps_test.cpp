@@ -192,6 +192,14 @@ TEST_F(BathymetryTraps, AnXyzTableWithHolesIsRefused) {
                  "regular grid", positive_up);
 }
 
+TEST_F(BathymetryTraps, ATableThatEndsWithinALineIsStoredWithAWarning) {
+  const std::string rows = "0.0 50.1 -10\n0.1 50.1 -11\n0.0 50.0 -12\n0.1 50.0 -13";
+
+  EXPECT_THAT(words(ingest(write_file("cut.xyz", rows), positive_up)), HasSubstr("last line has no end"));
+  EXPECT_THAT(words(ingest(write_file("whole.xyz", rows + "\n"), positive_up)),
+              testing::Not(HasSubstr("last line has no end")));
+}
+
 TEST(VerticalSense, OfAWholeGlobeIsUnmistakable) {
   const VerticalDescription silent{.name = "Band1", .standard_name = "", .long_name = "", .positive = ""};
   EXPECT_EQ(vertical_sense_of({}, silent, {-10500.0, 6100.0, true})->sense, VerticalSense::up);
