@@ -113,12 +113,12 @@ ReaderProcess::Reading ReaderProcess::read_line(const std::stop_token& stop,
                                                 std::chrono::steady_clock::time_point deadline) {
   const StopSignal stop_signal{stop};
   while (true) {
+    if (stop.stop_requested()) return Reading::stopped;
     if (const auto end = buffer_.find('\n'); end != std::string::npos) {
       line_ = buffer_.substr(0, end);
       buffer_.erase(0, end + 1);
       return Reading::line;
     }
-    if (stop.stop_requested()) return Reading::stopped;
     if (std::chrono::steady_clock::now() >= deadline) return Reading::too_late;
     std::array<pollfd, 2> waited{{{output_, POLLIN, 0}, {stop_signal.descriptor(), POLLIN, 0}}};
     if (poll(waited.data(), waited.size(), milliseconds_until(deadline)) <= 0 || waited[0].revents == 0)

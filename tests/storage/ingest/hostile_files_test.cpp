@@ -7,6 +7,7 @@
 #include <fstream>
 #include <iterator>
 
+#include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/guarded_ingest.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "tests/storage/ingest/grib_writer.hpp"
@@ -63,6 +64,7 @@ class HostileFiles : public StoreFixture {
   }
 
   static void write_geotiff(const std::filesystem::path& file) {
+    register_drivers();
     auto* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
     GDALDatasetUniquePtr tiff{driver->Create(file.c_str(), 8, 8, 1, GDT_Float32, nullptr)};
     double transform[6] = {0.0, 0.5, 0.0, 54.0, 0.0, -0.5};
@@ -77,6 +79,7 @@ class HostileFiles : public StoreFixture {
 
   static void write_points(const char* driver, const std::filesystem::path& file,
                            const std::vector<std::string>& statements = {}) {
+    register_drivers();
     GDALDatasetUniquePtr vector{
         GetGDALDriverManager()->GetDriverByName(driver)->Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr)};
     OGRSpatialReference wgs84;
