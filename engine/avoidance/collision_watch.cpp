@@ -13,9 +13,12 @@ constexpr double leave_m = 0.5;
 motion::MovingDisc disc_left_by(const Obstacle& obstacle, geo::PlanePoint place, double now_s, double until_s,
                                 double clearance_m) {
   motion::MovingDisc disc = disc_of(obstacle, now_s, until_s, clearance_m);
-  const double apart_m = std::hypot(place.x_m - disc.centre0.x_m, place.y_m - disc.centre0.y_m);
-  if (apart_m > disc.radius0_m + leave_m) return disc;
-  disc.radius0_m = std::max(apart_m - leave_m, 0.0);
+  const double east_m = place.x_m - disc.centre0.x_m;
+  const double north_m = place.y_m - disc.centre0.y_m;
+  const double apart_m2 = east_m * east_m + north_m * north_m;
+  const double within_m = disc.radius0_m + leave_m;
+  if (apart_m2 > within_m * within_m) return disc;  // nearly always, so without a root
+  disc.radius0_m = std::max(std::sqrt(apart_m2) - leave_m, 0.0);
   disc.growth_m_s = 0.0;
   return disc;
 }

@@ -10,7 +10,10 @@
 namespace floeplan::avoidance {
 
 [[nodiscard]] inline double distance_m(geo::PlanePoint a, geo::PlanePoint b) {
-  return std::hypot(a.x_m - b.x_m, a.y_m - b.y_m);
+  // Not std::hypot: it guards against numbers that no sea has, and took a quarter of the time of a flight over a bank.
+  const double x_m = a.x_m - b.x_m;
+  const double y_m = a.y_m - b.y_m;
+  return std::sqrt(x_m * x_m + y_m * y_m);
 }
 
 /// Direction from one place to another, clockwise from north.
