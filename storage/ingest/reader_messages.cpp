@@ -83,7 +83,9 @@ struct EventToJson {
 
 std::optional<ReaderEvent> event_of(const json& event) {
   if (!event.is_object() || event.size() != 1) return std::nullopt;
-  const auto& [name, value] = *event.items().begin();
+  const auto member = event.begin();
+  const std::string& name = member.key();
+  const json& value = member.value();
   if (name == "progress") return Progressed{value.at(0), value.at(1)};
   if (name == "looks_at") return LooksAt{value.get<std::size_t>()};
   if (name == "groups") return Grouped{value.get<std::vector<std::vector<std::size_t>>>()};
