@@ -68,7 +68,6 @@ test('a plan on older data is marked, and checked on the newest', async ({ page,
   });
   await page.getByTitle('All data in the store').click();
   await page.getByRole('button', { name: 'Look again' }).click();
-  await page.keyboard.press('Escape');
   const stale = page.getByRole('region', { name: 'Stale data' });
   await expect(stale).toContainText('a newer chart');
   await stale.getByRole('button', { name: 'Re-check' }).click();

@@ -1,6 +1,6 @@
 import type {
-  Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, IcebergFeature, JobStatus, MissionPreview, PlanFeature, PlanInputs,
-  PlanResults, Probe, Problem, Reach, ReachInputs, Vehicle,
+  Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, IcebergFeature, IngestInputs, IngestReport, JobStatus, MissionPreview, PlanFeature, PlanInputs,
+  PlanResults, Probe, Problem, Reach, ReachInputs, Upload, Vehicle,
 } from './types';
 import { decodeGrid, type Grid } from '../geo/grid';
 
@@ -38,13 +38,15 @@ async function problemOf(response: Response): Promise<Problem> {
   }
 }
 
+const silence: Problem = { type: 'about:blank', title: 'No connection', status: 0, detail: 'The Floeplan server does not answer.' };
+
 async function request(path: string, init: RequestInit = {}): Promise<Response> {
   let response: Response;
   try {
     response = await fetch(path, init);
   } catch (error) {
     if (init.signal?.aborted) throw error;
-    throw new ApiError({ type: 'about:blank', title: 'No connection', status: 0, detail: 'The Floeplan server does not answer.' });
+    throw new ApiError(silence);
   }
   if (!response.ok) throw new ApiError(await problemOf(response));
   return response;
@@ -99,6 +101,56 @@ export const submitPlan = (inputs: PlanInputs): Promise<JobStatus> =>
     headers: { 'Content-Type': 'application/json', Prefer: 'respond-async' },
     body: JSON.stringify({ inputs }),
   });
+
+export const submitIngest = (inputs: IngestInputs): Promise<JobStatus> =>
+  json('/processes/ingest/execution', {
+    method: 'POST',
+    headers: { 'Content-Type': 'application/json', Prefer: 'respond-async' },
+    body: JSON.stringify({ inputs }),
+  });
+
+export const ingestReport = (jobId: string): Promise<{ report: IngestReport }> => json(`/jobs/${encodeURIComponent(jobId)}/results`);
+
+export const deleteDataset = async (id: string): Promise<void> => {
+  await request(`/datasets/${encodeURIComponent(id)}`, { method: 'DELETE' });
+};
+
+export const deleteUpload = async (id: string): Promise<void> => {
+  await request(`/uploads/${encodeURIComponent(id)}`, { method: 'DELETE' });
+};
+
+/**
+ * Sends a file and tells how many bytes have left; the server refuses it when it arrives with another digest. Only
+ * XMLHttpRequest tells of progress while it sends.
+ */
+export function sendFile(file: Blob, name: string, sha256: string, signal: AbortSignal, progress: (bytes: number) => void): Promise<Upload> {
+  return new Promise((resolve, reject) => {
+    const exchange = new XMLHttpRequest();
+    exchange.open('POST', address('/uploads', { name, sha256 }));
+    exchange.responseType = 'text';
+    exchange.setRequestHeader('Content-Type', 'application/octet-stream');
+    exchange.upload.onprogress = ({ loaded }) => progress(loaded);
+    exchange.onload = () => {
+      const answer = bodyOf(exchange);
+      if (exchange.status === 201 && answer) resolve(answer as Upload);
+      else reject(new ApiError({ ...silence, title: exchange.statusText, status: exchange.status, detail: `The server answered ${exchange.status}.`, ...answer }));
+    };
+    exchange.onerror = () => reject(new ApiError(silence));
+    exchange.onabort = () => reject(new DOMException('Sending was cancelled.', 'AbortError'));
+    signal.addEventListener('abort', () => exchange.abort(), { once: true });
+    if (signal.aborted) exchange.abort();
+    else exchange.send(file);
+  });
+}
+
+function bodyOf({ responseText }: XMLHttpRequest): object | undefined {
+  try {
+    const read: unknown = JSON.parse(responseText);
+    return typeof read === 'object' && read !== null ? read : undefined;
+  } catch {
+    return undefined;
+  }
+}
 
 const answered = { 'Content-Type': 'application/json', Prefer: 'respond-sync' };
 

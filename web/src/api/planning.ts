@@ -6,9 +6,9 @@ import { announce, leftTab, rightTab } from '../model/screen';
 import { duration } from '../model/time';
 import { ask } from '../model/view';
 import * as api from './client';
-import type { Change, JobStatus, Plan, PlanInputs, Position } from './types';
+import { follow } from './following';
+import type { Change, Plan, PlanInputs, Position } from './types';
 
-const pollWait_s = 1;
 let cancelled: AbortController | undefined;
 
 /** Sends the draft, follows its job to the end and shows what came of it. */
@@ -61,15 +61,9 @@ export async function planWithChange(change: Change): Promise<void> {
 
 async function carryOut(inputs: PlanInputs, signal: AbortSignal): Promise<void> {
   const started_ms = Date.now();
-  let status = await api.submitPlan(inputs);
-  while (status.status === 'accepted' || status.status === 'running') {
-    running.value = { status, started_ms };
-    if (signal.aborted) {
-      await api.dismissJob(status.jobID);
-      return;
-    }
-    status = await followedJob(status, signal);
-  }
+  const status = await follow(await api.submitPlan(inputs), signal, (now) => {
+    running.value = { status: now, started_ms };
+  });
   if (status.status === 'dismissed') {
     announce('Planning was cancelled.');
     return;
@@ -87,21 +81,6 @@ async function carryOut(inputs: PlanInputs, signal: AbortSignal): Promise<void> 
     failure.value = { kind: 'infeasible', answer };
     ask({ do: 'fit', places: [[answer.at.lon, answer.at.lat], inputs.from, inputs.to] });
     announce(`No plan: ${reasonTitle(answer.reason)}. ${answer.explanation}`);
-  }
-}
-
-/** The job's next state; never asks more than once a second, even of a server that does not wait. */
-async function followedJob(status: JobStatus, signal: AbortSignal): Promise<JobStatus> {
-  const asked_ms = Date.now();
-  try {
-    const next = await api.job(status.jobID, pollWait_s, signal);
-    const early_ms = 1000 * pollWait_s - (Date.now() - asked_ms);
-    const unchanged = next.updated === status.updated && next.progress === status.progress && next.status === status.status;
-    if (unchanged && early_ms > 0) await new Promise((resolve) => setTimeout(resolve, early_ms));
-    return next;
-  } catch (error) {
-    if (signal.aborted) return status;
-    throw error;
   }
 }
 

@@ -1,5 +1,6 @@
 import { effect, untracked } from '@preact/signals';
 import { range, setSpan, setTime } from '../model/clock';
+import { coveredDatasets } from '../model/coverage';
 import { connectionFault, chosenCurrents, currentTimes_ms, datasets, vehicles } from '../model/datasets';
 import { draft, fill } from '../model/draft';
 import * as model from '../model/plans';
@@ -38,7 +39,7 @@ function showFirst({ plans = [], selected }: Link): void {
   if (chosen !== undefined) model.select(chosen);
 }
 
-/** Lets the clock's range follow the currents and the plans on the map. Call once. */
+/** Lets the clock's range follow the currents, the plans on the map and the coverage shown. Call once. */
 export function followSpans(): void {
   let opened = false;
   effect(() => {
@@ -53,14 +54,20 @@ export function followSpans(): void {
     });
   });
 
+  followSpansOf(() => model.shownPlans.value.map(({ plan }) => ({ id: plan.plan_id, from: plan.departure, to: plan.arrival })));
+  followSpansOf(() => coveredDatasets.value.map(({ id, time_start, time_end }) => ({ id, from: time_start, to: time_end })));
+}
+
+/** Keeps the clock over what is listed now; what has no times asks for nothing. */
+function followSpansOf(listed: () => { id: string; from: string | null; to: string | null }[]): void {
   let before: string[] = [];
   effect(() => {
-    const plans = model.shownPlans.value;
+    const now = listed();
     untracked(() => {
       for (const id of before) setSpan(id, undefined);
-      before = plans.map(({ plan }) => plan.plan_id);
-      for (const { plan } of plans) {
-        setSpan(plan.plan_id, { start_ms: Date.parse(plan.departure), end_ms: Date.parse(plan.arrival) });
+      before = now.map(({ id }) => id);
+      for (const { id, from, to } of now) {
+        if (from !== null && to !== null) setSpan(id, { start_ms: Date.parse(from), end_ms: Date.parse(to) });
       }
     });
   });
@@ -86,6 +93,18 @@ export async function deletePlan(id: string): Promise<void> {
   } catch (error) {
     announce(`The plan could not be deleted: ${faultOf(error)}`);
   }
+}
+
+/** Takes a dataset out of the store; why it could not be, if so. */
+export async function deleteDataset(id: string): Promise<string | undefined> {
+  try {
+    await api.deleteDataset(id);
+  } catch (error) {
+    return faultOf(error);
+  }
+  datasets.value = datasets.value?.filter((dataset) => dataset.id !== id);
+  announce('The dataset was removed.');
+  return undefined;
 }
 
 let probes = 0;

@@ -3,7 +3,7 @@
 export type Position = [lon: number, lat: number];
 export type Box = [west: number, south: number, east: number, north: number];
 
-export type DatasetKind = 'bathymetry' | 'currents' | 'ice' | 'icebergs' | 'coastline';
+export type DatasetKind = 'bathymetry' | 'currents' | 'ice' | 'icebergs' | 'coastline' | 'tides' | 'wind' | 'zones';
 
 export interface Dataset {
   id: string;
@@ -22,6 +22,48 @@ export interface Dataset {
   sha256: string;
   ingested: string;
   tool_version: string;
+}
+
+export interface Upload {
+  id: string;
+  name: string; // as the server keeps it
+  bytes: number;
+  sha256: string;
+  created: string;
+  expires: string;
+}
+
+/** What a person may say about files beyond the files themselves. */
+export interface IngestOptions {
+  name?: string;
+  kind?: DatasetKind;
+  crs?: string;
+  positive?: 'up' | 'down';
+  variable?: string;
+  at?: Position;
+  unit?: 'm' | 'cm' | 'mm' | 'ft';
+  zone_kind?: 'no_go' | 'stay_in';
+}
+
+export type IngestInputs = IngestOptions & { uploads: string[] };
+
+/** What became of one kind of data in a file. */
+export interface FileReport {
+  file: string;
+  status: 'stored' | 'refused' | 'unchanged';
+  dataset_id: string | null;
+  kind?: DatasetKind | null;
+  name?: string | null;
+  time_start?: string | null;
+  time_end?: string | null;
+  rows_accepted?: number;
+  rows_refused?: number;
+  warnings: string[];
+  errors: string[];
+}
+
+export interface IngestReport {
+  datasets: FileReport[];
 }
 
 export interface Vehicle {
@@ -117,6 +159,10 @@ export interface PlanInputs {
   icebergs?: string;
   ice?: string;
   coastline?: string;
+  tides?: string | string[];
+  tides_mode?: 'add' | 'only';
+  wind?: string;
+  zones?: string | string[];
   icebergs_as_of?: string;
   margin_m?: number;
   name?: string;

@@ -56,6 +56,16 @@ export function grown(box: Box, share: number): Box {
   return [wrapLongitude(box[0] - width * share), south, wrapLongitude(box[0] + width * (1 + share)), north];
 }
 
+/** The border of a box as a closed ring along its parallels and meridians, a place every half degree of longitude at least. */
+export function borderOf(box: Box): Position[] {
+  const [west, south, , north] = box;
+  const pieces = Math.max(4, Math.ceil(width_deg(box) / 0.5));
+  const along = (lat: number): Position[] =>
+    Array.from({ length: pieces + 1 }, (_, i) => [wrapLongitude(west + (width_deg(box) * i) / pieces), lat]);
+  const southern = along(south);
+  return [...southern, ...along(north).reverse(), southern[0] ?? [west, south]];
+}
+
 export function centreOf(box: Box): Position {
   return [wrapLongitude(box[0] + width_deg(box) / 2), (box[1] + box[3]) / 2];
 }

@@ -11,6 +11,7 @@ import { boxAround } from '../geo/boxes';
 import { editablePosition } from '../geo/coordinates';
 import { densify } from '../geo/geodesic';
 import { northAngle, project, projections, scaleFactor, unproject, type ProjectionCode } from '../geo/projections';
+import { coveredDatasets } from '../model/coverage';
 import { datasets, homeBox } from '../model/datasets';
 import { draft, edit } from '../model/draft';
 import { coast, currents, icebergs, isLoading } from '../model/field';
@@ -24,6 +25,7 @@ import { command, hoveredBerg, pointer, tool, view, type Command } from '../mode
 import { areaLayer } from './area_layer';
 import { bathymetryLayer } from './bathymetry_layer';
 import { coastLayer } from './coast_layer';
+import { coverageLayer } from './coverage_layer';
 import { currentsLayer } from './currents_layer';
 import { editLayer } from './edit_layer';
 import { graticuleLayer } from './graticule_layer';
@@ -54,7 +56,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
       new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), route.drag, areas.draw,
     ],
     layers: [
-      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), reachLayer(), areas.layer, safetyLayer(), planLayer(), bergs,
+      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), coverageLayer(), reachLayer(), areas.layer, safetyLayer(), planLayer(), bergs,
       waypointLayer(), vehicleLayer(), route.layer, markerLayer(),
     ],
   });
@@ -273,6 +275,7 @@ function publishState(map: Map, target: HTMLElement): void {
     target.dataset['icebergs'] = String(icebergs.value.length);
     target.dataset['plans'] = String(shownPlans.value.length);
     target.dataset['reach'] = reach.value?.state ?? 'none';
+    target.dataset['coverage'] = String(coveredDatasets.value.length);
     target.dataset['areas'] = String(draft.value.areas.length);
     target.dataset['handles'] = String(openEdit.value?.route.now.length ?? 0);
     target.dataset['coast'] = String(coast.value.length);

@@ -23,6 +23,9 @@ export function chosen(kind: DatasetKind): Dataset | undefined {
   return wish === 'newest' ? candidates[0] : candidates.find((dataset) => dataset.id === wish);
 }
 
+/** Whether the set-up makes use of a dataset; of zones all are obeyed together. */
+export const isInUse = ({ id, kind }: Dataset): boolean => draft.value[kind] === 'all' || chosen(kind)?.id === id;
+
 export const chosenBathymetry = computed(() => chosen('bathymetry'));
 export const chosenCurrents = computed(() => chosen('currents'));
 export const chosenIcebergs = computed(() => chosen('icebergs'));

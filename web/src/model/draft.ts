@@ -55,6 +55,10 @@ export interface Draft {
   icebergs: string;
   ice: string;
   coastline: string;
+  tides: string;
+  tides_mode: 'add' | 'only';
+  wind: string;
+  zones: string;
   icebergs_as_of: string;
 }
 
@@ -67,7 +71,7 @@ export const emptyDraft: Draft = {
   'under_ice.draft_if_unknown_m': '', 'under_ice.max_time_without_surfacing_s': '', 'under_ice.escape_plan': false,
   'uncertainty.members': '', 'uncertainty.current_error_m_s': '0.05', 'uncertainty.length_scale_m': '30',
   'uncertainty.time_scale_s': '24', currents: 'newest', bathymetry: 'newest', ice: 'newest', icebergs: 'newest', coastline: 'newest',
-  icebergs_as_of: '',
+  tides: 'none', tides_mode: 'add', wind: 'newest', zones: 'all', icebergs_as_of: '',
 };
 
 export type Field = keyof Draft;
@@ -158,7 +162,9 @@ const numberFieldNames = Object.keys(numberFields) as NumberField[];
 const timeFields = ['depart', 'depart_until', 'arrive_by', 'icebergs_as_of'] as const;
 
 /** Fields that are sent only where they differ from what the server takes anyway. */
-const sentWhenChanged = ['via_order', 'objective', 'thruster', 'require_battery', 'icebergs_drift', 'under_ice.escape_plan'] as const;
+const sentWhenChanged = [
+  'via_order', 'objective', 'thruster', 'require_battery', 'icebergs_drift', 'under_ice.escape_plan', 'tides', 'wind', 'zones',
+] as const;
 
 /** The request a draft stands for, or every fault that keeps it from being sent. */
 export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults } {
@@ -193,6 +199,7 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
     if (step_h === undefined || step_h <= 0) found.depart_step = 'Write a number of hours.';
     else values.depart_step = `PT${Math.round(60 * step_h)}M`;
   }
+  if (form.tides !== 'none') values.tides_mode = form.tides_mode;
   for (const field of sentWhenChanged) if (form[field] !== emptyDraft[field]) values[field] = form[field];
   if (!from.ok || !to.ok || Object.keys(found).length > 0) return { faults: found };
 

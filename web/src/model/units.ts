@@ -42,3 +42,11 @@ export const course = (degrees: number | null | undefined): string =>
 
 export const energy = (joules: number | null | undefined): string =>
   present(joules) ? (joules >= 1e6 ? `${(joules / 1e6).toFixed(2)} MJ` : `${(joules / 1e3).toFixed(0)} kJ`) : none;
+
+const sizes = ['bytes', 'kB', 'MB', 'GB'] as const;
+
+export function fileSize(bytes: number): string {
+  const step = bytes < 1000 ? 0 : Math.min(sizes.length - 1, Math.floor(Math.log10(bytes) / 3));
+  const value = bytes / 1000 ** step;
+  return `${step === 0 ? value : value.toPrecision(3)} ${sizes[step] ?? ''}`;
+}

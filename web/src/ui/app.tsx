@@ -2,7 +2,8 @@ import type { VNode } from 'preact';
 import { announcement, dialog, drawer, leftTab, notice } from '../model/screen';
 import { plans } from '../model/plans';
 import { ClockBar } from './clock/clock_bar';
-import { DataDialog } from './dialogs/data_dialog';
+import { DataPanel } from './data/data_panel';
+import { DropOverlay } from './data/drop_overlay';
 import { HelpDialog } from './dialogs/help_dialog';
 import { JobsDialog } from './dialogs/jobs_dialog';
 import { ExportDialog } from './export/export_dialog';
@@ -24,10 +25,10 @@ export function App(): VNode {
         <a href="#right">To the waypoints</a>
       </nav>
       <Header />
-      <aside class="left" id="left" aria-label="Set-up, plans and layers" tabIndex={-1}>
+      <aside class="left" id="left" aria-label="Set-up, plans, data and layers" tabIndex={-1}>
         <div class="left-scroll">
           <Tabs />
-          {leftTab.value === 'setup' ? <SetupPanel /> : <PlansPanel />}
+          {leftTab.value === 'setup' ? <SetupPanel /> : leftTab.value === 'plans' ? <PlansPanel /> : <DataPanel />}
         </div>
         <LayersPanel />
         <p class="disclaimer">Not for navigation; check before flight.</p>
@@ -41,7 +42,7 @@ export function App(): VNode {
       {dialog.value === 'compare' && <CompareDialog />}
       {dialog.value === 'help' && <HelpDialog />}
       {dialog.value === 'jobs' && <JobsDialog />}
-      {dialog.value === 'data' && <DataDialog />}
+      <DropOverlay />
       {notice.value && <p class="notice" aria-hidden="true">{notice.value}</p>}
       <div class="visually-hidden" aria-live="polite">{announcement.value}</div>
     </div>
@@ -49,7 +50,7 @@ export function App(): VNode {
 }
 
 function Tabs(): VNode {
-  const tabs = [['setup', 'Set-up'], ['plans', `Plans${plans.value.length > 0 ? ` (${plans.value.length})` : ''}`]] as const;
+  const tabs = [['setup', 'Set-up'], ['plans', `Plans${plans.value.length > 0 ? ` (${plans.value.length})` : ''}`], ['data', 'Data']] as const;
   return (
     <div class="tabs" role="group" aria-label="Left panel">
       {tabs.map(([name, title]) => (

@@ -1,6 +1,7 @@
 import { useEffect } from 'preact/hooks';
 import type { VNode } from 'preact';
 import { advance, playing, range, setTime, speed, speeds, stepHours, time_ms, togglePlay, type Span } from '../../model/clock';
+import { coveredDatasets } from '../../model/coverage';
 import { chosenCurrents, currentTimes_ms } from '../../model/datasets';
 import { draft } from '../../model/draft';
 import { shownPlans } from '../../model/plans';
@@ -52,13 +53,16 @@ function sinceDeparture(now_ms: number, lead: string): string {
   return `${lead}${Math.floor((now_ms - depart_ms) / hour_ms)} h`;
 }
 
-/** Ticks of the data's steps, bars of the plans, hatching where there are no currents. */
+/** Ticks of the data's steps, frames of covered spans, bars of the plans, hatching where there are no currents. */
 function Timeline({ span }: { span: Span }): VNode {
   const width = 1000;
   const x = (value_ms: number): number => ((value_ms - span.start_ms) / (span.end_ms - span.start_ms)) * width;
   const times = currentTimes_ms.value;
   const [first, last] = [times[0], times.at(-1)];
   const every = Math.ceil(times.length / 200);
+  const covered = coveredDatasets.value.flatMap(({ id, time_start, time_end }) =>
+    time_start && time_end ? [{ id, from: x(Date.parse(time_start)), to: x(Date.parse(time_end)) }] : [],
+  );
   return (
     <svg class="timeline" viewBox={`0 0 ${width} 14`} preserveAspectRatio="none" aria-hidden="true" focusable="false">
       <defs>
@@ -74,6 +78,9 @@ function Timeline({ span }: { span: Span }): VNode {
       )}
       {times.filter((_, i) => i % every === 0).map((time) => (
         <line key={time} class="step" x1={x(time)} x2={x(time)} y1={0} y2={4} vector-effect="non-scaling-stroke" />
+      ))}
+      {covered.map(({ id, from, to }) => (
+        <rect key={id} class="coverage" x={from} y={0} width={Math.max(2, to - from)} height={4} vector-effect="non-scaling-stroke" />
       ))}
       {shownPlans.value.slice(0, 3).map(({ plan, style }, i) => (
         <rect

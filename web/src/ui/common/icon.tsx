@@ -36,12 +36,14 @@ import sun from 'lucide-static/icons/sun.svg?raw';
 import trash from 'lucide-static/icons/trash-2.svg?raw';
 import undo from 'lucide-static/icons/undo-2.svg?raw';
 import up from 'lucide-static/icons/chevron-up.svg?raw';
+import upload from 'lucide-static/icons/upload.svg?raw';
 import warning from 'lucide-static/icons/triangle-alert.svg?raw';
 import x from 'lucide-static/icons/x.svg?raw';
 
 const icons = {
   chevronRight, clock, compare, compass, crosshair, database, download, edit, eye, eyeOff, hand, help, info, list, maximize, minus, moon, pause,
-  play, plus, polygon, probe, reach, redo, refresh, route, save, settings, share, skipBack, skipForward, stepBack, stepForward, sun, trash, undo, up, warning, x,
+  play, plus, polygon, probe, reach, redo, refresh, route, save, settings, share, skipBack, skipForward, stepBack, stepForward, sun, trash, undo, up, upload,
+  warning, x,
 };
 
 export type IconName = keyof typeof icons;

@@ -2,7 +2,7 @@ import type { VNode } from 'preact';
 import type { Dataset } from '../../api/types';
 import { projectionCodes, projections, type ProjectionCode } from '../../geo/projections';
 import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, datasets, isSynthetic } from '../../model/datasets';
-import { dialog, drawer, tell } from '../../model/screen';
+import { dialog, drawer, leftTab, tell } from '../../model/screen';
 import { change, settings } from '../../model/settings';
 import { age, shortTime } from '../../model/time';
 import { Icon, IconButton } from '../common/icon';
@@ -60,13 +60,18 @@ function ThemeButton(): VNode {
   return <IconButton icon={wanted === 'dark' ? 'moon' : 'sun'} label={`Use the ${wanted} theme`} onClick={() => change({ theme: wanted })} />;
 }
 
-/** The data in use by name and time; all of it in a dialog. */
+function openData(): void {
+  leftTab.value = 'data';
+  drawer.value = 'left';
+}
+
+/** The data in use by name and time; all of it on the left. */
 function DataBar(): VNode {
   const currents = chosenCurrents.value;
   const ice = chosenIcebergs.value;
   return (
     <div class="data-bar">
-      <button type="button" class="data-button" onClick={() => { dialog.value = 'data'; }} title="All data in the store">
+      <button type="button" class="data-button" onClick={openData} title="All data in the store">
         <Icon name="database" />
         {datasets.value === undefined ? (
           <span>Reading the store …</span>
@@ -102,7 +107,7 @@ function Item({ title, dataset, detail }: { title: string; dataset: Dataset | un
   return (
     <span class={dataset ? 'data-item' : 'data-item missing'} title={dataset?.name}>
       <span class="data-head"><b>{title}</b> {dataset ? detail : 'none'}</span>
-      <span class="data-name">{dataset ? dataset.name : 'ingest a file'}</span>
+      <span class="data-name">{dataset ? dataset.name : 'add a file'}</span>
     </span>
   );
 }

@@ -2,6 +2,7 @@ import type { VNode } from 'preact';
 import { refresh } from '../../api/session';
 import { connectionFault, isEmptyStore } from '../../model/datasets';
 import { Icon } from '../common/icon';
+import { FileChooser } from '../data/file_chooser';
 
 /** What to do when there is nothing to plan with, or nobody to ask. */
 export function EmptyStore(): VNode | null {
@@ -23,17 +24,9 @@ export function EmptyStore(): VNode | null {
   return (
     <section class="empty-store" aria-label="Empty store">
       <h2>The store is empty</h2>
-      <p>Planning needs depths and currents; coastline and icebergs make it safe. On the machine that runs Floeplan:</p>
-      <ol>
-        <li>
-          Write the demonstration data, or have your own files ready
-          <pre>floeplan demo demo-data</pre>
-        </li>
-        <li>
-          Read them into the store
-          <pre>floeplan ingest demo-data/disko-*</pre>
-        </li>
-      </ol>
+      <p>Planning needs depths and currents; coastline and icebergs make it safe.</p>
+      <FileChooser />
+      <p>Or drop files anywhere on this page. Demonstration data are written by <code>floeplan demo FOLDER</code> on the machine that runs Floeplan.</p>
       {again}
     </section>
   );

@@ -1,0 +1,37 @@
+import type { LonLat } from './page';
+
+interface Dropped {
+  name: string;
+  text: string;
+}
+interface Chosen {
+  name: string;
+  mimeType: string;
+  buffer: Buffer;
+}
+
+const chosen = (name: string, text: string): Chosen => ({ name, mimeType: 'application/octet-stream', buffer: Buffer.from(text) });
+
+/** Two sightings of now near a place, and one whose latitude is none. */
+export function bergFile([lon, lat]: LonLat): Dropped {
+  const observed = new Date(Date.now() - 3_600_000).toISOString();
+  const berg = (id: string, place: LonLat): object => ({
+    type: 'Feature', properties: { id, observed, length_m: 90 }, geometry: { type: 'Point', coordinates: place },
+  });
+  const features = [berg('today-1', [lon + 0.1, lat + 0.03]), berg('today-2', [lon - 0.1, lat - 0.03]), berg('today-3', [lon, 99])];
+  return { name: 'sighted-today.geojson', text: JSON.stringify({ type: 'FeatureCollection', features }) };
+}
+
+/** Levels of which half are above zero and half below, in a format that states no sign and no reference system. */
+export function signlessDepths(): Chosen {
+  const head = ['ncols 20', 'nrows 20', 'xllcorner -52.6', 'yllcorner 68.9', 'cellsize 0.02', 'NODATA_value -9999'];
+  const rows = Array.from({ length: 20 }, (_, j) => Array.from({ length: 20 }, (__, i) => ((i + j) % 2 ? -100 - i - j : 100 + i)).join(' '));
+  return chosen('levels.asc', [...head, ...rows, ''].join('\n'));
+}
+
+/** A zone that does not say its rule. */
+export function zoneFile(): Chosen {
+  const ring = [[-52.5, 69], [-52.4, 69], [-52.4, 69.05], [-52.5, 69.05], [-52.5, 69]];
+  const feature = { type: 'Feature', properties: { name: 'Closed' }, geometry: { type: 'Polygon', coordinates: [ring] } };
+  return chosen('closed.geojson', JSON.stringify({ type: 'FeatureCollection', features: [feature] }));
+}

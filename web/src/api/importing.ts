@@ -1,0 +1,139 @@
+import { beginImport, changeFile, changeImport, distinct, forgetImport, importOf, isLive, uploadsOf } from '../model/imports';
+import { announce } from '../model/screen';
+import { Sha256 } from '../model/sha256';
+import { datasets } from '../model/datasets';
+import * as api from './client';
+import { follow } from './following';
+import type { FileReport, IngestOptions, Upload } from './types';
+
+/** Small enough that the page stays lively between two pieces. */
+const piece_bytes = 1 << 20;
+
+const wordsOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
+
+const running = new Map<number, AbortController>();
+
+/** Sends files that belong together and has them read into the store; what comes of it is kept in `imports`. */
+export async function importFiles(files: File[], options: IngestOptions): Promise<void> {
+  if (files.length === 0) return;
+  const names = distinct(files.map(({ name }) => name));
+  const { number } = beginImport(files.map(({ size }, i) => ({ name: names[i] ?? '', size })));
+  announce(files.length === 1 ? `Sending ${names[0] ?? ''}.` : `Sending ${files.length} files.`);
+  await carryOut(number, async (signal) => {
+    const uploads: Upload[] = [];
+    for (const [i, file] of files.entries()) {
+      const upload = await send(number, i, file, names[i] ?? '', signal);
+      if (upload) uploads.push(upload);
+    }
+    if (uploads.length > 0) await read(number, uploads, options, signal);
+    else changeImport(number, { state: { stage: 'failed', detail: 'None of the files could be sent.' } });
+  });
+}
+
+/** Has refused files read once more, with what a person says about them; they are on the server still. */
+export async function readAgain(number: number, report: FileReport, options: IngestOptions): Promise<void> {
+  const now = importOf(number);
+  if (now?.state.stage !== 'done') return;
+  const others = now.state.reports.filter((other) => other !== report);
+  await carryOut(number, async (signal) => {
+    await read(number, uploadsOf(report, now.files), options, signal, others);
+  });
+}
+
+export function cancelImport(number: number): void {
+  running.get(number)?.abort();
+}
+
+/** Takes an import off the list, and off the server what it sent and nobody read. */
+export function dismissImport(number: number): void {
+  const done = importOf(number);
+  if (!done || isLive(done)) return;
+  forgetImport(number);
+  removeUploads(done.files.flatMap(({ upload }) => upload ?? []));
+}
+
+async function carryOut(number: number, work: (signal: AbortSignal) => Promise<void>): Promise<void> {
+  const controller = new AbortController();
+  running.set(number, controller);
+  try {
+    await work(controller.signal);
+  } catch (error) {
+    changeImport(number, { state: controller.signal.aborted ? { stage: 'cancelled' } : { stage: 'failed', detail: wordsOf(error) } });
+    announce(controller.signal.aborted ? 'The import was cancelled.' : `The import failed: ${wordsOf(error)}`);
+  } finally {
+    running.delete(number);
+  }
+}
+
+/** One file: its digest first, then its bytes. Undefined when it failed, which its row then says. */
+async function send(number: number, index: number, file: File, name: string, signal: AbortSignal): Promise<Upload | undefined> {
+  const tell = (part: Parameters<typeof changeFile>[2]): void => changeFile(number, index, part);
+  try {
+    tell({ stage: 'checking' });
+    const sha256 = await digestOf(file, signal, (bytes) => tell({ bytes }));
+    tell({ stage: 'sending', bytes: 0 });
+    const upload = await api.sendFile(file, name, sha256, signal, (bytes) => tell({ bytes: Math.min(bytes, file.size) }));
+    tell({ stage: 'sent', bytes: file.size, upload });
+    return upload;
+  } catch (error) {
+    if (signal.aborted) throw error;
+    tell({ stage: 'failed', fault: faultOf(error) });
+    return undefined;
+  }
+}
+
+function faultOf(error: unknown): string {
+  if (error instanceof api.ApiError) return error.problem.errors?.map(({ detail }) => detail).join('; ') ?? error.message;
+  if (error instanceof DOMException) return 'It cannot be read; it may be a folder, or have changed since it was chosen.';
+  return wordsOf(error);
+}
+
+async function digestOf(file: File, signal: AbortSignal, tell: (bytes: number) => void): Promise<string> {
+  const digest = new Sha256();
+  for (let from = 0; from < file.size; from += piece_bytes) {
+    signal.throwIfAborted();
+    const piece = new Uint8Array(await file.slice(from, from + piece_bytes).arrayBuffer());
+    digest.add(piece);
+    tell(from + piece.length);
+  }
+  return digest.digest();
+}
+
+async function read(number: number, uploads: Upload[], options: IngestOptions, signal: AbortSignal, others: FileReport[] = []): Promise<void> {
+  changeImport(number, { state: { stage: 'reading', job: undefined } });
+  const begun = await api.submitIngest({ ...options, uploads: uploads.map(({ id }) => id) });
+  const job = await follow(begun, signal, (now) => changeImport(number, { state: { stage: 'reading', job: now } }));
+  if (job.status === 'dismissed') {
+    changeImport(number, { state: { stage: 'cancelled' } });
+    announce('The import was cancelled.');
+    return;
+  }
+  if (job.status === 'failed') throw new Error(job.message || 'The server gave no reason.');
+  const { report } = await api.ingestReport(job.jobID);
+  const reports = report.datasets;
+  changeImport(number, { state: { stage: 'done', reports: [...others, ...reports] } });
+  announce(spoken(reports));
+  settleUploads(number, reports);
+  if (reports.some(({ status }) => status === 'stored')) datasets.value = (await api.datasets()).datasets;
+}
+
+/** What was read need not lie on the server twice; what was refused stays for another try. */
+function settleUploads(number: number, reports: FileReport[]): void {
+  const files = importOf(number)?.files ?? [];
+  const refused = new Set(reports.filter(({ status }) => status === 'refused').flatMap((report) => uploadsOf(report, files)));
+  const settled = reports.flatMap((report) => uploadsOf(report, files)).filter((upload) => !refused.has(upload));
+  removeUploads([...new Set(settled)]);
+}
+
+/** An upload that cannot be removed now expires by itself. */
+function removeUploads(uploads: Upload[]): void {
+  for (const { id } of uploads) void api.deleteUpload(id).catch(() => undefined);
+}
+
+function spoken(reports: FileReport[]): string {
+  const count = (status: FileReport['status']): number => reports.filter((report) => report.status === status).length;
+  const parts = [
+    [count('stored'), 'stored'], [count('unchanged'), 'known already'], [count('refused'), 'refused'],
+  ].filter(([number]) => number !== 0);
+  return `Import finished: ${parts.map(([number, word]) => `${number ?? 0} ${word ?? ''}`).join(', ')}.`;
+}

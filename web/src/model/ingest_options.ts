@@ -1,0 +1,59 @@
+import type { IngestOptions, Position } from '../api/types';
+import { parsePosition } from '../geo/coordinates';
+
+/** What a person says about files beyond the files themselves: texts until they are sent; empty where the file decides. */
+export type IngestForm = Record<OptionName, string>;
+export type OptionName = keyof IngestOptions;
+
+interface Option {
+  title: string;
+  choices?: [value: string, title: string][]; // else free text
+  placeholder?: string;
+}
+
+export const ingestOptions: Record<OptionName, Option> = {
+  name: { title: 'Name', placeholder: 'as the file' },
+  kind: {
+    title: 'Kind',
+    choices: [
+      ['bathymetry', 'depths'], ['currents', 'currents'], ['ice', 'sea ice'], ['icebergs', 'icebergs'], ['coastline', 'coastline'],
+      ['tides', 'tides'], ['wind', 'wind'], ['zones', 'zones'],
+    ],
+  },
+  positive: { title: 'Positive', choices: [['up', 'up: elevations'], ['down', 'down: depths']] },
+  crs: { title: 'Reference system', placeholder: 'EPSG:4326' },
+  variable: { title: 'Variable', placeholder: 'its name in the file' },
+  at: { title: 'Station at', placeholder: '69°13.2′N 51°06.0′W' },
+  unit: { title: 'Unit of amplitudes', choices: [['m', 'metres'], ['cm', 'centimetres'], ['mm', 'millimetres'], ['ft', 'feet']] },
+  zone_kind: { title: 'Rule of the zones', choices: [['no_go', 'keep out'], ['stay_in', 'stay in']] },
+};
+
+export const optionNames = Object.keys(ingestOptions) as OptionName[];
+export const emptyForm = Object.fromEntries(optionNames.map((name) => [name, ''])) as IngestForm;
+
+const optionNamed = (flag: string): OptionName | undefined => optionNames.find((name) => name === flag.replaceAll('-', '_'));
+const flags = /--([a-z-]+[a-z])/g;
+
+/** The options that a refusal asks for: it names them as the command line does. */
+export function askedFor(errors: string[]): OptionName[] {
+  const named = errors.flatMap((text) => [...text.matchAll(flags)].flatMap(([, flag = '']) => optionNamed(flag) ?? []));
+  return optionNames.filter((name) => named.includes(name));
+}
+
+/** A refusal with its options as the form calls them. */
+export const inWords = (error: string): string =>
+  error.replace(flags, (whole, flag: string) => {
+    const option = optionNamed(flag);
+    return option ? `“${ingestOptions[option].title}”` : whole;
+  });
+
+/** The options as the request states them, or what is wrong with them. */
+export function optionsOf(form: IngestForm): { options: IngestOptions } | { fault: string } {
+  const stated = optionNames.filter((name) => name !== 'at' && form[name].trim() !== '').map((name) => [name, form[name].trim()]);
+  const options = Object.fromEntries(stated) as IngestOptions;
+  if (form.at.trim() === '') return { options };
+  const place = parsePosition(form.at);
+  if (!place.ok) return { fault: `${ingestOptions.at.title}: ${place.fault}` };
+  const at: Position = place.value;
+  return { options: { ...options, at } };
+}

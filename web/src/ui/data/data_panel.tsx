@@ -1,0 +1,23 @@
+import type { VNode } from 'preact';
+import { refresh } from '../../api/session';
+import { imports } from '../../model/imports';
+import { Icon } from '../common/icon';
+import { DatasetList } from './dataset_list';
+import { FileChooser } from './file_chooser';
+import { ImportCard } from './import_card';
+
+/** What the store holds, and the way into it. */
+export function DataPanel(): VNode {
+  return (
+    <div class="data-panel">
+      <FileChooser />
+      {imports.value.map((one) => <ImportCard key={one.number} one={one} />)}
+      <div class="setup-head">
+        <h2>In the store</h2>
+        <button type="button" class="link" onClick={() => void refresh()}><Icon name="refresh" size={13} /> Look again</button>
+      </div>
+      <DatasetList />
+      <p class="hint">The newest of each kind is used unless the set-up names another under <b>Data</b>.</p>
+    </div>
+  );
+}

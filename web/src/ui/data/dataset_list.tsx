@@ -1,0 +1,68 @@
+import type { VNode } from 'preact';
+import { useState } from 'preact/hooks';
+import { deleteDataset } from '../../api/session';
+import type { Dataset } from '../../api/types';
+import { covered, toggleCoverage } from '../../model/coverage';
+import { datasets, isInUse } from '../../model/datasets';
+import { plans } from '../../model/plans';
+import { shortTime } from '../../model/time';
+import { fileSize } from '../../model/units';
+import { ask } from '../../model/view';
+import { borderOf } from '../../geo/boxes';
+import { Icon, IconButton } from '../common/icon';
+
+/** Every dataset of the store with its times, sizes and warnings. */
+export function DatasetList(): VNode {
+  if (datasets.value === undefined) return <p class="quiet">Reading the store …</p>;
+  if (datasets.value.length === 0) return <p class="quiet">Nothing yet.</p>;
+  return (
+    <ul class="dataset-list" aria-label="Datasets">
+      {datasets.value.map((dataset) => <Row key={dataset.id} dataset={dataset} />)}
+    </ul>
+  );
+}
+
+function Row({ dataset }: { dataset: Dataset }): VNode {
+  const [fault, setFault] = useState<string | undefined>(undefined);
+  const { bbox, file_name, file_size_bytes, id, ingested, kind, name, rows_accepted, rows_refused, time_end, time_start, warnings } = dataset;
+  const shown = covered.value.includes(id);
+  const inUse = isInUse(dataset);
+  const cover = (): void => {
+    toggleCoverage(id);
+    if (!shown) ask({ do: 'fit', places: borderOf(bbox) });
+  };
+  const remove = async (): Promise<void> => {
+    if (window.confirm(question(dataset))) setFault(await deleteDataset(id));
+  };
+  return (
+    <li class={shown ? 'dataset covered' : 'dataset'}>
+      <div class="dataset-head">
+        <span class="dataset-kind">{kind}</span>
+        {inUse && <span class="badge in-use">in use</span>}
+        <IconButton icon={shown ? 'eye' : 'eyeOff'} label={`Show the coverage of ${name}`} pressed={shown} onClick={cover} />
+        <IconButton icon="trash" label={`Remove ${name}`} onClick={() => void remove()} />
+      </div>
+      <b class="dataset-name">{name}</b>
+      <p class="dataset-figures">
+        {time_start && time_end && <span>{time_start === time_end ? shortTime(Date.parse(time_start)) : `${shortTime(Date.parse(time_start))} – ${shortTime(Date.parse(time_end))}`}</span>}
+        {kind === 'icebergs' && <span>{rows_accepted.toLocaleString('en')} sightings{rows_refused > 0 ? `, ${rows_refused.toLocaleString('en')} refused` : ''}</span>}
+        <span>{file_name}, {fileSize(file_size_bytes)}</span>
+        <span>in since {shortTime(Date.parse(ingested))}</span>
+      </p>
+      {warnings.length > 0 && (
+        <details class="dataset-warnings">
+          <summary><Icon name="warning" size={12} /> {warnings.length === 1 ? '1 warning' : `${warnings.length} warnings`}</summary>
+          <ul class="report-texts">{warnings.map((text) => <li key={text}>{text}</li>)}</ul>
+        </details>
+      )}
+      {fault && <p class="fault" role="alert">{fault}</p>}
+    </li>
+  );
+}
+
+/** Plans keep their figures, but can no longer be judged on a dataset that is gone. */
+function question({ id, name }: Dataset): string {
+  const using = plans.value.filter((plan) => plan.datasets.some((used) => used.id === id)).length;
+  const consequence = using === 0 ? '' : `\n\n${using === 1 ? 'One plan was' : `${using} plans were`} made on it and cannot be evaluated on it any more.`;
+  return `Remove ${name} from the store?${consequence}`;
+}
