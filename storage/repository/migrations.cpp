@@ -226,6 +226,36 @@ CREATE TABLE simulation_flight (
   document_json TEXT NOT NULL,
   PRIMARY KEY (simulation_row, run)
 ) STRICT;
+)sql",
+                                R"sql(
+CREATE TABLE token (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  name TEXT NOT NULL UNIQUE,
+  role TEXT NOT NULL CHECK (role IN ('viewer', 'pilot', 'admin')),
+  key TEXT NOT NULL UNIQUE,  -- the part of the credential that finds the row; no secret
+  digest TEXT NOT NULL,      -- SHA-256 of the secret part
+  created_s REAL NOT NULL
+) STRICT;
+
+CREATE TABLE login (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  token_row INTEGER NOT NULL REFERENCES token (row) ON DELETE CASCADE,
+  key TEXT NOT NULL UNIQUE,
+  digest TEXT NOT NULL,
+  created_s REAL NOT NULL,
+  expires_s REAL NOT NULL
+) STRICT;
+CREATE INDEX login_by_token ON login (token_row);
+
+CREATE TABLE audit (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  at_s REAL NOT NULL,
+  caller TEXT NOT NULL,  -- name of a token that may be gone
+  peer TEXT NOT NULL,
+  action TEXT NOT NULL,
+  target TEXT NOT NULL,
+  request_id TEXT NOT NULL
+) STRICT;
 )sql"};
 
 constexpr auto newest_schema = static_cast<std::int64_t>(migrations.size());

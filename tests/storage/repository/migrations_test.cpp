@@ -73,6 +73,9 @@ DROP TABLE zone;
 DROP TABLE zone_box;
 DROP TABLE simulation_flight;
 DROP TABLE simulation;
+DROP TABLE login;
+DROP TABLE token;
+DROP TABLE audit;
 PRAGMA user_version = 1;
 )sql");
 }

@@ -1,0 +1,40 @@
+#include "storage/repository/audit_repository.hpp"
+
+#include "storage/sqlite/statement.hpp"
+#include "storage/sqlite/transaction.hpp"
+
+namespace floeplan::repository {
+
+void AuditRepository::add(const AuditEntry& entry) {
+  sqlite::Transaction transaction{db_};
+  sqlite::Statement insert{
+      db_,
+      "INSERT INTO audit (at_s, caller, peer, action, target, request_id) VALUES (?1, ?2, ?3, ?4, ?5, ?6)"};
+  insert.bind_all(entry.at, entry.caller, entry.peer, entry.action, entry.target, entry.request_id);
+  insert.run();
+  sqlite::Statement forget{db_, "DELETE FROM audit WHERE row <= (SELECT max(row) FROM audit) - ?1"};
+  forget.bind(1, most_entries);
+  forget.run();
+  transaction.commit();
+}
+
+std::vector<AuditEntry> AuditRepository::list(std::int64_t before, int limit) const {
+  sqlite::Statement query{
+      db_,
+      "SELECT row, at_s, caller, peer, action, target, request_id FROM audit WHERE ?1 = 0 "
+      "OR row < ?1 ORDER BY row DESC LIMIT max(?2, 0)"};
+  query.bind_all(before, limit);
+  std::vector<AuditEntry> entries;
+  while (query.step()) {
+    entries.push_back({.row = query.integer(0),
+                       .at = query.time(1),
+                       .caller = query.text(2),
+                       .peer = query.text(3),
+                       .action = query.text(4),
+                       .target = query.text(5),
+                       .request_id = query.text(6)});
+  }
+  return entries;
+}
+
+}  // namespace floeplan::repository

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <cstdint>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::repository {
+
+/// Something that somebody did and may have to answer for.
+struct AuditEntry {
+  std::int64_t row{};  // given by the store, ascending in time
+  core::UtcTime at;
+  std::string caller;  // name of a token
+  std::string peer;    // address it came from
+  std::string action;  // "plan-route", "export", "upload", "remove", ...
+  std::string target;  // what it was done to: the path, or the id of the job
+  std::string request_id;
+};
+
+/// Entries are added and read, never changed; those beyond the newest `most_entries` go.
+/// Threads  as the connection: one thread at a time
+class AuditRepository {
+ public:
+  explicit AuditRepository(sqlite::Connection& db) : db_{db} {}
+
+  static constexpr std::int64_t most_entries = 1'000'000;  // some 150 MB: years of a busy station
+
+  void add(const AuditEntry& entry);
+  /// Newest first, at most `limit` with a row below `before` (0: from the newest).
+  [[nodiscard]] std::vector<AuditEntry> list(std::int64_t before, int limit) const;
+
+ private:
+  sqlite::Connection& db_;  // borrowed
+};
+
+}  // namespace floeplan::repository
