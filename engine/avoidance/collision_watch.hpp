@@ -14,9 +14,4 @@ namespace floeplan::avoidance {
 [[nodiscard]] std::optional<double> first_contact(std::span<const TimedPoint> way,
                                                   std::span<const Obstacle> obstacles, double clearance_m);
 
-/// The obstacle's disc during [now_s, until_s] for someone at `place`: if that lies within it, shrunk to leave it
-/// outside by half a metre.
-[[nodiscard]] motion::MovingDisc disc_left_by(const Obstacle& obstacle, geo::PlanePoint place, double now_s,
-                                              double until_s, double clearance_m);
-
 }  // namespace floeplan::avoidance

@@ -5,7 +5,7 @@
 #include <numbers>
 #include <vector>
 
-#include "engine/avoidance/collision_watch.hpp"
+#include "engine/avoidance/disc_set.hpp"
 #include "engine/avoidance/steering.hpp"
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/motion/crabbing.hpp"
@@ -62,15 +62,15 @@ class LocalGrid {
 /// Even moves over the ground among the obstacles' discs, seconds from now.
 class LocalSea {
  public:
-  LocalSea(const Going& going, geo::PlanePoint start, std::span<const Obstacle> obstacles, double clearance_m)
-      : crabbing_{core::MetresPerSecond{going.through_water_m_s}}, current_{going.current} {
-    for (const Obstacle& obstacle : obstacles) {
-      motion::MovingDisc disc = disc_left_by(obstacle, start, 0.0, horizon_s, clearance_m);
-      disc.velocity.x_m_s += current_.east.value;
-      disc.velocity.y_m_s += current_.north.value;
-      discs_.push_back(disc);
-    }
-  }
+  LocalSea(const Going& going, geo::PlanePoint start, std::vector<Obstacle> obstacles, double clearance_m)
+      : crabbing_{core::MetresPerSecond{going.through_water_m_s}},
+        current_{going.current},
+        discs_{over_ground(obstacles, going.current),
+               {.from = start,
+                .now_s = 0.0,
+                .until_s = horizon_s,
+                .clearance_m = clearance_m,
+                .takes_guesses = true}} {}
 
   /// Arrival of a straight way; empty: against the current or into an obstacle.
   [[nodiscard]] std::optional<double> arrival_s(geo::PlanePoint from, geo::PlanePoint to,
@@ -82,19 +82,22 @@ class LocalSea {
                                               current_.east.value * ey - current_.north.value * ex});
     if (!slowness) return std::nullopt;
     const double arrive_s = depart_s + length_m * *slowness;
-    if (is_touched({from, to, depart_s, arrive_s})) return std::nullopt;
+    if (discs_.is_touched({from, to, depart_s, arrive_s})) return std::nullopt;
     return arrive_s;
   }
 
  private:
-  [[nodiscard]] bool is_touched(const motion::EvenMove& move) const {
-    return std::ranges::any_of(
-        discs_, [&](const motion::MovingDisc& disc) { return motion::first_touch(move, disc).has_value(); });
+  static std::span<const Obstacle> over_ground(std::vector<Obstacle>& obstacles, geo::VelocityEn current) {
+    for (Obstacle& obstacle : obstacles) {
+      obstacle.drift.x_m_s += current.east.value;
+      obstacle.drift.y_m_s += current.north.value;
+    }
+    return obstacles;
   }
 
   motion::Crabbing crabbing_;
   geo::VelocityEn current_;
-  std::vector<motion::MovingDisc> discs_;
+  DiscSet discs_;
 };
 
 /// No way to the goal is faster than straight with the current behind.
@@ -155,7 +158,8 @@ EvasivePath plan_evasion(const Going& going, geo::PlanePoint goal, const WaterFr
 
   const LocalGrid grid{start, end};
   const graph::GridGraph graph{grid.columns(), grid.rows(), 2};
-  const LocalSea sea{going, start, obstacles, settings.clearance.value + path_slack_m};
+  const LocalSea sea{
+      going, start, {obstacles.begin(), obstacles.end()}, settings.clearance.value + path_slack_m};
   const auto travel_time = [&](const graph::Edge& edge, core::Seconds depart,
                                core::Seconds) -> std::optional<core::Seconds> {
     const auto arrival =

@@ -41,9 +41,13 @@ class Obstacles {
   [[nodiscard]] std::optional<double> nearest_m(geo::PlanePoint place) const;
 
  private:
-  void add(const Obstacle& obstacle, geo::PlanePoint vehicle);
+  static constexpr std::size_t most_patches = ObjectMap::most_objects * (TrackedObject::most_cells + 1);
+
+  [[nodiscard]] double farthest_taken_m(const ObjectMap& objects, geo::PlanePoint own_in_water,
+                                        double reach_m);
 
   std::array<Obstacle, most> list_{};
+  std::array<double, most_patches> distances_m_{};
   std::size_t size_{};
 };
 

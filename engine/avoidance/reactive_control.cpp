@@ -7,7 +7,7 @@
 #include <numbers>
 #include <optional>
 
-#include "engine/avoidance/collision_watch.hpp"
+#include "engine/avoidance/disc_set.hpp"
 #include "engine/avoidance/steering.hpp"
 
 namespace floeplan::avoidance {
@@ -17,44 +17,54 @@ constexpr int headings = 72;
 constexpr double step_rad = 2.0 * std::numbers::pi / headings;
 constexpr int widest_sweep = 60;  // of the headings: beyond 300 degrees the other side is nearer
 
-/// What one look ahead asks of a heading.
+/// What is asked of the headings: no contact within a time, at a distance.
 struct Look {
   double horizon_s;
   double clearance_m;
 };
 
-/// Headings of one moment against the obstacles, each tried when it is first asked for.
+/// Headings of one moment against the obstacles of one look, each tried when it is first asked for.
 class Headings {
  public:
   Headings(geo::PlanePoint own, double through_water_m_s, double goal_rad,
-           std::span<const Obstacle> obstacles)
-      : own_{own}, speed_{through_water_m_s}, goal_rad_{goal_rad}, obstacles_{obstacles} {}
+           std::span<const Obstacle> obstacles, const Look& look)
+      : own_{own},
+        goal_rad_{goal_rad},
+        horizon_s_{look.horizon_s},
+        way_m_{through_water_m_s * look.horizon_s},
+        discs_{obstacles,
+               {.from = own,
+                .now_s = 0.0,
+                .until_s = look.horizon_s,
+                .clearance_m = look.clearance_m,
+                .reach_m = way_m_}} {}
 
   [[nodiscard]] double heading_rad(int steps_from_goal) const {
     return goal_rad_ + steps_from_goal * step_rad;
   }
   /// Seconds until contact; infinite: none within the look.
-  [[nodiscard]] double contact_s(int steps_from_goal, const Look& look) const {
-    const geo::PlanePoint end = moved(own_, heading_rad(steps_from_goal), speed_ * look.horizon_s);
-    const std::array<TimedPoint, 2> way{TimedPoint{own_, 0.0}, TimedPoint{end, look.horizon_s}};
-    return first_contact(way, obstacles_, look.clearance_m).value_or(std::numeric_limits<double>::infinity());
+  [[nodiscard]] double contact_s(int steps_from_goal) const {
+    return discs_.first_touch(move(steps_from_goal)).value_or(std::numeric_limits<double>::infinity());
   }
-  [[nodiscard]] bool is_free(int steps_from_goal, const Look& look) const {
-    return !std::isfinite(contact_s(steps_from_goal, look));
-  }
+  [[nodiscard]] bool is_free(int steps_from_goal) const { return !discs_.is_touched(move(steps_from_goal)); }
   /// Steps from the goal's heading to the first free one on a side; empty: none.
-  [[nodiscard]] std::optional<int> sweep(int side, const Look& look) const {
+  [[nodiscard]] std::optional<int> sweep(int side) const {
     for (int k = 1; k <= widest_sweep; ++k) {
-      if (is_free(side * k, look)) return k;
+      if (is_free(side * k)) return k;
     }
     return std::nullopt;
   }
 
  private:
+  [[nodiscard]] motion::EvenMove move(int steps_from_goal) const {
+    return {own_, moved(own_, heading_rad(steps_from_goal), way_m_), 0.0, horizon_s_};
+  }
+
   geo::PlanePoint own_;
-  double speed_;
   double goal_rad_;
-  std::span<const Obstacle> obstacles_;
+  double horizon_s_;
+  double way_m_;
+  DiscSet discs_;
 };
 
 }  // namespace
@@ -62,7 +72,9 @@ class Headings {
 ReactiveCourse ReactiveControl::steer(geo::PlanePoint own_in_water, double through_water_m_s,
                                       double goal_heading_rad, double goal_s,
                                       std::span<const Obstacle> obstacles) {
-  const Headings tried{own_in_water, through_water_m_s, goal_heading_rad, obstacles};
+  const auto headings_of = [&](const Look& look) {
+    return Headings{own_in_water, through_water_m_s, goal_heading_rad, obstacles, look};
+  };
   const double watch_s = settings_.watch.count();
   const double imminent_s = settings_.imminent.count();
   // As far and as wide as can be had.
@@ -70,25 +82,27 @@ ReactiveCourse ReactiveControl::steer(geo::PlanePoint own_in_water, double throu
                                   Look{std::max(0.3 * watch_s, imminent_s), settings_.clearance.value},
                                   Look{imminent_s, settings_.clearance.value},
                                   Look{imminent_s, settings_.close.value}};
-  if (tried.is_free(0, {std::min(goal_s, watch_s), settings_.clearance.value})) {
+  if (headings_of({std::min(goal_s, watch_s), settings_.clearance.value}).is_free(0)) {
     side_ = 0;
     return {goal_heading_rad, false};
   }
   for (const Look& look : looks) {
+    const Headings tried = headings_of(look);
     if (side_ != 0) {
-      if (const auto k = tried.sweep(side_, look)) return {tried.heading_rad(side_ * *k), false};
+      if (const auto k = tried.sweep(side_)) return {tried.heading_rad(side_ * *k), false};
     }
-    const auto starboard = tried.sweep(1, look);
-    const auto port = tried.sweep(-1, look);
+    const auto starboard = tried.sweep(1);
+    const auto port = tried.sweep(-1);
     if (!starboard && !port) continue;
     side_ = !port || (starboard && *starboard <= *port) ? 1 : -1;
     return {tried.heading_rad(side_ * (side_ > 0 ? *starboard : *port)), false};
   }
 
+  const Headings tried = headings_of({watch_s, 0.0});
   int best = 0;
   double latest_s = -1.0;
   for (int k = 0; k < headings; ++k) {
-    const double contact_s = tried.contact_s(k, {watch_s, 0.0});
+    const double contact_s = tried.contact_s(k);
     if (contact_s > latest_s) {
       latest_s = contact_s;
       best = k;
