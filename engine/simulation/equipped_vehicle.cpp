@@ -76,7 +76,8 @@ void EquippedVehicle::sound(const FlightView& view) {
 }
 
 void EquippedVehicle::hear(const FlightView& view, avoidance::Sensed& sensed) {
-  const auto returns = sonar_.ping(view.truth, rays_, sonar_rng_);
+  const auto returns = rays_.is_open_water() ? sonar_.ping_in_open_water(sonar_rng_)
+                                             : sonar_.ping(view.truth, rays_, sonar_rng_);
   sensed.sonar = avoidance::SonarPing{view.truth.time, returns};
   if (returns.empty() || !log_ping_.is_due(view.truth.time)) return;
   const auto nearest = std::ranges::min_element(returns, {}, &avoidance::SonarReturn::range);

@@ -19,6 +19,8 @@ class IceLayer {
   IceLayer(const ocean::IceField& ice, const geo::LocalProjection& projection, const planning::PlaneBox& area,
            core::UtcTime epoch);
 
+  /// Whether there is any, somewhere and some time.
+  [[nodiscard]] bool has_ice() const { return cover_.has_value() || even_m_ > 0.0; }
   /// Zero in open water and where nothing is known of ice, as beyond the area.
   [[nodiscard]] double draft_m(double east_m, double north_m, core::UtcTime time) const {
     if (!cover_) return even_m_;

@@ -16,6 +16,7 @@ constexpr double most_rays = 4000.0;          // a ping is heard in well under a
 constexpr double rays_in_height = 5.0;        // of a beam; a face of a fifth of its height is met
 constexpr double least_false_alarm = 1e-12;   // of a cell, where none is wanted
 constexpr float loudest_neighbour = 3.98F;    // 6 dB: more than that and the echo is the neighbour's
+constexpr double faintest_echo = 0.05;        // of its background: below, the chance is that of a false alarm
 constexpr std::size_t surface_entries = 256;  // of the table of the surface's strength
 constexpr double right_angle = std::numbers::pi / 2.0;
 
@@ -55,6 +56,13 @@ Sonar::Sonar(const SonarSettings& settings) : settings_{settings} {
   weigh_rays();
   find_neighbours();
   tabulate();
+}
+
+std::span<const avoidance::SonarReturn> Sonar::ping_in_open_water(std::mt19937_64& rng) {
+  detections_.clear();
+  add_false_alarms(rng);
+  hand_out();
+  return returns_;
 }
 
 void Sonar::lay_beams() {
@@ -171,16 +179,18 @@ void Sonar::find_neighbours() {
 void Sonar::gather(std::size_t beam) {
   const auto cells = static_cast<std::size_t>(cells_);
   CellPower* powers = &powers_[beam * cells];
-  CellSpan span{cells, 0};
+  Spans spans{{cells, 0}, {cells, 0}};
   for (const Weight& weight : weights_[beam]) {
     const Heard& from = heard_[weight.ray];
     if (from.cell < 0) continue;
     const auto cell = static_cast<std::size_t>(from.cell);
     const float power = weight.two_way * static_cast<float>(from.power);
     (from.open_surface ? powers[cell].surface : powers[cell].echo) += power;
-    span = {std::min(span.begin, cell), std::max(span.end, cell + 1)};
+    spans.heard = {std::min(spans.heard.begin, cell), std::max(spans.heard.end, cell + 1)};
+    if (!from.open_surface)
+      spans.echoes = {std::min(spans.echoes.begin, cell), std::max(spans.echoes.end, cell + 1)};
   }
-  spans_[beam] = span;
+  spans_[beam] = spans;
 }
 
 bool Sonar::is_a_neighbours(std::size_t beam, std::size_t cell) const {
@@ -193,23 +203,27 @@ bool Sonar::is_a_neighbours(std::size_t beam, std::size_t cell) const {
 void Sonar::forget_powers() {
   const auto cells = static_cast<std::size_t>(cells_);
   for (std::size_t beam = 0; beam < beams_.size(); ++beam) {
-    for (std::size_t cell = spans_[beam].begin; cell < spans_[beam].end; ++cell)
+    for (std::size_t cell = spans_[beam].heard.begin; cell < spans_[beam].heard.end; ++cell)
       powers_[beam * cells + cell] = {};
   }
 }
 
 void Sonar::listen(std::size_t beam, std::mt19937_64& rng) {
-  const CellSpan span = spans_[beam];
+  const CellSpan span = spans_[beam].echoes;
   int returned = 0;
   std::size_t end_of_last = 0;
   for (std::size_t cell = span.begin; cell < span.end; ++cell) {
     const CellPower& heard_here = powers_[beam * static_cast<std::size_t>(cells_) + cell];
-    if (heard_here.echo <= 0.0F || is_a_neighbours(beam, cell)) continue;
     const auto echo = static_cast<double>(heard_here.echo);
     const auto surface = static_cast<double>(heard_here.surface);
     const double against = background_[cell] + surface + side_lobes_ * total_[cell];
+    if (echo <= faintest_echo * against) continue;
     const double mean = against + echo;
-    if (std::log1p(-core::uniform(rng)) > false_alarm_log_ * against / mean) continue;
+    // Heard when the logarithm of a chance is at most the exponent; exp(x) <= 1 / (1 - x) mostly says no without it.
+    const double chance = 1.0 - core::uniform(rng);
+    const double exponent = false_alarm_log_ * against / mean;
+    if (chance * (1.0 - exponent) > 1.0 || std::log(chance) > exponent) continue;
+    if (is_a_neighbours(beam, cell)) continue;
 
     // Above the threshold an exponential power has the same distribution as from zero.
     const double level_db = level_of(-false_alarm_log_ * against - mean * std::log1p(-core::uniform(rng)));

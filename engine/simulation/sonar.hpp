@@ -46,6 +46,8 @@ class Sonar {
   template <CastRay Cast>
   [[nodiscard]] std::span<const avoidance::SonarReturn> ping(const TrueState& state, const Cast& cast,
                                                              std::mt19937_64& rng);
+  /// Hears a ping that meets nothing but the open surface: the same as `ping`, at once.
+  [[nodiscard]] std::span<const avoidance::SonarReturn> ping_in_open_water(std::mt19937_64& rng);
 
   /// Mean level of the background in a range cell, noise and volume, dB re 1 uPa.
   [[nodiscard]] double background_db(double range_m) const;
@@ -85,6 +87,10 @@ class Sonar {
     std::size_t begin{};
     std::size_t end{};
   };
+  struct Spans {
+    CellSpan heard;   // of anything
+    CellSpan echoes;  // of what is not the open surface
+  };
   struct Detection {
     std::size_t beam{};
     int cell{};
@@ -120,7 +126,7 @@ class Sonar {
   std::vector<Heard> heard_;                  // [ray]
   std::vector<double> total_;                 // [cell], power of all rays
   std::vector<CellPower> powers_;             // [beam][cell]; zero outside the spans
-  std::vector<CellSpan> spans_;               // [beam], cells that it hears
+  std::vector<Spans> spans_;                  // [beam]
   std::vector<std::vector<std::size_t>> neighbours_;  // [beam], beside, above and below it
   std::vector<Detection> detections_;
   std::vector<avoidance::SonarReturn> returns_;

@@ -1,41 +1,49 @@
 #include "engine/simulation/sound_rays.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <numbers>
 
 namespace floeplan::simulation {
 namespace {
 
 constexpr double least_step_m = 1.0;  // along a ray, close above the sea bed
-constexpr double step_share =
-    0.5;  // of the height above the bed: a ray cannot meet a slope of 60 degrees sooner
 constexpr double slope_step_m = 5.0;  // over which the slope of the sea bed is taken
-constexpr int halvings = 8;           // of the last step: to half a centimetre and better
-constexpr int bed_samples = 8;        // around the vehicle, at half the reach and at all of it
 
 Vector along(Vector origin, Vector direction, double range_m) { return origin + range_m * direction; }
 
 }  // namespace
 
 SoundRays::SoundRays(const World& world, core::Metres reach)
-    : world_{world}, reach_m_{reach.value}, nearby_{world, reach} {}
+    : world_{world}, reach_m_{reach.value}, nearby_{world, reach}, bed_{world, reach} {}
 
 void SoundRays::look_from(Vector place, core::UtcTime time) {
   time_ = time;
   bodies_.clear();
   for (const NearbyBodies::Posed& posed : nearby_.at(place, time)) {
-    if (posed.body->least_distance(posed.pose, place) <= reach_m_) bodies_.push_back(posed);
+    if (posed.body->least_distance(posed.pose, place) > reach_m_) continue;
+    const Shape& shape = posed.body->shape();
+    const double half_draft_m = 0.5 * shape.draft_m;
+    const Vector centre = Vector{posed.pose.east_m, posed.pose.north_m, half_draft_m} - place;
+    bodies_.push_back({posed, centre, dot(centre, centre),
+                       std::sqrt(shape.radius_m * shape.radius_m + half_draft_m * half_draft_m)});
   }
-  near_bed_ = bed_within_reach(place);
+  bed_.look_from(place);
+  const auto shallowest_m = bed_.shallowest_m();
+  near_bed_ = shallowest_m && *shallowest_m - place.down <= reach_m_;
+}
+
+bool SoundRays::InReach::is_missed_by(Vector direction, double max_range_m) const {
+  const double ahead_m = dot(centre, direction);
+  if (ahead_m < -radius_m || ahead_m - radius_m > max_range_m) return true;
+  return centre_m2 - ahead_m * ahead_m > radius_m * radius_m;
 }
 
 std::optional<RayHit> SoundRays::operator()(Vector origin, Vector direction, double max_range_m) const {
   std::optional<RayHit> nearest;
   double range_m = max_range_m;
-  for (const NearbyBodies::Posed& posed : bodies_) {
-    if (const auto hit = posed.body->first_hit(posed.pose, origin, direction, range_m)) {
+  for (const InReach& body : bodies_) {
+    if (body.is_missed_by(direction, range_m)) continue;
+    if (const auto hit = body.posed.body->first_hit(body.posed.pose, origin, direction, range_m)) {
       range_m = hit->range_m;
       nearest = RayHit{range_m, std::clamp(-dot(hit->normal, direction), 0.0, 1.0), Scatterer::ice};
     }
@@ -53,54 +61,45 @@ std::optional<RayHit> SoundRays::operator()(Vector origin, Vector direction, dou
 std::optional<RayHit> SoundRays::surface_hit(Vector origin, Vector direction, double max_range_m) const {
   if (direction.down >= 0.0) return std::nullopt;
   const double to_surface_m = origin.down / -direction.down;
-  const Vector above = along(origin, direction, std::min(to_surface_m, max_range_m));
-  const double draft_m = world_.ice_draft_m(above.east, above.north, time_);
+  double draft_m = 0.0;
+  if (world_.has_ice()) {
+    const Vector above = along(origin, direction, std::min(to_surface_m, max_range_m));
+    draft_m = world_.ice_draft_m(above.east, above.north, time_);
+  }
   const double range_m = std::max(0.0, (origin.down - draft_m) / -direction.down);
   if (range_m > max_range_m) return std::nullopt;
   return RayHit{range_m, -direction.down, draft_m > 0.0 ? Scatterer::ice : Scatterer::open_surface};
 }
 
-std::optional<double> SoundRays::above_bed(Vector place) const {
-  const auto bed_m = world_.bed_depth_m(place.east, place.north);
-  if (!bed_m) return std::nullopt;
-  return *bed_m - place.down;
-}
-
-bool SoundRays::bed_within_reach(Vector place) const {
-  const auto within = [&](double east_m, double north_m) {
-    const auto bed_m = world_.bed_depth_m(place.east + east_m, place.north + north_m);
-    return bed_m && *bed_m - place.down <= reach_m_;
-  };
-  if (within(0.0, 0.0)) return true;
-  for (int i = 0; i < bed_samples; ++i) {
-    const double angle = 2.0 * std::numbers::pi * i / bed_samples;
-    const double east_m = reach_m_ * std::sin(angle);
-    const double north_m = reach_m_ * std::cos(angle);
-    if (within(east_m, north_m) || within(0.5 * east_m, 0.5 * north_m)) return true;
-  }
-  return false;
-}
-
+/// Steps as long as the steepest slope allows, so that none leads through the bed, and at last short ones.
 std::optional<RayHit> SoundRays::bed_hit(Vector origin, Vector direction, double max_range_m) const {
+  const double level = std::sqrt(direction.east * direction.east + direction.north * direction.north);
+  const double closing =
+      direction.down + bed_.steepest() * level;  // metres of height by metres of ray, at most
   double before_m = 0.0;
+  double height_before_m = 0.0;
   double range_m = 0.0;
   for (;;) {
-    const auto height_m = above_bed(along(origin, direction, range_m));
-    if (!height_m) return std::nullopt;
-    if (*height_m <= 0.0) break;
-    if (range_m >= max_range_m) return std::nullopt;
+    const Vector place = along(origin, direction, range_m);
+    const auto depth_m = bed_.depth_m(place.east, place.north);
+    if (!depth_m) return std::nullopt;
+    const double height_m = *depth_m - place.down;
+    if (height_m <= 0.0) {
+      // The last step was short: between its ends the bed is as good as even.
+      const double share = range_m > 0.0 ? height_before_m / (height_before_m - height_m) : 0.0;
+      const double hit_m = std::lerp(before_m, range_m, share);
+      return RayHit{hit_m, cosine_on_bed(along(origin, direction, hit_m), direction), Scatterer::sea_bed};
+    }
+    if (height_m > closing * (max_range_m - range_m)) return std::nullopt;
     before_m = range_m;
-    range_m = std::min(max_range_m, range_m + std::max(least_step_m, step_share * *height_m));
+    height_before_m = height_m;
+    range_m = std::min(max_range_m, range_m + std::max(least_step_m, height_m / closing));
   }
-  for (int i = 0; i < halvings; ++i) {
-    const double middle_m = 0.5 * (before_m + range_m);
-    const auto height_m = above_bed(along(origin, direction, middle_m));
-    (height_m && *height_m > 0.0 ? before_m : range_m) = middle_m;
-  }
+}
 
-  const Vector foot = along(origin, direction, range_m);
+double SoundRays::cosine_on_bed(Vector foot, Vector direction) const {
   const auto depth_at = [&](double east_m, double north_m) {
-    return world_.bed_depth_m(foot.east + east_m, foot.north + north_m).value_or(foot.down);
+    return bed_.depth_m(foot.east + east_m, foot.north + north_m).value_or(foot.down);
   };
   const double deeper_east =
       (depth_at(slope_step_m, 0.0) - depth_at(-slope_step_m, 0.0)) / (2.0 * slope_step_m);
@@ -109,7 +108,7 @@ std::optional<RayHit> SoundRays::bed_hit(Vector origin, Vector direction, double
   const double steepness = std::sqrt(1.0 + deeper_east * deeper_east + deeper_north * deeper_north);
   const double cosine =
       (direction.down - deeper_east * direction.east - deeper_north * direction.north) / steepness;
-  return RayHit{range_m, std::clamp(cosine, 0.0, 1.0), Scatterer::sea_bed};
+  return std::clamp(cosine, 0.0, 1.0);
 }
 
 }  // namespace floeplan::simulation

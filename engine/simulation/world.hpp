@@ -40,6 +40,7 @@ class World {
   [[nodiscard]] double ice_draft_m(double east_m, double north_m, core::UtcTime time) const {
     return parts_.ice.draft_m(east_m, north_m, time);
   }
+  [[nodiscard]] bool has_ice() const { return parts_.ice.has_ice(); }
   /// Velocity of the water, m/s; empty beyond the data.
   [[nodiscard]] std::optional<Vector> current(Vector place, core::UtcTime time) const {
     return parts_.current.at(place, time);
