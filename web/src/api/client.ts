@@ -1,61 +1,12 @@
 import type {
   Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, IcebergFeature, IngestInputs, IngestReport, JobStatus, MissionPreview, PlanFeature, PlanInputs,
-  PlanResults, Probe, Problem, Reach, ReachInputs, Upload, Vehicle,
+  PlanResults, Probe, Reach, ReachInputs, Upload, Vehicle,
 } from './types';
+import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
+import { address, ApiError, json, request, silence } from './http';
 
-/** The server refused or could not be reached; `problem` is what it said, or a description of the silence. */
-export class ApiError extends Error {
-  constructor(readonly problem: Problem) {
-    super(problem.detail || problem.title);
-  }
-}
-
-type Query = Record<string, string | number | boolean | undefined>;
-
-/** Addresses are relative to the origin that served the page: no other host is ever named. */
-function address(path: string, query: Query = {}): string {
-  const search = new URLSearchParams();
-  for (const [key, value] of Object.entries(query)) {
-    if (value !== undefined) search.set(key, String(value));
-  }
-  const text = search.toString();
-  return text ? `${path}?${text}` : path;
-}
-
-async function problemOf(response: Response): Promise<Problem> {
-  const fallback: Problem = {
-    type: 'about:blank',
-    title: response.statusText || 'The server refused',
-    status: response.status,
-    detail: `The server answered ${response.status} to ${new URL(response.url).pathname}.`,
-  };
-  if (!(response.headers.get('content-type') ?? '').includes('json')) return fallback;
-  try {
-    return { ...fallback, ...((await response.json()) as Partial<Problem>) };
-  } catch {
-    return fallback;
-  }
-}
-
-const silence: Problem = { type: 'about:blank', title: 'No connection', status: 0, detail: 'The Floeplan server does not answer.' };
-
-async function request(path: string, init: RequestInit = {}): Promise<Response> {
-  let response: Response;
-  try {
-    response = await fetch(path, init);
-  } catch (error) {
-    if (init.signal?.aborted) throw error;
-    throw new ApiError(silence);
-  }
-  if (!response.ok) throw new ApiError(await problemOf(response));
-  return response;
-}
-
-async function json<T>(path: string, init: RequestInit = {}): Promise<T> {
-  const headers = { Accept: 'application/json, application/geo+json', ...(init.headers as Record<string, string> | undefined) };
-  return (await (await request(path, { ...init, headers })).json()) as T;
-}
+export { ApiError };
 
 async function grid(path: string, signal?: AbortSignal): Promise<Grid> {
   return decodeGrid(await (await request(path, { signal: signal ?? null })).arrayBuffer());
@@ -95,19 +46,17 @@ export const downloadAddress = (planId: string, format: ExportFormat, number: nu
 export const probe = (lon: number, lat: number, time: string, signal?: AbortSignal): Promise<Probe> =>
   json(address('/probe', { lon, lat, time }), { signal: signal ?? null });
 
-export const submitPlan = (inputs: PlanInputs): Promise<JobStatus> =>
-  json('/processes/plan-route/execution', {
+/** Hands work to a process; the answer is its job. */
+const submit = (process: string, inputs: object): Promise<JobStatus> =>
+  json(`/processes/${process}/execution`, {
     method: 'POST',
     headers: { 'Content-Type': 'application/json', Prefer: 'respond-async' },
     body: JSON.stringify({ inputs }),
   });
 
-export const submitIngest = (inputs: IngestInputs): Promise<JobStatus> =>
-  json('/processes/ingest/execution', {
-    method: 'POST',
-    headers: { 'Content-Type': 'application/json', Prefer: 'respond-async' },
-    body: JSON.stringify({ inputs }),
-  });
+export const submitPlan = (inputs: PlanInputs): Promise<JobStatus> => submit('plan-route', inputs);
+export const submitIngest = (inputs: IngestInputs): Promise<JobStatus> => submit('ingest', inputs);
+export const submitSimulation = (inputs: SimulateInputs): Promise<JobStatus> => submit('simulate-plan', inputs);
 
 export const ingestReport = (jobId: string): Promise<{ report: IngestReport }> => json(`/jobs/${encodeURIComponent(jobId)}/results`);
 
@@ -173,3 +122,20 @@ export const job = (id: string, wait_s: number, signal: AbortSignal): Promise<Jo
 export const jobResults = (id: string): Promise<PlanResults> => json(`/jobs/${encodeURIComponent(id)}/results`);
 
 export const dismissJob = (id: string): Promise<JobStatus> => json(`/jobs/${encodeURIComponent(id)}`, { method: 'DELETE' });
+
+export const simulationResults = (jobId: string): Promise<{ simulation: Simulation | { status: 'cancelled' } }> =>
+  json(`/jobs/${encodeURIComponent(jobId)}/results`);
+
+export const simulations = (planId: string): Promise<{ simulations: SimulationSummary[] }> =>
+  json(address('/simulations', { plan_id: planId, limit: 100 }));
+
+export const simulation = (id: string): Promise<Simulation> => json(`/simulations/${encodeURIComponent(id)}`);
+
+export const flight = (id: string, run: number): Promise<Flight> => json(`/simulations/${encodeURIComponent(id)}/flights/${run}`);
+
+export const deleteSimulation = async (id: string): Promise<void> => {
+  await request(`/simulations/${encodeURIComponent(id)}`, { method: 'DELETE' });
+};
+
+/** Where the browser downloads the flights of a simulation from. */
+export const tracksAddress = (id: string, format: 'nc' | 'geojson'): string => `/simulations/${encodeURIComponent(id)}/tracks.${format}`;

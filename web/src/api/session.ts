@@ -6,6 +6,7 @@ import { draft, fill } from '../model/draft';
 import * as model from '../model/plans';
 import type { Link } from '../model/link';
 import { opening } from '../model/shared_view';
+import { shownFlight } from '../model/simulations';
 import { announce, probed } from '../model/screen';
 import { fieldOf, hour_ms, isoOf } from '../model/time';
 import { time_ms } from '../model/clock';
@@ -39,7 +40,7 @@ function showFirst({ plans = [], selected }: Link): void {
   if (chosen !== undefined) model.select(chosen);
 }
 
-/** Lets the clock's range follow the currents, the plans on the map and the coverage shown. Call once. */
+/** Lets the clock's range follow the currents, the plans on the map, the flight and the coverage shown. Call once. */
 export function followSpans(): void {
   let opened = false;
   effect(() => {
@@ -55,6 +56,7 @@ export function followSpans(): void {
   });
 
   followSpansOf(() => model.shownPlans.value.map(({ plan }) => ({ id: plan.plan_id, from: plan.departure, to: plan.arrival })));
+  followSpansOf(() => (shownFlight.value ? [{ id: 'flight', from: shownFlight.value.departure, to: shownFlight.value.finished }] : []));
   followSpansOf(() => coveredDatasets.value.map(({ id, time_start, time_end }) => ({ id, from: time_start, to: time_end })));
 }
 

@@ -21,6 +21,7 @@ import { openEdit } from '../model/route_edit';
 import { projection } from '../model/settings';
 import { announce } from '../model/screen';
 import { opening } from '../model/shared_view';
+import { shownFlight } from '../model/simulations';
 import { command, hoveredBerg, pointer, tool, view, type Command } from '../model/view';
 import { areaLayer } from './area_layer';
 import { bathymetryLayer } from './bathymetry_layer';
@@ -28,6 +29,7 @@ import { coastLayer } from './coast_layer';
 import { coverageLayer } from './coverage_layer';
 import { currentsLayer } from './currents_layer';
 import { editLayer } from './edit_layer';
+import { flightLayer, flownVehicleLayer } from './flight_layer';
 import { graticuleLayer } from './graticule_layer';
 import { icebergLayer, safetyLayer } from './iceberg_layer';
 import { markerLayer } from './marker_layer';
@@ -56,8 +58,8 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
       new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), route.drag, areas.draw,
     ],
     layers: [
-      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), coverageLayer(), reachLayer(), areas.layer, safetyLayer(), planLayer(), bergs,
-      waypointLayer(), vehicleLayer(), route.layer, markerLayer(),
+      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), coverageLayer(), reachLayer(), areas.layer, safetyLayer(), planLayer(), flightLayer(), bergs,
+      waypointLayer(), vehicleLayer(), flownVehicleLayer(), route.layer, markerLayer(),
     ],
   });
   followProjection(map);
@@ -275,6 +277,7 @@ function publishState(map: Map, target: HTMLElement): void {
     target.dataset['icebergs'] = String(icebergs.value.length);
     target.dataset['plans'] = String(shownPlans.value.length);
     target.dataset['reach'] = reach.value?.state ?? 'none';
+    target.dataset['flight'] = shownFlight.value ? String(shownFlight.value.run) : 'none';
     target.dataset['coverage'] = String(coveredDatasets.value.length);
     target.dataset['areas'] = String(draft.value.areas.length);
     target.dataset['handles'] = String(openEdit.value?.route.now.length ?? 0);

@@ -3,7 +3,7 @@ import type { Probe } from '../api/types';
 
 /** What is open on the screen apart from the map. */
 export const leftTab = signal<'setup' | 'plans' | 'data'>('setup');
-export const rightTab = signal<'waypoints' | 'profile' | 'departures'>('waypoints');
+export const rightTab = signal<'waypoints' | 'profile' | 'departures' | 'flights'>('waypoints');
 export const dialog = signal<'export' | 'compare' | 'help' | 'jobs' | undefined>(undefined);
 export const drawer = signal<'left' | 'right' | undefined>(undefined);
 

@@ -22,8 +22,8 @@ export function Departures({ plan, departures }: { plan: Plan; departures: Depar
     const closed = departures.some(({ status }) => status !== 'ok');
     return [
       { label: '', values: hours, colour: colours.plans[0] },
-      { label: closed ? 'way found' : '', values: hours, colour: colours.plans[0], dots: true },
-      ...(closed ? [{ label: 'no way', values: departures.map(({ status }) => (status === 'ok' ? null : low)), colour: colours.danger, dots: true }] : []),
+      { label: closed ? 'way found' : '', values: hours, colour: colours.plans[0], dots: 8 },
+      ...(closed ? [{ label: 'no way', values: departures.map(({ status }) => (status === 'ok' ? null : low)), colour: colours.danger, dots: 8 }] : []),
     ];
   }, [departures, colours]);
 

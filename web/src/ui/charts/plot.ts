@@ -11,7 +11,7 @@ export interface Line {
   dash?: number[];
   fill?: string; // from the line to the lower edge
   stepped?: boolean; // each value holds since the one before
-  dots?: boolean; // marks without a line
+  dots?: number; // marks of this diameter in pixels, without a line
 }
 
 export interface PlotSpec {
@@ -89,7 +89,7 @@ function optionsOf(box: HTMLElement, spec: PlotSpec, colours: Palette): uPlot.Op
         ...(line.dash ? { dash: line.dash } : {}),
         ...(line.fill ? { fill: line.fill, fillTo: (_plot, _index, low, high) => (spec.downward ? high : low) } : {}),
         ...(line.stepped && stepped ? { paths: stepped } : {}),
-        points: { show: line.dots === true, size: 8, stroke: line.colour, fill: line.colour },
+        points: { show: line.dots !== undefined, size: line.dots ?? 0, stroke: line.colour, fill: line.colour },
         spanGaps: false,
       })),
     ],

@@ -13,6 +13,7 @@ import { Icon, IconButton } from '../common/icon';
 import { Departures } from '../charts/departures';
 import { Profile } from '../charts/profile';
 import { PlanKey } from '../common/plan_key';
+import { FlightsPanel } from '../flights/flights_panel';
 import { EditPanel } from './edit_panel';
 import { Figures } from './figures';
 import { StaleBox } from './stale_box';
@@ -64,6 +65,8 @@ export function WaypointsPanel(): VNode {
         <Departures key={plan.plan_id} plan={plan} departures={plan.departures} />
       ) : rightTab.value === 'profile' ? (
         <Profile plan={plan} />
+      ) : rightTab.value === 'flights' ? (
+        <FlightsPanel plan={plan} />
       ) : (
         <WaypointTable plan={plan} at_ms={time_ms.value} />
       )}
@@ -89,7 +92,7 @@ function editCopy(plan: Plan): void {
 }
 
 function Tabs({ plan }: { plan: Plan }): VNode {
-  const tabs = [['waypoints', 'Waypoints'], ['profile', 'Profile'], ...(plan.departures ? [['departures', 'Departures'] as const] : [])] as const;
+  const tabs = [['waypoints', 'Waypoints'], ['profile', 'Profile'], ...(plan.departures ? [['departures', 'Departures'] as const] : []), ['flights', 'Flights']] as const;
   const shown = tabs.some(([name]) => name === rightTab.value) ? rightTab.value : 'waypoints';
   return (
     <div class="tabs" role="group" aria-label="Plan in detail">

@@ -1,0 +1,55 @@
+import type { Problem } from './types';
+
+/** The server refused or could not be reached; `problem` is what it said, or a description of the silence. */
+export class ApiError extends Error {
+  constructor(readonly problem: Problem) {
+    super(problem.detail || problem.title);
+  }
+}
+
+type Query = Record<string, string | number | boolean | undefined>;
+
+/** Addresses are relative to the origin that served the page: no other host is ever named. */
+export function address(path: string, query: Query = {}): string {
+  const search = new URLSearchParams();
+  for (const [key, value] of Object.entries(query)) {
+    if (value !== undefined) search.set(key, String(value));
+  }
+  const text = search.toString();
+  return text ? `${path}?${text}` : path;
+}
+
+async function problemOf(response: Response): Promise<Problem> {
+  const fallback: Problem = {
+    type: 'about:blank',
+    title: response.statusText || 'The server refused',
+    status: response.status,
+    detail: `The server answered ${response.status} to ${new URL(response.url).pathname}.`,
+  };
+  if (!(response.headers.get('content-type') ?? '').includes('json')) return fallback;
+  try {
+    return { ...fallback, ...((await response.json()) as Partial<Problem>) };
+  } catch {
+    return fallback;
+  }
+}
+
+/** What stands for an answer where there is none. */
+export const silence: Problem = { type: 'about:blank', title: 'No connection', status: 0, detail: 'The Floeplan server does not answer.' };
+
+export async function request(path: string, init: RequestInit = {}): Promise<Response> {
+  let response: Response;
+  try {
+    response = await fetch(path, init);
+  } catch (error) {
+    if (init.signal?.aborted) throw error;
+    throw new ApiError(silence);
+  }
+  if (!response.ok) throw new ApiError(await problemOf(response));
+  return response;
+}
+
+export async function json<T>(path: string, init: RequestInit = {}): Promise<T> {
+  const headers = { Accept: 'application/json, application/geo+json', ...(init.headers as Record<string, string> | undefined) };
+  return (await (await request(path, { ...init, headers })).json()) as T;
+}
