@@ -87,6 +87,13 @@ std::vector<Dataset> DatasetRepository::list() const {
   return datasets;
 }
 
+std::string DatasetRepository::contents() const {
+  sqlite::Statement query{db_, "SELECT id, sha256 FROM dataset ORDER BY id"};
+  std::string text;
+  while (query.step()) text += query.text(0) + ' ' + query.text(1) + '\n';
+  return text;
+}
+
 bool DatasetRepository::remove(const DatasetId& id) {
   sqlite::Statement remove{db_, "DELETE FROM dataset WHERE id = ?1"};
   remove.bind(1, id.value);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "storage/repository/dataset.hpp"
@@ -18,6 +19,8 @@ class DatasetRepository {
   [[nodiscard]] std::optional<Dataset> find(const DatasetId& id) const;
   /// Newest first; ties by id.
   [[nodiscard]] std::vector<Dataset> list() const;
+  /// The ids of all datasets with the digests of their contents, in one text that changes with any of them.
+  [[nodiscard]] std::string contents() const;
   /// Removes the dataset and everything that belongs to it. False when there is none.
   bool remove(const DatasetId& id);
 

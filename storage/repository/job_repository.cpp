@@ -20,20 +20,16 @@ constexpr std::array<std::pair<JobStatus, const char*>, 5> names{{{JobStatus::ac
 const std::string columns =
     "row, id, process, request_json, status, stage, progress, attempts, created_s, started_s, finished_s, "
     "updated_s, "
-    "result_json, message ";
-
-JobStatus parse_status(const std::string& name) {
-  for (const auto& [status, candidate] : names) {
-    if (name == candidate) return status;
-  }
-  throw std::runtime_error{"the store holds a job with the unknown status " + name};
-}
+    "result_json, message, owner, digest, reply_json, change ";
 
 JobRecord read_job(const sqlite::Statement& row) {
   return {.row = row.integer(0),
           .id = {row.text(1)},
           .process = row.text(2),
           .request_json = row.text(3),
+          .owner = row.text(14),
+          .digest = row.optional_text(15),
+          .reply_json = row.text(16),
           .status = parse_status(row.text(4)),
           .stage = row.text(5),
           .progress = row.real(6),
@@ -43,7 +39,14 @@ JobRecord read_job(const sqlite::Statement& row) {
           .finished = row.optional_time(10),
           .updated = row.time(11),
           .result_json = row.optional_text(12),
-          .message = row.text(13)};
+          .message = row.text(13),
+          .change = row.integer(17)};
+}
+
+std::vector<JobRecord> read_jobs(sqlite::Statement& query) {
+  std::vector<JobRecord> jobs;
+  while (query.step()) jobs.push_back(read_job(query));
+  return jobs;
 }
 
 std::string condition_of(Lane lane) {
@@ -53,6 +56,16 @@ std::string condition_of(Lane lane) {
     case Lane::planning: return "process <> 'ingest' AND ";
   }
   throw std::logic_error{"Lane without a condition"};
+}
+
+/// The oldest claimable job of the owner whose turn it is; ?2 is the time.
+std::string next_in_turn(Lane lane) {
+  return "SELECT first_row FROM (SELECT owner AS candidate, min(row) AS first_row FROM job WHERE " +
+         condition_of(lane) +
+         "(status = 'accepted' OR (status = 'running' AND (lease_until_s IS NULL OR lease_until_s <= ?2))) "
+         "GROUP BY owner) ORDER BY (SELECT count(*) FROM job WHERE status = 'running' AND owner = candidate "
+         "AND lease_until_s > ?2), (SELECT max(started_s) FROM job WHERE owner = candidate) NULLS FIRST, "
+         "first_row LIMIT 1";
 }
 
 /// A read, which many idle workers may do at once, before anybody asks for the right to write.
@@ -84,12 +97,20 @@ std::string status_name(JobStatus status) {
   throw std::logic_error{"JobStatus without a name"};
 }
 
+JobStatus parse_status(const std::string& name) {
+  for (const auto& [status, candidate] : names) {
+    if (name == candidate) return status;
+  }
+  throw std::runtime_error{"no job has the status " + name};
+}
+
 void JobRepository::submit(const JobRecord& job) {
   sqlite::Statement insert{db_,
                            "INSERT INTO job (id, process, request_json, status, stage, progress, attempts, "
-                           "created_s, updated_s, message) "
-                           "VALUES (?1, ?2, ?3, 'accepted', '', 0.0, 0, ?4, ?4, '')"};
-  insert.bind_all(job.id.value, job.process, job.request_json, job.created);
+                           "created_s, updated_s, message, owner, digest, reply_json) "
+                           "VALUES (?1, ?2, ?3, 'accepted', '', 0.0, 0, ?4, ?4, '', ?5, ?6, ?7)"};
+  insert.bind_all(job.id.value, job.process, job.request_json, job.created, job.owner, job.digest,
+                  job.reply_json);
   insert.run();
 }
 
@@ -100,13 +121,50 @@ std::optional<JobRecord> JobRepository::find(const JobId& id) const {
   return read_job(query);
 }
 
-std::vector<JobRecord> JobRepository::list(std::int64_t before, int limit) const {
-  sqlite::Statement query{
-      db_, "SELECT " + columns + "FROM job WHERE ?1 = 0 OR row < ?1 ORDER BY row DESC LIMIT max(?2, 0)"};
+std::vector<JobRecord> JobRepository::list(std::int64_t before, int limit, const JobFilter& filter) const {
+  const std::string duration = "(coalesce(finished_s, updated_s) - started_s)";
+  std::string sql = "SELECT " + columns + "FROM job WHERE (?1 = 0 OR row < ?1)";
+  if (filter.status) sql += " AND status = ?3";
+  if (filter.process) sql += " AND process = ?4";
+  if (filter.owner) sql += " AND owner = ?5";
+  if (filter.created_from) sql += " AND created_s >= ?6";
+  if (filter.created_to) sql += " AND created_s <= ?7";
+  if (filter.least_duration) sql += " AND " + duration + " >= ?8";
+  if (filter.most_duration) sql += " AND " + duration + " <= ?9";
+
+  sqlite::Statement query{db_, sql + " ORDER BY row DESC LIMIT max(?2, 0)"};
   query.bind_all(before, limit);
-  std::vector<JobRecord> jobs;
-  while (query.step()) jobs.push_back(read_job(query));
-  return jobs;
+  if (filter.status) query.bind(3, status_name(*filter.status));
+  if (filter.process) query.bind(4, *filter.process);
+  if (filter.owner) query.bind(5, *filter.owner);
+  if (filter.created_from) query.bind(6, *filter.created_from);
+  if (filter.created_to) query.bind(7, *filter.created_to);
+  if (filter.least_duration) query.bind(8, filter.least_duration->count());
+  if (filter.most_duration) query.bind(9, filter.most_duration->count());
+  return read_jobs(query);
+}
+
+std::optional<JobRecord> JobRepository::find_shared(const std::string& digest,
+                                                    const std::string& owner) const {
+  sqlite::Statement query{db_, "SELECT " + columns +
+                                   "FROM job WHERE digest = ?1 AND (status = 'successful' OR (owner = ?2 AND "
+                                   "status IN ('accepted', 'running'))) ORDER BY status = 'successful' DESC, "
+                                   "row DESC LIMIT 1"};
+  query.bind_all(digest, owner);
+  if (!query.step()) return std::nullopt;
+  return read_job(query);
+}
+
+std::vector<JobRecord> JobRepository::changed_since(std::int64_t change, int limit) const {
+  sqlite::Statement query{
+      db_, "SELECT " + columns + "FROM job WHERE change > ?1 ORDER BY change LIMIT max(?2, 0)"};
+  query.bind_all(change, limit);
+  return read_jobs(query);
+}
+
+std::int64_t JobRepository::last_change() const {
+  sqlite::Statement query{db_, "SELECT change FROM job_clock"};
+  return query.step() ? query.integer(0) : 0;
 }
 
 std::int64_t JobRepository::count(JobStatus status) const {
@@ -125,14 +183,9 @@ std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::U
   {
     sqlite::Statement update{db_,
                              "UPDATE job SET status = 'running', worker = ?1, lease_until_s = ?3, attempts = "
-                             "attempts + 1, started_s = "
-                             "coalesce(started_s, ?2), updated_s = ?2, stage = '', progress = 0.0 WHERE row "
-                             "= (SELECT row FROM job WHERE " +
-                                 condition_of(lane) +
-                                 "(status = 'accepted' OR (status = 'running' AND (lease_until_s IS NULL OR "
-                                 "lease_until_s <= ?2))) ORDER BY row "
-                                 "LIMIT 1) RETURNING " +
-                                 columns};
+                             "attempts + 1, started_s = coalesce(started_s, ?2), updated_s = ?2, stage = '', "
+                             "progress = 0.0 WHERE row = (" +
+                                 next_in_turn(lane) + ") RETURNING " + columns};
     update.bind_all(worker, now, now + lease);
     if (update.step()) claimed = read_job(update);
   }

@@ -20,6 +20,8 @@ struct JobId {
 enum class JobStatus { accepted, running, successful, failed, dismissed };
 
 [[nodiscard]] std::string status_name(JobStatus status);
+/// Errors   std::runtime_error for a name that is none
+[[nodiscard]] JobStatus parse_status(const std::string& name);
 
 /// Which jobs a worker takes: those that read files, which may take minutes, the others, or any.
 enum class Lane { any, ingest, planning };
@@ -28,8 +30,11 @@ enum class Lane { any, ingest, planning };
 struct JobRecord {
   std::int64_t row{};  // given by the store, ascending in the order of submission
   JobId id;
-  std::string process;       // "plan-route"
-  std::string request_json;  // the execute request's inputs
+  std::string process;                  // "plan-route"
+  std::string request_json;             // the execute request's inputs
+  std::string owner{};                  // who asked for it; empty: nobody in particular
+  std::optional<std::string> digest{};  // of all that the result follows from; empty: shared with nobody
+  std::string reply_json{"{}"};         // which outputs the client wants, and in which form
   JobStatus status{JobStatus::accepted};
   std::string stage;  // of the running work, in words
   double progress{};  // 0 to 1
@@ -40,6 +45,18 @@ struct JobRecord {
   core::UtcTime updated;
   std::optional<std::string> result_json;  // when successful
   std::string message;                     // why it failed or was dismissed
+  std::int64_t change{};  // given by the store: grows over all jobs with every change that a client sees
+};
+
+/// Which jobs a list wants. Everything empty: all.
+struct JobFilter {
+  std::optional<JobStatus> status{};
+  std::optional<std::string> process{};
+  std::optional<std::string> owner{};
+  std::optional<core::UtcTime> created_from{};
+  std::optional<core::UtcTime> created_to{};
+  std::optional<core::Seconds> least_duration{};  // from its start to its end, or so far
+  std::optional<core::Seconds> most_duration{};
 };
 
 /// The durable queue. Every change is one transaction that is on disk when the call returns.
@@ -55,10 +72,21 @@ class JobRepository {
   void submit(const JobRecord& job);
   [[nodiscard]] std::optional<JobRecord> find(const JobId& id) const;
   /// Newest first, at most `limit` with a row below `before` (0: from the newest).
-  [[nodiscard]] std::vector<JobRecord> list(std::int64_t before, int limit) const;
+  [[nodiscard]] std::vector<JobRecord> list(std::int64_t before, int limit,
+                                            const JobFilter& filter = {}) const;
+  /// A job whose result follows from the same: the newest that was successful, else this owner's newest that has not
+  /// ended.
+  [[nodiscard]] std::optional<JobRecord> find_shared(const std::string& digest,
+                                                     const std::string& owner) const;
+  /// Jobs that changed after the change of this number, in the order of their last changes, at most `limit`.
+  /// A job that changed several times comes once, as it stands.
+  [[nodiscard]] std::vector<JobRecord> changed_since(std::int64_t change, int limit) const;
+  /// The number of the last change of all.
+  [[nodiscard]] std::int64_t last_change() const;
   [[nodiscard]] std::int64_t count(JobStatus status) const;
 
-  /// The oldest accepted job, or a running one whose lease ran out, made this worker's until `now + lease`.
+  /// An accepted job, or a running one whose lease ran out, made this worker's until `now + lease`: the oldest of the
+  /// owner with the fewest running jobs, of several the one whose last job began longest ago.
   [[nodiscard]] std::optional<JobRecord> claim(const std::string& worker, core::UtcTime now,
                                                core::Seconds lease, Lane lane = Lane::any);
   /// Reports progress and renews the lease. False when the job was dismissed or is no longer this worker's:

@@ -256,6 +256,37 @@ CREATE TABLE audit (
   target TEXT NOT NULL,
   request_id TEXT NOT NULL
 ) STRICT;
+)sql",
+                                R"sql(
+ALTER TABLE job ADD COLUMN owner TEXT NOT NULL DEFAULT '';
+ALTER TABLE job ADD COLUMN digest TEXT;  -- of all that the result follows from; NULL: shared with nobody
+ALTER TABLE job ADD COLUMN reply_json TEXT NOT NULL DEFAULT '{}';
+ALTER TABLE job ADD COLUMN change INTEGER NOT NULL DEFAULT 0;  -- grows over all jobs with each thing a client sees
+CREATE INDEX job_by_owner ON job (owner, started_s);
+CREATE INDEX job_by_digest ON job (digest, row) WHERE digest IS NOT NULL;
+CREATE INDEX job_by_change ON job (change);
+CREATE TABLE job_clock (change INTEGER NOT NULL) STRICT;
+INSERT INTO job_clock VALUES (0);
+CREATE TRIGGER job_added AFTER INSERT ON job BEGIN
+  UPDATE job_clock SET change = change + 1;
+  UPDATE job SET change = (SELECT change FROM job_clock) WHERE row = new.row;
+END;
+CREATE TRIGGER job_changed AFTER UPDATE OF status, stage, progress ON job
+WHEN old.status <> new.status OR old.stage <> new.stage OR old.progress <> new.progress BEGIN
+  UPDATE job_clock SET change = change + 1;
+  UPDATE job SET change = (SELECT change FROM job_clock) WHERE row = new.row;
+END;
+
+CREATE TABLE kept_answer (
+  owner TEXT NOT NULL,
+  key TEXT NOT NULL,
+  request_sha256 TEXT NOT NULL,
+  created_s REAL NOT NULL,
+  job_id TEXT,   -- the answer was this job; NULL: it is in the text
+  answer TEXT,
+  PRIMARY KEY (owner, key)
+) STRICT, WITHOUT ROWID;
+CREATE INDEX kept_answer_by_age ON kept_answer (created_s);
 )sql"};
 
 constexpr auto newest_schema = static_cast<std::int64_t>(migrations.size());

@@ -201,6 +201,93 @@ TEST_F(JobRepositoryTest, NeverGivesARowNumberAgain) {
   EXPECT_GT(found("b").row, row);
 }
 
+TEST_F(JobRepositoryTest, TakesTurnsBetweenOwners) {
+  const auto of = [&](const std::string& owner, const std::string& id) {
+    JobRecord record = job(id);
+    record.owner = owner;
+    jobs_.submit(record);
+  };
+  for (const char* id : {"a1", "a2", "a3"}) of("ann", id);
+  of("bob", "b1");
+  of("bob", "b2");
+
+  std::vector<std::string> order;
+  for (int i = 0; i < 5; ++i) order.push_back(jobs_.claim("w", start + seconds{i}, lease)->id.value);
+
+  EXPECT_THAT(order, testing::ElementsAre("a1", "b1", "a2", "b2", "a3"));
+}
+
+TEST_F(JobRepositoryTest, LetsAnOwnerWithRunningJobsWait) {
+  const auto of = [&](const std::string& owner, const std::string& id) {
+    JobRecord record = job(id);
+    record.owner = owner;
+    jobs_.submit(record);
+  };
+  of("ann", "a1");
+  ASSERT_TRUE(jobs_.claim("w1", start, lease));
+  of("bob", "b1");
+  ASSERT_TRUE(jobs_.claim("w2", start + seconds{1}, lease));
+  ASSERT_TRUE(jobs_.succeed({"b1"}, "w2", "{}", start + seconds{2}));
+  of("ann", "a2");
+  of("bob", "b2");
+
+  EXPECT_EQ(jobs_.claim("w2", start + seconds{3}, lease)->id.value, "b2") << "ann's first still runs";
+}
+
+TEST_F(JobRepositoryTest, FindsAJobWhoseResultFollowsFromTheSame) {
+  JobRecord mine = job("mine");
+  mine.owner = "ann";
+  mine.digest = "d";
+  jobs_.submit(mine);
+  EXPECT_EQ(jobs_.find_shared("d", "ann")->id.value, "mine");
+  EXPECT_FALSE(jobs_.find_shared("d", "bob")) << "ann may still dismiss it";
+  EXPECT_FALSE(jobs_.find_shared("e", "ann"));
+
+  ASSERT_TRUE(jobs_.claim("w", start, lease));
+  ASSERT_TRUE(jobs_.succeed({"mine"}, "w", "{}", start));
+  EXPECT_EQ(jobs_.find_shared("d", "bob")->id.value, "mine");
+}
+
+TEST_F(JobRepositoryTest, SharesNoJobThatFailedOrWasDismissed) {
+  for (const char* id : {"failed", "dismissed"}) {
+    JobRecord record = job(id);
+    record.digest = "d";
+    jobs_.submit(record);
+  }
+  ASSERT_TRUE(jobs_.claim("w", start, lease));
+  ASSERT_TRUE(jobs_.fail({"failed"}, "w", "the disk is full", start));
+  ASSERT_TRUE(jobs_.dismiss({"dismissed"}, start));
+
+  EXPECT_FALSE(jobs_.find_shared("d", ""));
+}
+
+TEST_F(JobRepositoryTest, NumbersEveryChangeThatAClientSees) {
+  jobs_.submit(job("a"));
+  jobs_.submit(job("b"));
+  const std::int64_t seen = jobs_.last_change();
+  ASSERT_TRUE(jobs_.claim("w", start, lease));
+  ASSERT_TRUE(jobs_.renew({"a"}, "w", "search", 0.5, start, lease));
+  const std::int64_t then = jobs_.last_change();
+  ASSERT_TRUE(jobs_.renew({"a"}, "w", "search", 0.5, start + seconds{9}, lease));
+
+  EXPECT_EQ(jobs_.last_change(), then) << "nothing new to see";
+  const auto changed = jobs_.changed_since(seen, 10);
+  ASSERT_EQ(changed.size(), 1U);
+  EXPECT_EQ(changed[0].id.value, "a");
+  EXPECT_EQ(changed[0].change, then);
+  EXPECT_THAT(jobs_.changed_since(0, 1), testing::SizeIs(1));
+}
+
+TEST_F(JobRepositoryTest, NeverGivesAChangeItsNumberAgain) {
+  jobs_.submit(job("a"));
+  const std::int64_t seen = jobs_.last_change();
+  ASSERT_TRUE(jobs_.remove({"a"}));
+
+  jobs_.submit(job("b"));
+
+  EXPECT_THAT(jobs_.changed_since(seen, 10), testing::SizeIs(1));
+}
+
 TEST(JobRepository, NeverGivesAJobToTwoWorkers) {
   const support::TemporaryFolder folder;
   constexpr int job_count = 60;

@@ -76,6 +76,17 @@ DROP TABLE simulation;
 DROP TABLE login;
 DROP TABLE token;
 DROP TABLE audit;
+DROP TABLE kept_answer;
+DROP TABLE job_clock;
+DROP TRIGGER job_added;
+DROP TRIGGER job_changed;
+DROP INDEX job_by_owner;
+DROP INDEX job_by_digest;
+DROP INDEX job_by_change;
+ALTER TABLE job DROP COLUMN owner;
+ALTER TABLE job DROP COLUMN digest;
+ALTER TABLE job DROP COLUMN reply_json;
+ALTER TABLE job DROP COLUMN change;
 PRAGMA user_version = 1;
 )sql");
 }
