@@ -51,13 +51,16 @@ struct Wait {
   std::function<std::shared_ptr<void>(std::function<void()> wake)> subscribe;
 };
 
-/// An HTTP response, free of sockets. With `wait` set everything else is ignored.
+/// An HTTP response, free of sockets. With `wait` set everything else is ignored, unless it streams.
 struct Response {
   int status{200};
   std::string content_type;
   std::vector<std::pair<std::string, std::string>> headers;
   std::string body;
   std::optional<Wait> wait;
+  /// The body is a piece of a stream. With `wait` the handler is asked for the next piece after a wake-up, or with
+  /// `last` when the time is up; a piece without `wait` is the stream's end.
+  bool streams{false};
 };
 
 /// Answers one request. May block on the store, so never called on an I/O thread; may be called from several

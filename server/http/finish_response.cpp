@@ -58,12 +58,13 @@ bool matches(const std::string& if_none_match, const std::string& tag) {
 }  // namespace
 
 Response finish_response(const Request& request, Response response) {
-  if (response.wait) return response;
+  if (response.wait && !response.streams) return response;
 
   response.headers.emplace_back("X-Content-Type-Options", "nosniff");
   if (response.content_type.starts_with("text/html")) {
     response.headers.emplace_back("Content-Security-Policy", content_security_policy);
   }
+  if (response.streams) return response;
   const bool readable = request.method == "GET" || request.method == "HEAD";
   const bool tagged = readable && response.status == 200;
   const bool compressible =

@@ -21,6 +21,7 @@ struct Limits {
   std::chrono::seconds write_time{60};
   std::chrono::seconds stop_time{8};  // for open requests, when the server stops
   std::size_t connections{1000};
+  std::size_t streams{200};  // of events, each on a connection of its own
 };
 
 /// HTTP/1.1 listener. One thread (the caller of run) does all input and output; handlers run on threads of

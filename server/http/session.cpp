@@ -62,6 +62,13 @@ Response problem(int status, const std::string& slug, const std::string& title, 
   return finish_response({}, std::move(response));
 }
 
+Response too_many_streams() {
+  Response response = problem(503, "too-many-streams", "Too many streams",
+                              "Too many event streams are open; ask again later.");
+  response.headers.emplace_back("Retry-After", "30");
+  return response;
+}
+
 }  // namespace
 
 Session::Session(net::ip::tcp::socket socket, SessionShare& share)
@@ -115,17 +122,26 @@ net::awaitable<bool> Session::exchange() {
     request->body = std::move(body.body);
     if (sink) request->body_file = sink->finish();
     request->now = now();
-    response = co_await answer(std::move(*request));
+    response = co_await answer(*request);
   } else {
     response = problem(400, "invalid-target", "Invalid request", "The address of the request is not valid.");
   }
   const std::string id = next_request_id();
   response.headers.emplace_back("X-Request-Id", id);
-  const bool open = keep_alive && !finishing_;
-  const bool written = co_await write(response, head_only, open);
+  const bool streams = response.streams && !head_only && share_.streams < share_.limits.streams;
+  if (response.streams && !streams && !head_only) response = too_many_streams();
+  const bool open = keep_alive && !finishing_ && !streams;
+  const int status = response.status;
+  std::size_t bytes = head_only ? 0 : response.body.size();
+  bool written = true;
+  if (streams) {
+    bytes = co_await stream(*request, std::move(response));
+  } else {
+    written = co_await write(response, head_only, open);
+  }
   const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
   spdlog::info("request={} peer={} method={} target={} status={} bytes={} ms={:.2f}", id, peer_, method,
-               target, response.status, head_only ? 0 : response.body.size(), taken.count());
+               target, status, bytes, taken.count());
   co_return written&& open;
 }
 
@@ -222,10 +238,10 @@ net::awaitable<error_code> Session::store(BodySink& sink, std::string_view bytes
   co_return error_code{};
 }
 
-net::awaitable<Response> Session::answer(Request request) {
+net::awaitable<Response> Session::answer(Request& request) {
   Response response =
       co_await net::co_spawn(share_.pool.get_executor(), answer_on_pool(request), net::use_awaitable);
-  if (response.wait) {
+  if (response.wait && !response.streams) {
     routes::Wait wait = std::move(*response.wait);
     response = co_await wait_and_answer(request, std::move(wait));
   }

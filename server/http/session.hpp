@@ -23,6 +23,7 @@ struct SessionShare {
   Limits limits;
   Streaming streaming;
   boost::asio::thread_pool pool;
+  std::size_t streams{0};  // that are open; on the I/O thread alone
 
   SessionShare(routes::Handler answer, Limits bounds, Streaming to_disk, std::size_t threads)
       : handler{std::move(answer)}, limits{bounds}, streaming{std::move(to_disk)}, pool{threads} {}
@@ -49,9 +50,11 @@ class Session {
   boost::asio::awaitable<boost::beast::error_code> read_body(Head& head, routes::Request& request);
   boost::asio::awaitable<boost::beast::error_code> stream_body(Head& head, BodySink& sink);
   boost::asio::awaitable<boost::beast::error_code> store(BodySink& sink, std::string_view bytes);
-  boost::asio::awaitable<routes::Response> answer(routes::Request request);
+  boost::asio::awaitable<routes::Response> answer(routes::Request& request);
   boost::asio::awaitable<routes::Response> answer_on_pool(const routes::Request& request);
   boost::asio::awaitable<routes::Response> wait_and_answer(routes::Request& request, routes::Wait wait);
+  boost::asio::awaitable<std::size_t> stream(routes::Request& request, routes::Response piece);
+  boost::asio::awaitable<bool> write_chunk(std::string_view piece);
   boost::asio::awaitable<bool> write(const routes::Response& response, bool head_only, bool keep_alive);
   boost::asio::awaitable<void> refuse(boost::beast::error_code fault, std::uint64_t most_bytes);
   [[nodiscard]] bool goes_to_disk(const Head& head) const;

@@ -125,6 +125,37 @@ TEST(Server, AsksAWaitingHandlerAgainWhenItIsWoken) {
   EXPECT_TRUE(server.exchange(get("/later")).starts_with("HTTP/1.1 200"));
 }
 
+/// A stream of numbers up to three, a new one after each wake-up or when its time has come.
+routes::Response count(const routes::Request& request) {
+  routes::Response response;
+  response.content_type = "text/event-stream";
+  response.streams = true;
+  const int number = request.resumption ? std::stoi(request.resumption->token) + 1 : 1;
+  response.body = std::to_string(number);
+  if (number < 3) {
+    response.wait =
+        routes::Wait{core::Seconds{0.01}, response.body, [](std::function<void()>) { return nullptr; }};
+  }
+  return response;
+}
+
+TEST(Server, SendsTheBodyOfAStreamPieceByPieceAndEndsIt) {
+  RunningServer server{count};
+  const auto answer = server.exchange("GET /events HTTP/1.1\r\nHost: x\r\n\r\n");
+  EXPECT_NE(answer.find("Transfer-Encoding: chunked\r\n"), std::string::npos) << answer;
+  EXPECT_EQ(answer.find("ETag"), std::string::npos) << answer;
+  EXPECT_TRUE(answer.ends_with("\r\n\r\n1\r\n1\r\n1\r\n2\r\n1\r\n3\r\n0\r\n\r\n")) << answer;
+}
+
+TEST(Server, RefusesMoreStreamsThanItMayHold) {
+  Limits limits;
+  limits.streams = 0;
+  RunningServer server{count, limits};
+  const auto answer = server.exchange(get("/events"));
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 503")) << answer;
+  EXPECT_NE(answer.find("Retry-After: 30\r\n"), std::string::npos);
+}
+
 TEST(Server, TellsTheHandlerWhenTheTimeToWaitIsOver) {
   RunningServer server{[](const routes::Request& request) {
     if (request.resumption && request.resumption->last) return echo(request);
