@@ -77,6 +77,16 @@ std::optional<std::int64_t> ParameterReader::integer(const std::string& name, st
   return std::nullopt;
 }
 
+std::optional<std::string> ParameterReader::one_of(const std::string& name,
+                                                   const std::vector<std::string>& values) {
+  auto text = request_.parameter(name);
+  if (!text || std::find(values.begin(), values.end(), *text) != values.end()) return text;
+  std::string rule = "must be one of";
+  for (const auto& value : values) rule += " " + value;
+  refuse(name, rule);
+  return std::nullopt;
+}
+
 bool ParameterReader::flag(const std::string& name) {
   const auto text = request_.parameter(name);
   if (!text || *text == "false") return false;

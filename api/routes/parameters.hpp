@@ -27,6 +27,8 @@ class ParameterReader {
   [[nodiscard]] std::optional<double> number(const std::string& name, double from, double to);
   [[nodiscard]] std::optional<std::int64_t> integer(const std::string& name, std::int64_t from,
                                                     std::int64_t to);
+  [[nodiscard]] std::optional<std::string> one_of(const std::string& name,
+                                                  const std::vector<std::string>& values);
   [[nodiscard]] bool flag(const std::string& name);
   /// The page size: 100 unless told, at least 1; larger than 10000 counts as 10000.
   [[nodiscard]] int limit();

@@ -27,6 +27,16 @@ Response not_found(const Request& request, const std::string& slug, const std::s
   return problem_reply(request, {404, slug, "Not found", detail, {}});
 }
 
+Response no_such_process(const Request& request, const std::string& id) {
+  return not_found(request, "http://www.opengis.net/def/exceptions/ogcapi-processes-1/1.0/no-such-process",
+                   "No process has the id " + id + ".");
+}
+
+Response no_such_job(const Request& request, const std::string& id) {
+  return not_found(request, "http://www.opengis.net/def/exceptions/ogcapi-processes-1/1.0/no-such-job",
+                   "No job has the id " + id + ".");
+}
+
 Response invalid(const Request& request, core::Violations violations) {
   return problem_reply(request,
                        {400, "invalid-request", "Invalid request",

@@ -18,6 +18,8 @@ namespace floeplan::routes {
 [[nodiscard]] Response problem_reply(const Request& request, const codec::Problem& problem);
 
 [[nodiscard]] Response not_found(const Request& request, const std::string& slug, const std::string& detail);
+[[nodiscard]] Response no_such_process(const Request& request, const std::string& id);
+[[nodiscard]] Response no_such_job(const Request& request, const std::string& id);
 [[nodiscard]] Response invalid(const Request& request, core::Violations violations);
 
 /// A link of OGC API documents.

@@ -17,6 +17,7 @@ namespace floeplan::routes {
 [[nodiscard]] std::vector<Route> process_routes();        // list and descriptions
 [[nodiscard]] std::vector<Route> execution_routes();      // POST that starts a job
 [[nodiscard]] std::vector<Route> job_routes();
+[[nodiscard]] std::vector<Route> job_event_routes();   // server-sent events
 [[nodiscard]] std::vector<Route> simulation_routes();  // flights of plans in the test bed
 [[nodiscard]] std::vector<Route> dataset_routes();
 [[nodiscard]] std::vector<Route> upload_routes();

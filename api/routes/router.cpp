@@ -5,6 +5,7 @@
 #include <optional>
 #include <string_view>
 
+#include "api/routes/idempotency.hpp"
 #include "api/routes/reply.hpp"
 
 namespace floeplan::routes {
@@ -80,6 +81,15 @@ Response without_operation(const Request& request, const std::vector<std::string
   return response;
 }
 
+Response answer_by(const Route& route, const Context& context, const Request& request,
+                   const PathParameters& path) {
+  if (route.method != "POST" || route.keeps_own_keys) return route.answer(context, request, path);
+  const auto key = idempotency_key(request);
+  if (!key) return key.error();
+  if (!*key) return route.answer(context, request, path);
+  return answer_once(context, request, **key, [&] { return route.answer(context, request, path); });
+}
+
 }  // namespace
 
 Response Router::answer(const Context& context, const Request& request) const {
@@ -97,7 +107,7 @@ Response Router::answer(const Context& context, const Request& request) const {
       continue;
     }
     if (const auto fault = query_fault(route, request)) return invalid(request, {*fault});
-    return route.answer(context, request, *parameters);
+    return answer_by(route, context, request, *parameters);
   }
   return without_operation(request, methods);
 }

@@ -15,10 +15,12 @@ struct Route {
   std::string pattern;                  // "/jobs/{job_id}"; a last "{path...}" takes the rest of the path
   std::vector<std::string> parameters;  // query parameters it knows, besides "f"
   std::function<Response(const Context&, const Request&, const PathParameters&)> answer;
+  bool keeps_own_keys{false};  // of a POST: sees to its Idempotency-Key itself
 };
 
 /// Finds the operation for a request and answers what has none: unknown paths (404), other methods (405 with
-/// Allow), OPTIONS (204 with Allow), unknown query parameters and formats (400). HEAD is answered as GET.
+/// Allow), OPTIONS (204 with Allow), unknown query parameters and formats (400). HEAD is answered as GET. A POST
+/// with an Idempotency-Key is done once.
 /// Errors   what an operation throws leaves as it is
 /// Threads  may be called from several threads at once
 class Router {

@@ -4,10 +4,14 @@
 #include <random>
 #include <string_view>
 
+#include "storage/sqlite/transaction.hpp"
+
 namespace floeplan::jobs {
 namespace {
 
 using repository::JobId;
+using repository::JobRecord;
+using routes::SubmissionRefused;
 
 /// 128 bits from the operating system: nobody can guess the id of somebody else's job.
 JobId random_id() {
@@ -21,25 +25,68 @@ JobId random_id() {
   return {text};
 }
 
-}  // namespace
-
-std::optional<repository::JobRecord> JobBoard::submit(sqlite::Connection& db, const std::string& process,
-                                                      const std::string& inputs_json, core::UtcTime now) {
-  repository::JobRepository jobs{db};
-  if (jobs.count(repository::JobStatus::accepted) >= max_waiting) return std::nullopt;
-
-  repository::JobRecord job;
+JobRecord new_job(const routes::Submission& submission, core::UtcTime now) {
+  JobRecord job;
   job.id = random_id();
-  job.process = process;
-  job.request_json = inputs_json;
+  job.process = submission.process;
+  job.request_json = submission.inputs_json;
+  job.owner = submission.owner;
+  job.digest = submission.digest;
+  job.reply_json = submission.reply_json;
   job.created = now;
   job.updated = now;
-  jobs.submit(job);
+  return job;
+}
+
+/// The job of an earlier request with the same key; empty: there was none.
+tl::expected<std::optional<JobRecord>, SubmissionRefused> find_by_key(sqlite::Connection& db,
+                                                                      const repository::IdempotencyKey& key,
+                                                                      core::UtcTime now) {
+  repository::KeptAnswers answers{db};
+  answers.remove_expired(now);
+  const auto kept = answers.find(key);
+  if (!kept) return std::optional<JobRecord>{};
+  if (kept->request_sha256 != key.request_sha256 || !kept->job)
+    return tl::unexpected(SubmissionRefused::key_reused);
+  auto job = repository::JobRepository{db}.find(*kept->job);
+  if (!job) return tl::unexpected(SubmissionRefused::job_removed);
+  return job;
+}
+
+/// A job that does the same work, or has done it.
+std::optional<JobRecord> find_shared(sqlite::Connection& db, const routes::Submission& submission) {
+  if (!submission.digest || submission.force) return std::nullopt;
+  return repository::JobRepository{db}.find_shared(*submission.digest, submission.owner);
+}
+
+}  // namespace
+
+tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sqlite::Connection& db,
+                                                            const routes::Submission& submission,
+                                                            core::UtcTime now) {
+  // One transaction, so that two submissions of the same at once do not make two jobs.
+  sqlite::Transaction transaction{db};
+  if (submission.key) {
+    auto repeated = find_by_key(db, *submission.key, now);
+    if (!repeated) return tl::unexpected(repeated.error());
+    if (*repeated) return **repeated;
+  }
+  repository::JobRepository jobs{db};
+  const auto shared = find_shared(db, submission);
+  if (!shared && jobs.count(repository::JobStatus::accepted) >= max_waiting)
+    return tl::unexpected(SubmissionRefused::queue_full);
+  const JobRecord job = shared.value_or(new_job(submission, now));
+  if (!shared) jobs.submit(job);
+  if (submission.key) repository::KeptAnswers{db}.insert(*submission.key, job.id, std::nullopt, now);
+  transaction.commit();
+  if (shared) return job;
+
   {
     const std::lock_guard lock{mutex_};
     ++submissions_;
   }
   work_.notify_all();  // a worker takes only what belongs to its lane
+  announce(job.id);
   return job;
 }
 
@@ -60,6 +107,11 @@ std::shared_ptr<void> JobBoard::subscribe(const JobId& id, std::function<void()>
             found->second.erase(number);
             if (found->second.empty()) subscribers_.erase(found);
           }};
+}
+
+// No job has the empty id: it stands for all of them.
+std::shared_ptr<void> JobBoard::subscribe_to_all(std::function<void()> wake) {
+  return subscribe({}, std::move(wake));
 }
 
 std::uint64_t JobBoard::submissions() const {
@@ -118,9 +170,14 @@ void JobBoard::stop_all() {
 
 void JobBoard::announce(const JobId& id) {
   const std::lock_guard lock{mutex_};
+  wake(id);
+  wake({});
+}
+
+void JobBoard::wake(const JobId& id) {
   const auto found = subscribers_.find(id);
   if (found == subscribers_.end()) return;
-  for (const auto& [number, wake] : found->second) wake();
+  for (const auto& [number, wake_up] : found->second) wake_up();
 }
 
 }  // namespace floeplan::jobs

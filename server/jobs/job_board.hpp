@@ -30,13 +30,12 @@ class JobBoard : public routes::JobGateway {
   /// More waiting jobs than this are refused.
   static constexpr std::int64_t max_waiting = 1000;
 
-  [[nodiscard]] std::optional<repository::JobRecord> submit(sqlite::Connection& db,
-                                                            const std::string& process,
-                                                            const std::string& inputs_json,
-                                                            core::UtcTime now) override;
+  [[nodiscard]] tl::expected<repository::JobRecord, routes::SubmissionRefused> submit(
+      sqlite::Connection& db, const routes::Submission& submission, core::UtcTime now) override;
   bool dismiss(sqlite::Connection& db, const repository::JobId& id, core::UtcTime now) override;
   [[nodiscard]] std::shared_ptr<void> subscribe(const repository::JobId& id,
                                                 std::function<void()> wake) override;
+  [[nodiscard]] std::shared_ptr<void> subscribe_to_all(std::function<void()> wake) override;
 
   /// Grows with every submission; read it before looking for work, and wait on it when there was none.
   [[nodiscard]] std::uint64_t submissions() const;
@@ -53,7 +52,7 @@ class JobBoard : public routes::JobGateway {
   void stop(const repository::JobId& id);
   /// Asks all work to stop.
   void stop_all();
-  /// Wakes everybody who waits for the job.
+  /// Wakes everybody who waits for the job, or for any.
   void announce(const repository::JobId& id);
 
  private:
@@ -61,6 +60,8 @@ class JobBoard : public routes::JobGateway {
     RunningJob job;
     std::stop_source stop;
   };
+
+  void wake(const repository::JobId& id);
 
   mutable std::mutex mutex_;
   std::condition_variable_any work_;

@@ -4,9 +4,11 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "api/codec/echo_inputs.hpp"
 #include "api/codec/plan_inputs.hpp"
 #include "api/codec/reach_inputs.hpp"
 #include "api/codec/simulate_inputs.hpp"
+#include "server/jobs/echo_service.hpp"
 #include "server/jobs/plan_service.hpp"
 #include "server/jobs/reach_service.hpp"
 #include "server/jobs/simulation_service.hpp"
@@ -64,6 +66,11 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
     const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
     return result("simulation", simulate_plan_document(db, *inputs, cores, stop, progress, now));
+  }
+  if (job.process == "echo") {
+    const auto inputs = codec::parse_echo_inputs(request);
+    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
+    return echo_results(*inputs, stop, progress).dump();
   }
   return tl::unexpected("this version knows no process " + job.process);
 }

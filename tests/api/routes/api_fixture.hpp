@@ -13,12 +13,17 @@ namespace floeplan::support {
 /// A queue without workers: jobs stay as they were submitted until a test changes them.
 class IdleJobs : public routes::JobGateway {
  public:
-  std::optional<repository::JobRecord> submit(sqlite::Connection& db, const std::string& process,
-                                              const std::string& inputs_json, core::UtcTime now) override {
+  tl::expected<repository::JobRecord, routes::SubmissionRefused> submit(sqlite::Connection& db,
+                                                                        const routes::Submission& submission,
+                                                                        core::UtcTime now) override {
+    last_submission = submission;
+    if (refusal) return tl::unexpected(*refusal);
     repository::JobRecord job;
     job.id = {"job" + std::to_string(++last_)};
-    job.process = process;
-    job.request_json = inputs_json;
+    job.process = submission.process;
+    job.request_json = submission.inputs_json;
+    job.digest = submission.digest;
+    job.reply_json = submission.reply_json;
     job.created = now;
     job.updated = now;
     repository::JobRepository{db}.submit(job);
@@ -30,6 +35,10 @@ class IdleJobs : public routes::JobGateway {
   std::shared_ptr<void> subscribe(const repository::JobId&, std::function<void()>) override {
     return nullptr;
   }
+  std::shared_ptr<void> subscribe_to_all(std::function<void()>) override { return nullptr; }
+
+  std::optional<routes::SubmissionRefused> refusal;
+  routes::Submission last_submission;
 
  private:
   int last_{0};

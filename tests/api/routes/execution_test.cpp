@@ -1,3 +1,4 @@
+#include "storage/repository/dataset_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
 namespace floeplan::routes {
@@ -31,7 +32,7 @@ class ExecutionTest : public support::ApiTest {
 };
 
 TEST_F(ExecutionTest, AnswersWithAJobThatIsInTheStore) {
-  const auto response = ask("POST", plan_path, valid_body);
+  const auto response = ask("POST", plan_path, valid_body, {{"prefer", "respond-async"}});
   EXPECT_EQ(response.status, 201);
   EXPECT_EQ(header_of(response, "Location"), "http://127.0.0.1:8080/jobs/job1");
   EXPECT_EQ(json_of(response).at("status"), "accepted");
@@ -68,8 +69,8 @@ TEST_F(ExecutionTest, SurvivesTwoMegabytesOfNestedJson) {
   EXPECT_EQ(ask("POST", plan_path, objects).status, 400);
 }
 
-TEST_F(ExecutionTest, WaitsForTheResultsWhenAskedTo) {
-  const auto first = ask("POST", plan_path, valid_body, {{"prefer", "respond-sync"}});
+TEST_F(ExecutionTest, WaitsForTheResultsUnlessAskedNotTo) {
+  const auto first = ask("POST", plan_path, valid_body);
   ASSERT_TRUE(first.wait.has_value());
   EXPECT_TRUE(ask_again(first.wait->token, false).wait.has_value());
 
@@ -104,6 +105,83 @@ TEST_F(ExecutionTest, ALongPollAnswersAtTheNextChange) {
 
   finish("job1", "{}");
   EXPECT_EQ(json_of(ask_again(first.wait->token, false)).at("status"), "successful");
+}
+
+TEST_F(ExecutionTest, SaysWhyThereIsNoJob) {
+  jobs_.refusal = SubmissionRefused::queue_full;
+  const auto full = ask("POST", plan_path, valid_body);
+  EXPECT_EQ(full.status, 503);
+  EXPECT_EQ(header_of(full, "Retry-After"), "30");
+  jobs_.refusal = SubmissionRefused::key_reused;
+  EXPECT_EQ(ask("POST", plan_path, valid_body).status, 409);
+  jobs_.refusal = SubmissionRefused::job_removed;
+  EXPECT_EQ(ask("POST", plan_path, valid_body).status, 410);
+}
+
+TEST_F(ExecutionTest, TakesWhatTheResultFollowsFromIntoOneDigest) {
+  const auto digest_of = [&](const std::string& body) {
+    ask("POST", plan_path, body);
+    return jobs_.last_submission.digest;
+  };
+  const auto digest = digest_of(valid_body);
+  ASSERT_TRUE(digest.has_value());
+  EXPECT_EQ(
+      digest_of(R"({"inputs":{"depart":"2026-11-20T06:00:00+00:00","to":[-52.5,69.3],"from":[-53.0,69]}})"),
+      digest);
+  EXPECT_NE(digest_of(R"({"inputs":{"depart":"2026-11-20T06:00:00Z","to":[-52.5,69.4],"from":[-53,69]}})"),
+            digest);
+  repository::Dataset more;
+  more.id = {"currents-00000000"};
+  more.kind = repository::DatasetKind::currents;
+  repository::DatasetRepository{db_}.insert(more);
+  EXPECT_NE(digest_of(valid_body), digest) << "other data, other results";
+}
+
+TEST_F(ExecutionTest, DoesAPlanAgainWhoseResultWasRemoved) {
+  ask("POST", plan_path, valid_body);
+  EXPECT_FALSE(jobs_.last_submission.force);
+  finish("job1", R"({"plan":{"status":"ok","plan_id":"p000000000000"}})");
+
+  ask("POST", plan_path, valid_body);
+
+  EXPECT_TRUE(jobs_.last_submission.force) << "no plan p000000000000 is stored";
+}
+
+TEST_F(ExecutionTest, GivesTheOutputsThatAreWantedInTheFormThatIsWanted) {
+  const std::string echo = "/processes/echo/execution";
+  EXPECT_EQ(ask("POST", echo, R"({"inputs":{},"outputs":{"plan":{}}})").status, 400);
+  EXPECT_EQ(ask("POST", echo, R"({"inputs":{},"response":"cooked"})").status, 400);
+  EXPECT_EQ(ask("POST", echo, R"({"inputs":{"text":{"type":"wrong/type"}}})").status, 400);
+
+  const auto first = ask("POST", echo, R"({"inputs":{},"outputs":{"echo":{}},"response":"raw"})");
+  finish("job1", R"({"echo":"teststring","text":"more"})");
+  const auto raw = ask_again(first.wait->token, false);
+  EXPECT_EQ(raw.body, "teststring");
+  EXPECT_TRUE(raw.content_type.starts_with("text/plain"));
+
+  const auto second = ask("POST", echo, R"({"inputs":{},"outputs":{}})");
+  finish("job2", R"({"echo":"teststring","text":"more"})");
+  EXPECT_EQ(json_of(ask_again(second.wait->token, false)).size(), 2U);
+}
+
+TEST_F(ExecutionTest, ListsTheJobsThatFitEveryParameter) {
+  ask("POST", plan_path, valid_body);
+  ask("POST", "/processes/echo/execution", R"({"inputs":{}})");
+  finish("job1", "{}");
+  const auto found = [&](const std::string& query) {
+    std::vector<std::string> ids;
+    const auto page = json_of(ask("GET", "/jobs?" + query));
+    for (const auto& job : page.at("jobs")) ids.push_back(job.at("jobID"));
+    return ids;
+  };
+  EXPECT_THAT(found(""), testing::ElementsAre("job2", "job1"));
+  EXPECT_THAT(found("status=successful"), testing::ElementsAre("job1"));
+  EXPECT_THAT(found("processID=echo&type=process"), testing::ElementsAre("job2"));
+  EXPECT_THAT(found("datetime=../2027-01-01T00:00:00Z"), testing::IsEmpty());
+  EXPECT_THAT(found("datetime=2027-01-01T00:00:00Z/.."), testing::SizeIs(2));
+  EXPECT_THAT(found("minDuration=1"), testing::IsEmpty());
+  EXPECT_EQ(ask("GET", "/jobs?status=busy").status, 400);
+  EXPECT_EQ(ask("GET", "/jobs?minDuration=soon").status, 400);
 }
 
 TEST_F(ExecutionTest, ADismissedJobSaysSo) {

@@ -182,8 +182,38 @@ def jobs():
             state = drive("GET", "/jobs/{job_id}", 200, headers={"Prefer": "wait=30"}, job_id=name)
         drive("GET", "/jobs/{job_id}/results", 200, job_id=name)
     drive("GET", "/jobs", 200)
+    drive("GET", "/jobs", 200, query="?status=successful&processID=plan-route&type=process&limit=1")
+    drive("GET", "/jobs", 400, query="?status=busy")
+    events(name)
     drive("DELETE", "/jobs/{job_id}", 200, job_id=name)
     drive("GET", "/jobs/{job_id}", 404, job_id="none")
+
+
+def events(job):
+    """The stream of one job that has ended ends; of the other, which never does, the beginning is read."""
+    drive("GET", "/jobs/{job_id}/events", 200, job_id=job)
+    drive("GET", "/jobs/{job_id}/events", 400, headers={"Last-Event-ID": "yesterday"}, job_id=job)
+    driven.add(("get", "/events"))
+    with urllib.request.urlopen(URL + "/events", timeout=30) as stream:
+        if stream.headers["Content-Type"] != "text/event-stream" or not stream.readline().startswith(b"retry:"):
+            faults.append("GET /events: no stream of events")
+
+
+def echoes():
+    sent = {"echo": "a text", "numbers": [1, 2], "region": {"bbox": [-54, 68, -50, 70]}, "text": "plain", "value": 7}
+    if execute("echo", sent) != sent:
+        faults.append("echo does not give back what was sent")
+    if execute("echo", {"value": {"value": "wrapped"}}) != {"value": "wrapped"}:
+        faults.append("echo does not take a value that says more of itself")
+    execute("echo", {"text": {"type": "wrong/type"}}, 400)
+    body = {"inputs": {"echo": "teststring"}, "outputs": {"echo": {}}, "response": "raw"}
+    if drive("POST", "/processes/echo/execution", 200, body) != b"teststring":
+        faults.append("echo does not give one output raw")
+    key = {"Prefer": "respond-async", "Idempotency-Key": "9f5b1a4e"}
+    first = drive("POST", "/processes/echo/execution", 201, body, key)
+    if drive("POST", "/processes/echo/execution", 201, body, key)["jobID"] != first["jobID"]:
+        faults.append("the same key began another job")
+    drive("POST", "/processes/echo/execution", 409, {"inputs": {}}, key)
 
 
 def collections(plan):
@@ -242,7 +272,7 @@ def uploads():
 def rest():
     for template in ("/", "/conformance", "/processes", "/vehicles", "/healthz", "/version", "/api"):
         drive("GET", template, 200)
-    for process in ("plan-route", "evaluate-route", "reach", "simulate-plan", "ingest"):
+    for process in ("plan-route", "evaluate-route", "reach", "simulate-plan", "ingest", "echo"):
         drive("GET", "/processes/{process_id}", 200, process_id=process)
     drive("GET", "/app/{path}", 404, path="none.js")
     drive("POST", "/missions/check", 200, MISSION.encode(), {"Content-Type": "text/plain"}, "?name=goto_l10.ma")
@@ -289,6 +319,7 @@ try:
     collections(plan)
     judged_routes()
     reaches()
+    echoes()
     jobs()
     uploads()
     data()

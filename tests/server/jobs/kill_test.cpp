@@ -22,6 +22,10 @@ namespace {
 using repository::JobRepository;
 using repository::JobStatus;
 
+routes::Submission submission(const std::string& process, const std::string& inputs) {
+  return {.process = process, .inputs_json = inputs, .owner = {}, .digest = {}};
+}
+
 /// The real program, serving a store, in a process of its own.
 class ServerProcess {
  public:
@@ -57,8 +61,10 @@ TEST(KilledServer, DoesItsJobOnceMoreAfterTheRestart) {
   auto db = repository::open_store(store.path());
   JobBoard queue;
   const auto job = queue.submit(
-      db, "plan-route",
-      R"({"from":[-53,69],"to":[-50,67],"depart":"2026-11-20T06:00:00Z","spacing_m":400,"sectors":5})",
+      db,
+      submission(
+          "plan-route",
+          R"({"from":[-53,69],"to":[-50,67],"depart":"2026-11-20T06:00:00Z","spacing_m":400,"sectors":5})"),
       core::UtcTime{core::Seconds{1.8e9}});
   ASSERT_TRUE(job.has_value());
   const auto reached = [&](JobStatus status) {
@@ -96,8 +102,9 @@ TEST(KilledServer, StoresAnUploadWholeAndOnceWheneverItIsKilled) {
     const auto upload = repository::UploadRepository{store.path() / "uploads"}.add(
         store.path() / "arriving", "bed.asc", "", std::chrono::system_clock::now());
     JobBoard queue;
-    const auto job = queue.submit(db, "ingest", R"({"positive": "up", "uploads": [")" + upload.id + "\"]}",
-                                  core::UtcTime{});
+    const auto job =
+        queue.submit(db, submission("ingest", R"({"positive": "up", "uploads": [")" + upload.id + "\"]}"),
+                     core::UtcTime{});
     const auto reached = [&](JobStatus status) {
       return support::wait_until([&] { return JobRepository{db}.find(job->id)->status == status; });
     };

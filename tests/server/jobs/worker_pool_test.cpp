@@ -27,7 +27,9 @@ class WorkerPoolTest : public testing::Test {
     return [path = store_.path()] { return repository::open_store(path); };
   }
   repository::JobRecord submit(const std::string& process, const std::string& inputs) {
-    return board_.submit(db_, process, inputs, some_time).value();
+    return board_
+        .submit(db_, {.process = process, .inputs_json = inputs, .owner = {}, .digest = {}}, some_time)
+        .value();
   }
   bool wait_for(const repository::JobId& id, JobStatus status) {
     return wait_until([&] { return JobRepository{db_}.find(id)->status == status; });
@@ -65,6 +67,23 @@ TEST_F(WorkerPoolTest, StopsADismissedJobWithinASecond) {
   ASSERT_TRUE(wait_until([&] { return board_.running().empty(); }));
   EXPECT_LT(std::chrono::steady_clock::now() - begin, std::chrono::seconds{1});
   EXPECT_EQ(JobRepository{db_}.find(job.id)->status, JobStatus::dismissed);
+}
+
+TEST_F(WorkerPoolTest, EndsAPauseThatWasDismissed) {
+  WorkerPool pool{open_store(), board_, 1};
+  const auto job = submit("echo", R"({"pause":10})");
+  ASSERT_TRUE(wait_for(job.id, JobStatus::running));
+
+  ASSERT_TRUE(board_.dismiss(db_, job.id, some_time));
+  EXPECT_TRUE(wait_until([&] { return board_.running().empty(); }));
+}
+
+TEST_F(WorkerPoolTest, GivesBackWhatEchoWasSent) {
+  WorkerPool pool{open_store(), board_, 1};
+  const auto job = submit("echo", R"({"echo":"teststring","numbers":[1,2],"pause":0})");
+
+  ASSERT_TRUE(wait_for(job.id, JobStatus::successful));
+  EXPECT_EQ(JobRepository{db_}.find(job.id)->result_json, R"({"echo":"teststring","numbers":[1,2]})");
 }
 
 TEST_F(WorkerPoolTest, HandsARunningJobBackWhenItStops) {

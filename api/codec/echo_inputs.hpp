@@ -1,0 +1,22 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <tl/expected.hpp>
+
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+
+namespace floeplan::codec {
+
+/// Inputs of the process "echo".
+struct EchoInputs {
+  nlohmann::json values;  // by their names, as they go back
+  core::Seconds pause{0.0};
+};
+
+/// A value may stand alone or as {"value": ...}, as OGC API - Processes allows.
+/// Errors   every violation, with its JSON pointer
+[[nodiscard]] tl::expected<EchoInputs, core::Violations> parse_echo_inputs(const nlohmann::json& inputs);
+[[nodiscard]] nlohmann::json to_json(const EchoInputs& inputs);
+
+}  // namespace floeplan::codec

@@ -1,0 +1,16 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <stop_token>
+
+#include "api/codec/echo_inputs.hpp"
+#include "engine/core/progress.hpp"
+
+namespace floeplan::jobs {
+
+/// Every input under its own name, after the pause that was asked for.
+/// Stops    the pause ends on `stop`
+[[nodiscard]] nlohmann::json echo_results(const codec::EchoInputs& inputs, const std::stop_token& stop,
+                                          const core::ProgressCallback& progress);
+
+}  // namespace floeplan::jobs
