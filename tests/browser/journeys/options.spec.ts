@@ -115,3 +115,31 @@ test('the set-up is there again after a reload', async ({ page }) => {
   await expect(page.getByLabel('Start', { exact: true })).toHaveValue('69.05, -52.5');
   await expect(page.getByLabel('Ice margin')).toHaveValue('750');
 });
+
+test('the server understands every option of the set-up', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  const ice = {
+    max_inflation_m: '4000', max_sighting_age_days: '2', pass_under_icebergs: true, keel_clearance_m: '25', draft_uncertainty: '30',
+    encounter_weight_s: '0.5', 'under_ice.surfacing_interval_s': '12', 'under_ice.dead_reckoning_share': '5',
+    'under_ice.current_uncertainty_m_s': '0.04',
+  };
+  const others = {
+    objective: 'both', 'objective.time': '1', 'objective.energy': '0.01', battery_j: '8', battery_start_share: '90', max_loiter_s: '2',
+    refine_seconds: '0.2', optimality_gap: false, ice: 'none', zones: 'none',
+  };
+  await page.addInitScript((stored) => localStorage.setItem('floeplan.draft', stored), JSON.stringify({ ...ice, ...others }));
+  await open(page);
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
+  await planAndWait(page);
+
+  await page.getByText('Uncertainty of currents', { exact: true }).click();
+  await page.getByLabel('Members').fill('2');
+  await page.getByLabel('Optimise its').selectOption('quantile');
+  await page.getByLabel('Quantile').fill('200');
+  await page.getByRole('button', { name: /^Plan / }).click();
+  await expect(page.getByLabel('Quantile')).toHaveAttribute('aria-invalid', 'true');
+  await page.getByLabel('Quantile').fill('80');
+  await planAndWait(page);
+  await expect(page.getByText('Arrival, p10–p90')).toBeVisible();
+});

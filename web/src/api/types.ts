@@ -132,9 +132,10 @@ export interface PlanInputs {
   sectors?: number;
   method?: Method;
   via_order?: 'given' | 'best';
-  objective?: 'time' | 'energy';
+  objective?: 'time' | 'energy' | { time: number; energy: number };
   thruster?: 'auto' | 'on' | 'off';
   require_battery?: boolean;
+  battery_j?: number;
   battery_start_share?: number;
   pitch_deg?: number;
   climb_to_m?: number;
@@ -148,6 +149,11 @@ export interface PlanInputs {
   icebergs_drift?: boolean;
   max_inflation_m?: number;
   max_sighting_age_days?: number;
+  pass_under_icebergs?: boolean;
+  keel_clearance_m?: number;
+  draft_uncertainty?: number;
+  encounter_weight_s?: number;
+  max_loiter_s?: number;
   under_ice?: Record<string, number | boolean>;
   uncertainty?: Record<string, number | string>;
   optimality_gap?: boolean;
@@ -172,7 +178,7 @@ export interface PlanInputs {
 export type Conditions = Omit<
   PlanInputs,
   | 'from' | 'to' | 'via' | 'via_order' | 'spacing_m' | 'sectors' | 'method' | 'max_waypoints' | 'max_leg_m' | 'refine' | 'refine_seconds'
-  | 'uncertainty' | 'depart_until' | 'depart_step' | 'arrive_by' | 'optimality_gap' | 'name'
+  | 'encounter_weight_s' | 'uncertainty' | 'depart_until' | 'depart_step' | 'arrive_by' | 'optimality_gap' | 'name'
 >;
 
 export type EvaluateInputs = Conditions & ({ route: Position[] } | { plan_id: string });

@@ -9,6 +9,8 @@ export interface Area {
   corners: Position[];
   from: string;
   until: string;
+  top_m?: string; // empty: from the surface
+  bottom_m?: string; // empty: to the bed
 }
 
 export const newArea = (corners: Position[], number: number): Area => ({
@@ -29,11 +31,15 @@ export function cornersIn(text: string): { corners: Position[] } | { fault: stri
   return corners.length < 3 ? { fault: 'An area needs three corners or more.' } : { corners };
 }
 
-/** What is wrong with the times of areas, in words that name the area. */
+/** What is wrong with the times or depths of areas, in words that name the area. */
 export function faultOfAreas(areas: Area[]): string | undefined {
   const faulty = areas.find(({ from, until }) => [from, until].some((text) => text.trim() !== '' && parseTime(text) === undefined));
-  return faulty && `${faulty.name}: write its times in UTC as 2026-11-20 06:00.`;
+  if (faulty) return `${faulty.name}: write its times in UTC as 2026-11-20 06:00.`;
+  const deep = areas.find(({ top_m = '', bottom_m = '' }) => [top_m, bottom_m].some((text) => !Number.isFinite(depthIn(text))));
+  return deep && `${deep.name}: write its depths in metres.`;
 }
+
+const depthIn = (text: string): number => Number(text.trim().replace(',', '.'));
 
 /** The areas as the request states them. */
 export function areasInputs(areas: Area[]): Areas {
@@ -41,14 +47,18 @@ export function areasInputs(areas: Area[]): Areas {
     const at_ms = parseTime(text);
     return at_ms === undefined ? undefined : isoOf(at_ms);
   };
+  const depth = (name: 'top_m' | 'bottom_m', text = ''): Partial<AreaProperties> => (text.trim() === '' ? {} : { [name]: depthIn(text) });
   return {
     type: 'FeatureCollection',
-    features: areas.map(({ kind, name, corners, from, until }) => {
+    features: areas.map(({ kind, name, corners, from, until, top_m, bottom_m }) => {
       const [first] = corners;
       const [start, end] = [time(from), time(until)];
       return {
         type: 'Feature',
-        properties: { kind, name, ...(start ? { from: start } : {}), ...(end ? { until: end } : {}) },
+        properties: {
+          kind, name, ...(start ? { from: start } : {}), ...(end ? { until: end } : {}),
+          ...depth('top_m', top_m), ...depth('bottom_m', bottom_m),
+        },
         geometry: { type: 'Polygon', coordinates: [first ? [...corners, first] : corners] },
       };
     }),

@@ -21,13 +21,16 @@ export interface Draft {
   vehicle: string;
   name: string;
   margin_m: string;
-  objective: 'time' | 'energy';
+  objective: 'time' | 'energy' | 'both';
+  'objective.time': string; // weight of a second, with both
+  'objective.energy': string; // weight of a joule, with both
   method: Method;
   speed_m_s: string;
   dive_depth_m: string;
   pitch_deg: string;
   climb_to_m: string;
   altimeter_margin_m: string;
+  battery_j: string; // megajoules
   battery_start_share: string; // percent
   require_battery: boolean;
   thruster: 'auto' | 'on' | 'off';
@@ -36,20 +39,34 @@ export interface Draft {
   max_waypoints: string;
   max_leg_m: string; // kilometres
   refine: boolean;
+  refine_seconds: string;
+  optimality_gap: boolean;
   steady: boolean;
   areas: Area[];
   icebergs_drift: boolean;
   max_inflation_m: string;
   max_sighting_age_days: string;
+  pass_under_icebergs: boolean;
+  keel_clearance_m: string;
+  draft_uncertainty: string; // percent
+  encounter_weight_s: string; // hours
+  max_loiter_s: string; // hours
   'under_ice.max_concentration_to_surface': string; // percent
   'under_ice.margin_below_ice_m': string;
   'under_ice.draft_if_unknown_m': string;
   'under_ice.max_time_without_surfacing_s': string; // hours
+  'under_ice.surfacing_interval_s': string; // hours
+  'under_ice.dead_reckoning_share': string; // percent
+  'under_ice.current_uncertainty_m_s': string;
   'under_ice.escape_plan': boolean;
   'uncertainty.members': string;
   'uncertainty.current_error_m_s': string;
   'uncertainty.length_scale_m': string; // kilometres
   'uncertainty.time_scale_s': string; // hours
+  'uncertainty.seed': string;
+  'uncertainty.objective': 'mean' | 'quantile';
+  'uncertainty.quantile': string; // percent
+  'uncertainty.arrive_before': string;
   currents: string;
   bathymetry: string;
   icebergs: string;
@@ -64,14 +81,18 @@ export interface Draft {
 
 export const emptyDraft: Draft = {
   from: '', to: '', via: '', via_order: 'given', depart: '', depart_until: '', depart_step: '3', arrive_by: '', vehicle: '', name: '',
-  margin_m: '500', objective: 'time', method: 'astar', speed_m_s: '', dive_depth_m: '', pitch_deg: '', climb_to_m: '',
-  altimeter_margin_m: '', battery_start_share: '', require_battery: false, thruster: 'auto', spacing_m: '', sectors: '3',
-  max_waypoints: '', max_leg_m: '', refine: true, steady: false, areas: [], icebergs_drift: true, max_inflation_m: '',
-  max_sighting_age_days: '', 'under_ice.max_concentration_to_surface': '', 'under_ice.margin_below_ice_m': '',
-  'under_ice.draft_if_unknown_m': '', 'under_ice.max_time_without_surfacing_s': '', 'under_ice.escape_plan': false,
-  'uncertainty.members': '', 'uncertainty.current_error_m_s': '0.05', 'uncertainty.length_scale_m': '30',
-  'uncertainty.time_scale_s': '24', currents: 'newest', bathymetry: 'newest', ice: 'newest', icebergs: 'newest', coastline: 'newest',
-  tides: 'none', tides_mode: 'add', wind: 'newest', zones: 'all', icebergs_as_of: '',
+  margin_m: '500', objective: 'time', 'objective.time': '1', 'objective.energy': '1', method: 'astar', speed_m_s: '', dive_depth_m: '',
+  pitch_deg: '', climb_to_m: '', altimeter_margin_m: '', battery_j: '', battery_start_share: '', require_battery: false,
+  thruster: 'auto', spacing_m: '', sectors: '3', max_waypoints: '', max_leg_m: '', refine: true, refine_seconds: '',
+  optimality_gap: true, steady: false, areas: [], icebergs_drift: true, max_inflation_m: '', max_sighting_age_days: '',
+  pass_under_icebergs: false, keel_clearance_m: '', draft_uncertainty: '', encounter_weight_s: '', max_loiter_s: '',
+  'under_ice.max_concentration_to_surface': '', 'under_ice.margin_below_ice_m': '', 'under_ice.draft_if_unknown_m': '',
+  'under_ice.max_time_without_surfacing_s': '', 'under_ice.surfacing_interval_s': '', 'under_ice.dead_reckoning_share': '',
+  'under_ice.current_uncertainty_m_s': '', 'under_ice.escape_plan': false, 'uncertainty.members': '',
+  'uncertainty.current_error_m_s': '0.05', 'uncertainty.length_scale_m': '30', 'uncertainty.time_scale_s': '24',
+  'uncertainty.seed': '', 'uncertainty.objective': 'mean', 'uncertainty.quantile': '', 'uncertainty.arrive_before': '',
+  currents: 'newest', bathymetry: 'newest', ice: 'newest', icebergs: 'newest', coastline: 'newest', tides: 'none', tides_mode: 'add',
+  wind: 'newest', zones: 'all', icebergs_as_of: '',
 };
 
 export type Field = keyof Draft;
@@ -149,21 +170,25 @@ export function placesIn(text: string): { places: Position[]; fault?: string } {
 
 /** Fields that hold numbers, and how many of the request's unit make one of the field's. */
 const numberFields = {
-  margin_m: 1, speed_m_s: 1, dive_depth_m: 1, pitch_deg: 1, climb_to_m: 1, altimeter_margin_m: 1, battery_start_share: 0.01,
-  spacing_m: 1, sectors: 1, max_waypoints: 1, max_leg_m: 1000, max_inflation_m: 1, max_sighting_age_days: 1,
-  'under_ice.max_concentration_to_surface': 0.01, 'under_ice.margin_below_ice_m': 1, 'under_ice.draft_if_unknown_m': 1,
-  'under_ice.max_time_without_surfacing_s': 3600, 'uncertainty.members': 1, 'uncertainty.current_error_m_s': 1,
-  'uncertainty.length_scale_m': 1000, 'uncertainty.time_scale_s': 3600,
+  margin_m: 1, 'objective.time': 1, 'objective.energy': 1, speed_m_s: 1, dive_depth_m: 1, pitch_deg: 1, climb_to_m: 1,
+  altimeter_margin_m: 1, battery_j: 1e6, battery_start_share: 0.01, spacing_m: 1, sectors: 1, max_waypoints: 1, max_leg_m: 1000,
+  refine_seconds: 1, max_inflation_m: 1, max_sighting_age_days: 1, keel_clearance_m: 1, draft_uncertainty: 0.01,
+  encounter_weight_s: 3600, max_loiter_s: 3600, 'under_ice.max_concentration_to_surface': 0.01, 'under_ice.margin_below_ice_m': 1,
+  'under_ice.draft_if_unknown_m': 1, 'under_ice.max_time_without_surfacing_s': 3600, 'under_ice.surfacing_interval_s': 3600,
+  'under_ice.dead_reckoning_share': 0.01, 'under_ice.current_uncertainty_m_s': 1, 'uncertainty.members': 1,
+  'uncertainty.current_error_m_s': 1, 'uncertainty.length_scale_m': 1000, 'uncertainty.time_scale_s': 3600, 'uncertainty.seed': 1,
+  'uncertainty.quantile': 0.01,
 } as const;
 type NumberField = keyof typeof numberFields;
 const numberFieldNames = Object.keys(numberFields) as NumberField[];
 
 /** Fields that hold instants in UTC. */
-const timeFields = ['depart', 'depart_until', 'arrive_by', 'icebergs_as_of'] as const;
+const timeFields = ['depart', 'depart_until', 'arrive_by', 'icebergs_as_of', 'uncertainty.arrive_before'] as const;
 
 /** Fields that are sent only where they differ from what the server takes anyway. */
 const sentWhenChanged = [
-  'via_order', 'objective', 'thruster', 'require_battery', 'icebergs_drift', 'under_ice.escape_plan', 'tides', 'wind', 'zones',
+  'via_order', 'objective', 'thruster', 'require_battery', 'optimality_gap', 'icebergs_drift', 'pass_under_icebergs',
+  'under_ice.escape_plan', 'uncertainty.objective', 'tides', 'wind', 'zones',
 ] as const;
 
 /** The request a draft stands for, or every fault that keeps it from being sent. */
@@ -179,17 +204,19 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
   if (areaFault) found.areas = areaFault;
 
   const values: Partial<Record<Field, number | string | boolean>> = {};
+  const isCertain = form['uncertainty.members'].trim() === '';
+  const isLeftOut = (field: Field): boolean =>
+    (isCertain && field.startsWith('uncertainty.')) || (form.objective !== 'both' && field.startsWith('objective.'));
   for (const field of timeFields) {
-    if (form[field].trim() === '') continue;
+    if (form[field].trim() === '' || isLeftOut(field)) continue;
     const time_ms = parseTime(form[field]);
     if (time_ms === undefined) found[field] = 'Write the time in UTC as 2026-11-20 06:00.';
     else values[field] = isoOf(time_ms);
   }
   if (form.depart.trim() === '' && form.arrive_by.trim() === '') found.depart = 'Write the time in UTC as 2026-11-20 06:00.';
 
-  const isCertain = form['uncertainty.members'].trim() === '';
   for (const field of numberFieldNames) {
-    if (form[field].trim() === '' || (isCertain && field.startsWith('uncertainty.'))) continue;
+    if (form[field].trim() === '' || isLeftOut(field)) continue;
     const value = numberIn(form[field]);
     if (value === undefined) found[field] = 'Write a number.';
     else values[field] = Number((value * numberFields[field]).toPrecision(12));
@@ -200,7 +227,10 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
     else values.depart_step = `PT${Math.round(60 * step_h)}M`;
   }
   if (form.tides !== 'none') values.tides_mode = form.tides_mode;
-  for (const field of sentWhenChanged) if (form[field] !== emptyDraft[field]) values[field] = form[field];
+  for (const field of sentWhenChanged) {
+    const isPlain = !(field === 'objective' && form.objective === 'both');
+    if (isPlain && !isLeftOut(field) && form[field] !== emptyDraft[field]) values[field] = form[field];
+  }
   if (!from.ok || !to.ok || Object.keys(found).length > 0) return { faults: found };
 
   return {

@@ -41,7 +41,7 @@ export function dataOf(plan: Plan): Pick<PlanInputs, (typeof kinds)[number]> {
 
 const ofTheWay = new Set<string>([
   'from', 'to', 'via', 'via_order', 'spacing_m', 'sectors', 'method', 'max_waypoints', 'max_leg_m', 'refine', 'refine_seconds',
-  'uncertainty', 'depart_until', 'depart_step', 'arrive_by', 'optimality_gap', 'name',
+  'encounter_weight_s', 'uncertainty', 'depart_until', 'depart_step', 'arrive_by', 'optimality_gap', 'name',
 ] satisfies Exclude<keyof PlanInputs, keyof Conditions>[]);
 
 /** Everything of a request but the way: what a route is judged under. */

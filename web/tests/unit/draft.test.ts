@@ -46,6 +46,39 @@ describe('the set-up', () => {
     });
   });
 
+  it('sends what is about two aims or about members only with them', () => {
+    const plain = inputsOf({ ...good, 'objective.time': '3', 'uncertainty.quantile': '90', 'uncertainty.arrive_before': 'whenever' });
+    if ('faults' in plain) throw new Error('refused');
+    expect(plain.inputs).not.toHaveProperty('objective');
+    expect(plain.inputs).not.toHaveProperty('uncertainty');
+    const all = inputsOf({
+      ...good, objective: 'both', 'objective.energy': '0.5', 'uncertainty.members': '4', 'uncertainty.objective': 'quantile',
+      'uncertainty.quantile': '90', 'uncertainty.arrive_before': '2026-11-23',
+    });
+    if ('faults' in all) throw new Error('refused');
+    expect(all.inputs).toMatchObject({
+      objective: { time: 1, energy: 0.5 },
+      uncertainty: { members: 4, objective: 'quantile', quantile: 0.9, arrive_before: '2026-11-23T00:00:00Z' },
+    });
+  });
+
+  it('states tides with what they are to the currents, and rare data only where they were chosen', () => {
+    const usual = inputsOf(good);
+    expect('inputs' in usual && ['tides', 'tides_mode', 'wind', 'zones'].filter((name) => name in usual.inputs)).toEqual([]);
+    const result = inputsOf({ ...good, tides: 'newest', tides_mode: 'only', zones: 'none', max_loiter_s: '6', pass_under_icebergs: true });
+    expect('inputs' in result && result.inputs).toMatchObject({
+      tides: 'newest', tides_mode: 'only', zones: 'none', max_loiter_s: 21_600, pass_under_icebergs: true,
+    });
+  });
+
+  it('names an area whose depths cannot be read', () => {
+    const corners: [number, number][] = [[-52, 69], [-51, 69], [-51, 69.2]];
+    const area = { kind: 'no_go' as const, name: 'cable', corners, from: '', until: '', top_m: '20', bottom_m: 'deep' };
+    expect(inputsOf({ ...good, areas: [area] })).toEqual({ faults: { areas: 'cable: write its depths in metres.' } });
+    const result = inputsOf({ ...good, areas: [{ ...area, bottom_m: '' }] });
+    expect('inputs' in result && result.inputs.areas?.features[0]?.properties).toEqual({ kind: 'no_go', name: 'cable', top_m: 20 });
+  });
+
   it('states areas as closed rings with their times', () => {
     const corners: [number, number][] = [[-52, 69], [-51, 69], [-51, 69.2]];
     const result = inputsOf({ ...good, areas: [{ kind: 'no_go', name: 'ice camp', corners, from: '2026-11-21', until: '' }] });

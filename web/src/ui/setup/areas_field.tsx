@@ -68,7 +68,7 @@ function AreaRow({ area, number, onChange, onRemove }: AreaRowProps): VNode {
         <IconButton icon="trash" label={`Remove area ${number}`} onClick={onRemove} />
       </div>
       <details>
-        <summary>{area.corners.length} corners{area.from || area.until ? ', at times' : ''}</summary>
+        <summary>{area.corners.length} corners{area.from || area.until ? ', at times' : ''}{area.top_m || area.bottom_m ? ', at depths' : ''}</summary>
         <Corners area={area} number={number} onChange={onChange} />
         <div class="field-pair">
           <div class="field">
@@ -78,6 +78,16 @@ function AreaRow({ area, number, onChange, onRemove }: AreaRowProps): VNode {
           <div class="field">
             <label for={`area-until-${number}`}>Until <span class="unit">UTC</span></label>
             <input id={`area-until-${number}`} type="text" placeholder="always" value={area.until} onInput={(event) => onChange({ until: event.currentTarget.value })} />
+          </div>
+        </div>
+        <div class="field-pair">
+          <div class="field">
+            <label for={`area-top-${number}`}>Below <span class="unit">m</span></label>
+            <input id={`area-top-${number}`} type="text" inputMode="decimal" placeholder="surface" value={area.top_m ?? ''} onInput={(event) => onChange({ top_m: event.currentTarget.value })} />
+          </div>
+          <div class="field">
+            <label for={`area-bottom-${number}`}>Above <span class="unit">m</span></label>
+            <input id={`area-bottom-${number}`} type="text" inputMode="decimal" placeholder="sea bed" value={area.bottom_m ?? ''} onInput={(event) => onChange({ bottom_m: event.currentTarget.value })} />
           </div>
         </div>
       </details>
