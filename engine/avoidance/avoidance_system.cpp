@@ -140,6 +140,7 @@ void AvoidanceSystem::perceive(const Sensed& sensed) {
   objects_.advance(now_s);
   if (sensed.sonar) take_ping(*sensed.sonar, own_);
   room_.take_covers(objects_);
+  room_.take_beds(objects_);
   obstacles_.collect(objects_, water_.own(), reach_m);
 }
 

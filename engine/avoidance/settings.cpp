@@ -27,6 +27,8 @@ core::Violations AvoidanceSettings::violations() const {
   Rules rules;
   rules.positive("sonar/reach", sonar.reach.value);
   rules.positive("sonar/half_height", sonar.half_height.value);
+  rules.holds(sonar.beam_half_height.value >= 0.0 && sonar.beam_half_height <= sonar.half_height,
+              "sonar/beam_half_height", "must be between zero and `half_height`");
   rules.positive("sonar/range_sigma", sonar.range_sigma.value);
   rules.positive("sonar/bearing_sigma", sonar.bearing_sigma.value);
   rules.positive("through_water", through_water.value);

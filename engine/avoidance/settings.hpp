@@ -10,7 +10,8 @@ namespace floeplan::avoidance {
 /// How far and how well the sonar sees. Body axes.
 struct SonarView {
   core::Metres reach{200.0};
-  core::Radians half_height{0.6109};  // above and below the plane of forward and starboard: 35 degrees
+  core::Radians half_height{0.6109};    // above and below the plane of forward and starboard: 35 degrees
+  core::Radians beam_half_height{0.0};  // of one beam: so far above or below its axis an echo may come from
   core::Metres range_sigma{1.0};
   core::Radians bearing_sigma{0.0175};
 

@@ -13,7 +13,9 @@ constexpr double steepest = 0.2;            // of a bed or an underside: beyond 
 constexpr double noise_m = 3.0;             // of an echo's depth
 constexpr double beside_m = 150.0;          // farther from a sounding nothing is concluded from it
 constexpr double bed_echo_holds_s = 120.0;
-constexpr double overhead_m = 3.0;       // the least height above the vehicle of an echo from above
+constexpr double overhead_m = 3.0;    // the least height above the vehicle of an echo from above
+constexpr double underfoot_m = 10.0;  // the same below: nearer, the altimeter tells
+constexpr double seek_beds_every_s = 10.0;
 constexpr double cover_width_m = 200.0;  // of the greatest bergs that are gone round without a doubt
 constexpr int looks_needed = 20;         // pings
 constexpr double least_slope = 0.35;     // of a glider's way: 20 degrees
@@ -32,6 +34,7 @@ void VerticalRoom::sound(const OwnState& own, geo::PlanePoint own_in_water) {
 
 void VerticalRoom::begin_ping() {
   bed_confirmation_.begin_ping();
+  underfoot_confirmation_.begin_ping();
   roof_confirmation_.begin_ping();
 }
 
@@ -48,16 +51,59 @@ bool VerticalRoom::has_room_over(double bed_m) const {
   return bed_m - settings_.vertical_margin.value - settings_.least_band.value >= settings_.shallowest.value;
 }
 
-bool VerticalRoom::is_bed(const Echo& echo) {
-  if (!has_room_over(echo.depth_m)) return false;
-  const bool is_known = std::ranges::any_of(bed_.all(), [&](const Sounding& bed) {
-    return echo.depth_m >= bed.depth_m - noise_m - steepest * distance_m(bed.place, echo.place);
+/// How far above or below the axis of its beam an echo may have come from.
+double VerticalRoom::doubt_m(double range_m) const {
+  return range_m * std::sin(settings_.sonar.beam_half_height.value);
+}
+
+bool VerticalRoom::is_known_bed(geo::PlanePoint place, double depth_m) const {
+  return std::ranges::any_of(bed_.all(), [&](const Sounding& bed) {
+    return depth_m >= bed.depth_m - noise_m - steepest * distance_m(bed.place, place);
   });
-  if (!is_known) return false;
+}
+
+void VerticalRoom::limit_by(const Sounding& bed) {
   const bool is_old = !shallowest_bed_ || now_s_ - shallowest_bed_->time_s > bed_echo_holds_s;
-  if (!is_old && echo.depth_m >= shallowest_bed_->depth_m) return true;
-  if (const auto bed = bed_confirmation_.take(echo)) shallowest_bed_ = {bed->place, bed->depth_m, now_s_};
+  if (is_old || bed.depth_m < shallowest_bed_->depth_m) shallowest_bed_ = bed;
+}
+
+bool VerticalRoom::is_bed(const Echo& echo) {
+  const double deepest_m = echo.depth_m + doubt_m(echo.range_m);
+  if (!has_room_over(deepest_m)) return false;
+  const double below_m = echo.depth_m - depth_m_;
+  if (below_m > underfoot_m && below_m > distance_m(place_, echo.place)) {
+    if (const auto bed = underfoot_confirmation_.take(echo))
+      bed_.take({bed->place, bed->depth_m, now_s_}, false);
+    return true;
+  }
+  if (!is_known_bed(echo.place, deepest_m)) return false;
+  if (const auto bed = bed_confirmation_.take(echo))
+    limit_by({bed->place, bed->depth_m + doubt_m(bed->range_m), now_s_});
   return true;
+}
+
+bool VerticalRoom::is_bed_throughout(const TrackedObject& object) const {
+  for (std::size_t i = 0; i < object.size(); ++i) {
+    const SurfaceCell& cell = object.cell(i);
+    const geo::PlanePoint place = object.place(cell);
+    const double deepest_m = cell.depth_m + doubt_m(distance_m(place, place_));
+    if (!has_room_over(deepest_m) || !is_known_bed(place, deepest_m)) return false;
+  }
+  return true;
+}
+
+void VerticalRoom::take_beds(ObjectMap& objects) {
+  if (bed_.all().empty() || (beds_sought_s_ && now_s_ - *beds_sought_s_ < seek_beds_every_s)) return;
+  beds_sought_s_ = now_s_;
+  for (std::size_t i = objects.size(); i-- > 0;) {
+    const TrackedObject& object = objects[i];
+    if (!is_bed_throughout(object)) continue;
+    for (std::size_t k = 0; k < object.size(); ++k) {
+      const geo::PlanePoint place = object.place(object.cell(k));
+      limit_by({place, object.cell(k).depth_m + doubt_m(distance_m(place, place_)), now_s_});
+    }
+    objects.remove(i);
+  }
 }
 
 bool VerticalRoom::is_roof(const Echo& echo) {
@@ -70,7 +116,7 @@ bool VerticalRoom::is_roof(const Echo& echo) {
   for (const Sounding& roof : roof_.all()) {
     const double apart_m = distance_m(roof.place, echo.place);
     if (apart_m > beside_m) continue;
-    is_known |= echo.depth_m <= roof.depth_m + noise_m + steepest * apart_m;
+    is_known |= echo.depth_m - doubt_m(echo.range_m) <= roof.depth_m + noise_m + steepest * apart_m;
     goes_on |= echo.depth_m <= roof.depth_m + steepest * apart_m;
   }
   if (!is_overhead && !is_known) return false;

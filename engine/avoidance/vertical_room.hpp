@@ -15,8 +15,8 @@ namespace floeplan::avoidance {
 
 /// The depths left to the saw-tooth between ice above and the sea bed below, and which echoes the vehicle need not go
 /// round because it passes above or below what they come from.
-/// Sonar    an echo counts as from the axis of its beam. A cover that beams 20 degrees high meet at a shallow angle looks as
-///          if it reached down to the axis, and is gone round like a wall until it is overhead
+/// Sonar    an echo comes from anywhere within the height of its beam. What it can come from, it counts as: a bed or an
+///          underside known near by; and a bed limits the depth as far as it must, which near by is where it is
 /// Frame    water
 /// Memory   fixed; no member allocates
 class VerticalRoom {
@@ -28,8 +28,8 @@ class VerticalRoom {
   void begin_ping();
   /// Whether the echo is none to go round:
   /// - from below the saw-tooth;
-  /// - from a sea bed that a lower saw-tooth passes over. A bed is told from a wall by the altimeter's soundings: it
-  ///   rises by no more than 1 in 5 from the nearest;
+  /// - from a sea bed that a lower saw-tooth passes over. A bed is told from a wall by soundings, the altimeter's and echoes
+  ///   from steeply below: it rises by no more than 1 in 5 from the nearest;
   /// - from the underside of a cover of ice that a deeper saw-tooth passes under, told from a wall in the same way. Its
   ///   first soundings are echoes from steeply above, and covers recognised from afar.
   /// A bed or a cover that leaves no room is a thing to go round. One that does limits the depth from now on,
@@ -40,6 +40,9 @@ class VerticalRoom {
   /// in time.
   void take_covers(ObjectMap& objects);
 
+  /// Takes out the objects that turn out to be a known bed: what the sonar saw of it before there was a sounding.
+  void take_beds(ObjectMap& objects);
+
   /// Where to inflect at the latest, climbing and diving; empty: as the mission says.
   [[nodiscard]] std::optional<core::Metres> shallowest() const;
   [[nodiscard]] std::optional<core::Metres> deepest() const;
@@ -47,6 +50,10 @@ class VerticalRoom {
  private:
   [[nodiscard]] bool has_room_under(double ice_m) const;
   [[nodiscard]] bool has_room_over(double bed_m) const;
+  [[nodiscard]] double doubt_m(double range_m) const;
+  [[nodiscard]] bool is_known_bed(geo::PlanePoint place, double depth_m) const;
+  [[nodiscard]] bool is_bed_throughout(const TrackedObject& object) const;
+  void limit_by(const Sounding& bed);
   [[nodiscard]] bool is_bed(const Echo& echo);
   [[nodiscard]] bool is_roof(const Echo& echo);
   [[nodiscard]] bool is_cover(const TrackedObject& object) const;
@@ -58,8 +65,10 @@ class VerticalRoom {
   Soundings bed_{};
   Soundings roof_{};
   EchoConfirmation bed_confirmation_{};
+  EchoConfirmation underfoot_confirmation_{};
   EchoConfirmation roof_confirmation_{};
   std::optional<Sounding> shallowest_bed_{};  // that an echo showed lately
+  std::optional<double> beds_sought_s_{};     // among the objects
 };
 
 }  // namespace floeplan::avoidance

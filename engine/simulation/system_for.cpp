@@ -77,6 +77,7 @@ avoidance::AvoidanceSettings avoidance_for(const vehicle::GliderProfile& vehicle
   avoidance::AvoidanceSettings settings;
   settings.sonar.reach = {sonar.range_m};
   settings.sonar.half_height = {0.5 * ((sonar.rows - 1) * sonar.row_step_rad + sonar.beam.height_rad)};
+  settings.sonar.beam_half_height = {0.5 * sonar.beam.height_rad};
   settings.through_water = vehicle.speed_through_water;
   settings.shallowest = orders.yo.climb.depth;
   settings.deepest = orders.yo.dive.depth;

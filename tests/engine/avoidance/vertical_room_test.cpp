@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <memory>
 
 namespace floeplan::avoidance {
@@ -76,6 +77,51 @@ TEST(VerticalRoom, KeepsBelowTheIceOverhead) {
   EXPECT_DOUBLE_EQ(room->shallowest()->value, 25.0);
   EXPECT_TRUE(passes(*room, echo(60.0, 18.0)));   // the underside goes on
   EXPECT_FALSE(passes(*room, echo(60.0, 34.0)));  // a keel that hangs from it does not
+}
+
+TEST(VerticalRoom, KnowsABedBeyondTheAltimeterByEchoesFromSteeplyBelow) {
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
+  room->sound(own_over(0.0, 5.0), {});
+  EXPECT_FALSE(passes(*room, echo(120.0, 60.0)));
+  EXPECT_TRUE(passes(*room, echo(30.0, 65.0)));
+  EXPECT_TRUE(passes(*room, echo(120.0, 60.0)));
+  EXPECT_FALSE(passes(*room, echo(120.0, 30.0)));
+}
+
+TEST(VerticalRoom, TakesAnEchoForTheBedThatItsBeamReachesDownTo) {
+  AvoidanceSettings settings = to_60_m();
+  settings.sonar.beam_half_height = core::Radians{0.13};
+  const auto room = std::make_unique<VerticalRoom>(settings);
+  room->sound(own_over(0.0, 20.0, 64.0), {});
+  EXPECT_TRUE(passes(*room, echo(150.0, 22.0)));  // 19 m deeper at the lower edge of the beam
+  EXPECT_FALSE(passes(*room, echo(50.0, 22.0)));  // 6 m
+  const auto exact = std::make_unique<VerticalRoom>(to_60_m());
+  exact->sound(own_over(0.0, 20.0, 64.0), {});
+  EXPECT_FALSE(passes(*exact, echo(150.0, 22.0)));
+}
+
+TEST(VerticalRoom, TakesOutTheObjectsThatAreTheBed) {
+  const AvoidanceSettings settings = to_60_m();
+  const auto objects = std::make_unique<ObjectMap>(settings);
+  objects->advance(1e9);
+  const OwnState own = own_over(0.0, 5.0);
+  for (int ping = 0; ping < 6; ++ping) {
+    const std::array echoes{echo(100.0, 62.0), echo(150.0, 20.0)};
+    objects->take(echoes, own, {});
+  }
+  ASSERT_EQ(objects->size(), 2U);
+  const auto room = std::make_unique<VerticalRoom>(settings);
+  room->sound(own, {});
+  room->take_beds(*objects);
+  EXPECT_EQ(objects->size(), 2U);  // nothing is known of a bed
+
+  room->sound(own_over(20.0, 15.0, 66.0), {});
+  room->take_beds(*objects);
+
+  ASSERT_EQ(objects->size(), 1U);
+  EXPECT_LT((*objects)[0].keel_m(), 30.0);
+  ASSERT_TRUE(room->deepest());
+  EXPECT_NEAR(room->deepest()->value, 52.0, 1.0);
 }
 
 TEST(VerticalRoom, DoesNotWalkDownAWall) {
