@@ -20,6 +20,9 @@ constexpr double at_surface_m = 0.1;
 constexpr double thrust_gain_n_s_m = 2.0;
 /// Twice the drag of a Slocum at 1 m/s, the most that its thruster is said to reach.
 constexpr double most_thrust_n = 16.0;
+constexpr double least_drag = 0.01;
+constexpr double most_drag = 2.0;
+constexpr int bisections = 50;
 constexpr double deepest_piston_m = 350.0;
 constexpr double oil_pump_rate_m3_s = 4e-6;
 
@@ -54,6 +57,24 @@ HullMotion hull_motion_for(const vehicle::GliderProfile& profile) {
   HullMotion hull;
   if (profile.depth_rating.value > deepest_piston_m) hull.pump_rate_m3_s = oil_pump_rate_m3_s;
   return hull;
+}
+
+std::optional<vehicle::GliderProfile> flown_vehicle(const vehicle::GliderProfile& profile) {
+  vehicle::GliderProfile flown = profile;
+  const auto is_too_fast = [&](double drag) {
+    flown.hydrodynamics.parasite_drag = drag;
+    const auto glide = vehicle::steady_glide(flown.hydrodynamics, flown.pitch, flown.buoyancy);
+    return glide && glide->horizontal > profile.speed_through_water;
+  };
+  double low = least_drag;
+  double high = most_drag;
+  if (!is_too_fast(low) || is_too_fast(high)) return std::nullopt;
+  for (int i = 0; i < bisections; ++i) {
+    const double middle = 0.5 * (low + high);
+    (is_too_fast(middle) ? low : high) = middle;
+  }
+  flown.hydrodynamics.parasite_drag = low;
+  return flown;
 }
 
 GliderMotion::GliderMotion(const vehicle::GliderProfile& profile, const HullMotion& hull, double heading_rad)

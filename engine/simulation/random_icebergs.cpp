@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/core/random.hpp"
+#include "engine/simulation/glider_motion.hpp"
 #include "engine/simulation/iceberg_shape.hpp"
 
 namespace floeplan::simulation {
@@ -73,7 +74,7 @@ Body berg(const IcebergFieldSettings& settings, const vehicle::GliderProfile& ve
 vehicle::GliderProfile glider(core::Metres dive_depth) {
   vehicle::GliderProfile profile = vehicle::known_profiles().front();
   profile.dive_depth = dive_depth;
-  return profile;
+  return flown_vehicle(profile).value();
 }
 
 /// The way east, the yo of the profile, up every hour for a fix and at the end.

@@ -90,6 +90,24 @@ TEST(GliderMotion, IsDrivenByTheThrusterToTheSpeedAskedFor) {
   EXPECT_NEAR(motion.horizontal_m_s(), 0.6, 0.01);
 }
 
+/// Law: pump and pitch of the vehicle that is flown make the speed that plans count on.
+TEST(FlownVehicle, MakesTheSpeedOfItsProfile) {
+  for (const vehicle::GliderProfile& known : vehicle::known_profiles()) {
+    const auto flown = flown_vehicle(known);
+
+    ASSERT_TRUE(flown.has_value()) << known.name;
+    const auto glide = vehicle::steady_glide(flown->hydrodynamics, known.pitch, known.buoyancy);
+    EXPECT_NEAR(glide->horizontal.value, known.speed_through_water.value, 1e-6) << known.name;
+    EXPECT_NEAR(flown->hydrodynamics.parasite_drag, 0.13, 0.02) << known.name;
+  }
+}
+
+TEST(FlownVehicle, IsNoneWhereNoDragExplainsTheSpeed) {
+  vehicle::GliderProfile profile = vehicle::known_profiles().front();
+  profile.speed_through_water = {2.0};
+  EXPECT_FALSE(flown_vehicle(profile).has_value());
+}
+
 TEST(HullMotion, NamesEveryValueOutOfRange) {
   HullMotion hull;
   EXPECT_TRUE(hull.violations().empty());
