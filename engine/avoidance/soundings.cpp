@@ -23,10 +23,4 @@ void Soundings::take(const Sounding& found, bool renews_depth) {
   *std::ranges::min_element(list_, {}, &Sounding::time_s) = found;
 }
 
-void Soundings::forget_before(double time_s) {
-  for (std::size_t i = size_; i-- > 0;) {
-    if (list_[i].time_s < time_s) list_[i] = list_[--size_];
-  }
-}
-
 }  // namespace floeplan::avoidance

@@ -25,7 +25,15 @@ class Soundings {
 
   /// Where one lies near already, only its time and `depth_m` as the caller wants it are renewed.
   void take(const Sounding& found, bool renews_depth);
-  void forget_before(double time_s);
+  void forget_before(double time_s) {
+    forget_if([&](const Sounding& sounding) { return sounding.time_s < time_s; });
+  }
+  template <class Is>
+  void forget_if(const Is& is) {
+    for (std::size_t i = size_; i-- > 0;) {
+      if (is(list_[i])) list_[i] = list_[--size_];
+    }
+  }
   [[nodiscard]] std::span<const Sounding> all() const { return {list_.data(), size_}; }
 
  private:

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/avoidance/steering.hpp"
 
@@ -13,8 +14,10 @@ constexpr double steepest = 0.2;            // of a bed or an underside: beyond 
 constexpr double noise_m = 3.0;             // of an echo's depth
 constexpr double beside_m = 150.0;          // farther from a sounding nothing is concluded from it
 constexpr double bed_echo_holds_s = 120.0;
-constexpr double overhead_m = 3.0;    // the least height above the vehicle of an echo from above
-constexpr double underfoot_m = 10.0;  // the same below: nearer, the altimeter tells
+constexpr double silence_tells_s = 30.0;
+constexpr double heard_from_m = 40.0;  // by any altimeter, of any bed
+constexpr double overhead_m = 3.0;     // the least height above the vehicle of an echo from above
+constexpr double underfoot_m = 10.0;   // the same below: nearer, the altimeter tells
 constexpr double seek_beds_every_s = 10.0;
 constexpr double cover_width_m = 200.0;  // of the greatest bergs that are gone round without a doubt
 constexpr int looks_needed = 20;         // pings
@@ -23,13 +26,33 @@ constexpr double least_slope = 0.35;     // of a glider's way: 20 degrees
 }  // namespace
 
 void VerticalRoom::sound(const OwnState& own, geo::PlanePoint own_in_water) {
-  now_s_ = core::unix_seconds(own.time);
+  before_s_ = std::exchange(now_s_, core::unix_seconds(own.time));
   depth_m_ = own.depth.value;
   place_ = own_in_water;
   bed_.forget_before(now_s_ - soundings_hold_s);
   roof_.forget_before(now_s_ - soundings_hold_s);
-  if (!own.altitude || !std::isfinite(own.altitude->value)) return;
-  bed_.take({own_in_water, own.depth.value + own.altitude->value, now_s_}, true);
+  read_altimeter(own);
+}
+
+void VerticalRoom::read_altimeter(const OwnState& own) {
+  if (own.altitude && std::isfinite(own.altitude->value)) {
+    silent_s_ = 0.0;
+    bed_.take({place_, own.depth.value + own.altitude->value, now_s_}, true);
+    return;
+  }
+  // It looks down while the vehicle dives.
+  if (own.attitude.pitch.value < 0.0) silent_s_ += now_s_ - before_s_;
+  if (silent_s_ >= silence_tells_s) unlearn_bed();
+}
+
+/// Where the altimeter hears nothing the bed is far below, and no slope leads up from there to what was taken for one: the
+/// foot of a berg.
+void VerticalRoom::unlearn_bed() {
+  const auto is_none = [&](const Sounding& bed) {
+    return bed.depth_m < depth_m_ + heard_from_m - steepest * distance_m(bed.place, place_);
+  };
+  bed_.forget_if(is_none);
+  if (shallowest_bed_ && is_none(*shallowest_bed_)) shallowest_bed_.reset();
 }
 
 void VerticalRoom::begin_ping() {
@@ -148,7 +171,16 @@ void VerticalRoom::take_covers(ObjectMap& objects) {
   }
 }
 
-std::optional<core::Metres> VerticalRoom::shallowest() const {
+VerticalRoom::Band VerticalRoom::band() const {
+  Band band{below_ice(), above_bed()};
+  if (!band.top || !band.bottom || *band.bottom - *band.top >= settings_.least_band) return band;
+  const double middle_m = 0.5 * (band.top->value + band.bottom->value);
+  band.top = core::Metres{std::max(middle_m - 0.5 * settings_.least_band.value, settings_.shallowest.value)};
+  band.bottom = *band.top + settings_.least_band;
+  return band;
+}
+
+std::optional<core::Metres> VerticalRoom::below_ice() const {
   std::optional<core::Metres> limit;
   for (const Sounding& roof : roof_.all()) {
     if (distance_m(roof.place, place_) > beside_m) continue;
@@ -158,7 +190,7 @@ std::optional<core::Metres> VerticalRoom::shallowest() const {
   return limit;
 }
 
-std::optional<core::Metres> VerticalRoom::deepest() const {
+std::optional<core::Metres> VerticalRoom::above_bed() const {
   std::optional<core::Metres> limit;
   const auto hold = [&](double bed_m) {
     const core::Metres above{std::max(bed_m - settings_.vertical_margin.value, settings_.shallowest.value)};

@@ -23,7 +23,7 @@ class VerticalRoom {
  public:
   explicit VerticalRoom(const AvoidanceSettings& settings) : settings_{settings} {}
 
-  /// Takes up the vehicle's place, and what the altimeter has found below it.
+  /// Takes up the vehicle's place, and what the altimeter has found below it, or not found.
   void sound(const OwnState& own, geo::PlanePoint own_in_water);
   void begin_ping();
   /// Whether the echo is none to go round:
@@ -43,13 +43,24 @@ class VerticalRoom {
   /// Takes out the objects that turn out to be a known bed: what the sonar saw of it before there was a sounding.
   void take_beds(ObjectMap& objects);
 
-  /// Where to inflect at the latest, climbing and diving; empty: as the mission says.
-  [[nodiscard]] std::optional<core::Metres> shallowest() const;
-  [[nodiscard]] std::optional<core::Metres> deepest() const;
+  /// Where to inflect at the latest, climbing and diving; empty: as the mission says. Where ice and bed leave less than the
+  /// least band, or seem to, that band midway between them.
+  [[nodiscard]] std::optional<core::Metres> shallowest() const { return band().top; }
+  [[nodiscard]] std::optional<core::Metres> deepest() const { return band().bottom; }
 
  private:
   [[nodiscard]] bool has_room_under(double ice_m) const;
   [[nodiscard]] bool has_room_over(double bed_m) const;
+  struct Band {
+    std::optional<core::Metres> top;
+    std::optional<core::Metres> bottom;
+  };
+
+  [[nodiscard]] Band band() const;
+  [[nodiscard]] std::optional<core::Metres> below_ice() const;
+  [[nodiscard]] std::optional<core::Metres> above_bed() const;
+  void read_altimeter(const OwnState& own);
+  void unlearn_bed();
   [[nodiscard]] double doubt_m(double range_m) const;
   [[nodiscard]] bool is_known_bed(geo::PlanePoint place, double depth_m) const;
   [[nodiscard]] bool is_bed_throughout(const TrackedObject& object) const;
@@ -68,6 +79,8 @@ class VerticalRoom {
   EchoConfirmation underfoot_confirmation_{};
   EchoConfirmation roof_confirmation_{};
   std::optional<Sounding> shallowest_bed_{};  // that an echo showed lately
+  double before_s_{};                         // of the step before
+  double silent_s_{};                         // that the altimeter has heard nothing while diving
   std::optional<double> beds_sought_s_{};     // among the objects
 };
 

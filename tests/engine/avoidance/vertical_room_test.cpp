@@ -124,6 +124,28 @@ TEST(VerticalRoom, TakesOutTheObjectsThatAreTheBed) {
   EXPECT_NEAR(room->deepest()->value, 52.0, 1.0);
 }
 
+TEST(VerticalRoom, UnlearnsABedWhereTheAltimeterHearsNone) {
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
+  room->sound(own_over(0.0, 5.0, 30.0), {});  // the foot of a berg
+  EXPECT_TRUE(passes(*room, echo(20.0, 31.0)));
+  for (double second = 1.0; second < 60.0; second += 1.0) {
+    OwnState diving = own_over(second, 20.0);
+    diving.attitude.pitch = core::Radians{-0.45};
+    room->sound(diving, {10.0, 0.0});
+  }
+  EXPECT_FALSE(passes(*room, echo(60.0, 31.0)));
+  EXPECT_FALSE(room->deepest());
+}
+
+TEST(VerticalRoom, LeavesTheLeastBandWhereIceAndBedSeemToLeaveNone) {
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
+  room->sound(own_over(0.0, 30.0, 49.0), {});
+  EXPECT_TRUE(passes(*room, echo(8.0, 20.0)));
+  ASSERT_TRUE(room->shallowest() && room->deepest());
+  EXPECT_DOUBLE_EQ(room->deepest()->value - room->shallowest()->value, 15.0);
+  EXPECT_DOUBLE_EQ(room->shallowest()->value, 27.0);
+}
+
 TEST(VerticalRoom, DoesNotWalkDownAWall) {
   const auto room = std::make_unique<VerticalRoom>(to_60_m());
   room->sound(own_over(0.0, 40.0), {});
