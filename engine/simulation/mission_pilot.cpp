@@ -13,6 +13,9 @@ using Cause = SurfaceOrders::Cause;
 /// Source   gps_postfix_wait_time of the vendor's data dictionary of firmware 10.5
 constexpr core::Seconds postfix{60.0};
 
+/// Height of the saw-teeth of a vehicle that waits below ice to come up.
+constexpr double held_tooth_m = 10.0;
+
 double level_distance(Vector a, Vector b) { return std::hypot(a.east - b.east, a.north - b.north); }
 
 std::size_t first_row(const GotoOrders& list, const std::vector<Vector>& places, Vector from) {
@@ -66,6 +69,7 @@ MissionPilot::Turned MissionPilot::step(const Known& known, const avoidance::Gui
 
   Turned turned;
   if (phase_ == Phase::surfacing) {
+    keep_below_ice(known, guidance);
     if (!known.floats) return turned;
     phase_ = Phase::at_surface;
     surfaced_ = known.time;
@@ -198,8 +202,19 @@ void MissionPilot::abort(std::string reason) {
   reason_ = std::move(reason);
 }
 
+/// Who is to come up saw-tooths on below the ice until there is none overhead.
+void MissionPilot::keep_below_ice(const Known& known, const avoidance::Guidance& guidance) {
+  if (!guidance.shallowest) {
+    held_down_ = false;
+  } else if (known.place.down <= guidance.shallowest->value) {
+    held_down_ = true;
+  } else if (known.place.down >= guidance.shallowest->value + held_tooth_m) {
+    held_down_ = false;
+  }
+}
+
 const HalfYo& MissionPilot::half() const {
-  if (phase_ == Phase::diving) return orders_.yo.dive;
+  if (phase_ == Phase::diving || (phase_ == Phase::surfacing && held_down_)) return orders_.yo.dive;
   if (phase_ == Phase::climbing) return orders_.yo.climb;
   return climb_;
 }

@@ -77,6 +77,7 @@ class MissionPilot {
   void seek_surface(const Known& known, bool hit_waypoint);
   void come_up(const SurfaceOrders& orders, std::size_t index, core::UtcTime time);
   void abort(std::string reason);
+  void keep_below_ice(const Known& known, const avoidance::Guidance& guidance);
   [[nodiscard]] bool is_due(const SurfaceOrders& orders, std::size_t index, const Known& known,
                             bool hit_waypoint) const;
   [[nodiscard]] const HalfYo& half() const;
@@ -86,9 +87,10 @@ class MissionPilot {
   core::Seconds first_fix_;
   Phase phase_{Phase::at_surface};
   std::size_t stop_{};
-  int halves_{};    // done of the yo
-  int turns_{};     // since the last time up
-  HalfYo climb_{};  // to the surface
+  int halves_{};      // done of the yo
+  int turns_{};       // since the last time up
+  bool held_down_{};  // on the way up, below ice that the system on board knows
+  HalfYo climb_{};    // to the surface
   core::Seconds wait_{};
   bool ends_{};
   std::string reason_;

@@ -350,5 +350,40 @@ TEST(Flight, IsGuidedByTheSystemOnBoard) {
   EXPECT_EQ(count(record, EventKind::guidance), 1U);
 }
 
+/// Knows of ice overhead for the first hour, 30 m deep with the margin.
+struct IceOverhead {
+  core::UtcTime until{};
+  OnBoardAnswer step(const FlightView& view) const {
+    OnBoardAnswer answer;
+    if (view.truth.time < until) answer.guidance.shallowest = core::Metres{30.0};
+    return answer;
+  }
+};
+
+TEST(Flight, WaitsBelowTheIceThatTheSystemOnBoardKnowsWhenItIsToComeUp) {
+  const World world = uniform_water(0.0, 0.0);
+  MissionOrders orders = orders_through(world, {{5000.0, 0.0, 0.0}});
+  orders.surfaces.push_back(
+      {.cause = SurfaceOrders::Cause::every, .interval = core::Seconds{1200.0}, .climb = orders.yo.climb});
+  IceOverhead board{flight_start + core::Seconds{3600.0}};
+
+  const FlightRecord record = fly({.world = world,
+                                   .orders = orders,
+                                   .vehicle = shallow_glider(),
+                                   .start = flight_origin,
+                                   .departure = flight_start,
+                                   .settings = perfect_sensors()},
+                                  board);
+
+  const auto up = std::ranges::find(record.events, EventKind::surfacing, &FlightEvent::kind);
+  ASSERT_NE(up, record.events.end());
+  EXPECT_GT(up->time, board.until);
+  EXPECT_LT(up->time, board.until + core::Seconds{600.0});
+  for (const TrackPoint& point : record.track) {
+    const bool is_under = point.time > flight_start + core::Seconds{600.0} && point.time < board.until;
+    EXPECT_TRUE(!is_under || point.position.down > 24.0) << point.position.down;
+  }
+}
+
 }  // namespace
 }  // namespace floeplan::simulation
