@@ -15,6 +15,7 @@
 #include "server/cli/command.hpp"
 #include "server/cli/file_set.hpp"
 #include "server/cli/input_flags.hpp"
+#include "server/cli/interruption.hpp"
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/scenario_service.hpp"
 #include "server/jobs/simulation_service.hpp"
@@ -139,6 +140,13 @@ int write_files(sqlite::Connection& db, const json& document, const Flags& flags
   return done;
 }
 
+bool was_interrupted(const json& document) { return document.value("status", "") == "cancelled"; }
+
+int complain_of_interruption() {
+  return complain(could_not,
+                  "interrupted; nothing was stored; give the command again to fly the same flights");
+}
+
 int run(const Flags& flags, const Program& program) {
   const auto inputs = codec::parse_simulate_inputs(inputs_of(flags));
   if (!inputs) return print_violations(inputs.error(), flags.json_out);
@@ -147,8 +155,11 @@ int run(const Flags& flags, const Program& program) {
 
   auto db = repository::open_store(program.store);
   const auto begin = std::chrono::steady_clock::now();
-  auto document = jobs::simulate_plan_document(db, *inputs, flags.workers, {}, terminal_progress(), now());
+  const Interruption interruption;
+  auto document = jobs::simulate_plan_document(db, *inputs, flags.workers, interruption.token(),
+                                               terminal_progress(), now());
   if (!document) return print_violations(document.error(), flags.json_out);
+  if (was_interrupted(*document)) return complain_of_interruption();
   (*document)["real_time_factor"] = real_time_factor(*document, begin);
   if (flags.json_out) {
     std::cout << document->dump(2) << '\n';
@@ -164,7 +175,9 @@ int run_scenario(const Flags& flags) {
                                  .avoidance = !flags.no_avoidance,
                                  .workers = flags.workers};
   const auto begin = std::chrono::steady_clock::now();
-  json document = jobs::random_icebergs_document(asked, {}, terminal_progress());
+  const Interruption interruption;
+  json document = jobs::random_icebergs_document(asked, interruption.token(), terminal_progress());
+  if (was_interrupted(document)) return complain_of_interruption();
   document["real_time_factor"] = real_time_factor(document, begin);
   if (flags.json_out) {
     std::cout << document.dump(2) << '\n';

@@ -1,8 +1,6 @@
 #include "server/jobs/process_runner.hpp"
 
-#include <algorithm>
 #include <nlohmann/json.hpp>
-#include <thread>
 
 #include "api/codec/echo_inputs.hpp"
 #include "api/codec/plan_inputs.hpp"
@@ -35,7 +33,8 @@ tl::expected<std::string, std::string> result(const char* output,
 }  // namespace
 
 tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const repository::JobRecord& job,
-                                                   const IngestPlace& place, const std::stop_token& stop,
+                                                   const IngestPlace& place, std::size_t workers,
+                                                   const std::stop_token& stop,
                                                    const core::ProgressCallback& progress,
                                                    core::UtcTime now) {
   const json request = json::parse(job.request_json);
@@ -64,8 +63,7 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
   if (job.process == "simulate-plan") {
     const auto inputs = codec::parse_simulate_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    const std::size_t cores = std::max(1U, std::thread::hardware_concurrency());
-    return result("simulation", simulate_plan_document(db, *inputs, cores, stop, progress, now));
+    return result("simulation", simulate_plan_document(db, *inputs, workers, stop, progress, now));
   }
   if (job.process == "echo") {
     const auto inputs = codec::parse_echo_inputs(request);

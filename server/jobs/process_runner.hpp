@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stop_token>
 #include <string>
 #include <tl/expected.hpp>
@@ -12,11 +13,11 @@
 
 namespace floeplan::jobs {
 
-/// Does the work of a job.
+/// Does the work of a job. A batch of flights is flown with so many `workers` at once.
 /// Returns  the results document as JSON text; of no use when `stop` was requested meanwhile
 /// Errors   why it could not be done, for a person; std::exception when the machine or the stored data fail
 [[nodiscard]] tl::expected<std::string, std::string> run_process(
-    sqlite::Connection& db, const repository::JobRecord& job, const IngestPlace& place,
+    sqlite::Connection& db, const repository::JobRecord& job, const IngestPlace& place, std::size_t workers,
     const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now);
 
 }  // namespace floeplan::jobs

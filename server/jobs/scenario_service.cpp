@@ -72,6 +72,7 @@ json random_icebergs_document(const ScenarioRuns& asked, const std::stop_token& 
       [&](std::size_t done) {
         if (progress) progress("flying", static_cast<double>(done) / static_cast<double>(runs.size()));
       });
+  if (stop.stop_requested()) return {{"status", "cancelled"}, {"scenario", "random-icebergs"}};
   const auto ended = [&](FlightEnd end) { return std::ranges::count(runs, end, &RunSummary::end); };
   json flights = json::array();
   for (std::size_t run = 0; run < runs.size(); ++run)

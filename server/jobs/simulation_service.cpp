@@ -31,6 +31,11 @@ using codec::SimulateInputs;
 using nlohmann::json;
 using simulation::FlightRecord;
 
+constexpr const char* speed_is_not_made =
+    "No drag that a glider can have explains the speed that the plan counts on with this pump and pitch: the "
+    "vehicle was "
+    "flown with the drag of its profile, and is slower or faster than planned.";
+
 /// A plan as it is to be flown.
 struct FlownPlan {
   repository::PlanRecord record;
@@ -126,6 +131,7 @@ class Batch {
         route_{places_of(flown, orders)},
         equipment_{simulation::Sonar{inputs.sonar}, simulation::Altimeter{inputs.altimeter},
                    simulation::AdcpErrorModel{inputs.adcp}},
+        vehicle_{simulation::flown_vehicle(flown.vehicle).value_or(flown.vehicle)},
         settings_{inputs.flight},
         forecast_{world_of(0, {}, stop)} {
     settings_.longest = longest_of(inputs, flown.plan);
@@ -175,7 +181,7 @@ class Batch {
                                                      std::uint64_t seed) const {
     return {.world = world,
             .orders = orders_,
-            .vehicle = flown_.vehicle,
+            .vehicle = vehicle_,
             .start = route_.front(),
             .departure = flown_.plan.departure,
             .settings = settings_,
@@ -188,6 +194,7 @@ class Batch {
   const ocean::Environment& environment_;
   std::vector<geo::LonLat> route_;
   simulation::Equipment equipment_;
+  vehicle::GliderProfile vehicle_;
   simulation::FlightSettings settings_;
   simulation::World forecast_;  // without any error
   std::optional<simulation::SystemOnBoard> system_;
@@ -300,6 +307,7 @@ tl::expected<json, core::Violations> simulate_plan_document(sqlite::Connection& 
   document["datasets"] = datasets_json(*environment);
   document["warnings"] = environment->warnings;
   for (const std::string& note : orders->notes) document["warnings"].push_back(note);
+  if (!simulation::flown_vehicle(flown->vehicle)) document["warnings"].push_back(speed_is_not_made);
   repository::SimulationRepository{db}.insert({.row = 0,
                                                .id = {id},
                                                .plan_id = inputs.plan_id,

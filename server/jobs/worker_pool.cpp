@@ -42,7 +42,7 @@ void pause(std::chrono::milliseconds time, const std::stop_token& stop) {
 }  // namespace
 
 WorkerPool::WorkerPool(OpenStore open_store, JobBoard& board, std::size_t workers, IngestPlace place)
-    : open_store_{std::move(open_store)}, board_{board}, place_{std::move(place)} {
+    : open_store_{std::move(open_store)}, board_{board}, workers_{workers}, place_{std::move(place)} {
   auto db = open_store_();
   JobRepository{db}.release_all_leases(now());
   lease_keeper_ = std::jthread{[this](const std::stop_token& stop) { keep_leases(stop); }};
@@ -92,7 +92,7 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   tl::expected<std::string, std::string> result;
   try {
     result = run_process(
-        db, job, place_, job_stop.get_token(),
+        db, job, place_, workers_, job_stop.get_token(),
         [&](std::string_view stage, double share) { board_.report(job.id, stage, share); }, now());
   } catch (const std::exception& error) {
     spdlog::error("job={} broke off: {}", job.id.value, error.what());
