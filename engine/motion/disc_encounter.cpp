@@ -34,6 +34,13 @@ std::optional<Relative> seen_from(const MovingDisc& disc, const EvenMove& move) 
 
 }  // namespace
 
+geo::PlanePoint place_at(const EvenMove& move, double t_s) {
+  const double duration = move.t1_s - move.t0_s;
+  const double share = duration > 0.0 ? (t_s - move.t0_s) / duration : 0.0;
+  return {move.from.x_m + share * (move.to.x_m - move.from.x_m),
+          move.from.y_m + share * (move.to.y_m - move.from.y_m)};
+}
+
 std::optional<double> first_touch(const EvenMove& move, const MovingDisc& disc) {
   const auto q = seen_from(disc, move);
   if (!q) return std::nullopt;

@@ -27,6 +27,9 @@ struct EvenMove {
   double t1_s{};
 };
 
+/// Where the vehicle is at a time of the move.
+[[nodiscard]] geo::PlanePoint place_at(const EvenMove& move, double t_s);
+
 /// First moment at which the vehicle is in the disc (on its rim included), while both exist; empty: never.
 /// Exact: the roots of |p(t) - c(t)|^2 = r(t)^2, not samples.
 [[nodiscard]] std::optional<double> first_touch(const EvenMove& move, const MovingDisc& disc);

@@ -11,6 +11,8 @@
 #include "engine/motion/disc_encounter.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/disc_index.hpp"
+#include "engine/planning/drifting_disc.hpp"
+#include "engine/planning/expected_encounters.hpp"
 #include "engine/planning/iceberg_rules.hpp"
 #include "engine/planning/pass_under.hpp"
 #include "engine/planning/time_span.hpp"
@@ -91,37 +93,17 @@ class IcebergDiscs {
   [[nodiscard]] const Keel& keel(std::size_t berg) const { return *bergs_[berg].keel; }
 
  private:
-  /// Where a disc is at a time; between two knots it moves and grows evenly.
-  struct Knot {
-    double t_s;
-    geo::PlanePoint centre;
-    double radius_m;  // of the plane, all included
-  };
   struct Berg {
     std::string name;
-    double hull_radius_m;  // of the plane, half the length
-    double kept_m;         // of the plane: half the length and the margin
-    double scale;
-    core::Metres stated_error;
-    double sighted_s;
-    PlaneBox swept;  // all that its disc ever covers
-    std::vector<Knot> knots;
-    std::optional<Keel> keel{};  // of a berg that may be passed under
+    DriftingDisc disc;
+    PositionError error;
+    std::optional<Keel> keel;  // of a berg that may be passed under
   };
-  [[nodiscard]] static motion::MovingDisc disc(const Berg& berg, std::size_t knot, double slack_m);
-  template <class Visit>
-  static void for_each_disc(const Berg& berg, double from_s, double until_s, double slack_m, Visit&& visit);
-  [[nodiscard]] static std::optional<double> touch(const Berg& berg, const motion::EvenMove& move,
-                                                   double slack_m);
   /// Whether the vehicle may pass under the berg wherever the move is in its disc.
   [[nodiscard]] bool has_room_under(const Berg& berg, const motion::EvenMove& move, double slack_m) const;
-  [[nodiscard]] bool covers(const Berg& berg, geo::PlanePoint point, double t_s) const;
-  [[nodiscard]] static std::optional<double> gap_m(const Berg& berg, geo::PlanePoint point, double t_s);
   void index(const PlaneBox& area, core::Seconds horizon);
   /// The first berg found whose disc the move touches.
   [[nodiscard]] const Berg* met_by(const motion::EvenMove& move, double slack_m) const;
-
-  [[nodiscard]] double mean_error_m(const Berg& berg, double t_s) const;
 
   std::vector<Berg> bergs_;
   std::optional<PassUnder> pass_under_;

@@ -23,6 +23,10 @@ struct PlaneBox {
     low = {std::min(low.x_m, p.x_m), std::min(low.y_m, p.y_m)};
     high = {std::max(high.x_m, p.x_m), std::max(high.y_m, p.y_m)};
   }
+  void include(const PlaneBox& other) {
+    include(other.low);
+    include(other.high);
+  }
 };
 
 }  // namespace floeplan::planning

@@ -1,0 +1,77 @@
+#pragma once
+
+#include <algorithm>
+#include <cstddef>
+#include <limits>
+#include <optional>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/motion/disc_encounter.hpp"
+#include "engine/planning/iceberg_track.hpp"
+#include "engine/planning/plane_box.hpp"
+#include "engine/planning/time_span.hpp"
+
+namespace floeplan::planning {
+
+/// The disc that one iceberg keeps a vehicle out of, as it drifts and grows: half the length, the margin and the error
+/// of the position. After the end of its forecast it stays as it is then.
+/// Units    metres of the plane; times count from the epoch of the forecast
+/// Threads  const members may be called from several threads at once
+class DriftingDisc {
+ public:
+  /// `track` holds at least one point; `hull` is half the length, on the ground.
+  DriftingDisc(const std::vector<TrackPoint>& track, core::Metres hull, core::Metres margin);
+
+  /// Where it is at a time; between two knots it moves and grows evenly.
+  struct Knot {
+    double t_s;
+    geo::PlanePoint centre;
+    double radius_m;  // all included
+  };
+  [[nodiscard]] const std::vector<Knot>& knots() const { return knots_; }
+  /// All that it ever covers.
+  [[nodiscard]] const PlaneBox& swept() const { return swept_; }
+  /// All that it covers from a knot to the next; from the last one on for ever.
+  [[nodiscard]] PlaneBox swept_from(std::size_t knot) const;
+  [[nodiscard]] double hull_radius_m() const { return hull_radius_m_; }
+  /// Half the length and the margin.
+  [[nodiscard]] double kept_m() const { return kept_m_; }
+  /// Of the plane where the forecast begins.
+  [[nodiscard]] double scale() const { return scale_; }
+
+  /// First moment at which the move is in the disc, grown by `slack_m`; empty: never.
+  [[nodiscard]] std::optional<double> first_touch(const motion::EvenMove& move, double slack_m = 0.0) const;
+  /// From the point to the rim, negative inside; empty before the forecast.
+  [[nodiscard]] std::optional<double> gap_m(geo::PlanePoint point, double t_s) const;
+  /// When the disc covers the point: ascending, apart from each other; the last one may never end.
+  [[nodiscard]] std::vector<TimeSpan> covers(geo::PlanePoint point) const;
+
+  /// Calls `visit(disc)` for the even pieces that last into the span, in order, until it answers true.
+  template <class Visit>
+  void for_each_piece(double from_s, double until_s, Visit&& visit) const {
+    const auto after = std::ranges::upper_bound(knots_, from_s, {}, &Knot::t_s);
+    auto knot = static_cast<std::size_t>(after - knots_.begin());
+    if (knot > 0) --knot;
+    for (; knot < knots_.size() && knots_[knot].t_s <= until_s; ++knot) {
+      if (visit(piece(knot))) return;
+    }
+  }
+
+ private:
+  [[nodiscard]] motion::MovingDisc piece(std::size_t knot) const;
+
+  double hull_radius_m_;
+  double kept_m_;
+  double scale_;
+  PlaneBox swept_;
+  std::vector<Knot> knots_;
+  std::vector<PlaneBox> blocks_;  // what each run of knots covers until the next run begins
+};
+
+/// When the vehicle is in a piece of a disc's drift; empty: never. Distance less radius is convex in time, so it is
+/// one span.
+[[nodiscard]] std::optional<TimeSpan> time_within(const motion::MovingDisc& disc,
+                                                  const motion::EvenMove& move);
+
+}  // namespace floeplan::planning
