@@ -9,30 +9,17 @@ namespace {
 
 constexpr std::size_t most_rungs = 24;
 constexpr std::size_t most_values = 4'000'000;  // 32 MB
-constexpr int halvings = 10;  // of the time from the departure to the last arrival, to find the first rung
-constexpr double rounding_s = 1e-3;  // of sums of times
+constexpr double rounding_s = 1e-3;             // of sums of times
 
 }  // namespace
 
 ArrivalLadder::ArrivalLadder(Foresight& foresight, VertexClosures& closures, const OpenGrid& open,
                              core::Seconds depart, core::Seconds last, const std::stop_token& stop)
     : foresight_{foresight}, base_s_{depart.count()} {
-  const graph::Vertex start = open.grid.start;
-  const auto sweep = [&](double arrive_s) {
-    return foresight_.sweep_back(depart, core::Seconds{arrive_s}, stop, &closures);
-  };
-  const auto reaches_start = [&](const graph::SearchTree& tree) {
-    return rounding_s - tree.arrival_s(start) >= depart.count();
-  };
-  const graph::SearchTree by_last = sweep(last.count());
-  has_hope_ = reaches_start(by_last);
+  const graph::SearchTree earliest = foresight_.sweep_forth(depart, last, stop, closures);
+  has_hope_ = earliest.is_reached(open.grid.goal);
   if (!has_hope_) return;
-
-  double possible_s = last.count();
-  for (int i = 0; i < halvings && !stop.stop_requested(); ++i) {
-    const double middle_s = 0.5 * (base_s_ + possible_s);
-    (reaches_start(sweep(middle_s)) ? possible_s : base_s_) = middle_s;
-  }
+  base_s_ = std::min(earliest.arrival_s(open.grid.goal) - rounding_s, last.count());
 
   // Closer to each other at the bottom, where the best ways are.
   const std::size_t count = std::clamp<std::size_t>(most_values / open.graph.size(), 1, most_rungs);
@@ -43,7 +30,8 @@ ArrivalLadder::ArrivalLadder(Foresight& foresight, VertexClosures& closures, con
   rungs_s_.back() = last.count();
   until_s_.resize(open.graph.size() * count);
   for (std::size_t rung = 0; rung < count && !stop.stop_requested(); ++rung) {
-    const graph::SearchTree tree = rung + 1 == count ? by_last : sweep(rungs_s_[rung]);
+    const graph::SearchTree tree =
+        foresight_.sweep_back(depart, core::Seconds{rungs_s_[rung]}, stop, closures, earliest);
     for (graph::Vertex v = 0; v < open.graph.size(); ++v) {
       until_s_[v * count + rung] = rounding_s - tree.arrival_s(v);
     }

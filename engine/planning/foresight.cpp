@@ -44,6 +44,21 @@ class FanTravelTime {
   mutable graph::Vertex tail_{Foresight::no_vertex};
 };
 
+/// On the film run backwards, whose clock shows -t: nobody is at a vertex before the earliest arrival there.
+struct NotBefore {
+  const StraightBound& straight;
+  const graph::SearchTree& earliest;
+
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds) const {
+    return straight.least_time(edge);
+  }
+  [[nodiscard]] static core::Seconds remaining(graph::Vertex) { return core::Seconds{0.0}; }
+  [[nodiscard]] core::Seconds latest_use(graph::Vertex v) const {
+    constexpr double rounding_s = 1e-3;  // of sums of times
+    return core::Seconds{rounding_s - earliest.arrival_s(v)};
+  }
+};
+
 }  // namespace
 
 Foresight::Foresight(const Sea& sea, const OpenGrid& open, core::Seconds ahead)
@@ -125,10 +140,48 @@ const graph::SearchTree& Foresight::until_when_of_use(core::Seconds depart, core
   return found_->until_when;
 }
 
-graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
-                                        const std::stop_token& stop, VertexClosures* closures) {
+graph::SearchTree Foresight::sweep_forth(core::Seconds depart, core::Seconds arrive,
+                                         const std::stop_token& stop, VertexClosures& closures) {
   const RouteGrid& grid = open_.grid;
-  const StraightBound to_start{sea_, grid, open_.graph, grid.start};
+  const StraightBound to_goal{sea_, grid, open_.graph, grid.goal};
+  const auto when_open = [&](graph::Vertex v, core::Seconds time) {
+    for (const TimeSpan& closed : closures.at(v)) {
+      if (closed.from + border < time && time < closed.until - border) return closed.until - border;
+    }
+    return time;
+  };
+  bool is_known = false;
+  const auto time_fan = [&](const graph::Edge& edge, core::Seconds now, core::Seconds latest,
+                            bool is_new) -> std::optional<core::Seconds> {
+    if (is_new) is_known = look(edge.tail, now, NearbyCurrents::Film::forwards, Fidelity::bound);
+    const core::Seconds there = now + proven(edge, is_known);
+    if (there >= latest) return std::nullopt;
+    const core::Seconds open = when_open(edge.head, there);
+    if (open >= latest || sea_.closed_between(grid.point(edge.tail), grid.point(edge.head)))
+      return std::nullopt;
+    return open - now;
+  };
+  const graph::Query query{.source = grid.start, .goal = {}, .depart = depart, .latest = arrive};
+  return graph::find_earliest_arrivals(open_.graph, query, FanTravelTime{time_fan}, stop, to_goal);
+}
+
+graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
+                                        const std::stop_token& stop) {
+  const StraightBound to_start{sea_, open_.grid, open_.graph, open_.grid.start};
+  return sweep_back(depart, arrive, stop, nullptr, to_start);
+}
+
+graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
+                                        const std::stop_token& stop, VertexClosures& closures,
+                                        const graph::SearchTree& earliest) {
+  return sweep_back(depart, arrive, stop, &closures, NotBefore{straight_, earliest});
+}
+
+template <class Bound>
+graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arrive,
+                                        const std::stop_token& stop, VertexClosures* closures,
+                                        const Bound& bound) {
+  const RouteGrid& grid = open_.grid;
   // On the film a closed vertex is come to when its closure begins.
   const auto when_open = [&](graph::Vertex v, core::Seconds film_time) {
     if (closures == nullptr) return film_time;
@@ -151,7 +204,7 @@ graph::SearchTree Foresight::sweep_back(core::Seconds depart, core::Seconds arri
   };
   const graph::Query query{
       .source = grid.goal, .goal = {}, .depart = when_open(grid.goal, -arrive), .latest = -depart};
-  return graph::find_earliest_arrivals(open_.graph, query, FanTravelTime{time_fan}, stop, to_start);
+  return graph::find_earliest_arrivals(open_.graph, query, FanTravelTime{time_fan}, stop, bound);
 }
 
 }  // namespace floeplan::planning

@@ -40,11 +40,16 @@ class Foresight {
   [[nodiscard]] const graph::SearchTree& until_when_of_use(core::Seconds depart, core::Seconds arrive,
                                                            const std::stop_token& stop);
 
-  /// The same for these two times exactly, not kept.
-  /// `closures`: where given, nobody is at a vertex while it is closed: who comes to one too late for the last opening
-  /// in time has to be there before the closure
+  /// No vehicle that leaves the start at `depart` is at a vertex before the tree's arrival there, and none is of use to
+  /// the goal by `arrive` at one that is not reached. Nobody is at a vertex while it is closed; otherwise as above.
+  [[nodiscard]] graph::SearchTree sweep_forth(core::Seconds depart, core::Seconds arrive,
+                                              const std::stop_token& stop, VertexClosures& closures);
+  /// As `until_when_of_use` for these two times exactly, not kept, and nobody is at a vertex while it is closed: who
+  /// comes to one too late for the last opening in time has to be there before the closure.
+  /// `earliest`: of a sweep forth from the same departure to the same arrival or a later one
   [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
-                                             const std::stop_token& stop, VertexClosures* closures = nullptr);
+                                             const std::stop_token& stop, VertexClosures& closures,
+                                             const graph::SearchTree& earliest);
 
   /// Never more than the time of an edge for who leaves its tail then. Fast for the edges of a vertex in a row.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart);
@@ -54,6 +59,12 @@ class Foresight {
   /// Times all edges out of a vertex; false where nothing is known of the water.
   [[nodiscard]] bool look(graph::Vertex v, core::Seconds time, NearbyCurrents::Film film, Fidelity fidelity);
   [[nodiscard]] core::Seconds proven(const graph::Edge& edge, bool is_known) const;
+  [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
+                                             const std::stop_token& stop);
+  template <class Bound>
+  [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
+                                             const std::stop_token& stop, VertexClosures* closures,
+                                             const Bound& bound);
   struct Found {
     core::Seconds depart;
     core::Seconds arrive;

@@ -1,6 +1,7 @@
 #pragma once
 
-#include <unordered_map>
+#include <cstdint>
+#include <deque>
 #include <vector>
 
 #include "engine/planning/open_grid.hpp"
@@ -14,21 +15,32 @@ namespace floeplan::planning {
 class VertexClosures {
  public:
   /// Both are borrowed and outlive this.
-  VertexClosures(const Sea& sea, const RouteGrid& grid) : sea_{sea}, grid_{grid} {}
+  VertexClosures(const Sea& sea, const RouteGrid& grid)
+      : sea_{sea}, grid_{grid}, kept_(sea.has_timed_closures() ? count(grid) : 0, not_asked) {}
 
   /// Ascending, apart from each other. Borrowed from this.
   [[nodiscard]] const std::vector<TimeSpan>& at(graph::Vertex v) {
-    if (!sea_.has_timed_closures()) return never_;
-    const auto [closed, is_new] = closed_.try_emplace(v);
-    if (is_new) closed->second = sea_.closed_times(grid_.point(v));
-    return closed->second;
+    if (kept_.empty()) return spans_.front();
+    if (kept_[v] == not_asked) {
+      std::vector<TimeSpan> closed = sea_.closed_times(grid_.point(v));
+      kept_[v] = closed.empty() ? never_closed : static_cast<std::uint32_t>(spans_.size());
+      if (!closed.empty()) spans_.push_back(std::move(closed));
+    }
+    return spans_[kept_[v]];
   }
 
  private:
+  static constexpr std::uint32_t never_closed = 0;
+  static constexpr std::uint32_t not_asked = UINT32_MAX;
+  [[nodiscard]] static std::size_t count(const RouteGrid& grid) {
+    return static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny);
+  }
+
   const Sea& sea_;
   const RouteGrid& grid_;
-  std::unordered_map<graph::Vertex, std::vector<TimeSpan>> closed_;  // of those asked for
-  std::vector<TimeSpan> never_;
+  std::vector<std::uint32_t> kept_;  // of each vertex: which of the spans; none where nothing is ever closed
+  std::deque<std::vector<TimeSpan>> spans_{
+      std::vector<TimeSpan>{}};  // of vertices that close, after an empty one
 };
 
 }  // namespace floeplan::planning

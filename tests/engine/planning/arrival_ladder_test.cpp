@@ -6,6 +6,7 @@
 
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/planning/grid_travel.hpp"
+#include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/engine/planning/foresight_waters.hpp"
 
 namespace floeplan::planning {
@@ -49,6 +50,37 @@ TEST(ArrivalLadder, IsNeverLaterThanAnArrivalThatIsPossible) {
     }
   });
   EXPECT_GT(bounded, 0) << "it says something";
+}
+
+TEST(ArrivalLadder, IsNeverLaterThanAWayAmongIcebergsThatDrift) {
+  int found = 0;
+  support::for_each_seed(8, [&](std::mt19937_64& rng) {
+    ocean::Environment environment = random_environment(rng);
+    for (int i = 0; i < 10; ++i) {
+      const geo::LonLat place{support::uniform(rng, -53.4, -52.6), support::uniform(rng, 68.9, 69.1)};
+      environment.icebergs.push_back(
+          drifting_berg(place, 200.0, support::uniform(rng, 0.0, 0.3), support::uniform(rng, 0.0, 360.0)));
+    }
+    const Waters waters{environment};
+    const core::Seconds depart{0.0};
+    const SearchTree tree = graph::find_earliest_arrivals(
+        waters.open.graph, graph::Query{waters.grid.start, waters.grid.goal, depart},
+        GridTravelTime{waters.sea, waters.grid}, {});
+    if (!tree.is_reached(waters.grid.goal)) return;
+    ++found;
+    const double arrival_s = tree.arrival_s(waters.grid.goal);
+    Foresight foresight{waters.sea, waters.open};
+    VertexClosures closures{waters.sea, waters.grid};
+    const ArrivalLadder ladder{foresight, closures, waters.open, depart, core::Seconds{1.2 * arrival_s}, {}};
+
+    ASSERT_TRUE(ladder.has_hope());
+    EXPECT_LE(ladder.least_arrival().count(), arrival_s);
+    for (const Vertex v : graph::path_to(waters.open.graph, tree, waters.grid.goal)) {
+      EXPECT_LE(ladder.earliest_s(v, tree.arrival_s(v)), arrival_s);
+      EXPECT_LE(tree.arrival_s(v), ladder.latest_use_s(v));
+    }
+  });
+  EXPECT_GT(found, 2);
 }
 
 TEST(ArrivalLadder, HasNoHopeOfAnArrivalThatNoVehicleMakes) {
