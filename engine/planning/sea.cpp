@@ -4,82 +4,16 @@
 #include <cmath>
 #include <utility>
 
-#include "engine/geo/geodesic.hpp"
 #include "engine/motion/drive_looks.hpp"
 #include "engine/motion/edge_time_back.hpp"
 #include "engine/planning/current_drive.hpp"
+#include "engine/planning/sea_layout.hpp"
 
 namespace floeplan::planning {
 namespace {
 
 constexpr int scale_cells =
     64;  // a side: the scale is smooth, its error over 1/64 of an area far below the tolerance
-
-std::optional<PlaneCurrents> lay_out(const ocean::Environment& environment, const PlanRequest& request,
-                                     const FlownDepths& depths, const geo::LocalProjection& projection,
-                                     const PlaneBox& area, const std::stop_token& stop) {
-  if (!environment.currents) return std::nullopt;
-  return PlaneCurrents{
-      *environment.currents, environment.steady_currents, depths, projection, area, request.depart, stop};
-}
-
-std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment, const PlanRequest& request,
-                                    const geo::LocalProjection& projection, const PlaneBox& area,
-                                    core::Metres step, const std::stop_token& stop) {
-  if (!environment.ice) return std::nullopt;
-  return UnderIce{environment, request, projection, area, step, stop};
-}
-
-/// How long drift matters: to the end of the currents, within which any departure and any way must fall; at least six
-/// times the straight way, for detours and head currents, and a day; not beyond 30 days, after which the
-/// International Ice Patrol itself gives up a berg that was not seen again.
-core::Seconds forecast_horizon(const ocean::Environment& environment, const PlanRequest& request) {
-  constexpr double detours = 6.0;
-  constexpr core::Seconds day{86'400.0};
-  core::Metres way{0.0};
-  geo::LonLat last = request.from;
-  for (const geo::LonLat via : request.via) {
-    way = way + geo::geodesic_between(last, via).length;
-    last = via;
-  }
-  way = way + geo::geodesic_between(last, request.to).length;
-  core::Seconds horizon = detours * (way / request.vehicle.speed_through_water) + day;
-  if (environment.currents && !environment.steady_currents) {
-    const core::UtcTime end = core::from_unix_seconds(environment.currents->times_s().back());
-    horizon = std::max<core::Seconds>(horizon, end - request.depart);
-  }
-  return std::min(horizon, 30.0 * day);
-}
-
-std::optional<PassUnder> lay_out_under(const ocean::Environment& environment, const PlanRequest& request,
-                                       const geo::LocalProjection& projection, const PlaneBox& area,
-                                       const std::stop_token& stop) {
-  if (!request.icebergs.pass_under) return std::nullopt;
-  return PassUnder{environment, request.icebergs, request.vehicle, projection, area, stop};
-}
-
-std::optional<EncounterMap> lay_out_encounters(const IcebergDiscs& icebergs,
-                                               const ocean::Environment& environment,
-                                               const PlanRequest& request, const PlaneBox& area,
-                                               const std::stop_token& stop) {
-  if (request.icebergs.encounter_weight.count() <= 0.0 || icebergs.empty()) return std::nullopt;
-  return EncounterMap{icebergs, area, forecast_horizon(environment, request),
-                      request.vehicle.speed_through_water, stop};
-}
-
-/// Where the vehicle surfaces whatever the way.
-std::vector<geo::PlanePoint> stops_of(const PlanRequest& request, const geo::LocalProjection& projection) {
-  std::vector<geo::PlanePoint> stops{projection.to_plane(request.from), projection.to_plane(request.to)};
-  for (const geo::LonLat via : request.via) stops.push_back(projection.to_plane(via));
-  return stops;
-}
-
-/// A glider comes to the surface between its dives.
-ZoneRules zone_rules(const ocean::Environment& environment, const PlanRequest& request) {
-  std::vector<ocean::Zone> zones = environment.zones;
-  zones.insert(zones.end(), request.zones.begin(), request.zones.end());
-  return sort_zones(zones, {core::Metres{0.0}, request.vehicle.dive_depth});
-}
 
 /// The most that a lattice of scales changes over a metre of the plane, in whatever direction.
 double steepest_scale(const std::vector<double>& scales, const PlaneBox& area) {
@@ -98,7 +32,7 @@ double steepest_scale(const std::vector<double>& scales, const PlaneBox& area) {
 Sea::Sea(const ocean::Environment& environment, const PlanRequest& request,
          const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
          const std::stop_token& stop)
-    : Sea{environment, request, zone_rules(environment, request), projection, area, cell, stop} {}
+    : Sea{environment, request, lay_out_zones(environment, request), projection, area, cell, stop} {}
 
 Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, ZoneRules zones,
          const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
@@ -113,19 +47,11 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{zones.timed, projection, request.depart},
-      icebergs_{environment,
-                request.icebergs,
-                projection,
-                area,
-                request.depart,
-                forecast_horizon(environment, request),
-                stop,
-                lay_out_under(environment, request, projection, area, stop),
-                stops_of(request, projection)},
+      icebergs_{lay_out_icebergs(environment, request, projection, area, stop)},
       encounters_{lay_out_encounters(icebergs_, environment, request, area, stop)},
       ice_{lay_out_ice(environment, request, projection, area, cell, stop)},
       depths_{request.vehicle.dive_limits(), environment.bathymetry},
-      currents_{lay_out(environment, request, depths_, projection, area, stop)},
+      currents_{lay_out_currents(environment, request, depths_, projection, area, stop)},
       energy_{request.vehicle, depths_, projection, area, stop} {
   accuracy_ = drive_accuracy(currents_, request.edge_tolerance);
   for (int iy = 0; iy <= scale_cells; ++iy) {

@@ -1,0 +1,93 @@
+#include "engine/planning/sea_layout.hpp"
+
+#include <algorithm>
+
+#include "engine/geo/geodesic.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+/// How long drift matters: to the end of the currents, within which any departure and any way must fall; at least six
+/// times the straight way, for detours and head currents, and a day; not beyond 30 days, after which the
+/// International Ice Patrol itself gives up a berg that was not seen again.
+core::Seconds forecast_horizon(const ocean::Environment& environment, const PlanRequest& request) {
+  constexpr double detours = 6.0;
+  constexpr core::Seconds day{86'400.0};
+  core::Metres way{0.0};
+  geo::LonLat last = request.from;
+  for (const geo::LonLat via : request.via) {
+    way = way + geo::geodesic_between(last, via).length;
+    last = via;
+  }
+  way = way + geo::geodesic_between(last, request.to).length;
+  core::Seconds horizon = detours * (way / request.vehicle.speed_through_water) + day;
+  if (environment.currents && !environment.steady_currents) {
+    const core::UtcTime end = core::from_unix_seconds(environment.currents->times_s().back());
+    horizon = std::max<core::Seconds>(horizon, end - request.depart);
+  }
+  return std::min(horizon, 30.0 * day);
+}
+
+std::optional<PassUnder> lay_out_under(const ocean::Environment& environment, const PlanRequest& request,
+                                       const geo::LocalProjection& projection, const PlaneBox& area,
+                                       const std::stop_token& stop) {
+  if (!request.icebergs.pass_under) return std::nullopt;
+  return PassUnder{environment, request.icebergs, request.vehicle, projection, area, stop};
+}
+
+/// Where the vehicle surfaces whatever the way.
+std::vector<geo::PlanePoint> stops_of(const PlanRequest& request, const geo::LocalProjection& projection) {
+  std::vector<geo::PlanePoint> stops{projection.to_plane(request.from), projection.to_plane(request.to)};
+  for (const geo::LonLat via : request.via) stops.push_back(projection.to_plane(via));
+  return stops;
+}
+
+}  // namespace
+
+/// A glider comes to the surface between its dives.
+ZoneRules lay_out_zones(const ocean::Environment& environment, const PlanRequest& request) {
+  std::vector<ocean::Zone> zones = environment.zones;
+  zones.insert(zones.end(), request.zones.begin(), request.zones.end());
+  return sort_zones(zones, {core::Metres{0.0}, request.vehicle.dive_depth});
+}
+
+IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanRequest& request,
+                              const geo::LocalProjection& projection, const PlaneBox& area,
+                              const std::stop_token& stop) {
+  return {environment,
+          request.icebergs,
+          projection,
+          area,
+          request.depart,
+          forecast_horizon(environment, request),
+          stop,
+          lay_out_under(environment, request, projection, area, stop),
+          stops_of(request, projection)};
+}
+
+std::optional<PlaneCurrents> lay_out_currents(const ocean::Environment& environment,
+                                              const PlanRequest& request, const FlownDepths& depths,
+                                              const geo::LocalProjection& projection, const PlaneBox& area,
+                                              const std::stop_token& stop) {
+  if (!environment.currents) return std::nullopt;
+  return PlaneCurrents{
+      *environment.currents, environment.steady_currents, depths, projection, area, request.depart, stop};
+}
+
+std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment, const PlanRequest& request,
+                                    const geo::LocalProjection& projection, const PlaneBox& area,
+                                    core::Metres step, const std::stop_token& stop) {
+  if (!environment.ice) return std::nullopt;
+  return UnderIce{environment, request, projection, area, step, stop};
+}
+
+std::optional<EncounterMap> lay_out_encounters(const IcebergDiscs& icebergs,
+                                               const ocean::Environment& environment,
+                                               const PlanRequest& request, const PlaneBox& area,
+                                               const std::stop_token& stop) {
+  if (request.icebergs.encounter_weight.count() <= 0.0 || icebergs.empty()) return std::nullopt;
+  return EncounterMap{icebergs, area, forecast_horizon(environment, request),
+                      request.vehicle.speed_through_water, stop};
+}
+
+}  // namespace floeplan::planning

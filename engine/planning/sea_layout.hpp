@@ -1,0 +1,45 @@
+#pragma once
+
+#include <optional>
+#include <stop_token>
+
+#include "engine/geo/local_projection.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/encounter_map.hpp"
+#include "engine/planning/flown_depths.hpp"
+#include "engine/planning/iceberg_discs.hpp"
+#include "engine/planning/plan_request.hpp"
+#include "engine/planning/plane_currents.hpp"
+#include "engine/planning/under_ice.hpp"
+#include "engine/planning/zone_rules.hpp"
+
+/// The parts of a sea, each laid out as one request has it; empty where the environment or the request has none of it.
+/// Once `stop` is requested they stay incomplete and must not be used.
+namespace floeplan::planning {
+
+/// The rules of the environment's zones and of the request's own.
+[[nodiscard]] ZoneRules lay_out_zones(const ocean::Environment& environment, const PlanRequest& request);
+
+/// The icebergs' drift for as long as it matters: to the end of the currents, within which any departure and any way
+/// must fall, and no less than a slow way with detours takes.
+[[nodiscard]] IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanRequest& request,
+                                            const geo::LocalProjection& projection, const PlaneBox& area,
+                                            const std::stop_token& stop);
+
+[[nodiscard]] std::optional<EncounterMap> lay_out_encounters(const IcebergDiscs& icebergs,
+                                                             const ocean::Environment& environment,
+                                                             const PlanRequest& request, const PlaneBox& area,
+                                                             const std::stop_token& stop);
+
+/// `step`: how closely ice is looked at.
+[[nodiscard]] std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment,
+                                                  const PlanRequest& request,
+                                                  const geo::LocalProjection& projection,
+                                                  const PlaneBox& area, core::Metres step,
+                                                  const std::stop_token& stop);
+
+[[nodiscard]] std::optional<PlaneCurrents> lay_out_currents(
+    const ocean::Environment& environment, const PlanRequest& request, const FlownDepths& depths,
+    const geo::LocalProjection& projection, const PlaneBox& area, const std::stop_token& stop);
+
+}  // namespace floeplan::planning
