@@ -5,13 +5,14 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/chart.hpp"
+#include "engine/planning/explanation.hpp"
 #include "engine/planning/improvement.hpp"
 #include "engine/planning/published_plan.hpp"
 
 namespace floeplan::planning {
 
 Result<Plan> evaluate_route(const ocean::Environment& environment, const std::vector<geo::LonLat>& route,
-                            const PlanRequest& request) {
+                            const PlanRequest& request, const std::stop_token& stop) {
   if (route.size() < 2) throw std::invalid_argument{"a route has at least two places"};
   PlanRequest on_route = request;
   on_route.from = route.front();
@@ -28,13 +29,14 @@ Result<Plan> evaluate_route(const ocean::Environment& environment, const std::ve
   }
   throw_if_invalid(on_route);
 
-  const Result<Chart> chart = draw_chart(environment, on_route, first_reach, {});
+  const Result<Chart> chart = draw_chart(environment, on_route, first_reach, stop);
   if (!chart) return tl::unexpected(chart.error());
-  Improved given = improve(chart->sea, fixed_route(chart->layout.points), on_route, {}, {});
-  Result<Plan> plan = publish(*chart, environment, on_route, given, {}, {});
+  Improved given = improve(chart->sea, fixed_route(chart->layout.points), on_route, stop, {});
+  Result<Plan> plan = publish(*chart, environment, on_route, given, {}, stop);
   // Compared with the best way from end to end, not with the best one past every place of the route.
   std::fill(given.route.fixed.begin() + 1, given.route.fixed.end() - 1, false);
-  if (plan) rate(*plan, chart->sea, on_route, given.route, {});
+  if (plan) rate(*plan, chart->sea, on_route, given.route, stop);
+  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
   return plan;
 }
 

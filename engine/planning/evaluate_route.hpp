@@ -1,5 +1,6 @@
 #pragma once
 
+#include <stop_token>
 #include <vector>
 
 #include "engine/geo/lon_lat.hpp"
@@ -13,7 +14,9 @@ namespace floeplan::planning {
 /// Times a given route (at least two places): the same legs, the same edge integration, the same rules.
 /// `request` gives departure, vehicle, margin and tolerance; its places and method are not used.
 /// Errors   as plan_route
+/// Stops    with Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<Plan> evaluate_route(const ocean::Environment& environment,
-                                          const std::vector<geo::LonLat>& route, const PlanRequest& request);
+                                          const std::vector<geo::LonLat>& route, const PlanRequest& request,
+                                          const std::stop_token& stop = {});
 
 }  // namespace floeplan::planning

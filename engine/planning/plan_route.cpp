@@ -70,12 +70,13 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
   if (request.via_in_best_order) return plan_survey(environment, request, stop, progress, clock);
   Result<Plan> plan = try_to_plan(environment, request, stop, progress, clock);
-  if (plan || !plan.error().changes.empty() || stop.stop_requested()) return plan;
+  if (plan || !plan.error().changes.empty()) return plan;
   progress("what would help", 0.95);
   WayTrials trials{environment, stop};
   FoundChanges found = find_changes(
       environment, request, plan.error().binding,
       [&trials](const PlanRequest& changed) { return trials(changed); }, stop);
+  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
   plan.error().changes = std::move(found.changes);
   plan.error().changes_cut_short = found.cut_short;
   return plan;

@@ -113,7 +113,7 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
     const ocean::Environment sea = members.environment(member);
     const Result<Plan> plan = plan_in(sea);
     // A route that the first currents do not let through could not be published.
-    if (plan && evaluate_route(environment, places_of(*plan), request))
+    if (plan && evaluate_route(environment, places_of(*plan), request, stop))
       candidates.push_back(places_of(*plan));
   }
 
@@ -136,7 +136,7 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
     if (is_better(spreads[i], spreads[best], rules)) best = i;
   }
   if (best != 0) {
-    Result<Plan> chosen = evaluate_route(environment, candidates[best], request);
+    Result<Plan> chosen = evaluate_route(environment, candidates[best], request, stop);
     if (!chosen) return chosen;
     chosen->method = base->method;
     chosen->search = base->search;

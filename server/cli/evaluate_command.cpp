@@ -50,7 +50,7 @@ int run(const std::string& route, const InputFlags& flags, bool json_out, const 
   if (!parsed) return print_violations(parsed.error(), json_out);
 
   auto db = repository::open_store(program.store);
-  const auto document = jobs::evaluate_route_document(db, *parsed);
+  const auto document = jobs::evaluate_route_document(db, *parsed, {});
   if (!document) return print_violations(document.error(), json_out);
   return print_plan(*document, json_out);
 }

@@ -106,7 +106,8 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
 }
 
 tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection& db,
-                                                             codec::EvaluateInputs inputs) {
+                                                             codec::EvaluateInputs inputs,
+                                                             const std::stop_token& stop) {
   if (inputs.plan_id) {
     const auto stored = repository::PlanRepository{db}.find({*inputs.plan_id});
     if (!stored)
@@ -117,7 +118,7 @@ tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection&
   if (!environment) return tl::unexpected(environment.error());
 
   const Stopwatch watch;
-  auto plan = planning::evaluate_route(*environment, inputs.route, inputs.request);
+  auto plan = planning::evaluate_route(*environment, inputs.route, inputs.request, stop);
   if (!plan) return codec::infeasible_document(plan.error(), *environment);
   plan->search.duration = watch.elapsed();
   std::ranges::copy(inputs.warnings, std::back_inserter(plan->warnings));

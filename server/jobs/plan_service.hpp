@@ -25,6 +25,6 @@ namespace floeplan::jobs {
 /// Returns  a document of the same shape, without a plan_id
 /// Errors   as above; also for a plan_id that is not stored
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> evaluate_route_document(
-    sqlite::Connection& db, codec::EvaluateInputs inputs);
+    sqlite::Connection& db, codec::EvaluateInputs inputs, const std::stop_token& stop);
 
 }  // namespace floeplan::jobs

@@ -46,7 +46,7 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
   if (job.process == "evaluate-route") {
     const auto inputs = codec::parse_evaluate_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("evaluation", evaluate_route_document(db, *inputs));
+    return result("evaluation", evaluate_route_document(db, *inputs, stop));
   }
   if (job.process == "reach") {
     const auto inputs = codec::parse_reach_inputs(request);
