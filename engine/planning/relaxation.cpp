@@ -13,7 +13,7 @@ namespace floeplan::planning {
 namespace {
 
 constexpr double fastest_m_s = 5.0;  // the most that a request may ask for
-constexpr int halvings = 5;  // to about a twentieth, with a speed or margin rounded to what one would type
+constexpr int halvings = 7;          // to a hundredth, with a speed or margin rounded to what one would type
 
 std::string written(const char* format, double from, double to) {
   char text[120];
@@ -139,6 +139,7 @@ class Relaxation {
 
  private:
   static constexpr std::size_t most_zones = 10;
+  static constexpr int most_beginnings = 3;  // of a value, where the most generous one tells nothing
 
   struct Found {
     Change change;
@@ -149,26 +150,41 @@ class Relaxation {
   /// Whether no more is to be tried of the input at hand.
   [[nodiscard]] bool is_over() const { return told_nothing_ || stop_.stop_requested(); }
 
-  bool works(const PlanRequest& request) {
-    if (!request.violations().empty()) return false;
+  TrialOutcome outcome_of(const PlanRequest& request) {
+    if (!request.violations().empty()) return TrialOutcome::impossible;
     const TrialOutcome outcome = trial_(request);
-    if (outcome == TrialOutcome::not_known) cut_short_ = told_nothing_ = true;
+    if (outcome == TrialOutcome::not_known) cut_short_ = true;
+    return outcome;
+  }
+
+  bool works(const PlanRequest& request) {
+    const TrialOutcome outcome = outcome_of(request);
+    if (outcome == TrialOutcome::not_known) told_nothing_ = true;
     return outcome == TrialOutcome::possible;
   }
 
   /// The value nearest to `now` that helps, on the way to `extreme`, as a multiple of `unit`.
   template <class With>
   std::optional<double> nearest_that_helps(double now, double extreme, double unit, const With& with) {
+    // Rounded towards the generous end, so that what is named is what was tried.
+    const auto between = [&](double a, double b) {
+      const double middle = 0.5 * (a + b);
+      return unit * (extreme > now ? std::ceil(middle / unit) : std::floor(middle / unit));
+    };
     begin_input();
-    if (now == extreme || is_over() || !works(with(extreme))) return std::nullopt;
-    double fails = now;
     double helps = extreme;
+    TrialOutcome outcome = TrialOutcome::not_known;
+    for (int i = 0; i < most_beginnings && helps != now && !is_over(); ++i) {
+      outcome = outcome_of(with(helps));
+      if (outcome != TrialOutcome::not_known) break;
+      helps = between(now, helps);
+    }
+    if (outcome != TrialOutcome::possible) return std::nullopt;
+    double fails = now;
     for (int i = 0; i < halvings && !is_over(); ++i) {
-      const double raw = 0.5 * (fails + helps);
-      // Rounded towards the generous end, so that what is named is what was tried.
-      const double middle = unit * (extreme > now ? std::ceil(raw / unit) : std::floor(raw / unit));
+      const double middle = between(fails, helps);
       if (middle == helps || middle == fails) break;
-      (works(with(middle)) ? helps : fails) = middle;
+      (outcome_of(with(middle)) == TrialOutcome::possible ? helps : fails) = middle;
     }
     return helps;
   }

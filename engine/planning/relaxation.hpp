@@ -26,8 +26,8 @@ struct FoundChanges {
 /// Single changes of a request's inputs that make it possible: for each input that can help against the binding
 /// constraint the smallest one found, by halving an interval between the request's value and the most generous one,
 /// or by trying one after the other where less is not always easier.
-/// Accuracy a twentieth of the interval; a change is only named when its trial succeeded. Where a trial tells nothing
-///          its input is left at that
+/// Accuracy a hundredth of the interval; a change is only named when its trial succeeded. A trial that tells nothing
+///          counts as one that failed, and the result says so
 /// Bounds   at most 30 trials; none for constraints that no input governs (land, memory)
 /// Stops    with what was found so far once `stop` is requested
 [[nodiscard]] FoundChanges find_changes(const ocean::Environment& environment, const PlanRequest& request,

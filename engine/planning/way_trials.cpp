@@ -36,13 +36,26 @@ std::int64_t work_of_a_chart(const ocean::Environment& environment, const Layout
   return std::llround(std::min(work, 1e15));
 }
 
+/// Towards the goal by about the time that is left: a search with it goes almost straight to a way there. Not the
+/// earliest one, because what is left depends on the hour; a trial asks for none in particular.
+struct TowardsAnyWay {
+  ForesightBound foresight;
+  core::Seconds arrive;
+
+  [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart) const {
+    return foresight.least_time(edge, depart);
+  }
+  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return arrive - latest_use(v); }
+  [[nodiscard]] core::Seconds latest_use(graph::Vertex v) const { return foresight.latest_use(v); }
+};
+
 /// Where a way comes to the goal of a grid.
 struct Reached {
   std::vector<geo::PlanePoint> path;  // empty: no way was found
   core::Seconds since_surfacing{};
 };
 
-/// The search for any way over one grid, in the order in which the planner looks for the best one.
+/// The search for any way over one grid, by the steps in which the planner looks for the best one.
 class GridTrial {
  public:
   /// `left`: of the work; below zero once it is done. Everything is borrowed and outlives the trial.
@@ -56,16 +69,15 @@ class GridTrial {
                                                   leaves, latest);
     };
     const GridTravelTime timed{sea_, open_.grid};
-    if (!sea_.has_timed_closures())
-      return {earliest_way(depart, likely_arrival(depart, timed), timed).path, {}};
+    if (!sea_.has_timed_closures()) return {early_way(depart, likely_arrival(depart, timed), timed).path, {}};
 
-    Way way = earliest_way(depart, likely_arrival(depart, untimed), untimed);
+    Way way = early_way(depart, likely_arrival(depart, untimed), untimed);
     if (way.path.empty() || schedule_along(sea_, way.path, depart)) return {std::move(way.path), {}};
     // Round what is in the way: seldom much farther, and what is out of reach in that time need not be looked at.
     constexpr double detour = 1.25;
     const core::Seconds soon = depart + detour * (way.arrival - depart);
-    way = earliest_way(depart, soon, timed);
-    if (way.path.empty()) way = earliest_way(depart, whenever, timed);
+    way = early_way(depart, soon, timed);
+    if (way.path.empty()) way = early_way(depart, whenever, timed);
     if (way.path.empty() && left_ > 0) way.path = later_path(depart);
     return {std::move(way.path), {}};
   }
@@ -116,10 +128,10 @@ class GridTrial {
     return depart;
   }
 
-  /// The earliest way that is at the goal by `latest`.
+  /// A way that is at the goal by `latest`.
   template <class LegTimes>
-  Way earliest_way(core::Seconds depart, core::Seconds latest, const LegTimes& leg_times) {
-    const graph::SearchTree tree = earliest_arrivals(depart, latest, rationed(leg_times));
+  Way early_way(core::Seconds depart, core::Seconds latest, const LegTimes& leg_times) {
+    const graph::SearchTree tree = early_arrivals(depart, latest, rationed(leg_times));
     Way way;
     for (const graph::Vertex v : graph::path_to(open_.graph, tree, open_.grid.goal))
       way.path.push_back(open_.grid.point(v));
@@ -128,8 +140,8 @@ class GridTrial {
   }
 
   template <class TravelTime>
-  graph::SearchTree earliest_arrivals(core::Seconds depart, core::Seconds latest,
-                                      const TravelTime& travel_time) {
+  graph::SearchTree early_arrivals(core::Seconds depart, core::Seconds latest,
+                                   const TravelTime& travel_time) {
     const StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
     const graph::Query query{open_.grid.start, open_.grid.goal, depart, latest};
     // Beyond the end of the data nothing is open: what cannot be at the goal by then is not looked at.
@@ -138,7 +150,7 @@ class GridTrial {
     if (!std::isfinite(last.count()) || !foresight_.is_useful())
       return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, straight);
     const graph::SearchTree& until_when = foresight_.until_when_of_use(depart, last, stop_);
-    const ForesightBound bound{foresight_, straight, until_when};
+    const TowardsAnyWay bound{{foresight_, straight, until_when}, last};
     if (bound.latest_use(open_.grid.start) < depart) return graph::SearchTree{open_.graph.size()};
     return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);
   }

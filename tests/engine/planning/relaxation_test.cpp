@@ -81,8 +81,8 @@ TEST(Relaxation, NamesTheMarginThatLetsTheVehicleThroughBetweenIcebergs) {
   EXPECT_EQ(found.error().binding, Constraint::iceberg);
   const Change* margin = change_of(found.error(), "margin_m");
   ASSERT_NE(margin, nullptr);
-  EXPECT_LT(std::get<double>(margin->to), 1000.0);
-  EXPECT_GT(std::get<double>(margin->to), 500.0);
+  EXPECT_LE(std::get<double>(margin->to), 1005.0);
+  EXPECT_GE(std::get<double>(margin->to), 980.0) << "and not much less than is needed";
   request.icebergs.margin = core::Metres{std::get<double>(margin->to)};
   EXPECT_TRUE(plan(environment, request).has_value());
 }
@@ -152,19 +152,19 @@ TEST(Relaxation, LooksForNothingOnceItIsToStop) {
   EXPECT_EQ(trials, 0);
 }
 
-TEST(Relaxation, SaysThatSmallerChangesWereNotLookedForAndNamesWhatSucceeded) {
-  int trials = 0;
-  const Trial two_then_nothing = [&](const PlanRequest&) {
-    return ++trials <= 2 ? TrialOutcome::possible : TrialOutcome::not_known;
+TEST(Relaxation, ClosesInOnTheSmallestChangeAlthoughSomeTrialsTellNothing) {
+  const Trial fast_enough = [&](const PlanRequest& changed) {
+    const double speed_m_s = changed.vehicle.speed_through_water.value;
+    if (speed_m_s > 2.0 || speed_m_s < 0.4) return TrialOutcome::not_known;
+    return speed_m_s >= 0.5 ? TrialOutcome::possible : TrialOutcome::impossible;
   };
 
-  const FoundChanges found =
-      find_changes({}, eastward_request(), Constraint::data_period, two_then_nothing, {});
+  const FoundChanges found = find_changes({}, eastward_request(), Constraint::data_period, fast_enough, {});
 
-  EXPECT_TRUE(found.cut_short);
-  EXPECT_EQ(trials, 3) << "an input is left at the first trial that tells nothing";
+  EXPECT_TRUE(found.cut_short) << "a smaller one may help, too";
   ASSERT_EQ(found.changes.size(), 1U);
   EXPECT_EQ(found.changes.front().input, "speed_m_s");
+  EXPECT_NEAR(std::get<double>(found.changes.front().to), 0.5, 0.021);
 }
 
 TEST(Relaxation, TriesTheNextInputAfterOneWhoseTrialToldNothing) {
