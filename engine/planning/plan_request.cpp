@@ -72,8 +72,6 @@ core::Violations PlanRequest::violations() const {
           "must be between 100 m and 5000 km");
   require(max_loiter.count() >= 0.0 && max_loiter <= longest_loiter, "/max_loiter_s",
           "must be between 0 and 864000, ten days");
-  require(max_loiter.count() == 0.0 || !under_ice.max_time_without_surfacing, "/max_loiter_s",
-          "must be 0 where the time without surfacing is bounded: leave out one of the two");
   for (std::size_t i = 0; i < zones.size(); ++i) {
     for (const core::Violation& violation : zones[i].violations()) {
       found.push_back({"/zones/" + std::to_string(i) + violation.field, violation.rule});

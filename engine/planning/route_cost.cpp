@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/planning/loiter.hpp"
+#include "engine/planning/surfacing_wait.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -50,6 +51,7 @@ tl::expected<Schedule, RouteClosed> without_waits(const Sea& sea, const std::vec
 /// One way to come to a point of the route in time.
 struct Stage {
   core::Seconds arrival;
+  core::Seconds since_surfacing;
   core::Seconds waited{};  // at the point before
   std::size_t before{};    // of that point's stages
 };
@@ -57,17 +59,34 @@ struct Stage {
 /// Whether the vehicle that comes first can do all that the other one can: it waits until the other is there.
 bool replaces(const Sea& sea, geo::PlanePoint point, const std::vector<TimeSpan>& closed, const Stage& first,
               const Stage& other) {
-  return first.arrival <= other.arrival && other.arrival - first.arrival <= sea.longest_wait() &&
-         interval_of(closed, first.arrival) == interval_of(closed, other.arrival) &&
-         current_lets_stay(sea, point, first.arrival, other.arrival);
+  if (first.arrival > other.arrival || other.arrival - first.arrival > sea.longest_wait()) return false;
+  if (interval_of(closed, first.arrival) != interval_of(closed, other.arrival)) return false;
+  if (!current_lets_stay(sea, point, first.arrival, other.arrival)) return false;
+  const auto since_surfacing =
+      since_surfacing_after_wait(sea, point, first.arrival, other.arrival, first.since_surfacing);
+  return since_surfacing && *since_surfacing <= other.since_surfacing;
+}
+
+/// The stage at the end of a leg from another one; empty where the vehicle would be too long without a surfacing.
+std::optional<Stage> stage_after(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, const Stage& stage,
+                                 const WaitedLeg& leg) {
+  Stage next{.arrival = stage.arrival + leg.total(), .since_surfacing = {}, .waited = leg.wait};
+  if (!sea.bounds_surfacing()) return next;
+  const core::Seconds leaves = stage.arrival + leg.wait;
+  const auto waited = since_surfacing_after_wait(sea, from, stage.arrival, leaves, stage.since_surfacing);
+  if (!waited) return std::nullopt;
+  const auto drive = sea.leg(from, to, leaves, *waited);
+  if (!drive) return std::nullopt;
+  next.since_surfacing = drive->since_surfacing;
+  return next;
 }
 
 /// Safe intervals along the route: an earlier arrival is not always the better one, because the place may be closed
 /// before the leg onward opens.
 std::optional<Schedule> with_waits(const Sea& sea, const std::vector<geo::PlanePoint>& route,
-                                   core::Seconds depart) {
+                                   core::Seconds depart, core::Seconds since_surfacing) {
   constexpr std::size_t most_stages = 16;
-  std::vector<std::vector<Stage>> stages{{{.arrival = depart}}};
+  std::vector<std::vector<Stage>> stages{{{.arrival = depart, .since_surfacing = since_surfacing}}};
   for (std::size_t i = 1; i < route.size(); ++i) {
     const std::vector<TimeSpan> closed = sea.closed_times(route[i]);
     std::vector<Stage> here;
@@ -78,9 +97,14 @@ std::optional<Schedule> with_waits(const Sea& sea, const std::vector<geo::PlaneP
       if (here.size() < most_stages && !std::ranges::any_of(here, is_replaced)) here.push_back(stage);
     };
     for (std::size_t s = 0; s < stages.back().size(); ++s) {
-      const core::Seconds arrive = stages.back()[s].arrival;
-      for_each_opening(sea, route[i - 1], route[i], closed, arrive, core::Seconds{INFINITY},
-                       [&](const WaitedLeg& leg) { add({arrive + leg.total(), leg.wait, s}); });
+      const Stage& stage = stages.back()[s];
+      for_each_opening(sea, route[i - 1], route[i], closed, stage.arrival, core::Seconds{INFINITY},
+                       [&](const WaitedLeg& leg) {
+                         auto next = stage_after(sea, route[i - 1], route[i], stage, leg);
+                         if (!next) return;
+                         next->before = s;
+                         add(*next);
+                       });
     }
     if (here.empty()) return std::nullopt;
     stages.push_back(std::move(here));
@@ -104,7 +128,7 @@ tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::ve
   auto at_once = without_waits(sea, route, depart, since_surfacing);
   const bool may_wait = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
   if (at_once || !may_wait) return at_once;
-  if (auto waited = with_waits(sea, route, depart)) return *std::move(waited);
+  if (auto waited = with_waits(sea, route, depart, since_surfacing)) return *std::move(waited);
   return at_once;
 }
 

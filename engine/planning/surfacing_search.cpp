@@ -6,6 +6,9 @@
 #include <vector>
 
 #include "engine/graph/label_search.hpp"
+#include "engine/planning/loiter.hpp"
+#include "engine/planning/surfacing_wait.hpp"
+#include "engine/planning/vertex_closures.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -18,25 +21,29 @@ class SurfacingVoyage {
  public:
   struct State {
     double since_surfacing_s{};
+    std::size_t interval{};  // which of the place's times between closures, where the vehicle may wait
   };
   using Label = graph::Label<State>;
 
   SurfacingVoyage(const Sea& sea, const OpenGrid& open)
       : sea_{sea},
         grid_{open.grid},
+        closures_{sea, open.grid},
+        may_wait_{sea.longest_wait().count() > 0.0 && sea.has_timed_closures()},
         unchanging_{!sea.currents() || !sea.currents()->end()},
         earliest_at_surface_s_(open.graph.size(), std::numeric_limits<double>::infinity()) {}
 
   void extend(const Edge& edge, double arrival_s, const State& state, auto&& emit) {
     const geo::PlanePoint tail = grid_.point(edge.tail);
     const geo::PlanePoint head = grid_.point(edge.head);
+    if (may_wait_) return extend_with_waits(edge, {arrival_s, state}, emit);
     double& earliest_s = earliest_at_surface_s_[edge.head];
     if (earliest_s <= arrival_s + sea_.least_time(tail, head).count()) return;  // it would be dominated
     const auto leg = sea_.leg(tail, head, core::Seconds{arrival_s}, core::Seconds{state.since_surfacing_s});
     if (!leg) return;
     const double head_arrival_s = arrival_s + leg->time.count();
     if (leg->since_surfacing.count() == 0.0) earliest_s = std::min(earliest_s, head_arrival_s);
-    emit(head_arrival_s, State{leg->since_surfacing.count()}, 0U);
+    emit(head_arrival_s, State{.since_surfacing_s = leg->since_surfacing.count()}, 0U);
   }
 
   void wait(Vertex, double, const State&, auto&&) const {}
@@ -47,16 +54,54 @@ class SurfacingVoyage {
 
   /// In currents that change, the later of two vehicles under ice gains on the earlier one; it has been there for
   /// longer only if its last surfacing lies further back, not if the time since then is greater now.
-  [[nodiscard]] bool dominates(Vertex, const Label& a, const Label& b) const {
+  [[nodiscard]] bool dominates(Vertex v, const Label& a, const Label& b) const {
     if (a.arrival_s > b.arrival_s) return false;
+    if (may_wait_) return may_wait_for(v, a, b);
     if (a.state.since_surfacing_s == 0.0) return true;
     if (unchanging_) return a.state.since_surfacing_s <= b.state.since_surfacing_s;
     return a.arrival_s - a.state.since_surfacing_s >= b.arrival_s - b.state.since_surfacing_s;
   }
 
  private:
+  struct Arrival {
+    double s{};
+    State state;
+  };
+
+  /// At once, and after the least wait for each of the head's times between closures.
+  void extend_with_waits(const Edge& edge, const Arrival& here, auto&& emit) {
+    const geo::PlanePoint tail = grid_.point(edge.tail);
+    const geo::PlanePoint head = grid_.point(edge.head);
+    const std::vector<TimeSpan>& closed = closures_.at(edge.head);
+    const core::Seconds arrive{here.s};
+    for_each_opening(sea_, tail, head, closed, arrive, core::Seconds{INFINITY}, [&](const WaitedLeg& leg) {
+      const core::Seconds leaves = arrive + leg.wait;
+      const auto since =
+          since_surfacing_after_wait(sea_, tail, arrive, leaves, core::Seconds{here.state.since_surfacing_s});
+      if (!since) return;
+      const auto drive = sea_.leg(tail, head, leaves, *since);
+      if (!drive) return;
+      const core::Seconds there = leaves + drive->time;
+      emit(there.count(), State{drive->since_surfacing.count(), interval_of(closed, there)}, 0U);
+    });
+  }
+
+  /// Whether who comes first can stay until the other one is there, and be no worse off then.
+  [[nodiscard]] bool may_wait_for(Vertex v, const Label& first, const Label& other) const {
+    if (first.state.interval != other.state.interval) return false;
+    const core::Seconds from{first.arrival_s};
+    const core::Seconds until{other.arrival_s};
+    const geo::PlanePoint place = grid_.point(v);
+    if (until - from > sea_.longest_wait() || !current_lets_stay(sea_, place, from, until)) return false;
+    const auto since =
+        since_surfacing_after_wait(sea_, place, from, until, core::Seconds{first.state.since_surfacing_s});
+    return since && since->count() <= other.state.since_surfacing_s;
+  }
+
   const Sea& sea_;
   const RouteGrid& grid_;
+  VertexClosures closures_;
+  bool may_wait_;
   bool unchanging_;
   std::vector<double>
       earliest_at_surface_s_;  // of the arrivals so far where the vehicle may surface, by vertex
@@ -106,9 +151,10 @@ RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::S
     const auto vertices = static_cast<double>(std::max<std::int64_t>(1, open.vertices));
     report_fraction(std::min(1.0, static_cast<double>(expansions) / vertices));
   };
-  const Labels search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, depart.count(),
-                                                SurfacingVoyage::State{since_surfacing.count()}, voyage,
-                                                most_labels, stop, report);
+  const Labels search =
+      graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, depart.count(),
+                              SurfacingVoyage::State{.since_surfacing_s = since_surfacing.count()}, voyage,
+                              most_labels, stop, report);
 
   RouteSearch result;
   result.statistics.vertices = open.vertices;
