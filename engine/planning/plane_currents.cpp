@@ -104,7 +104,7 @@ void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& w
   const std::size_t slices = times_s_ ? times_s_->size() : 1;
   nodes_.assign(slice * slices, Node{missing, missing});
   extended_.assign(slice, 0);
-  double strongest = 0.0;
+  double strongest2 = 0.0;
   for (std::size_t t = 0; t < slices; ++t) {
     CurrentSlice water{currents, window, turns, t};
     for (std::size_t iy = 0; iy < y_.size(); ++iy) {
@@ -114,15 +114,15 @@ void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& w
         const auto mean = water.mean(on_uncut(ix, parts, window.x.size()),
                                      on_uncut(iy, parts, window.y.size()), bands[node]);
         if (!mean) continue;
-        strongest = std::max(strongest, std::hypot(mean->current.x_m_s, mean->current.y_m_s));
-        nodes_[t * slice + node] = {static_cast<float>(mean->current.x_m_s),
-                                    static_cast<float>(mean->current.y_m_s)};
+        const motion::CurrentXy c = mean->current;
+        strongest2 = std::max(strongest2, c.x_m_s * c.x_m_s + c.y_m_s * c.y_m_s);
+        nodes_[t * slice + node] = {static_cast<float>(c.x_m_s), static_cast<float>(c.y_m_s)};
         if (mean->extended) extended_[node] = 1;
       }
     }
   }
   // Rounding to float may lengthen a vector by 1e-7 of itself; a bound must not be below it.
-  strongest_ = core::MetresPerSecond{strongest * (1.0 + 1e-6)};
+  strongest_ = core::MetresPerSecond{std::sqrt(strongest2) * (1.0 + 1e-6)};
 }
 
 std::optional<PlaneCurrents::Corner> PlaneCurrents::corner(geo::PlanePoint point) const {
