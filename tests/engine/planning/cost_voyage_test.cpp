@@ -66,6 +66,21 @@ double random_depth_m(std::uint64_t seed, geo::LonLat place) {
   return 140.0 + 110.0 * std::sin(static_cast<double>(seed) + 15.0 * place.lon_deg + 25.0 * place.lat_deg);
 }
 
+/// Random depths below a tide that turns twice a day.
+ocean::Environment tidal_sea(std::mt19937_64& rng, const geo::VelocityEn& strongest, int hours) {
+  const auto seed = static_cast<std::uint64_t>(support::uniform_int(rng, 0, 1000));
+  ocean::Environment environment;
+  environment.bathymetry =
+      support::bathymetry_from([=](geo::LonLat place) { return random_depth_m(seed, place); });
+  environment.currents = support::currents_from(
+      [=](geo::LonLat place, double hour) {
+        return geo::VelocityEn{{strongest.east.value * std::sin(9.0 * place.lon_deg + 0.5 * hour)},
+                               {strongest.north.value * std::cos(0.5 * hour + static_cast<double>(seed))}};
+      },
+      hours);
+  return environment;
+}
+
 void expect_least_cost(const ocean::Environment& environment, const Objective& objective, double tolerance) {
   const PlanRequest request = hybrid_request(objective);
   const geo::LocalProjection projection{{-53.0, 69.0}};
@@ -103,16 +118,7 @@ TEST(CostVoyage, IsExactInSteadyWaters) {
 
 TEST(CostVoyage, IsNearlyExactInATide) {
   support::for_each_seed(4, [](std::mt19937_64& rng) {
-    const auto seed = static_cast<std::uint64_t>(support::uniform_int(rng, 0, 1000));
-    ocean::Environment environment;
-    environment.bathymetry =
-        support::bathymetry_from([&](geo::LonLat place) { return random_depth_m(seed, place); });
-    environment.currents = support::currents_from(
-        [&](geo::LonLat place, double hour) {
-          return geo::VelocityEn{{0.2 * std::sin(9.0 * place.lon_deg + 0.5 * hour)},
-                                 {0.2 * std::cos(0.5 * hour + static_cast<double>(seed))}};
-        },
-        96);
+    const ocean::Environment environment = tidal_sea(rng, {{0.2}, {0.2}}, 96);
     for (const Objective& objective : objectives) expect_least_cost(environment, objective, 0.01);
   });
 }
@@ -149,16 +155,7 @@ double share_of_plain_cost(const ocean::Environment& environment, const Objectiv
 
 TEST(SearchLeastCost, FindsWithItsLimitsWhatASearchWithoutThemFinds) {
   support::for_each_seed(3, [](std::mt19937_64& rng) {
-    const auto seed = static_cast<std::uint64_t>(support::uniform_int(rng, 0, 1000));
-    ocean::Environment environment;
-    environment.bathymetry =
-        support::bathymetry_from([&](geo::LonLat place) { return random_depth_m(seed, place); });
-    environment.currents = support::currents_from(
-        [&](geo::LonLat place, double hour) {
-          return geo::VelocityEn{{0.15 * std::sin(9.0 * place.lon_deg + 0.5 * hour)},
-                                 {0.1 * std::cos(0.5 * hour + static_cast<double>(seed))}};
-        },
-        240);
+    ocean::Environment environment = tidal_sea(rng, {{0.15}, {0.1}}, 240);
     for (const Objective& objective : objectives) {
       EXPECT_LE(share_of_plain_cost(environment, objective), 1.002);
     }
