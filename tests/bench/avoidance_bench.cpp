@@ -40,6 +40,7 @@ Row within(std::string what, double ours_ms, double most_ms, std::string target)
   return {.what = std::move(what),
           .unit = "ms",
           .ours = ours_ms,
+          .comparator = {},
           .meets_target = ours_ms <= most_ms,
           .target = std::move(target)};
 }

@@ -1,8 +1,11 @@
+#include <cmath>
+#include <memory>
 #include <stdexcept>
 #include <string>
 #include <utility>
 #include <vector>
 
+#include "engine/planning/plane_box.hpp"
 #include "engine/simulation/equipped_vehicle.hpp"
 #include "engine/simulation/random_icebergs.hpp"
 #include "tests/bench/benchmarks.hpp"
@@ -16,6 +19,32 @@ constexpr core::UtcTime departure = core::from_unix_seconds(1.7e9);
 constexpr geo::LonLat start{-52.0, 47.5};
 constexpr std::uint64_t fields = 4;
 constexpr double wanted = 2000.0;
+
+/// A way of 5 km over hills between 65 and 135 m deep, that the sonar hears all the time.
+IcebergField bank() {
+  IcebergFieldSettings settings;
+  settings.km2_for_each = 1e6;  // none
+  settings.dive_depth = core::Metres{100.0};
+  IcebergField field = random_icebergs(settings, start, departure, 1);
+  std::vector<double> lon;
+  std::vector<double> lat;
+  std::vector<float> depth_m;
+  for (int i = 0; i <= 60; ++i) {
+    lon.push_back(start.lon_deg - 0.3 + 0.01 * i);
+    lat.push_back(start.lat_deg - 0.3 + 0.01 * i);
+  }
+  for (const double y : lat) {
+    for (const double x : lon)
+      depth_m.push_back(static_cast<float>(100.0 + 30.0 * std::sin(60.0 * y) * std::cos(70.0 * x) +
+                                           5.0 * std::sin(400.0 * x + 300.0 * y)));
+  }
+  const auto bathymetry = std::make_shared<const ocean::Bathymetry>(
+      ocean::HorizontalGrid{geo::GridFrame{}, ocean::Axis{lon}, ocean::Axis{lat}}, depth_m);
+  WorldParts parts{.origin = start};
+  parts.bed = SeaBed{bathymetry, geo::LocalProjection{start},
+                     planning::PlaneBox{{-15'000.0, -15'000.0}, {15'000.0, 15'000.0}}};
+  return {World{std::move(parts)}, field.orders, field.vehicle, {}};
+}
 
 /// Simulated time over processor time, all fields together; a contact does not end a flight.
 template <class OnBoardFor>
@@ -51,15 +80,19 @@ std::vector<Row> flight_rows() {
   std::vector<IcebergField> seas;
   for (std::uint64_t seed = 1; seed <= fields; ++seed)
     seas.push_back(random_icebergs({}, start, departure, seed));
+  std::vector<IcebergField> over_bank;
+  over_bank.push_back(bank());
   const Equipment equipment;
   const auto bare = [](const FlightRequest&) { return BareVehicle{}; };
   const auto equipped = [&](const FlightRequest& request) {
-    return EquippedVehicle{
-        equipment, request.world, request.seed,
-        system_for(request.world, request.orders, start, departure, request.settings.longest)};
+    SystemOnBoard system =
+        system_for(request.world, request.orders, start, departure, request.settings.longest);
+    system.settings = avoidance_for(request.vehicle, request.orders, equipment.sonar.settings());
+    return EquippedVehicle{equipment, request.world, request.seed, std::move(system)};
   };
   return {row_of("flights through random icebergs, no sonar", seas, bare),
-          row_of("the same with sonar at 1 Hz, ADCP and avoidance", seas, equipped)};
+          row_of("the same with sonar at 1 Hz, ADCP and avoidance", seas, equipped),
+          row_of("over a bank, with sonar at 1 Hz, ADCP and avoidance", over_bank, equipped)};
 }
 
 }  // namespace floeplan::bench
