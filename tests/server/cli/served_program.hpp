@@ -38,6 +38,11 @@ class ServedProgram {
     return request("POST", "/processes/" + process + "/execution", "Prefer: respond-sync\r\n",
                    nlohmann::json{{"inputs", inputs}}.dump());
   }
+  /// Queues a process as a job (`Prefer: respond-async`).
+  [[nodiscard]] Answer submit(const std::string& process, const nlohmann::json& inputs) const {
+    return request("POST", "/processes/" + process + "/execution", "Prefer: respond-async\r\n",
+                   nlohmann::json{{"inputs", inputs}}.dump());
+  }
 
  private:
   [[nodiscard]] Answer request(const std::string& method, const std::string& target,
