@@ -1,5 +1,5 @@
-import AxeBuilder from '@axe-core/playwright';
 import type { Page } from '@playwright/test';
+import { expectAccessible } from '../support/accessible';
 import { expect, open, planByTyping, test, type LonLat } from '../support/page';
 import { findPlaces } from '../support/places';
 
@@ -41,8 +41,7 @@ test('a plan is flown many times, and a flight is played back by the clock', asy
   const waiting = page.waitForEvent('download');
   await page.getByRole('link', { name: 'GeoJSON' }).click();
   expect((await waiting).suggestedFilename()).toMatch(/\.geojson$/);
-  const { violations } = await new AxeBuilder({ page }).analyze();
-  expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical')).toEqual([]);
+  await expectAccessible(page);
 
   page.once('dialog', (dialog) => void dialog.accept());
   await page.getByRole('button', { name: 'Remove this simulation' }).click();

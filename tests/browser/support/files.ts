@@ -35,3 +35,13 @@ export function zoneFile(): Chosen {
   const feature = { type: 'Feature', properties: { name: 'Closed' }, geometry: { type: 'Polygon', coordinates: [ring] } };
   return chosen('closed.geojson', JSON.stringify({ type: 'FeatureCollection', features: [feature] }));
 }
+
+/** Sightings of now, spread over a degree each way around a place. */
+export function crowdOfBergs([lon, lat]: LonLat, count: number): Chosen {
+  const observed = new Date(Date.now() - 3_600_000).toISOString();
+  const features = Array.from({ length: count }, (_, i) => ({
+    type: 'Feature', properties: { id: `crowd-${i}`, observed, length_m: 20 + (i % 200) },
+    geometry: { type: 'Point', coordinates: [lon + 0.9 * Math.cos(i), lat + 0.5 * Math.sin(1.7 * i)] },
+  }));
+  return chosen('crowd.geojson', JSON.stringify({ type: 'FeatureCollection', features }));
+}

@@ -26,7 +26,7 @@ export const test = base.extend<{ guarded: undefined }>({
 });
 
 /** A refused request is reported by the browser as an error of the console, and some journeys provoke one. */
-const isExpected = (fault: string): boolean => /status of 4(00|04|22)|net::ERR_FAILED/.test(fault);
+const isExpected = (fault: string): boolean => /status of 4(00|04|22)|net::ERR_(FAILED|INTERNET_DISCONNECTED)/.test(fault);
 
 export { expect };
 

@@ -1,10 +1,11 @@
 import { plan } from '../api/planning';
+import { probeAt } from '../api/session';
 import { range, setTime, stepHours, togglePlay } from '../model/clock';
 import { routeOf, select, selectedPlan, selectedWaypoint, shownPlans } from '../model/plans';
 import { openEdit, startEdit } from '../model/route_edit';
 import { dialog, drawer, leftTab } from '../model/screen';
 import { settings } from '../model/settings';
-import { ask, tool } from '../model/view';
+import { ask, tool, view } from '../model/view';
 import { editByKey } from './edit_keys';
 
 const focus = (selector: string): void => document.querySelector<HTMLElement>(selector)?.focus();
@@ -40,6 +41,10 @@ const actions: Record<string, () => void> = {
     if (!chosen || openEdit.peek()) return;
     startEdit(chosen);
     ask({ do: 'fit', places: routeOf(chosen) });
+  },
+  i: () => {
+    const seen = view.peek();
+    if (seen) void probeAt(seen.centre);
   },
   l: () => focus('.layers summary'),
   '?': () => {

@@ -20,6 +20,7 @@ const keys: [string, string][] = [
   ['Ctrl+Z', 'undo a change; with Shift redo'],
   ['1 … 9', 'select a plan on the map'],
   ['G', 'type the start'],
+  ['I', 'what is known at the middle of the map'],
   ['L', 'to the layers'],
   ['?', 'this list'],
 ];
