@@ -128,7 +128,7 @@ std::vector<RouteFinding> check_depths(const ocean::Environment& environment,
     if (leg.length.value > longest_leg_m) continue;
     std::optional<core::Metres> least;
     for (double along_m = 0.0; along_m <= leg.length.value; along_m += sample_step_m) {
-      const auto bed = environment.bathymetry->depth(
+      const auto bed = environment.bathymetry->shoalest(
           geo::geodesic_destination(route[i - 1], leg.course_at_start, core::Metres{along_m}));
       if (bed && (!least || *bed < *least)) least = bed;
     }

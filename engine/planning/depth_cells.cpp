@@ -31,8 +31,8 @@ std::vector<CellState> judge_depths(const PlaneRaster& raster, const ocean::Bath
     return at;
   };
   const auto depth_at = [&](const geo::GridPoint& at) -> std::optional<core::Metres> {
-    if (geographic) return bathymetry.depth({at.x, at.y});
-    return bathymetry.depth(geo::to_lon_lat(grid.frame(), at));
+    if (geographic) return bathymetry.shoalest({at.x, at.y});
+    return bathymetry.shoalest(geo::to_lon_lat(grid.frame(), at));
   };
 
   std::vector<geo::GridPoint> below(static_cast<std::size_t>(raster.nx() + 1));
@@ -47,7 +47,7 @@ std::vector<CellState> judge_depths(const PlaneRaster& raster, const ocean::Bath
     }
   };
   const auto depth_of_node = [&](std::size_t ix, std::size_t iy) -> std::optional<core::Metres> {
-    const float depth_m = bathymetry.depth_m()[iy * grid.x().size() + ix];
+    const float depth_m = bathymetry.shoalest_m()[iy * grid.x().size() + ix];
     if (std::isnan(depth_m)) return std::nullopt;
     return core::Metres{static_cast<double>(depth_m)};
   };

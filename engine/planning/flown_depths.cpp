@@ -10,7 +10,7 @@ FlownDepths::FlownDepths(const vehicle::DiveLimits& limits,
 
 vehicle::DiveBand FlownDepths::at(geo::LonLat place) const {
   if (!bathymetry_) return vehicle::flown_band(limits_, std::nullopt);
-  return vehicle::flown_band(limits_, bathymetry_->depth(place));
+  return vehicle::flown_band(limits_, bathymetry_->shoalest(place));
 }
 
 }  // namespace floeplan::planning

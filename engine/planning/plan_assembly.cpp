@@ -117,7 +117,7 @@ std::optional<core::Metres> bottom_clearance(const Sea& sea, const ocean::Enviro
   if (!environment.bathymetry) return std::nullopt;
   std::optional<core::Metres> least;
   for_each_sample(route, [&](geo::PlanePoint point) {
-    const auto bed = environment.bathymetry->depth(sea.projection().to_lon_lat(point));
+    const auto bed = environment.bathymetry->shoalest(sea.projection().to_lon_lat(point));
     if (!bed) return;
     const core::Metres deepest =
         std::min(request.vehicle.dive_depth, *bed - request.vehicle.altimeter_margin);

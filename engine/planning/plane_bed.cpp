@@ -1,5 +1,6 @@
 #include "engine/planning/plane_bed.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -15,14 +16,15 @@ std::optional<core::Metres> PlaneBed::depth(geo::PlanePoint point) const {
   const std::size_t nx = grid_.nx();
   const std::size_t columns = bathymetry_->grid().x().size();
   const auto node = [&](std::size_t i) {
-    return static_cast<double>(bathymetry_->depth_m()[grid_.row(i / nx) * columns + grid_.column(i % nx)]);
+    return static_cast<double>(bathymetry_->shoalest_m()[grid_.row(i / nx) * columns + grid_.column(i % nx)]);
   };
   const std::size_t sw = cell->first;
   const double south = node(sw) + cell->fx * (node(sw + 1) - node(sw));
   const double north = node(sw + nx) + cell->fx * (node(sw + nx + 1) - node(sw + nx));
   const double depth_m = south + cell->fy * (north - south);
   if (std::isnan(depth_m)) return std::nullopt;
-  return core::Metres{depth_m};
+  if (!bathymetry_->knows_shoaler_cells()) return core::Metres{depth_m};
+  return core::Metres{std::min({depth_m, node(sw), node(sw + 1), node(sw + nx), node(sw + nx + 1)})};
 }
 
 }  // namespace floeplan::planning

@@ -9,7 +9,8 @@
 
 namespace floeplan::planning {
 
-/// The sea bed of a planning area as the inner loop asks for it: bilinear between the data's nodes.
+/// The sea bed of a planning area as the inner loop asks for it: bilinear between the data's nodes, and where their
+/// cells are known to be shoaler, the least of those around the place.
 /// Threads  const members may be called from several threads at once
 class PlaneBed {
  public:

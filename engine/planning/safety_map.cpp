@@ -121,7 +121,7 @@ std::optional<motion::EdgeClosed> SafetyMap::closed_at(geo::LonLat place) const 
   if (std::ranges::any_of(zones_.no_go, holds)) return motion::EdgeClosed::in_zone;
   if (zones_.confined && std::ranges::none_of(zones_.stay_in, holds)) return motion::EdgeClosed::in_zone;
   if (!environment_->bathymetry) return std::nullopt;
-  return judge_depth(environment_->bathymetry->depth(place), least_depth_);
+  return judge_depth(environment_->bathymetry->shoalest(place), least_depth_);
 }
 
 std::vector<std::size_t> SafetyMap::closed_cells_between(geo::PlanePoint a, geo::PlanePoint b) const {

@@ -179,8 +179,13 @@ std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetI
   if (!window) return std::nullopt;
 
   ChunkReader reader{db_, layout->chunks};
-  return ocean::Bathymetry{{stored->grid.frame(), window->x.nodes, window->y.nodes},
-                           read_block(reader, "depth_m", {0, 1}, {0, 1}, *window)};
+  const auto read = [&](const std::string& variable) {
+    return read_block(reader, variable, {0, 1}, {0, 1}, *window);
+  };
+  return ocean::Bathymetry{
+      {stored->grid.frame(), window->x.nodes, window->y.nodes},
+      read("depth_m"),
+      holds(db_, layout->chunks, "shoalest_m") ? read("shoalest_m") : std::vector<float>{}};
 }
 
 std::optional<ocean::IceField> FieldRepository::load_ice(const DatasetId& id, const geo::BoundingBox& area,

@@ -29,7 +29,7 @@ struct Period {
 };
 
 /// Gridded data in compressed chunks, so that a job reads only its area and period.
-/// Variables are "depth_m" for bathymetry, "u_m_s" and "v_m_s" for currents, "concentration" and (where known)
+/// Variables are "depth_m" and (where cells are known to be shoaler) "shoalest_m" for bathymetry, "u_m_s" and "v_m_s" for currents, "concentration" and (where known)
 /// "thickness_m" for ice.
 /// Threads  as the connection: one thread at a time
 class FieldRepository {

@@ -67,7 +67,30 @@ TEST(Bathymetry, FollowsAPlaneSeaBedExactly) {
 }
 
 TEST(Bathymetry, NeedsADepthForEachNode) {
+  EXPECT_THROW(
+      (Bathymetry{HorizontalGrid{geo::GeographicFrame{}, even_axis(0.0, 1.0, 2), even_axis(0.0, 1.0, 2)},
+                  std::vector<float>(4, 1.0F), std::vector<float>(3, 1.0F)}),
+      std::invalid_argument);
   EXPECT_THROW((void)small_chart({1.0F, 2.0F}), std::invalid_argument);
+}
+
+TEST(Bathymetry, IsNoShoalerThanItsNodesWhereNothingElseIsKnown) {
+  const Bathymetry chart = small_chart({100.0F, 200.0F, 300.0F, 500.0F, 0.0F, -20.0F});
+
+  EXPECT_EQ(chart.shoalest({-53.5, 68.5}), chart.depth({-53.5, 68.5}));
+  EXPECT_EQ(chart.shoalest_m(), chart.depth_m());
+}
+
+TEST(Bathymetry, KnowsTheLeastDepthOfTheCellsAroundAPlace) {
+  const Bathymetry chart{
+      HorizontalGrid{geo::GeographicFrame{}, even_axis(-54.0, 1.0, 3), even_axis(68.0, 1.0, 2)},
+      std::vector<float>(6, 100.0F),
+      {100.0F, 7.0F, 100.0F, 100.0F, 100.0F, missing}};
+
+  EXPECT_EQ(chart.depth({-53.4, 68.1})->value, 100.0);
+  EXPECT_EQ(chart.shoalest({-53.4, 68.1})->value, 7.0) << "the shoal may lie anywhere in its cell";
+  EXPECT_EQ(chart.shoalest({-52.1, 68.9})->value, 7.0);
+  EXPECT_EQ(chart.shoalest({-54.0, 69.0})->value, 100.0);
 }
 
 }  // namespace

@@ -377,5 +377,21 @@ TEST_F(FieldRepositoryTest, SaysWhenAChunkIsDamaged) {
   }
 }
 
+TEST_F(FieldRepositoryTest, KeepsTheLeastDepthOfACellBesideItsDepth) {
+  const ocean::HorizontalGrid grid{geo::GeographicFrame{}, ocean::Axis{{0.0, 1.0}},
+                                   ocean::Axis{{60.0, 61.0}}};
+  DatasetRepository{db_}.insert(sample_dataset("chart", DatasetKind::bathymetry, {0.0, 60.0, 1.0, 61.0}));
+  FieldRepository fields{db_};
+  fields.create({"chart"}, {grid, {}, {}});
+  fields.write_slice({"chart"}, "depth_m", 0, 0, std::vector(4, 50.0F));
+  fields.write_slice({"chart"}, "shoalest_m", 0, 0, std::vector{50.0F, 50.0F, 2.5F, 50.0F});
+
+  const auto chart = fields.load_bathymetry({"chart"}, {0.0, 60.0, 1.0, 61.0});
+
+  ASSERT_TRUE(chart);
+  EXPECT_EQ(chart->depth({0.4, 60.4})->value, 50.0);
+  EXPECT_EQ(chart->shoalest({0.4, 60.4})->value, 2.5);
+}
+
 }  // namespace
 }  // namespace floeplan::repository
