@@ -79,7 +79,7 @@ void read_data(InputReader& reader, repository::EnvironmentQuery& data) {
   data.tides.choice = read_choice(reader, "tides", true, {How::none, {}});
   data.tides.mode = read_tides_mode(reader);
   data.wind = read_choice(reader, "wind", false);
-  data.bathymetry = read_choice(reader, "bathymetry", false);
+  data.bathymetry = read_choice(reader, "bathymetry", true);
   data.ice = read_choice(reader, "ice", false);
   data.icebergs = read_choice(reader, "icebergs", false);
   data.icebergs_as_of = reader.time("icebergs_as_of");

@@ -22,6 +22,7 @@ nlohmann::json dataset_document(const repository::Dataset& dataset, const std::v
                           {"bbox", {bounds.west_deg, bounds.south_deg, bounds.east_deg, bounds.north_deg}},
                           {"time_start", optional_time(dataset.time_start)},
                           {"time_end", optional_time(dataset.time_end)},
+                          {"run", optional_time(dataset.run)},
                           {"rows_accepted", dataset.rows_accepted},
                           {"rows_refused", dataset.rows_refused},
                           {"warnings", dataset.warnings},
@@ -44,8 +45,22 @@ nlohmann::json dataset_refs_json(const std::vector<ocean::DatasetRef>& datasets)
   for (const auto& dataset : datasets) {
     result.push_back(
         {{"id", dataset.id}, {"kind", dataset.kind}, {"name", dataset.name}, {"sha256", dataset.sha256}});
+    const auto add = [&](const char* key, const std::optional<core::UtcTime>& time) {
+      if (time) result.back()[key] = core::iso8601(*time);
+    };
+    add("run", dataset.run);
+    add("from", dataset.from);
+    add("until", dataset.until);
   }
   return result;
+}
+
+ocean::DatasetRef parse_dataset_ref(const nlohmann::json& document) {
+  const auto text = [&](const char* key) { return document.at(key).get<std::string>(); };
+  const auto time = [&](const char* key) {
+    return document.contains(key) ? core::parse_iso8601(text(key)) : std::nullopt;
+  };
+  return {text("id"), text("kind"), text("name"), text("sha256"), time("run"), time("from"), time("until")};
 }
 
 }  // namespace floeplan::codec

@@ -19,5 +19,8 @@ inline constexpr std::size_t max_listed_times = 2000;
 
 /// The data that a result rests on.
 [[nodiscard]] nlohmann::json dataset_refs_json(const std::vector<ocean::DatasetRef>& datasets);
+/// One of them, read back.
+/// Errors  nlohmann::json::exception where a part that each has is missing
+[[nodiscard]] ocean::DatasetRef parse_dataset_ref(const nlohmann::json& document);
 
 }  // namespace floeplan::codec

@@ -190,10 +190,7 @@ planning::Plan parse_members(const json& document) {
   plan.energy = parse_energy(document);
   plan.optimality_gap = number_at(document, "optimality_gap");
   plan.optimality_gap_reason = document.at("optimality_gap_reason").get<std::string>();
-  for (const auto& dataset : document.at("datasets")) {
-    plan.datasets.push_back({dataset.at("id").get<std::string>(), dataset.at("kind").get<std::string>(),
-                             dataset.at("name").get<std::string>(), dataset.at("sha256").get<std::string>()});
-  }
+  for (const auto& dataset : document.at("datasets")) plan.datasets.push_back(parse_dataset_ref(dataset));
   plan.warnings = document.at("warnings").get<std::vector<std::string>>();
   return plan;
 }

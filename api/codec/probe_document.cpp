@@ -23,6 +23,7 @@ json velocity_json(const Probe::Velocity& part) {
           {"reason", optional_text(part.reason)},
           {"dataset_id", optional_text(part.dataset_id)},
           {"dataset_name", optional_text(part.dataset_name)},
+          {"run", optional_time(part.run)},
           {"time_before", optional_time(part.time_before)},
           {"time_after", optional_time(part.time_after)}};
 }
@@ -32,6 +33,7 @@ json ice_json(const Probe::Ice& ice) {
   return {{"thickness_m", thick ? json(ice.state->thickness->value) : json()},
           {"dataset_id", optional_text(ice.dataset_id)},
           {"dataset_name", optional_text(ice.dataset_name)},
+          {"run", optional_time(ice.run)},
           {"time_before", optional_time(ice.time_before)},
           {"time_after", optional_time(ice.time_after)}};
 }
@@ -77,6 +79,7 @@ json probe_document(const Probe& probe) {
           {"lat", probe.place.lat_deg},
           {"time", core::iso8601(probe.time)},
           {"depth_m", probe.depth ? json(probe.depth->value) : json()},
+          {"shoalest_depth_m", probe.shoalest_depth ? json(probe.shoalest_depth->value) : json()},
           {"depth_reason", optional_text(probe.depth_reason)},
           {"land", probe.land ? json(*probe.land) : json()},
           {"currents", velocity_json(probe.currents)},

@@ -21,6 +21,7 @@ struct Probe {
     std::string reason;  // empty when there is a velocity
     std::string dataset_id;
     std::string dataset_name;
+    std::optional<core::UtcTime> run;          // when the model run began; empty: the data do not say
     std::optional<core::UtcTime> time_before;  // steps of the data around the time asked for
     std::optional<core::UtcTime> time_after;
   };
@@ -29,6 +30,7 @@ struct Probe {
     std::string reason;  // empty when there is a state
     std::string dataset_id;
     std::string dataset_name;
+    std::optional<core::UtcTime> run;          // when the model run began; empty: the data do not say
     std::optional<core::UtcTime> time_before;  // steps of the data around the time asked for
     std::optional<core::UtcTime> time_after;
   };
@@ -54,9 +56,10 @@ struct Probe {
 
   geo::LonLat place;
   core::UtcTime time;
-  std::optional<core::Metres> depth;  // of the sea bed
-  std::string depth_reason;           // empty when there is a depth
-  std::optional<bool> land;           // empty: no coastline and no bathymetry here
+  std::optional<core::Metres> depth;           // of the sea bed
+  std::optional<core::Metres> shoalest_depth;  // the least depth known around the place
+  std::string depth_reason;                    // empty when there is a depth
+  std::optional<bool> land;                    // empty: no coastline and no bathymetry here
   Velocity currents;
   Velocity wind;  // 10 m above the sea, towards which it blows
   Ice ice;

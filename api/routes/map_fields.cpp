@@ -56,7 +56,9 @@ tl::expected<Dataset, Response> choose(const Context& context, const Request& re
     }
     if (suits(*dataset, kind, area, time)) return *dataset;
   } else {
-    for (const auto& dataset : datasets.list()) {
+    auto newest_first = datasets.list();
+    repository::sort_newest_run_first(newest_first);
+    for (const auto& dataset : newest_first) {
       if (suits(dataset, kind, area, time)) return dataset;
     }
   }

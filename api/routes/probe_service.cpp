@@ -52,7 +52,10 @@ void read_depth(sqlite::Connection& db, const Source& source, codec::Probe& prob
   if (!source.dataset) return;
   const auto bathymetry =
       repository::FieldRepository{db}.load_bathymetry(source.dataset->id, box_at(probe.place));
-  if (bathymetry) probe.depth = bathymetry->depth(probe.place);
+  if (bathymetry) {
+    probe.depth = bathymetry->depth(probe.place);
+    probe.shoalest_depth = bathymetry->shoalest(probe.place);
+  }
   if (!probe.depth)
     probe.depth_reason = "outside the area of " + source.dataset->name + ", or no value there";
 }
@@ -80,6 +83,7 @@ void read_ice(sqlite::Connection& db, const Source& source, codec::Probe& probe)
   const Dataset& dataset = *source.dataset;
   ice.dataset_id = dataset.id.value;
   ice.dataset_name = dataset.name;
+  ice.run = dataset.run;
   if (!covers_time(dataset, probe.time)) {
     ice.reason = outside_period(dataset);
     return;
@@ -99,6 +103,7 @@ void read_velocity(sqlite::Connection& db, const Source& source, const ProbeQuer
   const Dataset& dataset = *source.dataset;
   part.dataset_id = dataset.id.value;
   part.dataset_name = dataset.name;
+  part.run = dataset.run;
   if (!covers_time(dataset, query.time)) {
     part.reason = outside_period(dataset);
     return;
@@ -160,7 +165,8 @@ void read_zones(sqlite::Connection& db, const std::vector<Dataset>& datasets, co
 }  // namespace
 
 tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const ProbeQuery& query) {
-  const auto datasets = repository::DatasetRepository{db}.list();
+  auto datasets = repository::DatasetRepository{db}.list();
+  repository::sort_newest_run_first(datasets);
   std::optional<Dataset> named;
   if (query.dataset_id) {
     named = repository::DatasetRepository{db}.find({*query.dataset_id});

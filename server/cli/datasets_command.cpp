@@ -2,12 +2,14 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "api/codec/dataset_document.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/migrations.hpp"
+#include "storage/repository/retention.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -17,6 +19,10 @@ using nlohmann::json;
 struct Flags {
   bool json_out{false};
   std::string remove_id;
+  std::optional<std::string> older_than;
+  std::optional<std::uint64_t> max_bytes;
+  std::string kind{"all"};
+  bool dry_run{false};
 };
 
 int list(const Flags& flags, const Program& program) {
@@ -46,6 +52,34 @@ int remove(const Flags& flags, const Program& program) {
   return complain(could_not, "no dataset has the id " + flags.remove_id + "; floeplan datasets lists them");
 }
 
+int prune(const Flags& flags, const Program& program) {
+  repository::RetentionRules rules;
+  if (flags.older_than) {
+    rules.max_age = core::parse_iso8601_duration(*flags.older_than);
+    if (!rules.max_age)
+      return complain(wrong_usage, "--older-than " + *flags.older_than + " is not a length of time; as P30D");
+  }
+  if (flags.max_bytes) rules.max_bytes = static_cast<std::int64_t>(*flags.max_bytes);
+  if (flags.kind != "all") rules.kind = repository::parse_kind(flags.kind);
+  if (!rules.max_age && !rules.max_bytes)
+    return complain(wrong_usage, "say what may go: --older-than P30D, --max-size 20GB or both");
+
+  auto db = repository::open_store(program.store);
+  const auto gone = flags.dry_run ? repository::beyond_retention(repository::stored_sizes(db), rules, now())
+                                  : repository::remove_beyond_retention(db, rules, now());
+  if (flags.json_out) {
+    json removed = json::array();
+    for (const auto& each : gone) removed.push_back({{"id", each.dataset.id.value}, {"bytes", each.bytes}});
+    std::cout << json{{"removed", removed}, {"dry_run", flags.dry_run}}.dump(2) << '\n';
+    return done;
+  }
+  for (const auto& each : gone)
+    std::cout << (flags.dry_run ? "would remove  " : "removed  ") << each.dataset.id.value << "  "
+              << each.bytes << " bytes  " << each.dataset.name << '\n';
+  if (gone.empty()) std::cout << "Nothing is beyond these rules.\n";
+  return done;
+}
+
 }  // namespace
 
 void add_datasets(CLI::App& app, Program& program) {
@@ -54,8 +88,25 @@ void add_datasets(CLI::App& app, Program& program) {
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   auto* removal = command->add_subcommand("remove", "Remove a dataset and everything that belongs to it");
   removal->add_option("ID", flags->remove_id, "As the list shows it")->required();
-  command->callback([flags, removal, &program] {
-    program.exit_code = removal->parsed() ? remove(*flags, program) : list(*flags, program);
+  auto* pruning = command->add_subcommand("prune",
+                                          "Remove old data by rules. Data without time (depths, coasts, "
+                                          "tides, zones) and the last dataset of each kind "
+                                          "always stay");
+  pruning->add_option("--older-than", flags->older_than,
+                      "Data whose period (or ingestion, if later) ended longer ago, as P30D");
+  pruning
+      ->add_option("--max-size", flags->max_bytes,
+                   "The oldest data, until the samples of the rest take no more, as 20GB")
+      ->transform(CLI::AsSizeValue(true));
+  pruning->add_option("--kind", flags->kind, "Data of this kind alone")
+      ->check(CLI::IsMember({"all", "currents", "wind", "ice", "icebergs"}))
+      ->capture_default_str();
+  pruning->add_flag("--dry-run", flags->dry_run, "Say what would go, and remove nothing");
+  pruning->add_flag("--json", flags->json_out, "Answer with one JSON document");
+  command->callback([flags, removal, pruning, &program] {
+    program.exit_code = removal->parsed()   ? remove(*flags, program)
+                        : pruning->parsed() ? prune(*flags, program)
+                                            : list(*flags, program);
   });
 }
 

@@ -82,7 +82,8 @@ void InputFlags::add_common(CLI::App& command) {
   command.add_option("--tides", tides_, "Tidal currents, ID[,ID...], newest or none; default: none");
   command.add_option("--tides-mode", tides_mode_,
                      "add: to currents that are without tides; only: tidal currents alone");
-  command.add_option("--bathymetry", bathymetry_, "ID or none; default: the newest");
+  command.add_option("--bathymetry", bathymetry_,
+                     "ID[,ID...] in order of priority, or none; default: all of the area, the finest first");
   command.add_option("--ice", ice_,
                      "Sea ice, ID or none; default: the newest that covers area and departure");
   command.add_option("--icebergs", icebergs_, "ID or none; default: the newest");
@@ -251,7 +252,7 @@ json InputFlags::inputs() const {
   set("max_waypoints", max_waypoints_);
   set("max_leg_m", max_leg_m_);
   set("refine_seconds", refine_seconds_);
-  set("bathymetry", bathymetry_);
+  set_ids("bathymetry", bathymetry_);
   set("ice", ice_);
   set("icebergs", icebergs_);
   set("icebergs_as_of", icebergs_as_of_);

@@ -24,14 +24,17 @@ void print(const codec::Probe& probe) {
   std::cout << std::fixed << std::setprecision(4) << "place     " << probe.place.lon_deg << ", "
             << probe.place.lat_deg << " at " << core::iso8601(probe.time) << '\n';
   if (probe.depth) {
-    std::cout << "depth     " << std::setprecision(1) << probe.depth->value << " m\n";
+    std::cout << "depth     " << std::setprecision(1) << probe.depth->value << " m";
+    if (probe.shoalest_depth && probe.shoalest_depth->value < probe.depth->value)
+      std::cout << ", " << probe.shoalest_depth->value << " m at the shoalest around";
+    std::cout << '\n';
   } else {
     std::cout << "depth     - (" << probe.depth_reason << ")\n";
   }
   if (probe.currents.velocity) {
     std::cout << std::setprecision(3) << "current   " << probe.currents.velocity->east.value << " m/s east, "
               << probe.currents.velocity->north.value << " m/s north (" << probe.currents.dataset_name
-              << ")\n";
+              << (probe.currents.run ? ", run of " + core::iso8601(*probe.currents.run) : "") << ")\n";
   } else {
     std::cout << "current   - (" << probe.currents.reason << ")\n";
   }

@@ -1,7 +1,9 @@
 #include "storage/repository/dataset.hpp"
 
+#include <algorithm>
 #include <array>
 #include <stdexcept>
+#include <tuple>
 #include <utility>
 
 namespace floeplan::repository {
@@ -34,6 +36,15 @@ std::optional<DatasetKind> parse_kind(const std::string& name) {
 
 bool has_steps(DatasetKind kind) {
   return kind == DatasetKind::currents || kind == DatasetKind::wind || kind == DatasetKind::ice;
+}
+
+void sort_newest_run_first(std::vector<Dataset>& datasets) {
+  const auto age_of = [](const Dataset& dataset) {
+    return dataset.run.value_or(dataset.provenance.ingested);
+  };
+  std::ranges::stable_sort(datasets, [&](const Dataset& a, const Dataset& b) {
+    return std::tuple{age_of(b), a.id} < std::tuple{age_of(a), b.id};
+  });
 }
 
 }  // namespace floeplan::repository

@@ -45,10 +45,16 @@ struct Dataset {
   geo::BoundingBox bounds;
   std::optional<core::UtcTime> time_start;  // empty: the data have no time
   std::optional<core::UtcTime> time_end;
+  std::optional<core::UtcTime>
+      run{};                     // when the model run began that made the data; empty: the file does not say
   std::int64_t rows_accepted{};  // grid nodes, sightings, polygons or zones
   std::int64_t rows_refused{};
   std::vector<std::string> warnings;
   Provenance provenance;
 };
+
+/// The order in which datasets win: the model run that began last first. A file that does not state its run counts as
+/// run when it was ingested. Ties by id.
+void sort_newest_run_first(std::vector<Dataset>& datasets);
 
 }  // namespace floeplan::repository

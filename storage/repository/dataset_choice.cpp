@@ -38,6 +38,7 @@ std::vector<Dataset> candidates(const std::vector<Dataset>& stored, DatasetKind 
       std::ranges::copy_if(stored, std::back_inserter(found), [&](const Dataset& dataset) {
         return dataset.kind == kind && geo::intersects(dataset.bounds, area);
       });
+      if (has_steps(kind)) sort_newest_run_first(found);
       break;
     case DatasetChoice::How::named:
       for (const DatasetId& id : choice.ids) {

@@ -16,7 +16,7 @@ struct DatasetChoice {
 };
 
 /// The datasets that a choice leaves: those named, in the order they were named, or all of the kind that
-/// meet the area, in the order of `stored` (newest first).
+/// meet the area, in the order of `stored` (newest first); those with steps of time the newest model run first.
 /// Errors  adds a violation for each named one that does not exist, is of another kind or shares nothing
 ///         with the area; the field is "/<kind>"
 [[nodiscard]] std::vector<Dataset> candidates(const std::vector<Dataset>& stored, DatasetKind kind,

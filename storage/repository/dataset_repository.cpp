@@ -10,7 +10,8 @@ namespace {
 constexpr const char* select_dataset =
     "SELECT row, id, kind, name, west_deg, south_deg, east_deg, north_deg, time_start_s, time_end_s, "
     "rows_accepted, "
-    "rows_refused, file_name, file_size_bytes, sha256, ingested_s, tool_version FROM dataset ";
+    "rows_refused, file_name, file_size_bytes, sha256, ingested_s, tool_version, run_s FROM dataset "
+    "WHERE arriving_s IS NULL ";
 
 void insert_texts(sqlite::Connection& db, std::int64_t row, const std::string& role,
                   const std::vector<std::string>& texts) {
@@ -39,6 +40,7 @@ Dataset read_dataset(sqlite::Connection& db, const sqlite::Statement& row) {
           .bounds = {row.real(4), row.real(5), row.real(6), row.real(7)},
           .time_start = row.optional_time(8),
           .time_end = row.optional_time(9),
+          .run = row.optional_time(17),
           .rows_accepted = row.integer(10),
           .rows_refused = row.integer(11),
           .warnings = read_texts(db, row.integer(0), "warning"),
@@ -57,15 +59,15 @@ void DatasetRepository::insert(const Dataset& dataset) {
       db_,
       "INSERT INTO dataset (id, kind, name, west_deg, south_deg, east_deg, north_deg, time_start_s, "
       "time_end_s, "
-      "rows_accepted, rows_refused, file_name, file_size_bytes, sha256, ingested_s, tool_version) "
-      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16)"};
+      "rows_accepted, rows_refused, file_name, file_size_bytes, sha256, ingested_s, tool_version, run_s) "
+      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17)"};
   const geo::BoundingBox& bounds = dataset.bounds;
   const Provenance& provenance = dataset.provenance;
   insert.bind_all(dataset.id.value, kind_name(dataset.kind), dataset.name, bounds.west_deg, bounds.south_deg,
                   bounds.east_deg, bounds.north_deg, dataset.time_start, dataset.time_end,
                   dataset.rows_accepted, dataset.rows_refused, provenance.file_name,
-                  provenance.file_size_bytes, provenance.sha256, provenance.ingested,
-                  provenance.tool_version);
+                  provenance.file_size_bytes, provenance.sha256, provenance.ingested, provenance.tool_version,
+                  dataset.run);
   insert.run();
   const std::int64_t row = dataset_row(db_, dataset.id);
   insert_texts(db_, row, "variable", dataset.variables);
@@ -74,7 +76,7 @@ void DatasetRepository::insert(const Dataset& dataset) {
 }
 
 std::optional<Dataset> DatasetRepository::find(const DatasetId& id) const {
-  sqlite::Statement query{db_, std::string{select_dataset} + "WHERE id = ?1"};
+  sqlite::Statement query{db_, std::string{select_dataset} + "AND id = ?1"};
   query.bind(1, id.value);
   if (!query.step()) return std::nullopt;
   return read_dataset(db_, query);

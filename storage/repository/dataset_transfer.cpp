@@ -1,10 +1,14 @@
 #include "storage/repository/dataset_transfer.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cstdint>
+#include <optional>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
+#include "storage/repository/dataset_row.hpp"
 #include "storage/sqlite/attachment.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "storage/sqlite/transaction.hpp"
@@ -80,20 +84,131 @@ void run_for(sqlite::Connection& db, const std::string& sql, std::int64_t row) {
   statement.run();
 }
 
-void take_over(sqlite::Connection& db, const Table& datasets, const std::vector<Table>& tables,
-               std::int64_t row) {
-  const std::int64_t offset = datasets.row_offset;
-  run_for(db, "INSERT" + copy(datasets, datasets.name, datasets.columns, offset) + "WHERE row = ?1", row);
-  for (const Table& table : tables) {
-    run_for(db, "INSERT" + copy(table, table.name, table.columns, offset) + "WHERE dataset_row = ?1", row);
+/// A dataset on its way: hidden from every list until all of it is here.
+struct Arrival {
+  DatasetId id;
+  std::int64_t there{};  // its row in the other store
+  std::int64_t here{};
+};
+
+/// Rows that are copied before the dataset is shown: its grid, and the samples on it that make up nearly all of its size.
+constexpr const char* early_table = "grid";
+constexpr const char* large_table = "field_chunk";
+/// About 10 MB of samples: the lock on writing is held for some tens of milliseconds.
+constexpr std::int64_t rows_at_once = 1024;
+/// Writers that wait ask again after 25 ms at most (sqlite3_busy_timeout), so one of them gets its turn in the pauses.
+constexpr std::chrono::milliseconds least_pause{5};
+constexpr const char* abandoned_after = "3600";  // seconds; of a process that died while it copied
+
+void remove_arrivals_of_the_dead(sqlite::Connection& db) {
+  const std::string abandoned = std::string{"arriving_s < unixepoch() - "} + abandoned_after;
+  sqlite::Statement any{db, "SELECT 1 FROM main.dataset WHERE " + abandoned};
+  if (any.step()) sqlite::execute(db, "DELETE FROM main.dataset WHERE " + abandoned);
+}
+
+/// Hidden rows for what is new, under an id that nothing else can have.
+std::vector<Arrival> announce(sqlite::Connection& db) {
+  sqlite::Transaction transaction{db};
+  const Table datasets = table_of(db, "dataset");
+  std::vector<Arrival> arrivals;
+  {
+    sqlite::Statement fresh{
+        db, "SELECT row, id FROM arrived.dataset WHERE id NOT IN (SELECT id FROM main.dataset) ORDER BY row"};
+    while (fresh.step())
+      arrivals.push_back({{fresh.text(1)}, fresh.integer(0), fresh.integer(0) + datasets.row_offset});
+  }
+  const Table grids = table_of(db, early_table);
+  for (const Arrival& arrival : arrivals) {
+    run_for(
+        db,
+        "INSERT" + copy(datasets, datasets.name, datasets.columns, datasets.row_offset) + "WHERE row = ?1",
+        arrival.there);
+    sqlite::Statement hide{
+        db, "UPDATE main.dataset SET id = id || '~' || row, arriving_s = unixepoch() WHERE row = ?1"};
+    hide.bind(1, arrival.here);
+    hide.run();
+    run_for(db,
+            "INSERT" + copy(grids, grids.name, grids.columns, arrival.here - arrival.there) +
+                "WHERE dataset_row = ?1",
+            arrival.there);
+  }
+  transaction.commit();
+  return arrivals;
+}
+
+/// The last of the next rows to copy; empty when all are here.
+std::optional<std::int64_t> end_of_batch(sqlite::Connection& db, const Arrival& arrival, std::int64_t after) {
+  // The unary plus keeps SQLite from the index by dataset, whose rows would have to be sorted each time.
+  sqlite::Statement query{db, std::string{"SELECT max(number) FROM (SELECT rowid AS number FROM arrived."} +
+                                  large_table +
+                                  " WHERE +dataset_row = ?1 AND rowid > ?2 ORDER BY rowid LIMIT ?3)"};
+  query.bind_all(arrival.there, after, rows_at_once);
+  if (!query.step() || query.is_null(0)) return std::nullopt;
+  return query.integer(0);
+}
+
+/// In many short transactions with pauses between them, so that others can write meanwhile.
+void copy_samples(sqlite::Connection& db, const Arrival& arrival) {
+  const Table samples = table_of(db, large_table);
+  const std::string sql = "INSERT" +
+                          copy(samples, samples.name, samples.columns, arrival.here - arrival.there) +
+                          "WHERE +dataset_row = ?1 AND rowid > ?2 AND rowid <= ?3";
+  std::int64_t after = 0;
+  while (const auto last = end_of_batch(db, arrival, after)) {
+    const auto begun = std::chrono::steady_clock::now();
+    {
+      sqlite::Transaction transaction{db};
+      sqlite::Statement insert{db, sql};
+      insert.bind_all(arrival.there, after, *last);
+      insert.run();
+      run_for(db, "UPDATE main.dataset SET arriving_s = unixepoch() WHERE row = ?1", arrival.here);
+      transaction.commit();
+    }
+    after = *last;
+    const auto spent = std::chrono::steady_clock::now() - begun;
+    std::this_thread::sleep_for(std::max<std::chrono::steady_clock::duration>(least_pause, spent / 2));
+  }
+}
+
+void copy_the_rest(sqlite::Connection& db, const Arrival& arrival) {
+  for (const Table& table : tables_of_data(db)) {
+    if (table.name == early_table || table.name == large_table) continue;
+    const std::int64_t offset = arrival.here - arrival.there;
+    run_for(db, "INSERT" + copy(table, table.name, table.columns, offset) + "WHERE dataset_row = ?1",
+            arrival.there);
     const std::string box =
         table.name + "_box";  // an R*Tree; where a trigger has filled it already, with the same
     if (!has_table(db, box)) continue;
     run_for(db,
             "INSERT OR REPLACE" + copy(table, box, columns_of(db, box), offset) +
                 "WHERE row IN (SELECT row FROM arrived." + table.name + " WHERE dataset_row = ?1)",
-            row);
+            arrival.there);
   }
+}
+
+void remove_row(sqlite::Connection& db, const Arrival& arrival) {
+  run_for(db, "DELETE FROM main.dataset WHERE row = ?1", arrival.here);
+}
+
+/// Shows everything at once. What another process has stored meanwhile stays as that one stored it.
+std::vector<DatasetId> show(sqlite::Connection& db, const std::vector<Arrival>& arrivals) {
+  sqlite::Transaction transaction{db};
+  sqlite::execute(db, "PRAGMA defer_foreign_keys = ON");
+  std::vector<DatasetId> ids;
+  for (const Arrival& arrival : arrivals) {
+    if (find_dataset_row(db, arrival.id)) {
+      remove_row(db, arrival);
+      continue;
+    }
+    copy_the_rest(db, arrival);
+    sqlite::Statement reveal{db, "UPDATE main.dataset SET id = ?2, arriving_s = NULL WHERE row = ?1"};
+    reveal.bind_all(arrival.here, arrival.id.value);
+    if (reveal.run() != 1)
+      throw std::runtime_error{"the data were removed while they arrived; ingest the files again"};
+    ids.push_back(arrival.id);
+  }
+  transaction.commit();
+  return ids;
 }
 
 /// The other file was written next to foreign data: a view or a trigger that does not belong there must not run.
@@ -111,24 +226,16 @@ void refuse_another_schema(sqlite::Connection& db) {
 
 std::vector<DatasetId> take_over_datasets(sqlite::Connection& db, const std::filesystem::path& folder) {
   const sqlite::Attachment arrived{db, folder / "floeplan.sqlite", "arrived"};
-  sqlite::Transaction transaction{db};
-  sqlite::execute(db, "PRAGMA defer_foreign_keys = ON");
   refuse_another_schema(db);
-  std::vector<DatasetId> ids;
-  {
-    const Table datasets = table_of(db, "dataset");
-    const std::vector<Table> tables = tables_of_data(db);
-    std::vector<std::int64_t> rows;
-    sqlite::Statement fresh{
-        db, "SELECT row, id FROM arrived.dataset WHERE id NOT IN (SELECT id FROM main.dataset) ORDER BY row"};
-    while (fresh.step()) {
-      rows.push_back(fresh.integer(0));
-      ids.push_back({fresh.text(1)});
-    }
-    for (const std::int64_t row : rows) take_over(db, datasets, tables, row);
+  remove_arrivals_of_the_dead(db);
+  const std::vector<Arrival> arrivals = announce(db);
+  try {
+    for (const Arrival& arrival : arrivals) copy_samples(db, arrival);
+    return show(db, arrivals);
+  } catch (...) {
+    for (const Arrival& arrival : arrivals) remove_row(db, arrival);
+    throw;
   }
-  transaction.commit();
-  return ids;
 }
 
 }  // namespace floeplan::repository

@@ -26,6 +26,37 @@ void warn_of_gap(EnvironmentDraft& draft, DatasetKind kind, const DatasetChoice&
   }
 }
 
+std::vector<JoinedPart> joined_parts(const EnvironmentDraft& draft, const std::vector<Dataset>& found,
+                                     std::size_t which, bool named) {
+  const EnvironmentQuery& query = draft.query;
+  if (!period_of(found[which])) return {};
+  if (named) return join_runs(draft.db, {found[which]}, 0, {}, query.depart, query.may_begin_later);
+  // A run that ends before the first moment may still be followed by one that begins after it.
+  constexpr core::Seconds before{2.0 * 86400.0};
+  // Bounds the memory where a year of runs is stored; no mission that is planned at once lasts longer.
+  constexpr core::Seconds beyond{30.0 * 86400.0};
+  const core::UtcTime last = query.until ? std::max(query.depart, query.until->time) : query.depart;
+  return join_runs(draft.db, found, which, {drift_start(draft) - before, last + beyond}, query.depart,
+                   query.may_begin_later);
+}
+
+std::optional<Period> joined_period(const Dataset& dataset, const std::vector<JoinedPart>& parts) {
+  if (parts.empty()) return period_of(dataset);
+  return Period{parts.front().used.from, parts.back().used.to};
+}
+
+void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts) {
+  if (parts.size() == 1) return draft.cite(parts.front().dataset);
+  const std::string kind = kind_name(parts.front().dataset.kind);
+  std::string text = kind + " are joined in time, the newest run first in each: ";
+  for (const JoinedPart& part : parts) {
+    draft.cite(part.dataset, part.used);
+    text +=
+        (&part == &parts.front() ? "" : ", then ") + title(part.dataset) + " from " + period_text(part.used);
+  }
+  draft.warn(text);
+}
+
 bool covers_begin(const Period& period, const EnvironmentQuery& query) {
   return covers(period, query.depart) || (query.may_begin_later && query.depart <= period.to);
 }

@@ -9,6 +9,7 @@
 #include "storage/repository/dataset.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/field_repository.hpp"
+#include "storage/repository/forecast_runs.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::repository {
@@ -34,7 +35,13 @@ struct EnvironmentDraft {
   }
   void cite(const Dataset& dataset) {
     environment.datasets.push_back(
-        {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256});
+        {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256, dataset.run});
+  }
+  /// One of several datasets that were joined in time.
+  void cite(const Dataset& dataset, const Period& used) {
+    cite(dataset);
+    environment.datasets.back().from = used.from;
+    environment.datasets.back().until = used.to;
   }
 };
 
@@ -46,6 +53,15 @@ struct EnvironmentDraft {
 [[nodiscard]] bool covers_begin(const Period& period, const EnvironmentQuery& query);
 /// From when on currents and wind are needed: an iceberg drifts from its sighting on.
 [[nodiscard]] core::UtcTime drift_start(const EnvironmentDraft& draft);
+/// The runs of the product of `found[which]`, joined around the departure; that dataset alone where it was named.
+[[nodiscard]] std::vector<JoinedPart> joined_parts(const EnvironmentDraft& draft,
+                                                   const std::vector<Dataset>& found, std::size_t which,
+                                                   bool named);
+/// The period of the parts; of the dataset where nothing was joined.
+[[nodiscard]] std::optional<Period> joined_period(const Dataset& dataset,
+                                                  const std::vector<JoinedPart>& parts);
+/// Names every part, and, where there are several, from when until when it was used.
+void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts);
 /// Says what the plan goes without, since a kind was left out or is not stored for the area.
 void warn_of_gap(EnvironmentDraft& draft, DatasetKind kind, const DatasetChoice& choice,
                  const std::string& consequence);

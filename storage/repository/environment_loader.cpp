@@ -10,6 +10,7 @@
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/coastline_repository.hpp"
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/environment_bathymetry.hpp"
 #include "storage/repository/environment_draft.hpp"
 #include "storage/repository/environment_water.hpp"
 #include "storage/repository/field_repository.hpp"
@@ -20,42 +21,8 @@
 namespace floeplan::repository {
 namespace {
 
-constexpr core::Metres coarse_spacing{5000.0};
 /// How far a berg drifts at 0.4 m/s in three days: from that far outside it may come into the area.
 constexpr core::Metres reach_of_drift{100'000.0};
-
-std::string in_kilometres(core::Metres length) {
-  return std::to_string(std::lround(length.value / 1000.0)) + " km";
-}
-
-void add_bathymetry(EnvironmentDraft& draft) {
-  const EnvironmentQuery& query = draft.query;
-  const auto found =
-      candidates(draft.stored, DatasetKind::bathymetry, query.bathymetry, query.area, draft.violations);
-  const bool named = query.bathymetry.how == DatasetChoice::How::named;
-  if (named && query.bathymetry.ids.size() > 1) {
-    draft.refuse(DatasetKind::bathymetry, "one dataset at a time; name the one to plan with");
-    return;
-  }
-
-  for (const Dataset& dataset : found) {
-    auto bathymetry = FieldRepository{draft.db}.load_bathymetry(dataset.id, query.area);
-    if (!bathymetry) continue;
-    const core::Metres spacing = bathymetry->grid().spacing();
-    if (spacing > coarse_spacing) {
-      draft.warn("bathymetry " + title(dataset) + " is coarse, one depth in " + in_kilometres(spacing) +
-                 ": shoals and islands between its nodes are not seen");
-    }
-    draft.environment.bathymetry = std::make_shared<const ocean::Bathymetry>(std::move(*bathymetry));
-    draft.cite(dataset);
-    return;
-  }
-
-  if (named && !found.empty())
-    draft.refuse(DatasetKind::bathymetry, title(found.front()) + " has no node near the area");
-  if (!named)
-    warn_of_gap(draft, DatasetKind::bathymetry, query.bathymetry, "the depth of the water is not checked");
-}
 
 /// The first ten names and how many more there are.
 std::string shortened_list(const std::vector<std::string>& names) {
@@ -182,6 +149,24 @@ void add_coastline(EnvironmentDraft& draft) {
   }
 }
 
+/// An iceberg in a desert is avoided like any other, but somebody has to know that its place is wrong.
+void warn_of_icebergs_on_land(EnvironmentDraft& draft) {
+  std::vector<bool> on_land(draft.environment.icebergs.size(), false);
+  for (const geo::Polygon& polygon : draft.environment.land) {
+    const geo::BoundingBox bounds = geo::bounding_box(polygon.outer);
+    for (std::size_t i = 0; i < on_land.size(); ++i) {
+      const geo::LonLat place = draft.environment.icebergs[i].place;
+      on_land[i] = on_land[i] || (geo::contains(bounds, place) && geo::contains(polygon, place));
+    }
+  }
+  std::vector<std::string> names;
+  for (std::size_t i = 0; i < on_land.size(); ++i)
+    if (on_land[i]) names.push_back(draft.environment.icebergs[i].id);
+  if (names.empty()) return;
+  draft.warn(std::to_string(names.size()) + " of the icebergs lie on land by the coastline (" +
+             shortened_list(names) + "): their positions or the coastline are wrong there");
+}
+
 std::size_t corners_of(const ocean::Zone& zone) {
   std::size_t corners = zone.area.outer.size();
   for (const geo::Ring& hole : zone.area.holes) corners += hole.size();
@@ -200,20 +185,20 @@ void add_wind(EnvironmentDraft& draft) {
   if (!named && !moves_something) return;
 
   std::string periods_missed;
-  for (const Dataset& dataset : found) {
-    auto period = period_of(dataset);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const auto parts = joined_parts(draft, found, i, named);
+    const auto period = joined_period(found[i], parts);
     if (!period) continue;
-    if (!covers_begin(*period, query)) {
+    if (parts.empty() || !covers_begin(*period, query)) {
       periods_missed +=
-          (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
+          (periods_missed.empty() ? "" : "; ") + title(found[i]) + " covers " + period_text(*period);
       continue;
     }
-    period->from = drift_start(draft);
-    auto wind = FieldRepository{draft.db}.load_currents(dataset.id, geo::grown(query.area, reach_of_drift),
-                                                        period, std::nullopt);
+    auto wind = load_joined(draft.db, parts, geo::grown(query.area, reach_of_drift), drift_start(draft),
+                            std::nullopt);
     if (!wind) continue;
     draft.environment.wind = std::make_shared<const ocean::CurrentGrid>(std::move(*wind));
-    draft.cite(dataset);
+    cite_joined(draft, parts);
     return;
   }
 
@@ -278,6 +263,7 @@ tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Conn
   add_ice(draft);
   draft.append_report(icebergs);
   add_coastline(draft);
+  warn_of_icebergs_on_land(draft);
   add_zones(draft);
   if (!draft.violations.empty()) return tl::unexpected(std::move(draft.violations));
   return std::move(draft.environment);

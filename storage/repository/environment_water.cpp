@@ -40,7 +40,6 @@ void adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, ocean::Curr
   draft.environment.steady_currents = draft.query.steady || !covered;
   draft.environment.currents = std::make_shared<const ocean::CurrentGrid>(
       draft.environment.steady_currents && steps > 1 ? currents.time_mean() : std::move(currents));
-  draft.cite(dataset);
 }
 
 bool covers_end(const Period& period, const EnvironmentQuery& query) {
@@ -76,6 +75,7 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
       continue;
     }
     adopt_currents(draft, dataset, std::move(*currents));
+    draft.cite(dataset);
     members.push_back(draft.environment.currents);
     all_steady = all_steady && draft.environment.steady_currents;
     none_steady = none_steady && !draft.environment.steady_currents;
@@ -100,17 +100,23 @@ void add_currents(EnvironmentDraft& draft) {
 
   std::string periods_missed;
   bool begins = false;
-  for (const Dataset& dataset : found) {
-    auto period = query.steady ? std::nullopt : period_of(dataset);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const Dataset& dataset = found[i];
+    const auto parts = query.steady ? std::vector<JoinedPart>{} : joined_parts(draft, found, i, named);
+    const auto period = query.steady ? std::nullopt : joined_period(dataset, parts);
     begins = begins || (period && covers_begin(*period, query));
     if (period && !(covers_begin(*period, query) && covers_end(*period, query))) {
       periods_missed +=
           (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
       continue;
     }
-    if (period) period->from = drift_start(draft);
-    auto currents = FieldRepository{draft.db}.load_currents(dataset.id, query.area, period, query.dive_depth);
-    if (currents) return adopt_currents(draft, dataset, std::move(*currents));
+    auto currents =
+        parts.empty()
+            ? FieldRepository{draft.db}.load_currents(dataset.id, query.area, std::nullopt, query.dive_depth)
+            : load_joined(draft.db, parts, query.area, drift_start(draft), query.dive_depth);
+    if (!currents) continue;
+    adopt_currents(draft, dataset, std::move(*currents));
+    return parts.empty() ? draft.cite(dataset) : cite_joined(draft, parts);
   }
 
   if (!periods_missed.empty()) return refuse_period(draft, periods_missed, begins);

@@ -5,9 +5,11 @@
 #include <stdexcept>
 
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/sqlite/statement.hpp"
+#include "storage/sqlite/transaction.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::repository {
@@ -67,6 +69,62 @@ TEST(DatasetTransfer, TakesOverNothingTwice) {
   EXPECT_EQ(take_over_datasets(db, arrived.path()).size(), 1U);
   EXPECT_EQ(take_over_datasets(db, arrived.path()).size(), 0U);
   EXPECT_EQ(count(db, "sighting"), 1);
+}
+
+/// A grid of 2 x 2 nodes with so many steps that their samples are copied in several transactions.
+TEST(DatasetTransfer, TakesOverEverySampleOfALargeDataset) {
+  constexpr std::size_t steps = 2500;
+  const support::TemporaryFolder arrived;
+  auto db = open_store_in_memory();
+  store(db, "icebergs-here", -50.0);
+  {
+    auto scratch = open_scratch_store(arrived.path());
+    std::vector<double> times;
+    for (std::size_t step = 0; step < steps; ++step) times.push_back(3600.0 * static_cast<double>(step));
+    sqlite::Transaction one_commit{scratch};
+    for (const char* id : {"currents-a", "currents-b"}) {
+      Dataset dataset = named(id);
+      dataset.kind = DatasetKind::currents;
+      DatasetRepository{scratch}.insert(dataset);
+      FieldRepository fields{scratch};
+      fields.create({id}, {{geo::GeographicFrame{}, ocean::Axis{{-55.0, -54.0}}, ocean::Axis{{65.0, 66.0}}},
+                           std::nullopt,
+                           ocean::Axis{times}});
+      for (std::size_t step = 0; step < steps; ++step)
+        for (const char* variable : {"u_m_s", "v_m_s"})
+          fields.write_slice({id}, variable, step, 0, std::vector(4, static_cast<float>(step)));
+    }
+    one_commit.commit();
+  }
+
+  EXPECT_EQ(take_over_datasets(db, arrived.path()).size(), 2U);
+
+  for (const char* id : {"currents-a", "currents-b"}) {
+    const auto currents = FieldRepository{db}.load_currents({id}, {-55.0, 65.0, -54.0, 66.0}, {}, {});
+    ASSERT_TRUE(currents) << id;
+    for (std::size_t step = 0; step < steps; ++step) {
+      ASSERT_EQ(currents->samples().u[4 * step], static_cast<float>(step));
+      ASSERT_EQ(currents->samples().v[4 * step + 3], static_cast<float>(step));
+    }
+  }
+}
+
+TEST(DatasetTransfer, ShowsNothingOfWhatIsStillArrivingAndRemovesWhatNobodyCopiesAnyMore) {
+  const support::TemporaryFolder arrived;
+  auto db = open_store_in_memory();
+  for (const char* id : {"currents-now~7", "currents-left~8"}) DatasetRepository{db}.insert(named(id));
+  sqlite::execute(db,
+                  "UPDATE dataset SET arriving_s = unixepoch();"
+                  "UPDATE dataset SET arriving_s = arriving_s - 7200 WHERE id = 'currents-left~8'");
+  {
+    const auto scratch = open_scratch_store(arrived.path());
+  }
+
+  EXPECT_TRUE(DatasetRepository{db}.list().empty());
+  EXPECT_FALSE(DatasetRepository{db}.find({"currents-now~7"}));
+  EXPECT_TRUE(take_over_datasets(db, arrived.path()).empty());
+
+  EXPECT_EQ(count(db, "dataset"), 1);
 }
 
 TEST(DatasetTransfer, RefusesAStoreThatHoldsAViewOrATriggerOfItsOwn) {

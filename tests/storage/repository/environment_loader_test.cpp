@@ -8,6 +8,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/zone_repository.hpp"
+#include "storage/sqlite/statement.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 
 namespace floeplan::repository {
@@ -217,12 +218,12 @@ TEST_F(EnvironmentLoaderTest, RefusesADepartureOutsideTheCurrents) {
   EXPECT_THAT(violations(), ElementsAre(HasSubstr("/depart")));
 }
 
-TEST_F(EnvironmentLoaderTest, TakesTheDatasetThatCoversAWholeWindow) {
+TEST_F(EnvironmentLoaderTest, FollowsAnOlderRunBeyondTheEndOfTheNewest) {
   add_currents("currents-long", sample_time, 10, levels_);
   add_currents("currents-short", sample_time, 3, levels_);
   query_.until = {"depart_until", sample_time + 5 * hour};
 
-  EXPECT_THAT(cited(load()), ElementsAre("currents-long"));
+  EXPECT_THAT(cited(load()), ElementsAre("currents-short", "currents-long"));
 }
 
 TEST_F(EnvironmentLoaderTest, RefusesAWindowThatRunsOutOfTheCurrents) {
@@ -287,6 +288,43 @@ TEST_F(EnvironmentLoaderTest, WarnsOfCurrentsThatSayLittleOfDepth) {
 
   add_currents("currents-shallow", sample_time, 2, ocean::Axis{{0.0, 50.0}});
   EXPECT_THAT(load().warnings, Contains(AllOf(HasSubstr("50 m only"), HasSubstr("dives to 200 m"))));
+}
+
+TEST_F(EnvironmentLoaderTest, TellsOfIcebergsOnLand) {
+  add_icebergs("bergs", {sample_berg("afloat", {-52.0, 69.0}), sample_berg("ashore", {-51.5, 69.0})});
+  add("coast", DatasetKind::coastline, bay);
+  CoastlineRepository{db_}.insert({"coast"},
+                                  {{{{-51.6, 68.9}, {-51.4, 68.9}, {-51.4, 69.1}, {-51.6, 69.1}}, {}}});
+
+  const ocean::Environment environment = load();
+
+  EXPECT_EQ(environment.icebergs.size(), 2U) << "it is avoided all the same";
+  EXPECT_THAT(environment.warnings,
+              Contains(AllOf(HasSubstr("1 of the icebergs lie on land"), HasSubstr("ashore"))));
+}
+
+TEST_F(EnvironmentLoaderTest, PrefersTheFinestBathymetryThatCoversTheArea) {
+  add_bathymetry("fine", 0.02);
+  add_bathymetry("coarse-but-newer", 0.5);
+
+  EXPECT_THAT(cited(load()), ElementsAre("fine"));
+}
+
+TEST_F(EnvironmentLoaderTest, PutsBathymetryTogetherInTheOrderOfTheNames) {
+  add_bathymetry("fine", 0.02);
+  add("survey", DatasetKind::bathymetry, {-52.5, 68.8, -52.0, 69.2});
+  const ocean::HorizontalGrid nodes = grid({-52.5, 68.8, -52.0, 69.2}, 0.05);
+  FieldRepository fields{db_};
+  fields.create({"survey"}, {nodes, {}, {}});
+  fields.write_slice({"survey"}, "depth_m", 0, 0, std::vector(nodes.size(), 20.0F));
+  query_.bathymetry = named({"survey", "fine"});
+
+  const ocean::Environment environment = load();
+
+  EXPECT_THAT(cited(environment), ElementsAre("survey", "fine"));
+  EXPECT_EQ(environment.bathymetry->depth({-52.2, 69.0})->value, 20.0);
+  EXPECT_EQ(environment.bathymetry->depth({-51.5, 69.0})->value, 300.0);
+  EXPECT_THAT(environment.warnings, Contains(HasSubstr("put together")));
 }
 
 TEST_F(EnvironmentLoaderTest, WarnsOfCoarseBathymetry) {
@@ -508,6 +546,58 @@ TEST_F(EnvironmentLoaderTest, ObeysNamedZonesAndTellsOfThoseLeftOut) {
   EXPECT_THAT(none->warnings, Contains(HasSubstr("zones-1")));
   ASSERT_FALSE(unknown);
   EXPECT_EQ(unknown.error().front().field, "/zones");
+}
+
+TEST_F(EnvironmentLoaderTest, TakesEachTimeFromTheNewestRunThatCoversIt) {
+  add_currents("run-monday", sample_time, 25, levels_);
+  add_currents("run-tuesday", sample_time + 12.0 * hour, 25, levels_);
+  query_.depart = sample_time + 6.0 * hour;
+
+  const ocean::Environment environment = load();
+
+  const geo::LonLat place{-52.0, 69.0};
+  const auto east = [&](double hours) {
+    return environment.currents->at(place, core::Metres{0.0}, sample_time + hours * hour)->east.value;
+  };
+  EXPECT_NEAR(east(11.0), 11.0, 1e-6) << "of Monday's run, which alone speaks of it";
+  EXPECT_NEAR(east(12.0), 0.0, 1e-6) << "the first step of Tuesday's";
+  EXPECT_NEAR(east(36.0), 24.0, 1e-6);
+  EXPECT_THAT(cited(environment), ElementsAre("run-monday", "run-tuesday"));
+  EXPECT_EQ(environment.datasets[0].until, sample_time + 11.0 * hour);
+  EXPECT_EQ(environment.datasets[1].from, sample_time + 12.0 * hour);
+  EXPECT_THAT(environment.warnings, Contains(HasSubstr("joined in time")));
+}
+
+TEST_F(EnvironmentLoaderTest, GoesByWhenARunBeganAndNotByWhenItArrived) {
+  add_currents("later", sample_time, 5, levels_);
+  add_currents("earlier", sample_time, 5, levels_);
+  sqlite::Statement dated{db_, "UPDATE dataset SET run_s = ?2 WHERE id = ?1"};
+  for (const auto& [id, run] : {std::pair{"later", sample_time}, std::pair{"earlier", sample_time - day}}) {
+    dated.bind_all(std::string{id}, run);
+    dated.run();
+  }
+
+  const ocean::Environment environment = load();
+
+  EXPECT_THAT(cited(environment), Contains("later"));
+  EXPECT_EQ(environment.datasets.front().run, sample_time);
+}
+
+TEST_F(EnvironmentLoaderTest, NeverBridgesAGapBetweenTwoRuns) {
+  add_currents("before", sample_time, 5, levels_);
+  add_currents("after", sample_time + 9.0 * hour, 5, levels_);
+
+  const ocean::Environment environment = load();
+
+  EXPECT_THAT(cited(environment), Contains("before"));
+  EXPECT_THAT(cited(environment), Not(Contains("after")));
+}
+
+TEST_F(EnvironmentLoaderTest, NeverJoinsRunsOfDifferentGrids) {
+  add_currents("here", sample_time, 5, levels_);
+  add_currents("wider", sample_time + 3.0 * hour, 5, levels_, {-56.0, 67.0, -50.0, 70.0});
+
+  EXPECT_THAT(cited(load()), AllOf(Contains("here"), Not(Contains("wider"))));
 }
 
 }  // namespace

@@ -64,6 +64,8 @@ CREATE TABLE first_dataset (
   ingested_s REAL NOT NULL,
   tool_version TEXT NOT NULL
 ) STRICT;
+ALTER TABLE dataset DROP COLUMN arriving_s;
+ALTER TABLE dataset DROP COLUMN run_s;
 INSERT INTO first_dataset SELECT * FROM dataset;
 DROP TABLE tide_constant;
 DROP TABLE tide_station;
@@ -111,6 +113,22 @@ TEST(OpenStore, BringsAnOlderStoreUpToDateWithEverythingInIt) {
   ZoneRepository{db}.insert({"c"}, {zone});
   EXPECT_TRUE(DatasetRepository{db}.remove({"a"}));
   EXPECT_EQ(IcebergRepository{db}.count({}), 0) << "foreign keys are obeyed again";
+}
+
+TEST(OpenStore, KnowsNoRunOfWhatWasStoredBeforeRunsWereKept) {
+  const support::TemporaryFolder folder;
+  {
+    sqlite::Connection db = open_store(folder.path());
+    DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::currents));
+    sqlite::execute(db,
+                    "ALTER TABLE dataset DROP COLUMN arriving_s; ALTER TABLE dataset DROP COLUMN run_s;"
+                    "PRAGMA user_version = 7");
+  }
+
+  sqlite::Connection db = open_store(folder.path());
+
+  EXPECT_EQ(DatasetRepository{db}.list().size(), 1U);
+  EXPECT_FALSE(DatasetRepository{db}.find({"a"}).value().run);
 }
 
 TEST(OpenStore, RefusesTheStoreOfANewerProgram) {
