@@ -68,6 +68,19 @@ std::optional<std::string> fault_of_depths(const RawBathymetry& raw, const std::
          "declared; ask the producer";
 }
 
+/// The least depth of each cell, positive down; empty when every cell is as deep as its node.
+std::vector<float> shoalest_of(const RawBathymetry& raw, VerticalSense sense,
+                               const std::vector<float>& depths_m) {
+  const std::vector<float>& bounds = sense == VerticalSense::up ? raw.highest_m : raw.lowest_m;
+  if (bounds.empty()) return {};
+  std::vector<float> shoalest = depths_m;
+  for (std::size_t i = 0; i < shoalest.size(); ++i) {
+    const float bound = sense == VerticalSense::up ? 0.0F - bounds[i] : bounds[i];
+    if (bound < shoalest[i]) shoalest[i] = bound;  // of a missing one nothing is known: it compares as false
+  }
+  return shoalest == depths_m ? std::vector<float>{} : shoalest;
+}
+
 }  // namespace
 
 Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::optional<std::string>& positive) {
@@ -93,14 +106,17 @@ Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::option
     for (float& value : *depths_m) value = 0.0F - value;
   if (const auto fault = fault_of_depths(raw, *depths_m)) return refuse(*fault);
 
+  auto shoalest_m = std::make_shared<const std::vector<float>>(shoalest_of(raw, finding->sense, *depths_m));
+
   data.bounds = raw.grid.bounds();
   data.rows_accepted = static_cast<std::int64_t>(raw.grid.size());
-  data.write = [grid = std::move(raw.grid), depths_m](
+  data.write = [grid = std::move(raw.grid), depths_m, shoalest_m](
                    sqlite::Connection& db,
                    const repository::DatasetId& id) -> tl::expected<void, std::string> {
     repository::FieldRepository fields{db};
     fields.create(id, {grid, std::nullopt, std::nullopt});
     fields.write_slice(id, "depth_m", 0, 0, *depths_m);
+    if (!shoalest_m->empty()) fields.write_slice(id, "shoalest_m", 0, 0, *shoalest_m);
     return {};
   };
   return data;

@@ -10,6 +10,7 @@
 #include <limits>
 #include <memory>
 #include <string_view>
+#include <utility>
 
 #include "storage/ingest/bathymetry_grid.hpp"
 #include "storage/ingest/cf_units.hpp"
@@ -100,11 +101,10 @@ Checked<OGRSpatialReference> crs_of(GDALDataset& dataset, std::string_view drive
 
 using DatasetPtr = std::unique_ptr<GDALDataset>;
 
-Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& crs) {
+Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& crs, const char* method) {
   const std::string source_crs = wkt_of(crs);
-  const char* const arguments[] = {
-      "-of",      "MEM", "-s_srs",  source_crs.c_str(), "-t_srs", "EPSG:4326", "-r",
-      "bilinear", "-ot", "Float32", "-dstnodata",       "nan",    nullptr};
+  const char* const arguments[] = {"-of",  "MEM", "-s_srs",  source_crs.c_str(), "-t_srs", "EPSG:4326", "-r",
+                                   method, "-ot", "Float32", "-dstnodata",       "nan",    nullptr};
   GDALWarpAppOptions* options = GDALWarpAppOptionsNew(const_cast<char**>(arguments), nullptr);
   const GdalMessages messages;
   GDALDatasetH source = GDALDataset::ToHandle(&dataset);
@@ -191,44 +191,132 @@ Checked<RawBathymetry> read_grid(GDALDataset& dataset, const geo::GridFrame& fra
       .warnings = {}};
 }
 
+/// A grid, and where a cell of it stands for several measurements, the lowest and the highest of them.
+struct Views {
+  DatasetPtr middle;
+  DatasetPtr lowest;   // null: one measurement a cell
+  DatasetPtr highest;  // likewise
+};
+
+DatasetPtr open_raster(const std::filesystem::path& file, const char* driver,
+                       const char* const* options = nullptr) {
+  const char* const drivers[] = {driver, nullptr};
+  return DatasetPtr{GDALDataset::Open(std::filesystem::absolute(file).c_str(),
+                                      GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers, options)};
+}
+
+/// A BAG of variable resolution on one grid as fine as its finest part: the plain view shows a cell of its coarsest.
+DatasetPtr open_finest(const std::filesystem::path& file, const char* population) {
+  const char* const options[] = {"MODE=RESAMPLED_GRID", population, nullptr};
+  return open_raster(file, "BAG", options);
+}
+
+std::optional<std::string> too_many_nodes(GDALDataset& dataset) {
+  if (std::int64_t{dataset.GetRasterXSize()} * dataset.GetRasterYSize() <= max_nodes) return std::nullopt;
+  return "the grid has " + std::to_string(dataset.GetRasterXSize()) + " x " +
+         std::to_string(dataset.GetRasterYSize()) + " nodes, more than this program accepts (" +
+         std::to_string(max_nodes) + "); cut out your area first";
+}
+
+Checked<Views> open_views(const std::filesystem::path& file, const char* driver) {
+  const GdalMessages messages;
+  Views views{open_raster(file, driver), nullptr, nullptr};
+  const bool variable = views.middle && std::string_view{driver} == "BAG" &&
+                        views.middle->GetMetadataItem("MAX_RESOLUTION_X") != nullptr;
+  if (variable) {
+    views.middle = open_finest(file, "VALUE_POPULATION=MEAN");
+    if (views.middle && too_many_nodes(*views.middle)) return refuse(*too_many_nodes(*views.middle));
+    views.lowest = open_finest(file, "VALUE_POPULATION=MIN");
+    views.highest = open_finest(file, "VALUE_POPULATION=MAX");
+  }
+  if (!views.middle || views.middle->GetRasterCount() == 0 || (variable && (!views.lowest || !views.highest)))
+    return refuse("the grid cannot be opened (" + messages.first_error() +
+                  "); it is damaged, was cut short or is no regular grid; copy or download it again");
+  if (const auto many = too_many_nodes(*views.middle)) return refuse(*many);
+  return views;
+}
+
+/// In longitude and latitude. Between nodes the value is a mean, so the extremes are those of all that it is taken from.
+Checked<Views> resampled(const Views& views, const OGRSpatialReference& crs) {
+  const auto from = [](const DatasetPtr& own, const DatasetPtr& otherwise) -> GDALDataset& {
+    return own ? *own : *otherwise;
+  };
+  Views result;
+  auto middle = resampled(*views.middle, crs, "bilinear");
+  if (!middle) return refuse(middle.error());
+  auto lowest = resampled(from(views.lowest, views.middle), crs, "min");
+  if (!lowest) return refuse(lowest.error());
+  auto highest = resampled(from(views.highest, views.middle), crs, "max");
+  if (!highest) return refuse(highest.error());
+  return Views{std::move(*middle), std::move(*lowest), std::move(*highest)};
+}
+
+/// The band with the uncertainty of the depths, as BAG and what is made from it has; 0: none.
+int uncertainty_band(GDALDataset& dataset) {
+  for (int i = 1; i <= dataset.GetRasterCount(); ++i)
+    if (contains_any(lower(dataset.GetRasterBand(i)->GetDescription()), {"uncertainty"})) return i;
+  return 0;
+}
+
+/// The bed may lie higher or lower than measured by as much as the measurement may be wrong.
+void widen(RawBathymetry& raw, const std::vector<float>& uncertainty_m) {
+  if (raw.lowest_m.empty()) raw.lowest_m = raw.values_m;
+  if (raw.highest_m.empty()) raw.highest_m = raw.values_m;
+  for (std::size_t i = 0; i < uncertainty_m.size(); ++i) {
+    if (!(uncertainty_m[i] > 0.0F) || uncertainty_m[i] > 1000.0F) continue;  // missing, or a marker for it
+    raw.lowest_m[i] -= uncertainty_m[i];
+    raw.highest_m[i] += uncertainty_m[i];
+  }
+}
+
+Checked<RawBathymetry> read_views(const Views& views, const geo::GridFrame& frame, std::string_view driver) {
+  const int band = depth_band(*views.middle);
+  auto raw = read_grid(*views.middle, frame, driver, band);
+  if (!raw) return refuse(raw.error());
+  for (const auto& [view, values] : {std::pair{&views.lowest, &RawBathymetry::lowest_m},
+                                     std::pair{&views.highest, &RawBathymetry::highest_m}}) {
+    if (!*view) continue;
+    auto extremes = read_grid(**view, frame, driver, band);
+    if (!extremes) return refuse(extremes.error());
+    (*raw).*values = std::move(extremes->values_m);
+  }
+  if (const int uncertainty = uncertainty_band(*views.middle); uncertainty != 0 && uncertainty != band) {
+    const auto values = read_grid(*views.middle, frame, driver, uncertainty);
+    if (!values) return refuse(values.error());
+    widen(*raw, values->values_m);
+  }
+  return raw;
+}
+
 }  // namespace
 
 Checked<PreparedDataset> read_raster_bathymetry(const std::filesystem::path& file, const char* driver,
                                                 const IngestOptions& options) {
   register_drivers();
-  const GdalMessages messages;
-  const char* const drivers[] = {driver, nullptr};
-  const std::string path = std::filesystem::absolute(file).string();
-  DatasetPtr dataset{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers)};
-  if (!dataset || dataset->GetRasterCount() == 0)
-    return refuse("the grid cannot be opened (" + messages.first_error() +
-                  "); it is damaged, was cut short or is no regular grid; copy or download it again");
-  if (is_picture(*dataset))
+  auto views = open_views(file, driver);
+  if (!views) return refuse(views.error());
+  GDALDataset& dataset = *views->middle;
+  if (is_picture(dataset))
     return refuse(
         "the file is a picture (colours), not a grid of depths; depths cannot be read from colours; give the "
         "data that the picture was drawn from");
-  if (std::int64_t{dataset->GetRasterXSize()} * dataset->GetRasterYSize() > max_nodes)
-    return refuse("the grid has " + std::to_string(dataset->GetRasterXSize()) + " x " +
-                  std::to_string(dataset->GetRasterYSize()) + " nodes, more than this program accepts (" +
-                  std::to_string(max_nodes) + "); cut out your area first");
 
   std::vector<std::string> warnings;
   Transform transform{};
-  dataset->GetGeoTransform(transform.data());
-  const auto crs = crs_of(*dataset, driver, transform, options, warnings);
+  dataset.GetGeoTransform(transform.data());
+  const auto crs = crs_of(dataset, driver, transform, options, warnings);
   if (!crs) return refuse(crs.error());
-  const int band_number = depth_band(*dataset);
   auto frame = grid_frame_of(*crs);
   if (!frame) {
-    auto geographic = resampled(*dataset, *crs);
+    auto geographic = resampled(*views, *crs);
     if (!geographic) return refuse(geographic.error());
     warnings.push_back("the grid was resampled from \"" + std::string{crs->GetName()} +
-                       "\" to longitude and latitude");
-    dataset = std::move(*geographic);
+                       "\" to longitude and latitude; the least depth of each cell was kept beside its mean");
+    views = std::move(geographic);
     frame = geo::GeographicFrame{};
   }
 
-  auto raw = read_grid(*dataset, *frame, driver, band_number);
+  auto raw = read_views(*views, *frame, driver);
   if (!raw) return refuse(raw.error());
   raw->warnings = std::move(warnings);
   return prepare_bathymetry(std::move(*raw), options.positive);

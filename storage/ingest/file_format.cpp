@@ -45,9 +45,6 @@ std::string refusal_of_foreign(std::string_view head) {
   if (head.find("BSB/") < 4096 || head.find("KNP/") < 4096)
     return "this is a raster chart (KAP/BSB): a picture of a chart in colours, not depths; depths cannot be "
            "read from it; give a bathymetry grid of the area";
-  if (head.size() > 24 && head.substr(5, 3) == "3LE")
-    return "this is an electronic chart (S-57); this layout is not yet supported; give a bathymetry grid of "
-           "the area";
   if (head.starts_with("PK\x03\x04") || head.starts_with("\x1f\x8b") || head.starts_with("BZh"))
     return "this is a compressed archive; unpack it and give the files in it";
   if (head.starts_with("%PDF") || head.starts_with("\x89PNG") || head.starts_with("\xff\xd8\xff"))
@@ -169,6 +166,8 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
     return FileFormat::geotiff;
   if (is_geopackage(bytes)) return FileFormat::geopackage;
   if (bytes.starts_with("\x00\x00\x27\x0a"sv)) return FileFormat::shapefile;
+  // The leader of ISO 8211 with interchange level 3, as S-57 has it.
+  if (bytes.size() > 24 && bytes.substr(5, 3) == "3LE") return FileFormat::s57;
   if (auto foreign = refusal_of_foreign(bytes); !foreign.empty()) return refuse(std::move(foreign));
   if (is_text(bytes)) {
     const auto format = format_of_text(bytes, lower(file.extension().string()));

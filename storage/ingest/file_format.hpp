@@ -26,7 +26,8 @@ enum class FileFormat {
   otps_extract,
   kml,
   geopackage,
-  shapefile
+  shapefile,
+  s57
 };
 
 /// Errors   every other file, by name where it is known (chart pictures, Zarr, archives, ...); an empty

@@ -21,6 +21,7 @@ struct Member {
   std::vector<double> times;           // of the velocity
   std::vector<NetcdfDimension> plane;  // of the velocity
   bool tables_alone{false};            // no velocity, but positions
+  bool chart{false};                   // a cell of S-57, or an update of one
   bool taken{false};
 };
 
@@ -41,6 +42,7 @@ Member member_of(const std::filesystem::path& path) {
   Member member;
   member.path = path;
   const auto format = format_of(path);
+  member.chart = format && *format == FileFormat::s57;
   if (!format || (*format != FileFormat::netcdf_classic && *format != FileFormat::netcdf4)) return member;
   auto file = NetcdfFile::open(path);
   if (!file) return member;
@@ -63,6 +65,24 @@ bool fits(const Member& tables, const Member& velocity) {
          });
 }
 
+/// Of a chart, CELL.001 of CELL.000.
+bool is_update_of(const Member& update, const Member& base) {
+  return update.chart && base.chart && base.path.extension() == ".000" && &update != &base &&
+         update.path.parent_path() == base.path.parent_path() && update.path.stem() == base.path.stem();
+}
+
+bool is_update_of_another(const Member& member, const std::vector<Member>& members) {
+  return std::ranges::any_of(members, [&](const Member& base) { return is_update_of(member, base); });
+}
+
+void take_updates(const Member& base, std::vector<Member>& members, FileGroup& group) {
+  for (Member& update : members) {
+    if (!is_update_of(update, base)) continue;
+    update.taken = true;
+    group.push_back(update.path);
+  }
+}
+
 }  // namespace
 
 std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& files,
@@ -77,7 +97,7 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
   }
 
   for (Member& member : members) {
-    if (member.taken || member.tables_alone) continue;
+    if (member.taken || member.tables_alone || is_update_of_another(member, members)) continue;
     FileGroup group{member.path};
     if (member.parts == VelocityParts::first_alone || member.parts == VelocityParts::second_alone) {
       const VelocityParts wanted = member.parts == VelocityParts::first_alone ? VelocityParts::second_alone
@@ -91,6 +111,7 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
       }
     }
     member.taken = true;
+    if (member.chart) take_updates(member, members, group);
     if (member.parts != VelocityParts::none)
       for (Member& tables : members)
         if (tables.tables_alone && fits(tables, member)) {

@@ -11,6 +11,7 @@ CPL_C_START
 void CPL_DLL RegisterOGRGeoJSON();
 void CPL_DLL RegisterOGRGeoPackage();
 void CPL_DLL RegisterOGRLIBKML();
+void CPL_DLL RegisterOGRS57();
 void CPL_DLL RegisterOGRShape();
 CPL_C_END
 
@@ -39,6 +40,7 @@ void register_drivers() {
     RegisterOGRGeoJSON();
     RegisterOGRGeoPackage();
     RegisterOGRLIBKML();
+    RegisterOGRS57();
     RegisterOGRShape();
   });
 }

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <filesystem>
-#include <vector>
 
 #include "engine/core/progress.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
@@ -20,9 +19,5 @@ namespace floeplan::ingest {
 /// are passed over.
 [[nodiscard]] Checked<PreparedDataset> read_grib_wind(const std::filesystem::path& file,
                                                       const core::ProgressCallback& progress);
-
-/// Currents, wind or both; currents where there is neither, whose reader then says so.
-/// Errors   as grib_fields
-[[nodiscard]] Checked<std::vector<repository::DatasetKind>> kinds_of_grib(const std::filesystem::path& file);
 
 }  // namespace floeplan::ingest

@@ -158,7 +158,11 @@ class Walker {
     }
     if (length > max_header_section) fail_cut();
     const Section section{head.octets() + take(length - 5)};
-    if (kind == 1) reference_s = seconds_of_date(section, 13);
+    if (kind == 1) {
+      reference_s = seconds_of_date(section, 13);
+      const bool is_run = section.at(12, 1) <= 1;  // code table 1.2: analysis, start of forecast
+      field.run_s = is_run ? reference_s : std::nullopt;
+    }
     if (kind == 3) {
       field.grid_template = static_cast<int>(section.at(13, 2));
       field.grid = section.octets();

@@ -2,6 +2,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -17,8 +18,10 @@ struct GribField {
   int surface_type{};      // 160: a depth below the sea's surface
   double surface_value{};  // of it, in the unit of its type
   double valid_s{};        // seconds since 1970-01-01T00:00:00Z
-  int grid_template{};     // 0: latitude and longitude, 20: polar stereographic, ...
-  std::string grid;        // the octets of its grid, to compare grids
+  std::optional<double>
+      run_s{};          // when the forecast or its analysis began, likewise; empty: the time is another one
+  int grid_template{};  // 0: latitude and longitude, 20: polar stereographic, ...
+  std::string grid;     // the octets of its grid, to compare grids
   bool along_grid{false};  // vectors point along the grid's x and y, not towards east and north
 };
 

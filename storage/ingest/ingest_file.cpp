@@ -18,8 +18,11 @@
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/iceberg_geojson_reader.hpp"
 #include "storage/ingest/iceberg_table_reader.hpp"
+#include "storage/ingest/model_run.hpp"
 #include "storage/ingest/open_end.hpp"
 #include "storage/ingest/recognise.hpp"
+#include "storage/ingest/s57_cell.hpp"
+#include "storage/ingest/s57_reader.hpp"
 #include "storage/ingest/tide_reader.hpp"
 #include "storage/ingest/tide_table.hpp"
 #include "storage/ingest/vector_file.hpp"
@@ -57,6 +60,7 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
     case FileFormat::grib:
       return kind == DatasetKind::wind ? read_grib_wind(file.path, progress)
                                        : read_grib_currents(file.path, progress);
+    case FileFormat::s57: return read_s57_bathymetry(file.path);
     case FileFormat::bag: return read_raster_bathymetry(file.path, "BAG", options);
     case FileFormat::geotiff: return read_raster_bathymetry(file.path, "GTiff", options);
     case FileFormat::ascii_grid: return read_raster_bathymetry(file.path, "AAIGrid", options);
@@ -108,6 +112,7 @@ Dataset dataset_of(const PreparedDataset& data, const FileGroup& files, const In
           .bounds = data.bounds,
           .time_start = data.time_start,
           .time_end = data.time_end,
+          .run = data.run,
           .rows_accepted = data.rows_accepted,
           .rows_refused = data.rows_refused,
           .warnings = data.warnings,
@@ -152,6 +157,7 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
   }
   auto data = prepare(file, kind, options, progress);
   if (!data) return {refused(files, data.error()), std::nullopt};
+  if (file.netcdf && repository::has_steps(kind)) data->run = model_run_of(*file.netcdf);
   if (auto warning = warning_of_open_end(file.path, file.format))
     data->warnings.push_back(std::move(*warning));
   return {{}, std::move(*data)};
@@ -197,6 +203,7 @@ Checked<NetcdfFiles> open_companions(const FileGroup& files) {
 Checked<std::string> digest_of(const RecognisedFile& recognised, const FileGroup& files) {
   if (recognised.format == FileFormat::zarr) return sha256_of_zarr(files.front());
   if (recognised.format == FileFormat::shapefile) return sha256_of_files(parts_of_shapefile(files.front()));
+  if (recognised.format == FileFormat::s57) return sha256_of_files(parts_of_s57(files.front()));
   return sha256_of_files(files);
 }
 
@@ -217,9 +224,11 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
   const GdalMessages quiet;
   auto recognised = recognise(files.front(), options.kind);
   if (!recognised) return {refused(files, recognised.error())};
-  auto companions = open_companions(files);
-  if (!companions) return {refused(files, companions.error())};
-  recognised->companions = std::move(*companions);
+  if (recognised->format != FileFormat::s57) {  // whose updates are found beside it
+    auto companions = open_companions(files);
+    if (!companions) return {refused(files, companions.error())};
+    recognised->companions = std::move(*companions);
+  }
   const auto sha256 = digest_of(*recognised, files);
   if (!sha256) return {refused(files, sha256.error())};
 

@@ -22,6 +22,7 @@ struct PreparedDataset {
   geo::BoundingBox bounds;
   std::optional<core::UtcTime> time_start;
   std::optional<core::UtcTime> time_end;
+  std::optional<core::UtcTime> run{};  // when the model run began; empty: the file does not say
   std::int64_t rows_accepted{};
   std::int64_t rows_refused{};
   std::vector<std::string> warnings;

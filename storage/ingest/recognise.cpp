@@ -4,7 +4,7 @@
 
 #include "storage/ingest/bathymetry_netcdf_reader.hpp"
 #include "storage/ingest/geojson_file.hpp"
-#include "storage/ingest/grib_currents.hpp"
+#include "storage/ingest/grib_contents.hpp"
 #include "storage/ingest/gshhg_reader.hpp"
 #include "storage/ingest/ice_variables.hpp"
 #include "storage/ingest/netcdf_grid.hpp"
@@ -114,6 +114,7 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
     case FileFormat::iceberg_table:
     case FileFormat::iceberg_json:
     case FileFormat::ice_patrol_csv: file.kinds = {DatasetKind::icebergs}; return true;
+    case FileFormat::s57:
     case FileFormat::bag:
     case FileFormat::geotiff:
     case FileFormat::ascii_grid:

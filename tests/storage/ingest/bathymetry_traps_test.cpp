@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <memory>
 
 #include "storage/ingest/gdal_guard.hpp"
@@ -19,6 +20,13 @@ namespace {
 using testing::HasSubstr;
 
 const IngestOptions positive_up{.name = {}, .kind = {}, .crs = {}, .positive = "up"};
+
+float least_of(const std::vector<float>& depths_m) {
+  float least = std::numeric_limits<float>::infinity();
+  for (const float depth_m : depths_m)
+    if (depth_m < least) least = depth_m;  // a missing one compares as false
+  return least;
+}
 
 class BathymetryTraps : public StoreFixture {
  protected:
@@ -94,6 +102,37 @@ TEST_F(BathymetryTraps, AnotherProjectionIsResampledWithAWarning) {
   EXPECT_TRUE(std::holds_alternative<geo::GeographicFrame>(sea.grid().frame()));
   EXPECT_THAT(words(report_), HasSubstr("resampled"));
   EXPECT_TRUE(sea.depth({10.2, 52.05}).has_value());
+}
+
+TEST_F(BathymetryTraps, ResamplingKeepsTheLeastDepthOfEachCell) {
+  const auto sea = stored(write_tiff("EPSG:3035", {4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0}));
+
+  EXPECT_EQ(least_of(sea.shoalest_m()), 10.0F) << "the rock of the first pixel";
+  for (std::size_t i = 0; i < sea.depth_m().size(); ++i)
+    EXPECT_TRUE(std::isnan(sea.depth_m()[i]) || sea.shoalest_m()[i] <= sea.depth_m()[i]);
+}
+
+/// Band values at pixel (22, 107), counted from the north-west, as gdallocationinfo prints them.
+TEST_F(BathymetryTraps, ASurveyMayBeAsShoalAsItsUncertaintyAllows) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+  const auto sea = stored(sample_folder() / "bathymetry/F00788_SR_8m.tif");
+
+  const std::size_t node = (179 - 1 - 107) * 179 + 22;
+  EXPECT_NEAR(sea.depth_m()[node], 59.3783569F, 1e-4F);
+  EXPECT_NEAR(sea.shoalest_m()[node], 59.3783569F - 0.4645371F, 1e-4F);
+}
+
+/// gdalinfo -stats: on the finest grid the elevations of the highest measurements reach up to -20.0436 m, in the plain
+/// view, whose cells are 50 m wide, up to -20.3850 m only.
+TEST_F(BathymetryTraps, ABagOfVariableResolutionIsReadAtItsFinest) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+  const auto sea = stored(sample_folder() / "bathymetry/Sample_VR_BAG-gzip.bag",
+                          {.name = {}, .kind = {}, .crs = "EPSG:32610", .positive = "up"});
+
+  EXPECT_EQ(sea.grid().size(), 100U * 100U);
+  const float least = least_of(sea.shoalest_m());
+  EXPECT_LT(least, 20.0436F);
+  EXPECT_GT(least, 20.0436F - 0.517F) << "the largest uncertainty";
 }
 
 TEST_F(BathymetryTraps, AGridWithoutACrsIsRefusedUnlessTheUserStatesOne) {

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
@@ -144,25 +145,25 @@ INSTANTIATE_TEST_SUITE_P(
 
 INSTANTIATE_TEST_SUITE_P(
     Bathymetry, SampleFile,
-    testing::Values(Sample{"bathymetry/topo_30min.nc", "stored", "", "", 259200, "can only be elevation", {}},
-                    Sample{"bathymetry/etopo60.cdf", "stored", "", "", 64800, "", {}},
-                    Sample{"bathymetry/wrt_reduced_depth.nc", "stored", "", "", 28800, "", {}},
-                    Sample{"bathymetry/emodnet_test.nc", "stored", "", "", 3840, "", {}},
-                    Sample{"bathymetry/F00788_SR_8m.tif", "stored", "", "", 32041, "", {}},
-                    Sample{"bathymetry/etopo20_derived_epsg3413_20km.tif", "stored", "", "", 9000, "", "up"},
-                    Sample{"bathymetry/nw_atlantic_etopo1_4min.xyz", "stored", "", "", 9706,
-                           "look like degrees", "up"},
-                    Sample{"bathymetry/wrt_depth_window.asc", "stored", "", "", 4800, "", "up"},
-                    Sample{"bathymetry/sample-2.0.1.bag", "stored", "", "", 10000, "", "up"},
-                    Sample{"bathymetry/etopo20_derived_epsg3413_20km.tif", "--positive", "", "", 0, "", {}},
-                    Sample{"bathymetry/nw_atlantic_etopo1_4min.xyz", "--positive", "", "", 0, "", {}},
-                    Sample{"bathymetry/wrt_depth_window.asc", "--positive", "", "", 0, "", {}},
-                    Sample{"bathymetry/sample-2.0.1.bag", "--positive", "", "", 0, "", {}},
-                    Sample{"bathymetry/wrt_depth_window.prj", "does not know", "", "", 0, "", {}},
-                    Sample{"bathymetry/Sample_VR_BAG-gzip.bag", "--crs", "", "", 0, "", {}},
-                    Sample{"bathymetry/NZ52201_truncated.KAP", "picture of a chart", "", "", 0, "", {}},
-                    Sample{"bathymetry/s57/US4MD81M.000", "electronic chart", "", "", 0, "", {}},
-                    Sample{"bathymetry/s57/US4MD81M.001", "electronic chart", "", "", 0, "", {}}));
+    testing::Values(
+        Sample{"bathymetry/topo_30min.nc", "stored", "", "", 259200, "can only be elevation", {}},
+        Sample{"bathymetry/etopo60.cdf", "stored", "", "", 64800, "", {}},
+        Sample{"bathymetry/wrt_reduced_depth.nc", "stored", "", "", 28800, "", {}},
+        Sample{"bathymetry/emodnet_test.nc", "stored", "", "", 3840, "", {}},
+        Sample{"bathymetry/F00788_SR_8m.tif", "stored", "", "", 32041, "", {}},
+        Sample{"bathymetry/etopo20_derived_epsg3413_20km.tif", "stored", "", "", 9000, "", "up"},
+        Sample{"bathymetry/nw_atlantic_etopo1_4min.xyz", "stored", "", "", 9706, "look like degrees", "up"},
+        Sample{"bathymetry/wrt_depth_window.asc", "stored", "", "", 4800, "", "up"},
+        Sample{"bathymetry/sample-2.0.1.bag", "stored", "", "", 10000, "", "up"},
+        Sample{"bathymetry/etopo20_derived_epsg3413_20km.tif", "--positive", "", "", 0, "", {}},
+        Sample{"bathymetry/nw_atlantic_etopo1_4min.xyz", "--positive", "", "", 0, "", {}},
+        Sample{"bathymetry/wrt_depth_window.asc", "--positive", "", "", 0, "", {}},
+        Sample{"bathymetry/sample-2.0.1.bag", "--positive", "", "", 0, "", {}},
+        Sample{"bathymetry/wrt_depth_window.prj", "does not know", "", "", 0, "", {}},
+        Sample{"bathymetry/Sample_VR_BAG-gzip.bag", "--crs", "", "", 0, "", {}},
+        Sample{"bathymetry/NZ52201_truncated.KAP", "picture of a chart", "", "", 0, "", {}},
+        Sample{"bathymetry/s57/US4MD81M.000", "stored", "", "", 2226654, "3 updates were applied", {}},
+        Sample{"bathymetry/s57/US4MD81M.001", "is an update of a chart", "", "", 0, "", {}}));
 
 INSTANTIATE_TEST_SUITE_P(Icebergs, SampleFile,
                          testing::Values(Sample{"icebergs/IIP_2014IcebergSeason_a.csv",
@@ -395,6 +396,24 @@ TEST_F(StoredIcebergs, OfTheIcePatrolAreCountedByClassAsInTheTable) {
                                             {IcebergSize::large, 1100},   {IcebergSize::very_large, 184},
                                             {IcebergSize::unknown, 4848}, {IcebergSize::radar_target, 9}};
   EXPECT_EQ(count, expected);
+}
+
+class StoredRuns : public StoreFixture {};
+
+/// By ncdump -v forecast_reference_time, 1454328000 s since 1970, and by GRIB_REF_TIME of gdalinfo.
+TEST_F(StoredRuns, KnowWhenTheirModelRunBegan) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+  const IngestOptions currents{
+      .name = {}, .kind = repository::DatasetKind::currents, .crs = {}, .positive = {}};
+  const auto run_of = [&](const std::string& file) {
+    const auto report = ingest(sample_folder() / "currents" / file, currents);
+    EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
+    return repository::DatasetRepository{db_}.find(report.dataset->id)->run;
+  };
+
+  EXPECT_EQ(run_of("arctic20km_polarstereo_sub.nc"), core::parse_iso8601("2016-02-01T12:00:00Z"));
+  EXPECT_EQ(run_of("cmems_derived_uv_latlon.grb2"), core::parse_iso8601("2020-01-07T00:30:00Z"));
+  EXPECT_FALSE(run_of("cmems_global-analysis-forecast-phy-001-024.nc").has_value());
 }
 
 }  // namespace
