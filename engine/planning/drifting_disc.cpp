@@ -28,6 +28,18 @@ motion::MovingDisc reversed(const motion::MovingDisc& disc) {
       -disc.growth_m_s};
 }
 
+/// Whether a move is so far from all that is covered between two knots that it cannot touch it: along one of the axes
+/// alone, which takes no root and no division.
+bool is_far(const motion::EvenMove& move, const DriftingDisc::Knot& a, const DriftingDisc::Knot& b,
+            double slack_m) {
+  const double radius_m = std::max(a.radius_m, b.radius_m) + slack_m;
+  const auto apart = [&](double from, double to, double centre, double next) {
+    return std::abs(from - centre) > radius_m + std::abs(to - from) + std::abs(next - centre);
+  };
+  return apart(move.from.x_m, move.to.x_m, a.centre.x_m, b.centre.x_m) ||
+         apart(move.from.y_m, move.to.y_m, a.centre.y_m, b.centre.y_m);
+}
+
 }  // namespace
 
 std::optional<TimeSpan> time_within(const motion::MovingDisc& disc, const motion::EvenMove& move) {
@@ -74,13 +86,14 @@ motion::MovingDisc DriftingDisc::piece(std::size_t knot) const {
 }
 
 std::optional<double> DriftingDisc::first_touch(const motion::EvenMove& move, double slack_m) const {
-  std::optional<double> first;
-  for_each_piece(move.t0_s, move.t1_s, [&](motion::MovingDisc disc) {
+  for (std::size_t knot = last_knot_by(move.t0_s); knot < knots_.size() && knots_[knot].t_s <= move.t1_s;
+       ++knot) {
+    if (is_far(move, knots_[knot], knots_[std::min(knot + 1, knots_.size() - 1)], slack_m)) continue;
+    motion::MovingDisc disc = piece(knot);
     disc.radius0_m += slack_m;
-    first = motion::first_touch(move, disc);
-    return first.has_value();
-  });
-  return first;
+    if (const auto first = motion::first_touch(move, disc)) return first;
+  }
+  return std::nullopt;
 }
 
 std::optional<double> DriftingDisc::gap_m(geo::PlanePoint point, double t_s) const {

@@ -50,16 +50,19 @@ class DriftingDisc {
   /// Calls `visit(disc)` for the even pieces that last into the span, in order, until it answers true.
   template <class Visit>
   void for_each_piece(double from_s, double until_s, Visit&& visit) const {
-    const auto after = std::ranges::upper_bound(knots_, from_s, {}, &Knot::t_s);
-    auto knot = static_cast<std::size_t>(after - knots_.begin());
-    if (knot > 0) --knot;
-    for (; knot < knots_.size() && knots_[knot].t_s <= until_s; ++knot) {
+    for (std::size_t knot = last_knot_by(from_s); knot < knots_.size() && knots_[knot].t_s <= until_s;
+         ++knot) {
       if (visit(piece(knot))) return;
     }
   }
 
  private:
   [[nodiscard]] motion::MovingDisc piece(std::size_t knot) const;
+  /// The last knot that is not later; the first one where all are.
+  [[nodiscard]] std::size_t last_knot_by(double t_s) const {
+    const auto after = std::ranges::upper_bound(knots_, t_s, {}, &Knot::t_s);
+    return after == knots_.begin() ? 0 : static_cast<std::size_t>(after - knots_.begin()) - 1;
+  }
 
   double hull_radius_m_;
   double kept_m_;
