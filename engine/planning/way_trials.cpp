@@ -36,17 +36,22 @@ std::int64_t work_of_a_chart(const ocean::Environment& environment, const Layout
   return std::llround(std::min(work, 1e15));
 }
 
-/// Towards the goal by about the time that is left: a search with it goes almost straight to a way there. Not the
-/// earliest one, because what is left depends on the hour; a trial asks for none in particular.
-struct TowardsAnyWay {
+/// Towards the goal by what no vehicle is faster than: the search finds the earliest way.
+struct TowardsEarliestWay {
   ForesightBound foresight;
   core::Seconds arrive;
 
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart) const {
     return foresight.least_time(edge, depart);
   }
-  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return arrive - latest_use(v); }
+  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return foresight.remaining(v); }
   [[nodiscard]] core::Seconds latest_use(graph::Vertex v) const { return foresight.latest_use(v); }
+};
+
+/// Towards the goal by about the time that is left: the search goes almost straight to a way there. Not the earliest
+/// one, because what is left depends on the hour; where time is short it may overlook a way.
+struct TowardsAnyWay : TowardsEarliestWay {
+  [[nodiscard]] core::Seconds remaining(graph::Vertex v) const { return arrive - latest_use(v); }
 };
 
 /// Where a way comes to the goal of a grid.
@@ -69,15 +74,15 @@ class GridTrial {
                                                   leaves, latest);
     };
     const GridTravelTime timed{sea_, open_.grid};
-    if (!sea_.has_timed_closures()) return {early_way(depart, likely_arrival(depart, timed), timed).path, {}};
+    if (!sea_.has_timed_closures()) return {likely_or_earliest_way(depart, timed).path, {}};
 
-    Way way = early_way(depart, likely_arrival(depart, untimed), untimed);
+    Way way = likely_or_earliest_way(depart, untimed);
     if (way.path.empty() || schedule_along(sea_, way.path, depart)) return {std::move(way.path), {}};
     // Round what is in the way: seldom much farther, and what is out of reach in that time need not be looked at.
     constexpr double detour = 1.25;
     const core::Seconds soon = depart + detour * (way.arrival - depart);
-    way = early_way(depart, soon, timed);
-    if (way.path.empty()) way = early_way(depart, whenever, timed);
+    way = way_by<TowardsAnyWay>(depart, soon, timed);
+    if (way.path.empty()) way = way_by<TowardsEarliestWay>(depart, whenever, timed);
     if (way.path.empty() && left_ > 0) way.path = later_path(depart);
     return {std::move(way.path), {}};
   }
@@ -113,25 +118,34 @@ class GridTrial {
     };
   }
 
-  /// When a way that is likely to be about the best is at the goal; infinite where it is closed.
+  /// The way that is likely to be about the best where it is open, else the earliest one.
   template <class LegTimes>
-  core::Seconds likely_arrival(core::Seconds depart, const LegTimes& leg_times) {
-    const auto times = rationed(leg_times);
-    if (!foresight_.is_useful()) return whenever;
-    const std::vector<graph::Edge> way = foresight_.likely_way(depart, stop_);
-    if (way.empty()) return whenever;
-    for (const graph::Edge& edge : way) {
-      const auto time = times(edge, depart, whenever);
-      if (!time) return whenever;
-      depart += *time;
+  Way likely_or_earliest_way(core::Seconds depart, const LegTimes& leg_times) {
+    if (foresight_.is_useful()) {
+      Way way = likely_way(depart, leg_times);
+      if (!way.path.empty()) return way;
     }
-    return depart;
+    return way_by<TowardsEarliestWay>(depart, whenever, leg_times);
+  }
+
+  template <class LegTimes>
+  Way likely_way(core::Seconds depart, const LegTimes& leg_times) {
+    const auto times = rationed(leg_times);
+    Way way{.path = {open_.grid.point(open_.grid.start)}, .arrival = depart};
+    const std::vector<graph::Edge> edges = foresight_.likely_way(depart, stop_);
+    for (const graph::Edge& edge : edges) {
+      const auto time = times(edge, way.arrival, whenever);
+      if (!time) return {};
+      way.path.push_back(open_.grid.point(edge.head));
+      way.arrival += *time;
+    }
+    return edges.empty() ? Way{} : way;
   }
 
   /// A way that is at the goal by `latest`.
-  template <class LegTimes>
-  Way early_way(core::Seconds depart, core::Seconds latest, const LegTimes& leg_times) {
-    const graph::SearchTree tree = early_arrivals(depart, latest, rationed(leg_times));
+  template <class Bound, class LegTimes>
+  Way way_by(core::Seconds depart, core::Seconds latest, const LegTimes& leg_times) {
+    const graph::SearchTree tree = arrivals_by<Bound>(depart, latest, rationed(leg_times));
     Way way;
     for (const graph::Vertex v : graph::path_to(open_.graph, tree, open_.grid.goal))
       way.path.push_back(open_.grid.point(v));
@@ -139,9 +153,8 @@ class GridTrial {
     return way;
   }
 
-  template <class TravelTime>
-  graph::SearchTree early_arrivals(core::Seconds depart, core::Seconds latest,
-                                   const TravelTime& travel_time) {
+  template <class Bound, class TravelTime>
+  graph::SearchTree arrivals_by(core::Seconds depart, core::Seconds latest, const TravelTime& travel_time) {
     const StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
     const graph::Query query{open_.grid.start, open_.grid.goal, depart, latest};
     // Beyond the end of the data nothing is open: what cannot be at the goal by then is not looked at.
@@ -150,7 +163,7 @@ class GridTrial {
     if (!std::isfinite(last.count()) || !foresight_.is_useful())
       return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, straight);
     const graph::SearchTree& until_when = foresight_.until_when_of_use(depart, last, stop_);
-    const TowardsAnyWay bound{{foresight_, straight, until_when}, last};
+    const Bound bound{TowardsEarliestWay{{foresight_, straight, until_when}, last}};
     if (bound.latest_use(open_.grid.start) < depart) return graph::SearchTree{open_.graph.size()};
     return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);
   }

@@ -18,7 +18,7 @@ namespace floeplan::planning {
 /// Threads  one at a time
 class WayTrials {
  public:
-  static constexpr std::int64_t standard_work = 8'000'000;
+  static constexpr std::int64_t standard_work = 16'000'000;
 
   /// `environment` is borrowed and outlives the trials.
   WayTrials(const ocean::Environment& environment, const std::stop_token& stop,
