@@ -1,9 +1,11 @@
 #include "server/cli/input_flags.hpp"
 
+#include <cmath>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
 #include <stdexcept>
+#include <type_traits>
 
 #include "server/cli/flag_values.hpp"
 
@@ -33,8 +35,17 @@ void set_robust(json& uncertainty, const std::string& text) {
 json read_object(const std::string& file, const std::string& what) {
   std::ifstream stream{file};
   if (!stream) throw std::runtime_error{"the " + what + " " + file + " cannot be read; check its name"};
-  json object = json::parse(stream, nullptr, false);
-  if (!object.is_object()) throw std::runtime_error{"the " + what + " " + file + " is not a JSON object"};
+  const std::string subject = "the " + what + " " + file;
+  json object;
+  try {
+    object = json::parse(stream);
+  } catch (const json::out_of_range&) {
+    throw std::runtime_error{subject + " holds a number that is too large; give finite numbers"};
+  } catch (const json::parse_error& error) {
+    throw std::runtime_error{subject + " is not JSON from byte " + std::to_string(error.byte) +
+                             " on; check brackets, commas and quotes there"};
+  }
+  if (!object.is_object()) throw std::runtime_error{subject + " is not a JSON object"};
   return object;
 }
 
@@ -201,6 +212,10 @@ json InputFlags::inputs() const {
   json inputs = request_file_ ? read_object(*request_file_, "request file") : json::object();
   const auto set = [&](const char* key, const auto& flag) {
     if (flag) inputs[key] = *flag;
+    // JSON has no number for it, and the inputs would speak of null.
+    if constexpr (std::is_same_v<decltype(flag), const std::optional<double>&>) {
+      if (flag && !std::isfinite(*flag)) inputs[key] = "a number that is not finite";
+    }
   };
   if (from_) inputs["from"] = place_of("--from", *from_);
   if (to_) inputs["to"] = place_of("--to", *to_);

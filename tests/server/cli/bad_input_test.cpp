@@ -49,6 +49,29 @@ TEST(BadInput, AFileThatIsNotThereIsRefused) {
   expect_refused_file(program, program.folder() / "missing.tif", "missing.tif");
 }
 
+TEST(BadInput, ARequestFileThatIsNotJsonSaysWhere) {
+  const Program program;
+  write(program.folder() / "half.json", R"({"from": [-53, 69], "to": )");
+  write(program.folder() / "large.json", R"({"from": [-53, 1e999]})");
+
+  const Outcome half = program.run(plan({"--request", (program.folder() / "half.json").string()}));
+  const Outcome large = program.run(plan({"--request", (program.folder() / "large.json").string()}));
+
+  EXPECT_EQ(half.exit_code, 1);
+  EXPECT_THAT(half.err, HasSubstr("is not JSON from byte"));
+  EXPECT_EQ(large.exit_code, 1);
+  EXPECT_THAT(large.err, HasSubstr("too large"));
+}
+
+TEST(BadInput, ASpeedThatIsNotFiniteIsNamedAsSuch) {
+  const Outcome outcome = Program{}.run(
+      plan({"--from=-53,69", "--to=-52,69", "--depart", "2026-11-22T06:00:00Z", "--speed", "inf"}));
+
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_THAT(outcome.err, HasSubstr("/speed_m_s"));
+  EXPECT_THAT(outcome.err, HasSubstr("not finite"));
+}
+
 TEST(BadInput, ALatitudeOf95NamesItsFlagAndTheOrder) {
   const Outcome outcome =
       Program{}.run(plan({"--from=-53,95", "--to=-52,69", "--depart", "2026-11-22T06:00:00Z"}));
