@@ -7,6 +7,14 @@
 namespace floeplan::simulation {
 namespace {
 
+/// Where water is sought beside a place that has none, cell by cell outwards: as far as plans extend a model's currents beyond
+/// its land mask, which is coarser than the coast (planning::PlaneCurrents).
+constexpr std::array<std::array<Vector, 4>, 4> rings{
+    {{{{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}}},
+     {{{1.0, 1.0, 0.0}, {-1.0, 1.0, 0.0}, {1.0, -1.0, 0.0}, {-1.0, -1.0, 0.0}}},
+     {{{2.0, 0.0, 0.0}, {-2.0, 0.0, 0.0}, {0.0, 2.0, 0.0}, {0.0, -2.0, 0.0}}},
+     {{{2.0, 2.0, 0.0}, {-2.0, 2.0, 0.0}, {2.0, -2.0, 0.0}, {-2.0, -2.0, 0.0}}}}};
+
 /// The current of the deepest level with water at or above `depth`, between levels linear.
 std::optional<geo::VelocityEn> down_to(const ocean::CurrentGrid& grid, geo::LonLat place, double depth_m,
                                        core::UtcTime time) {
@@ -37,18 +45,18 @@ std::optional<Vector> TrueCurrent::forecast_at(Vector place, core::UtcTime time)
   if (const auto here = in_plane(place)) return here;
 
   const double cell_m = grid.samples().grid.spacing().value;
-  const std::array<Vector, 4> beside{Vector{cell_m, 0.0, 0.0}, Vector{-cell_m, 0.0, 0.0},
-                                     Vector{0.0, cell_m, 0.0}, Vector{0.0, -cell_m, 0.0}};
-  Vector sum{};
-  int found = 0;
-  for (const Vector& step : beside) {
-    if (const auto water = in_plane(place + step)) {
-      sum = sum + *water;
-      ++found;
+  for (const auto& ring : rings) {
+    Vector sum{};
+    int found = 0;
+    for (const Vector& cells : ring) {
+      if (const auto water = in_plane(place + cell_m * cells)) {
+        sum = sum + *water;
+        ++found;
+      }
     }
+    if (found > 0) return (1.0 / found) * sum;
   }
-  if (found == 0) return std::nullopt;
-  return (1.0 / found) * sum;
+  return std::nullopt;
 }
 
 std::optional<Vector> TrueCurrent::at(Vector place, core::UtcTime time) const {

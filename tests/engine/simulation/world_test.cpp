@@ -74,6 +74,9 @@ TEST(World, FlowsAsTheForecastWhereThatIsTrue) {
   EXPECT_NEAR(world.current({0.0, 0.0, 500.0}, begin)->east, 0.3, 1e-6);
   // Without water at 100 m beside it, the deepest level with water all around.
   EXPECT_NEAR(length(*world.current(world.to_frame({-51.2, 47.5}, 100.0), begin)), 0.2, 1e-3);
+  // Two cells off the water as plans extend it, and no farther.
+  EXPECT_NEAR(world.current(world.to_frame({-49.3, 47.5}), begin)->east, 0.1, 1e-2);
+  EXPECT_FALSE(world.current(world.to_frame({-48.3, 47.5}), begin).has_value());
   EXPECT_FALSE(world.current(world.to_frame({-30.0, 47.5}), begin).has_value());
   EXPECT_FALSE(world.covers(world.to_frame({-30.0, 47.5}), begin));
 }
