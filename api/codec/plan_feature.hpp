@@ -1,6 +1,7 @@
 #pragma once
 
-#include <nlohmann/json_fwd.hpp>
+#include <nlohmann/json.hpp>
+#include <vector>
 
 #include "storage/repository/plan_repository.hpp"
 
@@ -10,5 +11,17 @@ namespace floeplan::codec {
 /// crosses the antimeridian). Properties: the plan document, name and created.
 /// Errors   std::runtime_error when the stored document is not one
 [[nodiscard]] nlohmann::json plan_feature(const repository::PlanRecord& plan);
+
+/// A leg or a waypoint of a plan as a Feature, with what a list asks for.
+struct PlanPart {
+  nlohmann::json feature;
+  core::UtcTime begin;
+  core::UtcTime end;
+  geo::BoundingBox bounds;
+};
+
+/// From each waypoint to the next. The id is that of the plan, a dot and the leg's index.
+[[nodiscard]] std::vector<PlanPart> plan_legs(const repository::PlanRecord& plan);
+[[nodiscard]] std::vector<PlanPart> plan_waypoints(const repository::PlanRecord& plan);
 
 }  // namespace floeplan::codec

@@ -1,12 +1,9 @@
 #include <algorithm>
-#include <charconv>
 #include <map>
 
 #include "api/codec/iceberg_feature.hpp"
-#include "api/routes/paging.hpp"
-#include "api/routes/parameters.hpp"
-#include "api/routes/reply.hpp"
-#include "api/routes/resources.hpp"
+#include "api/routes/feature_collection.hpp"
+#include "api/routes/hand_made.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/iceberg_repository.hpp"
@@ -15,25 +12,22 @@ namespace floeplan::routes {
 namespace {
 
 using nlohmann::json;
+using repository::DatasetKind;
+using repository::IcebergRepository;
 using repository::StoredSighting;
 
 constexpr geo::BoundingBox whole_world{-180.0, -90.0, 180.0, 90.0};
-
-struct Page {
-  std::vector<StoredSighting> sightings;
-  std::int64_t matched{};
-};
 
 /// The newest sighting of each berg over the datasets asked for, by ascending row.
 std::vector<StoredSighting> latest_of_each(sqlite::Connection& db, const repository::SightingFilter& filter,
                                            core::UtcTime as_of) {
   std::map<std::string, StoredSighting> newest;
   for (const auto& dataset : repository::DatasetRepository{db}.list()) {
-    if (dataset.kind != repository::DatasetKind::icebergs) continue;
+    if (dataset.kind != DatasetKind::icebergs) continue;
     if (filter.dataset && dataset.id != *filter.dataset) continue;
-    for (auto& sighting :
-         repository::IcebergRepository{db}.latest(dataset.id, filter.area.value_or(whole_world), as_of,
-                                                  as_of - repository::oldest_sighting_used(as_of))) {
+    for (auto& sighting : IcebergRepository{db}.latest(dataset.id, filter.area.value_or(whole_world), as_of,
+                                                       as_of - repository::oldest_sighting_used(as_of))) {
+      if (filter.berg_id && sighting.iceberg.id != *filter.berg_id) continue;
       const auto [place, added] = newest.try_emplace(sighting.iceberg.id, sighting);
       if (!added && place->second.iceberg.observed < sighting.iceberg.observed)
         place->second = std::move(sighting);
@@ -45,84 +39,112 @@ std::vector<StoredSighting> latest_of_each(sqlite::Connection& db, const reposit
   return result;
 }
 
-Page page_of(std::vector<StoredSighting> all, std::int64_t after, int limit) {
-  Page page{{}, static_cast<std::int64_t>(all.size())};
-  for (auto& sighting : all) {
-    if (sighting.row > after && page.sightings.size() < static_cast<std::size_t>(limit)) {
-      page.sightings.push_back(std::move(sighting));
-    }
+std::vector<StoredSighting> page_of(const std::vector<StoredSighting>& all, std::int64_t after, int limit) {
+  std::vector<StoredSighting> page;
+  for (const auto& sighting : all) {
+    if (sighting.row > after && std::ssize(page) < limit) page.push_back(sighting);
   }
   return page;
 }
 
-json feature_with_links(const StoredSighting& sighting, const std::string& public_url) {
-  json feature = codec::iceberg_feature(sighting);
-  const std::string collection = public_url + "/collections/icebergs";
-  feature["links"] = json::array(
-      {link("self", "application/geo+json", collection + "/items/" + std::to_string(sighting.row)),
-       link("collection", "application/json", collection)});
-  return feature;
+std::optional<std::string> filter_of(const FeatureQuery& query, const std::string& name) {
+  const auto found = query.filters.find(name);
+  return found == query.filters.end() ? std::nullopt : std::optional{found->second};
 }
 
-Response list_icebergs(const Context& context, const Request& request, const PathParameters&) {
-  ParameterReader reader{request};
-  repository::SightingFilter filter;
-  filter.area = reader.bbox();
-  const TimeSpan span = reader.datetime();
-  filter.from = span.from;
-  filter.to = span.to;
-  if (const auto dataset = request.parameter("dataset")) filter.dataset = repository::DatasetId{*dataset};
-  const bool latest = reader.flag("latest");
-  if (latest) reader.require("datetime", "with latest=true, the moment to look at");
-  const int limit = reader.limit();
-  const std::int64_t after = reader.after();
-  if (!reader.violations().empty()) return invalid(request, reader.violations());
-  if (filter.dataset && !repository::DatasetRepository{context.db}.find(*filter.dataset)) {
-    return not_found(request, "unknown-dataset", "No dataset has the id " + filter.dataset->value + ".");
-  }
+tl::expected<bool, codec::Problem> read_latest(const FeatureQuery& query) {
+  const std::string latest = filter_of(query, "latest").value_or("false");
+  core::Violations violations;
+  if (latest != "true" && latest != "false")
+    violations.push_back({"?latest", "the query parameter \"latest\" must be true or false"});
+  if (latest == "true" && !query.span.to)
+    violations.push_back(
+        {"?datetime",
+         "the query parameter \"datetime\" is required: with latest=true, the moment to look at"});
+  if (!violations.empty())
+    return tl::unexpected(codec::Problem{400, "invalid-request", "Invalid request",
+                                         "The request has faults; each is listed under \"errors\".",
+                                         std::move(violations)});
+  return latest == "true";
+}
 
-  const repository::IcebergRepository icebergs{context.db};
-  Page page;
-  if (latest) {
-    page = page_of(latest_of_each(context.db, filter, span.to.value_or(request.now)), after, limit);
+tl::expected<FeaturePage, codec::Problem> list(const Context& context, const FeatureQuery& query) {
+  const auto latest = read_latest(query);
+  if (!latest) return tl::unexpected(latest.error());
+  repository::SightingFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
+  filter.berg_id = filter_of(query, "berg_id");
+  if (const auto dataset = filter_of(query, "dataset")) {
+    filter.dataset = repository::DatasetId{*dataset};
+    if (!repository::DatasetRepository{context.db}.find(*filter.dataset))
+      return tl::unexpected(
+          codec::Problem{404, "unknown-dataset", "Not found", "No dataset has the id " + *dataset + ".", {}});
+  }
+  const IcebergRepository icebergs{context.db};
+  FeaturePage page;
+  std::vector<StoredSighting> sightings;
+  if (*latest) {
+    const auto all = latest_of_each(context.db, filter, query.span.to.value_or(query.now));
+    sightings = page_of(all, query.after, query.limit);
+    page.matched = std::ssize(all);
   } else {
-    page = {icebergs.list(filter, after, limit), icebergs.count(filter)};
+    sightings = icebergs.list(filter, query.after, query.limit);
+    page.matched = icebergs.count(filter);
   }
-
-  const std::string& url = context.service.public_url;
-  json features = json::array();
-  for (const auto& sighting : page.sightings) features.push_back(codec::iceberg_feature(sighting));
-  json links = json::array({link("self", "application/geo+json", address_of(request, url)),
-                            link("collection", "application/json", url + "/collections/icebergs")});
-  if (page.sightings.size() == static_cast<std::size_t>(limit)) {
-    links.push_back(link("next", "application/geo+json",
-                         address_with(request, url, "after", std::to_string(page.sightings.back().row))));
-  }
-  return geojson_reply({{"type", "FeatureCollection"},
-                        {"features", std::move(features)},
-                        {"numberMatched", page.matched},
-                        {"numberReturned", page.sightings.size()},
-                        {"links", std::move(links)}});
+  for (const auto& sighting : sightings) page.features.push_back(codec::iceberg_feature(sighting));
+  if (std::ssize(sightings) == query.limit) page.next = sightings.back().row;
+  return page;
 }
 
-Response show_iceberg(const Context& context, const Request& request, const PathParameters& path) {
-  const std::string& text = path.at("row");
-  std::int64_t row = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), row);
-  const bool number = error == std::errc{} && end == text.data() + text.size();
-  const auto sighting = number ? repository::IcebergRepository{context.db}.find(row) : std::nullopt;
-  if (!sighting) return not_found(request, "unknown-feature", "No sighting has the id " + text + ".");
-  return geojson_reply(feature_with_links(*sighting, context.service.public_url));
+std::optional<json> find(const Context& context, const std::string& id) {
+  const auto row = key_of(id);
+  const auto sighting = row ? IcebergRepository{context.db}.find(*row) : std::nullopt;
+  return sighting ? std::optional{codec::iceberg_feature(*sighting)} : std::nullopt;
+}
+
+FeatureExtent extent(sqlite::Connection& db) { return extent_of_kind(db, DatasetKind::icebergs); }
+
+tl::expected<std::string, core::Violations> create(const Context& context, const json& feature,
+                                                   core::UtcTime now) {
+  const auto sighting = codec::parse_iceberg_feature(feature);
+  if (!sighting) return tl::unexpected(sighting.error());
+  IcebergRepository icebergs{context.db};
+  const auto dataset = hand_made_dataset(context.db, DatasetKind::icebergs, now);
+  const std::int64_t row = icebergs.add(dataset, *sighting);
+  refresh_hand_made(context.db, DatasetKind::icebergs, now);
+  return std::to_string(row);
+}
+
+tl::expected<void, core::Violations> replace(const Context& context, const std::string& id,
+                                             const json& feature, core::UtcTime now) {
+  const auto sighting = codec::parse_iceberg_feature(feature);
+  if (!sighting) return tl::unexpected(sighting.error());
+  IcebergRepository{context.db}.replace(key_of(id).value(), *sighting);
+  refresh_hand_made(context.db, DatasetKind::icebergs, now);
+  return {};
+}
+
+void remove(const Context& context, const std::string& id, core::UtcTime now) {
+  IcebergRepository{context.db}.remove(key_of(id).value());
+  refresh_hand_made(context.db, DatasetKind::icebergs, now);
+}
+
+std::string objection(const Context& context, const std::string& id) {
+  return objection_to_editing(IcebergRepository{context.db}.find(key_of(id).value())->dataset);
 }
 
 }  // namespace
 
-std::vector<Route> iceberg_routes() {
-  return {{"GET",
-           "/collections/icebergs/items",
-           {"bbox", "datetime", "limit", "after", "dataset", "latest"},
-           list_icebergs},
-          {"GET", "/collections/icebergs/items/{row}", {}, show_iceberg}};
+FeatureCollection iceberg_collection() {
+  return {.id = "icebergs",
+          .title = "Icebergs",
+          .description = "Sightings of icebergs, each with its size as stated and as planned with.",
+          .schema = "Iceberg",
+          .item_name = "row",
+          .filters = {"dataset", "latest", "berg_id"},
+          .extent = extent,
+          .list = list,
+          .find = find,
+          .editing = FeatureEditing{create, replace, remove, objection}};
 }
 
 }  // namespace floeplan::routes

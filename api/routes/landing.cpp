@@ -42,11 +42,15 @@ Response show_landing_page(const Context& context, const Request& request, const
 
 Response show_conformance(const Context&, const Request&, const PathParameters&) {
   const std::string features = "http://www.opengis.net/spec/ogcapi-features-1/1.0/conf/";
+  const std::string editing = "http://www.opengis.net/spec/ogcapi-features-4/1.0/conf/";
   const std::string processes = "http://www.opengis.net/spec/ogcapi-processes-1/1.0/conf/";
-  return json_reply({{"conformsTo",
-                      {features + "core", features + "geojson", features + "oas30", processes + "core",
-                       processes + "ogc-process-description", processes + "json", processes + "oas30",
-                       processes + "job-list", processes + "dismiss"}}});
+  return json_reply(
+      {{"conformsTo",
+        {features + "core", features + "geojson", features + "oas30",
+         "http://www.opengis.net/spec/ogcapi-features-2/1.0/conf/crs", editing + "create-replace-delete",
+         editing + "update", editing + "features", editing + "optimistic-locking-etags", processes + "core",
+         processes + "ogc-process-description", processes + "json", processes + "oas30",
+         processes + "job-list", processes + "dismiss"}}});
 }
 
 Response show_api(const Context& context, const Request&, const PathParameters&) {

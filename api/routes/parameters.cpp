@@ -102,19 +102,27 @@ int ParameterReader::limit() {
 
 std::int64_t ParameterReader::after() { return integer("after", 0, INT64_MAX).value_or(0); }
 
-std::optional<geo::BoundingBox> ParameterReader::bbox() {
+FeatureCrs ParameterReader::crs(const std::string& name) {
+  const auto uri = request_.parameter(name);
+  if (!uri) return FeatureCrs::crs84;
+  const auto known = parse_crs(*uri);
+  std::string rule = "must be one of";
+  for (const auto& candidate : crs_uris()) rule += " " + candidate;
+  if (!known) refuse(name, rule);
+  return known.value_or(FeatureCrs::crs84);
+}
+
+std::optional<geo::BoundingBox> ParameterReader::bbox(FeatureCrs crs) {
   const auto text = request_.parameter("bbox");
   if (!text) return std::nullopt;
   const auto numbers = parse_numbers(*text);
   if (!numbers || (numbers->size() != 4 && numbers->size() != 6)) {
-    refuse("bbox", "must be four numbers: west,south,east,north in degrees");
+    refuse("bbox", "must be four numbers: west,south,east,north");
     return std::nullopt;
   }
   const std::size_t half = numbers->size() / 2;
-  const double west = (*numbers)[0];
-  const double south = (*numbers)[1];
-  const double east = (*numbers)[half];
-  const double north = (*numbers)[half + 1];
+  const auto [west, south] = to_lon_lat({(*numbers)[0], (*numbers)[1]}, crs);
+  const auto [east, north] = to_lon_lat({(*numbers)[half], (*numbers)[half + 1]}, crs);
   if (south > north || south < -90.0 || north > 90.0 || std::abs(west) > 540.0 || std::abs(east) > 540.0) {
     refuse("bbox",
            "must have its latitudes within -90 to 90, south first, and its longitudes within -540 to 540");

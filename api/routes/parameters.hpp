@@ -5,6 +5,7 @@
 #include <string>
 #include <vector>
 
+#include "api/routes/feature_crs.hpp"
 #include "api/routes/message.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
@@ -35,7 +36,9 @@ class ParameterReader {
   /// Key of the last row of the page before; 0 for the first page.
   [[nodiscard]] std::int64_t after();
   /// Four numbers, or six with heights, which are left out. Longitudes may run past 180.
-  [[nodiscard]] std::optional<geo::BoundingBox> bbox();
+  [[nodiscard]] std::optional<geo::BoundingBox> bbox(FeatureCrs crs = FeatureCrs::crs84);
+  /// The URI of a reference system that is known; CRS84 unless told.
+  [[nodiscard]] FeatureCrs crs(const std::string& name);
   /// Places as "lon,lat;lon,lat", at most 1000.
   [[nodiscard]] std::optional<std::vector<geo::LonLat>> places(const std::string& name);
   /// ISO 8601; a time without zone counts as UTC, as some clients of the standard write it.

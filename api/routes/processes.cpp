@@ -1,6 +1,6 @@
 #include <algorithm>
 
-#include "api/openapi/openapi.hpp"
+#include "api/routes/openapi_schema.hpp"
 #include "api/routes/parameters.hpp"
 #include "api/routes/process_catalogue.hpp"
 #include "api/routes/reply.hpp"
@@ -10,23 +10,6 @@ namespace floeplan::routes {
 namespace {
 
 using nlohmann::json;
-
-const json& component_schemas() {
-  static const json schemas = json::parse(openapi::document()).at("components").at("schemas");
-  return schemas;
-}
-
-/// The schema with every reference into the OpenAPI document put in its place: a description stands alone.
-json self_contained(const json& schema) {
-  if (schema.is_object() && schema.contains("$ref")) {
-    const std::string reference = schema.at("$ref").get<std::string>();
-    return self_contained(component_schemas().at(reference.substr(reference.rfind('/') + 1)));
-  }
-  if (!schema.is_structured()) return schema;
-  json result = schema;
-  for (json& member : result) member = self_contained(member);
-  return result;
-}
 
 /// The inputs as the OpenAPI document describes them: one statement for both.
 json inputs_of(const ProcessEntry& process) {

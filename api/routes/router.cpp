@@ -45,8 +45,16 @@ std::optional<PathParameters> match(std::string_view pattern, std::string_view p
 
 /// The first thing wrong with the query that concerns every operation.
 std::optional<core::Violation> query_fault(const Route& route, const Request& request) {
-  constexpr std::array known_formats{
-      "json", "html", "geojson", "text/html", "application/json", "application/geo+json"};
+  constexpr std::array known_formats{"json",
+                                     "html",
+                                     "geojson",
+                                     "text/html",
+                                     "application/json",
+                                     "application/geo+json",
+                                     "CoverageJSON",
+                                     "covjson",
+                                     "application/vnd.cov+json",
+                                     "application/prs.coverage+json"};
   for (const auto& [name, value] : request.query) {
     if (name == "f") {
       if (std::find(known_formats.begin(), known_formats.end(), value) == known_formats.end()) {

@@ -1,6 +1,7 @@
 #include "server/http/finish_response.hpp"
 
 #include <algorithm>
+#include <optional>
 #include <string_view>
 
 #include "server/http/entity_tag.hpp"
@@ -51,6 +52,16 @@ bool accepts_gzip(const std::string& accept_encoding) {
   return false;
 }
 
+/// The tag that the resource has given itself, without its quotes.
+std::optional<std::string> take_tag(Response& response) {
+  const auto found = std::find_if(response.headers.begin(), response.headers.end(),
+                                  [](const auto& header) { return header.first == "ETag"; });
+  if (found == response.headers.end()) return std::nullopt;
+  const std::string tag = found->second.substr(1, found->second.size() - 2);
+  response.headers.erase(found);
+  return tag;
+}
+
 bool matches(const std::string& if_none_match, const std::string& tag) {
   return if_none_match == "*" || if_none_match.find('"' + tag) != std::string::npos;
 }
@@ -72,7 +83,7 @@ Response finish_response(const Request& request, Response response) {
   const bool compressed = compressible && accepts_gzip(request.header("accept-encoding"));
   if (compressible) vary_by(response, "Accept-Encoding");
   if (tagged) {
-    const std::string tag = entity_tag(response.body);  // of the bytes before compression
+    const std::string tag = take_tag(response).value_or(entity_tag(response.body));  // before compression
     response.headers.emplace_back("ETag", '"' + tag + (compressed ? "-gzip\"" : "\""));
     if (!has_header(response, "Cache-Control")) response.headers.emplace_back("Cache-Control", "no-cache");
     if (matches(request.header("if-none-match"), tag)) {

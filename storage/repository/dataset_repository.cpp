@@ -75,6 +75,20 @@ void DatasetRepository::insert(const Dataset& dataset) {
   transaction.commit();
 }
 
+void DatasetRepository::update(const Dataset& dataset) {
+  sqlite::Statement update{
+      db_,
+      "UPDATE dataset SET west_deg = ?2, south_deg = ?3, east_deg = ?4, north_deg = ?5, time_start_s = ?6, "
+      "time_end_s = ?7, rows_accepted = ?8, rows_refused = ?9, file_size_bytes = ?10, sha256 = ?11, "
+      "ingested_s = "
+      "?12 WHERE id = ?1"};
+  const geo::BoundingBox& bounds = dataset.bounds;
+  update.bind_all(dataset.id.value, bounds.west_deg, bounds.south_deg, bounds.east_deg, bounds.north_deg,
+                  dataset.time_start, dataset.time_end, dataset.rows_accepted, dataset.rows_refused,
+                  dataset.provenance.file_size_bytes, dataset.provenance.sha256, dataset.provenance.ingested);
+  update.run();
+}
+
 std::optional<Dataset> DatasetRepository::find(const DatasetId& id) const {
   sqlite::Statement query{db_, std::string{select_dataset} + "AND id = ?1"};
   query.bind(1, id.value);

@@ -16,6 +16,8 @@ class DatasetRepository {
   explicit DatasetRepository(sqlite::Connection& db) : db_{db} {}
 
   void insert(const Dataset& dataset);
+  /// States bounds, period, rows and provenance of the dataset anew.
+  void update(const Dataset& dataset);
   [[nodiscard]] std::optional<Dataset> find(const DatasetId& id) const;
   /// Newest first; ties by id.
   [[nodiscard]] std::vector<Dataset> list() const;

@@ -14,6 +14,7 @@
 #include "storage/repository/environment_draft.hpp"
 #include "storage/repository/environment_water.hpp"
 #include "storage/repository/field_repository.hpp"
+#include "storage/repository/hand_made_id.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/zone_repository.hpp"
 #include "storage/sqlite/snapshot.hpp"
@@ -96,6 +97,18 @@ std::vector<Dataset> newest_with_sightings(const std::vector<Dataset>& found, co
   return chosen == found.end() ? std::vector<Dataset>{} : std::vector{*chosen};
 }
 
+/// As above, and what people have reported themselves beside it: neither hides the other.
+std::vector<Dataset> newest_and_hand_made(std::vector<Dataset> found, core::UtcTime as_of,
+                                          core::UtcTime oldest) {
+  const auto by_hand = std::ranges::find(found, hand_made_id(DatasetKind::icebergs), &Dataset::id);
+  if (by_hand == found.end()) return newest_with_sightings(found, as_of, oldest);
+  const Dataset reported = *by_hand;
+  found.erase(by_hand);
+  auto chosen = newest_with_sightings(found, as_of, oldest);
+  chosen.push_back(reported);
+  return chosen;
+}
+
 void add_icebergs(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const core::UtcTime last_moment = query.may_begin_later && query.until ? query.until->time : query.depart;
@@ -103,7 +116,7 @@ void add_icebergs(EnvironmentDraft& draft) {
   const core::UtcTime oldest = oldest_sighting_used(as_of, query.max_sighting_age);
   const geo::BoundingBox area = query.iceberg_drift ? geo::grown(query.area, reach_of_drift) : query.area;
   auto chosen = candidates(draft.stored, DatasetKind::icebergs, query.icebergs, query.area, draft.violations);
-  if (query.icebergs.how == DatasetChoice::How::newest) chosen = newest_with_sightings(chosen, as_of, oldest);
+  if (query.icebergs.how == DatasetChoice::How::newest) chosen = newest_and_hand_made(chosen, as_of, oldest);
 
   const IcebergRepository repository{draft.db};
   for (const Dataset& dataset : chosen) {

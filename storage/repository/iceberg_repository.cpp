@@ -77,6 +77,41 @@ void IcebergRepository::insert(const DatasetId& dataset, const std::vector<ocean
   transaction.commit();
 }
 
+std::int64_t IcebergRepository::add(const DatasetId& dataset, const ocean::Iceberg& sighting) {
+  sqlite::Transaction transaction{db_};
+  insert(dataset, {sighting});
+  sqlite::Statement query{db_, "SELECT max(row) FROM sighting"};
+  const std::int64_t row = query.step() ? query.integer(0) : 0;
+  transaction.commit();
+  return row;
+}
+
+bool IcebergRepository::replace(std::int64_t row, const ocean::Iceberg& berg) {
+  sqlite::Transaction transaction{db_};
+  sqlite::Statement update{
+      db_,
+      "UPDATE sighting SET berg_id = ?2, lon_deg = ?3, lat_deg = ?4, observed_s = ?5, size = ?6, length_m = "
+      "?7, draft_m = ?8, position_uncertainty_m = ?9, shape = ?10, method = ?11 WHERE row = ?1"};
+  update.bind_all(row, berg.id, berg.place.lon_deg, berg.place.lat_deg, berg.observed,
+                  ocean::size_name(berg.size), number(berg.length), number(berg.draft),
+                  number(berg.position_uncertainty), berg.shape, berg.method);
+  const bool found = update.run() > 0;
+  sqlite::Statement index{
+      db_,
+      "UPDATE sighting_box SET (west_deg, east_deg, south_deg, north_deg) = (SELECT wrapped_lon_deg, "
+      "wrapped_lon_deg, lat_deg, lat_deg FROM sighting WHERE row = ?1) WHERE row = ?1"};
+  index.bind(1, row);
+  index.run();
+  transaction.commit();
+  return found;
+}
+
+bool IcebergRepository::remove(std::int64_t row) {
+  sqlite::Statement remove{db_, "DELETE FROM sighting WHERE row = ?1"};
+  remove.bind(1, row);
+  return remove.run() > 0;
+}
+
 std::optional<StoredSighting> IcebergRepository::find(std::int64_t row) const {
   sqlite::Statement query{db_, "SELECT " + columns + "FROM sighting WHERE row = ?1"};
   query.bind(1, row);
@@ -121,6 +156,29 @@ std::vector<ocean::IcebergFix> IcebergRepository::earlier(const StoredSighting& 
                  sighting.iceberg.observed - max_age);
   while (query.step()) fixes.push_back({{query.real(0), query.real(1)}, query.time(2)});
   return fixes;
+}
+
+std::vector<IcebergTrack> IcebergRepository::tracks() const {
+  // Of several sightings at one moment the one stored last, as for the newest of all.
+  sqlite::Statement query{
+      db_,
+      "SELECT first_row, (SELECT id FROM dataset WHERE dataset.row = dataset_row), berg_id, lon_deg, "
+      "lat_deg, "
+      "observed_s, max(row) FROM (SELECT *, min(row) OVER (PARTITION BY dataset_row, berg_id) AS first_row "
+      "FROM "
+      "sighting WHERE berg_id <> '') GROUP BY first_row, observed_s ORDER BY first_row, observed_s"};
+  std::vector<IcebergTrack> tracks;
+  while (query.step()) {
+    const std::int64_t first_row = query.integer(0);
+    const bool begins = tracks.empty() || tracks.back().first_row != first_row;
+    if (begins && !tracks.empty() && tracks.back().fixes.size() < 2) tracks.pop_back();
+    if (begins)
+      tracks.push_back(
+          {.first_row = first_row, .dataset = {query.text(1)}, .berg_id = query.text(2), .fixes = {}});
+    tracks.back().fixes.push_back({{query.real(3), query.real(4)}, query.time(5)});
+  }
+  if (!tracks.empty() && tracks.back().fixes.size() < 2) tracks.pop_back();
+  return tracks;
 }
 
 std::vector<StoredSighting> IcebergRepository::latest(const DatasetId& dataset, const geo::BoundingBox& area,

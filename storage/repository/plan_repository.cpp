@@ -28,6 +28,24 @@ PlanRecord read_plan(const sqlite::Statement& row) {
           .document_json = row.text(11)};
 }
 
+sqlite::Statement select(sqlite::Connection& db, const std::string& what, const PlanFilter& filter,
+                         std::int64_t after) {
+  std::string sql = what + "WHERE row > ?1";
+  if (filter.from) sql += " AND arrival_s >= ?2";
+  if (filter.to) sql += " AND departure_s <= ?3";
+  if (filter.id) sql += " AND id = ?4";
+  sqlite::Statement query{db, sql + " ORDER BY row"};
+  query.bind(1, after);
+  if (filter.from) query.bind(2, *filter.from);
+  if (filter.to) query.bind(3, *filter.to);
+  if (filter.id) query.bind(4, filter.id->value);
+  return query;
+}
+
+bool is_wanted(const sqlite::Statement& row, const PlanFilter& filter) {
+  return !filter.area || geo::intersects(*filter.area, read_bounds(row));
+}
+
 }  // namespace
 
 std::int64_t PlanRepository::insert(const PlanRecord& plan) {
@@ -56,23 +74,20 @@ std::optional<PlanRecord> PlanRepository::find(const PlanId& id) const {
   return read_plan(query);
 }
 
-std::vector<PlanRecord> PlanRepository::list(std::optional<geo::BoundingBox> area, std::int64_t after,
-                                             int limit) const {
-  sqlite::Statement query{db_, std::string{select_plan} + "WHERE row > ?1 ORDER BY row"};
-  query.bind(1, after);
+std::vector<PlanRecord> PlanRepository::list(const PlanFilter& filter, std::int64_t after, int limit) const {
+  sqlite::Statement query = select(db_, select_plan, filter, after);
   std::vector<PlanRecord> plans;
   while (std::ssize(plans) < limit && query.step()) {
-    if (!area || geo::intersects(*area, read_bounds(query))) plans.push_back(read_plan(query));
+    if (is_wanted(query, filter)) plans.push_back(read_plan(query));
   }
   return plans;
 }
 
-std::int64_t PlanRepository::count(std::optional<geo::BoundingBox> area) const {
-  sqlite::Statement query{db_, "SELECT row, west_deg, south_deg, east_deg, north_deg FROM plan"};
+std::int64_t PlanRepository::count(const PlanFilter& filter) const {
+  sqlite::Statement query =
+      select(db_, "SELECT row, west_deg, south_deg, east_deg, north_deg FROM plan ", filter, 0);
   std::int64_t plans = 0;
-  while (query.step()) {
-    if (!area || geo::intersects(*area, read_bounds(query))) ++plans;
-  }
+  while (query.step()) plans += is_wanted(query, filter) ? 1 : 0;
   return plans;
 }
 

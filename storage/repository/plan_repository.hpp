@@ -30,6 +30,14 @@ struct PlanRecord {
   std::string document_json;  // the answer, as the client got it
 };
 
+/// Which plans a list wants. Everything empty: all.
+struct PlanFilter {
+  std::optional<geo::BoundingBox> area{};
+  std::optional<core::UtcTime> from{};  // under way at some moment from here on
+  std::optional<core::UtcTime> to{};
+  std::optional<PlanId> id{};
+};
+
 /// Threads  as the connection: one thread at a time
 class PlanRepository {
  public:
@@ -39,9 +47,9 @@ class PlanRepository {
   /// Returns its row.
   std::int64_t insert(const PlanRecord& plan);
   [[nodiscard]] std::optional<PlanRecord> find(const PlanId& id) const;
-  [[nodiscard]] std::vector<PlanRecord> list(std::optional<geo::BoundingBox> area, std::int64_t after,
-                                             int limit) const;
-  [[nodiscard]] std::int64_t count(std::optional<geo::BoundingBox> area) const;
+  /// At most `limit` plans with a row above `after`, by ascending row.
+  [[nodiscard]] std::vector<PlanRecord> list(const PlanFilter& filter, std::int64_t after, int limit) const;
+  [[nodiscard]] std::int64_t count(const PlanFilter& filter) const;
   bool remove(const PlanId& id);
 
  private:

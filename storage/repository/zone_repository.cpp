@@ -34,7 +34,103 @@ std::optional<double> bottom_m(const ocean::Zone& zone) {
   return std::isfinite(zone.bottom.value) ? std::optional{zone.bottom.value} : std::nullopt;
 }
 
+/// `SELECT <what> FROM zone` with the filter's conditions, bound. The area is only narrowed down: check each outline.
+sqlite::Statement select(sqlite::Connection& db, const std::string& what, const ZoneFilter& filter,
+                         std::int64_t after) {
+  std::string sql = "SELECT " + what + " FROM zone WHERE row > ?1";
+  if (filter.from) sql += " AND (until_s IS NULL OR until_s >= ?2)";
+  if (filter.to) sql += " AND (from_s IS NULL OR from_s <= ?3)";
+  if (filter.dataset) sql += " AND dataset_row = (SELECT row FROM dataset WHERE id = ?4)";
+  if (filter.kind) sql += " AND kind = ?5";
+  if (filter.name) sql += " AND name = ?6";
+  if (filter.area) sql += " AND " + box_condition("zone_box", 7);
+
+  sqlite::Statement query{db, sql + " ORDER BY row"};
+  query.bind(1, after);
+  if (filter.from) query.bind(2, *filter.from);
+  if (filter.to) query.bind(3, *filter.to);
+  if (filter.dataset) query.bind(4, filter.dataset->value);
+  if (filter.kind) query.bind(5, *filter.kind);
+  if (filter.name) query.bind(6, *filter.name);
+  if (filter.area) bind_box(query, 7, *filter.area);
+  return query;
+}
+
+// The first seven columns as read_zone takes them.
+const std::string stored_columns =
+    "name, kind, from_s, until_s, top_m, bottom_m, rings, row, (SELECT id FROM dataset WHERE dataset.row = "
+    "dataset_row)";
+
+bool is_wanted(const ocean::Zone& zone, const ZoneFilter& filter) {
+  return !filter.area || geo::intersects(*filter.area, geo::bounding_box(zone.area));
+}
+
 }  // namespace
+
+std::int64_t ZoneRepository::add(const DatasetId& dataset, const ocean::Zone& zone) {
+  sqlite::Transaction transaction{db_};
+  insert(dataset, {zone});
+  sqlite::Statement query{db_, "SELECT max(row) FROM zone"};
+  const std::int64_t row = query.step() ? query.integer(0) : 0;
+  transaction.commit();
+  return row;
+}
+
+bool ZoneRepository::replace(std::int64_t row, const ocean::Zone& zone) {
+  sqlite::Transaction transaction{db_};
+  BlobCodec codec;
+  sqlite::Statement update{db_,
+                           "UPDATE zone SET name = ?2, kind = ?3, from_s = ?4, until_s = ?5, top_m = ?6, "
+                           "bottom_m = ?7, rings = ?8 WHERE row = ?1"};
+  update.bind_all(row, zone.name, ocean::zone_kind_name(zone.kind), zone.from, zone.until, zone.top.value,
+                  bottom_m(zone), pack_polygon(codec, zone.area));
+  const bool found = update.run() > 0;
+  const geo::BoundingBox box = geo::bounding_box(zone.area);
+  const UnrolledBox width = unrolled(box);
+  sqlite::Statement index{
+      db_, "UPDATE zone_box SET west_deg = ?2, east_deg = ?3, south_deg = ?4, north_deg = ?5 WHERE row = ?1"};
+  index.bind_all(row, width.west_deg, width.east_deg, box.south_deg, box.north_deg);
+  index.run();
+  transaction.commit();
+  return found;
+}
+
+bool ZoneRepository::remove(std::int64_t row) {
+  sqlite::Statement remove{db_, "DELETE FROM zone WHERE row = ?1"};
+  remove.bind(1, row);
+  return remove.run() > 0;
+}
+
+std::optional<StoredZone> ZoneRepository::find(std::int64_t row) const {
+  sqlite::Statement query{db_, "SELECT " + stored_columns + " FROM zone WHERE row = ?1"};
+  query.bind(1, row);
+  if (!query.step()) return std::nullopt;
+  BlobCodec codec;
+  return StoredZone{query.integer(7), {query.text(8)}, read_zone(query, codec)};
+}
+
+std::vector<StoredZone> ZoneRepository::list(const ZoneFilter& filter, std::int64_t after, int limit) const {
+  sqlite::Statement query = select(db_, stored_columns, filter, after);
+  std::vector<StoredZone> zones;
+  BlobCodec codec;
+  while (std::ssize(zones) < limit && query.step()) {
+    ocean::Zone zone = read_zone(query, codec);
+    if (is_wanted(zone, filter)) zones.push_back({query.integer(7), {query.text(8)}, std::move(zone)});
+  }
+  return zones;
+}
+
+std::int64_t ZoneRepository::count(const ZoneFilter& filter) const {
+  if (!filter.area) {
+    sqlite::Statement query = select(db_, "count(*)", filter, 0);
+    return query.step() ? query.integer(0) : 0;
+  }
+  sqlite::Statement query = select(db_, stored_columns, filter, 0);
+  std::int64_t zones = 0;
+  BlobCodec codec;
+  while (query.step()) zones += is_wanted(read_zone(query, codec), filter) ? 1 : 0;
+  return zones;
+}
 
 void ZoneRepository::insert(const DatasetId& dataset, const std::vector<ocean::Zone>& zones) {
   sqlite::Transaction transaction{db_};

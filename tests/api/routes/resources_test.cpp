@@ -1,3 +1,6 @@
+#include <algorithm>
+#include <cctype>
+
 #include "tests/api/routes/api_fixture.hpp"
 
 namespace floeplan::routes {
@@ -54,7 +57,8 @@ TEST_F(ResourcesTest, TheOpenApiDocumentNamesThePublicAddressAndEveryPath) {
     std::string pattern = route.pattern;
     if (const auto dots = pattern.find("..."); dots != std::string::npos) pattern.erase(dots, 3);
     if (pattern == "/processes/{process_id}/execution") pattern = "/processes/plan-route/execution";
-    const std::string method = route.method == "GET" ? "get" : route.method == "POST" ? "post" : "delete";
+    std::string method = route.method;
+    std::ranges::transform(method, method.begin(), [](unsigned char c) { return std::tolower(c); });
     EXPECT_TRUE(document.at("paths").contains(pattern) && document.at("paths").at(pattern).contains(method))
         << route.method << " " << pattern;
   }

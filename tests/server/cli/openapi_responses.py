@@ -216,12 +216,67 @@ def echoes():
     drive("POST", "/processes/echo/execution", 409, {"inputs": {}}, key)
 
 
+def features():
+    """Every collection, in every reference system, with each of its parameters wrong once."""
+    for template in [path for path in DOCUMENT["paths"] if path.startswith("/collections/") and path.endswith("/items")]:
+        page = drive("GET", template, 200, query="?limit=2")
+        item = next(path for path in DOCUMENT["paths"] if path.startswith(template + "/{") and path.endswith("}"))
+        name = item[len(template) + 2:-1]
+        for feature in page["features"][:1]:
+            drive("GET", item, 200, **{name: feature["id"]})
+        drive("GET", item, 404, **{name: "none"})
+        drive("GET", template[:-len("/items")] + "/schema", 200)
+        for crs in DOCUMENT["components"]["parameters"]["crs"]["schema"]["enum"]:
+            drive("GET", template, 200, query=f"?limit=1&crs={crs}")
+        for wrong in ("limit=none", "bbox=1,2,3", "bbox=0,0,1,1&bbox-crs=none", "crs=none", "datetime=soon", "after=x",
+                      "unknown=1"):
+            drive("GET", template, 400, query="?" + wrong)
+    ring = [[-53.1, 68.9], [-52.8, 68.9], [-52.8, 69.1], [-53.1, 68.9]]
+    edits("/collections/nogo-zones/items", "zone_id", {"type": "Polygon", "coordinates": [ring]}, {"kind": "no_go"})
+    edits("/collections/icebergs/items", "row", {"type": "Point", "coordinates": [-40, 60]},
+          {"berg_id": "seen", "observed": "2026-11-20T06:00:00Z"})
+
+
+def edits(items, name, geometry, properties):
+    feature = {"type": "Feature", "geometry": geometry, "properties": properties}
+    drive("POST", items, 400, {**feature, "geometry": None})
+    drive("POST", items, 201, feature)
+    made = {name: drive("GET", items, 200, query="?limit=10000")["features"][-1]["id"]}
+    item = items + "/{" + name + "}"
+    drive("PUT", item, 412, feature, {"If-Match": '"none"'}, **made)
+    drive("PUT", item, 204, feature, **made)
+    drive("PATCH", item, 204, {"properties": properties}, {"Content-Type": "application/merge-patch+json"}, **made)
+    drive("DELETE", item, 204, **made)
+    drive("DELETE", item, 404, **made)
+
+
+def edr():
+    """Every query of every kind of data, right and wrong."""
+    for template in ("/edr", "/edr/conformance", "/edr/api"):
+        drive("GET", template, 200)
+    for collection in drive("GET", "/edr/collections", 200)["collections"]:
+        drive("GET", "/edr/collections/{collection_id}", 200, collection_id=collection["id"])
+    drive("GET", "/edr/collections/{collection_id}", 404, collection_id="none")
+    box = "-53.1+68.9,-52.9+68.9,-52.9+69.1,-53.1+68.9"
+    grid = "&resolution-x=3&resolution-y=3"
+    right = {"position": "coords=POINT(-53+69)", "radius": "coords=POINT(-53+69)&within=9&within-units=km" + grid,
+             "area": f"coords=POLYGON(({box}))" + grid, "cube": "bbox=-53.1,68.9,-52.9,69.1" + grid,
+             "trajectory": "coords=LINESTRING(-53+69,-52.9+69.02)"}
+    for kind in ("currents", "bathymetry", "sea-ice"):
+        when = "" if kind == "bathymetry" else f"&datetime={DEPART}"
+        for query, words in right.items():
+            template = f"/edr/collections/{kind}/{query}"
+            drive("GET", template, 200, query=f"?{words}{when}")
+            for wrong in ("", "?coords=POINT()", f"?{words}&z=deep", f"?{words}&datetime=soon",
+                          f"?{words}&parameter-name=salt", f"?{words}&crs=EPSG:3857", f"?{words}&f=netcdf"):
+                drive("GET", template, 400, query=wrong)
+
+
 def collections(plan):
     drive("GET", "/collections", 200)
     drive("GET", "/collections/{collection_id}", 200, collection_id="icebergs")
     drive("GET", "/collections/{collection_id}", 404, collection_id="none")
-    bergs = drive("GET", "/collections/icebergs/items", 200, query="?limit=5")
-    drive("GET", "/collections/icebergs/items/{row}", 200, row=bergs["features"][0]["id"])
+    features()
     drive("GET", "/collections/plans/items", 200)
     drive("GET", "/collections/plans/items/{plan_id}", 200, plan_id=plan)
     for template in DOCUMENT["paths"]:
@@ -322,6 +377,7 @@ try:
     echoes()
     jobs()
     uploads()
+    edr()
     data()
     missing()
 except (KeyError, StopIteration, TypeError) as stopped:  # what was needed for the next question did not come

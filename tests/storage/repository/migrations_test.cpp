@@ -191,7 +191,7 @@ TEST(OpenStore, FailsWithAClearReasonWhenTheFileIsDamaged) {
 
   try {
     sqlite::Connection db = open_store(folder.path());
-    (void)PlanRepository{db}.list(std::nullopt, 0, 1000);
+    (void)PlanRepository{db}.list({}, 0, 1000);
     (void)JobRepository{db}.list(0, 1000);
     (void)DatasetRepository{db}.list();
     FAIL() << "the damage was not noticed";

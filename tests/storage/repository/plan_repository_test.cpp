@@ -56,7 +56,7 @@ TEST_F(PlanRepositoryTest, LeavesAPlanWithTheSameIdAsItIs) {
 
   EXPECT_EQ(plans_.insert(other), row);
   EXPECT_EQ(plans_.find({"a"})->name, "plan a");
-  EXPECT_EQ(plans_.count(std::nullopt), 1);
+  EXPECT_EQ(plans_.count({}), 1);
 }
 
 TEST_F(PlanRepositoryTest, ListsThePlansOfAnAreaInPages) {
@@ -65,11 +65,11 @@ TEST_F(PlanRepositoryTest, ListsThePlansOfAnAreaInPages) {
   plans_.insert(plan("second", {-179.0, 60.5, -179.0, 60.5}));
   const geo::BoundingBox area{179.5, 60.0, -170.0, 62.0};
 
-  const auto page = plans_.list(area, 0, 1);
+  const auto page = plans_.list({.area = area}, 0, 1);
   EXPECT_THAT(ids(page), testing::ElementsAre("first"));
-  EXPECT_THAT(ids(plans_.list(area, page.front().row, 10)), testing::ElementsAre("second"));
-  EXPECT_EQ(plans_.count(area), 2);
-  EXPECT_THAT(ids(plans_.list(std::nullopt, 0, 10)), testing::ElementsAre("far", "first", "second"));
+  EXPECT_THAT(ids(plans_.list({.area = area}, page.front().row, 10)), testing::ElementsAre("second"));
+  EXPECT_EQ(plans_.count({.area = area}), 2);
+  EXPECT_THAT(ids(plans_.list({}, 0, 10)), testing::ElementsAre("far", "first", "second"));
 }
 
 TEST_F(PlanRepositoryTest, NeverGivesARowNumberAgain) {

@@ -1,0 +1,132 @@
+#include "api/routes/edr_field.hpp"
+
+#include <cmath>
+#include <numbers>
+
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using repository::DatasetKind;
+using repository::FieldRepository;
+
+/// Towards which the water goes, clockwise from true north.
+double direction_deg(const geo::VelocityEn& velocity) {
+  const double degrees = std::atan2(velocity.east.value, velocity.north.value) * 180.0 / std::numbers::pi;
+  return degrees < 0.0 ? degrees + 360.0 : degrees;
+}
+
+class CurrentsField : public EdrField {
+ public:
+  explicit CurrentsField(ocean::CurrentGrid grid) : grid_{std::move(grid)} {}
+  void sample(geo::LonLat place, core::Metres depth, core::UtcTime time,
+              std::span<std::optional<double>> values) const override {
+    const auto velocity = grid_.at(place, depth, time);
+    if (!velocity) return;
+    values[0] = velocity->east.value;
+    values[1] = velocity->north.value;
+    values[2] = std::hypot(velocity->east.value, velocity->north.value);
+    values[3] = direction_deg(*velocity);
+  }
+
+ private:
+  ocean::CurrentGrid grid_;
+};
+
+class DepthField : public EdrField {
+ public:
+  explicit DepthField(ocean::Bathymetry bathymetry) : bathymetry_{std::move(bathymetry)} {}
+  void sample(geo::LonLat place, core::Metres, core::UtcTime,
+              std::span<std::optional<double>> values) const override {
+    if (const auto depth = bathymetry_.depth(place)) values[0] = depth->value;
+  }
+
+ private:
+  ocean::Bathymetry bathymetry_;
+};
+
+class SeaIceField : public EdrField {
+ public:
+  explicit SeaIceField(ocean::IceField ice) : ice_{std::move(ice)} {}
+  void sample(geo::LonLat place, core::Metres, core::UtcTime time,
+              std::span<std::optional<double>> values) const override {
+    const auto state = ice_.at(place, time);
+    if (!state) return;
+    values[0] = state->concentration;
+    if (state->thickness) values[1] = state->thickness->value;
+  }
+
+ private:
+  ocean::IceField ice_;
+};
+
+bool meets(const repository::Dataset& dataset, const TimeSpan& span) {
+  return (!span.from || !dataset.time_end || *dataset.time_end >= *span.from) &&
+         (!span.to || !dataset.time_start || *dataset.time_start <= *span.to);
+}
+
+}  // namespace
+
+const std::vector<EdrCollection>& edr_collections() {
+  static const std::vector<EdrCollection> collections{
+      {"currents",
+       "Currents",
+       "Velocity of the sea water, towards which it goes; of the newest model that covers place and time.",
+       DatasetKind::currents,
+       {{"eastward_sea_water_velocity", "Velocity towards the east", "m/s"},
+        {"northward_sea_water_velocity", "Velocity towards the north", "m/s"},
+        {"sea_water_speed", "Speed", "m/s"},
+        {"sea_water_velocity_to_direction", "Direction towards which it goes, from true north", "deg"}}},
+      {"bathymetry",
+       "Bathymetry",
+       "Depth of the sea bed; negative on land where the data tell its height.",
+       DatasetKind::bathymetry,
+       {{"sea_floor_depth_below_mean_sea_level", "Depth of the sea bed", "m"}}},
+      {"sea-ice",
+       "Sea ice",
+       "Concentration and thickness of sea ice; of the newest data that cover place and time.",
+       DatasetKind::ice,
+       {{"sea_ice_area_fraction", "Share of the sea surface that is covered", "1"},
+        {"sea_ice_thickness", "Thickness of level ice", "m"}}}};
+  return collections;
+}
+
+std::optional<EdrShape> find_edr_data(sqlite::Connection& db, const EdrCollection& collection,
+                                      const std::optional<geo::BoundingBox>& area, const TimeSpan& span) {
+  for (const auto& dataset : repository::DatasetRepository{db}.list()) {
+    if (dataset.kind != collection.kind || !meets(dataset, span)) continue;
+    if (area && !geo::intersects(dataset.bounds, *area)) continue;
+    const auto stored = FieldRepository{db}.shape(dataset.id);
+    if (!stored) continue;
+    EdrShape shape{.dataset = dataset, .spacing = stored->grid.spacing(), .depths_m = {}, .times = {}};
+    if (stored->depths_m) shape.depths_m = stored->depths_m->nodes();
+    if (stored->times_s) {
+      for (const double seconds : stored->times_s->nodes())
+        shape.times.push_back(core::from_unix_seconds(seconds));
+    }
+    return shape;
+  }
+  return std::nullopt;
+}
+
+std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape& shape,
+                                         const geo::BoundingBox& area, core::UtcTime from, core::UtcTime to) {
+  const FieldRepository fields{db};
+  const auto& id = shape.dataset.id;
+  const std::optional<repository::Period> period =
+      shape.times.empty() ? std::nullopt : std::optional{repository::Period{from, to}};
+  if (shape.dataset.kind == DatasetKind::bathymetry) {
+    auto bathymetry = fields.load_bathymetry(id, area);
+    return bathymetry ? std::make_unique<DepthField>(std::move(*bathymetry)) : nullptr;
+  }
+  if (shape.dataset.kind == DatasetKind::ice) {
+    auto ice = fields.load_ice(id, area, period);
+    return ice ? std::make_unique<SeaIceField>(std::move(*ice)) : nullptr;
+  }
+  auto currents = fields.load_currents(id, area, period, std::nullopt);
+  return currents ? std::make_unique<CurrentsField>(std::move(*currents)) : nullptr;
+}
+
+}  // namespace floeplan::routes

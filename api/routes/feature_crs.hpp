@@ -1,0 +1,36 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/geo/lon_lat.hpp"
+
+namespace floeplan::routes {
+
+/// Reference systems that features can be asked in (OGC API - Features, Part 2).
+enum class FeatureCrs {
+  crs84,         // longitude, latitude in degrees
+  epsg4326,      // latitude, longitude in degrees
+  web_mercator,  // EPSG:3857, metres east and north
+};
+
+/// Their URIs, the first one being that in which features are stored and given without being asked.
+[[nodiscard]] const std::vector<std::string>& crs_uris();
+[[nodiscard]] std::optional<FeatureCrs> parse_crs(const std::string& uri);
+[[nodiscard]] const std::string& uri_of(FeatureCrs crs);
+
+/// A position as the reference system writes it, and back.
+/// Source  IOGP Guidance Note 373-7-2, method 1024 (Popular Visualisation Pseudo-Mercator)
+struct Coordinates {
+  double first{};
+  double second{};
+};
+[[nodiscard]] Coordinates from_lon_lat(geo::LonLat place, FeatureCrs crs);
+[[nodiscard]] geo::LonLat to_lon_lat(Coordinates coordinates, FeatureCrs crs);
+
+/// Rewrites the positions of a GeoJSON geometry (or null) from CRS84 to the reference system.
+void express_in(nlohmann::json& geometry, FeatureCrs crs);
+
+}  // namespace floeplan::routes

@@ -1,0 +1,128 @@
+#include "api/routes/hand_made.hpp"
+
+#include <algorithm>
+#include <stdexcept>
+
+#include "api/codec/iceberg_feature.hpp"
+#include "api/codec/sha256.hpp"
+#include "api/codec/zone_feature.hpp"
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/hand_made_id.hpp"
+#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/zone_repository.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using repository::Dataset;
+using repository::DatasetId;
+using repository::DatasetKind;
+
+constexpr int all_of_them = 1'000'000;
+
+void widen(std::optional<core::UtcTime>& from, std::optional<core::UtcTime>& to, core::UtcTime time) {
+  from = from ? std::min(*from, time) : time;
+  to = to ? std::max(*to, time) : time;
+}
+
+/// What the dataset holds, as text and as a summary.
+struct Contents {
+  std::string text;
+  std::vector<geo::LonLat> places;
+  std::int64_t rows{};
+  std::optional<core::UtcTime> from;
+  std::optional<core::UtcTime> to;
+};
+
+Contents contents_of(sqlite::Connection& db, const DatasetId& id, DatasetKind kind) {
+  Contents contents;
+  if (kind == DatasetKind::icebergs) {
+    repository::SightingFilter filter;
+    filter.dataset = id;
+    for (const auto& sighting : repository::IcebergRepository{db}.list(filter, 0, all_of_them)) {
+      contents.text += codec::iceberg_feature(sighting).dump() + '\n';
+      contents.places.push_back(sighting.iceberg.place);
+      widen(contents.from, contents.to, sighting.iceberg.observed);
+      ++contents.rows;
+    }
+    return contents;
+  }
+  repository::ZoneFilter filter;
+  filter.dataset = id;
+  for (const auto& stored : repository::ZoneRepository{db}.list(filter, 0, all_of_them)) {
+    contents.text += codec::zone_feature(stored).dump() + '\n';
+    const auto& outline = stored.zone.area.outer;
+    contents.places.insert(contents.places.end(), outline.begin(), outline.end());
+    ++contents.rows;
+  }
+  return contents;
+}
+
+}  // namespace
+
+DatasetId hand_made_dataset(sqlite::Connection& db, DatasetKind kind, core::UtcTime now) {
+  const DatasetId id = repository::hand_made_id(kind);
+  repository::DatasetRepository datasets{db};
+  if (datasets.find(id)) return id;
+  Dataset dataset;
+  dataset.id = id;
+  dataset.kind = kind;
+  dataset.name = "Made by hand";
+  dataset.provenance.file_name = "none";
+  dataset.provenance.ingested = now;
+  dataset.provenance.tool_version = FLOEPLAN_VERSION;
+  datasets.insert(dataset);
+  return id;
+}
+
+void refresh_hand_made(sqlite::Connection& db, DatasetKind kind, core::UtcTime now) {
+  const DatasetId id = repository::hand_made_id(kind);
+  repository::DatasetRepository datasets{db};
+  auto dataset = datasets.find(id);
+  if (!dataset) return;
+  const Contents contents = contents_of(db, id, kind);
+  if (contents.rows == 0) {
+    datasets.remove(id);
+    return;
+  }
+  dataset->bounds = geo::bounding_box(contents.places);
+  dataset->time_start = contents.from;
+  dataset->time_end = contents.to;
+  dataset->rows_accepted = contents.rows;
+  dataset->provenance.sha256 = codec::sha256(contents.text);
+  dataset->provenance.file_size_bytes = std::ssize(contents.text);
+  dataset->provenance.ingested = now;
+  datasets.update(*dataset);
+}
+
+std::string objection_to_editing(const DatasetId& dataset) {
+  if (dataset == repository::hand_made_id(DatasetKind::icebergs) ||
+      dataset == repository::hand_made_id(DatasetKind::zones))
+    return {};
+  return "It is part of the dataset " + dataset.value +
+         ", which holds what a file says; remove the dataset, or ingest a newer file.";
+}
+
+FeatureExtent extent_of_kind(sqlite::Connection& db, DatasetKind kind) {
+  FeatureExtent extent;
+  bool any = false;
+  for (const Dataset& dataset : repository::DatasetRepository{db}.list()) {
+    if (dataset.kind != kind) continue;
+    const auto& box = dataset.bounds;
+    const bool crosses = box.west_deg > box.east_deg;
+    const geo::BoundingBox flat{crosses ? -180.0 : box.west_deg, box.south_deg,
+                                crosses ? 180.0 : box.east_deg, box.north_deg};
+    geo::BoundingBox& area = extent.area;
+    area = any ? geo::BoundingBox{std::min(area.west_deg, flat.west_deg),
+                                  std::min(area.south_deg, flat.south_deg),
+                                  std::max(area.east_deg, flat.east_deg),
+                                  std::max(area.north_deg, flat.north_deg)}
+               : flat;
+    any = true;
+    if (dataset.time_start) widen(extent.from, extent.to, *dataset.time_start);
+    if (dataset.time_end) widen(extent.from, extent.to, *dataset.time_end);
+  }
+  return extent;
+}
+
+}  // namespace floeplan::routes
