@@ -94,7 +94,7 @@ def drive(method, template, status, body=None, headers=None, query="", **names):
         return None
     if "$ref" in response:
         response = DOCUMENT["components"]["responses"][response["$ref"].rsplit("/", 1)[1]]
-    if status == 204:
+    if not content and "content" not in response:
         return None
     kind = media_type.split(";")[0]
     described = {name.split(";")[0]: value for name, value in response.get("content", {}).items()}
