@@ -16,6 +16,10 @@ namespace {
 using graph::Edge;
 using graph::Vertex;
 
+/// Where the vehicle may wait each label takes some hundred microseconds: with no more of them than this a plan without
+/// waits, which is looked for too, does not have to wait long.
+constexpr std::size_t most_waiting_labels = 20'000;
+
 /// The model of the search over labels.
 class SurfacingVoyage {
  public:
@@ -47,6 +51,8 @@ class SurfacingVoyage {
   }
 
   void wait(Vertex, double, const State&, auto&&) const {}
+
+  [[nodiscard]] bool may_wait() const { return may_wait_; }
 
   [[nodiscard]] double key(Vertex v, double arrival_s, const State&) const {
     return arrival_s + sea_.least_time(grid_.point(v), grid_.point(grid_.goal)).count();
@@ -147,6 +153,7 @@ RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::S
                                    const std::function<void(double)>& report_fraction,
                                    std::size_t most_labels) {
   SurfacingVoyage voyage{sea, open};
+  const std::size_t affordable = voyage.may_wait() ? std::min(most_labels, most_waiting_labels) : most_labels;
   const auto report = [&](std::int64_t expansions) {
     const auto vertices = static_cast<double>(std::max<std::int64_t>(1, open.vertices));
     report_fraction(std::min(1.0, static_cast<double>(expansions) / vertices));

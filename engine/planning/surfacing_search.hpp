@@ -18,7 +18,8 @@ inline constexpr std::size_t most_surfacing_labels = 4'000'000;  // about 300 MB
 ///          as to its last possible surfacing is held to be better; it may be that a later one would meet a faster
 ///          current, or ice that has opened since
 /// Waits    where the request allows them, the least before a leg that lets the vehicle through what is closed for a
-///          while; time spent so below ice counts as time without a surfacing
+///          while; time spent so below ice counts as time without a surfacing. The search is then
+///          cut short much earlier
 /// Stops    early and says so once `stop` is requested; a way is not found beyond `most_labels` arrivals
 [[nodiscard]] RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::Seconds depart,
                                                  core::Seconds since_surfacing, const std::stop_token& stop,
