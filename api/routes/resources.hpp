@@ -7,14 +7,15 @@
 namespace floeplan::routes {
 
 /// The operations of each resource; one source file for each function.
-[[nodiscard]] std::vector<Route> landing_routes();     // landing page, conformance, OpenAPI document
-[[nodiscard]] std::vector<Route> asset_routes();       // files of the browser client
-[[nodiscard]] std::vector<Route> collection_routes();  // descriptions of the feature collections
-[[nodiscard]] std::vector<Route> feature_routes();     // items, schemas and changes of every collection
-[[nodiscard]] std::vector<Route> edr_routes();         // landing page and collections of OGC API - EDR
-[[nodiscard]] std::vector<Route> edr_query_routes();   // position, radius, area, cube and trajectory of each
-[[nodiscard]] std::vector<Route> plan_routes();        // removal
-[[nodiscard]] std::vector<Route> mission_routes();     // a plan as files for vehicles and chart plotters
+[[nodiscard]] std::vector<Route> landing_routes();        // landing page, conformance, OpenAPI document
+[[nodiscard]] std::vector<Route> asset_routes();          // files of the browser client
+[[nodiscard]] std::vector<Route> collection_routes();     // descriptions of the feature collections
+[[nodiscard]] std::vector<Route> feature_routes();        // items, schemas and changes of every collection
+[[nodiscard]] std::vector<Route> iceberg_drift_routes();  // where they are expected
+[[nodiscard]] std::vector<Route> edr_routes();            // landing page and collections of OGC API - EDR
+[[nodiscard]] std::vector<Route> edr_query_routes();  // position, radius, area, cube and trajectory of each
+[[nodiscard]] std::vector<Route> plan_routes();       // removal
+[[nodiscard]] std::vector<Route> mission_routes();    // a plan as files for vehicles and chart plotters
 [[nodiscard]] std::vector<Route> mission_check_routes();  // verdicts on files that come from outside
 [[nodiscard]] std::vector<Route> process_routes();        // list and descriptions
 [[nodiscard]] std::vector<Route> execution_routes();      // POST that starts a job

@@ -294,6 +294,7 @@ def data():
     drive("GET", "/probe", 400, query="?lon=north")
     box = "?bbox=-53.5,68.9,-52.5,69.3"
     drive("GET", "/map/coast", 200, query=box)
+    drive("GET", "/map/drift", 200, query=f"{box}&as_of={DEPART}&until={DEPART}")
     drive("GET", "/map/bathymetry", 200, query=box + "&nx=32&ny=32")
     drive("GET", "/map/currents", 200, query=box + f"&nx=32&ny=32&time={DEPART}")
     coast = next(entry["id"] for entry in datasets if entry["kind"] == "coastline")
