@@ -1,4 +1,5 @@
 import { render } from 'preact';
+import { followDrift } from './api/drifting';
 import { followRouteEdit } from './api/evaluating';
 import { followFields } from './api/fields';
 import { followSpans, refresh } from './api/session';
@@ -15,6 +16,7 @@ followSpans();
 const root = document.getElementById('app');
 if (root) render(<App />, root);
 followFields();
+followDrift();
 followRouteEdit();
 listenForShortcuts();
 void refresh();

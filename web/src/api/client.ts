@@ -1,5 +1,5 @@
 import type {
-  Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, IcebergFeature, IngestInputs, IngestReport, JobStatus, MissionPreview, PlanFeature, PlanInputs,
+  Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, IcebergDrift, IcebergFeature, IngestInputs, IngestReport, JobStatus, MissionPreview, PlanFeature, PlanInputs,
   PlanResults, Probe, Reach, ReachInputs, Upload, Vehicle,
 } from './types';
 import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './simulation_types';
@@ -27,6 +27,17 @@ export const coast = (box: Box, signal: AbortSignal): Promise<{ features: CoastF
 
 export const icebergsAt = (time: string, dataset: string | undefined, signal: AbortSignal): Promise<FeaturePage<IcebergFeature>> =>
   json(address('/collections/icebergs/items', { latest: true, datetime: time, limit: 10000, dataset }), { signal });
+
+interface DriftQuery {
+  box: Box;
+  as_of: string;
+  until: string;
+  dataset: string;
+  currents: string;
+}
+
+export const drift = ({ box, ...query }: DriftQuery, signal: AbortSignal): Promise<{ bergs: IcebergDrift[] }> =>
+  json(address('/map/drift', { bbox: box.join(','), ...query }), { signal });
 
 export const plans = (): Promise<FeaturePage<PlanFeature>> => json(address('/collections/plans/items', { limit: 100 }));
 

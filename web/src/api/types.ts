@@ -99,6 +99,17 @@ export interface IcebergFeature {
   properties: IcebergProperties;
 }
 
+/** Where a berg is expected, column by column from its sighting on. */
+export interface IcebergDrift {
+  berg_id: string;
+  observed: string;
+  safe_length_m: number;
+  time: string[];
+  lon: number[];
+  lat: number[];
+  error_m: number[];
+}
+
 export interface Link {
   rel: string;
   href: string;

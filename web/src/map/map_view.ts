@@ -14,6 +14,7 @@ import { northAngle, project, projections, scaleFactor, unproject, type Projecti
 import { coveredDatasets } from '../model/coverage';
 import { datasets, homeBox } from '../model/datasets';
 import { draft, edit } from '../model/draft';
+import { drifts } from '../model/drift';
 import { coast, currents, icebergs, isLoading } from '../model/field';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
 import { reach } from '../model/reach';
@@ -28,6 +29,7 @@ import { bathymetryLayer } from './bathymetry_layer';
 import { coastLayer } from './coast_layer';
 import { coverageLayer } from './coverage_layer';
 import { currentsLayer } from './currents_layer';
+import { driftLayer, ghostLayer } from './drift_layer';
 import { editLayer } from './edit_layer';
 import { flightLayer, flownVehicleLayer } from './flight_layer';
 import { graticuleLayer } from './graticule_layer';
@@ -58,7 +60,7 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
       new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), route.drag, areas.draw,
     ],
     layers: [
-      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), coverageLayer(), reachLayer(), areas.layer, safetyLayer(), planLayer(), flightLayer(), bergs,
+      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), coverageLayer(), reachLayer(), areas.layer, safetyLayer(), driftLayer(), ghostLayer(), planLayer(), flightLayer(), bergs,
       waypointLayer(), vehicleLayer(), flownVehicleLayer(), route.layer, markerLayer(),
     ],
   });
@@ -275,6 +277,7 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
 function publishState(map: Map, target: HTMLElement): void {
   effect(() => {
     target.dataset['icebergs'] = String(icebergs.value.length);
+    target.dataset['drifts'] = String(drifts.value.length);
     target.dataset['plans'] = String(shownPlans.value.length);
     target.dataset['reach'] = reach.value?.state ?? 'none';
     target.dataset['flight'] = shownFlight.value ? String(shownFlight.value.run) : 'none';

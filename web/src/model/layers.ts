@@ -7,6 +7,7 @@ export const layerTitles = {
   reach: 'Reach',
   icebergs: 'Icebergs',
   safety: 'Safety circles',
+  drift: 'Iceberg drift',
   graticule: 'Graticule',
   coast: 'Coast',
   currents: 'Currents',
@@ -17,7 +18,7 @@ export type LayerName = keyof typeof layerTitles;
 export const layerNames = Object.keys(layerTitles) as LayerName[];
 
 export const visible = signal<Record<LayerName, boolean>>({
-  plans: true, areas: true, reach: true, icebergs: true, safety: true, graticule: true, coast: true, currents: true, bathymetry: true,
+  plans: true, areas: true, reach: true, icebergs: true, safety: true, drift: true, graticule: true, coast: true, currents: true, bathymetry: true,
 });
 
 export function toggleLayer(name: LayerName): void {

@@ -2,6 +2,7 @@ import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
 import { chosenBathymetry, chosenCurrents, chosenIcebergs, vehicles } from '../../model/datasets';
 import { draft } from '../../model/draft';
+import { drifts } from '../../model/drift';
 import { icebergs } from '../../model/field';
 import { crowd, validity_h } from '../../model/icebergs';
 import { visible } from '../../model/layers';
@@ -23,7 +24,7 @@ export function Legend(): VNode | null {
       <summary>Legend</summary>
       {depths && <Depths />}
       {currents && <Currents />}
-      {ice && <Ice circles={shown.safety} />}
+      {ice && <Ice circles={shown.safety} drift={shown.drift && drifts.value.length > 0} />}
     </details>
   );
 }
@@ -69,12 +70,13 @@ function Currents(): VNode {
   );
 }
 
-function Ice({ circles }: { circles: boolean }): VNode {
+function Ice({ circles, drift }: { circles: boolean; drift: boolean }): VNode {
   const margin = draft.value.margin_m;
   return (
     <div class="legend-part">
       <h3>Icebergs <span class="unit">{icebergs.value.length}</span></h3>
       <p><svg width="22" height="14" aria-hidden="true"><path class="berg" d="M11 1 L19 12 H3 Z" /></svg> by size; grey after {validity_h} h</p>
+      {drift && <p><svg width="22" height="14" aria-hidden="true"><path class="ghost" d="M11 1 L19 12 H3 Z" /></svg> expected, within the ring</p>}
       {circles && (
         <>
           <p><svg width="22" height="14" aria-hidden="true"><circle class="ring" cx="11" cy="7" r="6" /></svg> hull + {margin || '0'} m margin</p>

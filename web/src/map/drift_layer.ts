@@ -1,0 +1,79 @@
+import { effect } from '@preact/signals';
+import Feature from 'ol/Feature.js';
+import LineString from 'ol/geom/LineString.js';
+import MultiPoint from 'ol/geom/MultiPoint.js';
+import Point from 'ol/geom/Point.js';
+import Polygon from 'ol/geom/Polygon.js';
+import VectorLayer from 'ol/layer/Vector.js';
+import VectorSource from 'ol/source/Vector.js';
+import { Circle, Fill, RegularShape, Stroke, Style } from 'ol/style.js';
+import { circle } from '../geo/geodesic';
+import { project } from '../geo/projections';
+import { time_ms } from '../model/clock';
+import { drifts, expectedAt, ticksOf, wayOf } from '../model/drift';
+import { crowd } from '../model/icebergs';
+import { visible } from '../model/layers';
+import { projection } from '../model/settings';
+import { palette } from '../theme/palette';
+import { toMap } from './projections';
+
+/** Farther out than this many metres in a pixel, ticks and rings would hide the map. */
+const near_m = 150;
+
+const isShown = (): boolean => visible.value.drift && visible.value.icebergs;
+
+/** Where each berg is expected to go: a thin line with a tick every six hours. */
+export function driftLayer(): VectorLayer<VectorSource> {
+  const source = new VectorSource();
+  const layer = new VectorLayer({ source, zIndex: 5 });
+  effect(() => {
+    const code = projection.value;
+    source.clear(true);
+    if (drifts.value.length > crowd) return;
+    source.addFeatures(
+      drifts.value.flatMap((drift) => {
+        const way = wayOf(drift);
+        return way.length < 2 ? [] : [new Feature(new LineString(toMap(code, way))), new Feature(new MultiPoint(toMap(code, ticksOf(drift))))];
+      }),
+    );
+  });
+  effect(() => {
+    const { reach } = palette.value;
+    const line = new Style({ stroke: new Stroke({ color: reach, width: 1 }) });
+    const tick = new Style({ image: new Circle({ radius: 1.8, fill: new Fill({ color: reach }) }) });
+    layer.setStyle((feature, resolution) => (feature.getGeometry()?.getType() === 'LineString' ? line : resolution < near_m ? tick : undefined));
+  });
+  effect(() => layer.setVisible(isShown()));
+  return layer;
+}
+
+/** Where each berg is expected at the clock's time, within a ring of the error that may have grown till then. */
+export function ghostLayer(): VectorLayer<VectorSource> {
+  const source = new VectorSource();
+  const layer = new VectorLayer({ source, zIndex: 5 });
+  effect(() => {
+    if (!isShown() || drifts.value.length > crowd) {
+      source.clear(true);
+      return;
+    }
+    const code = projection.value;
+    const minute = Math.round(time_ms.value / 60_000) * 60_000;
+    const ghosts = drifts.value.flatMap((drift) => {
+      const expected = expectedAt(drift, minute);
+      if (!expected || minute <= Date.parse(drift.observed)) return [];
+      return [
+        new Feature(new Polygon([toMap(code, circle(expected.place, expected.error_m + drift.safe_length_m / 2))])),
+        new Feature(new Point(project(code, expected.place))),
+      ];
+    });
+    source.clear(true);
+    source.addFeatures(ghosts);
+  });
+  effect(() => {
+    const { reach } = palette.value;
+    const ring = new Style({ stroke: new Stroke({ color: reach, width: 1, lineDash: [2, 5] }) });
+    const ghost = new Style({ image: new RegularShape({ points: 3, radius: 6, stroke: new Stroke({ color: reach, width: 1.4, lineDash: [3, 2] }) }) });
+    layer.setStyle((feature, resolution) => (feature.getGeometry()?.getType() === 'Point' ? ghost : resolution < near_m ? ring : undefined));
+  });
+  return layer;
+}
