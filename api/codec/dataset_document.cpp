@@ -2,17 +2,10 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
-namespace {
-
-nlohmann::json optional_time(const std::optional<core::UtcTime>& time) {
-  return time ? nlohmann::json(core::iso8601(*time)) : nlohmann::json();
-}
-
-}  // namespace
-
 nlohmann::json dataset_document(const repository::Dataset& dataset, const std::vector<core::UtcTime>& times) {
   const auto& bounds = dataset.bounds;
   nlohmann::json document{{"id", dataset.id.value},

@@ -1,3 +1,4 @@
+#include "api/codec/foreign_members.hpp"
 #include "api/codec/json_text.hpp"
 #include "api/codec/route_formats.hpp"
 
@@ -5,12 +6,6 @@ namespace floeplan::codec {
 namespace {
 
 using nlohmann::json;
-
-/// Empty where there is no text of that name.
-std::string text_at(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
 
 /// The first LineString below this value, or its points where it has no line.
 void find_geojson(const json& value, std::vector<json>& line, std::vector<json>& points) {

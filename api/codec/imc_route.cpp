@@ -3,6 +3,7 @@
 #include <numbers>
 #include <set>
 
+#include "api/codec/foreign_members.hpp"
 #include "api/codec/json_text.hpp"
 #include "api/codec/route_formats.hpp"
 #include "engine/geo/geodesic.hpp"
@@ -12,18 +13,6 @@ namespace floeplan::codec {
 namespace {
 
 using nlohmann::json;
-
-constexpr std::size_t max_places = 10'000;
-
-std::string text_at(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_string() ? found->get<std::string>() : "";
-}
-
-std::optional<double> number_at(const json& object, const char* key) {
-  const auto found = object.find(key);
-  return found != object.end() && found->is_number() ? std::optional{found->get<double>()} : std::nullopt;
-}
 
 const json* array_at(const json& object, const char* key) {
   const auto found = object.find(key);

@@ -1,23 +1,13 @@
 #include "api/codec/passage_document.hpp"
 
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
-namespace {
 
 using nlohmann::json;
-
-core::UtcTime time_at(const json& object, const char* key) {
-  const auto time = core::parse_iso8601(object.at(key).get<std::string>());
-  if (!time)
-    throw std::runtime_error{std::string{"a stored plan passes under an iceberg at no valid time "} + key};
-  return *time;
-}
-
-}  // namespace
 
 json passed_under_json(const std::vector<planning::PassedUnder>& passed) {
   json result = json::array();
@@ -44,8 +34,8 @@ std::vector<planning::PassedUnder> parse_passed_under(const json& document) {
                                .draft_is_stated = object.at("draft_from") == "sighting",
                                .deepest = {object.at("deepest_keel_m").get<double>()},
                                .upper_turn = {object.at("upper_turn_m").get<double>()}},
-                      .from = time_at(object, "from"),
-                      .until = time_at(object, "until")});
+                      .from = stored_time(object, "from"),
+                      .until = stored_time(object, "until")});
   }
   return result;
 }

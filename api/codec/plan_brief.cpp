@@ -4,6 +4,7 @@
 #include <cmath>
 #include <cstdio>
 
+#include "api/codec/bare_value.hpp"
 #include "api/codec/xml_text.hpp"
 #include "engine/core/utc_text.hpp"
 
@@ -24,11 +25,6 @@ std::string number(std::optional<double> value, int decimals, double factor = 1.
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.*f", decimals, *value * factor);
   return text.data();
-}
-
-template <class Tag>
-std::optional<double> bare(const std::optional<core::Quantity<Tag>>& quantity) {
-  return quantity ? std::optional{quantity->value} : std::nullopt;
 }
 
 constexpr const char* style =

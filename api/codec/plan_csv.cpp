@@ -4,6 +4,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "api/codec/bare_value.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -14,11 +15,6 @@ std::string cell(std::optional<double> value, int decimals) {
   std::array<char, 64> text{};
   std::snprintf(text.data(), text.size(), "%.*f", decimals, *value);
   return text.data();
-}
-
-template <class Tag>
-std::optional<double> bare(const std::optional<core::Quantity<Tag>>& quantity) {
-  return quantity ? std::optional{quantity->value} : std::nullopt;
 }
 
 }  // namespace

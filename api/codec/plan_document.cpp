@@ -1,12 +1,12 @@
 #include "api/codec/plan_document.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <type_traits>
 #include <variant>
 
 #include "api/codec/dataset_document.hpp"
+#include "api/codec/document_values.hpp"
 #include "api/codec/passage_document.hpp"
 #include "api/codec/surfacing_document.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
@@ -17,8 +17,6 @@ namespace {
 
 using nlohmann::json;
 
-double position(double degrees) { return std::round(degrees * 1e7) / 1e7; }
-
 template <class Tag>
 json optional_value(const std::optional<core::Quantity<Tag>>& quantity) {
   return quantity ? json(quantity->value) : json();
@@ -28,8 +26,8 @@ json optional_number(const std::optional<double>& number) { return number ? json
 
 json waypoint_json(const planning::Waypoint& waypoint, std::size_t index) {
   return {{"index", index},
-          {"lon", position(waypoint.place.lon_deg)},
-          {"lat", position(waypoint.place.lat_deg)},
+          {"lon", document_degrees(waypoint.place.lon_deg)},
+          {"lat", document_degrees(waypoint.place.lat_deg)},
           {"eta", core::iso8601(waypoint.eta)},
           {"wait_s", waypoint.wait.count()},
           {"leg_m", optional_value(waypoint.leg_length)},
@@ -44,26 +42,20 @@ json waypoint_json(const planning::Waypoint& waypoint, std::size_t index) {
 
 json late_opening_json(const std::optional<planning::LateOpening>& opening) {
   if (!opening) return nullptr;
-  return {{"lon", position(opening->place.lon_deg)},
-          {"lat", position(opening->place.lat_deg)},
+  return {{"lon", document_degrees(opening->place.lon_deg)},
+          {"lat", document_degrees(opening->place.lat_deg)},
           {"refused", core::iso8601(opening->refused)},
           {"opens", core::iso8601(opening->opens)},
           {"gain_s", opening->gain ? json(opening->gain->count()) : json()}};
 }
 
-core::UtcTime time_at(const json& object, const char* key) {
-  const auto time = core::parse_iso8601(object.at(key).get<std::string>());
-  if (!time) throw std::runtime_error{std::string{"a stored plan has no valid time "} + key};
-  return *time;
-}
-
-std::optional<double> number_at(const json& object, const char* key) {
+std::optional<double> stored_number(const json& object, const char* key) {
   const json& value = object.at(key);
   return value.is_null() ? std::nullopt : std::optional{value.get<double>()};
 }
 
 std::optional<core::Metres> metres_at(const json& object, const char* key) {
-  const auto value = number_at(object, key);
+  const auto value = stored_number(object, key);
   return value ? std::optional{core::Metres{*value}} : std::nullopt;
 }
 
@@ -89,19 +81,19 @@ std::optional<planning::PlanEnergy> parse_energy(const json& document) {
 
 planning::Waypoint parse_waypoint(const json& object) {
   planning::Waypoint waypoint{.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
-                              .eta = time_at(object, "eta"),
+                              .eta = stored_time(object, "eta"),
                               .leg_length = metres_at(object, "leg_m"),
-                              .course_deg = number_at(object, "course_deg"),
+                              .course_deg = stored_number(object, "course_deg"),
                               .speed_over_ground = std::nullopt,
                               .depth = metres_at(object, "depth_m"),
                               .iceberg_encounters = std::nullopt};
-  if (const auto speed = number_at(object, "speed_over_ground_m_s")) {
+  if (const auto speed = stored_number(object, "speed_over_ground_m_s")) {
     waypoint.speed_over_ground = core::MetresPerSecond{*speed};
   }
   waypoint.wait =
       core::Seconds{object.value("wait_s", 0.0)};  // plans stored by older versions do not have it
   if (object.contains("iceberg_encounters")) {
-    waypoint.iceberg_encounters = number_at(object, "iceberg_encounters");
+    waypoint.iceberg_encounters = stored_number(object, "iceberg_encounters");
   }
   return waypoint;
 }
@@ -147,10 +139,10 @@ std::optional<planning::LateOpening> parse_late_opening(const json& search) {
     return std::nullopt;
   const json& object = search.at("worst_fifo_violation");
   planning::LateOpening opening{.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
-                                .refused = time_at(object, "refused"),
-                                .opens = time_at(object, "opens"),
+                                .refused = stored_time(object, "refused"),
+                                .opens = stored_time(object, "opens"),
                                 .gain = std::nullopt};
-  if (const auto gain_s = number_at(object, "gain_s")) opening.gain = core::Seconds{*gain_s};
+  if (const auto gain_s = stored_number(object, "gain_s")) opening.gain = core::Seconds{*gain_s};
   return opening;
 }
 
@@ -159,8 +151,8 @@ planning::Plan parse_members(const json& document) {
   plan.method =
       planning::parse_method(document.at("method").get<std::string>()).value_or(planning::Method::astar);
   plan.vehicle = document.at("vehicle").get<std::string>();
-  plan.departure = time_at(document, "departure");
-  plan.arrival = time_at(document, "arrival");
+  plan.departure = stored_time(document, "departure");
+  plan.arrival = stored_time(document, "arrival");
   plan.distance = {document.at("distance_m").get<double>()};
   for (const auto& waypoint : document.at("waypoints")) plan.waypoints.push_back(parse_waypoint(waypoint));
   if (const auto order = document.find("via_order"); order != document.end() && !order->is_null()) {
@@ -182,13 +174,13 @@ planning::Plan parse_members(const json& document) {
                      .land = metres_at(clearances, "land_m"),
                      .bottom = metres_at(clearances, "bottom_m")};
   if (document.contains("iceberg_encounters")) {
-    plan.iceberg_encounters = number_at(document, "iceberg_encounters");
+    plan.iceberg_encounters = stored_number(document, "iceberg_encounters");
   }
   plan.passed_under = parse_passed_under(document);
   plan.encounter_trade = parse_encounter_trade(document);
   plan.surfacing = parse_surfacing(document);
   plan.energy = parse_energy(document);
-  plan.optimality_gap = number_at(document, "optimality_gap");
+  plan.optimality_gap = stored_number(document, "optimality_gap");
   plan.optimality_gap_reason = document.at("optimality_gap_reason").get<std::string>();
   for (const auto& dataset : document.at("datasets")) plan.datasets.push_back(parse_dataset_ref(dataset));
   plan.warnings = document.at("warnings").get<std::vector<std::string>>();
@@ -208,7 +200,7 @@ json change_json(const planning::Change& change) {
           if constexpr (std::is_same_v<T, core::UtcTime>) {
             return core::iso8601(held);
           } else if constexpr (std::is_same_v<T, geo::LonLat>) {
-            return json::array({position(held.lon_deg), position(held.lat_deg)});
+            return json::array({document_degrees(held.lon_deg), document_degrees(held.lat_deg)});
           } else {
             return held;
           }
@@ -270,18 +262,20 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
 json infeasible_document(const planning::Infeasible& infeasible, const ocean::Environment& environment) {
   json changes = json::array();
   for (const planning::Change& change : infeasible.changes) changes.push_back(change_json(change));
-  return {{"status", "infeasible"},
-          {"reason", planning::reason_name(infeasible.reason)},
-          {"at", {{"lon", position(infeasible.at.lon_deg)}, {"lat", position(infeasible.at.lat_deg)}}},
-          {"when", core::iso8601(infeasible.when)},
-          {"explanation", infeasible.explanation},
-          {"suggestion", infeasible.suggestion},
-          {"binding_constraint", planning::constraint_name(infeasible.binding)},
-          {"smallest_change", changes.empty() ? json() : changes.front()},
-          {"changes", std::move(changes)},
-          {"changes_cut_short", infeasible.changes_cut_short},
-          {"warnings", environment.warnings},
-          {"datasets", dataset_refs_json(environment.datasets)}};
+  return {
+      {"status", "infeasible"},
+      {"reason", planning::reason_name(infeasible.reason)},
+      {"at",
+       {{"lon", document_degrees(infeasible.at.lon_deg)}, {"lat", document_degrees(infeasible.at.lat_deg)}}},
+      {"when", core::iso8601(infeasible.when)},
+      {"explanation", infeasible.explanation},
+      {"suggestion", infeasible.suggestion},
+      {"binding_constraint", planning::constraint_name(infeasible.binding)},
+      {"smallest_change", changes.empty() ? json() : changes.front()},
+      {"changes", std::move(changes)},
+      {"changes_cut_short", infeasible.changes_cut_short},
+      {"warnings", environment.warnings},
+      {"datasets", dataset_refs_json(environment.datasets)}};
 }
 
 planning::Plan parse_plan_document(const json& document) {

@@ -10,7 +10,7 @@
 namespace floeplan::codec {
 namespace {
 
-using json = nlohmann::ordered_json;
+using nlohmann::ordered_json;
 
 constexpr int depth_units = 1;        // ZUnits: depth
 constexpr int metres_per_second = 0;  // SpeedUnits
@@ -44,7 +44,7 @@ double depth_of(const planning::Waypoint& waypoint, const vehicle::GliderProfile
   return std::floor(std::clamp(over_ground_m, 0.0, vehicle.dive_depth.value));
 }
 
-json go_to(const Part& part, double depth_m, double speed_m_s) {
+ordered_json go_to(const Part& part, double depth_m, double speed_m_s) {
   return {{"abbrev", "Goto"},
           {"timeout", static_cast<int>(std::ceil(2.0 * part.duration_s)) + 60},
           {"lat", core::degrees_to_radians(part.to.lat_deg)},
@@ -63,8 +63,8 @@ json go_to(const Part& part, double depth_m, double speed_m_s) {
 
 std::string plan_imc(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
                      const std::string& plan_id, const std::string& name, core::UtcTime generated) {
-  json maneuvers = json::array();
-  json transitions = json::array();
+  ordered_json maneuvers = ordered_json::array();
+  ordered_json transitions = ordered_json::array();
   for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
     const planning::Waypoint& to = plan.waypoints[i];
     const double speed_m_s = to.speed_through_water.value_or(vehicle.speed_through_water).value;
@@ -75,16 +75,16 @@ std::string plan_imc(const planning::Plan& plan, const vehicle::GliderProfile& v
                                {"source_man", maneuvers.back()["maneuver_id"]},
                                {"dest_man", id},
                                {"conditions", "ManeuverIsDone"},
-                               {"actions", json::array()}});
+                               {"actions", ordered_json::array()}});
       maneuvers.push_back({{"abbrev", "PlanManeuver"},
                            {"maneuver_id", id},
                            {"data", go_to(part, depth_of(to, vehicle), speed_m_s)},
-                           {"start_actions", json::array()},
-                           {"end_actions", json::array()}});
+                           {"start_actions", ordered_json::array()},
+                           {"end_actions", ordered_json::array()}});
     }
   }
-  const json first = maneuvers.empty() ? json("") : maneuvers.front()["maneuver_id"];
-  const json message{
+  const ordered_json first = maneuvers.empty() ? ordered_json("") : maneuvers.front()["maneuver_id"];
+  const ordered_json message{
       {"abbrev", "PlanSpecification"},
       {"timestamp", core::unix_seconds(generated)},
       {"src", nobody},
@@ -95,12 +95,12 @@ std::string plan_imc(const planning::Plan& plan, const vehicle::GliderProfile& v
       {"description", mission::comment_text(name.empty() ? plan_id : name + ", " + plan_id, 200) +
                           "; not tried on a vehicle, check before use"},
       {"vnamespace", ""},
-      {"variables", json::array()},
+      {"variables", ordered_json::array()},
       {"start_man_id", first},
       {"maneuvers", std::move(maneuvers)},
       {"transitions", std::move(transitions)},
-      {"start_actions", json::array()},
-      {"end_actions", json::array()}};
+      {"start_actions", ordered_json::array()},
+      {"end_actions", ordered_json::array()}};
   return message.dump(1) + "\n";
 }
 

@@ -3,16 +3,13 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
 namespace {
 
 using nlohmann::json;
-
-json optional_time(const std::optional<core::UtcTime>& time) {
-  return time ? json(core::iso8601(*time)) : json();
-}
 
 json optional_text(const std::string& text) { return text.empty() ? json() : json(text); }
 

@@ -12,12 +12,12 @@ namespace {
 using nlohmann::json;
 using Direction = planning::ReachRequest::Direction;
 
-double position(double degrees) { return std::round(degrees * 1e6) / 1e6; }
+double metre_degrees(double degrees) { return std::round(degrees * 1e6) / 1e6; }
 
-json ring_json(const geo::Ring& ring) {
+json rounded_ring(const geo::Ring& ring) {
   json result = json::array();
   for (const geo::LonLat place : ring) {
-    json at = json::array({position(place.lon_deg), position(place.lat_deg)});
+    json at = json::array({metre_degrees(place.lon_deg), metre_degrees(place.lat_deg)});
     if (result.empty() || result.back() != at) result.push_back(std::move(at));
   }
   if (result.front() != result.back() || result.size() == 1) result.push_back(result.front());
@@ -30,10 +30,10 @@ constexpr std::size_t least_positions = 4;
 json multi_polygon(const std::vector<geo::Polygon>& polygons) {
   json coordinates = json::array();
   for (const geo::Polygon& polygon : polygons) {
-    json rings = json::array({ring_json(polygon.outer)});
+    json rings = json::array({rounded_ring(polygon.outer)});
     if (rings.front().size() < least_positions) continue;
     for (const geo::Ring& hole : polygon.holes) {
-      json ring = ring_json(hole);
+      json ring = rounded_ring(hole);
       if (ring.size() >= least_positions) rings.push_back(std::move(ring));
     }
     coordinates.push_back(std::move(rings));

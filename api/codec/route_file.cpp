@@ -8,7 +8,6 @@ namespace floeplan::codec {
 namespace {
 
 constexpr std::size_t max_bytes = 1 << 20;
-constexpr std::size_t max_places = 10'000;
 
 /// A list or mission of a Slocum, or the targets of a Seaglider. Decimal degrees are refused: nobody should fly what they would be taken for.
 tl::expected<RouteFile, core::Violations> read_mission(const std::string& name, std::string_view bytes) {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -32,6 +33,9 @@ using RoutePlaces = tl::expected<std::vector<geo::LonLat>, core::Violations>;
 /// Other sentences are passed over.
 /// Errors   a check sum that does not fit, several routes, a waypoint of the route or its place that is not there
 [[nodiscard]] RoutePlaces read_nmea(std::string_view bytes);
+
+/// Of a route file; a plan uses far fewer.
+inline constexpr std::size_t max_places = 10'000;
 
 /// "line 12", as a violation names it.
 [[nodiscard]] std::string at_line(int line);

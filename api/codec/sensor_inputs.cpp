@@ -1,11 +1,12 @@
 #include "api/codec/sensor_inputs.hpp"
 
 #include <cmath>
-#include <limits>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
 #include <string>
+
+#include "api/codec/input_limits.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -17,8 +18,6 @@ using simulation::SonarSettings;
 using simulation::SoundWater;
 
 constexpr double degree = std::numbers::pi / 180.0;
-constexpr double most = std::numeric_limits<double>::max();
-constexpr NumberRange any{-most, most};  // the settings judge themselves
 constexpr int most_count = 1'000'000;
 
 /// A member that is a number, and the size of its unit in that of the setting.
@@ -102,7 +101,8 @@ constexpr Count<AdcpSettings> adcp_counts[] = {{"cells", &AdcpSettings::cells},
 template <class Settings>
 void read_numbers(InputReader& members, std::span<const Number<Settings>> numbers, Settings& settings) {
   for (const auto& number : numbers) {
-    if (const auto value = members.number(number.key, any)) settings.*number.member = *value * number.unit;
+    if (const auto value = members.number(number.key, any_number))
+      settings.*number.member = *value * number.unit;
   }
 }
 
@@ -114,7 +114,7 @@ void read_counts(InputReader& members, std::span<const Count<Settings>> counts, 
 }
 
 /// Twelve digits are more than any setting has; they make 3 degrees 3 again.
-double written(double value) {
+double twelve_digits(double value) {
   if (value == 0.0) return 0.0;
   const double scale = std::pow(10.0, 12.0 - std::ceil(std::log10(std::abs(value))));
   return std::round(value * scale) / scale;
@@ -124,7 +124,7 @@ template <class Settings>
 void write_numbers(std::span<const Number<Settings>> numbers, const Settings& settings, json& object) {
   for (const auto& number : numbers) {
     const double value = settings.*number.member;
-    object[number.key] = number.unit == 1.0 ? value : written(value / number.unit);
+    object[number.key] = number.unit == 1.0 ? value : twelve_digits(value / number.unit);
   }
 }
 

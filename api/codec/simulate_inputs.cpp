@@ -2,9 +2,9 @@
 
 #include <algorithm>
 #include <array>
-#include <limits>
 
 #include "api/codec/data_inputs.hpp"
+#include "api/codec/input_limits.hpp"
 #include "api/codec/input_reader.hpp"
 #include "api/codec/sensor_inputs.hpp"
 
@@ -13,12 +13,9 @@ namespace {
 
 using nlohmann::json;
 
-constexpr double most = std::numeric_limits<double>::max();
-constexpr NumberRange any{-most, most};  // the settings judge themselves
 constexpr int tracks_unless_told = 10;
 constexpr std::size_t most_files = 100;
 constexpr std::size_t longest_file = 1 << 20;
-constexpr int largest_seed = 2'000'000'000;
 
 constexpr std::array data_keys{"currents",   "steady", "tides",    "tides_mode",
                                "bathymetry", "ice",    "icebergs", "icebergs_as_of"};
@@ -48,10 +45,10 @@ void read_current_error(InputReader& reader, simulation::CurrentErrorSettings& e
   const json* value = reader.member("current_error");
   if (value == nullptr) return;
   InputReader members{*value, "/current_error"};
-  if (const auto rms = members.number("rms_m_s", any)) error.rms = {*rms};
-  if (const auto length = members.number("length_scale_m", any)) error.length_scale = {*length};
-  if (const auto depth = members.number("depth_scale_m", any)) error.depth_scale = {*depth};
-  if (const auto time = members.number("time_scale_s", any)) error.time_scale = core::Seconds{*time};
+  if (const auto rms = members.number("rms_m_s", any_number)) error.rms = {*rms};
+  if (const auto length = members.number("length_scale_m", any_number)) error.length_scale = {*length};
+  if (const auto depth = members.number("depth_scale_m", any_number)) error.depth_scale = {*depth};
+  if (const auto time = members.number("time_scale_s", any_number)) error.time_scale = core::Seconds{*time};
   members.refuse_unknown();
   reader.refuse_all("", members.violations());
   if (members.violations().empty()) reader.refuse_all("", error.violations());

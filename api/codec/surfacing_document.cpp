@@ -1,9 +1,8 @@
 #include "api/codec/surfacing_document.hpp"
 
-#include <cmath>
 #include <nlohmann/json.hpp>
-#include <stdexcept>
 
+#include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -11,15 +10,15 @@ namespace {
 
 using nlohmann::json;
 
-double position(double degrees) { return std::round(degrees * 1e7) / 1e7; }
-
-json place_json(geo::LonLat place) { return json::array({position(place.lon_deg), position(place.lat_deg)}); }
+json position(geo::LonLat place) {
+  return json::array({document_degrees(place.lon_deg), document_degrees(place.lat_deg)});
+}
 
 json escape_json(const planning::EscapeWay& escape, std::size_t waypoint) {
   json way = json::array();
-  for (const geo::LonLat place : escape.way) way.push_back(place_json(place));
+  for (const geo::LonLat place : escape.way) way.push_back(position(place));
   return {{"waypoint", waypoint},
-          {"to", place_json(escape.way.back())},
+          {"to", position(escape.way.back())},
           {"course_deg", escape.course_deg ? json(*escape.course_deg) : json()},
           {"distance_m", escape.distance.value},
           {"time_s", escape.time.count()},
@@ -39,10 +38,8 @@ planning::EscapeWay parse_escape(const json& object) {
 }
 
 planning::PlannedSurfacing parse_planned(const json& object) {
-  const auto time = core::parse_iso8601(object.at("time").get<std::string>());
-  if (!time) throw std::runtime_error{"a stored plan has a surfacing without a valid time"};
   return {.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
-          .time = *time,
+          .time = stored_time(object, "time"),
           .position_error = {object.at("position_error_m").get<double>()}};
 }
 
@@ -68,8 +65,8 @@ json surfacing_json(const std::optional<planning::SurfacingPlan>& plan) {
   if (!plan) return nullptr;
   json surfacings = json::array();
   for (const auto& surfacing : plan->surfacings) {
-    surfacings.push_back({{"lon", position(surfacing.place.lon_deg)},
-                          {"lat", position(surfacing.place.lat_deg)},
+    surfacings.push_back({{"lon", document_degrees(surfacing.place.lon_deg)},
+                          {"lat", document_degrees(surfacing.place.lat_deg)},
                           {"time", core::iso8601(surfacing.time)},
                           {"position_error_m", surfacing.position_error.value}});
   }

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "api/codec/input_limits.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -9,8 +10,6 @@ namespace {
 
 using nlohmann::json;
 using planning::RobustObjective;
-
-constexpr int largest_seed = 2'000'000'000;
 
 std::optional<std::string> objective_name(RobustObjective objective) {
   switch (objective) {

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 
+#include "api/codec/input_limits.hpp"
+
 namespace floeplan::codec {
 namespace {
 
@@ -10,7 +12,6 @@ using nlohmann::json;
 using vehicle::GliderProfile;
 
 constexpr double cm3_per_m3 = 1e6;
-constexpr double deepest_m = 11'000.0;
 
 /// Whether the inputs say the speed themselves, or what it follows from.
 struct SpeedGiven {

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "api/codec/input_limits.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -14,7 +15,6 @@ using nlohmann::json;
 
 constexpr std::size_t max_features = 1'000;
 constexpr std::size_t max_corners = 100'000;  // tested for every leg where a zone has its times
-constexpr double deepest_m = 11'000.0;
 
 /// The corners of a closed ring, its first not repeated.
 std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const std::string& pointer) {
