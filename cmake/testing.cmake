@@ -15,6 +15,9 @@ function(floeplan_test folder)
     # What a test calls is optimised as it is for users; its own code is large, runs briefly, and compiles twice as fast.
     target_compile_options(${folder}_test PRIVATE -Og)
   endif()
+  if(NOT CCACHE)  # which spares more by itself, and would not keep what a precompiled header went into
+    target_precompile_headers(${folder}_test PRIVATE <gtest/gtest.h> <gmock/gmock.h>)
+  endif()
   gtest_discover_tests(${folder}_test TEST_PREFIX "${folder}." DISCOVERY_TIMEOUT 60
     PROPERTIES ENVIRONMENT "LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/tests/support/leaks_of_libraries.txt")
 endfunction()
