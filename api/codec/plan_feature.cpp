@@ -13,7 +13,7 @@ using nlohmann::json;
 
 namespace {
 
-geo::LonLat place_of(const json& waypoint) {
+geo::LonLat waypoint_place(const json& waypoint) {
   return {waypoint.at("lon").get<double>(), waypoint.at("lat").get<double>()};
 }
 
@@ -55,7 +55,7 @@ std::vector<PlanPart> plan_legs(const repository::PlanRecord& plan) {
   for (std::size_t i = 1; i < waypoints.size(); ++i) {
     const json& tail = waypoints[i - 1];
     const json& head = waypoints[i];
-    const std::vector<geo::LonLat> ends{place_of(tail), place_of(head)};
+    const std::vector<geo::LonLat> ends{waypoint_place(tail), waypoint_place(head)};
     const double waited_s = tail.value("wait_s", 0.0);
     const core::UtcTime begin = time_of(tail) + core::Seconds{waited_s};
     json properties{{"depart", core::iso8601(begin)},
@@ -76,7 +76,7 @@ std::vector<PlanPart> plan_waypoints(const repository::PlanRecord& plan) {
   const json document = json::parse(plan.document_json);
   std::vector<PlanPart> places;
   for (const json& waypoint : document.at("waypoints")) {
-    const geo::LonLat place = place_of(waypoint);
+    const geo::LonLat place = waypoint_place(waypoint);
     const core::UtcTime time = time_of(waypoint);
     const double waited_s = waypoint.value("wait_s", 0.0);
     json properties{{"eta", waypoint.at("eta")},
