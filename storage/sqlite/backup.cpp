@@ -1,0 +1,85 @@
+#include "storage/sqlite/backup.hpp"
+
+#include <SQLiteCpp/Backup.h>
+#include <SQLiteCpp/Database.h>
+#include <SQLiteCpp/Statement.h>
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <system_error>
+
+#include "storage/sqlite/failure.hpp"
+
+namespace floeplan::sqlite {
+namespace {
+
+namespace fs = std::filesystem;
+
+std::string damage_in(SQLite::Database& database) {
+  SQLite::Statement check{database, "PRAGMA quick_check(1)"};
+  const std::string found = check.executeStep() ? check.getColumn(0).getString() : "nothing was checked";
+  return found == "ok" ? "" : found;
+}
+
+void flush(const fs::path& path) {
+  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
+  const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
+  if (descriptor >= 0) close(descriptor);
+  if (!flushed) throw Failure{path.string() + " cannot be written to the disk; look at its free space"};
+}
+
+/// In one step: the copy is of one moment, and in a write-ahead log nobody waits for it.
+void copy_into(SQLite::Database& from, const fs::path& file) {
+  SQLite::Database to{file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE};
+  {
+    SQLite::Backup backup{to, from};
+    backup.executeStep(-1);
+  }
+  to.exec("PRAGMA journal_mode = DELETE");  // one file that can be carried away
+  const std::string damage = damage_in(to);
+  if (!damage.empty())
+    throw Failure{"the copy is not sound (" + damage + "); the store is damaged, or the disk"};
+}
+
+}  // namespace
+
+void back_up(Connection& db, const fs::path& file) {
+  if (fs::exists(file)) throw Failure{file.string() + " exists already; name a new file"};
+  const fs::path unfinished = file.string() + ".unfinished";
+  std::error_code ignored;
+  fs::remove(unfinished, ignored);
+  try {
+    copy_into(db.handle(), unfinished);
+    flush(unfinished);
+    fs::rename(unfinished, file);
+    const fs::path folder = file.parent_path();
+    flush(folder.empty() ? fs::path{"."} : folder);
+  } catch (const SQLite::Exception& cause) {
+    fs::remove(unfinished, ignored);
+    throw failure_of(cause, unfinished.string());
+  } catch (...) {
+    fs::remove(unfinished, ignored);
+    throw;
+  }
+}
+
+std::string damage_of(Connection& db) {
+  try {
+    return damage_in(db.handle());
+  } catch (const SQLite::Exception& cause) {
+    return cause.what();
+  }
+}
+
+std::string damage_of(const fs::path& file) {
+  try {
+    SQLite::Database database{file.string(), SQLite::OPEN_READONLY};
+    if (database.execAndGet("PRAGMA application_id").getInt() != application_id)
+      return "it is no store of Floeplan";
+    return damage_in(database);
+  } catch (const SQLite::Exception& cause) {
+    throw failure_of(cause, file.string());
+  }
+}
+
+}  // namespace floeplan::sqlite
