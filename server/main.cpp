@@ -2,6 +2,7 @@
 #include <exception>
 
 #include "server/cli/command.hpp"
+#include "server/cli/operator_commands.hpp"
 
 int main(int argc, char** argv) {
   using namespace floeplan;
@@ -31,6 +32,10 @@ int main(int argc, char** argv) {
   cli::add_compare_flight(app, program);
   cli::add_reproduce(app, program);
   cli::add_demo(app, program);
+  cli::add_token(app, program);
+  cli::add_audit(app, program);
+  cli::add_backup(app, program);
+  cli::add_restore(app, program);
 
   try {
     app.parse(argc, argv);

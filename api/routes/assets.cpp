@@ -74,6 +74,6 @@ std::optional<Response> read_asset(const std::filesystem::path& folder, const st
   return response;
 }
 
-std::vector<Route> asset_routes() { return {{"GET", "/app/{path...}", {}, show_asset}}; }
+std::vector<Route> asset_routes() { return {{"GET", "/app/{path...}", {}, show_asset, Access::everybody}}; }
 
 }  // namespace floeplan::routes

@@ -1,19 +1,27 @@
 #pragma once
 
+#include <cstddef>
 #include <filesystem>
+#include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "api/routes/job_gateway.hpp"
+#include "api/routes/request_counts.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::routes {
 
 /// What is the same for every request of a server.
 struct ServiceInfo {
-  std::string public_url;         // links begin with it; no slash at its end
-  std::filesystem::path web;      // folder of the built client; empty: none
-  std::filesystem::path uploads;  // folder of what was sent and waits to be ingested
+  std::string public_url;                      // links begin with it; no slash at its end
+  std::filesystem::path web;                   // folder of the built client; empty: none
+  std::filesystem::path uploads;               // folder of what was sent and waits to be ingested
+  bool secure{false};                          // clients come by TLS
+  std::filesystem::path store{};               // folder of the database, to tell its size
+  std::shared_ptr<RequestCounts> counts{};     // empty: nobody counts
+  std::function<std::size_t()> connections{};  // open now
 };
 
 /// What a resource answers from.

@@ -48,7 +48,7 @@ Response remove_dataset(const Context& context, const Request& request, const Pa
 std::vector<Route> dataset_routes() {
   return {{"GET", "/datasets", {}, list_datasets},
           {"GET", "/datasets/{dataset_id}", {}, show_dataset},
-          {"DELETE", "/datasets/{dataset_id}", {}, remove_dataset}};
+          {"DELETE", "/datasets/{dataset_id}", {}, remove_dataset, Access::admin}};
 }
 
 }  // namespace floeplan::routes

@@ -10,7 +10,7 @@ std::vector<Route> health_routes() {
   const auto version = [](const Context&, const Request&, const PathParameters&) {
     return json_reply({{"name", "floeplan"}, {"version", FLOEPLAN_VERSION}});
   };
-  return {{"GET", "/healthz", {}, health}, {"GET", "/version", {}, version}};
+  return {{"GET", "/healthz", {}, health, Access::everybody}, {"GET", "/version", {}, version}};
 }
 
 }  // namespace floeplan::routes

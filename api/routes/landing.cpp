@@ -1,5 +1,10 @@
+#include <memory>
+#include <mutex>
+#include <optional>
+
 #include "api/openapi/openapi.hpp"
 #include "api/routes/assets.hpp"
+#include "api/routes/door_description.hpp"
 #include "api/routes/preferences.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
@@ -53,19 +58,42 @@ Response show_conformance(const Context&, const Request&, const PathParameters&)
          processes + "job-list", processes + "dismiss"}}});
 }
 
-Response show_api(const Context& context, const Request&, const PathParameters&) {
+Response api_document(const std::string& url) {
   json document = json::parse(openapi::document());
-  document["servers"] = json::array({{{"url", context.service.public_url}}});
+  document["servers"] = json::array({{{"url", url}}});
   document["info"]["version"] = FLOEPLAN_VERSION;
+  describe_doors(document, all_routes());
   return json_reply(document, 200, openapi_type);
 }
+
+/// The document is large and the same for every request of a server: it is made once.
+class ApiDocument {
+ public:
+  Response at(const std::string& url) {
+    const std::lock_guard lock{mutex_};
+    if (!made_ || url != url_) {
+      made_ = api_document(url);
+      url_ = url;
+    }
+    return *made_;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::string url_;
+  std::optional<Response> made_;
+};
 
 }  // namespace
 
 std::vector<Route> landing_routes() {
-  return {{"GET", "/", {}, show_landing_page},
-          {"GET", "/conformance", {}, show_conformance},
-          {"GET", "/api", {}, show_api}};
+  const auto document = std::make_shared<ApiDocument>();
+  const auto show_api = [document](const Context& context, const Request&, const PathParameters&) {
+    return document->at(context.service.public_url);
+  };
+  return {{"GET", "/", {}, show_landing_page, Access::everybody},
+          {"GET", "/conformance", {}, show_conformance, Access::everybody},
+          {"GET", "/api", {}, show_api, Access::everybody}};
 }
 
 }  // namespace floeplan::routes

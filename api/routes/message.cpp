@@ -45,6 +45,16 @@ std::optional<std::string> Request::parameter(const std::string& name) const {
   return value;
 }
 
+void vary_by(Response& response, const std::string& header) {
+  for (auto& [name, value] : response.headers) {
+    if (name == "Vary") {
+      value += ", " + header;
+      return;
+    }
+  }
+  response.headers.emplace_back("Vary", header);
+}
+
 std::optional<Target> parse_target(std::string_view target) {
   const auto mark = target.find('?');
   auto path = decoded(target.substr(0, mark), false);

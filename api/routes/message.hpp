@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
+#include "storage/repository/token_repository.hpp"
 
 namespace floeplan::routes {
 
@@ -25,6 +26,16 @@ struct BodyFile {
   std::string sha256;  // lower-case hexadecimal
 };
 
+/// Who asks: the name is that of a token, and owns what is asked for.
+struct Caller {
+  std::string name;
+  repository::Role role{repository::Role::viewer};
+  std::string token_key{};  // when the token itself was shown, not a login that was opened with it
+};
+
+/// The caller of a server that runs open, for this machine alone.
+inline const Caller local_caller{"local", repository::Role::admin};
+
 /// An HTTP request, free of sockets.
 struct Request {
   std::string method;
@@ -35,6 +46,9 @@ struct Request {
   std::string body;
   std::optional<BodyFile> body_file;  // then `body` is empty
   core::UtcTime now;
+  std::string id;                // in the answer's X-Request-Id and in every line of the log
+  std::string peer;              // address of the client, or of the proxy before it
+  std::optional<Caller> caller;  // set by the doorkeeper; nothing: nobody has said who asks
   std::optional<Resumption> resumption;
 
   /// Empty text when there is no such header.
@@ -61,7 +75,12 @@ struct Response {
   /// The body is a piece of a stream. With `wait` the handler is asked for the next piece after a wake-up, or with
   /// `last` when the time is up; a piece without `wait` is the stream's end.
   bool streams{false};
+  std::string route;   // pattern of the operation that answered, for log and counts; empty: none did
+  std::string caller;  // name, for the log
 };
+
+/// Notes that the response depends on this header of the request.
+void vary_by(Response& response, const std::string& header);
 
 /// Answers one request. May block on the store, so never called on an I/O thread; may be called from several
 /// at once.

@@ -77,7 +77,7 @@ std::vector<Route> mission_check_routes() {
   std::vector<std::string> parameters{"name", "from", "steady"};
   parameters.insert(parameters.end(), texts.begin(), texts.end());
   parameters.insert(parameters.end(), numbers.begin(), numbers.end());
-  return {{"POST", "/missions/check", parameters, check_missions}};
+  return {{"POST", "/missions/check", parameters, check_missions, Access::viewer}};
 }
 
 }  // namespace floeplan::routes

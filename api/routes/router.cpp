@@ -3,7 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <stdexcept>
 #include <string_view>
+#include <utility>
 
 #include "api/routes/idempotency.hpp"
 #include "api/routes/reply.hpp"
@@ -43,6 +45,11 @@ std::optional<PathParameters> match(std::string_view pattern, std::string_view p
   return wanted.size() == given.size() ? std::optional{parameters} : std::nullopt;
 }
 
+std::string without_last_slash(std::string path) {
+  if (path.size() > 1 && path.ends_with('/')) path.pop_back();
+  return path;
+}
+
 /// The first thing wrong with the query that concerns every operation.
 std::optional<core::Violation> query_fault(const Route& route, const Request& request) {
   constexpr std::array known_formats{"json",
@@ -65,6 +72,32 @@ std::optional<core::Violation> query_fault(const Route& route, const Request& re
     }
   }
   return std::nullopt;
+}
+
+Response unknown_caller(const Request& request) {
+  Response response =
+      problem_reply(request, {401,
+                              "unauthorized",
+                              "Unauthorized",
+                              "Nobody is known who asks; send a token as \"Authorization: Bearer "
+                              "TOKEN\", or log in with it by POST /session.",
+                              {}});
+  response.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"floeplan\"");
+  return response;
+}
+
+std::optional<Response> refuse_caller(const Route& route, const Request& request) {
+  const auto least = least_role(route);
+  if (!least) return std::nullopt;
+  if (!request.caller) return unknown_caller(request);
+  if (request.caller->role >= *least) return std::nullopt;
+  return problem_reply(request,
+                       {403,
+                        "forbidden",
+                        "Forbidden",
+                        "This takes a token of the role " + repository::role_name(*least) +
+                            "; yours is of the role " + repository::role_name(request.caller->role) + ".",
+                        {}});
 }
 
 Response without_operation(const Request& request, const std::vector<std::string>& methods) {
@@ -91,6 +124,8 @@ Response without_operation(const Request& request, const std::vector<std::string
 
 Response answer_by(const Route& route, const Context& context, const Request& request,
                    const PathParameters& path) {
+  if (auto refusal = refuse_caller(route, request)) return std::move(*refusal);
+  if (const auto fault = query_fault(route, request)) return invalid(request, {*fault});
   if (route.method != "POST" || route.keeps_own_keys) return route.answer(context, request, path);
   const auto key = idempotency_key(request);
   if (!key) return key.error();
@@ -100,9 +135,28 @@ Response answer_by(const Route& route, const Context& context, const Request& re
 
 }  // namespace
 
+std::optional<repository::Role> least_role(const Route& route) {
+  switch (route.access) {
+    case Access::everybody: return std::nullopt;
+    case Access::viewer: return repository::Role::viewer;
+    case Access::pilot: return repository::Role::pilot;
+    case Access::admin: return repository::Role::admin;
+    case Access::by_method: return route.method == "GET" ? repository::Role::viewer : repository::Role::pilot;
+  }
+  throw std::logic_error{"Access without a role"};
+}
+
+std::optional<Response> Router::refusal(const Request& request) const {
+  const std::string path = without_last_slash(request.path);
+  for (const auto& route : routes_) {
+    if (route.method == request.method && path.starts_with('/') && match(route.pattern, path))
+      return refuse_caller(route, request);
+  }
+  return std::nullopt;
+}
+
 Response Router::answer(const Context& context, const Request& request) const {
-  std::string path = request.path;
-  if (path.size() > 1 && path.ends_with('/')) path.pop_back();
+  const std::string path = without_last_slash(request.path);
   const std::string method = request.method == "HEAD" ? "GET" : request.method;
 
   std::vector<std::string> methods;
@@ -114,8 +168,9 @@ Response Router::answer(const Context& context, const Request& request) const {
         methods.push_back(route.method);
       continue;
     }
-    if (const auto fault = query_fault(route, request)) return invalid(request, {*fault});
-    return answer_by(route, context, request, *parameters);
+    Response response = answer_by(route, context, request, *parameters);
+    response.route = route.pattern;
+    return response;
   }
   return without_operation(request, methods);
 }

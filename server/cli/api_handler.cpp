@@ -4,8 +4,6 @@
 #include <mutex>
 #include <vector>
 
-#include "api/routes/router.hpp"
-
 namespace floeplan::cli {
 namespace {
 
@@ -47,15 +45,26 @@ class ConnectionPool {
 
 }  // namespace
 
-routes::Handler make_api_handler(std::function<sqlite::Connection()> open_store, routes::JobGateway& jobs,
-                                 routes::ServiceInfo service) {
-  auto router = std::make_shared<const routes::Router>(routes::all_routes());
+Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway& jobs,
+             routes::ServiceInfo service, routes::Doors doors) {
+  auto doorkeeper =
+      std::make_shared<routes::Doorkeeper>(std::move(doors), routes::Router{routes::all_routes()});
   auto pool = std::make_shared<ConnectionPool>(std::move(open_store));
   auto info = std::make_shared<const routes::ServiceInfo>(std::move(service));
-  return [router, pool, info, &jobs](const routes::Request& request) {
+  const auto with_context = [pool, info, &jobs](const auto& use) {
     return pool->with_connection(
-        [&](sqlite::Connection& db) { return router->answer({db, jobs, *info}, request); });
+        [&](sqlite::Connection& db) { return use(routes::Context{db, jobs, *info}); });
   };
+  return {.answer =
+              [doorkeeper, with_context](const routes::Request& request) {
+                return with_context(
+                    [&](const routes::Context& context) { return doorkeeper->answer(context, request); });
+              },
+          .refuse =
+              [doorkeeper, with_context](const routes::Request& request) {
+                return with_context(
+                    [&](const routes::Context& context) { return doorkeeper->refuse(context, request); });
+              }};
 }
 
 }  // namespace floeplan::cli

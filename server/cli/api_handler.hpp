@@ -1,17 +1,26 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 
 #include "api/routes/context.hpp"
+#include "api/routes/doorkeeper.hpp"
 #include "api/routes/job_gateway.hpp"
 #include "api/routes/message.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::cli {
 
-/// Joins the resources with store and job system: a handler that lends each call a connection of its own.
-/// `jobs` is borrowed and outlives the handler.
-[[nodiscard]] routes::Handler make_api_handler(std::function<sqlite::Connection()> open_store,
-                                               routes::JobGateway& jobs, routes::ServiceInfo service);
+/// What a server asks of the API.
+struct Api {
+  routes::Handler answer;
+  /// Before a large body is taken in: the refusal of whoever may not send it.
+  std::function<std::optional<routes::Response>(const routes::Request&)> refuse;
+};
+
+/// Joins the resources with store and job system: handlers that lend each call a connection of its own.
+/// `jobs` is borrowed and outlives them.
+[[nodiscard]] Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway& jobs,
+                           routes::ServiceInfo service, routes::Doors doors);
 
 }  // namespace floeplan::cli

@@ -2,18 +2,26 @@
 
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
+#include <sys/resource.h>
+#include <unistd.h>
 
+#include <algorithm>
+#include <array>
 #include <iostream>
 #include <memory>
 
 #include "api/routes/router.hpp"
+#include "api/routes/site.hpp"
 #include "server/cli/api_handler.hpp"
 #include "server/cli/command.hpp"
 #include "server/http/server.hpp"
 #include "server/jobs/watched_folder.hpp"
 #include "server/jobs/worker_pool.hpp"
 #include "storage/repository/migrations.hpp"
+#include "storage/repository/store_lock.hpp"
+#include "storage/repository/token_repository.hpp"
 #include "storage/repository/upload_repository.hpp"
+#include "storage/sqlite/backup.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -42,9 +50,47 @@ std::filesystem::path find_web(const ServeOptions& options) {
   return {};
 }
 
-std::string origin(const http::ListenAddress& address, std::uint16_t port) {
+/// An address that stands for all of the machine's own is no address to ask at: then its name.
+std::string reachable_host(const http::ListenAddress& address) {
+  if (address.host == "0.0.0.0" || address.host == "::") {
+    std::array<char, 256> name{};
+    if (gethostname(name.data(), name.size() - 1) == 0) return name.data();
+  }
   const bool v6 = address.host.find(':') != std::string::npos;
-  return "http://" + (v6 ? "[" + address.host + "]" : address.host) + ":" + std::to_string(port);
+  return v6 ? "[" + address.host + "]" : address.host;
+}
+
+std::string origin(const http::ListenAddress& address, std::uint16_t port, bool tls) {
+  return (tls ? "https://" : "http://") + reachable_host(address) + ":" + std::to_string(port);
+}
+
+/// Every connection takes a file descriptor; the system gives far fewer than it would, unless asked.
+void raise_descriptor_limit() {
+  rlimit limit{};
+  if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
+  constexpr rlim_t enough = 16'384;
+  limit.rlim_cur = std::max(limit.rlim_cur, std::min<rlim_t>(limit.rlim_max, enough));
+  if (setrlimit(RLIMIT_NOFILE, &limit) != 0) spdlog::warn("the limit of open files could not be raised");
+}
+
+std::optional<http::TlsFiles> tls_of(const ServeOptions& options) {
+  if (!options.tls_cert || !options.tls_key) return std::nullopt;
+  return http::TlsFiles{*options.tls_cert, *options.tls_key};
+}
+
+/// As many connections as there are descriptors for, with some left for files.
+http::Limits limits_of(const ServeOptions& options) {
+  raise_descriptor_limit();
+  http::Limits limits;
+  rlimit descriptors{};
+  constexpr rlim_t for_files = 256;
+  if (getrlimit(RLIMIT_NOFILE, &descriptors) == 0) {
+    const rlim_t left = std::max(descriptors.rlim_cur, 2 * for_files) - for_files;
+    limits.connections = std::min<std::size_t>(limits.connections, left);
+  }
+  if (options.behind_proxy) limits.connections_per_address = limits.connections;  // all come from the proxy
+  limits.connections_per_address = std::min(limits.connections_per_address, limits.connections);
+  return limits;
 }
 
 std::string without_slash(std::string url) {
@@ -52,23 +98,74 @@ std::string without_slash(std::string url) {
   return url;
 }
 
+/// Why the doors may not be opened like this, for a person; nothing when they may.
+std::optional<std::string> fault_of(const ServeOptions& options, const http::ListenAddress& address) {
+  for (const std::string& site : options.allow_origins) {
+    if (!routes::is_origin(site))
+      return "--allow-origin " + site +
+             " is no origin; write scheme, host and port alone, as https://map.example";
+  }
+  if (address.loopback && !options.behind_proxy) return std::nullopt;
+  auto db = repository::open_store(options.store);
+  const std::string others = options.behind_proxy ? "through a proxy" : "on " + address.host;
+  if (!repository::TokenRepository{db}.any()) {
+    return "will not serve " + others +
+           " without tokens; whoever reaches it could do anything; add the first one with floeplan token add "
+           "NAME "
+           "--role admin";
+  }
+  if (!options.behind_proxy && !options.tls_cert) {
+    return "will not listen on " + address.host +
+           " without TLS; tokens could be read on their way; give --tls-cert and --tls-key, or say "
+           "--behind-proxy when a "
+           "proxy does TLS";
+  }
+  return std::nullopt;
+}
+
+/// A damaged store would lose more with everything that is written to it.
+void refuse_damaged_store(const std::filesystem::path& store) {
+  auto db = repository::open_store(store);
+  const std::string damage = sqlite::damage_of(db);
+  if (damage.empty()) return;
+  throw std::runtime_error{"the store " + store.string() + " is damaged (" + damage +
+                           "); put back the last backup with floeplan restore FILE"};
+}
+
 void serve_until_stopped(const ServeOptions& options, const http::ListenAddress& address) {
+  const repository::StoreLock lock{options.store};
+  refuse_damaged_store(options.store);
   const auto open_store = [store = options.store] { return repository::open_store(store); };
   jobs::JobBoard board;
-  routes::Handler handler;  // needs the port, so it is filled in once that is known
+  Api api;  // needs the port, so it is filled in once that is known
   constexpr std::uint64_t megabyte = 1'000'000;
   const std::filesystem::path uploads = options.store / "uploads";
   const jobs::IngestPlace place{{.program = own_program(), .staging = options.store / "incoming"}, uploads};
+  const auto counts = std::make_shared<routes::RequestCounts>();
   http::Server server{address,
-                      [&handler](const routes::Request& request) { return handler(request); },
+                      [&api](const routes::Request& request) { return api.answer(request); },
                       handler_threads,
-                      {},
-                      {routes::streams_body, uploads, options.max_upload_mb * megabyte}};
-  const std::string local = origin(address, server.port());
-  handler = make_api_handler(open_store, board,
-                             {.public_url = without_slash(options.public_url.value_or(local)),
-                              .web = find_web(options),
-                              .uploads = uploads});
+                      limits_of(options),
+                      {.streaming = {routes::streams_body, uploads, options.max_upload_mb * megabyte,
+                                     [&api](const routes::Request& request) { return api.refuse(request); }},
+                       .tls = tls_of(options),
+                       .observe = [counts](const http::Exchange& exchange) {
+                         counts->add(exchange.method, exchange.route, exchange.status, exchange.taken);
+                       }}};
+  const std::string local = origin(address, server.port(), options.tls_cert.has_value());
+  const bool secure = options.behind_proxy || options.tls_cert;
+  api = make_api(open_store, board,
+                 {.public_url = without_slash(options.public_url.value_or(local)),
+                  .web = find_web(options),
+                  .uploads = uploads,
+                  .secure = secure,
+                  .store = options.store,
+                  .counts = counts,
+                  .connections = [&server] { return server.connections(); }},
+                 {.open_without_tokens = address.loopback && !options.behind_proxy,
+                  .secure = secure,
+                  .behind_proxy = options.behind_proxy,
+                  .origins = options.allow_origins});
   repository::UploadRepository{uploads}.remove_expired(now());
   jobs::WorkerPool workers{open_store, board, options.workers, place};
   std::optional<jobs::WatchedFolder> watched;
@@ -93,6 +190,7 @@ int serve(const ServeOptions& options) {
   }
   log_to_stderr(options.log_level);
   try {
+    if (const auto fault = fault_of(options, *address)) return complain(wrong_usage, *fault);
     serve_until_stopped(options, *address);
     return 0;
   } catch (const std::exception& error) {

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 namespace floeplan::cli {
 
@@ -14,10 +15,14 @@ struct ServeOptions {
   std::string listen{"127.0.0.1:8080"};      // ADDR:PORT; port 0: any free port
   std::size_t workers{1};                    // planning jobs at the same time
   std::optional<std::filesystem::path> web;  // folder of the built client; default: found beside the program
-  std::optional<std::filesystem::path> watch;  // folder whose files are ingested as they come
-  std::uint64_t max_upload_mb{2000};           // the largest file that may be sent
-  std::string log_level{"info"};               // debug, info, warning, error or off
-  std::optional<std::string> public_url;       // what links begin with; default: http://ADDR:PORT
+  std::optional<std::filesystem::path> watch;     // folder whose files are ingested as they come
+  std::uint64_t max_upload_mb{2000};              // the largest file that may be sent
+  std::string log_level{"info"};                  // debug, info, warning, error or off
+  std::optional<std::string> public_url;          // what links begin with; default: http://ADDR:PORT
+  bool behind_proxy{false};                       // a proxy does TLS and names its client
+  std::vector<std::string> allow_origins;         // of other sites whose pages may ask
+  std::optional<std::filesystem::path> tls_cert;  // PEM; with tls_key
+  std::optional<std::filesystem::path> tls_key;
 };
 
 /// Serves until SIGTERM or SIGINT, then stops within ten seconds and hands unfinished jobs back to the queue.

@@ -18,6 +18,15 @@ void add_serve(CLI::App& app, Program& program) {
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}))
       ->capture_default_str();
   command->add_option("--public-url", options->public_url, "What links in answers begin with");
+  auto* cert = command->add_option("--tls-cert", options->tls_cert,
+                                   "Certificate with its chain, PEM; then HTTPS alone");
+  auto* key = command->add_option("--tls-key", options->tls_key, "Key of the certificate, PEM");
+  cert->needs(key);
+  key->needs(cert);
+  command->add_flag("--behind-proxy", options->behind_proxy,
+                    "A reverse proxy does TLS, and appends its client to X-Forwarded-For");
+  command->add_option("--allow-origin", options->allow_origins,
+                      "Site whose pages may ask from a browser, as https://map.example; may be repeated");
   command->callback([options, &program] {
     options->store = program.store;
     options->log_level = program.log_level;

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <optional>
 #include <string>
 #include <string_view>
 
@@ -16,6 +17,8 @@ struct Streaming {
   std::function<bool(const std::string& method, const std::string& path)> wanted;  // empty: none
   std::filesystem::path folder;
   std::uint64_t most_bytes{};
+  /// Asked before such a body is read, on a thread of the handlers; empty: all are welcome.
+  std::function<std::optional<routes::Response>(const routes::Request&)> refuse{};
 };
 
 /// A body on its way to disk: a file of a name of its own in `folder`, which is created when missing. The file is

@@ -23,16 +23,6 @@ bool has_header(const Response& response, std::string_view name) {
                      [&](const auto& header) { return header.first == name; });
 }
 
-void vary_by(Response& response, const std::string& name) {
-  for (auto& [key, value] : response.headers) {
-    if (key == "Vary") {
-      value += ", " + name;
-      return;
-    }
-  }
-  response.headers.emplace_back("Vary", name);
-}
-
 bool is_compressible(const std::string& type) {
   return type.starts_with("text/") || type.find("json") != std::string::npos ||
          type.find("xml") != std::string::npos || type.starts_with("application/octet-stream") ||
@@ -81,7 +71,7 @@ Response finish_response(const Request& request, Response response) {
   const bool compressible =
       response.body.size() > least_worth_compressing && is_compressible(response.content_type);
   const bool compressed = compressible && accepts_gzip(request.header("accept-encoding"));
-  if (compressible) vary_by(response, "Accept-Encoding");
+  if (compressible) routes::vary_by(response, "Accept-Encoding");
   if (tagged) {
     const std::string tag = take_tag(response).value_or(entity_tag(response.body));  // before compression
     response.headers.emplace_back("ETag", '"' + tag + (compressed ? "-gzip\"" : "\""));

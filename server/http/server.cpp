@@ -2,6 +2,7 @@
 
 #include <spdlog/spdlog.h>
 
+#include <atomic>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
 #include <boost/asio/io_context.hpp>
@@ -13,6 +14,8 @@
 #include <csignal>
 #include <map>
 #include <stdexcept>
+#include <unordered_set>
+#include <vector>
 
 #include "server/http/session.hpp"
 
@@ -24,8 +27,8 @@ namespace net = boost::asio;
 class Server::Listener {
  public:
   Listener(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads, Limits limits,
-           Streaming streaming)
-      : share_{std::move(handler), limits, std::move(streaming), handler_threads} {
+           Equipment equipment)
+      : share_{std::move(handler), limits, std::move(equipment), handler_threads} {
     const net::ip::tcp::endpoint endpoint{net::ip::make_address(address.host), address.port};
     boost::system::error_code error;
     acceptor_.open(endpoint.protocol());
@@ -41,6 +44,8 @@ class Server::Listener {
   ~Listener() { share_.pool.join(); }
 
   [[nodiscard]] std::uint16_t port() const { return acceptor_.local_endpoint().port(); }
+
+  [[nodiscard]] std::size_t connections() const { return open_; }
 
   void run() {
     signals_.async_wait([this](const boost::system::error_code& error, int signal) {
@@ -58,6 +63,8 @@ class Server::Listener {
   }
 
  private:
+  using SessionsOfPeer = std::unordered_set<Session*>;  // each lives in its coroutine
+
   net::awaitable<void> accept() {
     while (acceptor_.is_open()) {
       boost::system::error_code error;
@@ -67,9 +74,37 @@ class Server::Listener {
         co_await pause();  // out of file descriptors, mostly: let some connections end
         continue;
       }
-      if (sessions_.size() >= share_.limits.connections) continue;  // the socket closes here
+      if (!make_room(address_of(socket))) continue;  // the socket closes here
       net::co_spawn(io_, serve(std::move(socket)), net::detached);
     }
+  }
+
+  static std::string address_of(const net::ip::tcp::socket& socket) {
+    boost::system::error_code ignored;
+    return socket.remote_endpoint(ignored).address().to_string(ignored);
+  }
+
+  /// False when all connections that could make room are being answered.
+  bool make_room(const std::string& peer) {
+    const auto of_peer = sessions_.find(peer);
+    if (of_peer != sessions_.end() && of_peer->second.size() >= share_.limits.connections_per_address)
+      return drop_longest_waiting({&of_peer->second});
+    if (open_ < share_.limits.connections) return true;
+    std::vector<const SessionsOfPeer*> all;
+    for (const auto& [address, sessions] : sessions_) all.push_back(&sessions);
+    return drop_longest_waiting(all);
+  }
+
+  static bool drop_longest_waiting(const std::vector<const SessionsOfPeer*>& groups) {
+    Session* longest = nullptr;
+    for (const SessionsOfPeer* group : groups) {
+      for (Session* session : *group) {
+        if (!session->waiting_since()) continue;
+        if (longest == nullptr || session->waiting_since() < longest->waiting_since()) longest = session;
+      }
+    }
+    if (longest != nullptr) longest->drop();
+    return longest != nullptr;
   }
 
   net::awaitable<void> pause() {
@@ -79,15 +114,18 @@ class Server::Listener {
   }
 
   net::awaitable<void> serve(net::ip::tcp::socket socket) {
-    const std::uint64_t number = next_session_++;
-    auto session = std::make_unique<Session>(std::move(socket), share_);
-    sessions_[number] = session.get();
+    const auto session = std::make_unique<Session>(std::move(socket), share_);
+    const std::string peer = session->peer();
+    sessions_[peer].insert(session.get());
+    ++open_;
     try {
       co_await session->run();
     } catch (const std::exception& error) {
       spdlog::error("a connection broke off: {}", error.what());
     }
-    sessions_.erase(number);
+    sessions_[peer].erase(session.get());
+    if (sessions_[peer].empty()) sessions_.erase(peer);
+    --open_;
     if (finishing_ && sessions_.empty()) deadline_.cancel();
   }
 
@@ -98,7 +136,8 @@ class Server::Listener {
     boost::system::error_code ignored;
     acceptor_.close(ignored);
     signals_.cancel(ignored);
-    for (auto& [number, session] : sessions_) session->finish();
+    for (const auto& [peer, sessions] : sessions_)
+      for (Session* session : sessions) session->finish();
     if (sessions_.empty()) return;
     deadline_.expires_after(share_.limits.stop_time);
     deadline_.async_wait([this](const boost::system::error_code& error) {
@@ -107,8 +146,8 @@ class Server::Listener {
   }
 
   SessionShare share_;
-  std::map<std::uint64_t, Session*> sessions_;  // each lives in its coroutine
-  std::uint64_t next_session_{0};
+  std::map<std::string, SessionsOfPeer> sessions_;  // by address
+  std::atomic<std::size_t> open_{0};
   bool finishing_{false};
   net::io_context io_{1};
   net::ip::tcp::acceptor acceptor_{io_};
@@ -117,13 +156,15 @@ class Server::Listener {
 };
 
 Server::Server(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads,
-               Limits limits, Streaming streaming)
+               Limits limits, Equipment equipment)
     : listener_{std::make_unique<Listener>(address, std::move(handler), handler_threads, limits,
-                                           std::move(streaming))} {}
+                                           std::move(equipment))} {}
 
 Server::~Server() = default;
 
 std::uint16_t Server::port() const { return listener_->port(); }
+
+std::size_t Server::connections() const { return listener_->connections(); }
 
 void Server::run() { listener_->run(); }
 

@@ -3,11 +3,15 @@
 #include <chrono>
 #include <cstddef>
 #include <cstdint>
+#include <functional>
 #include <memory>
+#include <optional>
+#include <string>
 
 #include "api/routes/message.hpp"
 #include "server/http/body_sink.hpp"
 #include "server/http/listen_address.hpp"
+#include "server/http/tls_files.hpp"
 
 namespace floeplan::http {
 
@@ -15,28 +19,51 @@ namespace floeplan::http {
 struct Limits {
   std::uint32_t header_bytes{16 * 1024};
   std::uint64_t body_bytes{1024 * 1024};
-  std::chrono::seconds header_time{10};  // from the first byte of a request to the end of its header
-  std::chrono::seconds body_time{30};    // of one that goes to disk: for each 64 KiB
-  std::chrono::seconds idle_time{60};    // between requests
+  std::uint64_t held_bytes{256 * 1024 * 1024};  // of bodies and answers of all connections together
+  std::chrono::seconds first_byte_time{15};     // of a new connection, TLS included
+  std::chrono::seconds header_time{10};         // from the first byte of a request to the end of its header
+  std::chrono::seconds body_time{30};           // of one that goes to disk: for each 64 KiB
+  std::chrono::seconds idle_time{60};           // between requests
   std::chrono::seconds write_time{60};
   std::chrono::seconds stop_time{8};  // for open requests, when the server stops
-  std::size_t connections{1000};
+  std::size_t connections{4096};
+  std::size_t connections_per_address{1024};
   std::size_t streams{200};  // of events, each on a connection of its own
+};
+
+/// A request that was answered, as logs and counts see it.
+struct Exchange {
+  std::string method;
+  std::string route;  // pattern of the operation; empty: none answered
+  int status{};
+  std::chrono::duration<double> taken{};
+  std::uint64_t bytes{};  // of the answer's body
+};
+
+/// What a server does beside answering.
+struct Equipment {
+  Streaming streaming{};
+  std::optional<TlsFiles> tls{};                   // none: in the clear
+  std::function<void(const Exchange&)> observe{};  // called on the I/O thread after every answer
 };
 
 /// HTTP/1.1 listener. One thread (the caller of run) does all input and output; handlers run on threads of
 /// their own.
-/// Errors   std::runtime_error from the constructor when the address cannot be listened on
+/// When there are too many connections, of one address or in all, the one that has been waiting longest for its client
+/// makes room; those that are being answered are never ended, and a new one is refused when there are no others.
+/// Errors   std::runtime_error from the constructor when the address cannot be listened on or the certificate not be used
 class Server {
  public:
   Server(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads,
-         Limits limits = {}, Streaming streaming = {});
+         Limits limits = {}, Equipment equipment = {});
   ~Server();
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
   /// The port that is listened on, also when 0 was asked for.
   [[nodiscard]] std::uint16_t port() const;
+  /// How many connections are open now. May be called from any thread.
+  [[nodiscard]] std::size_t connections() const;
   /// Serves until stopped by stop(), SIGTERM or SIGINT. Open requests get their answers within `stop_time`.
   void run();
   /// May be called from any thread.

@@ -8,11 +8,15 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
-#include <charconv>
 #include <optional>
+#include <random>
+#include <sstream>
 #include <vector>
 
 #include "server/http/finish_response.hpp"
+#include "server/http/refusals.hpp"
+#include "server/http/request_head.hpp"
+#include "server/http/tls_context.hpp"
 
 namespace floeplan::http {
 namespace {
@@ -25,41 +29,20 @@ using routes::Response;
 
 core::UtcTime now() { return std::chrono::system_clock::now(); }
 
+/// Differs from every other one of this process, and in practice from those of others.
 std::string next_request_id() {
+  static const std::string process = [] {
+    std::ostringstream text;
+    text << std::hex << std::random_device{}();
+    return text.str();
+  }();
   static std::atomic<std::uint64_t> last{0};
-  return std::to_string(++last);
+  return process + "-" + std::to_string(++last);
 }
 
-std::string lower_case(std::string_view text) {
-  std::string result;
-  for (const char c : text) result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return result;
-}
-
-/// All but the body.
-std::optional<Request> to_request(const beast::http::request_header<>& message) {
-  const auto target = message.target();
-  auto parsed = routes::parse_target({target.data(), target.size()});
-  if (!parsed) return std::nullopt;
-  Request request;
-  request.method = std::string{message.method_string()};
-  request.path = std::move(parsed->path);
-  request.query = std::move(parsed->query);
-  for (const auto& field : message) {
-    const auto name = field.name_string();
-    request.headers[lower_case({name.data(), name.size()})] = std::string{field.value()};
-  }
-  return request;
-}
-
-/// A problem (RFC 9457) that no resource has said; the texts are ours and need no escaping.
-Response problem(int status, const std::string& slug, const std::string& title, const std::string& detail) {
-  Response response;
-  response.status = status;
-  response.content_type = "application/problem+json";
-  response.body = R"({"type":"/problems/)" + slug + R"(","title":")" + title + R"(","status":)" +
-                  std::to_string(status) + R"(,"detail":")" + detail + R"("})";
-  return finish_response({}, std::move(response));
+Response internal_error() {
+  return problem(500, "internal-error", "Internal error",
+                 "The server could not answer; its log says why. The request may be sent again.");
 }
 
 Response too_many_streams() {
@@ -71,8 +54,16 @@ Response too_many_streams() {
 
 }  // namespace
 
+SessionShare::SessionShare(routes::Handler answer, Limits bounds, Equipment tools, std::size_t threads)
+    : handler{std::move(answer)},
+      limits{bounds},
+      equipment{std::move(tools)},
+      tls{equipment.tls ? make_tls_context(*equipment.tls) : nullptr},
+      memory{bounds.held_bytes},
+      pool{threads} {}
+
 Session::Session(net::ip::tcp::socket socket, SessionShare& share)
-    : stream_{std::move(socket)}, share_{share} {
+    : stream_{std::move(socket), share.tls.get()}, share_{share} {
   error_code ignored;
   stream_.socket().set_option(net::ip::tcp::no_delay{true}, ignored);
   const auto endpoint = stream_.socket().remote_endpoint(ignored);
@@ -80,10 +71,19 @@ Session::Session(net::ip::tcp::socket socket, SessionShare& share)
 }
 
 net::awaitable<void> Session::run() {
+  stream_.expires_after(share_.limits.first_byte_time);
+  const error_code closed = co_await stream_.open();
+  if (closed) co_return;
   while (!finishing_ && co_await exchange()) {
   }
-  error_code ignored;
-  stream_.socket().shutdown(net::ip::tcp::socket::shutdown_send, ignored);
+  wait_for_client();
+  co_await stream_.end();
+}
+
+void Session::drop() {
+  finishing_ = true;
+  waiting_since_.reset();
+  stream_.cancel();
 }
 
 void Session::finish() {
@@ -93,9 +93,10 @@ void Session::finish() {
 
 /// Reads one request and answers it. False: the connection is to end.
 net::awaitable<bool> Session::exchange() {
+  wait_for_client();
   Head head;
   head.header_limit(share_.limits.header_bytes);
-  head.body_limit(std::max(share_.limits.body_bytes, share_.streaming.most_bytes));
+  head.body_limit(std::max(share_.limits.body_bytes, share_.equipment.streaming.most_bytes));
   error_code error = co_await read_head(head);
   idle_ = false;
   const bool to_disk = goes_to_disk(head);
@@ -106,136 +107,75 @@ net::awaitable<bool> Session::exchange() {
   std::optional<Request> request;
   std::optional<BodySink> sink;  // until the answer is there
   Request body;
-  if (!error) {
-    request = to_request(head.get());
-    error = co_await receive(head, to_disk, body, sink);
+  if (!error) request = to_request(head.get());
+  if (request && to_disk) {
+    if (const auto refusal = co_await ask_doors(*request)) {
+      co_await write(*refusal, head_only, false);
+      co_await linger();
+      co_return false;
+    }
   }
+  if (!error) error = co_await receive(head, to_disk, body, sink);
   if (error) {
     sink.reset();  // while the client reads why
-    co_await refuse(error, to_disk ? share_.streaming.most_bytes : share_.limits.body_bytes);
+    co_await refuse(error, target.empty(),
+                    to_disk ? share_.equipment.streaming.most_bytes : share_.limits.body_bytes);
     co_return false;
   }
 
+  waiting_since_.reset();
   const auto begin = std::chrono::steady_clock::now();
+  const std::string id = next_request_id();
   Response response;
-  if (request) {
+  if (!share_.memory.has(0)) {
+    response = busy();
+  } else if (request) {
     request->body = std::move(body.body);
     if (sink) request->body_file = sink->finish();
     request->now = now();
+    request->id = id;
+    request->peer = peer_;
     response = co_await answer(*request);
   } else {
     response = problem(400, "invalid-target", "Invalid request", "The address of the request is not valid.");
   }
-  const std::string id = next_request_id();
   response.headers.emplace_back("X-Request-Id", id);
   const bool streams = response.streams && !head_only && share_.streams < share_.limits.streams;
   if (response.streams && !streams && !head_only) response = too_many_streams();
   const bool open = keep_alive && !finishing_ && !streams;
   const int status = response.status;
-  std::size_t bytes = head_only ? 0 : response.body.size();
+  const std::string route = response.route;
+  const std::string caller = response.caller.empty() ? "-" : response.caller;
+  std::uint64_t bytes = head_only ? 0 : response.body.size();
   bool written = true;
   if (streams) {
     bytes = co_await stream(*request, std::move(response));
   } else {
     written = co_await write(response, head_only, open);
   }
-  const std::chrono::duration<double, std::milli> taken = std::chrono::steady_clock::now() - begin;
-  spdlog::info("request={} peer={} method={} target={} status={} bytes={} ms={:.2f}", id, peer_, method,
-               target, status, bytes, taken.count());
+  const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
+  spdlog::info("request={} peer={} caller={} method={} target={} status={} bytes={} ms={:.2f}", id, peer_,
+               caller, method, target, status, bytes, 1000.0 * taken.count());
+  if (share_.equipment.observe && !streams) share_.equipment.observe({method, route, status, taken, bytes});
   co_return written&& open;
 }
 
-bool Session::goes_to_disk(const Head& head) const {
-  if (!share_.streaming.wanted) return false;
-  const auto target = head.get().target();
-  const auto parsed = routes::parse_target({target.data(), target.size()});
-  return parsed && share_.streaming.wanted(std::string{head.get().method_string()}, parsed->path);
-}
-
-net::awaitable<error_code> Session::read_head(Head& head) {
-  error_code error;
-  if (buffer_.size() == 0) {
-    idle_ = true;
-    constexpr std::size_t first_read = 4096;
-    stream_.expires_after(share_.limits.idle_time);
-    const std::size_t n = co_await stream_.async_read_some(buffer_.prepare(first_read),
-                                                           net::redirect_error(net::use_awaitable, error));
-    buffer_.commit(n);
-    if (error) co_return error == net::error::eof ? error_code{beast::http::error::end_of_stream} : error;
-  }
-  idle_ = false;
-  stream_.expires_after(share_.limits.header_time);
-  co_await beast::http::async_read_header(stream_, buffer_, head,
-                                          net::redirect_error(net::use_awaitable, error));
-  if (error || head.is_done()) co_return error;
-
-  const auto length = head.content_length();
-  const std::uint64_t most = goes_to_disk(head) ? share_.streaming.most_bytes : share_.limits.body_bytes;
-  if (length && *length > most) co_return beast::http::error::body_limit;
-  if (beast::iequals(head.get()[beast::http::field::expect], "100-continue")) {
-    beast::http::response<beast::http::empty_body> go_on{beast::http::status::continue_, 11};
-    stream_.expires_after(share_.limits.write_time);
-    co_await beast::http::async_write(stream_, go_on, net::redirect_error(net::use_awaitable, error));
-  }
-  co_return error;
-}
-
-net::awaitable<error_code> Session::receive(Head& head, bool to_disk, Request& body,
-                                            std::optional<BodySink>& sink) {
-  if (!to_disk) co_return co_await read_body(head, body);
-  try {
-    sink.emplace(share_.streaming.folder);
-  } catch (const std::system_error& closed) {
-    spdlog::error("peer={} {}", peer_, closed.what());
-    co_return error_code{closed.code().value(), boost::system::generic_category()};
-  }
-  co_return co_await stream_body(head, *sink);
-}
-
-net::awaitable<error_code> Session::read_body(Head& head, Request& request) {
-  error_code error;
-  beast::http::request_parser<beast::http::string_body> parser{std::move(head)};
-  parser.body_limit(share_.limits.body_bytes);
-  if (!parser.is_done()) {
-    stream_.expires_after(share_.limits.body_time);
-    co_await beast::http::async_read(stream_, buffer_, parser,
-                                     net::redirect_error(net::use_awaitable, error));
-  }
-  request.body = std::move(parser.get().body());
-  co_return error;
-}
-
-/// Never holds more than one block of the body.
-net::awaitable<error_code> Session::stream_body(Head& head, BodySink& sink) {
-  constexpr std::size_t block_bytes = 65'536;
-  std::vector<char> block(block_bytes);
-  beast::http::request_parser<beast::http::buffer_body> parser{std::move(head)};
-  parser.body_limit(share_.streaming.most_bytes);
-  while (!parser.is_done()) {
-    error_code error;
-    parser.get().body().data = block.data();
-    parser.get().body().size = block.size();
-    stream_.expires_after(share_.limits.body_time);
-    co_await beast::http::async_read(stream_, buffer_, parser,
-                                     net::redirect_error(net::use_awaitable, error));
-    if (error && error != beast::http::error::need_buffer) co_return error;
-    error = co_await net::co_spawn(share_.pool.get_executor(),
-                                   store(sink, {block.data(), block.size() - parser.get().body().size}),
-                                   net::use_awaitable);
-    if (error) co_return error;
-  }
-  co_return error_code{};
-}
-
-/// Runs on a thread of the handlers: a slow disk holds up nobody else's bytes.
-net::awaitable<error_code> Session::store(BodySink& sink, std::string_view bytes) {
-  try {
-    sink.add(bytes);
-  } catch (const std::system_error& full) {
-    spdlog::error("peer={} {}", peer_, full.what());
-    co_return error_code{full.code().value(), boost::system::generic_category()};
-  }
-  co_return error_code{};
+/// Before a body is taken in: whoever may not send it fills no disk.
+net::awaitable<std::optional<Response>> Session::ask_doors(Request& request) {
+  if (!share_.equipment.streaming.refuse) co_return std::nullopt;
+  request.now = now();
+  request.peer = peer_;
+  const auto ask = [&]() -> net::awaitable<std::optional<Response>> {
+    try {
+      co_return share_.equipment.streaming.refuse(request);
+    } catch (const std::exception& error) {
+      spdlog::error("method={} path={} failed: {}", request.method, request.path, error.what());
+    }
+    co_return internal_error();
+  };
+  auto refusal = co_await net::co_spawn(share_.pool.get_executor(), ask, net::use_awaitable);
+  if (refusal) refusal = finish_response(request, std::move(*refusal));
+  co_return refusal;
 }
 
 net::awaitable<Response> Session::answer(Request& request) {
@@ -254,8 +194,7 @@ net::awaitable<Response> Session::answer_on_pool(const Request& request) {
   } catch (const std::exception& error) {
     spdlog::error("method={} path={} failed: {}", request.method, request.path, error.what());
   }
-  co_return problem(500, "internal-error", "Internal error",
-                    "The server could not answer; its log says why. The request may be sent again.");
+  co_return internal_error();
 }
 
 /// Asks the handler again after every wake-up until it has an answer; at the end of its time it must have
@@ -289,7 +228,8 @@ net::awaitable<Response> Session::wait_and_answer(Request& request, routes::Wait
 }
 
 net::awaitable<bool> Session::write(const Response& response, bool head_only, bool keep_alive) {
-  beast::http::response<beast::http::string_body> message;
+  const MemoryBudget::Part part{share_.memory, response.body.size()};
+  beast::http::response<beast::http::span_body<const char>> message;
   message.version(11);
   message.result(static_cast<unsigned>(response.status));
   if (!response.content_type.empty()) message.set(beast::http::field::content_type, response.content_type);
@@ -297,34 +237,21 @@ net::awaitable<bool> Session::write(const Response& response, bool head_only, bo
   message.keep_alive(keep_alive);
   const bool bodiless = response.status == 204 || response.status == 304;
   if (!bodiless) message.content_length(response.body.size());
-  if (!head_only) message.body() = response.body;
+  if (!head_only) message.body() = {response.body.data(), response.body.size()};
 
   error_code error;
+  wait_for_client();
   stream_.expires_after(share_.limits.write_time);
   co_await beast::http::async_write(stream_, message, net::redirect_error(net::use_awaitable, error));
   co_return !error;
 }
 
 /// Says what was wrong with a request that could not be read, if there is somebody to tell.
-net::awaitable<void> Session::refuse(error_code fault, std::uint64_t most_bytes) {
-  using beast::http::error;
-  const bool disk_failed = fault.category() == boost::system::generic_category();
-  const bool http_fault =
-      disk_failed || fault.category() == beast::http::make_error_code(error::end_of_stream).category();
-  if (!http_fault || fault == error::end_of_stream || fault == error::partial_message) co_return;
-  Response response =
-      problem(400, "invalid-request", "Invalid request", "The request is not valid HTTP/1.1.");
-  if (fault == error::header_limit) {
-    response = problem(431, "header-too-large", "Header too large", "The header is larger than 16 KiB.");
-  } else if (fault == error::body_limit) {
-    response = problem(413, "body-too-large", "Body too large",
-                       "The body is larger than " + std::to_string(most_bytes >> 20U) + " MiB.");
-  }
-  if (disk_failed)
-    response = problem(507, "insufficient-storage", "Insufficient storage",
-                       "The server cannot write the body to its disk.");
-  spdlog::info("peer={} status={} reason=\"{}\"", peer_, response.status, fault.message());
-  co_await write(response, false, false);
+net::awaitable<void> Session::refuse(error_code fault, bool in_first_line, std::uint64_t most_bytes) {
+  const auto response = refusal_of(fault, in_first_line, most_bytes);
+  if (!response) co_return;
+  spdlog::info("peer={} status={} reason=\"{}\"", peer_, response->status, fault.message());
+  co_await write(*response, false, false);
   co_await linger();
 }
 
@@ -332,7 +259,8 @@ net::awaitable<void> Session::refuse(error_code fault, std::uint64_t most_bytes)
 /// answer.
 net::awaitable<void> Session::linger() {
   error_code error;
-  stream_.socket().shutdown(net::ip::tcp::socket::shutdown_send, error);
+  wait_for_client();
+  stream_.stop_sending();
   constexpr std::size_t most = 8 * 1024 * 1024;
   std::size_t total = 0;
   stream_.expires_after(std::chrono::seconds{2});

@@ -4,6 +4,7 @@
 #include <utility>
 // clang-format on
 
+#include <atomic>
 #include <boost/asio/awaitable.hpp>
 #include <boost/asio/steady_timer.hpp>
 #include <boost/asio/thread_pool.hpp>
@@ -13,7 +14,9 @@
 #include <string_view>
 
 #include "api/routes/message.hpp"
+#include "server/http/memory_budget.hpp"
 #include "server/http/server.hpp"
+#include "server/http/transport.hpp"
 
 namespace floeplan::http {
 
@@ -21,12 +24,13 @@ namespace floeplan::http {
 struct SessionShare {
   routes::Handler handler;
   Limits limits;
-  Streaming streaming;
+  Equipment equipment;
+  std::unique_ptr<boost::asio::ssl::context> tls;  // empty: in the clear
+  MemoryBudget memory;
   boost::asio::thread_pool pool;
   std::size_t streams{0};  // that are open; on the I/O thread alone
 
-  SessionShare(routes::Handler answer, Limits bounds, Streaming to_disk, std::size_t threads)
-      : handler{std::move(answer)}, limits{bounds}, streaming{std::move(to_disk)}, pool{threads} {}
+  SessionShare(routes::Handler answer, Limits bounds, Equipment tools, std::size_t threads);
 };
 
 /// One connection: reads requests, has them answered, writes the answers, until the client or the server ends
@@ -39,6 +43,13 @@ class Session {
   boost::asio::awaitable<void> run();
   /// Ends the connection after the request that is being answered; at once when there is none.
   void finish();
+  /// Ends the connection at once.
+  void drop();
+  /// Since when the next byte has to come from the client, or to go to it; empty: the server is at work.
+  [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> waiting_since() const {
+    return waiting_since_;
+  }
+  [[nodiscard]] const std::string& peer() const { return peer_; }
 
  private:
   using Head = boost::beast::http::request_parser<boost::beast::http::empty_body>;
@@ -50,20 +61,28 @@ class Session {
   boost::asio::awaitable<boost::beast::error_code> read_body(Head& head, routes::Request& request);
   boost::asio::awaitable<boost::beast::error_code> stream_body(Head& head, BodySink& sink);
   boost::asio::awaitable<boost::beast::error_code> store(BodySink& sink, std::string_view bytes);
+  boost::asio::awaitable<void> invite_body(const Head& head);
+  boost::asio::awaitable<std::optional<routes::Response>> ask_doors(routes::Request& request);
   boost::asio::awaitable<routes::Response> answer(routes::Request& request);
   boost::asio::awaitable<routes::Response> answer_on_pool(const routes::Request& request);
   boost::asio::awaitable<routes::Response> wait_and_answer(routes::Request& request, routes::Wait wait);
   boost::asio::awaitable<std::size_t> stream(routes::Request& request, routes::Response piece);
   boost::asio::awaitable<bool> write_chunk(std::string_view piece);
   boost::asio::awaitable<bool> write(const routes::Response& response, bool head_only, bool keep_alive);
-  boost::asio::awaitable<void> refuse(boost::beast::error_code fault, std::uint64_t most_bytes);
+  boost::asio::awaitable<void> refuse(boost::beast::error_code fault, bool in_first_line,
+                                      std::uint64_t most_bytes);
   [[nodiscard]] bool goes_to_disk(const Head& head) const;
   boost::asio::awaitable<void> linger();
+  void wait_for_client() { waiting_since_ = std::chrono::steady_clock::now(); }
 
-  boost::beast::tcp_stream stream_;
-  boost::beast::flat_buffer buffer_;
+  Transport stream_;
+  static constexpr std::size_t most_buffered =
+      256 * 1024;  // a line of any length would stay in memory until it ends
+  boost::beast::flat_buffer buffer_{most_buffered};
   SessionShare& share_;  // borrowed
   std::string peer_;
+  std::optional<std::chrono::steady_clock::time_point> waiting_since_{std::chrono::steady_clock::now()};
+  bool fresh_{true};  // nothing has come yet
   bool idle_{true};
   bool finishing_{false};
 };

@@ -57,6 +57,7 @@ class ApiTest : public testing::Test {
     request.body = body;
     request.headers = std::move(headers);
     request.now = core::UtcTime{core::Seconds{1.8e9}};
+    request.caller = routes::local_caller;
     last_request_ = request;
     return router_.answer({db_, jobs_, service_}, request);
   }

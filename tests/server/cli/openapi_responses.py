@@ -331,6 +331,10 @@ def rest():
     for process in ("plan-route", "evaluate-route", "reach", "simulate-plan", "ingest", "echo"):
         drive("GET", "/processes/{process_id}", 200, process_id=process)
     drive("GET", "/app/{path}", 404, path="none.js")
+    for template in ("/session", "/audit", "/metrics", "/readyz"):
+        drive("GET", template, 200)
+    drive("POST", "/session", 400, {"token": "none is needed here"})
+    drive("DELETE", "/session", 204)
     drive("POST", "/missions/check", 200, MISSION.encode(), {"Content-Type": "text/plain"}, "?name=goto_l10.ma")
     drive("POST", "/missions/check", 200,
           {"files": [{"name": "goto_l10.ma", "text": MISSION}], "inputs": {"from": FROM, "depart": DEPART}})

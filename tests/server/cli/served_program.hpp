@@ -43,6 +43,11 @@ class ServedProgram {
     return request("POST", "/processes/" + process + "/execution", "Prefer: respond-async\r\n",
                    nlohmann::json{{"inputs", inputs}}.dump());
   }
+  /// Any request; each of the headers ends with CR and LF.
+  [[nodiscard]] Answer ask(const std::string& method, const std::string& target, const std::string& headers,
+                           const std::string& body = "") const {
+    return request(method, target, headers, body);
+  }
 
  private:
   [[nodiscard]] Answer request(const std::string& method, const std::string& target,

@@ -3,56 +3,16 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
-#include <boost/asio/connect.hpp>
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/ip/tcp.hpp>
-#include <boost/asio/read.hpp>
-#include <boost/asio/write.hpp>
 #include <mutex>
-#include <thread>
+
+#include "tests/server/http/running_server.hpp"
 
 namespace floeplan::http {
 namespace {
 
-namespace net = boost::asio;
-
-/// A server on a free port with its thread.
-class RunningServer {
- public:
-  explicit RunningServer(routes::Handler handler, Limits limits = {})
-      : server_{{"127.0.0.1", 0}, std::move(handler), 2, limits}, thread_{[this] { server_.run(); }} {}
-  ~RunningServer() {
-    server_.stop();
-    thread_.join();
-  }
-
-  /// Sends the bytes and reads until the server ends the connection.
-  std::string exchange(const std::string& bytes) {
-    net::io_context io;
-    net::ip::tcp::socket socket{io};
-    socket.connect({net::ip::make_address("127.0.0.1"), server_.port()});
-    boost::system::error_code error;
-    net::write(socket, net::buffer(bytes), error);  // the server may refuse before it has read everything
-    std::string answer;
-    net::read(socket, net::dynamic_buffer(answer), error);
-    return answer;
-  }
-
- private:
-  Server server_;
-  std::thread thread_;
-};
-
-routes::Response echo(const routes::Request& request) {
-  routes::Response response;
-  response.content_type = "text/plain";
-  response.body = request.method + " " + request.path + " " + request.body;
-  return response;
-}
-
-std::string get(const std::string& target, const std::string& headers = "") {
-  return "GET " + target + " HTTP/1.1\r\nHost: x\r\nConnection: close\r\n" + headers + "\r\n";
-}
+using support::echo;
+using support::get;
+using support::RunningServer;
 
 TEST(Server, AnswersWithTheDecodedRequest) {
   RunningServer server{echo};

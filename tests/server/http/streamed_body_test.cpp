@@ -56,13 +56,14 @@ class StreamedBody : public testing::Test {
   }
 
   support::TemporaryFolder folder_;
-  Server server_{
-      {"127.0.0.1", 0},
-      look,
-      2,
-      {},
-      {[](const std::string& method, const std::string& path) { return method == "POST" && path == "/file"; },
-       folder_.path() / "bodies", 4'000'000}};
+  Server server_{{"127.0.0.1", 0},
+                 look,
+                 2,
+                 {},
+                 {.streaming = {[](const std::string& method, const std::string& path) {
+                                  return method == "POST" && path == "/file";
+                                },
+                                folder_.path() / "bodies", 4'000'000}}};
   std::thread thread_;
 };
 

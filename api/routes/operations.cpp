@@ -1,0 +1,96 @@
+#include <fstream>
+#include <sstream>
+#include <system_error>
+
+#include "api/routes/reply.hpp"
+#include "api/routes/request_counts.hpp"
+#include "api/routes/resources.hpp"
+#include "storage/repository/job_repository.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using repository::JobStatus;
+
+constexpr std::uintmax_t least_free_bytes = 64 * 1024 * 1024;  // a plan, its log, and time to see the warning
+
+/// Resident memory of this process; nothing where the system does not tell.
+std::optional<std::uint64_t> resident_bytes() {
+  std::ifstream in{"/proc/self/status"};
+  for (std::string word; in >> word;) {
+    std::uint64_t kilobytes = 0;
+    if (word == "VmRSS:" && in >> kilobytes) return kilobytes * 1024;
+  }
+  return std::nullopt;
+}
+
+std::uintmax_t store_bytes(const std::filesystem::path& store) {
+  std::uintmax_t total = 0;
+  for (const char* name : {"floeplan.sqlite", "floeplan.sqlite-wal"}) {
+    std::error_code absent;
+    const auto size = std::filesystem::file_size(store / name, absent);
+    if (!absent) total += size;
+  }
+  return total;
+}
+
+void write_gauge(std::ostream& out, const std::string& name, const std::string& help, std::uint64_t value) {
+  out << "# HELP " << name << ' ' << help << "\n# TYPE " << name << " gauge\n"
+      << name << ' ' << value << '\n';
+}
+
+Response show_metrics(const Context& context, const Request&, const PathParameters&) {
+  std::ostringstream out;
+  const ServiceInfo& service = context.service;
+  if (service.counts) out << service.counts->text();
+  out << "# HELP floeplan_jobs Jobs in the store by state.\n# TYPE floeplan_jobs gauge\n";
+  const repository::JobRepository jobs{context.db};
+  for (const auto status : {JobStatus::accepted, JobStatus::running, JobStatus::successful, JobStatus::failed,
+                            JobStatus::dismissed}) {
+    out << "floeplan_jobs{state=\"" << repository::status_name(status) << "\"} " << jobs.count(status)
+        << '\n';
+  }
+  write_gauge(out, "floeplan_store_bytes", "Size of the database and its log.", store_bytes(service.store));
+  if (service.connections)
+    write_gauge(out, "floeplan_http_connections", "Open connections.", service.connections());
+  if (const auto memory = resident_bytes())
+    write_gauge(out, "process_resident_memory_bytes", "Resident memory.", *memory);
+  out << "# HELP floeplan_info The program.\n# TYPE floeplan_info "
+         "gauge\nfloeplan_info{version=\"" FLOEPLAN_VERSION "\"} 1\n";
+  Response response;
+  response.content_type = "text/plain; version=0.0.4; charset=utf-8";
+  response.headers.emplace_back("Cache-Control", "no-store");
+  response.body = out.str();
+  return response;
+}
+
+/// What keeps the server from doing its work, in words; empty when nothing does.
+std::string obstacle(const Context& context) {
+  try {
+    static_cast<void>(repository::JobRepository{context.db}.count(JobStatus::accepted));
+  } catch (const std::runtime_error&) {
+    return "the store cannot be read";
+  }
+  std::error_code unknown;
+  const auto space = std::filesystem::space(context.service.store, unknown);
+  if (!unknown && space.available < least_free_bytes) return "the disk is almost full";
+  return "";
+}
+
+/// Healthy is a process that answers; ready is one that can take work.
+Response show_readiness(const Context& context, const Request& request, const PathParameters&) {
+  const std::string found = obstacle(context);
+  if (found.empty()) return json_reply({{"status", "ok"}});
+  Response response = problem_reply(
+      request, {503, "not-ready", "Not ready", "The server can take no work: " + found + ".", {}});
+  response.headers.emplace_back("Retry-After", "30");
+  return response;
+}
+
+}  // namespace
+
+std::vector<Route> operation_routes() {
+  return {{"GET", "/metrics", {}, show_metrics}, {"GET", "/readyz", {}, show_readiness, Access::everybody}};
+}
+
+}  // namespace floeplan::routes

@@ -1,0 +1,121 @@
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "api/codec/credential.hpp"
+#include "api/routes/message.hpp"
+#include "engine/core/utc_text.hpp"
+#include "server/cli/operator_commands.hpp"
+#include "storage/repository/migrations.hpp"
+#include "storage/repository/token_repository.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+using repository::TokenRecord;
+using repository::TokenRepository;
+
+struct Flags {
+  std::string name;
+  std::string role;
+  bool json_out{false};
+};
+
+/// Names stand in logs and tables.
+bool is_name(const std::string& text) {
+  constexpr std::size_t longest = 64;
+  constexpr const char* allowed = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ0123456789._@-";
+  return !text.empty() && text.size() <= longest && text.find_first_not_of(allowed) == std::string::npos &&
+         text != routes::local_caller.name;
+}
+
+/// The token is shown this once; the store keeps a digest.
+int add(const Flags& flags, const Program& program) {
+  if (!is_name(flags.name)) {
+    return complain(wrong_usage, "the token cannot be called \"" + flags.name +
+                                     "\"; use up to 64 letters, digits and . _ @ -, and not \"local\"");
+  }
+  const codec::Credential credential = codec::new_credential();
+  const TokenRecord token{.name = flags.name,
+                          .role = repository::role_of(flags.role).value_or(repository::Role::viewer),
+                          .key = credential.key,
+                          .digest = codec::digest_of(credential),
+                          .created = now()};
+  auto db = repository::open_store(program.store);
+  if (!TokenRepository{db}.add(token)) {
+    return complain(could_not,
+                    "there is a token " + flags.name +
+                        " already; choose another name, or revoke it first with floeplan token revoke");
+  }
+  const std::string text = codec::credential_text(credential);
+  if (flags.json_out) {
+    std::cout << json{{"name", token.name}, {"role", flags.role}, {"token", text}}.dump(2) << '\n';
+  } else {
+    std::cerr << "Keep this token as you would a password; it is not shown again:\n";
+    std::cout << text << '\n';
+  }
+  return done;
+}
+
+int list(const Flags& flags, const Program& program) {
+  auto db = repository::open_store(program.store);
+  const auto tokens = TokenRepository{db}.list();
+  if (flags.json_out) {
+    json documents = json::array();
+    for (const auto& token : tokens) {
+      documents.push_back({{"name", token.name},
+                           {"role", repository::role_name(token.role)},
+                           {"created", core::iso8601(token.created)}});
+    }
+    std::cout << json{{"tokens", documents}}.dump(2) << '\n';
+    return done;
+  }
+  for (const auto& token : tokens) {
+    std::cout << std::left << std::setw(24) << token.name << ' ' << std::setw(7)
+              << repository::role_name(token.role) << "  " << core::iso8601(token.created) << '\n';
+  }
+  if (tokens.empty()) std::cout << "There are no tokens: on loopback, the server needs none.\n";
+  return done;
+}
+
+int revoke(const Flags& flags, const Program& program) {
+  auto db = repository::open_store(program.store);
+  if (TokenRepository{db}.remove(flags.name)) return done;
+  return complain(could_not, "there is no token " + flags.name + "; floeplan token list shows them");
+}
+
+}  // namespace
+
+void add_token(CLI::App& app, Program& program) {
+  auto flags = std::make_shared<Flags>();
+  auto* command = app.add_subcommand("token", "Create, list and revoke the tokens that the server takes");
+  command->alias("tokens");
+  command->require_subcommand(1);
+  const auto with_json = [flags](CLI::App* of) {
+    of->add_flag("--json", flags->json_out, "Answer with one JSON document");
+  };
+
+  auto* addition = command->add_subcommand("add", "Create a token and print it, once");
+  addition->add_option("NAME", flags->name, "Whose it is; what is done with it is noted under this name")
+      ->required();
+  addition
+      ->add_option("--role", flags->role,
+                   "viewer reads; pilot also plans, ingests and removes; admin does everything")
+      ->required()
+      ->check(CLI::IsMember({"viewer", "pilot", "admin"}));
+  with_json(addition);
+  addition->callback([flags, &program] { program.exit_code = add(*flags, program); });
+
+  auto* listing = command->add_subcommand("list", "Names, roles and ages");
+  with_json(listing);
+  listing->callback([flags, &program] { program.exit_code = list(*flags, program); });
+
+  auto* removal = command->add_subcommand("revoke", "End a token and every login that was opened with it");
+  removal->alias("remove");
+  removal->add_option("NAME", flags->name, "As the list shows it")->required();
+  removal->callback([flags, &program] { program.exit_code = revoke(*flags, program); });
+}
+
+}  // namespace floeplan::cli

@@ -1,0 +1,36 @@
+#include "server/http/tls_context.hpp"
+
+#include <openssl/ssl.h>
+
+#include <stdexcept>
+
+namespace floeplan::http {
+namespace {
+
+namespace ssl = boost::asio::ssl;
+
+std::runtime_error fault(const char* what, const std::filesystem::path& file,
+                         const boost::system::error_code& error) {
+  return std::runtime_error{std::string{what} + " " + file.string() + " cannot be used; " + error.message() +
+                            "; give files in PEM format that this user may read"};
+}
+
+}  // namespace
+
+std::unique_ptr<ssl::context> make_tls_context(const TlsFiles& files) {
+  auto context = std::make_unique<ssl::context>(ssl::context::tls_server);
+  SSL_CTX_set_min_proto_version(context->native_handle(), TLS1_2_VERSION);
+  context->set_options(ssl::context::default_workarounds | ssl::context::no_compression |
+                       SSL_OP_NO_RENEGOTIATION | SSL_OP_CIPHER_SERVER_PREFERENCE);
+  boost::system::error_code error;
+  context->use_certificate_chain_file(files.certificate.string(), error);
+  if (error) throw fault("the certificate", files.certificate, error);
+  context->use_private_key_file(files.key.string(), ssl::context::pem, error);
+  if (error) throw fault("the key", files.key, error);
+  if (SSL_CTX_check_private_key(context->native_handle()) != 1)
+    throw std::runtime_error{"the key " + files.key.string() + " belongs to another certificate than " +
+                             files.certificate.string() + "; give the one it was made with"};
+  return context;
+}
+
+}  // namespace floeplan::http

@@ -1,0 +1,14 @@
+#pragma once
+
+#include <boost/asio/ssl/context.hpp>
+#include <memory>
+
+#include "server/http/tls_files.hpp"
+
+namespace floeplan::http {
+
+/// For servers: TLS 1.2 and 1.3 with the library's own choice of ciphers for these, no compression, no renegotiation.
+/// Errors   std::runtime_error that names the file: not readable, not PEM, or a key of another certificate
+[[nodiscard]] std::unique_ptr<boost::asio::ssl::context> make_tls_context(const TlsFiles& files);
+
+}  // namespace floeplan::http
