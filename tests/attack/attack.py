@@ -1,0 +1,228 @@
+#!/usr/bin/env python3
+"""Attacks a running server on loopback and watches what others notice: how soon they are answered, and its memory.
+
+usage: attack.py PORT PID [TOKEN]     nothing but a server of your own; ends with 1 if a bound was broken
+
+Bounds: others are answered within 100 ms, the server takes less than 1 GB, and nothing is answered by 5xx but 503.
+"""
+import concurrent.futures
+import gzip
+import http.client
+import json
+import os
+import random
+import resource
+import socket
+import sys
+import threading
+import time
+
+PORT, PID = int(sys.argv[1]), int(sys.argv[2])
+TOKEN = sys.argv[3] if len(sys.argv) > 3 else ""
+AUTHORIZED = {"Authorization": "Bearer " + TOKEN} if TOKEN else {}
+LONGEST_S, MOST_BYTES = 0.1, 1_000_000_000
+
+faults = []
+
+
+def memory():
+    with open(f"/proc/{PID}/status", encoding="ascii") as status:
+        return next(int(line.split()[1]) * 1024 for line in status if line.startswith("VmRSS"))
+
+
+class Bystander(threading.Thread):
+    """Asks for the health every few milliseconds, each time on a connection of its own."""
+
+    def __init__(self):
+        super().__init__(daemon=True)
+        self.times, self.failed, self.most_memory, self.over = [], 0, 0, threading.Event()
+
+    def run(self):
+        while not self.over.is_set():
+            begin = time.monotonic()
+            try:
+                connection = http.client.HTTPConnection("127.0.0.1", PORT, timeout=10)
+                connection.request("GET", "/healthz", headers=AUTHORIZED)
+                if connection.getresponse().status != 200:
+                    self.failed += 1
+                connection.close()
+            except OSError:
+                self.failed += 1
+            self.times.append(time.monotonic() - begin)
+            self.most_memory = max(self.most_memory, memory())
+            time.sleep(0.02)
+
+
+def attacked(name, attack):
+    bystander = Bystander()
+    bystander.start()
+    attack()
+    bystander.over.set()
+    bystander.join()
+    times = sorted(bystander.times)
+    p99 = times[int(len(times) * 0.99)]
+    print(f"{name:34} {len(times):5} others, p50 {times[len(times) // 2] * 1000:6.1f} ms, p99 {p99 * 1000:6.1f} ms, "
+          f"longest {times[-1] * 1000:6.1f} ms, failed {bystander.failed}, memory {bystander.most_memory / 1e6:.0f} MB",
+          flush=True)
+    if p99 > LONGEST_S or bystander.failed or bystander.most_memory > MOST_BYTES:
+        faults.append(name)
+
+
+def connected():
+    return socket.create_connection(("127.0.0.1", PORT), timeout=5)
+
+
+def send_all(data):
+    """The first bytes of the answer, or none."""
+    try:
+        with connected() as wire:
+            try:
+                wire.sendall(data)
+            except OSError:
+                pass  # it may refuse before it has read everything
+            answer = b""
+            while len(answer) < 15:
+                piece = wire.recv(4096)
+                if not piece:
+                    break
+                answer += piece
+            return answer
+    except OSError:
+        return b""
+
+
+def hold(count, first, drip, seconds):
+    """Many connections that send a little, then a drop now and then."""
+    wires = []
+    for _ in range(count):
+        try:
+            wire = connected()
+            wire.sendall(first)
+            wires.append(wire)
+        except OSError:
+            pass
+    end = time.monotonic() + seconds
+    while time.monotonic() < end:
+        for wire in wires:
+            try:
+                if drip:
+                    wire.send(drip)
+            except OSError:
+                pass
+        time.sleep(0.5)
+    for wire in wires:
+        wire.close()
+
+
+def head(method, path, headers=None):
+    lines = [f"{method} {path} HTTP/1.1", f"Host: 127.0.0.1:{PORT}", "Connection: close"]
+    lines += [f"{name}: {value}" for name, value in {**AUTHORIZED, **(headers or {})}.items()]
+    return ("\r\n".join(lines) + "\r\n\r\n").encode()
+
+
+def expect(name, data, *statuses):
+    answer = send_all(data)
+    status = answer[9:12].decode("latin-1") if answer.startswith(b"HTTP/1.1 ") else "none"
+    if status not in statuses:
+        faults.append(f"{name}: {status}, not one of {statuses}")
+        print(f"  {name}: answered {status}, not one of {statuses}")
+
+
+def oversized():
+    expect("header of 1 MB", head("GET", "/", {"X": "a" * 1_000_000}), "431", "none")
+    expect("address of 1 MB", head("GET", "/" + "a" * 1_000_000), "414", "431", "none")
+    expect("5,000 headers", head("GET", "/", {f"X{i}": "a" for i in range(5000)}), "431", "none")
+    expect("body of 1 TB", head("POST", "/processes/plan-route/execution", {"Content-Length": 10**12}), "413")
+    expect("upload of 1 TB", head("POST", "/uploads", {"Content-Length": 10**12}), "413")
+    expect("body of 5 MB in chunks", head("POST", "/missions/check", {"Transfer-Encoding": "chunked"})
+           + (b"10000\r\n" + b"a" * 65536 + b"\r\n") * 80 + b"0\r\n\r\n", "413", "none")
+    expect("chunk of 2^64", head("POST", "/missions/check", {"Transfer-Encoding": "chunked"})
+           + b"ffffffffffffffff\r\nabc", "400", "413")
+    expect("chunk extension of 1 MB", head("POST", "/missions/check", {"Transfer-Encoding": "chunked"})
+           + b"5;" + b"a" * 1_000_000 + b"\r\nhello\r\n0\r\n\r\n", "400", "413", "431", "none")
+    expect("query of 3,000 parameters", head("GET", "/datasets?" + "&".join(f"a{i}=1" for i in range(2000))), "400")
+
+
+def smuggled():
+    post = "/missions/check"
+    for name, headers in {"CL and TE": "Content-Length: 4\r\nTransfer-Encoding: chunked",
+                          "two CL": "Content-Length: 4\r\nContent-Length: 5", "TE twice": "Transfer-Encoding: chunked\r\n"
+                          "Transfer-Encoding: identity", "odd TE": "Transfer-Encoding: \x0bchunked",
+                          "CL with sign": "Content-Length: +4", "blank before colon": "Content-Length : 4",
+                          "bare LF": "X: a\nTransfer-Encoding: chunked\r\nContent-Length: 4"}.items():
+        data = (f"POST {post} HTTP/1.1\r\nHost: 127.0.0.1\r\n{headers}\r\n\r\n"
+                "0\r\n\r\nGET /smuggled HTTP/1.1\r\nHost: 127.0.0.1\r\n\r\n").encode("latin-1")
+        expect(name, data, "400")
+
+
+def written_wrong():
+    execution = "/processes/plan-route/execution"
+    deep = b"[" * 10_000 + b"]" * 10_000
+    for name, body in {"JSON 10,000 levels deep": deep, "objects 10,000 levels deep": b'{"a":' * 10_000 + b"1" + b"}" * 10_000,
+                       "wrong UTF-8": b'{"inputs":{"from":"\xff\xfe\xc0\xaf"}}', "a surrogate alone": b'{"inputs":{"a":"\\ud800"}}',
+                       "NaN": b'{"inputs":{"from":[NaN,1]}}', "1e999": b'{"inputs":{"from":[1e999,1]}}', "NUL": b"\x00" * 100,
+                       "a number of 900,000 digits": b"1" * 900_000}.items():
+        expect(name, head("POST", execution, {"Content-Length": len(body), "Content-Type": "application/json"}) + body, "400")
+    for path in ("/app/../../etc/passwd", "/app/%2e%2e/%2e%2e/etc/passwd", "/app/..%2f..%2fetc/passwd", "/app//etc/passwd",
+                 "/uploads/..%2f..%2fserve.lock", "/uploads/%2e%2e", "/app/%5c..%5c", "/collections/plans/items/..%2f..%2fx",
+                 "/%ff%fe", "/app/a%0d%0aSet-Cookie:%20x", "/jobs/%0d%0aX:%20y", "/simulations/../../x"):
+        expect(path, head("GET", path), "404", "400")
+    expect("NUL in a path", head("GET", "/app/a%00.js"), "400")
+    expect("upload with a path for a name", head("POST", "/uploads?name=..%2f..%2f..%2fetc%2fpasswd", {"Content-Length": 3})
+           + b"abc", "201")
+    expect("header with a line break", head("GET", "/healthz", {"X": "a\r\n b"}), "400", "200")
+
+
+def bombs():
+    """A megabyte that becomes a gigabyte."""
+    bomb = gzip.compress(b"\0" * 1_000_000_000, 9)[:1_000_000]
+    expect("gzip in a body", head("POST", "/processes/plan-route/execution", {
+        "Content-Length": len(bomb), "Content-Encoding": "gzip", "Content-Type": "application/json"}) + bomb, "400", "413", "415")
+    answer = send_all(head("POST", "/uploads?name=bomb.nc.gz", {"Content-Length": len(bomb)}) + bomb)
+    if not answer.startswith(b"HTTP/1.1 201"):
+        return
+    with connected() as wire:
+        wire.sendall(head("POST", "/uploads?name=bomb.csv.gz", {"Content-Length": len(bomb)}) + bomb)
+        upload = json.loads(wire.makefile("rb").read().split(b"\r\n\r\n", 1)[1])["id"]
+    body = json.dumps({"inputs": {"uploads": [upload]}}).encode()
+    expect("gzip as a file", head("POST", "/processes/ingest/execution", {
+        "Content-Length": len(body), "Content-Type": "application/json", "Prefer": "respond-sync"}) + body, "200")
+
+
+def guesses():
+    def guess(_):
+        token = "floeplan_%016x_%064x" % (random.getrandbits(64), random.getrandbits(256))
+        return send_all(f"GET /datasets HTTP/1.1\r\nHost: 127.0.0.1\r\nConnection: close\r\nAuthorization: Bearer {token}\r\n\r\n"
+                        .encode())[9:12]
+    with concurrent.futures.ThreadPoolExecutor(20) as crowd:
+        answers = list(crowd.map(guess, range(1000)))
+    print(f"  1000 guesses: {answers.count(b'401')} times 401, {answers.count(b'429')} times 429")
+    if TOKEN and answers.count(b"401") > 100:
+        faults.append("guesses are not slowed")
+
+
+def flooded():
+    """Large answers that nobody reads."""
+    hold(300, head("GET", "/api") * 1, b"", 4)
+
+
+def main():
+    _, hard = resource.getrlimit(resource.RLIMIT_NOFILE)
+    resource.setrlimit(resource.RLIMIT_NOFILE, (min(hard, 20_000), hard))
+    attacked("nothing", lambda: time.sleep(3))
+    attacked("500 slow headers", lambda: hold(500, b"GET / HTTP/1.1\r\nHost: a\r\nX: ", b"a", 15))
+    attacked("500 slow bodies", lambda: hold(500, head("POST", "/missions/check", {"Content-Length": 1_000_000}), b"a", 15))
+    attacked("500 slow uploads", lambda: hold(500, head("POST", "/uploads", {"Content-Length": 10**9}), b"a", 15))
+    attacked("10,000 idle connections", lambda: hold(10_000, b"", b"", 10))
+    attacked("answers that nobody reads", flooded)
+    attacked("oversized everything", oversized)
+    attacked("smuggling", smuggled)
+    attacked("wrong bytes and paths", written_wrong)
+    attacked("decompression bombs", bombs)
+    attacked("1000 guessed tokens", guesses)
+    os.kill(PID, 0)
+    print("\n".join(["broken:"] + faults) if faults else "every bound held")
+    sys.exit(1 if faults else 0)
+
+
+main()
