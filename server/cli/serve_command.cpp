@@ -9,7 +9,9 @@ void add_serve(CLI::App& app, Program& program) {
   auto options = std::make_shared<ServeOptions>();
   auto* command = app.add_subcommand("serve", "HTTP API, map and planning in one process");
   command->add_option("--listen", options->listen, "ADDR:PORT; port 0: any free port")->capture_default_str();
-  command->add_option("--workers", options->workers, "Planning jobs at the same time, and flights of one batch")->capture_default_str();
+  command
+      ->add_option("--workers", options->workers, "Planning jobs at the same time, and flights of one batch")
+      ->capture_default_str();
   command->add_option("--web", options->web, "Folder of the built map client");
   command->add_option("--watch", options->watch,
                       "Folder whose files are ingested as soon as they are complete, then moved to done/ or "
