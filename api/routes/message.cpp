@@ -23,6 +23,8 @@ std::optional<std::string> decoded(std::string_view text, bool plus_is_blank) {
       if (!low || (*high == 0 && *low == 0)) return std::nullopt;
       result += static_cast<char>(*high * 16 + *low);
       i += 2;
+    } else if (text[i] == '\0') {
+      return std::nullopt;
     } else {
       result += text[i];
     }

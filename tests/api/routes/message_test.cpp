@@ -35,5 +35,12 @@ TEST(Preferences, ReadThePreferHeaderWithStrayBlanks) {
   EXPECT_EQ(wishes.wait_s, 10);
 }
 
+TEST(Target, IsNoneWithANulHoweverItIsWritten) {
+  using namespace std::string_view_literals;
+  EXPECT_FALSE(parse_target("/a\0b"sv));
+  EXPECT_FALSE(parse_target("/a?b=\0"sv));
+  EXPECT_FALSE(parse_target("/a%00b"));
+}
+
 }  // namespace
 }  // namespace floeplan::routes
