@@ -1,13 +1,7 @@
 #include "api/routes/site.hpp"
 
-#include <algorithm>
-
 namespace floeplan::routes {
 namespace {
-
-bool is_lower_case(std::string_view text) {
-  return std::none_of(text.begin(), text.end(), [](char c) { return c >= 'A' && c <= 'Z'; });
-}
 
 std::string_view without_port(std::string_view authority) {
   const auto colon = authority.rfind(':');
@@ -32,10 +26,12 @@ bool could_be_rebound(std::string_view host_header, std::string_view own) {
 }
 
 bool is_origin(std::string_view text) {
+  constexpr const char* allowed =
+      "abcdefghijklmnopqrstuvwxyz0123456789.-:[]";  // names in lower case, addresses, ports
   const bool known = text.starts_with("http://") || text.starts_with("https://");
   const std::string authority = authority_of(text);
-  return known && !authority.empty() && text.ends_with("://" + authority) && is_lower_case(text) &&
-         authority.find_first_of(" @,;\"'") == std::string::npos;
+  return known && !authority.empty() && text.ends_with("://" + authority) &&
+         authority.find_first_not_of(allowed) == std::string::npos;
 }
 
 }  // namespace floeplan::routes

@@ -29,7 +29,7 @@ TEST(Origin, IsSchemeHostAndPortAlone) {
     EXPECT_TRUE(is_origin(good)) << good;
   for (const char* bad :
        {"", "*", "map.example", "https://", "https://map.example/", "https://map.example/a",
-        "https://Map.example", "ftp://map.example", "https://a@map.example", "https://a b"}) {
+        "https://Map.example", "ftp://map.example", "https://a@map.example", "https://a b", "https://a\n"}) {
     EXPECT_FALSE(is_origin(bad)) << bad;
   }
 }
