@@ -91,6 +91,7 @@ curl --fail --silent --head --max-time 20 --output /dev/null https://schemas.ope
 
 work=$(mktemp -d)
 server=0
+# shellcheck disable=SC2317 # called by the trap
 finish() {
   if ((server > 0)); then kill "$server" 2>/dev/null || true; fi
   rm -rf "$work"

@@ -20,7 +20,8 @@ using beast::error_code;
 using routes::Request;
 using routes::Response;
 
-/// Wakes the coroutine that waits on it, from any thread; a call before the wait is not lost.
+/// Wakes the coroutine that waits on it; a call before the wait is not lost.
+/// Threads  the executor's alone, which has one
 class WakeUp {
  public:
   explicit WakeUp(net::any_io_executor executor) : timer_{executor} {}
