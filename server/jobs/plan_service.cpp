@@ -93,16 +93,19 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
   const std::string id = plan_id(request, *environment);
   json document = codec::plan_document(*plan, id, inputs.name);
   add_departures(document, departures);
-  repository::PlanRepository{db}.insert({.row = 0,
-                                         .id = {id},
-                                         .name = inputs.name,
-                                         .created = now,
-                                         .departure = plan->departure,
-                                         .arrival = plan->arrival,
-                                         .bounds = bounds(*plan),
-                                         .request_json = request.dump(),
-                                         .document_json = document.dump()});
-  return document;
+  repository::PlanRepository plans{db};
+  plans.insert({.row = 0,
+                .id = {id},
+                .name = inputs.name,
+                .created = now,
+                .departure = plan->departure,
+                .arrival = plan->arrival,
+                .bounds = bounds(*plan),
+                .request_json = request.dump(),
+                .document_json = document.dump()});
+  // A plan of this id that was there before stays: it is what is flown and exported, so it is what everybody is told.
+  const auto stored = plans.find({id});
+  return stored ? json::parse(stored->document_json) : document;
 }
 
 tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection& db,

@@ -14,7 +14,7 @@ namespace floeplan::jobs {
 
 /// Plans a route in the stored data and stores the plan; one function for API and command line.
 /// Returns  the plan document: status "ok", or "infeasible" with the reason ("cancelled" when `stop` was
-///          requested)
+///          requested); of a plan that was stored before under the same id that one's
 /// Errors   violations of the choice of data (unknown id, wrong kind, nothing in common with the area)
 /// Names    the plan's id is a digest of its inputs and of the data used: the same request gives the same id
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> plan_route_document(
