@@ -50,7 +50,7 @@ class Bystander(threading.Thread):
                 self.failed += 1
             self.times.append(time.monotonic() - begin)
             self.most_memory = max(self.most_memory, memory())
-            time.sleep(0.02)
+            self.over.wait(0.02)
 
 
 def attacked(name, attack):
