@@ -60,7 +60,8 @@ sources() {
 lint() {
   local tidy_flags=(-extra-arg=-DBOOST_ASIO_HAS_CO_AWAIT -extra-arg=-DBOOST_ASIO_HAS_STD_COROUTINE)
   step "clang-format" xargs -0 clang-format-19 --dry-run -Werror < <(sources -print0)
-  step "shellcheck" shellcheck -x -P "$root/deploy" "$root"/deploy/*.sh "$root/deploy/install-deps"
+  step "shellcheck" shellcheck -x -P "$root/deploy" "$root"/deploy/*.sh "$root/deploy/install-deps" \
+    "$root"/api/examples/*.sh
   step "eslint" npm --prefix "$root/web" run --silent lint
   step "clang-tidy" run-clang-tidy-19 -quiet -p "$root/build/dev" -j "$(build_jobs)" "${tidy_flags[@]}" \
     "^$root/(engine|storage|api|server)/"

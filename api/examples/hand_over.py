@@ -3,7 +3,7 @@
 
 usage: hand_over.py SERVER PLAN_ID GLIDER_FOLDER [--replace] [--query full=true&mission=disko]
 
-SERVER         address of Floeplan, as http://127.0.0.1:8080
+SERVER         address of Floeplan, as http://127.0.0.1:8080; FLOEPLAN_TOKEN holds the token where it wants one
 GLIDER_FOLDER  the glider's folder on the dockserver; files go into its folder to-glider, from where the glider
                fetches them at its next surfacing
 --replace      replace files that are there already; without it nothing is written when one is
@@ -13,20 +13,19 @@ Python 3.9 or later, no other packages. Exit code: 0 handed over, 1 not, 2 wrong
 """
 import argparse
 import io
-import json
 import os
 import pathlib
 import sys
-import urllib.error
 import urllib.parse
-import urllib.request
 import zipfile
+
+import floeplan
 
 
 def fetch(server, plan_id, query):
     """The archive's files by name, and what the server warns of."""
-    address = f"{server.rstrip('/')}/collections/plans/items/{urllib.parse.quote(plan_id, safe='')}/mission.zip"
-    with urllib.request.urlopen(address + ("?" + query if query else ""), timeout=60) as answer:
+    path = f"/collections/plans/items/{urllib.parse.quote(plan_id, safe='')}/mission.zip"
+    with floeplan.opened(server, path + ("?" + query if query else "")) as answer:
         warnings = answer.headers.get_all("Floeplan-Warning") or []
         archive = zipfile.ZipFile(io.BytesIO(answer.read()))
     # By their last names alone: wherever the archive puts a file, it must not reach out of the folder.
@@ -59,12 +58,6 @@ def main():
     given = arguments.parse_args()
     try:
         files, warnings = fetch(given.server, given.plan_id, given.query)
-    except urllib.error.HTTPError as error:
-        problem = json.loads(error.read() or b"{}")
-        print(f"hand_over: {problem.get('detail', error)}", file=sys.stderr)
-        for fault in problem.get("errors", []):
-            print(f"hand_over: {fault['pointer']}: {fault['detail']}", file=sys.stderr)
-        return 1
     except (OSError, zipfile.BadZipFile) as error:
         print(f"hand_over: {given.server} gave no files: {error}", file=sys.stderr)
         return 1
@@ -82,5 +75,4 @@ def main():
     return 0
 
 
-if __name__ == "__main__":
-    sys.exit(main())
+floeplan.run(main)
