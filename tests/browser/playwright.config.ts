@@ -9,13 +9,13 @@ const launchOptions = { executablePath: process.env['CHROMIUM_BIN'] ?? '/usr/bin
 export default defineConfig({
   testDir: './journeys',
   outputDir: process.env['PLAYWRIGHT_OUTPUT'] ?? '/tmp/floeplan-browser-results',
-  workers: 1,
+  // Each with a server of its own.
+  workers: Number(process.env['PLAYWRIGHT_WORKERS'] ?? 2),
   // Patient: nothing waits longer than it must, and a busy machine is no fault of the page.
   timeout: 300_000,
   expect: { timeout: 60_000 },
   reporter: 'list',
   use: {
-    baseURL: process.env['FLOEPLAN_URL'],
     viewport: { width: 1440, height: 900 },
     launchOptions,
     screenshot: 'only-on-failure',

@@ -1,8 +1,8 @@
 #!/usr/bin/env bash
-# Runs the browser journeys against a real server: tests/browser/run.sh FLOEPLAN_BINARY
+# Runs the browser journeys against real servers: tests/browser/run.sh FLOEPLAN_BINARY [playwright arguments]
 #
-# Needs web/dist (npm run build) and Chromium (CHROMIUM_BIN, default /usr/bin/chromium). Makes a store of its own with the
-# demonstration data and removes it afterwards. The exit code is that of the tests.
+# Needs web/dist (npm run build) and Chromium (CHROMIUM_BIN, default /usr/bin/chromium). Makes a store with the demonstration
+# data, of which each worker's server has a copy, and removes it afterwards. The exit code is that of the tests.
 set -euo pipefail
 
 if [[ $# -lt 1 ]]; then
@@ -20,42 +20,12 @@ if [[ ! -f $web/dist/index.html ]]; then
 fi
 
 work=$(mktemp -d)
-server=
-stop() {
-  if [[ -n $server ]]; then
-    kill "$server" 2>/dev/null || true
-    wait "$server" 2>/dev/null || true
-  fi
-  rm -rf "$work"
-}
-trap stop EXIT
-
+trap 'rm -rf "$work"' EXIT
 "$floeplan" --data "$work/store" demo "$work/demo" >"$work/files"
 mapfile -t files <"$work/files"
 "$floeplan" --data "$work/store" ingest "${files[@]}"
 
-"$floeplan" --data "$work/store" serve --listen 127.0.0.1:0 --web "$web/dist" 2>"$work/server.log" &
-server=$!
-
-url=
-for _ in $(seq 150); do
-  url=$(sed -n 's#^floeplan: serving \(http://[^ ]*\).*#\1#p' "$work/server.log" | head -n 1)
-  [[ -n $url ]] && break
-  if ! kill -0 "$server" 2>/dev/null; then break; fi
-  sleep 0.2
-done
-if [[ -z $url ]]; then
-  echo "the server did not start:" >&2
-  cat "$work/server.log" >&2
-  exit 1
-fi
-
-status=0
 # The journeys use the packages of web/, the only place in the tree with a package lock.
-NODE_PATH=$web/node_modules FLOEPLAN_URL=${url%/} PLAYWRIGHT_OUTPUT=${PLAYWRIGHT_OUTPUT:-/tmp/floeplan-browser-results} \
-  "$web/node_modules/.bin/playwright" test --config "$here/playwright.config.ts" "$@" || status=$?
-if [[ $status -ne 0 ]]; then
-  echo "--- the server's last words" >&2
-  tail -n 20 "$work/server.log" >&2
-fi
-exit "$status"
+NODE_PATH=$web/node_modules FLOEPLAN_BIN=$floeplan FLOEPLAN_SEED=$work/store FLOEPLAN_WEB=$web/dist \
+  PLAYWRIGHT_OUTPUT=${PLAYWRIGHT_OUTPUT:-/tmp/floeplan-browser-results} \
+  "$web/node_modules/.bin/playwright" test --config "$here/playwright.config.ts" "$@"

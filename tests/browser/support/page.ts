@@ -1,12 +1,23 @@
 import { expect, test as base, type Page } from '@playwright/test';
 import proj4 from 'proj4';
+import { startServer, type Server } from './server';
 
 proj4.defs('EPSG:3413', '+proj=stere +lat_0=90 +lat_ts=70 +lon_0=-45 +datum=WGS84 +units=m');
 
 export type LonLat = [lon: number, lat: number];
 
 /** Every test fails on an error in the console, on an error of the page and on a request to a foreign host. */
-export const test = base.extend<{ guarded: undefined }>({
+export const test = base.extend<{ guarded: undefined }, { server: Server }>({
+  /** One for all tests of a worker; whoever changes its store puts back what was there. */
+  server: [
+    async ({}, use) => {
+      const server = await startServer();
+      await use(server);
+      await server.stop();
+    },
+    { scope: 'worker' },
+  ],
+  baseURL: async ({ server }, use) => use(server.url),
   guarded: [
     async ({ page, baseURL }, use) => {
       const faults: string[] = [];
@@ -26,7 +37,7 @@ export const test = base.extend<{ guarded: undefined }>({
 });
 
 /** A refused request is reported by the browser as an error of the console, and some journeys provoke one. */
-const isExpected = (fault: string): boolean => /status of 4(00|04|22)|net::ERR_(FAILED|INTERNET_DISCONNECTED)/.test(fault);
+const isExpected = (fault: string): boolean => /status of 4(00|01|03|04|12|22|29)|net::ERR_(FAILED|INTERNET_DISCONNECTED)/.test(fault);
 
 export { expect };
 

@@ -21,11 +21,16 @@ export interface Places {
   land: LonLat;
 }
 
+let found: Promise<Places> | undefined;
+
+/** As below; every server starts from the same data, so a search serves all tests of a worker. */
+export const findPlaces = (request: APIRequestContext): Promise<Places> => (found ??= searchPlaces(request));
+
 /**
  * Places that suit whatever is in the store: two at sea, deep and away from ice and about `apart_deg` of latitude from
  * each other, and one on land. Found by asking the server along a lattice over the area of the currents.
  */
-export async function findPlaces(request: APIRequestContext): Promise<Places> {
+async function searchPlaces(request: APIRequestContext): Promise<Places> {
   const { datasets } = (await (await request.get('/datasets')).json()) as { datasets: Dataset[] };
   const currents = datasets.find(({ kind }) => kind === 'currents');
   if (!currents) throw new Error('The store has no currents.');

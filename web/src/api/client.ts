@@ -4,13 +4,24 @@ import type {
 } from './types';
 import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
-import { address, ApiError, json, request, silence } from './http';
+import type { Caller } from '../model/login';
+import { address, ApiError, json, noteRefusal, request, silence } from './http';
 
 export { ApiError };
 
 async function grid(path: string, signal?: AbortSignal): Promise<Grid> {
   return decodeGrid(await (await request(path, { signal: signal ?? null })).arrayBuffer());
 }
+
+export const whoAmI = (): Promise<Caller> => json('/session');
+
+/** Answers a cookie that scripts cannot read; the token itself is not kept. */
+export const logIn = (token: string): Promise<Caller> =>
+  json('/session', { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ token }) });
+
+export const logOut = async (): Promise<void> => {
+  await request('/session', { method: 'DELETE' });
+};
 
 export const datasets = (): Promise<{ datasets: Dataset[] }> => json('/datasets');
 export const vehicles = (): Promise<{ vehicles: Vehicle[] }> => json('/vehicles');
@@ -91,6 +102,7 @@ export function sendFile(file: Blob, name: string, sha256: string, signal: Abort
     exchange.setRequestHeader('Content-Type', 'application/octet-stream');
     exchange.upload.onprogress = ({ loaded }) => progress(loaded);
     exchange.onload = () => {
+      noteRefusal(exchange.status);
       const answer = bodyOf(exchange);
       if (exchange.status === 201 && answer) resolve(answer as Upload);
       else reject(new ApiError({ ...silence, title: exchange.statusText, status: exchange.status, detail: `The server answered ${exchange.status}.`, ...answer }));

@@ -1,3 +1,4 @@
+import { lock } from '../model/login';
 import type { Problem } from './types';
 
 /** The server refused or could not be reached; `problem` is what it said, or a description of the silence. */
@@ -28,7 +29,9 @@ async function problemOf(response: Response): Promise<Problem> {
   };
   if (!(response.headers.get('content-type') ?? '').includes('json')) return fallback;
   try {
-    return { ...fallback, ...((await response.json()) as Partial<Problem>) };
+    const said = { ...fallback, ...((await response.json()) as Partial<Problem>) };
+    const wait_s = response.headers.get('retry-after');
+    return wait_s === null ? said : { ...said, detail: `${said.detail} Try again in ${wait_s} s.` };
   } catch {
     return fallback;
   }
@@ -36,6 +39,13 @@ async function problemOf(response: Response): Promise<Problem> {
 
 /** What stands for an answer where there is none. */
 export const silence: Problem = { type: 'about:blank', title: 'No connection', status: 0, detail: 'The Floeplan server does not answer.' };
+
+/** Whoever shows no token and needs one gets this answer to everything. */
+const unknown_caller = 401;
+
+export function noteRefusal(status: number): void {
+  if (status === unknown_caller) lock();
+}
 
 export async function request(path: string, init: RequestInit = {}): Promise<Response> {
   let response: Response;
@@ -45,7 +55,10 @@ export async function request(path: string, init: RequestInit = {}): Promise<Res
     if (init.signal?.aborted) throw error;
     throw new ApiError(silence);
   }
-  if (!response.ok) throw new ApiError(await problemOf(response));
+  if (!response.ok) {
+    noteRefusal(response.status);
+    throw new ApiError(await problemOf(response));
+  }
   return response;
 }
 

@@ -1,5 +1,6 @@
 import { draft, edit, editFor, faults, generalFaults, inputsOf, refuse, sortViolations } from '../model/draft';
 import { failure, reasonTitle, running } from '../model/job';
+import { forbids } from '../model/login';
 import { add, nextName, routeOf } from '../model/plans';
 import { conditionsOf, rememberRequest, requestOf, withDeparture } from '../model/requests';
 import { announce, leftTab, rightTab } from '../model/screen';
@@ -13,7 +14,7 @@ let cancelled: AbortController | undefined;
 
 /** Sends the draft, follows its job to the end and shows what came of it. */
 export async function plan(): Promise<void> {
-  if (running.value) return;
+  if (running.value || forbids('pilot', 'Planning')) return;
   const form = inputsOf(draft.value);
   generalFaults.value = [];
   if ('faults' in form) {

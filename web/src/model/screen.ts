@@ -4,7 +4,7 @@ import type { Probe } from '../api/types';
 /** What is open on the screen apart from the map. */
 export const leftTab = signal<'setup' | 'plans' | 'data'>('setup');
 export const rightTab = signal<'waypoints' | 'profile' | 'departures' | 'flights'>('waypoints');
-export const dialog = signal<'export' | 'compare' | 'help' | 'jobs' | undefined>(undefined);
+export const dialog = signal<'export' | 'compare' | 'help' | 'jobs' | 'login' | undefined>(undefined);
 export const drawer = signal<'left' | 'right' | undefined>(undefined);
 
 /** The answer to the last click of the probe tool. */

@@ -6,6 +6,7 @@ import { DataPanel } from './data/data_panel';
 import { DropOverlay } from './data/drop_overlay';
 import { HelpDialog } from './dialogs/help_dialog';
 import { JobsDialog } from './dialogs/jobs_dialog';
+import { LoginDialog } from './dialogs/login_dialog';
 import { ExportDialog } from './export/export_dialog';
 import { Header } from './header/header';
 import { LayersPanel } from './layers/layers_panel';
@@ -42,6 +43,7 @@ export function App(): VNode {
       {dialog.value === 'compare' && <CompareDialog />}
       {dialog.value === 'help' && <HelpDialog />}
       {dialog.value === 'jobs' && <JobsDialog />}
+      {dialog.value === 'login' && <LoginDialog />}
       <DropOverlay />
       {notice.value && <p class="notice" aria-hidden="true">{notice.value}</p>}
       <div class="visually-hidden" aria-live="polite">{announcement.value}</div>

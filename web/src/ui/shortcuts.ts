@@ -1,6 +1,7 @@
 import { plan } from '../api/planning';
 import { probeAt } from '../api/session';
 import { range, setTime, stepHours, togglePlay } from '../model/clock';
+import { forbids } from '../model/login';
 import { routeOf, select, selectedPlan, selectedWaypoint, shownPlans } from '../model/plans';
 import { openEdit, startEdit } from '../model/route_edit';
 import { dialog, drawer, leftTab } from '../model/screen';
@@ -38,7 +39,7 @@ const actions: Record<string, () => void> = {
   },
   d: () => {
     const chosen = selectedPlan.peek();
-    if (!chosen || openEdit.peek()) return;
+    if (!chosen || openEdit.peek() || forbids('pilot', 'Changing a plan')) return;
     startEdit(chosen);
     ask({ do: 'fit', places: routeOf(chosen) });
   },

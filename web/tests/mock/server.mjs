@@ -43,6 +43,7 @@ async function answer(store, dist, request) {
   if (path === '/') return asset(dist, 'index.html', {});
   if (path.startsWith('/app/')) return asset(dist, path.slice(5), { 'Cache-Control': 'max-age=31536000, immutable' });
   if (path === '/datasets') return { body: { datasets: store.datasets } };
+  if (path === '/session') return { body: { name: 'local', role: 'admin' } };
   if (path === '/vehicles') return { body: { vehicles: world.vehicles } };
   if (path === '/map/coast') return { type: 'application/geo+json', body: store.datasets.length > 0 ? world.coast : { type: 'FeatureCollection', features: [] } };
   if (path === '/map/bathymetry') return grid(url, ['depth_m'], [1], (lon, lat) => [world.depthAt(lon, lat)], null, 'ds-bat');

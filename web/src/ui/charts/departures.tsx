@@ -3,6 +3,7 @@ import { useMemo, useState } from 'preact/hooks';
 import { planAt } from '../../api/planning';
 import type { Departure, Plan } from '../../api/types';
 import { running } from '../../model/job';
+import { may } from '../../model/login';
 import { duration, shortTime } from '../../model/time';
 import { palette } from '../../theme/palette';
 import { Icon } from '../common/icon';
@@ -69,7 +70,7 @@ function Choice({ plan, shown, isPlanned }: { plan: Plan; shown: Departure; isPl
         {shown.status !== 'ok' && <span class="fault"> {shown.explanation}</span>}
       </p>
       {!isPlanned && (
-        <button type="button" disabled={running.value !== undefined || shown.status !== 'ok'} onClick={() => void planAt(plan, shown.departure)}>
+        <button type="button" disabled={running.value !== undefined || shown.status !== 'ok' || !may('pilot')} onClick={() => void planAt(plan, shown.departure)}>
           <Icon name="route" /> Plan this departure
         </button>
       )}

@@ -13,6 +13,7 @@ import hand from 'lucide-static/icons/hand.svg?raw';
 import help from 'lucide-static/icons/circle-help.svg?raw';
 import info from 'lucide-static/icons/info.svg?raw';
 import list from 'lucide-static/icons/list.svg?raw';
+import lock from 'lucide-static/icons/lock.svg?raw';
 import maximize from 'lucide-static/icons/maximize.svg?raw';
 import minus from 'lucide-static/icons/minus.svg?raw';
 import moon from 'lucide-static/icons/moon.svg?raw';
@@ -35,15 +36,16 @@ import stepForward from 'lucide-static/icons/step-forward.svg?raw';
 import sun from 'lucide-static/icons/sun.svg?raw';
 import trash from 'lucide-static/icons/trash-2.svg?raw';
 import undo from 'lucide-static/icons/undo-2.svg?raw';
+import user from 'lucide-static/icons/circle-user.svg?raw';
 import up from 'lucide-static/icons/chevron-up.svg?raw';
 import upload from 'lucide-static/icons/upload.svg?raw';
 import warning from 'lucide-static/icons/triangle-alert.svg?raw';
 import x from 'lucide-static/icons/x.svg?raw';
 
 const icons = {
-  chevronRight, clock, compare, compass, crosshair, database, download, edit, eye, eyeOff, hand, help, info, list, maximize, minus, moon, pause,
+  chevronRight, clock, compare, compass, crosshair, database, download, edit, eye, eyeOff, hand, help, info, list, lock, maximize, minus, moon, pause,
   play, plus, polygon, probe, reach, redo, refresh, route, save, settings, share, skipBack, skipForward, stepBack, stepForward, sun, trash, undo, up, upload,
-  warning, x,
+  user, warning, x,
 };
 
 export type IconName = keyof typeof icons;

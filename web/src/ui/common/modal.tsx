@@ -6,17 +6,19 @@ import { IconButton } from './icon';
 /** A modal dialog: traps the focus, closes with Esc, gives the focus back to where it was. */
 export function Modal({ title, wide, children }: { title: string; wide?: boolean; children: ComponentChildren }): VNode {
   const box = useRef<HTMLDialogElement>(null);
+  const isOpen = useRef(true);
   useEffect(() => {
     const element = box.current;
     const before = document.activeElement;
     element?.showModal();
     return () => {
+      isOpen.current = false;
       element?.close();
       if (before instanceof HTMLElement) before.focus();
     };
   }, []);
   const close = (): void => {
-    dialog.value = undefined;
+    if (isOpen.current) dialog.value = undefined; // the element tells of its end only after another may have taken its place
   };
   return (
     <dialog ref={box} class={wide ? 'modal wide' : 'modal'} aria-labelledby="modal-title" onClose={close}>

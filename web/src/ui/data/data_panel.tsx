@@ -3,6 +3,7 @@ import { refresh } from '../../api/session';
 import { imports } from '../../model/imports';
 import { Icon } from '../common/icon';
 import { DatasetList } from './dataset_list';
+import { RoleNote } from '../common/role_note';
 import { FileChooser } from './file_chooser';
 import { ImportCard } from './import_card';
 
@@ -16,6 +17,7 @@ export function DataPanel(): VNode {
         <h2>In the store</h2>
         <button type="button" class="link" onClick={() => void refresh()}><Icon name="refresh" size={13} /> Look again</button>
       </div>
+      <RoleNote role="admin" what="Removing a dataset" />
       <DatasetList />
       <p class="hint">The newest of each kind is used unless the set-up names another under <b>Data</b>.</p>
     </div>

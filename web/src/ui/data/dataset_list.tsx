@@ -4,6 +4,7 @@ import { deleteDataset } from '../../api/session';
 import type { Dataset } from '../../api/types';
 import { covered, toggleCoverage } from '../../model/coverage';
 import { datasets, isInUse } from '../../model/datasets';
+import { may } from '../../model/login';
 import { plans } from '../../model/plans';
 import { shortTime } from '../../model/time';
 import { fileSize } from '../../model/units';
@@ -40,7 +41,7 @@ function Row({ dataset }: { dataset: Dataset }): VNode {
         <span class="dataset-kind">{kind}</span>
         {inUse && <span class="badge in-use">in use</span>}
         <IconButton icon={shown ? 'eye' : 'eyeOff'} label={`Show the coverage of ${name}`} pressed={shown} onClick={cover} />
-        <IconButton icon="trash" label={`Remove ${name}`} onClick={() => void remove()} />
+        <IconButton icon="trash" label={`Remove ${name}`} disabled={!may('admin')} onClick={() => void remove()} />
       </div>
       <b class="dataset-name">{name}</b>
       <p class="dataset-figures">

@@ -3,15 +3,17 @@ import type { VNode } from 'preact';
 import { useRef } from 'preact/hooks';
 import { importFiles } from '../../api/importing';
 import { ingestOptions, emptyForm, optionsOf } from '../../model/ingest_options';
+import { forbids, may } from '../../model/login';
 import { drawer, leftTab } from '../../model/screen';
 import { Icon } from '../common/icon';
+import { RoleNote } from '../common/role_note';
 
 /** The kind that the next files are taken for; empty where they are recognised. */
 const kind = signal('');
 
 /** Sends files and shows what becomes of them. */
 export function take(files: FileList | null): void {
-  if (!files || files.length === 0) return;
+  if (!files || files.length === 0 || forbids('pilot', 'Adding data')) return;
   leftTab.value = 'data';
   drawer.value = 'left';
   const stated = optionsOf({ ...emptyForm, kind: kind.value });
@@ -21,6 +23,7 @@ export function take(files: FileList | null): void {
 /** A button that lets files be chosen; dropping them works anywhere on the page. */
 export function FileChooser(): VNode {
   const input = useRef<HTMLInputElement>(null);
+  if (!may('pilot')) return <RoleNote role="pilot" what="Adding data" />;
   return (
     <div class="file-chooser">
       <div class="field-row">

@@ -3,6 +3,7 @@ import { useEffect, useState } from 'preact/hooks';
 import { dismissJob, jobs } from '../../api/client';
 import type { JobStatus } from '../../api/types';
 import { stageTitle } from '../../model/job';
+import { may } from '../../model/login';
 import { duration, shortTime } from '../../model/time';
 import { Modal } from '../common/modal';
 
@@ -69,7 +70,7 @@ function JobLine({ job }: { job: JobStatus }): VNode {
         {job.status === 'failed' && job.message && <span class="row-warning">{job.message}</span>}
       </td>
       <td>{tookText(job)}</td>
-      <td>{live && <button type="button" onClick={() => void dismissJob(job.jobID).catch(() => undefined)}>Cancel</button>}</td>
+      <td>{live && may('pilot') && <button type="button" onClick={() => void dismissJob(job.jobID).catch(() => undefined)}>Cancel</button>}</td>
     </tr>
   );
 }

@@ -4,9 +4,11 @@ import { cancelFlight, fly, listSimulations, openSimulation, removeSimulation } 
 import type { SimulationSummary } from '../../api/simulation_types';
 import type { Plan } from '../../api/types';
 import { stageTitle } from '../../model/job';
+import { may } from '../../model/login';
 import { flightForm, flying, flyingFault, opened, shownFlight, stored, type FlightForm } from '../../model/simulations';
 import { shortTime } from '../../model/time';
 import { Icon, IconButton } from '../common/icon';
+import { RoleNote } from '../common/role_note';
 import { FlightView } from './flight_view';
 import { SimulationView } from './simulation_view';
 
@@ -55,6 +57,7 @@ function Ask({ plan }: { plan: Plan }): VNode {
         <input type="checkbox" checked={form.avoidance} onChange={(event) => set({ avoidance: event.currentTarget.checked })} />
         Obstacle avoidance on board
       </label>
+      <RoleNote role="pilot" what="Simulating" />
       {now ? (
         <div class="job" role="status">
           <p class="job-line"><span class="job-stage">{stageTitle(now.status)}</span><span class="job-figures">{now.status?.progress ?? 0} %</span></p>
@@ -62,7 +65,7 @@ function Ask({ plan }: { plan: Plan }): VNode {
           <button type="button" onClick={cancelFlight}>Cancel</button>
         </div>
       ) : (
-        <button type="submit" disabled={flying.value !== undefined}><Icon name="play" /> Simulate this plan</button>
+        <button type="submit" disabled={flying.value !== undefined || !may('pilot')}><Icon name="play" /> Simulate this plan</button>
       )}
     </form>
   );
@@ -84,7 +87,7 @@ function Row({ one, chosen }: { one: SimulationSummary; chosen: boolean }): VNod
           {arrived} arrived · {avoidance ? 'with' : 'without'} avoidance{created ? ` · ${shortTime(Date.parse(created))}` : ''}
         </span>
       </button>
-      <IconButton icon="trash" label="Remove this simulation" class="row-remove" onClick={remove} />
+      <IconButton icon="trash" label="Remove this simulation" class="row-remove" disabled={!may('pilot')} onClick={remove} />
     </li>
   );
 }

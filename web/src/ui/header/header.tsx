@@ -2,6 +2,7 @@ import type { VNode } from 'preact';
 import type { Dataset } from '../../api/types';
 import { projectionCodes, projections, type ProjectionCode } from '../../geo/projections';
 import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, datasets, isSynthetic } from '../../model/datasets';
+import { locked, signedIn } from '../../model/login';
 import { dialog, drawer, leftTab, tell } from '../../model/screen';
 import { change, settings } from '../../model/settings';
 import { age, shortTime } from '../../model/time';
@@ -27,6 +28,7 @@ export function Header(): VNode {
         <IconButton icon="share" label="Copy a link to this view" class="only-wide" onClick={() => void copyLink()} />
         <IconButton icon="list" label="Jobs" class="only-wide" onClick={() => { dialog.value = 'jobs'; }} />
         <ThemeButton />
+        <AccountButton />
         <IconButton icon="help" label="Help and settings (?)" onClick={() => { dialog.value = 'help'; }} />
       </div>
       <IconButton icon="list" label="Waypoints" class="only-narrow" onClick={() => { drawer.value = drawer.value === 'right' ? undefined : 'right'; }} />
@@ -60,6 +62,18 @@ function ThemeButton(): VNode {
   return <IconButton icon={wanted === 'dark' ? 'moon' : 'sun'} label={`Use the ${wanted} theme`} onClick={() => change({ theme: wanted })} />;
 }
 
+/** Who is signed in; nothing where nobody has to. */
+function AccountButton(): VNode | null {
+  const who = signedIn.value;
+  if (!who && !locked.value) return null;
+  const label = who && !locked.value ? `Signed in as ${who.name}, ${who.role}` : 'Sign in';
+  return (
+    <button type="button" class="account" aria-label={label} title={label} onClick={() => { dialog.value = 'login'; }}>
+      <Icon name="user" /> <span>{who && !locked.value ? <><b>{who.name}</b><small>{who.role}</small></> : 'Sign in'}</span>
+    </button>
+  );
+}
+
 function openData(): void {
   leftTab.value = 'data';
   drawer.value = 'left';
@@ -74,7 +88,7 @@ function DataBar(): VNode {
       <button type="button" class="data-button" onClick={openData} title="All data in the store">
         <Icon name="database" />
         {datasets.value === undefined ? (
-          <span>Reading the store …</span>
+          <span>{locked.value ? 'Not signed in' : 'Reading the store …'}</span>
         ) : datasets.value.length === 0 ? (
           <span>No data in the store</span>
         ) : (

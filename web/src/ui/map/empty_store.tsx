@@ -1,6 +1,8 @@
 import type { VNode } from 'preact';
 import { refresh } from '../../api/session';
-import { connectionFault, isEmptyStore } from '../../model/datasets';
+import { connectionFault, datasets, isEmptyStore } from '../../model/datasets';
+import { locked } from '../../model/login';
+import { dialog } from '../../model/screen';
 import { Icon } from '../common/icon';
 import { FileChooser } from '../data/file_chooser';
 
@@ -11,6 +13,15 @@ export function EmptyStore(): VNode | null {
       <Icon name="refresh" /> Look again
     </button>
   );
+  if (locked.value && datasets.value === undefined) {
+    return (
+      <section class="empty-store" aria-label="Not signed in">
+        <h2>Not signed in</h2>
+        <p>The server shows its store to those who have a token.</p>
+        <button type="button" class="primary" onClick={() => { dialog.value = 'login'; }}>Sign in</button>
+      </section>
+    );
+  }
   if (connectionFault.value) {
     return (
       <section class="empty-store" role="alert">

@@ -1,5 +1,6 @@
 import type { VNode } from 'preact';
 import { hideReach, showReach } from '../../api/reaching';
+import { may } from '../../model/login';
 import { reach, reachHours } from '../../model/reach';
 import { Icon } from '../common/icon';
 
@@ -25,7 +26,7 @@ export function ReachPart(): VNode {
         </ul>
       )}
       <div class="field-row">
-        <button type="button" disabled={shown?.state === 'pending'} onClick={() => void showReach()}>
+        <button type="button" disabled={shown?.state === 'pending' || !may('pilot')} onClick={() => void showReach()}>
           <Icon name="reach" /> {shown?.state === 'pending' ? 'Working …' : 'Draw reach'}
         </button>
         {shown && <button type="button" onClick={hideReach}>{shown.state === 'pending' ? 'Cancel' : 'Remove'}</button>}

@@ -7,10 +7,12 @@ import {
   canRedoDraft, canUndoDraft, draft, edit, emptyDraft, faultyAttempts, generalFaults, redoDraft, undoDraft,
 } from '../../model/draft';
 import { failure, running } from '../../model/job';
+import { may } from '../../model/login';
 import { drawer } from '../../model/screen';
 import { fieldOf } from '../../model/time';
 import { tool, type Tool } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
+import { RoleNote } from '../common/role_note';
 import { Advanced } from './advanced';
 import { FailureCard } from './failure_card';
 import { SelectField, TextField } from './field';
@@ -56,10 +58,11 @@ export function SetupPanel(): VNode {
       {generalFaults.value.map((fault) => (
         <p class="fault" key={fault} role="alert">{fault}</p>
       ))}
+      <RoleNote role="pilot" what="Planning" id="plan-role" />
       {running.value ? (
         <JobRow job={running.value} />
       ) : (
-        <button type="submit" class="primary" disabled={isEmptyStore.value}>
+        <button type="submit" class="primary" disabled={isEmptyStore.value || !may('pilot')} aria-describedby={may('pilot') ? undefined : 'plan-role'}>
           <Icon name="route" /> {draft.value.name ? `Plan “${draft.value.name}”` : 'Plan route'}
         </button>
       )}

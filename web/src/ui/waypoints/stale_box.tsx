@@ -1,6 +1,7 @@
 import type { VNode } from 'preact';
 import { recheck } from '../../api/rechecking';
 import type { Plan } from '../../api/types';
+import { may } from '../../model/login';
 import { reasonTitle } from '../../model/job';
 import { rechecks, staleness, type Recheck } from '../../model/stale';
 import { duration, shortTime } from '../../model/time';
@@ -18,7 +19,7 @@ export function StaleBox({ plan }: { plan: Plan }): VNode | null {
       <h3><Icon name="clock" /> Made on older data</h3>
       <ul>{newer.map(({ id, kind, name, ingested }) => <li key={id}>newer {kind}: {name}, in since {shortTime(Date.parse(ingested))}</li>)}</ul>
       {verdict && <Result verdict={verdict} plan={plan} />}
-      <button type="button" disabled={verdict?.state === 'pending'} onClick={() => void recheck(plan)}>
+      <button type="button" disabled={verdict?.state === 'pending' || !may('pilot')} onClick={() => void recheck(plan)}>
         <Icon name="refresh" /> {verdict?.state === 'pending' ? 'Checking …' : 'Re-check'}
       </button>
     </section>

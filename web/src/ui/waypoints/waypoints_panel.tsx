@@ -4,6 +4,7 @@ import type { Plan } from '../../api/types';
 import { time_ms } from '../../model/clock';
 import { edit } from '../../model/draft';
 import { editablePosition } from '../../geo/coordinates';
+import { may } from '../../model/login';
 import { routeOf, selectedShown, titleOf } from '../../model/plans';
 import { startEdit, openEdit } from '../../model/route_edit';
 import { dialog, leftTab, rightTab } from '../../model/screen';
@@ -13,6 +14,7 @@ import { Icon, IconButton } from '../common/icon';
 import { Departures } from '../charts/departures';
 import { Profile } from '../charts/profile';
 import { PlanKey } from '../common/plan_key';
+import { RoleNote } from '../common/role_note';
 import { FlightsPanel } from '../flights/flights_panel';
 import { EditPanel } from './edit_panel';
 import { Figures } from './figures';
@@ -44,13 +46,14 @@ export function WaypointsPanel(): VNode {
         <h2><PlanKey letter={letter} style={style} /> {titleOf(plan)}</h2>
         <IconButton icon="maximize" label="Fit the map to this plan" onClick={() => ask({ do: 'fit', places: routeOf(plan) })} />
         <IconButton icon="refresh" label="Copy start, goal and departure into the set-up" onClick={() => reuse(plan)} />
-        <IconButton icon="trash" label="Delete this plan" onClick={() => confirmDelete(plan)} />
+        <IconButton icon="trash" label="Delete this plan" disabled={!may('pilot')} onClick={() => confirmDelete(plan)} />
       </div>
       <StaleBox plan={plan} />
       <Figures plan={plan} />
       <Warnings warnings={plan.warnings} />
+      <RoleNote role="pilot" what="Changing a plan" />
       <div class="edit-save">
-        <button type="button" onClick={() => editCopy(plan)}><Icon name="edit" /> Edit copy</button>
+        <button type="button" disabled={!may('pilot')} onClick={() => editCopy(plan)}><Icon name="edit" /> Edit copy</button>
         <button
           type="button" class="export-button"
           onClick={() => {

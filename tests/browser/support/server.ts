@@ -1,0 +1,52 @@
+import { execFileSync, spawn, type ChildProcess } from 'node:child_process';
+import { cpSync, mkdtempSync, rmSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+
+/** From run.sh: the program, the built page, and a store with the demonstration data that every server starts from a copy of. */
+const given = (name: string): string => {
+  const value = process.env[name];
+  if (!value) throw new Error(`${name} is not set: run tests/browser/run.sh.`);
+  return value;
+};
+
+export interface Server {
+  url: string;
+  /** Runs the program on the server's store, as whoever runs the server does; its standard output. */
+  run: (...words: string[]) => string;
+  stop: () => Promise<void>;
+}
+
+/** Starts a server on a port and a store of its own: a copy of the demonstration data, or nothing. */
+export async function startServer({ empty = false } = {}): Promise<Server> {
+  const program = given('FLOEPLAN_BIN');
+  const folder = mkdtempSync(join(tmpdir(), 'floeplan-browser-'));
+  const store = join(folder, 'store');
+  if (!empty) cpSync(given('FLOEPLAN_SEED'), store, { recursive: true });
+  const words = ['--data', store, 'serve', '--listen', '127.0.0.1:0', '--web', given('FLOEPLAN_WEB')];
+  const process = spawn(program, words, { stdio: ['ignore', 'ignore', 'pipe'] });
+  const url = await addressOf(process);
+  return {
+    url,
+    run: (...more) => execFileSync(program, ['--data', store, ...more], { encoding: 'utf8' }),
+    stop: async () => {
+      const ended = new Promise((resolve) => process.once('exit', resolve));
+      process.kill();
+      await ended;
+      rmSync(folder, { recursive: true, force: true });
+    },
+  };
+}
+
+/** Where it listens, as its first words say. */
+function addressOf(server: ChildProcess): Promise<string> {
+  return new Promise((resolve, reject) => {
+    let said = '';
+    server.stderr?.setEncoding('utf8').on('data', (text: string) => {
+      said = (said + text).slice(-10_000);
+      const found = /^floeplan: serving (http:\/\/[^ \n]*?)\/?\s/m.exec(said);
+      if (found?.[1]) resolve(found[1]);
+    });
+    server.once('exit', (code) => reject(new Error(`The server ended with ${String(code)} before it listened:\n${said}`)));
+  });
+}
