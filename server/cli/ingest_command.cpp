@@ -73,8 +73,9 @@ void add_ingest(CLI::App& app, Program& program) {
   auto* command = app.add_subcommand("ingest", "Read data files into the store");
   command
       ->add_option("FILE", flags->files,
-                   "Bathymetry, currents, tides, sea ice, icebergs, coastline or zones; files that belong "
-                   "together (both components of a current, a model's grid) in one command")
+                   "Bathymetry, currents, tides, sea ice, icebergs, coastline or zones, packed (zip, KMZ, tar, gz) or "
+                   "not; files that belong together (both components of a current, a model's grid) in one "
+                   "command")
       ->required();
   command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
   command->add_option("--kind", flags->kind, "What to take the file for")

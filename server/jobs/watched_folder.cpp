@@ -10,8 +10,8 @@
 #include <map>
 #include <mutex>
 #include <nlohmann/json.hpp>
-#include <optional>
-#include <string_view>
+
+#include "storage/ingest/sidecar.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -58,22 +58,11 @@ bool is_unfinished(const std::string& name) {
          std::ranges::any_of(endings, [&](const char* ending) { return name.ends_with(ending); });
 }
 
-/// Of a file that means something only beside another one: the name that they share. Nothing of other files.
-std::optional<std::string> shared_name(const std::string& name) {
-  constexpr std::array<std::string_view, 9> endings{".dbf", ".shx", ".prj", ".cpg",    ".sbn",
-                                                    ".sbx", ".qix", ".tfw", ".aux.xml"};
-  for (const std::string_view ending : endings)
-    if (name.ends_with(ending)) return name.substr(0, name.size() - ending.size());
-  return std::nullopt;
-}
-
 /// What lies beside a file and belongs to it: "bed.prj" and "bed.asc.aux.xml" to "bed.asc".
 std::vector<fs::path> sidecars_of(const fs::path& file) {
   std::vector<fs::path> all;
-  for (const auto& entry : fs::directory_iterator{file.parent_path()}) {
-    const auto shared = shared_name(entry.path().filename());
-    if (shared && (*shared == file.stem() || *shared == file.filename())) all.push_back(entry.path());
-  }
+  for (const auto& entry : fs::directory_iterator{file.parent_path()})
+    if (ingest::is_sidecar_of(entry.path(), file)) all.push_back(entry.path());
   return all;
 }
 
@@ -107,7 +96,8 @@ void ingest_and_put_away(sqlite::Connection& db, const ingest::Guard& guard,
         reports, [](const auto& report) { return report.status == ingest::IngestStatus::refused; });
     spdlog::info("watched file=\"{}\" outcome={}", reports.front().file, refused ? "refused" : "done");
     for (const fs::path& file : group)
-      put_away(file, file.parent_path() / (refused ? "refused" : "done"), report_document(reports).dump(2));
+      if (fs::exists(file))  // an archive may have been in several groups
+        put_away(file, file.parent_path() / (refused ? "refused" : "done"), report_document(reports).dump(2));
   }
 }
 
@@ -129,7 +119,7 @@ class Arrivals {
       const int looks = same ? before->second.looks + 1 : 0;
       now[entry.path()] = {appearance, looks};
       all_at_rest = all_at_rest && looks >= looks_without_change;
-      if (shared_name(name)) continue;
+      if (ingest::is_sidecar(name)) continue;
       at_rest.push_back(entry.path());
       if (looks >= looks_of_patience) at_rest_for_long.push_back(entry.path());
     }

@@ -8,6 +8,7 @@
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/position_tables.hpp"
+#include "storage/ingest/sidecar.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
@@ -75,6 +76,20 @@ bool is_update_of_another(const Member& member, const std::vector<Member>& membe
   return std::ranges::any_of(members, [&](const Member& base) { return is_update_of(member, base); });
 }
 
+/// What belongs to a file by its name alone.
+void take_sidecars(const Member& main, std::vector<Member>& members, FileGroup& group) {
+  for (Member& part : members) {
+    if (part.taken || !is_sidecar_of(part.path, main.path)) continue;
+    part.taken = true;
+    group.push_back(part.path);
+  }
+}
+
+bool is_sidecar_of_another(const Member& member, const std::vector<Member>& members) {
+  return std::ranges::any_of(members,
+                             [&](const Member& main) { return is_sidecar_of(member.path, main.path); });
+}
+
 void take_updates(const Member& base, std::vector<Member>& members, FileGroup& group) {
   for (Member& update : members) {
     if (!is_update_of(update, base)) continue;
@@ -97,7 +112,9 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
   }
 
   for (Member& member : members) {
-    if (member.taken || member.tables_alone || is_update_of_another(member, members)) continue;
+    if (member.taken || member.tables_alone || is_update_of_another(member, members) ||
+        is_sidecar_of_another(member, members))
+      continue;
     FileGroup group{member.path};
     if (member.parts == VelocityParts::first_alone || member.parts == VelocityParts::second_alone) {
       const VelocityParts wanted = member.parts == VelocityParts::first_alone ? VelocityParts::second_alone
@@ -111,6 +128,7 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
       }
     }
     member.taken = true;
+    take_sidecars(member, members, group);
     if (member.chart) take_updates(member, members, group);
     if (member.parts != VelocityParts::none)
       for (Member& tables : members)

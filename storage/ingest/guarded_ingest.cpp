@@ -1,118 +1,22 @@
 #include "storage/ingest/guarded_ingest.hpp"
 
-#include <sys/wait.h>
-
 #include <algorithm>
-#include <csignal>
-#include <cstring>
-#include <fstream>
+#include <deque>
+#include <map>
 #include <optional>
 #include <set>
-#include <stdexcept>
 
+#include "storage/ingest/archive.hpp"
 #include "storage/ingest/reader_main.hpp"
-#include "storage/ingest/reader_messages.hpp"
-#include "storage/ingest/reader_process.hpp"
+#include "storage/ingest/reader_work.hpp"
 #include "storage/ingest/staging_folder.hpp"
+#include "storage/ingest/text.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/dataset_transfer.hpp"
 #include "storage/repository/migrations.hpp"
 
 namespace floeplan::ingest {
 namespace {
-
-/// Everything a child process told until its end.
-struct Told {
-  std::vector<IngestReport> reports;
-  std::optional<Grouped> grouped;
-  std::size_t looks_at{};
-  std::string breakdown;  // why the files are refused; empty when the process did its work
-  bool stopped{false};
-};
-
-std::string too_long(std::uint64_t seconds) {
-  return "reading took more than " + std::to_string(seconds) +
-         " s, far longer than a file of this size needs; it is damaged or unpacks to much more than it "
-         "seems; "
-         "copy it again, or cut out your area and period";
-}
-
-std::string too_large(std::uint64_t bytes) {
-  return "reading needs more than " + std::to_string(bytes / 1'000'000) +
-         " MB of memory; the file is damaged or unpacks to much more than it seems; copy it again, or cut "
-         "out "
-         "your area and period";
-}
-
-/// Why a process ended before its work was done.
-std::string cause_of_death(int status, const ReaderLimits& limits) {
-  if (WIFSIGNALED(status)) {
-    const int signal = WTERMSIG(status);
-    if (signal == SIGXCPU || signal == SIGKILL) return too_long(limits.cpu_s);
-    if (signal == SIGXFSZ)
-      return "the file unpacks to more than " + std::to_string(limits.file_bytes / 1'000'000) +
-             " MB; it is damaged or made to fill disks; copy it again, or cut out your area and period";
-    return std::string{"the file is damaged in a way that stops its reader ("} + strsignal(signal) +
-           "), or needs more than " + std::to_string(limits.memory_bytes / 1'000'000) +
-           " MB of memory; copy or download it again";
-  }
-  return "the file is damaged in a way that stops its reader; copy or download it again";
-}
-
-void note(const Failed& failed, const ReaderLimits& limits, Told& told) {
-  switch (failed.cause) {
-    case Failed::Cause::memory: told.breakdown = too_large(limits.memory_bytes); return;
-    case Failed::Cause::reader:
-      told.breakdown = "the file cannot be read: " + failed.reason + "; copy or download it again";
-      return;
-    case Failed::Cause::store: throw std::runtime_error{failed.reason};
-  }
-}
-
-/// Listens to a process until it has finished, died or was stopped.
-Told listen(ReaderProcess& process, const ReaderLimits& limits, const std::stop_token& stop,
-            const core::ProgressCallback& progress) {
-  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds{limits.wall_s};
-  Told told;
-  while (true) {
-    const auto reading = process.read_line(stop, deadline);
-    if (reading == ReaderProcess::Reading::stopped) {
-      told.stopped = true;
-      return told;
-    }
-    if (reading == ReaderProcess::Reading::too_late) {
-      told.breakdown = too_long(limits.wall_s);
-      return told;
-    }
-    if (reading == ReaderProcess::Reading::ended) {
-      told.breakdown = cause_of_death(process.wait(), limits);
-      return told;
-    }
-    const auto event = parse_reader_event(process.line());
-    if (!event) {
-      told.breakdown = cause_of_death(process.kill(), limits);
-      return told;
-    }
-    if (const auto* made = std::get_if<Progressed>(&*event); made && progress)
-      progress(made->stage, made->share);
-    if (const auto* look = std::get_if<LooksAt>(&*event)) told.looks_at = look->file;
-    if (const auto* grouped = std::get_if<Grouped>(&*event)) told.grouped = *grouped;
-    if (const auto* reported = std::get_if<Reported>(&*event)) told.reports.push_back(reported->report);
-    if (const auto* failed = std::get_if<Failed>(&*event)) note(*failed, limits, told);
-    if (std::holds_alternative<Finished>(*event)) return told;
-  }
-}
-
-Told run_reader(const Guard& guard, const std::filesystem::path& staging, const FileGroup& files,
-                ReaderRequest request, const std::stop_token& stop, const core::ProgressCallback& progress) {
-  request.limits = limits_for(files);
-  request.limits.cpu_s = std::min(request.limits.cpu_s, guard.most_cpu_s.value_or(request.limits.cpu_s));
-  std::ofstream{staging / reader_request_file, std::ios::binary} << to_text(request);
-  std::vector<std::string> arguments{"read-files", staging.string()};
-  for (const auto& file : files) arguments.push_back(std::filesystem::absolute(file).string());
-  ReaderProcess process{guard.program, arguments};
-  return listen(process, request.limits, stop, progress);
-}
 
 /// Whether every file is in one group, and in one only: what a broken process says is not believed.
 bool is_partition(const Grouped& grouped, std::size_t count) {
@@ -182,8 +86,8 @@ std::optional<std::vector<IngestReport>> ingest_one_group(sqlite::Connection& db
                          {.task = ReaderRequest::Task::ingest, .options = options, .now = now, .limits = {}},
                          stop, progress);
   if (told.stopped) return std::nullopt;
-  if (told.breakdown.empty() && told.reports.empty()) told.breakdown = cause_of_death(0, {});
-  if (!told.breakdown.empty()) return std::vector{refused(files, told.breakdown)};
+  if (told.breakdown.empty() && told.reports.empty()) told.breakdown = unexplained_end();
+  if (!told.breakdown.empty()) return std::vector{refused(files, options, told.breakdown)};
   const auto is_stored = [](const IngestReport& report) { return report.status == IngestStatus::stored; };
   std::vector<repository::DatasetId> taken_over;
   if (std::ranges::any_of(told.reports, is_stored))
@@ -193,6 +97,87 @@ std::optional<std::vector<IngestReport>> ingest_one_group(sqlite::Connection& db
   return reports;
 }
 
+/// Archives are unpacked here; what comes out of them is read like any other file.
+class Arrivals {
+ public:
+  Arrivals(const Guard& guard, const IngestOptions& options) : guard_{guard}, options_{options} {}
+
+  /// Returns  why the file is refused; empty: what it holds is among files()
+  std::optional<IngestReport> add(const std::filesystem::path& file, const std::stop_token& stop) {
+    if (!is_archive(file)) {
+      files_.push_back(file);
+      return std::nullopt;
+    }
+    const std::filesystem::path& staging = folders_.emplace_back(guard_.staging).path();
+    Told told =
+        run_reader(guard_, staging, {file},
+                   {.task = ReaderRequest::Task::unpack, .options = {}, .now = {}, .limits = {}}, stop, {});
+    if (told.stopped) return std::nullopt;
+    if (told.breakdown.empty() && told.reports.size() == 1) return std::move(told.reports.front());
+    if (told.breakdown.empty() && (!told.unpacked || !are_inside(told.unpacked->data)))
+      told.breakdown = unexplained_end();
+    if (!told.breakdown.empty()) return refused({file}, {}, told.breakdown);
+    for (const std::string& name : told.unpacked->data) {
+      files_.push_back(staging / unpacked_folder / name);
+      archive_of_[files_.back()] = file;
+    }
+    left_out_[file] = told.unpacked->left_out;
+    return std::nullopt;
+  }
+
+  [[nodiscard]] const FileGroup& files() const { return files_; }
+
+  /// The files that were given and that these came from or are.
+  [[nodiscard]] FileGroup given(const FileGroup& files) const {
+    FileGroup given;
+    for (const auto& file : files) {
+      const auto archive = archive_of_.find(file);
+      const auto& source = archive == archive_of_.end() ? file : archive->second;
+      if (std::ranges::find(given, source) == given.end()) given.push_back(source);
+    }
+    return given;
+  }
+
+  /// A dataset that is alone in its archive is called as the archive is: "doc.kml" says nothing.
+  [[nodiscard]] IngestOptions options_for(const FileGroup& files,
+                                          const std::vector<FileGroup>& groups) const {
+    IngestOptions options = options_;
+    const auto archive = archive_of_.find(files.front());
+    if (archive == archive_of_.end()) return options;
+    options.archive = archive->second.filename().string();
+    const FileGroup source = given(files);
+    const auto alone =
+        std::ranges::count_if(groups, [&](const FileGroup& other) { return given(other) == source; });
+    const bool says_its_name = files.front().filename() == archive->second.stem();
+    if (alone == 1 && !options.name && !says_its_name) options.name = archive->second.stem().string();
+    return options;
+  }
+
+  /// Names what lay beside the data in the archive, once.
+  void tell_left_out(const FileGroup& files, IngestReport& report) {
+    const auto archive = archive_of_.find(files.front());
+    if (archive == archive_of_.end()) return;
+    auto& names = left_out_[archive->second];
+    if (!names.empty())
+      report.warnings.push_back("left out of the archive, because they are no data: " + enumeration(names));
+    names.clear();
+  }
+
+ private:
+  static bool are_inside(const std::vector<std::string>& names) {
+    return std::ranges::all_of(names, [](const std::filesystem::path& name) {
+      return name.is_relative() && std::ranges::find(name, "..") == name.end();
+    });
+  }
+
+  const Guard& guard_;
+  const IngestOptions& options_;
+  std::deque<StagingFolder> folders_;
+  FileGroup files_;
+  std::map<std::filesystem::path, std::filesystem::path> archive_of_;
+  std::map<std::filesystem::path, std::vector<std::string>> left_out_;
+};
+
 }  // namespace
 
 std::vector<IngestReport> guarded_ingest(sqlite::Connection& db, const Guard& guard,
@@ -201,17 +186,27 @@ std::vector<IngestReport> guarded_ingest(sqlite::Connection& db, const Guard& gu
                                          const std::stop_token& stop, const core::ProgressCallback& progress,
                                          const std::function<void(const IngestReport&)>& reported) {
   std::vector<IngestReport> reports;
-  const std::vector<FileGroup> groups = guarded_groups(guard, files, stop);
+  const auto tell = [&](IngestReport report, FileGroup given) {
+    report.files = std::move(given);
+    if (reported) reported(report);
+    reports.push_back(std::move(report));
+  };
+  Arrivals arrivals{guard, options};
+  for (const auto& file : files) {
+    if (stop.stop_requested()) return reports;
+    if (auto refusal = arrivals.add(file, stop)) tell(std::move(*refusal), {file});
+  }
+  const std::vector<FileGroup> groups = guarded_groups(guard, arrivals.files(), stop);
   for (std::size_t i = 0; i < groups.size() && !stop.stop_requested(); ++i) {
     const auto of_all = [&](std::string_view stage, double share) {
       if (progress) progress(stage, (static_cast<double>(i) + share) / static_cast<double>(groups.size()));
     };
-    auto of_group = ingest_one_group(db, guard, groups[i], options, now, stop, of_all);
+    auto of_group =
+        ingest_one_group(db, guard, groups[i], arrivals.options_for(groups[i], groups), now, stop, of_all);
     if (!of_group) break;
     for (IngestReport& report : *of_group) {
-      report.files = groups[i];
-      if (reported) reported(report);
-      reports.push_back(std::move(report));
+      arrivals.tell_left_out(groups[i], report);
+      tell(std::move(report), arrivals.given(groups[i]));
     }
   }
   return reports;

@@ -23,6 +23,7 @@
 #include "storage/ingest/recognise.hpp"
 #include "storage/ingest/s57_cell.hpp"
 #include "storage/ingest/s57_reader.hpp"
+#include "storage/ingest/sidecar.hpp"
 #include "storage/ingest/tide_reader.hpp"
 #include "storage/ingest/tide_table.hpp"
 #include "storage/ingest/vector_file.hpp"
@@ -88,12 +89,12 @@ repository::DatasetId id_of(DatasetKind kind, const std::string& sha256) {
   return {repository::kind_name(kind) + "-" + sha256.substr(0, 8)};
 }
 
-/// "u.nc + v.nc"
-std::string names_of(const FileGroup& files) {
+/// "u.nc + v.nc", "charts.zip: ice.shp"
+std::string names_of(const FileGroup& files, const IngestOptions& options) {
   std::string names;
   for (const std::filesystem::path& file : files)
-    names += (names.empty() ? "" : " + ") + file.filename().string();
-  return names;
+    if (!is_sidecar_of(file, files.front())) names += (names.empty() ? "" : " + ") + file.filename().string();
+  return options.archive ? *options.archive + ": " + names : names;
 }
 
 std::int64_t size_of(const FileGroup& files) {
@@ -116,7 +117,7 @@ Dataset dataset_of(const PreparedDataset& data, const FileGroup& files, const In
           .rows_accepted = data.rows_accepted,
           .rows_refused = data.rows_refused,
           .warnings = data.warnings,
-          .provenance = {.file_name = names_of(files),
+          .provenance = {.file_name = names_of(files, options),
                          .file_size_bytes = size_of(files),
                          .sha256 = sha256,
                          .ingested = now,
@@ -144,11 +145,11 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
                      const core::ProgressCallback& progress) {
   if (auto stored = repository::DatasetRepository{db}.find(id_of(kind, sha256))) {
     if (stored->provenance.sha256 != sha256)
-      return {refused(files,
+      return {refused(files, options,
                       "another dataset already has the id " + stored->id.value +
                           "; two files share the first digits of their checksum; remove the other one first"),
               std::nullopt};
-    return {{.file = names_of(files),
+    return {{.file = names_of(files, options),
              .status = IngestStatus::unchanged,
              .dataset = std::move(stored),
              .warnings = {},
@@ -156,7 +157,7 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
             std::nullopt};
   }
   auto data = prepare(file, kind, options, progress);
-  if (!data) return {refused(files, data.error()), std::nullopt};
+  if (!data) return {refused(files, options, data.error()), std::nullopt};
   if (file.netcdf && repository::has_steps(kind)) data->run = model_run_of(*file.netcdf);
   if (auto warning = warning_of_open_end(file.path, file.format))
     data->warnings.push_back(std::move(*warning));
@@ -164,12 +165,12 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
 }
 
 /// Stores what was checked. Runs inside the file's transaction.
-IngestReport store(sqlite::Connection& db, const FileGroup& files, const PreparedDataset& data,
-                   Dataset dataset) {
+IngestReport store(sqlite::Connection& db, const FileGroup& files, const IngestOptions& options,
+                   const PreparedDataset& data, Dataset dataset) {
   repository::DatasetRepository{db}.insert(dataset);
   const auto written = data.write(db, dataset.id);
-  if (!written) return refused(files, written.error());
-  return {.file = names_of(files),
+  if (!written) return refused(files, options, written.error());
+  return {.file = dataset.provenance.file_name,
           .status = IngestStatus::stored,
           .dataset = std::move(dataset),
           .warnings = data.warnings,
@@ -177,14 +178,16 @@ IngestReport store(sqlite::Connection& db, const FileGroup& files, const Prepare
 }
 
 /// Says of everything that was good why it was not stored all the same.
-void refuse_the_rest(std::vector<Candidate>& candidates, const FileGroup& files) {
+void refuse_the_rest(std::vector<Candidate>& candidates, const FileGroup& files,
+                     const IngestOptions& options) {
   for (Candidate& candidate : candidates) {
     if (!candidate.data || !candidate.report.errors.empty()) continue;
     const std::string kind = repository::kind_name(candidate.data->kind);
-    candidate.report = refused(files, "the file also holds " + kind +
-                                          ", which were not stored because its other data were refused; a "
-                                          "file is stored whole or not at all; give --kind " +
-                                          kind + " to store this part alone");
+    candidate.report = refused(files, options,
+                               "the file also holds " + kind +
+                                   ", which were not stored because its other data were refused; a "
+                                   "file is stored whole or not at all; give --kind " +
+                                   kind + " to store this part alone");
   }
 }
 
@@ -209,9 +212,9 @@ Checked<std::string> digest_of(const RecognisedFile& recognised, const FileGroup
 
 }  // namespace
 
-IngestReport refused(const FileGroup& files, std::string reason) {
+IngestReport refused(const FileGroup& files, const IngestOptions& options, std::string reason) {
   IngestReport report;
-  report.file = names_of(files);
+  report.file = names_of(files, options);
   for (const std::filesystem::path& file : files) reason = without_folder(std::move(reason), file);
   std::istringstream lines{reason};
   for (std::string line; std::getline(lines, line);) report.errors.push_back(line);
@@ -223,14 +226,14 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
                                        const core::ProgressCallback& progress) {
   const GdalMessages quiet;
   auto recognised = recognise(files.front(), options.kind);
-  if (!recognised) return {refused(files, recognised.error())};
-  if (recognised->format != FileFormat::s57) {  // whose updates are found beside it
+  if (!recognised) return {refused(files, options, recognised.error())};
+  if (recognised->netcdf) {  // the parts of others are found beside them
     auto companions = open_companions(files);
-    if (!companions) return {refused(files, companions.error())};
+    if (!companions) return {refused(files, options, companions.error())};
     recognised->companions = std::move(*companions);
   }
   const auto sha256 = digest_of(*recognised, files);
-  if (!sha256) return {refused(files, sha256.error())};
+  if (!sha256) return {refused(files, options, sha256.error())};
 
   std::vector<Candidate> candidates;
   for (const DatasetKind kind : recognised->kinds)
@@ -241,11 +244,11 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
     sqlite::Transaction transaction{db};
     for (Candidate& candidate : candidates)
       if (candidate.data)
-        candidate.report =
-            store(db, files, *candidate.data, dataset_of(*candidate.data, files, options, *sha256, now));
+        candidate.report = store(db, files, options, *candidate.data,
+                                 dataset_of(*candidate.data, files, options, *sha256, now));
     if (std::none_of(candidates.begin(), candidates.end(), failed)) transaction.commit();
   }
-  if (std::any_of(candidates.begin(), candidates.end(), failed)) refuse_the_rest(candidates, files);
+  if (std::any_of(candidates.begin(), candidates.end(), failed)) refuse_the_rest(candidates, files, options);
 
   std::vector<IngestReport> reports;
   for (Candidate& candidate : candidates) reports.push_back(std::move(candidate.report));

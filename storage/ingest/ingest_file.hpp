@@ -25,6 +25,7 @@ struct IngestOptions {
   std::optional<std::string> unit{};       // "m" or "ft", of its amplitudes where the file does not say it
   std::optional<std::string> zone_kind{};  // "no_go" or "stay_in", for zones that do not say
   std::optional<std::string> variable{};   // of ice: the concentration to use when a file holds several
+  std::optional<std::string> archive{};    // name of the one that the files were unpacked from
 };
 
 enum class IngestStatus { stored, refused, unchanged };
@@ -54,7 +55,7 @@ struct IngestReport {
                                                      const core::ProgressCallback& progress);
 
 /// The report of files of which nothing is stored. `reason`: sentences, one a line; where the files lie is taken out.
-[[nodiscard]] IngestReport refused(const FileGroup& files, std::string reason);
+[[nodiscard]] IngestReport refused(const FileGroup& files, const IngestOptions& options, std::string reason);
 
 /// Reads several files. Those that belong together make one dataset (the two components of a current in two files,
 /// tables of a model's positions in a third), told by their content; every other file makes its own.

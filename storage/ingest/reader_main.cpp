@@ -12,6 +12,7 @@
 #include <new>
 #include <stdexcept>
 
+#include "storage/ingest/archive.hpp"
 #include "storage/ingest/reader_messages.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/sqlite/failure.hpp"
@@ -75,9 +76,21 @@ Grouped group(const std::vector<std::filesystem::path>& files, const Reporter& r
   return grouped;
 }
 
+/// Tells what the archive holds, or why it is refused.
+ReaderEvent unpacked(const std::filesystem::path& archive, const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  const auto found = unpack(archive, folder);
+  if (!found) return Reported{refused({archive}, {}, found.error())};
+  UnpackedArchive told{.data = {}, .left_out = found->left_out};
+  for (const auto& file : found->data) told.data.push_back(file.lexically_relative(folder).string());
+  return told;
+}
+
 void work(const ReaderRequest& request, const std::filesystem::path& staging,
           const std::vector<std::filesystem::path>& files, const Reporter& reporter) {
   keep_to(request.limits);
+  if (request.task == ReaderRequest::Task::unpack)
+    return reporter.tell(unpacked(files.front(), staging / unpacked_folder));
   if (request.task == ReaderRequest::Task::group) return reporter.tell(group(files, reporter));
   auto db = repository::open_scratch_store(staging);
   for (IngestReport& report : ingest_group(db, files, request.options, request.now, progress_to(reporter)))

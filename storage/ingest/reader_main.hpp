@@ -8,6 +8,9 @@ namespace floeplan::ingest {
 /// Of the file in a staging folder that holds a ReaderRequest.
 inline constexpr const char* reader_request_file = "request.json";
 
+/// Of the folder in it where an archive is unpacked.
+inline constexpr const char* unpacked_folder = "unpacked";
+
 /// The whole of a process that reads foreign files: bounds itself, does what the request in `staging` says with the
 /// files, and tells it on standard output, one ReaderEvent a line. Nothing else of the process is of use afterwards.
 /// Returns  its exit code: 0 unless the request could not be read

@@ -28,7 +28,8 @@ json to_json(const IngestOptions& options) {
           {"at", at},
           {"unit", optional_json(options.unit)},
           {"zone_kind", optional_json(options.zone_kind)},
-          {"variable", optional_json(options.variable)}};
+          {"variable", optional_json(options.variable)},
+          {"archive", optional_json(options.archive)}};
 }
 
 IngestOptions options_of(const json& object) {
@@ -37,7 +38,8 @@ IngestOptions options_of(const json& object) {
                         .positive = optional_text(object, "positive"),
                         .unit = optional_text(object, "unit"),
                         .zone_kind = optional_text(object, "zone_kind"),
-                        .variable = optional_text(object, "variable")};
+                        .variable = optional_text(object, "variable"),
+                        .archive = optional_text(object, "archive")};
   if (const auto kind = optional_text(object, "kind")) options.kind = repository::parse_kind(*kind);
   if (const json& at = object.at("at"); !at.is_null())
     options.at = geo::LonLat{at.at(0).get<double>(), at.at(1).get<double>()};
@@ -64,6 +66,12 @@ IngestReport report_of(const json& object) {
   return report;
 }
 
+ReaderRequest::Task task_of(int number) {
+  if (number == static_cast<int>(ReaderRequest::Task::unpack)) return ReaderRequest::Task::unpack;
+  if (number == static_cast<int>(ReaderRequest::Task::group)) return ReaderRequest::Task::group;
+  return ReaderRequest::Task::ingest;
+}
+
 Failed::Cause cause_of(int number) {
   if (number == static_cast<int>(Failed::Cause::memory)) return Failed::Cause::memory;
   if (number == static_cast<int>(Failed::Cause::store)) return Failed::Cause::store;
@@ -74,6 +82,9 @@ struct EventToJson {
   json operator()(const Progressed& made) const { return {{"progress", {made.stage, made.share}}}; }
   json operator()(const LooksAt& look) const { return {{"looks_at", look.file}}; }
   json operator()(const Grouped& grouped) const { return {{"groups", grouped.groups}}; }
+  json operator()(const UnpackedArchive& unpacked) const {
+    return {{"unpacked", {unpacked.data, unpacked.left_out}}};
+  }
   json operator()(const Reported& reported) const { return {{"report", to_json(reported.report)}}; }
   json operator()(const Failed& failed) const {
     return {{"failed", {static_cast<int>(failed.cause), failed.reason}}};
@@ -89,6 +100,9 @@ std::optional<ReaderEvent> event_of(const json& event) {
   if (name == "progress") return Progressed{value.at(0), value.at(1)};
   if (name == "looks_at") return LooksAt{value.get<std::size_t>()};
   if (name == "groups") return Grouped{value.get<std::vector<std::vector<std::size_t>>>()};
+  if (name == "unpacked")
+    return UnpackedArchive{value.at(0).get<std::vector<std::string>>(),
+                           value.at(1).get<std::vector<std::string>>()};
   if (name == "report") return Reported{report_of(value)};
   if (name == "failed") return Failed{cause_of(value.at(0).get<int>()), value.at(1)};
   if (name == "finished") return Finished{};
@@ -119,8 +133,7 @@ ReaderRequest parse_reader_request(const std::string& text) {
     const json document = json::parse(text);
     const json& limits = document.at("limits");
     ReaderRequest request;
-    request.task =
-        document.at("task").get<int>() == 0 ? ReaderRequest::Task::group : ReaderRequest::Task::ingest;
+    request.task = task_of(document.at("task").get<int>());
     request.options = options_of(document.at("options"));
     request.now = core::from_unix_seconds(document.at("now_s").get<double>());
     request.limits = {limits.at(0), limits.at(1), limits.at(2), limits.at(3), limits.at(4), limits.at(5)};

@@ -13,8 +13,9 @@ namespace floeplan::ingest {
 /// What a process that reads foreign files is to do.
 struct ReaderRequest {
   enum class Task {
-    group,  // say which of the files belong together
-    ingest  // read the files, which make one group, into the store
+    unpack,  // lay out what the one file, an archive, holds
+    group,   // say which of the files belong together
+    ingest   // read the files, which make one group, into the store
   };
   Task task{Task::ingest};
   IngestOptions options;
@@ -33,6 +34,10 @@ struct LooksAt {
 struct Grouped {
   std::vector<std::vector<std::size_t>> groups;  // of the files' numbers
 };
+struct UnpackedArchive {  // names below `unpacked_folder` of the staging folder
+  std::vector<std::string> data;
+  std::vector<std::string> left_out;
+};
 struct Reported {
   IngestReport report;
 };
@@ -47,7 +52,7 @@ struct Failed {
 };
 struct Finished {};  // the last one; without it the process broke down
 
-using ReaderEvent = std::variant<Progressed, LooksAt, Grouped, Reported, Failed, Finished>;
+using ReaderEvent = std::variant<Progressed, LooksAt, Grouped, UnpackedArchive, Reported, Failed, Finished>;
 
 /// JSON texts. An event is one line without its end.
 [[nodiscard]] std::string to_text(const ReaderRequest& request);
