@@ -150,7 +150,7 @@ void AvoidanceSystem::take_ping(const SonarPing& ping, const OwnState& own) {
   for (const SonarReturn& sonar : ping.returns) {
     if (count == echoes_.size()) break;
     if (!is_usable(sonar, settings_.sonar.reach)) continue;
-    const Echo echo = placed(sonar, own, water_.own());
+    const Echo echo = placed(sonar, own, water_.own(), settings_.sonar);
     if (!room_.passes(echo)) echoes_[count++] = echo;
   }
   objects_.take({echoes_.data(), count}, own, water_.own());

@@ -1,15 +1,18 @@
 #pragma once
 
 #include "engine/avoidance/sensed.hpp"
+#include "engine/avoidance/settings.hpp"
 #include "engine/geo/local_projection.hpp"
 
 namespace floeplan::avoidance {
 
-/// Where a sonar return came from.
+/// Where a sonar return came from: on the axis of its beam, and how far above or below it at that range.
 struct Echo {
   geo::PlanePoint place{};  // water frame
   double depth_m{};
   double range_m{};
+  double shallowest_m{};
+  double deepest_m{};
 
   friend bool operator==(const Echo&, const Echo&) = default;
 };
@@ -24,7 +27,8 @@ struct LevelVector {
 /// Turns body axes into level ones: heading, then pitch, then roll.
 [[nodiscard]] LevelVector levelled(const BodyVector& body, const Attitude& attitude);
 
-[[nodiscard]] Echo placed(const SonarReturn& sonar, const OwnState& own, geo::PlanePoint own_in_water);
+[[nodiscard]] Echo placed(const SonarReturn& sonar, const OwnState& own, geo::PlanePoint own_in_water,
+                          const SonarView& view);
 
 /// Whether it can be a body's: finite, of a range above zero and within the reach.
 [[nodiscard]] bool is_usable(const SonarReturn& sonar, core::Metres reach);

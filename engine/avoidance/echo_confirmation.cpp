@@ -1,5 +1,6 @@
 #include "engine/avoidance/echo_confirmation.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 namespace floeplan::avoidance {
@@ -30,6 +31,8 @@ std::optional<Echo> EchoConfirmation::take(const Echo& echo) {
     waiting.mean.place.y_m -= share * dy;
     waiting.mean.depth_m += share * (echo.depth_m - waiting.mean.depth_m);
     waiting.mean.range_m = echo.range_m;
+    waiting.mean.shallowest_m = std::max(waiting.mean.shallowest_m, echo.shallowest_m);
+    waiting.mean.deepest_m = std::min(waiting.mean.deepest_m, echo.deepest_m);
     if (waiting.pings < needed) return std::nullopt;
     const Echo confirmed = waiting.mean;
     waiting = {};

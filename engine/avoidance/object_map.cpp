@@ -55,7 +55,8 @@ void ObjectMap::look_below(const OwnState& own, geo::PlanePoint own_in_water) {
   for (std::size_t i = 0; i < size_; ++i) {
     const double apart_m = distance_m(objects_[i].centre(), own_in_water);
     if (!shows_its_keel(objects_[i], now_s_, apart_m, settings_.sonar)) continue;
-    const double lowest = settings_.sonar.half_height.value - own.attitude.pitch.value;
+    const double lowest =
+        settings_.sonar.half_height.value - settings_.sonar.tilt.value - own.attitude.pitch.value;
     const double near_m = std::max(apart_m - objects_[i].half_extent_m(), 0.0);
     objects_[i].look_below(own.depth.value + near_m * std::tan(std::clamp(lowest, -1.4, 1.4)));
   }

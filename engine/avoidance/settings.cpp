@@ -29,6 +29,10 @@ core::Violations AvoidanceSettings::violations() const {
   rules.positive("sonar/half_height", sonar.half_height.value);
   rules.holds(sonar.beam_half_height.value >= 0.0 && sonar.beam_half_height <= sonar.half_height,
               "sonar/beam_half_height", "must be between zero and `half_height`");
+  rules.holds(std::abs(sonar.tilt.value) <= 1.5708, "sonar/tilt", "must be within 90 degrees");
+  rules.holds(sonar.edge.value >= 0.0, "sonar/edge", "must be zero or more");
+  rules.holds(sonar.edge_half_height.value >= 0.0 && sonar.edge_half_height.value <= 1.5708,
+              "sonar/edge_half_height", "must be between zero and 90 degrees");
   rules.positive("sonar/range_sigma", sonar.range_sigma.value);
   rules.positive("sonar/bearing_sigma", sonar.bearing_sigma.value);
   rules.positive("through_water", through_water.value);
@@ -45,6 +49,7 @@ core::Violations AvoidanceSettings::violations() const {
   rules.positive("waypoint_radius", waypoint_radius.value);
   rules.positive("vertical_margin", vertical_margin.value);
   rules.positive("least_band", least_band.value);
+  rules.positive("least_water", least_water.value);
   rules.holds(std::isfinite(shallowest.value) && shallowest.value >= 0.0, "shallowest",
               "must be a finite depth, zero or more");
   rules.holds(std::isfinite(deepest.value) && deepest > shallowest, "deepest", "must lie below `shallowest`");

@@ -10,8 +10,13 @@ namespace floeplan::avoidance {
 /// How far and how well the sonar sees. Body axes.
 struct SonarView {
   core::Metres reach{200.0};
-  core::Radians half_height{0.6109};    // above and below the plane of forward and starboard: 35 degrees
+  core::Radians tilt{0.0};              // of its middle above the plane of forward and starboard
+  core::Radians half_height{0.6109};    // above and below its middle: 35 degrees
   core::Radians beam_half_height{0.0};  // of one beam: so far above or below its axis an echo may come from
+  /// Beams whose axes are at least so far above or below the middle are the outermost. Beyond them none hears better, so
+  /// that outwards their echoes may come from farther off their axes.
+  core::Radians edge{0.6109};
+  core::Radians edge_half_height{0.0};  // outwards, of the outermost beams; no less than `beam_half_height`
   core::Metres range_sigma{1.0};
   core::Radians bearing_sigma{0.0175};
 
@@ -36,7 +41,8 @@ struct AvoidanceSettings {
   core::Metres shallowest{5.0};               // of the mission's saw-tooth
   core::Metres deepest{200.0};
   core::Metres vertical_margin{10.0};  // kept below ice and above the sea bed
-  core::Metres least_band{15.0};       // a saw-tooth lower than that is not flown under ice or over a bank
+  core::Metres least_band{15.0};       // a saw-tooth lower than that is not flown under ice
+  core::Metres least_water{30.0};      // a bank shoaler than that is gone round
   std::int64_t most_expansions{4096};  // of one path search on the vehicle's computer
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them

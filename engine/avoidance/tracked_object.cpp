@@ -139,6 +139,7 @@ TrackedObject::Match TrackedObject::take(const Echo& echo, const SonarView& sona
     nearest->depth_m += share * (echo.depth_m - nearest->depth_m);
     measure_box();
   }
+  nearest->deepest_m = std::min(nearest->deepest_m, echo.deepest_m);
   if (nearest->hits < std::numeric_limits<std::uint16_t>::max()) ++nearest->hits;
   nearest->seen_s = now_s_;
   seen_s_ = now_s_;
@@ -195,7 +196,11 @@ void TrackedObject::correct() {
 void TrackedObject::add(const Echo& confirmed, geo::PlanePoint vehicle) {
   const geo::PlanePoint offset{confirmed.place.x_m - state_[0], confirmed.place.y_m - state_[1]};
   const geo::PlanePoint from{vehicle.x_m - state_[0], vehicle.y_m - state_[1]};
-  SurfaceCell added{offset, confirmed.depth_m, now_s_, std::uint16_t{EchoConfirmation::needed}, false};
+  SurfaceCell added{.offset = offset,
+                    .depth_m = confirmed.depth_m,
+                    .deepest_m = confirmed.deepest_m,
+                    .seen_s = now_s_,
+                    .hits = EchoConfirmation::needed};
   for (std::size_t i = 0; i < size_; ++i) {
     if (!cells_[i].beside_other &&
         squared_distance(cells_[i].offset, offset) < squared(0.5 * SurfaceCell::size_m)) {

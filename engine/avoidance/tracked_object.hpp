@@ -18,7 +18,8 @@ struct SurfaceCell {
 
   geo::PlanePoint offset{};  // from the object's origin
   double depth_m{};
-  double seen_s{};  // when last, on the clock of the flight
+  double deepest_m{};  // that all its echoes can have come from
+  double seen_s{};     // when last, on the clock of the flight
   std::uint16_t hits{};
   bool beside_other{};  // seen from above another cell lies there already
 };

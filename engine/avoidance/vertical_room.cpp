@@ -70,14 +70,7 @@ bool VerticalRoom::has_room_under(double ice_m) const {
   return ice_m + settings_.vertical_margin.value + settings_.least_band.value <= settings_.deepest.value;
 }
 
-bool VerticalRoom::has_room_over(double bed_m) const {
-  return bed_m - settings_.vertical_margin.value - settings_.least_band.value >= settings_.shallowest.value;
-}
-
-/// How far above or below the axis of its beam an echo may have come from.
-double VerticalRoom::doubt_m(double range_m) const {
-  return range_m * std::sin(settings_.sonar.beam_half_height.value);
-}
+bool VerticalRoom::has_room_over(double bed_m) const { return bed_m >= settings_.least_water.value; }
 
 bool VerticalRoom::is_known_bed(geo::PlanePoint place, double depth_m) const {
   return std::ranges::any_of(bed_.all(), [&](const Sounding& bed) {
@@ -91,26 +84,22 @@ void VerticalRoom::limit_by(const Sounding& bed) {
 }
 
 bool VerticalRoom::is_bed(const Echo& echo) {
-  const double deepest_m = echo.depth_m + doubt_m(echo.range_m);
-  if (!has_room_over(deepest_m)) return false;
+  if (!has_room_over(echo.deepest_m)) return false;
   const double below_m = echo.depth_m - depth_m_;
   if (below_m > underfoot_m && below_m > distance_m(place_, echo.place)) {
     if (const auto bed = underfoot_confirmation_.take(echo))
-      bed_.take({bed->place, bed->depth_m, now_s_}, false);
+      bed_.take({bed->place, bed->deepest_m, now_s_}, false);
     return true;
   }
-  if (!is_known_bed(echo.place, deepest_m)) return false;
-  if (const auto bed = bed_confirmation_.take(echo))
-    limit_by({bed->place, bed->depth_m + doubt_m(bed->range_m), now_s_});
+  if (!is_known_bed(echo.place, echo.deepest_m)) return false;
+  if (const auto bed = bed_confirmation_.take(echo)) limit_by({bed->place, bed->deepest_m, now_s_});
   return true;
 }
 
 bool VerticalRoom::is_bed_throughout(const TrackedObject& object) const {
   for (std::size_t i = 0; i < object.size(); ++i) {
     const SurfaceCell& cell = object.cell(i);
-    const geo::PlanePoint place = object.place(cell);
-    const double deepest_m = cell.depth_m + doubt_m(distance_m(place, place_));
-    if (!has_room_over(deepest_m) || !is_known_bed(place, deepest_m)) return false;
+    if (!has_room_over(cell.deepest_m) || !is_known_bed(object.place(cell), cell.deepest_m)) return false;
   }
   return true;
 }
@@ -122,8 +111,7 @@ void VerticalRoom::take_beds(ObjectMap& objects) {
     const TrackedObject& object = objects[i];
     if (!is_bed_throughout(object)) continue;
     for (std::size_t k = 0; k < object.size(); ++k) {
-      const geo::PlanePoint place = object.place(object.cell(k));
-      limit_by({place, object.cell(k).depth_m + doubt_m(distance_m(place, place_)), now_s_});
+      limit_by({object.place(object.cell(k)), object.cell(k).deepest_m, now_s_});
     }
     objects.remove(i);
   }
@@ -139,7 +127,7 @@ bool VerticalRoom::is_roof(const Echo& echo) {
   for (const Sounding& roof : roof_.all()) {
     const double apart_m = distance_m(roof.place, echo.place);
     if (apart_m > beside_m) continue;
-    is_known |= echo.depth_m - doubt_m(echo.range_m) <= roof.depth_m + noise_m + steepest * apart_m;
+    is_known |= echo.shallowest_m <= roof.depth_m + noise_m + steepest * apart_m;
     goes_on |= echo.depth_m <= roof.depth_m + steepest * apart_m;
   }
   if (!is_overhead && !is_known) return false;

@@ -61,7 +61,6 @@ class VerticalRoom {
   [[nodiscard]] std::optional<core::Metres> above_bed() const;
   void read_altimeter(const OwnState& own);
   void unlearn_bed();
-  [[nodiscard]] double doubt_m(double range_m) const;
   [[nodiscard]] bool is_known_bed(geo::PlanePoint place, double depth_m) const;
   [[nodiscard]] bool is_bed_throughout(const TrackedObject& object) const;
   void limit_by(const Sounding& bed);

@@ -15,6 +15,7 @@ constexpr double two_way_integral = 2.094395;  // of (sin(x) / x)^4 over all x: 
 double scale_of(double width_rad) { return half_power_at / std::sin(0.5 * width_rad); }
 
 double line_power(double x) {
+  if (std::abs(x) >= std::numbers::pi) return 0.0;
   if (std::abs(x) < 1e-6) return 1.0;
   const double amplitude = std::sin(x) / x;
   return amplitude * amplitude;
@@ -26,6 +27,10 @@ double beam_power(const BeamPattern& pattern, double across, double up) {
   const double ideal =
       line_power(scale_of(pattern.width_rad) * across) * line_power(scale_of(pattern.height_rad) * up);
   return std::max(ideal, std::pow(10.0, pattern.side_lobes_db / 10.0));
+}
+
+double main_lobe_half_width_rad(double width_rad) {
+  return std::asin(std::min(1.0, std::numbers::pi / scale_of(width_rad)));
 }
 
 double reverberation_angle_sr(const BeamPattern& pattern) {

@@ -80,11 +80,15 @@ avoidance::AvoidanceSettings avoidance_for(const vehicle::GliderProfile& vehicle
   avoidance::AvoidanceSettings settings;
   settings.sonar.reach = {sonar.range_m};
   settings.sonar.half_height = {0.5 * ((sonar.rows - 1) * sonar.row_step_rad + sonar.beam.height_rad)};
+  settings.sonar.tilt = {sonar.tilt_rad};
   settings.sonar.beam_half_height = {heard_beside_axis * sonar.beam.height_rad};
+  settings.sonar.edge = {std::max(0.0, 0.5 * (sonar.rows - 1.5)) * sonar.row_step_rad};
+  settings.sonar.edge_half_height = {main_lobe_half_width_rad(sonar.beam.height_rad)};
   settings.through_water = vehicle.speed_through_water;
   settings.shallowest = orders.yo.climb.depth;
   settings.deepest = orders.yo.dive.depth;
   settings.vertical_margin = vehicle.altimeter_margin;
+  settings.least_water = vehicle.least_water();
   if (!orders.lists.empty()) settings.waypoint_radius = orders.lists.front().radius;
   return settings;
 }

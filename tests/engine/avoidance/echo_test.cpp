@@ -46,6 +46,37 @@ TEST(Echo, OfNoUseIsRefused) {
       is_usable({core::Metres{std::numeric_limits<double>::infinity()}, {1.0, 0.0, 0.0}, 80.0}, reach));
 }
 
+SonarReturn seen_at(double elevation_deg, double range_m) {
+  const double elevation = core::degrees_to_radians(elevation_deg);
+  return {core::Metres{range_m}, {std::cos(elevation), 0.0, -std::sin(elevation)}, 80.0};
+}
+
+TEST(Echo, MayComeFromAnywhereWithinTheHeightOfItsBeam) {
+  SonarView view;
+  view.beam_half_height = core::Radians{core::degrees_to_radians(10.0)};
+  view.edge = core::Radians{core::degrees_to_radians(25.0)};
+  view.edge_half_height = core::Radians{core::degrees_to_radians(18.0)};
+  OwnState own;
+  own.depth = core::Metres{20.0};
+  const auto below_own_m = [](double range_m, double down_deg) {
+    return 20.0 + range_m * std::sin(core::degrees_to_radians(down_deg));
+  };
+
+  const Echo inner = placed(seen_at(15.0, 100.0), own, {}, view);
+  EXPECT_NEAR(inner.depth_m, below_own_m(100.0, -15.0), 1e-9);
+  EXPECT_NEAR(inner.shallowest_m, below_own_m(100.0, -25.0), 1e-9);
+  EXPECT_NEAR(inner.deepest_m, below_own_m(100.0, -5.0), 1e-9);
+
+  own.attitude = attitude(0.0, 26.0, 0.0);
+  const Echo lowest = placed(seen_at(-30.0, 100.0), own, {}, view);
+  EXPECT_NEAR(lowest.shallowest_m, below_own_m(100.0, -6.0), 1e-9);
+  EXPECT_NEAR(lowest.deepest_m, below_own_m(100.0, 22.0), 1e-9);
+
+  own.attitude = attitude(0.0, -70.0, 0.0);
+  const Echo down = placed(seen_at(-30.0, 100.0), own, {}, view);
+  EXPECT_NEAR(down.deepest_m, 120.0, 1e-9);
+}
+
 /// A fix that corrects the place by a kilometre moves nothing in the frame of the water.
 TEST(WaterFrame, KeepsWhatWasSeenWhereItWasWhenAFixComes) {
   WaterFrame water;

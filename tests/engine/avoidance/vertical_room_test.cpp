@@ -22,7 +22,7 @@ OwnState own_over(double second, double depth_m, std::optional<double> bed_m = {
   return own;
 }
 
-Echo echo(double x, double depth) { return {{x, 0.0}, depth, x}; }
+Echo echo(double x, double depth) { return {{x, 0.0}, depth, x, depth, depth}; }
 
 /// Shows the room the same echo in ping after ping; whether the last is passed.
 bool passes(VerticalRoom& room, const Echo& shown, int pings = 5) {
@@ -89,15 +89,11 @@ TEST(VerticalRoom, KnowsABedBeyondTheAltimeterByEchoesFromSteeplyBelow) {
 }
 
 TEST(VerticalRoom, TakesAnEchoForTheBedThatItsBeamReachesDownTo) {
-  AvoidanceSettings settings = to_60_m();
-  settings.sonar.beam_half_height = core::Radians{0.13};
-  const auto room = std::make_unique<VerticalRoom>(settings);
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
   room->sound(own_over(0.0, 20.0, 64.0), {});
-  EXPECT_TRUE(passes(*room, echo(150.0, 22.0)));  // 19 m deeper at the lower edge of the beam
-  EXPECT_FALSE(passes(*room, echo(50.0, 22.0)));  // 6 m
-  const auto exact = std::make_unique<VerticalRoom>(to_60_m());
-  exact->sound(own_over(0.0, 20.0, 64.0), {});
-  EXPECT_FALSE(passes(*exact, echo(150.0, 22.0)));
+  EXPECT_TRUE(passes(*room, {{150.0, 0.0}, 22.0, 150.0, 3.0, 41.0}));
+  EXPECT_FALSE(passes(*room, {{50.0, 0.0}, 22.0, 50.0, 16.0, 28.0}));
+  EXPECT_FALSE(passes(*room, echo(150.0, 22.0)));
 }
 
 TEST(VerticalRoom, TakesOutTheObjectsThatAreTheBed) {

@@ -1,0 +1,61 @@
+#pragma once
+
+#include <algorithm>
+#include <cstdint>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/simulation/equipped_vehicle.hpp"
+#include "tests/engine/simulation/flown.hpp"
+
+namespace floeplan::support {
+
+/// A flight of the shallow glider with all its sensors, and the system on board.
+struct GuidedFlight {
+  std::vector<simulation::Vector> way{{800.0, 0.0, 0.0}};
+  core::Seconds longest{4.0 * 3600.0};
+  std::uint64_t seed{1};
+  bool has_system{true};
+};
+
+inline simulation::FlightRecord guided(const simulation::World& world, const GuidedFlight& flight) {
+  static const simulation::Equipment equipment;
+  const vehicle::GliderProfile vehicle = simulation::flown_vehicle(shallow_glider()).value();
+  const simulation::MissionOrders orders = orders_through(world, flight.way);
+  std::optional<simulation::SystemOnBoard> system;
+  if (flight.has_system) {
+    system = simulation::system_for(world, orders, flight_origin, flight_start, flight.longest);
+    system->settings = simulation::avoidance_for(vehicle, orders, equipment.sonar.settings());
+  }
+  simulation::FlightSettings settings;
+  settings.longest = flight.longest;
+  simulation::EquippedVehicle on_board{equipment, world, flight.seed, system};
+  return simulation::fly({.world = world,
+                          .orders = orders,
+                          .vehicle = vehicle,
+                          .start = flight_origin,
+                          .departure = flight_start,
+                          .settings = settings,
+                          .seed = flight.seed},
+                         on_board);
+}
+
+/// Of the track's moments, those in which the system on board steered.
+inline double share_steered(const simulation::FlightRecord& record) {
+  const auto steered = std::ranges::count_if(record.track, [](const simulation::TrackPoint& point) {
+    return point.mode != avoidance::Mode::mission;
+  });
+  return static_cast<double>(steered) / static_cast<double>(record.track.size());
+}
+
+inline double nearest_m(const simulation::FlightRecord& record, const std::string& to) {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const simulation::ClosestApproach& approach : record.approaches) {
+    if (approach.to.starts_with(to)) nearest = std::min(nearest, approach.distance_m);
+  }
+  return nearest;
+}
+
+}  // namespace floeplan::support
