@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/codec/input_reader.hpp"
+#include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -58,6 +59,7 @@ tl::expected<IngestInputs, core::Violations> parse_ingest_inputs(const json& doc
   inputs.crs = reader.text("crs");
   inputs.positive = choice(reader, "positive", {"up", "down"});
   inputs.variable = reader.text("variable");
+  inputs.time = reader.time("time");
   inputs.at = reader.place("at");
   inputs.unit = choice(reader, "unit", {"m", "cm", "mm", "ft"});
   inputs.zone_kind = choice(reader, "zone_kind", {"no_go", "stay_in"});
@@ -73,6 +75,7 @@ json to_json(const IngestInputs& inputs) {
   if (inputs.crs) document["crs"] = *inputs.crs;
   if (inputs.positive) document["positive"] = *inputs.positive;
   if (inputs.variable) document["variable"] = *inputs.variable;
+  if (inputs.time) document["time"] = core::iso8601(*inputs.time);
   if (inputs.at) document["at"] = {inputs.at->lon_deg, inputs.at->lat_deg};
   if (inputs.unit) document["unit"] = *inputs.unit;
   if (inputs.zone_kind) document["zone_kind"] = *inputs.zone_kind;

@@ -20,6 +20,7 @@ struct IngestInputs {
   std::optional<std::string> crs;               // "EPSG:4326"
   std::optional<std::string> positive;          // "up" or "down"
   std::optional<std::string> variable;
+  std::optional<core::UtcTime> time;  // for which an ice chart holds that does not say it
   std::optional<geo::LonLat> at;
   std::optional<std::string> unit;       // "m", "cm", "mm" or "ft"
   std::optional<std::string> zone_kind;  // "no_go" or "stay_in"

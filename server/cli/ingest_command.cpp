@@ -2,6 +2,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
 #include "server/jobs/ingest_service.hpp"
@@ -18,6 +19,7 @@ struct Flags {
   std::optional<std::string> crs;
   std::optional<std::string> positive;
   std::optional<std::string> variable;
+  std::optional<std::string> time;
   std::optional<std::string> at;
   std::optional<std::string> unit;
   std::optional<std::string> zone_kind;
@@ -42,6 +44,11 @@ int run(const Flags& flags, const Program& program) {
       .name = flags.name, .crs = flags.crs, .positive = flags.positive, .variable = flags.variable};
   options.unit = flags.unit;
   options.zone_kind = flags.zone_kind;
+  if (flags.time) {
+    options.time = core::parse_iso8601(*flags.time);
+    if (!options.time)
+      return complain(wrong_usage, "--time " + *flags.time + " is no moment; as 2026-11-20T18:00:00Z");
+  }
   if (flags.at) {
     options.at = parse_place(*flags.at);
     if (!options.at || !geo::is_valid(*options.at))
@@ -72,10 +79,11 @@ void add_ingest(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
   auto* command = app.add_subcommand("ingest", "Read data files into the store");
   command
-      ->add_option("FILE", flags->files,
-                   "Bathymetry, currents, tides, sea ice, icebergs, coastline or zones, packed (zip, KMZ, tar, gz) or "
-                   "not; files that belong together (both components of a current, a model's grid) in one "
-                   "command")
+      ->add_option(
+          "FILE", flags->files,
+          "Bathymetry, currents, tides, sea ice, icebergs, coastline or zones, packed (zip, KMZ, tar, gz) or "
+          "not; files that belong together (both components of a current, a model's grid) in one "
+          "command")
       ->required();
   command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
   command->add_option("--kind", flags->kind, "What to take the file for")
@@ -89,6 +97,7 @@ void add_ingest(CLI::App& app, Program& program) {
       ->check(CLI::IsMember({"up", "down"}));
   command->add_option("--variable", flags->variable,
                       "Concentration of sea ice to use when a file holds several; default: the greatest");
+  command->add_option("--time", flags->time, "For when an ice chart holds that does not say it");
   command->add_option("--at", flags->at,
                       "Where a station of the tide is whose file does not say it, LON,LAT");
   command->add_option("--unit", flags->unit, "Of a station's amplitudes where its file does not say it")

@@ -11,6 +11,25 @@ namespace {
 
 constexpr std::size_t max_reasons = 10;
 
+/// Between these latitudes nobody has seen an iceberg: the farthest on record were met in the South Atlantic in 1894, at
+/// 26.5 S, and off Bermuda in 1926, at 30.3 N.
+constexpr double southern_record_deg = -26.5;
+constexpr double northern_record_deg = 30.3;
+
+/// What is to be said of places where no iceberg can be; empty where there are none.
+std::string warning_of_warm_places(const std::vector<ocean::Iceberg>& icebergs) {
+  const auto warm = [](const ocean::Iceberg& iceberg) {
+    return iceberg.place.lat_deg > southern_record_deg && iceberg.place.lat_deg < northern_record_deg;
+  };
+  const auto count = std::ranges::count_if(icebergs, warm);
+  if (count == 0) return {};
+  const ocean::Iceberg& first = *std::ranges::find_if(icebergs, warm);
+  return std::to_string(count) + " of the icebergs lie where none was ever seen, the first, \"" + first.id +
+         "\", at " + number(first.place.lat_deg) +
+         " degrees of latitude; longitude and latitude may be exchanged, "
+         "or a sign is wrong";
+}
+
 }  // namespace
 
 std::string fault_of_place(geo::LonLat place) {
@@ -41,6 +60,9 @@ Checked<PreparedDataset> IcebergRows::prepared(std::vector<std::string> variable
   if (rejected_ > static_cast<std::int64_t>(reasons_.size()))
     data.warnings.push_back(std::to_string(rejected_ - static_cast<std::int64_t>(reasons_.size())) +
                             " more rows were left out");
+
+  if (std::string warning = warning_of_warm_places(icebergs_); !warning.empty())
+    data.warnings.push_back(std::move(warning));
 
   std::vector<geo::LonLat> places;
   for (const ocean::Iceberg& iceberg : icebergs_) places.push_back(iceberg.place);

@@ -7,13 +7,14 @@
 
 #include "storage/ingest/bathymetry_netcdf_reader.hpp"
 #include "storage/ingest/bathymetry_raster_reader.hpp"
-#include "storage/ingest/coastline_geojson_reader.hpp"
+#include "storage/ingest/coastline_reader.hpp"
 #include "storage/ingest/current_reader.hpp"
 #include "storage/ingest/file_digest.hpp"
 #include "storage/ingest/file_groups.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/grib_currents.hpp"
 #include "storage/ingest/gshhg_coastline.hpp"
+#include "storage/ingest/ice_chart_reader.hpp"
 #include "storage/ingest/ice_reader.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/iceberg_geojson_reader.hpp"
@@ -46,6 +47,14 @@ NetcdfFiles together(const RecognisedFile& file) {
   return files;
 }
 
+Checked<PreparedDataset> prepare_features(const RecognisedFile& file, DatasetKind kind,
+                                          const IngestOptions& options) {
+  if (kind == DatasetKind::icebergs) return read_geojson_icebergs(*file.features);
+  if (kind == DatasetKind::coastline) return read_coastline(*file.features, options);
+  if (kind == DatasetKind::ice) return read_ice_polygons(*file.features, file.path, options);
+  return read_zones(*file.features, options);
+}
+
 Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, const IngestOptions& options,
                                  const core::ProgressCallback& progress) {
   switch (file.format) {
@@ -73,14 +82,9 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
     case FileFormat::iceberg_json: return read_iceberg_list_json(file.path);
     case FileFormat::ice_patrol_csv: return read_ice_patrol_csv(file.path);
     case FileFormat::geojson:
-      if (kind == DatasetKind::zones) return read_zones(*file.features, options);
-      return kind == DatasetKind::icebergs ? read_geojson_icebergs(*file.features)
-                                           : read_geojson_coastline(*file.features);
     case FileFormat::kml:
     case FileFormat::geopackage:
-    case FileFormat::shapefile:
-      return kind == DatasetKind::icebergs ? read_geojson_icebergs(*file.features)
-                                           : read_zones(*file.features, options);
+    case FileFormat::shapefile: return prepare_features(file, kind, options);
   }
   throw std::logic_error{"a file format without a reader"};
 }
@@ -225,7 +229,8 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
                                        const IngestOptions& options, core::UtcTime now,
                                        const core::ProgressCallback& progress) {
   const GdalMessages quiet;
-  auto recognised = recognise(files.front(), options.kind);
+  auto recognised =
+      recognise(files.front(), {.kind = options.kind, .zone_kind_stated = options.zone_kind.has_value()});
   if (!recognised) return {refused(files, options, recognised.error())};
   if (recognised->netcdf) {  // the parts of others are found beside them
     auto companions = open_companions(files);

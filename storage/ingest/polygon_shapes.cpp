@@ -2,6 +2,7 @@
 
 #include <ogr_geometry.h>
 #include <ogr_spatialref.h>
+#include <ogrsf_frmts.h>
 
 #include <cmath>
 
@@ -126,6 +127,22 @@ Checked<std::vector<geo::Polygon>> PolygonShapes::polygons(const OGRGeometry* ge
     return refuse(std::string{"it is no polygon but a "} + OGRGeometryTypeToName(type));
   }
   return result;
+}
+
+Checked<OGRSpatialReference> crs_of(OGRLayer& layer, const std::optional<std::string>& stated) {
+  OGRSpatialReference crs;
+  if (const OGRSpatialReference* const own = layer.GetSpatialRef()) {
+    crs = *own;
+  } else if (!stated) {
+    return refuse(
+        std::string{"the layer \""} + layer.GetName() +
+        "\" states no coordinate reference system (of a shapefile: the .prj file is missing); its areas "
+        "could lie anywhere; give --crs, for example EPSG:4326");
+  } else if (crs.SetFromUserInput(stated->c_str()) != OGRERR_NONE) {
+    return refuse("--crs " + *stated + " is no coordinate reference system that is known; as EPSG:4326");
+  }
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return crs;
 }
 
 }  // namespace floeplan::ingest

@@ -1,6 +1,10 @@
 #pragma once
 
+#include <ogr_spatialref.h>
+
 #include <memory>
+#include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/geo/polygon.hpp"
@@ -8,9 +12,9 @@
 
 class OGRCoordinateTransformation;
 class OGRGeometry;
+class OGRLayer;
 class OGRLinearRing;
 class OGRPolygon;
-class OGRSpatialReference;
 
 namespace floeplan::ingest {
 
@@ -43,5 +47,9 @@ class PolygonShapes {
   std::unique_ptr<OGRCoordinateTransformation, Release> to_wgs84_;  // null: they are on it
   bool straight_{true};  // edges are straight in longitude and latitude
 };
+
+/// The reference system of a layer, or the one stated for layers without one, longitudes and eastings first.
+/// Errors   none of both; one that is not known
+[[nodiscard]] Checked<OGRSpatialReference> crs_of(OGRLayer& layer, const std::optional<std::string>& stated);
 
 }  // namespace floeplan::ingest

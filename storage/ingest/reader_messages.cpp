@@ -29,6 +29,7 @@ json to_json(const IngestOptions& options) {
           {"unit", optional_json(options.unit)},
           {"zone_kind", optional_json(options.zone_kind)},
           {"variable", optional_json(options.variable)},
+          {"time_s", options.time ? json(core::unix_seconds(*options.time)) : json()},
           {"archive", optional_json(options.archive)}};
 }
 
@@ -41,6 +42,8 @@ IngestOptions options_of(const json& object) {
                         .variable = optional_text(object, "variable"),
                         .archive = optional_text(object, "archive")};
   if (const auto kind = optional_text(object, "kind")) options.kind = repository::parse_kind(*kind);
+  if (const json& time_s = object.at("time_s"); !time_s.is_null())
+    options.time = core::from_unix_seconds(time_s.get<double>());
   if (const json& at = object.at("at"); !at.is_null())
     options.at = geo::LonLat{at.at(0).get<double>(), at.at(1).get<double>()};
   return options;

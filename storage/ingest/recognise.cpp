@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "storage/ingest/bathymetry_netcdf_reader.hpp"
+#include "storage/ingest/feature_kind.hpp"
 #include "storage/ingest/geojson_file.hpp"
 #include "storage/ingest/grib_contents.hpp"
 #include "storage/ingest/gshhg_reader.hpp"
@@ -65,18 +66,17 @@ std::string nothing_known(const NetcdfFile& file) {
          "a file with, for example, uo and vo, elevation, siconc or u10 and v10";
 }
 
-/// Points are icebergs, whatever else is an area with a rule, unless outlines are asked for as icebergs.
-Checked<bool> look_into_features(RecognisedFile& file, const char* driver,
-                                 std::optional<DatasetKind> wanted) {
-  auto features = open_vector_file(file.path, driver);
+Checked<bool> look_into_features(RecognisedFile& file, Checked<std::shared_ptr<GDALDataset>> features,
+                                 const Expectation& expected) {
   if (!features) return refuse(features.error());
+  const auto kind = kind_of_features(**features, expected.kind, expected.zone_kind_stated);
+  if (!kind) return refuse(kind.error());
   file.features = std::move(*features);
-  const bool icebergs = wanted == DatasetKind::icebergs || (!wanted && holds_points_alone(*file.features));
-  file.kinds = {icebergs ? DatasetKind::icebergs : DatasetKind::zones};
+  file.kinds = {*kind};
   return true;
 }
 
-Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted) {
+Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
   switch (file.format) {
     case FileFormat::netcdf_classic:
     case FileFormat::netcdf4:
@@ -84,21 +84,13 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
       auto netcdf = NetcdfFile::open(file.path);
       if (!netcdf) return refuse(netcdf.error());
       file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
-      file.kinds = kinds_of_netcdf(file.netcdf, wanted);
+      file.kinds = kinds_of_netcdf(file.netcdf, expected.kind);
       if (file.kinds.empty() && file.format != FileFormat::zarr && is_gshhg(file.path))
         file.kinds = {DatasetKind::coastline};
       if (file.kinds.empty()) return refuse(nothing_known(*file.netcdf));
       return true;
     }
-    case FileFormat::geojson: {
-      auto geojson = open_geojson(file.path);
-      if (!geojson) return refuse(geojson.error());
-      const auto kind = kind_of_geojson(**geojson, wanted);
-      if (!kind) return refuse(kind.error());
-      file.features = std::move(*geojson);
-      file.kinds = {*kind};
-      return true;
-    }
+    case FileFormat::geojson: return look_into_features(file, open_geojson(file.path), expected);
     case FileFormat::grib: {
       auto kinds = kinds_of_grib(file.path);
       if (!kinds) return refuse(kinds.error());
@@ -108,9 +100,11 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
     case FileFormat::tide_json:
     case FileFormat::tide_table:
     case FileFormat::otps_extract: file.kinds = {DatasetKind::tides}; return true;
-    case FileFormat::kml: return look_into_features(file, "LIBKML", wanted);
-    case FileFormat::geopackage: return look_into_features(file, "GPKG", wanted);
-    case FileFormat::shapefile: return look_into_features(file, "ESRI Shapefile", wanted);
+    case FileFormat::kml: return look_into_features(file, open_vector_file(file.path, "LIBKML"), expected);
+    case FileFormat::geopackage:
+      return look_into_features(file, open_vector_file(file.path, "GPKG"), expected);
+    case FileFormat::shapefile:
+      return look_into_features(file, open_vector_file(file.path, "ESRI Shapefile"), expected);
     case FileFormat::iceberg_table:
     case FileFormat::iceberg_json:
     case FileFormat::ice_patrol_csv: file.kinds = {DatasetKind::icebergs}; return true;
@@ -125,23 +119,19 @@ Checked<bool> look_into(RecognisedFile& file, std::optional<DatasetKind> wanted)
 
 }  // namespace
 
-Checked<RecognisedFile> recognise(const std::filesystem::path& file, std::optional<DatasetKind> wanted) {
+Checked<RecognisedFile> recognise(const std::filesystem::path& file, const Expectation& expected) {
   const auto format = format_of(file);
   if (!format) return refuse(format.error());
   RecognisedFile result{
       .path = file, .format = *format, .kinds = {}, .netcdf = nullptr, .companions = {}, .features = nullptr};
-  const auto looked = look_into(result, wanted);
+  const auto looked = look_into(result, expected);
   if (!looked) return refuse(looked.error());
-  if (!wanted) return result;
-  // Outlines are land unless icebergs are asked for.
-  const bool outlines =
-      result.kinds == std::vector{DatasetKind::coastline} && result.format == FileFormat::geojson;
-  if (outlines && wanted == DatasetKind::icebergs) result.kinds = {DatasetKind::icebergs};
+  if (!expected.kind) return result;
 
-  if (std::find(result.kinds.begin(), result.kinds.end(), *wanted) == result.kinds.end())
+  if (std::find(result.kinds.begin(), result.kinds.end(), *expected.kind) == result.kinds.end())
     return refuse("the file holds " + repository::kind_name(result.kinds.front()) + ", not " +
-                  repository::kind_name(*wanted) + "; leave out --kind, or give another file");
-  result.kinds = {*wanted};
+                  repository::kind_name(*expected.kind) + "; leave out --kind, or give another file");
+  result.kinds = {*expected.kind};
   return result;
 }
 

@@ -24,10 +24,16 @@ struct RecognisedFile {
   std::shared_ptr<GDALDataset> features;       // for GeoJSON, KML, GeoPackage and shapefiles
 };
 
+/// What the user said that a file is.
+struct Expectation {
+  std::optional<repository::DatasetKind> kind{};
+  bool zone_kind_stated{false};  // polygons without a word of their own are zones then
+};
+
 /// Finds out by content which kinds of data a file holds; its name plays no part.
 /// Errors   what format_of refuses; a file that holds nothing this program reads, or not the kind that was
 /// asked for
 [[nodiscard]] Checked<RecognisedFile> recognise(const std::filesystem::path& file,
-                                                std::optional<repository::DatasetKind> wanted);
+                                                const Expectation& expected);
 
 }  // namespace floeplan::ingest

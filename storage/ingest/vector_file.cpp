@@ -48,21 +48,6 @@ Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::pa
   return dataset;
 }
 
-bool holds_points_alone(GDALDataset& dataset) {
-  bool points = false;
-  for (OGRLayer* const layer : dataset.GetLayers()) {
-    layer->ResetReading();
-    for (const auto& feature : *layer) {
-      const OGRGeometry* geometry = feature->GetGeometryRef();
-      if (geometry == nullptr) continue;
-      if (wkbFlatten(geometry->getGeometryType()) != wkbPoint) return false;
-      points = true;
-    }
-    layer->ResetReading();
-  }
-  return points;
-}
-
 std::vector<std::filesystem::path> parts_of_shapefile(const std::filesystem::path& file) {
   std::vector<std::filesystem::path> parts{file};
   for (const char* const ending : {".dbf", ".prj", ".cpg", ".DBF", ".PRJ", ".CPG"}) {

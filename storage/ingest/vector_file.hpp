@@ -15,9 +15,6 @@ namespace floeplan::ingest {
 [[nodiscard]] Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::path& file,
                                                                      const char* driver);
 
-/// Whether every feature that is anywhere is a point.
-[[nodiscard]] bool holds_points_alone(GDALDataset& dataset);
-
 /// A shapefile and the files beside it that belong to it.
 [[nodiscard]] std::vector<std::filesystem::path> parts_of_shapefile(const std::filesystem::path& file);
 

@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/ingest/feature_texts.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -31,13 +32,6 @@ constexpr auto bottom_names =
 constexpr double deepest_m = 11'000.0;
 constexpr core::Seconds whole_day{86'400.0};
 constexpr std::size_t longest_name = 200;  // bytes
-
-/// Letters and digits alone, in lower case.
-std::string plain(std::string_view text) {
-  std::string result = lower(text);
-  std::erase_if(result, [](char c) { return !(c >= 'a' && c <= 'z') && !(c >= '0' && c <= '9'); });
-  return result;
-}
 
 /// Tables without a stated encoding hold Latin-1 as a rule.
 std::string as_utf8(const char* text) {
@@ -66,7 +60,7 @@ class AttributeReader {
     for (const std::string_view name : names) {
       for (int i = 0; i < feature_.GetFieldCount(); ++i) {
         const char* const own_name = feature_.GetFieldDefnRef(i)->GetNameRef();
-        if (plain(own_name) != name || feature_.IsFieldSetAndNotNull(i) == 0) continue;
+        if (plain_word(own_name) != name || feature_.IsFieldSetAndNotNull(i) == 0) continue;
         Attribute attribute{i, as_utf8(own_name), as_utf8(feature_.GetFieldAsString(i))};
         if (attribute.text.empty()) continue;
         if (found && found->text != attribute.text) {
@@ -136,7 +130,7 @@ class AttributeReader {
 }  // namespace
 
 std::optional<ocean::ZoneKind> zone_kind_of(const std::string& text) {
-  const std::string word = plain(text);
+  const std::string word = plain_word(text);
   for (const std::string_view keep_out : {"nogo", "keepout", "exclusion"})
     if (word == keep_out) return ocean::ZoneKind::no_go;
   for (const std::string_view keep_in : {"stayin", "keepin", "inclusion"})

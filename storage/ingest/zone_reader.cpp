@@ -118,16 +118,9 @@ void gather(Gathering& all, const OGRFeature& feature, const std::string& label,
 
 /// Brings the layer's coordinates to WGS84.
 Checked<PolygonShapes> shapes_of(OGRLayer& layer, const IngestOptions& options) {
-  if (const OGRSpatialReference* crs = layer.GetSpatialRef()) return PolygonShapes::in(*crs);
-  if (!options.crs)
-    return refuse(
-        std::string{"the layer \""} + layer.GetName() +
-        "\" states no coordinate reference system (of a shapefile: the .prj file is missing); its zones "
-        "could lie anywhere; give --crs, for example EPSG:4326");
-  OGRSpatialReference stated;
-  if (stated.SetFromUserInput(options.crs->c_str()) != OGRERR_NONE)
-    return refuse("--crs " + *options.crs + " is no coordinate reference system that is known; as EPSG:4326");
-  return PolygonShapes::in(stated);
+  const auto crs = crs_of(layer, options.crs);
+  if (!crs) return refuse(crs.error());
+  return PolygonShapes::in(*crs);
 }
 
 std::string report_of(std::vector<std::string> faults) {

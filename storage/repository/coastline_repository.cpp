@@ -1,5 +1,7 @@
 #include "storage/repository/coastline_repository.hpp"
 
+#include <utility>
+
 #include "storage/repository/blob_codec.hpp"
 #include "storage/repository/box_index.hpp"
 #include "storage/repository/dataset_row.hpp"
@@ -8,6 +10,15 @@
 #include "storage/sqlite/transaction.hpp"
 
 namespace floeplan::repository {
+
+void keep_newest_coastline(std::vector<Dataset>& datasets) {
+  bool found = false;
+  std::erase_if(datasets, [&](const Dataset& dataset) {
+    if (dataset.variables == std::vector<std::string>{ice_shelves_alone}) return false;
+    return std::exchange(found, true);
+  });
+}
+
 void CoastlineRepository::insert(const DatasetId& dataset, const std::vector<geo::Polygon>& land) {
   sqlite::Transaction transaction{db_};
   const std::int64_t dataset_number = dataset_row(db_, dataset);

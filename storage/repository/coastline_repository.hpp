@@ -9,6 +9,13 @@
 
 namespace floeplan::repository {
 
+/// The one variable of a coastline dataset that holds ice shelves and no land: it is used beside the newest coastline and
+/// does not replace it.
+inline constexpr const char* ice_shelves_alone = "ice_shelf";
+
+/// Leaves the first coastline of a list and every dataset of ice shelves, which say nothing of other land.
+void keep_newest_coastline(std::vector<Dataset>& datasets);
+
 /// Land polygons, indexed by their boxes (R*Tree).
 /// Threads  as the connection: one thread at a time
 class CoastlineRepository {

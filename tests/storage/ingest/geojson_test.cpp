@@ -22,7 +22,7 @@ class Geojson : public StoreFixture {
   }
   static std::string polygon(const std::string& rings) {
     return R"({"type": "Feature", "geometry": {"type": "Polygon", "coordinates": )" + rings +
-           R"(}, "properties": {}})";
+           R"(}, "properties": {"kind": "land"}})";
   }
 };
 
@@ -59,6 +59,13 @@ TEST_F(Geojson, BadPointsAreLeftOutCountedAndExplained) {
   EXPECT_THAT(words(report), HasSubstr("feature 2 was left out: the latitude 95"));
   EXPECT_THAT(words(report), HasSubstr("feature 3 was left out: the longitude 400"));
   EXPECT_THAT(words(report), HasSubstr("feature 7 was left out: length_m"));
+}
+
+TEST_F(Geojson, AnIcebergInTheSaharaIsFlagged) {
+  const auto report = ingest(write(point("[10, 25]", R"("id": "A1", "observed": "2026-11-20T06:00:00Z")")));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(words(report), HasSubstr("lie where none was ever seen, the first, \"A1\", at 25 degrees"));
 }
 
 TEST_F(Geojson, PolygonsBecomeLand) {

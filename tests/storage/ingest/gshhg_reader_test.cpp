@@ -75,7 +75,7 @@ TEST_F(GshhgReader, GivesValidPlacesAcrossTheAntimeridian) {
 }
 
 TEST_F(GshhgReader, IsChosenForAShorelineFile) {
-  const auto recognised = recognise(shoreline, std::nullopt);
+  const auto recognised = recognise(shoreline, {});
 
   ASSERT_TRUE(recognised.has_value()) << recognised.error();
   EXPECT_EQ(recognised->kinds, std::vector{repository::DatasetKind::coastline});

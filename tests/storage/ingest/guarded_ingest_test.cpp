@@ -76,7 +76,7 @@ class GuardedIngest : public StoreFixture {
                    "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 50\ncellsize 0.5\n-900 -800 70\n-600 -5 4\n"),
         write_file("bergs.geojson", point_),
         write_file("zone.geojson", polygon(R"({"name": "Range", "kind": "no_go"})")),
-        write_file("coast.geojson", polygon("{}")),
+        write_file("coast.geojson", polygon(R"({"kind": "land"})")),
         write_file("notes.txt", "a letter"),
         path("u.nc")};
   }

@@ -253,11 +253,6 @@ TEST_F(Zones, WhoseOutlineIsNotClearAreRefused) {
       "leads round a pole");
 }
 
-TEST_F(Zones, OfPolygonsThatStateNoRuleAreLand) {
-  const auto report = ingest(write(formats[0], {{"POLYGON ((0 50,1 50,1 51,0 50))", {{"name", "Island"}}}}));
-  EXPECT_EQ(report.dataset->kind, repository::DatasetKind::coastline);
-}
-
 TEST_F(Zones, OfATableAreTheSameFileOnlyWithTheSameTable) {
   const auto file = write(formats[3], {harbour});
   ASSERT_EQ(ingest(file).status, IngestStatus::stored);

@@ -40,6 +40,7 @@ export interface IngestOptions {
   crs?: string;
   positive?: 'up' | 'down';
   variable?: string;
+  time?: string;
   at?: Position;
   unit?: 'm' | 'cm' | 'mm' | 'ft';
   zone_kind?: 'no_go' | 'stay_in';

@@ -23,6 +23,7 @@ export const ingestOptions: Record<OptionName, Option> = {
   positive: { title: 'Positive', choices: [['up', 'up: elevations'], ['down', 'down: depths']] },
   crs: { title: 'Reference system', placeholder: 'EPSG:4326' },
   variable: { title: 'Variable', placeholder: 'its name in the file' },
+  time: { title: 'Holds at', placeholder: '2026-11-20T18:00:00Z' },
   at: { title: 'Station at', placeholder: '69°13.2′N 51°06.0′W' },
   unit: { title: 'Unit of amplitudes', choices: [['m', 'metres'], ['cm', 'centimetres'], ['mm', 'millimetres'], ['ft', 'feet']] },
   zone_kind: { title: 'Rule of the zones', choices: [['no_go', 'keep out'], ['stay_in', 'stay in']] },
