@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <map>
 
 #include "api/codec/iceberg_feature.hpp"
 #include "api/routes/feature_collection.hpp"
@@ -7,6 +6,7 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/joined_sightings.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -21,20 +21,15 @@ constexpr geo::BoundingBox whole_world{-180.0, -90.0, 180.0, 90.0};
 /// The newest sighting of each berg over the datasets asked for, by ascending row.
 std::vector<StoredSighting> latest_of_each(sqlite::Connection& db, const repository::SightingFilter& filter,
                                            core::UtcTime as_of) {
-  std::map<std::string, StoredSighting> newest;
-  for (const auto& dataset : repository::DatasetRepository{db}.list()) {
-    if (dataset.kind != DatasetKind::icebergs) continue;
-    if (filter.dataset && dataset.id != *filter.dataset) continue;
-    for (auto& sighting : IcebergRepository{db}.latest(dataset.id, filter.area.value_or(whole_world), as_of,
-                                                       as_of - repository::oldest_sighting_used(as_of))) {
-      if (filter.berg_id && sighting.iceberg.id != *filter.berg_id) continue;
-      const auto [place, added] = newest.try_emplace(sighting.iceberg.id, sighting);
-      if (!added && place->second.iceberg.observed < sighting.iceberg.observed)
-        place->second = std::move(sighting);
-    }
-  }
-  std::vector<StoredSighting> result;
-  for (auto& [berg, sighting] : newest) result.push_back(std::move(sighting));
+  std::vector<repository::Dataset> datasets;
+  for (const auto& dataset : repository::DatasetRepository{db}.list())
+    if (dataset.kind == DatasetKind::icebergs && (!filter.dataset || dataset.id == *filter.dataset))
+      datasets.push_back(dataset);
+  auto result = repository::joined_sightings(db, datasets, filter.area.value_or(whole_world), as_of,
+                                             as_of - repository::oldest_sighting_used(as_of));
+  std::erase_if(result, [&](const StoredSighting& sighting) {
+    return filter.berg_id && sighting.iceberg.id != *filter.berg_id;
+  });
   std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.row < b.row; });
   return result;
 }

@@ -1,5 +1,7 @@
 #include "api/routes/plan_exports.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -16,8 +18,9 @@
 #include "engine/mission/nmea_route.hpp"
 #include "engine/mission/seaglider_files.hpp"
 #include "storage/repository/coastline_repository.hpp"
+#include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/joined_sightings.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -33,14 +36,18 @@ codec::MapPicture picture_of(sqlite::Connection& db, const PlanRecord& record, c
   const geo::BoundingBox area = geo::grown(record.bounds, around_route);
   std::vector<geo::Polygon> land;
   std::vector<ocean::Iceberg> icebergs;
-  for (const auto& dataset : plan.datasets) {
-    if (dataset.kind == "coastline") land = repository::CoastlineRepository{db}.load({dataset.id}, area);
-    if (dataset.kind != "icebergs") continue;
-    const auto age = plan.departure - repository::oldest_sighting_used(plan.departure);
-    for (const auto& sighting :
-         repository::IcebergRepository{db}.latest({dataset.id}, area, plan.departure, age))
-      icebergs.push_back(sighting.iceberg);
+  std::vector<repository::Dataset> of_icebergs;
+  for (const auto& used : plan.datasets) {
+    const auto dataset = repository::DatasetRepository{db}.find({used.id});
+    if (!dataset) continue;
+    if (used.kind == "coastline")
+      std::ranges::move(repository::CoastlineRepository{db}.load(dataset->id, area),
+                        std::back_inserter(land));
+    if (used.kind == "icebergs") of_icebergs.push_back(*dataset);
   }
+  const auto age = plan.departure - repository::oldest_sighting_used(plan.departure);
+  for (const auto& sighting : repository::joined_sightings(db, of_icebergs, area, plan.departure, age))
+    icebergs.push_back(sighting.iceberg);
   return codec::draw_map(plan, land, icebergs, map_width, map_height);
 }
 

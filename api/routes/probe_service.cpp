@@ -1,6 +1,8 @@
 #include "api/routes/probe_service.hpp"
 
 #include <algorithm>
+#include <iterator>
+#include <utility>
 
 #include "api/routes/probe_tide.hpp"
 #include "engine/core/utc_text.hpp"
@@ -10,7 +12,8 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/field_repository.hpp"
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/forecast_runs.hpp"
+#include "storage/repository/joined_sightings.hpp"
 #include "storage/repository/zone_repository.hpp"
 
 namespace floeplan::routes {
@@ -47,17 +50,28 @@ Source choose(const std::vector<Dataset>& datasets, DatasetKind kind, const std:
   return source;
 }
 
-void read_depth(sqlite::Connection& db, const Source& source, codec::Probe& probe) {
-  probe.depth_reason = source.reason;
-  if (!source.dataset) return;
-  const auto bathymetry =
-      repository::FieldRepository{db}.load_bathymetry(source.dataset->id, box_at(probe.place));
-  if (bathymetry) {
+/// The depths that plans are made with at this place: of the finest dataset that knows any, or of the named one.
+void read_depth(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+                const std::optional<Dataset>& named, codec::Probe& probe) {
+  const repository::FieldRepository fields{db};
+  std::vector<std::pair<core::Metres, Dataset>> layers;
+  const bool by_name = named && named->kind == DatasetKind::bathymetry;
+  for (const Dataset& dataset : by_name ? std::vector{*named} : datasets) {
+    if (dataset.kind != DatasetKind::bathymetry || (!by_name && !geo::contains(dataset.bounds, probe.place)))
+      continue;
+    if (const auto shape = fields.shape(dataset.id)) layers.emplace_back(shape->grid.spacing(), dataset);
+  }
+  std::ranges::stable_sort(layers, {}, [](const auto& layer) { return layer.first; });
+  for (const auto& [spacing, dataset] : layers) {
+    const auto bathymetry = fields.load_bathymetry(dataset.id, box_at(probe.place));
+    if (!bathymetry || !bathymetry->depth(probe.place)) continue;
     probe.depth = bathymetry->depth(probe.place);
     probe.shoalest_depth = bathymetry->shoalest(probe.place);
+    return;
   }
-  if (!probe.depth)
-    probe.depth_reason = "outside the area of " + source.dataset->name + ", or no value there";
+  probe.depth_reason = layers.empty()
+                           ? "no bathymetry data are stored for this place"
+                           : "outside the area of " + layers.front().second.name + ", or no value there";
 }
 
 /// The steps of the data around the time asked for.
@@ -95,57 +109,131 @@ void read_ice(sqlite::Connection& db, const Source& source, codec::Probe& probe)
   if (!ice.state) ice.reason = "no value here: land, a gap of the data, or beyond their area";
 }
 
-/// The velocity of the sea or the air, at the depth asked for or the shallowest there is.
-void read_velocity(sqlite::Connection& db, const Source& source, const ProbeQuery& query,
-                   codec::Probe::Velocity& part) {
-  part.reason = source.reason;
-  if (!source.dataset) return;
-  const Dataset& dataset = *source.dataset;
+/// Of parts that were joined in time those that lie around a moment, each cut down to the steps next to it.
+std::vector<repository::JoinedPart> around(std::vector<repository::JoinedPart> parts, core::UtcTime time) {
+  std::vector<repository::JoinedPart> near;
+  for (repository::JoinedPart& part : parts) {
+    if (part.used.from <= time && time <= part.used.to) {
+      part.used = {time, time};
+      return {part};
+    }
+    if (part.used.to < time) {
+      part.used.from = part.used.to;
+      near = {part};
+      continue;
+    }
+    part.used.to = part.used.from;
+    near.push_back(part);
+    return near;
+  }
+  return near;
+}
+
+/// The velocities around the moment, of the newest runs that are joined there as plans join them, and the run that they
+/// come from or, between two, the earlier one.
+struct Velocities {
+  std::optional<ocean::CurrentGrid> grid;
+  Dataset dataset;
+};
+
+std::optional<Velocities> joined_velocities(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+                                            DatasetKind kind, const ProbeQuery& query) {
+  std::vector<Dataset> runs;
+  std::ranges::copy_if(datasets, std::back_inserter(runs), [&](const Dataset& dataset) {
+    return dataset.kind == kind && geo::contains(dataset.bounds, query.place);
+  });
+  constexpr core::Seconds before_and_after{2.0 * 86400.0};  // a run that ended is followed by the next
+  const repository::Period within{query.time - before_and_after, query.time + before_and_after};
+  for (std::size_t i = 0; i < runs.size(); ++i) {
+    if (!runs[i].time_start) continue;
+    const auto parts = around(repository::join_runs(db, runs, i, within, query.time, false), query.time);
+    if (parts.empty()) continue;
+    return Velocities{repository::load_joined(db, parts, box_at(query.place), query.time, std::nullopt),
+                      parts.front().dataset};
+  }
+  return std::nullopt;
+}
+
+/// Of the named dataset, or of one without time.
+std::optional<Velocities> own_velocities(sqlite::Connection& db, const Dataset& dataset,
+                                         const ProbeQuery& query) {
+  if (!covers_time(dataset, query.time)) return std::nullopt;
+  return Velocities{
+      repository::FieldRepository{db}.load_currents(dataset.id, box_at(query.place),
+                                                    repository::Period{query.time, query.time}, std::nullopt),
+      dataset};
+}
+
+void tell_source(const Dataset& dataset, codec::Probe::Velocity& part) {
   part.dataset_id = dataset.id.value;
   part.dataset_name = dataset.name;
   part.run = dataset.run;
-  if (!covers_time(dataset, query.time)) {
-    part.reason = outside_period(dataset);
-    return;
+}
+
+/// The velocity of the sea or the air, at the depth asked for or the shallowest there is.
+void read_velocity(sqlite::Connection& db, const std::vector<Dataset>& datasets, DatasetKind kind,
+                   const std::optional<Dataset>& named, const ProbeQuery& query,
+                   codec::Probe::Velocity& part) {
+  const bool by_name = named && named->kind == kind;
+  auto velocities = by_name ? std::nullopt : joined_velocities(db, datasets, kind, query);
+  if (!velocities) {
+    const Source source = choose(datasets, kind, named, query);
+    part.reason = source.reason;
+    if (!source.dataset) return;
+    tell_source(*source.dataset, part);
+    velocities = own_velocities(db, *source.dataset, query);
+    if (!velocities) {
+      part.reason = outside_period(*source.dataset);
+      return;
+    }
   }
-  read_steps(db, dataset, query.time, part);
-  const auto grid = repository::FieldRepository{db}.load_currents(
-      dataset.id, box_at(query.place), repository::Period{query.time, query.time}, std::nullopt);
+  tell_source(velocities->dataset, part);
+  const auto& grid = velocities->grid;
   if (!grid) {
     part.reason = "outside the area of the data";
     return;
+  }
+  const auto& times_s = grid->samples().times_s;
+  if (const auto position = times_s.locate(core::unix_seconds(query.time));
+      position && velocities->dataset.time_start) {
+    part.time_before = core::from_unix_seconds(times_s[position->lower]);
+    part.time_after = core::from_unix_seconds(times_s[position->upper]);
   }
   const auto& depths = grid->samples().depths_m;
   const core::Metres depth = query.depth.value_or(core::Metres{depths ? depths->front() : 0.0});
   part.velocity = grid->at(query.place, depth, query.time);
   if (!part.velocity) {
-    part.reason = dataset.kind == DatasetKind::wind
+    part.reason = kind == DatasetKind::wind
                       ? "no value here: a gap of the data"
                       : "no value here: land, below the bottom, or outside the data's depths";
   }
 }
 
 void read_land(sqlite::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
-  for (const auto& dataset : datasets) {
-    if (dataset.kind != DatasetKind::coastline || !geo::contains(dataset.bounds, probe.place)) continue;
+  std::vector<Dataset> coastlines;
+  std::ranges::copy_if(datasets, std::back_inserter(coastlines), [&](const Dataset& dataset) {
+    return dataset.kind == DatasetKind::coastline && geo::contains(dataset.bounds, probe.place);
+  });
+  repository::keep_newest_coastline(coastlines);
+  for (const Dataset& dataset : coastlines) {
     const auto polygons = repository::CoastlineRepository{db}.load(dataset.id, box_at(probe.place));
-    probe.land = std::any_of(polygons.begin(), polygons.end(), [&](const geo::Polygon& polygon) {
-      return geo::contains(polygon, probe.place);
-    });
-    return;
+    const bool inside = std::ranges::any_of(
+        polygons, [&](const geo::Polygon& polygon) { return geo::contains(polygon, probe.place); });
+    probe.land = inside || probe.land.value_or(false);
   }
+  if (probe.land) return;
   if (probe.depth) probe.land = probe.depth->value <= 0.0;
 }
 
 void read_icebergs(sqlite::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
   const auto area = geo::grown(box_at(probe.place), probe_iceberg_range);
-  for (const auto& dataset : datasets) {
-    if (dataset.kind != DatasetKind::icebergs) continue;
-    for (const auto& sighting : repository::IcebergRepository{db}.latest(
-             dataset.id, area, probe.time, probe.time - repository::oldest_sighting_used(probe.time))) {
-      const auto distance = geo::geodesic_between(probe.place, sighting.iceberg.place).length;
-      if (distance <= probe_iceberg_range) probe.icebergs.push_back({sighting.iceberg, distance});
-    }
+  std::vector<Dataset> of_icebergs;
+  std::ranges::copy_if(datasets, std::back_inserter(of_icebergs),
+                       [](const Dataset& dataset) { return dataset.kind == DatasetKind::icebergs; });
+  const core::Seconds age = probe.time - repository::oldest_sighting_used(probe.time);
+  for (const auto& sighting : repository::joined_sightings(db, of_icebergs, area, probe.time, age)) {
+    const auto distance = geo::geodesic_between(probe.place, sighting.iceberg.place).length;
+    if (distance <= probe_iceberg_range) probe.icebergs.push_back({sighting.iceberg, distance});
   }
   std::stable_sort(probe.icebergs.begin(), probe.icebergs.end(),
                    [](const auto& a, const auto& b) { return a.distance < b.distance; });
@@ -182,11 +270,11 @@ tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const
   codec::Probe result;
   result.place = query.place;
   result.time = query.time;
-  read_depth(db, choose(datasets, DatasetKind::bathymetry, named, query), result);
-  read_velocity(db, choose(datasets, DatasetKind::currents, named, query), query, result.currents);
+  read_depth(db, datasets, named, result);
+  read_velocity(db, datasets, DatasetKind::currents, named, query, result.currents);
   ProbeQuery above = query;
   above.depth.reset();
-  read_velocity(db, choose(datasets, DatasetKind::wind, named, query), above, result.wind);
+  read_velocity(db, datasets, DatasetKind::wind, named, above, result.wind);
   read_ice(db, choose(datasets, DatasetKind::ice, named, query), result);
   result.tide = probe_tide(db, datasets, named, query);
   read_land(db, datasets, result);

@@ -15,7 +15,7 @@
 #include "storage/repository/environment_water.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/hand_made_id.hpp"
-#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/joined_sightings.hpp"
 #include "storage/repository/zone_repository.hpp"
 #include "storage/sqlite/snapshot.hpp"
 
@@ -83,30 +83,74 @@ void add_ice(EnvironmentDraft& draft) {
   }
 }
 
-/// Of the candidates the newest with sightings young enough to count, else the newest with any by then.
-std::vector<Dataset> newest_with_sightings(const std::vector<Dataset>& found, core::UtcTime as_of,
-                                           core::UtcTime oldest) {
+bool is_among(const std::vector<Dataset>& datasets, const Dataset& dataset) {
+  return std::ranges::find(datasets, dataset.id, &Dataset::id) != datasets.end();
+}
+
+/// Every dataset with sightings young enough to count, wherever they lie: a berg may have left the area since the one
+/// that saw it here. Where none of them speaks of the area, also the newest that does, and in any case what people have
+/// reported.
+/// `here`  the datasets that meet the area, newest first
+std::vector<Dataset> datasets_of_sightings(const EnvironmentDraft& draft, const std::vector<Dataset>& here,
+                                           core::UtcTime as_of, core::UtcTime oldest) {
   const auto begun = [&](const Dataset& dataset) {
     return !dataset.time_start || *dataset.time_start <= as_of;
   };
   const auto recent = [&](const Dataset& dataset) {
-    return begun(dataset) && (!dataset.time_end || *dataset.time_end >= oldest);
+    return !dataset.time_end || *dataset.time_end >= oldest;
   };
-  auto chosen = std::ranges::find_if(found, recent);
-  if (chosen == found.end()) chosen = std::ranges::find_if(found, begun);
-  return chosen == found.end() ? std::vector<Dataset>{} : std::vector{*chosen};
+  const auto by_hand = [](const Dataset& dataset) {
+    return dataset.id == hand_made_id(DatasetKind::icebergs);
+  };
+  std::vector<Dataset> chosen;
+  std::ranges::copy_if(draft.stored, std::back_inserter(chosen), [&](const Dataset& dataset) {
+    return dataset.kind == DatasetKind::icebergs && !by_hand(dataset) && begun(dataset) && recent(dataset);
+  });
+  const auto speaks_of_area = [&](const Dataset& dataset) { return is_among(here, dataset); };
+  if (std::ranges::none_of(chosen, speaks_of_area))
+    if (const auto newest = std::ranges::find_if(
+            here, [&](const Dataset& dataset) { return begun(dataset) && !by_hand(dataset); });
+        newest != here.end())
+      chosen.insert(chosen.begin(), *newest);
+  std::ranges::copy_if(here, std::back_inserter(chosen), by_hand);
+  return chosen;
 }
 
-/// As above, and what people have reported themselves beside it: neither hides the other.
-std::vector<Dataset> newest_and_hand_made(std::vector<Dataset> found, core::UtcTime as_of,
-                                          core::UtcTime oldest) {
-  const auto by_hand = std::ranges::find(found, hand_made_id(DatasetKind::icebergs), &Dataset::id);
-  if (by_hand == found.end()) return newest_with_sightings(found, as_of, oldest);
-  const Dataset reported = *by_hand;
-  found.erase(by_hand);
-  auto chosen = newest_with_sightings(found, as_of, oldest);
-  chosen.push_back(reported);
-  return chosen;
+/// Says which bergs of a dataset were seen too long ago.
+void warn_of_old_sightings(EnvironmentDraft& draft, const Dataset& dataset,
+                           const std::vector<StoredSighting>& all, core::UtcTime oldest) {
+  std::vector<std::string> dropped;
+  std::size_t count = 0;
+  for (const StoredSighting& sighting : all) {
+    if (sighting.dataset != dataset.id) continue;
+    ++count;
+    if (sighting.iceberg.observed < oldest)
+      dropped.push_back(sighting.iceberg.id.empty() ? "one without a name" : sighting.iceberg.id);
+  }
+  if (dropped.empty()) return;
+  draft.warn(std::to_string(dropped.size()) + " of " + std::to_string(count) + " icebergs of " +
+             title(dataset) + " left out: last seen before " + core::iso8601(oldest) + ": " +
+             shortened_list(dropped));
+}
+
+/// Names the datasets that had something to say, those that were wanted by name and what people reported; else the newest
+/// that speaks of the area.
+/// `here`  the datasets that meet the area, newest first
+void cite_sightings(EnvironmentDraft& draft, const std::vector<Dataset>& chosen,
+                    const std::vector<Dataset>& here, const std::vector<StoredSighting>& all) {
+  const bool named = draft.query.icebergs.how == DatasetChoice::How::named;
+  std::string joined;
+  for (const Dataset& dataset : chosen) {
+    const auto count = std::ranges::count(all, dataset.id, &StoredSighting::dataset);
+    const bool stands_for_the_area =
+        all.empty() && draft.environment.datasets.empty() && is_among(here, dataset);
+    const bool by_hand = dataset.id == hand_made_id(DatasetKind::icebergs);
+    if (!named && !by_hand && count == 0 && !stands_for_the_area) continue;
+    draft.cite(dataset);
+    joined += (joined.empty() ? "" : ", ") + std::to_string(count) + " of " + title(dataset);
+  }
+  if (draft.environment.datasets.size() > 1)
+    draft.warn("icebergs are joined from several datasets, of each berg the newest sighting: " + joined);
 }
 
 void add_icebergs(EnvironmentDraft& draft) {
@@ -115,32 +159,20 @@ void add_icebergs(EnvironmentDraft& draft) {
   const core::UtcTime as_of = query.icebergs_as_of.value_or(last_moment);
   const core::UtcTime oldest = oldest_sighting_used(as_of, query.max_sighting_age);
   const geo::BoundingBox area = query.iceberg_drift ? geo::grown(query.area, reach_of_drift) : query.area;
-  auto chosen = candidates(draft.stored, DatasetKind::icebergs, query.icebergs, query.area, draft.violations);
-  if (query.icebergs.how == DatasetChoice::How::newest) chosen = newest_and_hand_made(chosen, as_of, oldest);
+  const auto here =
+      candidates(draft.stored, DatasetKind::icebergs, query.icebergs, query.area, draft.violations);
+  const auto chosen = query.icebergs.how == DatasetChoice::How::newest
+                          ? datasets_of_sightings(draft, here, as_of, oldest)
+                          : here;
 
-  const IcebergRepository repository{draft.db};
-  for (const Dataset& dataset : chosen) {
-    constexpr core::Seconds any_age{std::numeric_limits<double>::infinity()};
-    const auto all = repository.latest(dataset.id, area, as_of, any_age);
-    std::vector<std::string> dropped;
-    for (const StoredSighting& sighting : all) {
-      if (sighting.iceberg.observed < oldest) {
-        dropped.push_back(sighting.iceberg.id.empty() ? "one without a name" : sighting.iceberg.id);
-        continue;
-      }
-      draft.environment.icebergs.push_back(sighting.iceberg);
-      if (query.iceberg_drift) {
-        draft.environment.icebergs.back().earlier = repository.earlier(sighting, query.max_sighting_age);
-      }
-    }
-    if (!dropped.empty()) {
-      draft.warn(std::to_string(dropped.size()) + " of " + std::to_string(all.size()) + " icebergs of " +
-                 title(dataset) + " left out: last seen before " + core::iso8601(oldest) + ": " +
-                 shortened_list(dropped));
-    }
-    draft.cite(dataset);
-  }
-  if (chosen.empty() && query.icebergs.how != DatasetChoice::How::named) {
+  constexpr core::Seconds any_age{std::numeric_limits<double>::infinity()};
+  const core::Seconds track_age = query.iceberg_drift ? query.max_sighting_age : core::Seconds{0.0};
+  const auto all = joined_sightings(draft.db, chosen, area, as_of, any_age, track_age);
+  for (const StoredSighting& sighting : all)
+    if (sighting.iceberg.observed >= oldest) draft.environment.icebergs.push_back(sighting.iceberg);
+  for (const Dataset& dataset : chosen) warn_of_old_sightings(draft, dataset, all, oldest);
+  cite_sightings(draft, chosen, here, all);
+  if (draft.environment.datasets.empty() && query.icebergs.how != DatasetChoice::How::named) {
     warn_of_gap(draft, DatasetKind::icebergs, query.icebergs, "no iceberg is avoided");
   }
 }
@@ -149,7 +181,7 @@ void add_coastline(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   auto chosen =
       candidates(draft.stored, DatasetKind::coastline, query.coastline, query.area, draft.violations);
-  if (query.coastline.how == DatasetChoice::How::newest && chosen.size() > 1) chosen.resize(1);
+  if (query.coastline.how == DatasetChoice::How::newest) keep_newest_coastline(chosen);
 
   for (const Dataset& dataset : chosen) {
     auto land = CoastlineRepository{draft.db}.load(dataset.id, query.area);

@@ -20,6 +20,7 @@ using testing::ElementsAre;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
+using testing::UnorderedElementsAre;
 
 constexpr geo::BoundingBox bay{-54.0, 68.0, -50.0, 70.0};
 constexpr geo::BoundingBox elsewhere{10.0, 40.0, 12.0, 42.0};
@@ -412,6 +413,42 @@ TEST_F(EnvironmentLoaderTest, TakesIcebergsAsOfTheTimeAskedFor) {
   query_.icebergs_as_of = sample_time - 29 * day;
 
   EXPECT_THAT(cited(load()), ElementsAre("bergs-then"));
+}
+
+TEST_F(EnvironmentLoaderTest, KeepsTheBergsOfAnEarlierListThatALaterOneDoesNotName) {
+  std::vector<ocean::Iceberg> sixty;
+  for (int i = 0; i < 60; ++i)
+    sixty.push_back(
+        sample_berg("berg " + std::to_string(i), {-52.4 + 0.01 * i, 69.0}, sample_time - 30 * hour));
+  add_icebergs("list", sixty);
+  add_icebergs("update", {sample_berg("berg 7", {-52.30, 69.05}, sample_time - 2 * hour),
+                          sample_berg("new", {-52.0, 69.1}, sample_time - 2 * hour)});
+
+  const ocean::Environment environment = load();
+
+  ASSERT_EQ(environment.icebergs.size(), 61U);
+  const auto moved = std::ranges::find(environment.icebergs, "berg 7", &ocean::Iceberg::id);
+  EXPECT_EQ(moved->place.lat_deg, 69.05);
+  ASSERT_EQ(moved->earlier.size(), 1U) << "its track leads through both lists";
+  EXPECT_EQ(moved->earlier.front().time, sample_time - 30 * hour);
+  EXPECT_THAT(cited(environment), UnorderedElementsAre("list", "update"));
+  EXPECT_THAT(environment.warnings,
+              Contains(AllOf(HasSubstr("joined"), HasSubstr("59 of"), HasSubstr("2 of"))));
+}
+
+TEST_F(EnvironmentLoaderTest, FollowsABergThatLeftTheArea) {
+  add_icebergs("list", {sample_berg("a", {-52.0, 69.0}, sample_time - 60 * hour)});
+  add("update", DatasetKind::icebergs, elsewhere, sample_time - hour, sample_time - hour);
+  IcebergRepository{db_}.insert({"update"}, {sample_berg("a", {-52.0, 71.0}, sample_time - hour)});
+
+  EXPECT_THAT(load().icebergs, IsEmpty());
+}
+
+TEST_F(EnvironmentLoaderTest, TakesOneNameForTwoBergsWhereNoBergDriftsSoFast) {
+  add_icebergs("monday", {sample_berg("1", {-52.0, 69.0}, sample_time - 26 * hour)});
+  add_icebergs("tuesday", {sample_berg("1", {-51.0, 69.8}, sample_time - 25 * hour)});
+
+  EXPECT_EQ(load().icebergs.size(), 2U);
 }
 
 TEST_F(EnvironmentLoaderTest, JoinsSeveralNamedDatasetsOfIcebergs) {
