@@ -81,7 +81,7 @@ void read_data(InputReader& reader, repository::EnvironmentQuery& data) {
   data.wind = read_choice(reader, "wind", false);
   data.bathymetry = read_choice(reader, "bathymetry", true);
   data.ice = read_choice(reader, "ice", false);
-  data.icebergs = read_choice(reader, "icebergs", false);
+  data.icebergs = read_choice(reader, "icebergs", true);
   data.icebergs_as_of = reader.time("icebergs_as_of");
   data.coastline = read_choice(reader, "coastline", false);
   data.zones = read_choice(reader, "zones", true, {}, all);

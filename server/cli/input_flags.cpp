@@ -97,7 +97,8 @@ void InputFlags::add_common(CLI::App& command) {
                      "ID[,ID...] in order of priority, or none; default: all of the area, the finest first");
   command.add_option("--ice", ice_,
                      "Sea ice, ID or none; default: the newest that covers area and departure");
-  command.add_option("--icebergs", icebergs_, "ID or none; default: the newest");
+  command.add_option("--icebergs", icebergs_,
+                     "ID[,ID...] or none; default: the newest, and those made by hand beside it");
   command.add_option("--icebergs-as-of", icebergs_as_of_, "Latest sighting to use; default: the departure");
   command.add_option("--coastline", coastline_, "ID or none; default: the newest");
   command.add_option(
@@ -269,7 +270,7 @@ json InputFlags::inputs() const {
   set("refine_seconds", refine_seconds_);
   set_ids("bathymetry", bathymetry_);
   set("ice", ice_);
-  set("icebergs", icebergs_);
+  set_ids("icebergs", icebergs_);
   set("icebergs_as_of", icebergs_as_of_);
   set("coastline", coastline_);
   set("margin_m", margin_m_);

@@ -1,6 +1,6 @@
 import type {
-  Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, IcebergDrift, IcebergFeature, IngestInputs, IngestReport, JobStatus, MissionPreview, PlanFeature, PlanInputs,
-  PlanResults, Probe, Reach, ReachInputs, Upload, Vehicle,
+  Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, IcebergDrift, IcebergFeature, IngestInputs, IngestReport, JobStatus, MissionPreview, NewFeature, PlanFeature, PlanInputs,
+  PlanResults, Probe, Reach, ReachInputs, Upload, Vehicle, ZoneFeature,
 } from './types';
 import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
@@ -39,11 +39,47 @@ export const coast = (box: Box, signal: AbortSignal): Promise<{ features: CoastF
 export const icebergsAt = (time: string, dataset: string | undefined, signal: AbortSignal): Promise<FeaturePage<IcebergFeature>> =>
   json(address('/collections/icebergs/items', { latest: true, datetime: time, limit: 10000, dataset }), { signal });
 
+export const icebergsOf = (dataset: string): Promise<FeaturePage<IcebergFeature>> =>
+  json(address('/collections/icebergs/items', { dataset, limit: 10000 }));
+
+export const zones = (): Promise<FeaturePage<ZoneFeature>> => json(address('/collections/nogo-zones/items', { limit: 10000 }));
+
+interface Tagged {
+  id: string;
+  tag: string | undefined; // of its state now, to be shown with the next change
+}
+
+const collections = { icebergs: 'icebergs', zones: 'nogo-zones' };
+const itemsOf = (kind: keyof typeof collections): string => `/collections/${collections[kind]}/items`;
+const tagOf = (response: Response): string | undefined => response.headers.get('etag') ?? undefined;
+const ifStill = (tag: string | undefined): Record<string, string> => (tag === undefined ? {} : { 'If-Match': tag });
+
+/** A feature as it is now. */
+export async function feature(kind: keyof typeof collections, id: number | string): Promise<{ feature: IcebergFeature | ZoneFeature; tag: string | undefined }> {
+  const response = await request(`${itemsOf(kind)}/${encodeURIComponent(id)}`, { headers: { Accept: 'application/geo+json' }, cache: 'no-store' });
+  return { feature: (await response.json()) as IcebergFeature | ZoneFeature, tag: tagOf(response) };
+}
+
+export async function createFeature(kind: keyof typeof collections, stated: NewFeature): Promise<Tagged> {
+  const response = await request(itemsOf(kind), { method: 'POST', headers: { 'Content-Type': 'application/geo+json' }, body: JSON.stringify(stated) });
+  return { id: response.headers.get('location')?.split('/').at(-1) ?? '', tag: tagOf(response) };
+}
+
+export async function replaceFeature(kind: keyof typeof collections, id: string, stated: NewFeature, tag: string | undefined): Promise<Tagged> {
+  const headers = { 'Content-Type': 'application/geo+json', ...ifStill(tag) };
+  const response = await request(`${itemsOf(kind)}/${encodeURIComponent(id)}`, { method: 'PUT', headers, body: JSON.stringify(stated) });
+  return { id, tag: tagOf(response) };
+}
+
+export const removeFeature = async (kind: keyof typeof collections, id: string, tag: string | undefined): Promise<void> => {
+  await request(`${itemsOf(kind)}/${encodeURIComponent(id)}`, { method: 'DELETE', headers: ifStill(tag) });
+};
+
 interface DriftQuery {
   box: Box;
   as_of: string;
   until: string;
-  dataset: string;
+  dataset?: string | undefined; // the newest, and what was made by hand, unless named
   currents: string;
 }
 

@@ -2,7 +2,7 @@ import { effect, untracked } from '@preact/signals';
 import { contains, grown, intersection, rounded, width_deg } from '../geo/boxes';
 import type { Grid } from '../geo/grid';
 import { bracket, time_ms } from '../model/clock';
-import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, currentTimes_ms } from '../model/datasets';
+import { besideIcebergs, chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, currentTimes_ms } from '../model/datasets';
 import { bathymetry, coast, currents, currentsFault, icebergs } from '../model/field';
 import { visible } from '../model/layers';
 import { hour_ms, isoOf } from '../model/time';
@@ -190,7 +190,8 @@ function followIcebergs(): void {
   effect(() => {
     const dataset = chosenIcebergs.value;
     const hour = Math.floor(time_ms.value / hour_ms) * hour_ms;
-    const key = dataset ? `${dataset.id}|${hour}` : '';
+    const sources = [dataset, besideIcebergs.value].filter((source) => source !== undefined);
+    const key = dataset ? [...sources.map(({ id, sha256 }) => id + sha256), hour].join('|') : '';
     if (key === wanted) return;
     wanted = key;
     const known = remembered.get(key);
@@ -201,8 +202,9 @@ function followIcebergs(): void {
         return;
       }
       latest.run(
-        (signal) => api.icebergsAt(isoOf(hour), dataset.id, signal),
-        ({ features }) => {
+        (signal) => Promise.all(sources.map(({ id }) => api.icebergsAt(isoOf(hour), id, signal))),
+        (pages) => {
+          const features = pages.flatMap((page) => page.features);
           if (remembered.size > 200) remembered.clear();
           remembered.set(key, features);
           icebergs.value = features;

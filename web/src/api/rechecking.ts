@@ -14,7 +14,7 @@ export async function recheck(plan: Plan): Promise<void> {
     rechecks.value = { ...rechecks.value, [plan.plan_id]: verdict };
   };
   tell({ state: 'pending' });
-  const renewed = Object.fromEntries(staleness(plan).map(({ kind }) => [kind, 'newest']));
+  const renewed = Object.fromEntries(staleness(plan).map(({ kind }) => [kind, kind === 'zones' ? 'all' : 'newest']));
   const conditions: Conditions = { ...conditionsOf(plan).conditions, ...renewed };
   try {
     const { evaluation } = await api.evaluateRoute({ ...conditions, route: routeOf(plan) }, new AbortController().signal);

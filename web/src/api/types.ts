@@ -100,6 +100,29 @@ export interface IcebergFeature {
   properties: IcebergProperties;
 }
 
+/** A stored zone; plans obey it wherever it meets their way. */
+export interface ZoneFeature {
+  type: 'Feature';
+  id: number | string;
+  geometry: { type: 'Polygon'; coordinates: Position[][] };
+  properties: {
+    kind: AreaProperties['kind'];
+    name: string | null;
+    from: string | null; // since ever
+    until: string | null; // for ever
+    top_m: number | null;
+    bottom_m: number | null; // to the sea bed
+    dataset_id: string;
+  };
+}
+
+/** A feature on its way into the store. */
+export interface NewFeature {
+  type: 'Feature';
+  geometry: { type: 'Point'; coordinates: Position } | { type: 'Polygon'; coordinates: Position[][] };
+  properties: object;
+}
+
 /** Where a berg is expected, column by column from its sighting on. */
 export interface IcebergDrift {
   berg_id: string;
@@ -174,7 +197,7 @@ export interface PlanInputs {
   currents?: string | string[];
   steady?: boolean;
   bathymetry?: string;
-  icebergs?: string;
+  icebergs?: string | string[];
   ice?: string;
   coastline?: string;
   tides?: string | string[];

@@ -11,6 +11,7 @@ import { densify } from '../geo/geodesic';
 import { unproject } from '../geo/projections';
 import { newArea, type Area } from '../model/area';
 import { draft, edit } from '../model/draft';
+import { areaOf, newZone, openForm, zones } from '../model/hand_made';
 import { visible } from '../model/layers';
 import { announce } from '../model/screen';
 import { projection } from '../model/settings';
@@ -18,7 +19,7 @@ import { tool } from '../model/view';
 import { palette, type Palette } from '../theme/palette';
 import { toMap } from './projections';
 
-/** The areas of the set-up, hatched where they are closed, and the tool that draws one. Sides are geodesics. */
+/** Stored zones and the areas of the set-up, hatched where they are closed, and the tool that draws one. Sides are geodesics. */
 export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 4 });
@@ -26,7 +27,9 @@ export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
     const code = projection.value;
     const colours = palette.value;
     source.clear(true);
-    for (const area of draft.value.areas) {
+    const form = openForm.value;
+    const stored = zones.value.filter(({ id }) => id !== form?.before?.id || form.kind !== 'zones');
+    for (const area of [...stored.map(areaOf), ...(form?.zone ? [form.zone] : []), ...draft.value.areas]) {
       const [first] = area.corners;
       if (!first) continue;
       const feature = new Feature(new Polygon([toMap(code, densify([...area.corners, first], 2000))]));
@@ -40,12 +43,16 @@ export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
   draw.on('drawend', ({ feature }) => {
     const rings = (feature.getGeometry() as Polygon).getCoordinates();
     const corners = (rings[0] ?? []).slice(0, -1).map(([x = 0, y = 0]): Position => unproject(projection.peek(), [x, y]));
+    if (tool.peek() === 'zone') {
+      drawZone(corners);
+      return;
+    }
     const { areas } = draft.peek();
     edit({ areas: [...areas, newArea(corners, areas.length + 1)] });
     announce(`Area ${areas.length + 1} to keep out of, ${corners.length} corners.`);
     tool.value = 'pan';
   });
-  effect(() => draw.setActive(tool.value === 'area'));
+  effect(() => draw.setActive(tool.value === 'area' || tool.value === 'zone'));
   effect(() => {
     const { danger, dangerFill, casing } = palette.value;
     draw.getOverlay().setStyle(
@@ -59,15 +66,24 @@ export function areaLayer(): { layer: VectorLayer<VectorSource>; draw: Draw } {
   return { layer, draw };
 }
 
-function areaStyle({ kind, name, from, until }: Area, colours: Palette): Style {
+/** The corners of the open form's zone, or of a new one. */
+function drawZone(corners: Position[]): void {
+  const form = openForm.peek();
+  openForm.value = form?.zone ? { ...form, zone: { ...form.zone, corners } } : newZone(corners);
+  announce(`Zone with ${corners.length} corners.`);
+  tool.value = 'pan';
+}
+
+function areaStyle({ kind, name, from, until, top_m, bottom_m }: Area, colours: Palette): Style {
   const closed = kind === 'no_go';
   const color = closed ? colours.danger : colours.start;
   const times = from || until ? `\n${from || '…'} – ${until || '…'}` : '';
+  const depths = top_m || bottom_m ? `\n${top_m || '0'} – ${bottom_m ? `${bottom_m} m` : 'sea bed'}` : '';
   return new Style({
     ...(closed ? { fill: new Fill({ color: hatching(color) }) } : {}),
     stroke: new Stroke({ color, width: 2, ...(closed ? {} : { lineDash: [10, 5] }) }),
     text: new Text({
-      text: `${name}${times}`,
+      text: `${name}${depths}${times}`,
       font: '600 12px system-ui, sans-serif',
       overflow: true,
       fill: new Fill({ color }),

@@ -16,6 +16,7 @@ import { datasets, homeBox } from '../model/datasets';
 import { draft, edit } from '../model/draft';
 import { drifts } from '../model/drift';
 import { coast, currents, icebergs, isLoading } from '../model/field';
+import { changeBerg, zones } from '../model/hand_made';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
 import { reach } from '../model/reach';
 import { openEdit } from '../model/route_edit';
@@ -248,7 +249,13 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
       announce(`A place to pass at ${editablePosition(place)}.`);
       return;
     }
+    case 'berg':
+      changeBerg({ place: editablePosition(place) });
+      announce(`Berg put at ${editablePosition(place)}.`);
+      tool.value = 'pan';
+      return;
     case 'area':
+    case 'zone':
       return; // the drawing of the area takes it
     case 'probe':
       probe(place);
@@ -283,6 +290,7 @@ function publishState(map: Map, target: HTMLElement): void {
     target.dataset['flight'] = shownFlight.value ? String(shownFlight.value.run) : 'none';
     target.dataset['coverage'] = String(coveredDatasets.value.length);
     target.dataset['areas'] = String(draft.value.areas.length);
+    target.dataset['zones'] = String(zones.value.length);
     target.dataset['handles'] = String(openEdit.value?.route.now.length ?? 0);
     target.dataset['coast'] = String(coast.value.length);
     target.dataset['currents'] = currents.value ? 'shown' : 'none';

@@ -7,6 +7,7 @@ import { Circle, Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
 import type { Position } from '../api/types';
 import { project } from '../geo/projections';
 import { draft, placeIn, placesIn } from '../model/draft';
+import { openForm } from '../model/hand_made';
 import { failure } from '../model/job';
 import { selectedId } from '../model/plans';
 import { openEdit } from '../model/route_edit';
@@ -15,7 +16,7 @@ import { projection } from '../model/settings';
 import { rechecks } from '../model/stale';
 import { palette, type Palette } from '../theme/palette';
 
-/** Start, goal and places between of the set-up, the place where planning failed, and the place last probed. */
+/** Start, goal and places between of the set-up, the berg that is being reported, the place where planning failed, and the place last probed. */
 export function markerLayer(): VectorLayer<VectorSource> {
   const source = new VectorSource();
   const layer = new VectorLayer({ source, zIndex: 10 });
@@ -32,6 +33,9 @@ export function markerLayer(): VectorLayer<VectorSource> {
     put(placeIn(draft.value.from), disc('S', colours.start, colours));
     for (const [i, place] of placesIn(draft.value.via).places.entries()) put(place, disc(String(i + 1), colours.label, colours));
     put(placeIn(draft.value.to), disc('G', colours.goal, colours));
+
+    const form = openForm.value;
+    if (form?.berg) put(placeIn(form.berg.place), disc('B', colours.danger, colours));
 
     const fault = failure.value;
     if (fault?.kind === 'infeasible') put([fault.answer.at.lon, fault.answer.at.lat], cross(colours));

@@ -15,16 +15,26 @@ export const isEmptyStore = computed(() => datasets.value?.length === 0);
 
 export const ofKind = (kind: DatasetKind): Dataset[] => (datasets.value ?? []).filter((dataset) => dataset.kind === kind);
 
+/** The id of what people made by hand of a kind: a dataset of its own, which plans obey beside those of files. */
+export const byHand = (kind: 'icebergs' | 'zones'): string => `${kind}-by-hand`;
+
 /** The dataset of a kind that the draft asks for and the map therefore shows: the newest unless another was chosen. */
 export function chosen(kind: DatasetKind): Dataset | undefined {
   const wish = draft.value[kind];
   if (wish === 'none') return undefined;
   const candidates = ofKind(kind);
-  return wish === 'newest' ? candidates[0] : candidates.find((dataset) => dataset.id === wish);
+  if (wish === 'newest') return candidates.find(({ id }) => id !== byHand('icebergs')) ?? candidates[0];
+  return candidates.find((dataset) => dataset.id === wish);
 }
 
 /** Whether the set-up makes use of a dataset; of zones all are obeyed together. */
-export const isInUse = ({ id, kind }: Dataset): boolean => draft.value[kind] === 'all' || chosen(kind)?.id === id;
+export const isInUse = ({ id, kind }: Dataset): boolean => draft.value[kind] === 'all' || chosen(kind)?.id === id || besideIcebergs.value?.id === id;
+
+/** What was reported by hand beside the chosen icebergs; neither hides the other. */
+export const besideIcebergs = computed(() => {
+  const reported = draft.value.icebergs === 'newest' ? ofKind('icebergs').find(({ id }) => id === byHand('icebergs')) : undefined;
+  return reported === chosen('icebergs') ? undefined : reported;
+});
 
 export const chosenBathymetry = computed(() => chosen('bathymetry'));
 export const chosenCurrents = computed(() => chosen('currents'));

@@ -33,9 +33,11 @@ const kinds = ['currents', 'bathymetry', 'ice', 'icebergs', 'coastline'] as cons
 export function dataOf(plan: Plan): Pick<PlanInputs, (typeof kinds)[number]> {
   const idsOf = (kind: string): string[] => plan.datasets.filter((dataset) => dataset.kind === kind).map(({ id }) => id);
   const currents = idsOf('currents');
+  const icebergs = idsOf('icebergs');
   return {
     currents: currents.length > 1 ? currents : (currents[0] ?? 'none'),
     ...Object.fromEntries(kinds.slice(1).map((kind) => [kind, idsOf(kind)[0] ?? 'none'])),
+    ...(icebergs.length > 1 ? { icebergs } : {}),
   };
 }
 

@@ -1,23 +1,38 @@
 import { signal } from '@preact/signals';
-import type { Dataset, DatasetKind, Infeasible, Plan } from '../api/types';
+import type { Box, Dataset, DatasetKind, Infeasible, Plan } from '../api/types';
 import { boxAround, intersection } from '../geo/boxes';
-import { datasets } from './datasets';
+import { wrapLongitude } from '../geo/geodesic';
+import { byHand, datasets } from './datasets';
 import { routeOf } from './plans';
 
 /** What changes from day to day; depths and coastlines do not go stale. */
-const changing: DatasetKind[] = ['icebergs', 'currents', 'ice'];
+const changing: DatasetKind[] = ['icebergs', 'currents', 'ice', 'zones'];
 
-/** Datasets that came in after a plan was made, of a kind that it used and where it goes. */
+/** How far a berg may drift into the way of a plan from outside, as the planner reckons: a hundred kilometres. */
+const drift_deg = 0.9;
+
+/** The box of a dataset; of bergs made by hand, which may be a single one, with the water they may drift into. */
+function reachOf({ bbox: [west, south, east, north], id }: Dataset): Box {
+  if (id !== byHand('icebergs')) return [west, south, east, north];
+  const aside_deg = drift_deg / Math.cos((Math.min(89, Math.max(Math.abs(south), Math.abs(north))) * Math.PI) / 180);
+  return [wrapLongitude(west - aside_deg), south - drift_deg, wrapLongitude(east + aside_deg), north + drift_deg];
+}
+
+/**
+ * Datasets that came in or were changed by hand after a plan was made, of a kind that it used and where it goes; of zones, and of
+ * icebergs made by hand, also the first ones.
+ */
 export function newerThan(plan: Plan, stored: Dataset[]): Dataset[] {
   const around = boxAround(routeOf(plan));
   if (!plan.created || !around) return [];
   const created_ms = Date.parse(plan.created);
   return changing.flatMap((kind) => {
-    if (!plan.datasets.some((used) => used.kind === kind)) return [];
-    const newer = stored.find(
-      (one) => one.kind === kind && Date.parse(one.ingested) > created_ms && intersection(one.bbox, around) !== undefined,
-    );
-    return newer && !plan.datasets.some(({ id }) => id === newer.id) ? [newer] : [];
+    const isUsed = plan.datasets.some((used) => used.kind === kind);
+    const newer = stored.filter((one) => one.kind === kind && Date.parse(one.ingested) > created_ms && intersection(reachOf(one), around) !== undefined);
+    const fromFiles = newer.filter(({ id }) => id !== byHand('icebergs'));
+    const reported = newer.filter(({ id }) => id === byHand('icebergs'));
+    const counting = kind === 'zones' ? newer : [...(isUsed ? fromFiles.slice(0, 1) : []), ...reported];
+    return counting.filter((one) => !plan.datasets.some(({ id, sha256 }) => id === one.id && sha256 === one.sha256));
   });
 }
 

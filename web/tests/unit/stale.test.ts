@@ -23,4 +23,15 @@ describe('a plan is stale', () => {
     expect(newerThan(plan, [dataset({ kind: 'bathymetry' })])).toEqual([]);
     expect(newerThan(plan, [dataset({ bbox: [-10, 68, 0, 70] })])).toEqual([]);
   });
+
+  it('when icebergs or zones made by hand have changed since, also the first ones', () => {
+    const reported = dataset({ id: 'icebergs-by-hand', sha256: 'a' });
+    expect(newerThan(plan, [dataset({}), reported]).map(({ id }) => id)).toEqual(['new', 'icebergs-by-hand']);
+    const knew = { ...plan, datasets: [...plan.datasets, { id: 'icebergs-by-hand', kind: 'icebergs' as const, name: '', sha256: 'a' }] };
+    expect(newerThan(knew, [reported])).toEqual([]);
+    expect(newerThan(knew, [{ ...reported, sha256: 'b' }])).toHaveLength(1);
+    expect(newerThan(plan, [{ ...reported, bbox: [-51.5, 69.05, -51.5, 69.05] }])).toHaveLength(1);
+    expect(newerThan(plan, [{ ...reported, bbox: [-40, 65, -40, 65] }])).toEqual([]);
+    expect(newerThan(plan, [dataset({ id: 'zones-by-hand', kind: 'zones' })])).toHaveLength(1);
+  });
 });

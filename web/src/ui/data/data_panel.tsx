@@ -5,6 +5,7 @@ import { Icon } from '../common/icon';
 import { DatasetList } from './dataset_list';
 import { RoleNote } from '../common/role_note';
 import { FileChooser } from './file_chooser';
+import { HandMadePart } from './hand_made_part';
 import { ImportCard } from './import_card';
 
 /** What the store holds, and the way into it. */
@@ -13,6 +14,7 @@ export function DataPanel(): VNode {
     <div class="data-panel">
       <FileChooser />
       {imports.value.map((one) => <ImportCard key={one.number} one={one} />)}
+      <HandMadePart />
       <div class="setup-head">
         <h2>In the store</h2>
         <button type="button" class="link" onClick={() => void refresh()}><Icon name="refresh" size={13} /> Look again</button>

@@ -3,7 +3,7 @@ import { useState } from 'preact/hooks';
 import { deleteDataset } from '../../api/session';
 import type { Dataset } from '../../api/types';
 import { covered, toggleCoverage } from '../../model/coverage';
-import { datasets, isInUse } from '../../model/datasets';
+import { byHand, datasets, isInUse } from '../../model/datasets';
 import { may } from '../../model/login';
 import { plans } from '../../model/plans';
 import { shortTime } from '../../model/time';
@@ -22,6 +22,8 @@ export function DatasetList(): VNode {
     </ul>
   );
 }
+
+const isByHand = ({ id }: Dataset): boolean => id === byHand('icebergs') || id === byHand('zones');
 
 function Row({ dataset }: { dataset: Dataset }): VNode {
   const [fault, setFault] = useState<string | undefined>(undefined);
@@ -46,9 +48,9 @@ function Row({ dataset }: { dataset: Dataset }): VNode {
       <b class="dataset-name">{name}</b>
       <p class="dataset-figures">
         {time_start && time_end && <span>{time_start === time_end ? shortTime(Date.parse(time_start)) : `${shortTime(Date.parse(time_start))} – ${shortTime(Date.parse(time_end))}`}</span>}
-        {kind === 'icebergs' && <span>{rows_accepted.toLocaleString('en')} sightings{rows_refused > 0 ? `, ${rows_refused.toLocaleString('en')} refused` : ''}</span>}
-        <span>{file_name}, {fileSize(file_size_bytes)}</span>
-        <span>in since {shortTime(Date.parse(ingested))}</span>
+        {kind === 'icebergs' && <span>{rows_accepted.toLocaleString('en')} {rows_accepted === 1 ? 'sighting' : 'sightings'}{rows_refused > 0 ? `, ${rows_refused.toLocaleString('en')} refused` : ''}</span>}
+        {isByHand(dataset) ? null : <span>{file_name}, {fileSize(file_size_bytes)}</span>}
+        <span>{isByHand(dataset) ? 'changed' : 'in since'} {shortTime(Date.parse(ingested))}</span>
       </p>
       {warnings.length > 0 && (
         <details class="dataset-warnings">

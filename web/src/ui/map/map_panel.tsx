@@ -61,7 +61,7 @@ function Toolbar(): VNode {
 function Prompt(): VNode | null {
   const texts = {
     from: 'Click the map to set the start', to: 'Click the map to set the goal', probe: 'Click the map to probe a place',
-    via: 'Click the map for each place to pass', area: 'Click the corners; double-click the last',
+    via: 'Click the map for each place to pass', area: 'Click the corners; double-click the last', zone: 'Click the corners of the zone; double-click the last', berg: 'Click where the iceberg is',
   };
   if (tool.value === 'pan') return null;
   return (

@@ -16,8 +16,8 @@ export function AreasField(): VNode {
     <fieldset class={fault ? 'field places faulty' : 'field places'}>
       <legend>Areas</legend>
       {areas.map((area, i) => (
-        <AreaRow
-          key={i} area={area} number={i + 1} onChange={(part) => set(areas.map((old, j) => (j === i ? { ...old, ...part } : old)))}
+        <AreaFields
+          key={i} area={area} id={`area-${i + 1}`} called={`area ${i + 1}`} onChange={(part) => set(areas.map((old, j) => (j === i ? { ...old, ...part } : old)))}
           onRemove={() => set(areas.filter((_, j) => j !== i))}
         />
       ))}
@@ -46,65 +46,58 @@ function squareInView(): Area['corners'] {
   return [[x - dx, y - dy], [x + dx, y - dy], [x + dx, y + dy], [x - dx, y + dy]];
 }
 
-interface AreaRowProps {
+interface AreaFieldsProps {
   area: Area;
-  number: number;
+  id: string; // of its fields in the page
+  called: string;
   onChange: (part: Partial<Area>) => void;
-  onRemove: () => void;
+  onRemove?: () => void;
 }
 
-function AreaRow({ area, number, onChange, onRemove }: AreaRowProps): VNode {
+/** An area in words: its name and rule, and folded its corners, times and depths. */
+export function AreaFields({ area, id, called, onChange, onRemove }: AreaFieldsProps): VNode {
+  const extent = (name: 'from' | 'until' | 'top_m' | 'bottom_m', label: string, unit: string, placeholder: string): VNode => (
+    <div class="field">
+      <label for={`${id}-${name}`}>{label} <span class="unit">{unit}</span></label>
+      <input
+        id={`${id}-${name}`} type="text" inputMode={unit === 'm' ? 'decimal' : 'text'} placeholder={placeholder} value={area[name] ?? ''}
+        onInput={(event) => onChange({ [name]: event.currentTarget.value })}
+      />
+    </div>
+  );
   return (
     <div class="area-row">
       <div class="field-row">
-        <input type="text" aria-label={`Name of area ${number}`} value={area.name} onInput={(event) => onChange({ name: event.currentTarget.value })} />
+        <input type="text" aria-label={`Name of ${called}`} value={area.name} onInput={(event) => onChange({ name: event.currentTarget.value })} />
         <select
-          aria-label={`What area ${number} asks`} value={area.kind}
+          aria-label={`What ${called} asks`} value={area.kind}
           onChange={(event) => onChange({ kind: event.currentTarget.value === 'stay_in' ? 'stay_in' : 'no_go' })}
         >
           <option value="no_go">keep out</option>
           <option value="stay_in">stay in</option>
         </select>
-        <IconButton icon="trash" label={`Remove area ${number}`} onClick={onRemove} />
+        {onRemove && <IconButton icon="trash" label={`Remove ${called}`} onClick={onRemove} />}
       </div>
       <details>
         <summary>{area.corners.length} corners{area.from || area.until ? ', at times' : ''}{area.top_m || area.bottom_m ? ', at depths' : ''}</summary>
-        <Corners area={area} number={number} onChange={onChange} />
-        <div class="field-pair">
-          <div class="field">
-            <label for={`area-from-${number}`}>From <span class="unit">UTC</span></label>
-            <input id={`area-from-${number}`} type="text" placeholder="always" value={area.from} onInput={(event) => onChange({ from: event.currentTarget.value })} />
-          </div>
-          <div class="field">
-            <label for={`area-until-${number}`}>Until <span class="unit">UTC</span></label>
-            <input id={`area-until-${number}`} type="text" placeholder="always" value={area.until} onInput={(event) => onChange({ until: event.currentTarget.value })} />
-          </div>
-        </div>
-        <div class="field-pair">
-          <div class="field">
-            <label for={`area-top-${number}`}>Below <span class="unit">m</span></label>
-            <input id={`area-top-${number}`} type="text" inputMode="decimal" placeholder="surface" value={area.top_m ?? ''} onInput={(event) => onChange({ top_m: event.currentTarget.value })} />
-          </div>
-          <div class="field">
-            <label for={`area-bottom-${number}`}>Above <span class="unit">m</span></label>
-            <input id={`area-bottom-${number}`} type="text" inputMode="decimal" placeholder="sea bed" value={area.bottom_m ?? ''} onInput={(event) => onChange({ bottom_m: event.currentTarget.value })} />
-          </div>
-        </div>
+        <Corners area={area} id={id} onChange={onChange} />
+        <div class="field-pair">{extent('from', 'From', 'UTC', 'always')}{extent('until', 'Until', 'UTC', 'always')}</div>
+        <div class="field-pair">{extent('top_m', 'Below', 'm', 'surface')}{extent('bottom_m', 'Above', 'm', 'sea bed')}</div>
       </details>
     </div>
   );
 }
 
 /** Corners as text; what cannot be read stays in the field, with its fault, and changes nothing. */
-function Corners({ area, number, onChange }: Omit<AreaRowProps, 'onRemove'>): VNode {
+function Corners({ area, id, onChange }: Pick<AreaFieldsProps, 'area' | 'id' | 'onChange'>): VNode {
   const [typed, setTyped] = useState<string | undefined>(undefined);
   const read = typed === undefined ? undefined : cornersIn(typed);
   const fault = read && 'fault' in read ? read.fault : undefined;
   return (
     <div class={fault ? 'field faulty' : 'field'}>
-      <label for={`area-corners-${number}`}>Corners, one on each line</label>
+      <label for={`${id}-corners`}>Corners, one on each line</label>
       <textarea
-        id={`area-corners-${number}`} rows={4} spellcheck={false} value={typed ?? cornersText(area.corners)} aria-invalid={fault ? true : undefined}
+        id={`${id}-corners`} rows={4} spellcheck={false} value={typed ?? cornersText(area.corners)} aria-invalid={fault ? true : undefined}
         onInput={(event) => {
           setTyped(event.currentTarget.value);
           const now = cornersIn(event.currentTarget.value);

@@ -1,0 +1,180 @@
+import { effect, untracked } from '@preact/signals';
+import { byHand, datasets } from '../model/datasets';
+import {
+  bergsByHand, changeForm, featureOf, formOf, handChanges, handFault, nameOf, openForm, renumber, zones,
+  type HandChange, type HandMade, type HandMadeKind,
+} from '../model/hand_made';
+import { forbids } from '../model/login';
+import { announce, tell } from '../model/screen';
+import { tool } from '../model/view';
+import * as api from './client';
+import type { NewFeature } from './types';
+
+const gone = 404;
+const changedMeanwhile = 412;
+
+const statusOf = (error: unknown): number => (error instanceof api.ApiError ? error.problem.status : 0);
+
+function wordsOf(error: unknown): string {
+  if (!(error instanceof api.ApiError)) return error instanceof Error ? error.message : String(error);
+  const faults = (error.problem.errors ?? []).map(({ pointer, detail }) => `${pointer.replace(/^\/(properties\/)?/, '')} ${detail}`);
+  return faults.join('; ') || error.message;
+}
+
+/** Keeps the lists in step with the store: read again whenever its datasets have changed. Call once. */
+export function followHandMade(): void {
+  let known = '';
+  effect(() => {
+    const held = (datasets.value ?? []).filter(({ id, kind }) => id === byHand('icebergs') || kind === 'zones');
+    const now = held.map(({ id, sha256 }) => id + sha256).join();
+    if (now === known) return;
+    known = now;
+    untracked(() => void readLists(held.some(({ kind }) => kind === 'icebergs'), held.some(({ kind }) => kind === 'zones')));
+  });
+}
+
+async function readLists(hasBergs: boolean, hasZones: boolean): Promise<void> {
+  try {
+    const [reported, stored] = await Promise.all([hasBergs ? api.icebergsOf(byHand('icebergs')) : undefined, hasZones ? api.zones() : undefined]);
+    bergsByHand.value = reported?.features ?? [];
+    zones.value = stored?.features ?? [];
+  } catch (error) {
+    handFault.value = `The zones and icebergs made by hand could not be read: ${wordsOf(error)}`;
+  }
+}
+
+/** After a change the datasets have another digest, which everything that shows them follows. */
+async function readStore(): Promise<void> {
+  datasets.value = (await api.datasets()).datasets;
+}
+
+/** Opens the form on what the store holds now, which may be newer than the list. */
+export async function openExisting(kind: HandMadeKind, feature: HandMade): Promise<void> {
+  handFault.value = undefined;
+  try {
+    const now = await api.feature(kind, feature.id);
+    openForm.value = formOf(kind, now.feature, now.tag);
+  } catch (error) {
+    handFault.value = `${nameOf(feature)}: ${wordsOf(error)}`;
+    if (statusOf(error) === gone) await readStore();
+  }
+}
+
+export function closeForm(): void {
+  openForm.value = undefined;
+  if (tool.peek() === 'berg' || tool.peek() === 'zone') tool.value = 'pan';
+}
+
+/** Stores what the form asks for, unless somebody else has changed the same feature since the form was opened. */
+export async function saveForm(): Promise<void> {
+  const form = openForm.value;
+  if (!form || form.state === 'saving' || forbids('pilot', 'Reporting icebergs and zones')) return;
+  const wanted = featureOf(form);
+  if ('faults' in wanted) {
+    changeForm({ faults: wanted.faults });
+    return;
+  }
+  changeForm({ state: 'saving', faults: {} });
+  const { before, kind } = form;
+  const { feature } = wanted;
+  try {
+    const anew = !before || form.state === 'removed';
+    const stored = anew ? await api.createFeature(kind, feature) : await api.replaceFeature(kind, String(before.id), feature, form.tag);
+    const name = nameOf(feature as HandMade);
+    remember({ kind, ...stored, title: `${anew ? 'adding' : 'changing'} ${name}`, ...(anew ? {} : { before: bare(before) }), after: feature });
+    closeForm();
+    announce(`${name} is stored.`);
+    await readStore();
+  } catch (error) {
+    changeForm(faultOf(error));
+  }
+}
+
+function faultOf(error: unknown): { state: 'conflict' | 'removed' | 'failed'; detail: string } {
+  switch (statusOf(error)) {
+    case changedMeanwhile: return { state: 'conflict', detail: 'Somebody else has changed it since you opened it.' };
+    case gone: return { state: 'removed', detail: 'Somebody else has removed it since you opened it.' };
+    default: return { state: 'failed', detail: wordsOf(error) };
+  }
+}
+
+/** After a conflict: what the form holds takes the place of the other's change. */
+export async function saveOverTheirs(): Promise<void> {
+  const form = openForm.value;
+  if (!form?.before) return;
+  try {
+    const now = await api.feature(form.kind, form.before.id);
+    changeForm({ before: now.feature, state: 'typing', ...(now.tag === undefined ? {} : { tag: now.tag }) });
+    await saveForm();
+  } catch (error) {
+    changeForm(faultOf(error));
+  }
+}
+
+/** Takes it out of the store, as long as it is what the list shows. */
+export async function retire(kind: HandMadeKind, shown: HandMade): Promise<void> {
+  if (forbids('pilot', 'Retiring icebergs and zones')) return;
+  handFault.value = undefined;
+  try {
+    const now = await api.feature(kind, shown.id);
+    if (JSON.stringify(bare(now.feature)) !== JSON.stringify(bare(shown))) {
+      handFault.value = `${nameOf(shown)} was changed meanwhile and is still there; look at it again first.`;
+    } else {
+      await api.removeFeature(kind, String(shown.id), now.tag);
+      remember({ kind, id: String(shown.id), tag: undefined, title: `retiring ${nameOf(shown)}`, before: bare(shown) });
+      announce(`${nameOf(shown)} is retired.`);
+    }
+  } catch (error) {
+    handFault.value = `${nameOf(shown)}: ${wordsOf(error)}`;
+  }
+  await readStore();
+}
+
+/** Without what the server adds by itself. */
+function bare(feature: HandMade): NewFeature {
+  const { geometry, properties } = feature;
+  const stated = Object.entries(properties).filter(([name, value]) => value !== null && value !== '' && name !== 'dataset_id' && name !== 'safe_length_m');
+  return { type: 'Feature', geometry, properties: Object.fromEntries(stated) };
+}
+
+function remember(change: HandChange): void {
+  handChanges.value = { done: [...handChanges.value.done, change], undone: [] };
+}
+
+let turning = false;
+
+export const undoByHand = (): Promise<void> => turn('done', 'undone');
+export const redoByHand = (): Promise<void> => turn('undone', 'done');
+
+/** Makes the newest change of one pile unmade and lays what unmakes it on the other. */
+async function turn(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<void> {
+  const change = handChanges.value[from].at(-1);
+  if (!change || turning || forbids('pilot', 'Changing icebergs and zones')) return;
+  turning = true;
+  handFault.value = undefined;
+  try {
+    const { id, tag } = await unmade(change);
+    const { before, after, ...rest } = change;
+    const reverse: HandChange = { ...rest, id, tag, ...(after ? { before: after } : {}), ...(before ? { after: before } : {}) };
+    const piles = handChanges.value;
+    const follow = (pile: HandChange[]): HandChange[] => renumber(pile, change.id, id, change.kind, tag);
+    handChanges.value = { ...piles, [from]: follow(piles[from].slice(0, -1)), [to]: [...follow(piles[to]), reverse] };
+    tell(from === 'done' ? `Undone: ${change.title}.` : `Done again: ${change.title}.`);
+  } catch (error) {
+    const why = statusOf(error) === changedMeanwhile ? 'somebody else has changed it since' : wordsOf(error);
+    handFault.value = `${change.title} cannot be ${from === 'done' ? 'undone' : 'done again'}: ${why}.`;
+    handChanges.value = { ...handChanges.value, [from]: handChanges.value[from].slice(0, -1) };
+  } finally {
+    turning = false;
+  }
+  await readStore();
+}
+
+async function unmade({ kind, id, tag, before, after }: HandChange): Promise<{ id: string; tag: string | undefined }> {
+  if (!before) {
+    await api.removeFeature(kind, id, tag);
+    return { id, tag: undefined };
+  }
+  return after ? api.replaceFeature(kind, id, before, tag) : api.createFeature(kind, before);
+}
+

@@ -1,0 +1,102 @@
+import type { VNode } from 'preact';
+import { openExisting, redoByHand, retire, undoByHand } from '../../api/hand_made';
+import type { ZoneFeature } from '../../api/types';
+import { formatPosition } from '../../geo/coordinates';
+import { bergsByHand, handChanges, handFault, isBerg, nameOf, newBerg, newZone, openForm, zonesByHand, type HandMade, type HandMadeKind, type OpenForm } from '../../model/hand_made';
+import { sizeTitle } from '../../model/icebergs';
+import { may } from '../../model/login';
+import { drawer } from '../../model/screen';
+import { settings } from '../../model/settings';
+import { shortTime } from '../../model/time';
+import { ask, tool, view, type Tool } from '../../model/view';
+import { Icon, IconButton } from '../common/icon';
+import { HandMadeForm } from './hand_made_form';
+
+/** Icebergs and zones that people report themselves: added, moved, changed and retired, step by step and back. */
+export function HandMadePart(): VNode | null {
+  const { done, undone } = handChanges.value;
+  const listed: [HandMadeKind, HandMade][] = [
+    ...bergsByHand.value.map((one): [HandMadeKind, HandMade] => ['icebergs', one]),
+    ...zonesByHand.value.map((one): [HandMadeKind, HandMade] => ['zones', one]),
+  ];
+  if (!may('pilot') && listed.length === 0) return null;
+  return (
+    <section class="hand-made" aria-label="Made by hand">
+      <div class="setup-head">
+        <h2>Made by hand</h2>
+        <IconButton icon="undo" label={undoLabel('Undo', done.at(-1)?.title)} disabled={done.length === 0} onClick={() => void undoByHand()} />
+        <IconButton icon="redo" label={undoLabel('Redo', undone.at(-1)?.title)} disabled={undone.length === 0} onClick={() => void redoByHand()} />
+      </div>
+      {handFault.value && <p class="fault" role="alert">{handFault.value}</p>}
+      {listed.length > 0 && (
+        <ul class="dataset-list" aria-label="Made by hand">
+          {listed.map(([kind, one]) => <Row key={`${kind} ${one.id}`} kind={kind} one={one} />)}
+        </ul>
+      )}
+      {openForm.value ? <HandMadeForm form={openForm.value} /> : may('pilot') && <Beginnings />}
+    </section>
+  );
+}
+
+const undoLabel = (word: string, title: string | undefined): string => (title ? `${word} ${title}` : `${word} a change made by hand`);
+
+/** New ones, on the map or typed. */
+function Beginnings(): VNode {
+  const begin = (form: OpenForm | undefined, next: Tool): void => {
+    openForm.value = form;
+    tool.value = next;
+    if (next !== 'pan') drawer.value = undefined;
+  };
+  const drawing = tool.value === 'zone';
+  return (
+    <>
+      <div class="field-row">
+        <button type="button" onClick={() => begin(newBerg(), 'berg')}><Icon name="plus" /> Report an iceberg</button>
+      </div>
+      <div class="field-row">
+        <button type="button" aria-pressed={drawing} class={drawing ? 'primary' : ''} onClick={() => begin(undefined, drawing ? 'pan' : 'zone')}><Icon name="polygon" /> Draw a zone</button>
+        <button type="button" onClick={() => begin(newZone(squareInView()), 'pan')}><Icon name="plus" /> Type a zone</button>
+      </div>
+      <p class="hint">Plans keep clear of these beside what files say. A berg of a file is not changed: report it anew under its name.</p>
+    </>
+  );
+}
+
+/** A small one in the middle of the map, for a start. */
+function squareInView(): [number, number][] {
+  const [west, south, east, north] = view.value?.box ?? [-52, 69, -51, 69.2];
+  const [x, y] = view.value?.centre ?? [(west + east) / 2, (south + north) / 2];
+  const [dx, dy] = [Math.abs(east - west) / 12, (north - south) / 12];
+  return [[x - dx, y - dy], [x + dx, y - dy], [x + dx, y + dy], [x - dx, y + dy]];
+}
+
+function Row({ kind, one }: { kind: HandMadeKind; one: HandMade }): VNode {
+  const name = nameOf(one);
+  const place = isBerg(one) ? one.geometry.coordinates : one.geometry.coordinates[0]?.[0];
+  const open = openForm.value?.before?.id === one.id && openForm.value.kind === kind;
+  return (
+    <li class={open ? 'dataset covered' : 'dataset'}>
+      <div class="dataset-head">
+        <span class="dataset-kind">{isBerg(one) ? `iceberg, ${one.properties.size === 'unknown' ? 'size unknown' : sizeTitle(one.properties.size)}` : one.properties.kind === 'no_go' ? 'zone to keep out of' : 'zone to stay in'}</span>
+        <IconButton icon="crosshair" label={`Show ${name} on the map`} onClick={() => { if (place) ask({ do: 'centre', place }); }} />
+        <IconButton icon="edit" label={`Change ${name}`} disabled={!may('pilot')} onClick={() => void openExisting(kind, one)} />
+        <IconButton icon="trash" label={`Retire ${name}`} disabled={!may('pilot')} onClick={() => void retire(kind, one)} />
+      </div>
+      <b class="dataset-name">{name}</b>
+      <p class="dataset-figures">
+        {isBerg(one) && <span>{formatPosition(one.geometry.coordinates, settings.value.coordinates)}</span>}
+        {isBerg(one) ? <span>seen {shortTime(Date.parse(one.properties.observed))}</span> : <Extent {...one.properties} />}
+      </p>
+    </li>
+  );
+}
+
+function Extent({ from, until, top_m, bottom_m }: ZoneFeature['properties']): VNode {
+  const time = (text: string | null, none: string): string => (text ? shortTime(Date.parse(text)) : none);
+  return (
+    <>
+      <span>{from || until ? `${time(from, 'since ever')} – ${time(until, 'for ever')}` : 'at all times'}</span>
+      <span>{top_m || bottom_m !== null ? `${top_m ?? 0} m – ${bottom_m === null ? 'sea bed' : `${bottom_m} m`}` : 'at all depths'}</span>
+    </>
+  );
+}
