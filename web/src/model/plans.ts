@@ -78,6 +78,9 @@ export function vehicleAt(plan: Plan, at_ms: number): OnTheWay | undefined {
 
 export const routeOf = (plan: Plan): Position[] => plan.waypoints.map(({ lon, lat }) => [lon, lat]);
 
+/** Whether ice covers the start, so that no vehicle can be launched there; not known of plans that were made without ice. */
+export const startsUnderIce = ({ waypoints }: Plan): boolean => waypoints[0]?.may_surface === false;
+
 /** "Plan 4": a name for a plan whose maker gave none, one past the highest number in use. */
 export function nextName(): string {
   const numbers = plans.value.map(({ name }) => Number(/^Plan (\d+)$/.exec(name)?.[1] ?? 0));

@@ -5,6 +5,7 @@ import type { SimulationSummary } from '../../api/simulation_types';
 import type { Plan } from '../../api/types';
 import { stageTitle } from '../../model/job';
 import { may } from '../../model/login';
+import { startsUnderIce } from '../../model/plans';
 import { flightForm, flying, flyingFault, opened, shownFlight, stored, type FlightForm } from '../../model/simulations';
 import { shortTime } from '../../model/time';
 import { Icon, IconButton } from '../common/icon';
@@ -57,6 +58,9 @@ function Ask({ plan }: { plan: Plan }): VNode {
         <input type="checkbox" checked={form.avoidance} onChange={(event) => set({ avoidance: event.currentTarget.checked })} />
         Obstacle avoidance on board
       </label>
+      {startsUnderIce(plan) && (
+        <p class="role-note" role="note"><Icon name="warning" size={13} /><span>This plan starts under ice, where the vehicle may not surface. The test bed launches from open water only and will refuse it; begin at a waypoint in open water, or plan without sea ice if there is none.</span></p>
+      )}
       <RoleNote role="pilot" what="Simulating" />
       {now ? (
         <div class="job" role="status">
