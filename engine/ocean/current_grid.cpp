@@ -21,6 +21,12 @@ std::size_t depth_count(const CurrentGrid::Samples& samples) {
   return samples.depths_m ? samples.depths_m->size() : 1;
 }
 
+/// The first level stands for the water above it too: it is the middle of a model's uppermost layer.
+std::optional<AxisPosition> located(const Axis& levels_m, core::Metres depth) {
+  if (depth.value >= 0.0 && depth.value < levels_m[0]) return levels_m.locate(levels_m[0]);
+  return levels_m.locate(depth.value);
+}
+
 }  // namespace
 
 CurrentGrid::CurrentGrid(Samples samples) : CurrentGrid{std::move(samples), nullptr} {}
@@ -87,7 +93,7 @@ std::optional<geo::VelocityEn> CurrentGrid::at(geo::LonLat place, core::Metres d
   }
   const auto position = samples_.grid.locate(place);
   const auto when = times_s().locate(core::unix_seconds(time));
-  const auto below = samples_.depths_m ? samples_.depths_m->locate(depth.value) : AxisPosition{};
+  const auto below = samples_.depths_m ? located(*samples_.depths_m, depth) : AxisPosition{};
   if (!position || !when || !below) return std::nullopt;
 
   const auto at_time = [&](std::size_t time_index) -> std::optional<geo::VelocityEn> {

@@ -13,12 +13,10 @@
 namespace floeplan::ocean {
 
 /// Currents of a model or a measurement on a grid; bilinear in place, linear in depth and in time.
-/// Shape    u and v are [time][depth][y][x], last index fastest, m/s towards true east and true north (never
-/// along the
-///          axes of a projected grid). NaN marks a missing sample inside the arrays; it never leaves the
-///          class
-/// Outside  nullopt where any of the nodes needed is missing, beyond the grid, its depths and its times.
-///          Data without a depth axis (`depths` empty) answer for every depth: they say nothing of depth
+/// Shape    u and v are [time][depth][y][x], last index fastest, m/s towards true east and true north (never along
+///          the axes of a projected grid). NaN marks a missing sample inside the arrays; it never leaves the class
+/// Outside  nullopt where any of the nodes needed is missing, beyond the grid, its depths and its times. From the
+///          surface to the first level the current is that level's, as in a CurrentColumn. Data without a depth axis (`depths` empty) answer for every depth: they say nothing of depth
 /// Tide     where tidal currents are added, the steps of time are theirs: the data, linear between their own times
 ///          (steady when they have one), and the tide at each of its steps; nullopt also where the tide is missing
 /// Errors   std::invalid_argument from the constructor when the sizes do not agree, or when the tide begins before or

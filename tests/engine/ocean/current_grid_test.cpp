@@ -80,6 +80,17 @@ TEST(CurrentGrid, IsUnknownBeyondItsAreaDepthsAndPeriod) {
   EXPECT_FALSE(currents.at({-53.5, 68.5}, {20.0}, hour(1.01)).has_value());
 }
 
+TEST(CurrentGrid, AnswersAboveItsFirstLevelAsAtIt) {
+  const CurrentGrid currents = sample_currents(Axis{{0.494, 10.0, 50.0}}, 2, linear);
+
+  const auto at_first_level = currents.at({-53.5, 68.5}, {0.494}, hour(0.5));
+
+  ASSERT_TRUE(at_first_level.has_value());
+  EXPECT_EQ(currents.at({-53.5, 68.5}, {0.0}, hour(0.5)), at_first_level);
+  EXPECT_EQ(currents.at({-53.5, 68.5}, {0.3}, hour(0.5)), at_first_level);
+  EXPECT_FALSE(currents.at({-53.5, 68.5}, {-0.1}, hour(0.5)).has_value());
+}
+
 TEST(CurrentGrid, IsUnknownWhereverANodeItNeedsIsMissing) {
   const CurrentGrid currents = sample_currents(levels, 3, [](SampleIndex i) {
     const bool hole = i.ix == 1 && i.iy == 1 && i.level == 1 && i.time == 1;
