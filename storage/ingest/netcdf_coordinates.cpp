@@ -25,6 +25,14 @@ double rounding_of_float32_s(const NetcdfVariable& coordinate, const std::vector
   return at && next ? 0.5 * std::abs((*at - *next).count()) : 0.0;
 }
 
+/// Whether it says itself, not by its name alone, what it measures along its dimension.
+bool declares_its_role(const NetcdfVariable& variable) {
+  const std::string unit = variable.attribute("units");
+  const bool declared = !variable.attribute("standard_name").empty() || !variable.attribute("axis").empty() ||
+                        is_degrees_east(unit) || is_degrees_north(unit);
+  return declared && role_of(variable) != AxisRole::unknown;
+}
+
 }  // namespace
 
 const NetcdfVariable* coordinate_of(const NetcdfFile& file, const NetcdfDimension& dimension) {
@@ -32,9 +40,7 @@ const NetcdfVariable* coordinate_of(const NetcdfFile& file, const NetcdfDimensio
     return runs_along(*named, dimension) ? named : nullptr;
   const NetcdfVariable* found = nullptr;
   for (const NetcdfVariable& variable : file.variables()) {
-    if (!runs_along(variable, dimension) || variable.attribute("standard_name").empty() ||
-        role_of(variable) == AxisRole::unknown)
-      continue;
+    if (!runs_along(variable, dimension) || !declares_its_role(variable)) continue;
     if (found != nullptr) return nullptr;
     found = &variable;
   }

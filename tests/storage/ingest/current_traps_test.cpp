@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <tuple>
 
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/field_repository.hpp"
@@ -128,6 +129,35 @@ TEST_F(CurrentTraps, DimensionsMayComeInAnyOrder) {
         for (std::size_t x = 0; x < 4; ++x)
           ASSERT_FLOAT_EQ(samples.v[((t * 2 + z) * 3 + y) * 4 + x],
                           static_cast<float>(file.value('v', t, z, y, x)));
+}
+
+TEST_F(CurrentTraps, CoordinatesMayHaveOtherNamesThanTheirDimensions) {
+  {
+    NetcdfWriter writer{path("currents.nc")};  // as OSCAR 2.0 writes them
+    writer.axis("time", {0.0}, {{"units", "days since 2026-11-20 00:00:00"}});
+    writer.dimension("longitude", 2);
+    writer.dimension("latitude", 3);
+    writer.variable({"lon", {"longitude"}, {300.0, 301.0}, {{"units", "degrees_east"}}, {}, {}});
+    writer.variable({"lat", {"latitude"}, {50.0, 51.0, 52.0}, {{"units", "degrees_north"}}, {}, {}});
+    for (const auto& [name, standard_name, sign] :
+         {std::tuple{"u", "eastward_sea_water_velocity", 0.1}, {"v", "northward_sea_water_velocity", -0.1}})
+      writer.variable({name,
+                       {"time", "longitude", "latitude"},
+                       {sign, 2.0 * sign, 3.0 * sign, 4.0 * sign, 5.0 * sign, 6.0 * sign},
+                       {{"units", "m s-1"}, {"standard_name", standard_name}},
+                       {},
+                       {}});
+  }
+
+  report_ = ingest(path("currents.nc"));
+
+  ASSERT_EQ(report_.status, IngestStatus::stored) << words(report_);
+  const auto grid = repository::FieldRepository{db_}.load_currents(
+      report_.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt);
+  const auto current = grid.value().at({-59.0, 51.0}, {0.0}, *report_.dataset->time_start);
+  ASSERT_TRUE(current.has_value());
+  EXPECT_FLOAT_EQ(static_cast<float>(current->east.value), 0.5F);
+  EXPECT_FLOAT_EQ(static_cast<float>(current->north.value), -0.5F);
 }
 
 TEST_F(CurrentTraps, TimesInDisorderAreSortedWithTheirData) {
