@@ -97,7 +97,7 @@ void add_ingest(CLI::App& app, Program& program) {
       ->check(CLI::IsMember({"up", "down"}));
   command->add_option("--variable", flags->variable,
                       "Concentration of sea ice to use when a file holds several; default: the greatest");
-  command->add_option("--time", flags->time, "For when an ice chart holds that does not say it");
+  command->add_option("--time", flags->time, "For when sea ice holds whose file does not say it");
   command->add_option("--at", flags->at,
                       "Where a station of the tide is whose file does not say it, LON,LAT");
   command->add_option("--unit", flags->unit, "Of a station's amplitudes where its file does not say it")

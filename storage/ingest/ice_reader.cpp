@@ -134,14 +134,23 @@ tl::expected<void, std::string> write(const IceSource& source, const core::Progr
   return {};
 }
 
-Checked<NetcdfLayout> layout_of_ice(const NetcdfFile& file, const NetcdfVariable& variable) {
+/// The user's word counts where the file has none: daily charts often carry their date in the name alone.
+Checked<bool> settle_time(NetcdfLayout& layout, const std::optional<core::UtcTime>& stated) {
+  if (layout.times_s && stated)
+    layout.warnings.emplace_back("the file says itself when its ice was seen; --time was not used");
+  if (!layout.times_s && !stated)
+    return refuse(
+        "the file does not say when its ice was seen; a plan needs to know; say it with --time, for example "
+        "--time 2026-11-20T12:00:00Z");
+  if (!layout.times_s) layout.times_s = AxisNodes{{core::unix_seconds(*stated)}, {0}};
+  return true;
+}
+
+Checked<NetcdfLayout> layout_of_ice(const NetcdfFile& file, const NetcdfVariable& variable,
+                                    const std::optional<core::UtcTime>& stated_time) {
   auto layout = layout_of(file, variable);
   if (!layout) return refuse(layout.error());
-  if (!layout->times_s)
-    return refuse(
-        "the file does not say for which time its ice holds; a plan needs to know; ask the producer for a "
-        "file "
-        "with a time axis");
+  if (const auto settled = settle_time(*layout, stated_time); !settled) return refuse(settled.error());
   if (layout->depths_m && layout->depths_m->nodes.size() > 1)
     return refuse(
         "the concentration \"" + variable.name() +
@@ -159,7 +168,7 @@ Checked<IceSource> open_source(const std::shared_ptr<const NetcdfFile>& file, co
   const auto ice = find_ice(*file, options.variable);
   if (!ice) return refuse(ice.error());
   const NetcdfVariable& first = *ice->concentrations.front();
-  auto layout = layout_of_ice(*file, first);
+  auto layout = layout_of_ice(*file, first, options.time);
   if (!layout) return refuse(layout.error());
   auto grid = grid_of(*file, first, *layout, options.crs);
   if (!grid) return refuse(grid.error());

@@ -247,11 +247,31 @@ TEST_F(IceTest, ThicknessIsStoredInMetresAndADraftAsTheThicknessThatFloatsSo) {
   expect_refused_ice(file, "no sea ice does");
 }
 
+TEST_F(IceTest, TheUserMaySayWhenAFileWithoutTimeWasSeen) {
+  IceFile file;
+  file.with_time = false;
+  file.values.resize(6);
+  IngestOptions options;
+  options.time = core::parse_iso8601("2026-11-22T12:00:00Z");
+
+  EXPECT_EQ(stored(file, options).times_s.nodes(), std::vector{core::unix_seconds(*options.time)});
+  EXPECT_EQ(report_.dataset->time_start, options.time);
+}
+
+TEST_F(IceTest, AFilesOwnTimesAreNotReplaced) {
+  IngestOptions options;
+  options.time = core::parse_iso8601("2026-11-30T12:00:00Z");
+
+  EXPECT_EQ(stored(IceFile{}, options).times_s.size(), 2U);
+  EXPECT_EQ(core::iso8601(*report_.dataset->time_start), "2026-11-20T00:00:00Z");
+  EXPECT_THAT(words(report_), HasSubstr("--time was not used"));
+}
+
 TEST_F(IceTest, AFileWithoutTimeOrWithoutValuesIsRefused) {
   IceFile file;
   file.with_time = false;
   file.values.resize(6);
-  expect_refused_ice(file, "for which time its ice holds");
+  expect_refused_ice(file, "say it with --time");
 
   IceFile empty;
   empty.fill = -1.0;
