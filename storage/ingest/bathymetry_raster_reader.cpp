@@ -14,6 +14,7 @@
 
 #include "storage/ingest/bathymetry_grid.hpp"
 #include "storage/ingest/cf_units.hpp"
+#include "storage/ingest/depth_table.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/grid_frame_of_crs.hpp"
 #include "storage/ingest/netcdf_axis.hpp"
@@ -22,7 +23,8 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::int64_t max_nodes = 250'000'000;  // 1 GB as float32
+constexpr std::string_view depth_table = "depth table";  // in the place of a driver's name
+constexpr std::int64_t max_nodes = 250'000'000;          // 1 GB as float32
 
 std::string wkt_of(const OGRSpatialReference& crs) {
   char* wkt = nullptr;
@@ -86,7 +88,7 @@ Checked<OGRSpatialReference> crs_of(GDALDataset& dataset, std::string_view drive
     }
     return refuse("--crs \"" + *options.crs + "\" is not known; give it as, for example, EPSG:4326");
   }
-  const bool plain_text = driver == "XYZ" || driver == "AAIGrid";
+  const bool plain_text = driver == "XYZ" || driver == "AAIGrid" || driver == depth_table;
   if (plain_text && looks_like_degrees(transform, dataset.GetRasterXSize(), dataset.GetRasterYSize())) {
     warnings.emplace_back(
         "the file states no coordinate reference system; its coordinates look like degrees of longitude and "
@@ -288,14 +290,8 @@ Checked<RawBathymetry> read_views(const Views& views, const geo::GridFrame& fram
   return raw;
 }
 
-}  // namespace
-
-Checked<PreparedDataset> read_raster_bathymetry(const std::filesystem::path& file, const char* driver,
-                                                const IngestOptions& options) {
-  register_drivers();
-  auto views = open_views(file, driver);
-  if (!views) return refuse(views.error());
-  GDALDataset& dataset = *views->middle;
+Checked<PreparedDataset> prepared(Views views, std::string_view driver, const IngestOptions& options) {
+  GDALDataset& dataset = *views.middle;
   if (is_picture(dataset))
     return refuse(
         "the file is a picture (colours), not a grid of depths; depths cannot be read from colours; give the "
@@ -308,18 +304,35 @@ Checked<PreparedDataset> read_raster_bathymetry(const std::filesystem::path& fil
   if (!crs) return refuse(crs.error());
   auto frame = grid_frame_of(*crs);
   if (!frame) {
-    auto geographic = resampled(*views, *crs);
+    auto geographic = resampled(views, *crs);
     if (!geographic) return refuse(geographic.error());
     warnings.push_back("the grid was resampled from \"" + std::string{crs->GetName()} +
                        "\" to longitude and latitude; the least depth of each cell was kept beside its mean");
-    views = std::move(geographic);
+    views = std::move(*geographic);
     frame = geo::GeographicFrame{};
   }
 
-  auto raw = read_views(*views, *frame, driver);
+  auto raw = read_views(views, *frame, driver);
   if (!raw) return refuse(raw.error());
   raw->warnings = std::move(warnings);
   return prepare_bathymetry(std::move(*raw), options.positive);
+}
+
+}  // namespace
+
+Checked<PreparedDataset> read_raster_bathymetry(const std::filesystem::path& file, const char* driver,
+                                                const IngestOptions& options) {
+  register_drivers();
+  auto views = open_views(file, driver);
+  if (!views) return refuse(views.error());
+  return prepared(std::move(*views), driver, options);
+}
+
+Checked<PreparedDataset> read_depth_table(const std::filesystem::path& file, const IngestOptions& options) {
+  register_drivers();
+  auto raster = open_depth_table(file);
+  if (!raster) return refuse(raster.error());
+  return prepared(Views{std::move(*raster), nullptr, nullptr}, depth_table, options);
 }
 
 }  // namespace floeplan::ingest

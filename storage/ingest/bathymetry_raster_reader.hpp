@@ -17,4 +17,8 @@ namespace floeplan::ingest {
                                                               const char* driver,
                                                               const IngestOptions& options);
 
+/// The same from a table with named columns, whose column also tells depth from elevation.
+[[nodiscard]] Checked<PreparedDataset> read_depth_table(const std::filesystem::path& file,
+                                                        const IngestOptions& options);
+
 }  // namespace floeplan::ingest

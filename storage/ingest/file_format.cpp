@@ -7,7 +7,9 @@
 #include <string_view>
 
 #include "storage/ingest/ascii_grid_length.hpp"
+#include "storage/ingest/depth_table.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
+#include "storage/ingest/iceberg_own_table.hpp"
 #include "storage/ingest/iceberg_table_reader.hpp"
 #include "storage/ingest/netcdf3_length.hpp"
 #include "storage/ingest/text.hpp"
@@ -111,9 +113,11 @@ Checked<FileFormat> format_of_text(std::string_view head, const std::string& ext
   if (start.starts_with("ncols") || start.starts_with("nrows")) return FileFormat::ascii_grid;
   if (is_ice_patrol_header(std::string{first_line(head)})) return FileFormat::ice_patrol_csv;
   if (is_iceberg_table_header(std::string{first_line(head)})) return FileFormat::iceberg_table;
+  if (is_own_iceberg_table_header(first_line(head))) return FileFormat::own_iceberg_table;
   if (is_tide_table(head)) return FileFormat::tide_table;
   if (is_otps_extract(head)) return FileFormat::otps_extract;
   if (is_number_table(head)) return FileFormat::xyz;
+  if (is_depth_table_header(first_line(head))) return FileFormat::depth_table;
 
   const std::string line = trimmed(first_line(head));
   if (!contains_any(line, {"[", "<"}) && csv_fields(line).size() >= 3)
@@ -121,7 +125,8 @@ Checked<FileFormat> format_of_text(std::string_view head, const std::string& ext
         "this is a table with the columns " + enumeration(csv_fields(line)) +
         ", which this program does not know; of icebergs it reads the tables of the International Ice "
         "Patrol, the US National Ice Center, Brigham Young University and the Canadian Ice Service's "
-        "beacons; convert others to GeoJSON points with id, observed and length_m");
+        "beacons, and others with the columns id, lat, lon, time and length_m; of depths those with lon, "
+        "lat and depth or elevation; name the columns so, or convert the table to GeoJSON");
   if (extension == ".nc" || extension == ".cdf" || extension == ".nc4")
     return refuse(
         "the file is named like NetCDF but holds text (\"" + line.substr(0, 60) +

@@ -5,6 +5,7 @@
 #include <fstream>
 #include <optional>
 
+#include "engine/core/utc_text.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/table_dates.hpp"
 #include "storage/ingest/text.hpp"
@@ -12,17 +13,24 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::array<std::string_view, 9> column_names{"ICE-YEAR",  "BERG_NUMBER", "DATE", "TIME", "LATITUDE",
-                                                       "LONGITUDE", "METHOD",      "SIZE", "SHAPE"};
+// Without the words that the yearly files put before them: "ICE-YEAR" and "ICEBERG_YEAR", "DATE" and "SIGHTING_DATE".
+constexpr std::array<std::string_view, 9> column_names{"YEAR",      "NUMBER", "DATE", "TIME", "LATITUDE",
+                                                       "LONGITUDE", "METHOD", "SIZE", "SHAPE"};
 enum Column { ice_year, berg_number, date, time_of_day, latitude, longitude, method, size, shape };
 
 /// Position of each column in the file.
 using Columns = std::array<std::size_t, column_names.size()>;
 
+std::string_view plain_name(std::string_view column) {
+  for (const std::string_view word : {"ICEBERG_", "ICE-", "ICE_", "BERG_", "SIGHTING_"})
+    if (column.starts_with(word)) return column.substr(word.size());
+  return column;
+}
+
 std::optional<Columns> find_columns(const std::vector<std::string>& header) {
   Columns columns{};
   for (std::size_t i = 0; i < column_names.size(); ++i) {
-    const auto found = std::find(header.begin(), header.end(), column_names[i]);
+    const auto found = std::ranges::find(header, column_names[i], &plain_name);
     if (found == header.end()) return std::nullopt;
     columns[i] = static_cast<std::size_t>(found - header.begin());
   }
@@ -48,11 +56,13 @@ std::optional<ocean::IcebergSize> size_of_code(const std::string& code) {
   return std::nullopt;
 }
 
-/// "10/7/2013" and "2139" (leading zeros may have been lost) in UTC.
+/// "10/7/2013" or "2013-10-07", and "2139" (leading zeros may have been lost) in UTC.
 std::optional<core::UtcTime> time_of(const std::string& date_text, const std::string& time_text) {
-  const auto date = us_date(date_text);
+  const bool american = date_text.find('/') != std::string::npos;
+  const auto date = american ? us_date(date_text) : core::parse_iso8601(date_text);
   const auto clock = whole_number(time_text);
-  const bool four_digits = date_text.size() > 5 && date_text[date_text.size() - 5] == '/';
+  const bool four_digits = american ? date_text.size() > 5 && date_text[date_text.size() - 5] == '/'
+                                    : date_text.size() == std::string_view{"2021-03-04"}.size();
   if (!date || !four_digits || !clock) return std::nullopt;
   if (time_text.size() > 4 || *clock < 0 || *clock / 100 > 23 || *clock % 100 > 59) return std::nullopt;
   return *date + core::Seconds{*clock / 100 * 3600.0 + *clock % 100 * 60.0};
@@ -68,7 +78,8 @@ Checked<ocean::Iceberg> sighting(const std::vector<std::string>& fields, const C
 
   const auto observed = time_of(field(date), field(time_of_day));
   if (!observed)
-    return refuse("\"" + field(date) + " " + field(time_of_day) + "\" is no date M/D/YYYY with a time HHMM");
+    return refuse("\"" + field(date) + " " + field(time_of_day) +
+                  "\" is no date M/D/YYYY or YYYY-MM-DD with a time HHMM");
   iceberg.observed = *observed;
 
   const auto lat = parse_number(field(latitude));
@@ -120,8 +131,7 @@ Checked<PreparedDataset> read_ice_patrol_csv(const std::filesystem::path& file) 
   if (!columns)
     return refuse(
         "the columns are not those of the International Ice Patrol (ICE-YEAR, BERG_NUMBER, DATE, TIME, "
-        "LATITUDE, LONGITUDE, METHOD, SIZE, SHAPE); other tables are not yet supported; convert it to "
-        "GeoJSON");
+        "LATITUDE, LONGITUDE, METHOD, SIZE, SHAPE)");
 
   IcebergRows rows;
   for (int line_number = 2; std::getline(in, line); ++line_number) {

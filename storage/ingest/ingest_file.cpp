@@ -18,6 +18,7 @@
 #include "storage/ingest/ice_reader.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/iceberg_geojson_reader.hpp"
+#include "storage/ingest/iceberg_own_table.hpp"
 #include "storage/ingest/iceberg_table_reader.hpp"
 #include "storage/ingest/model_run.hpp"
 #include "storage/ingest/open_end.hpp"
@@ -75,10 +76,12 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
     case FileFormat::geotiff: return read_raster_bathymetry(file.path, "GTiff", options);
     case FileFormat::ascii_grid: return read_raster_bathymetry(file.path, "AAIGrid", options);
     case FileFormat::xyz: return read_raster_bathymetry(file.path, "XYZ", options);
+    case FileFormat::depth_table: return read_depth_table(file.path, options);
     case FileFormat::tide_json: return read_tide_json(file.path, options);
     case FileFormat::tide_table: return read_tide_table(file.path, options);
     case FileFormat::otps_extract: return read_otps_extract(file.path);
     case FileFormat::iceberg_table: return read_iceberg_table(file.path);
+    case FileFormat::own_iceberg_table: return read_own_iceberg_table(file.path);
     case FileFormat::iceberg_json: return read_iceberg_list_json(file.path);
     case FileFormat::ice_patrol_csv: return read_ice_patrol_csv(file.path);
     case FileFormat::geojson:

@@ -6,9 +6,10 @@ namespace floeplan::ingest {
 namespace {
 
 bool is_table_of_lines(FileFormat format) {
-  return format == FileFormat::xyz || format == FileFormat::ascii_grid ||
+  return format == FileFormat::xyz || format == FileFormat::depth_table || format == FileFormat::ascii_grid ||
          format == FileFormat::ice_patrol_csv || format == FileFormat::iceberg_table ||
-         format == FileFormat::tide_table || format == FileFormat::otps_extract;
+         format == FileFormat::own_iceberg_table || format == FileFormat::tide_table ||
+         format == FileFormat::otps_extract;
 }
 
 bool ends_with_a_line(const std::filesystem::path& file) {

@@ -106,12 +106,14 @@ Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
     case FileFormat::shapefile:
       return look_into_features(file, open_vector_file(file.path, "ESRI Shapefile"), expected);
     case FileFormat::iceberg_table:
+    case FileFormat::own_iceberg_table:
     case FileFormat::iceberg_json:
     case FileFormat::ice_patrol_csv: file.kinds = {DatasetKind::icebergs}; return true;
     case FileFormat::s57:
     case FileFormat::bag:
     case FileFormat::geotiff:
     case FileFormat::ascii_grid:
+    case FileFormat::depth_table:
     case FileFormat::xyz: file.kinds = {DatasetKind::bathymetry}; return true;
   }
   return true;

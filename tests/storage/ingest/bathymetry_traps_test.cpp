@@ -231,6 +231,38 @@ TEST_F(BathymetryTraps, AnXyzTableWithHolesIsRefused) {
                  "regular grid", positive_up);
 }
 
+TEST_F(BathymetryTraps, ATableWithNamedColumnsIsReadAsItsColumnsSay) {
+  const std::vector<std::string> tables{
+      "lon,lat,depth\n-52.0,69.0,100\n-51.9,69.0,200\n-52.0,69.1,300\n-51.9,69.1,400\n",
+      "\"Latitude\"\t\"Longitude\"\t\"Elevation "
+      "(m)\"\n69.1\t-51.9\t-400\n69.0\t-52.0\t-100\n69.0\t-51.9\t-200\n"
+      "69.1\t-52.0\t-300\n",
+      "station;x;y;depth_m\n1;-52.0;69.0;100\n2;-52.0;69.1;300\n3;-51.9;69.0;200\n4;-51.9;69.1;400\n",
+      "# lon lat   depth\n-52.0 69.0 100\n-51.9 69.0   200\n-52.0 69.1 300\n-51.9 69.1 400\n"};
+  for (const std::string& table : tables) {
+    SCOPED_TRACE(table);
+    const ocean::Bathymetry bathymetry = stored(write_file("depths.csv", table));
+
+    EXPECT_NEAR(bathymetry.depth({-51.9, 69.0})->value, 200.0, 1e-3);
+    EXPECT_NEAR(bathymetry.depth({-52.0, 69.1})->value, 300.0, 1e-3);
+  }
+}
+
+TEST_F(BathymetryTraps, ATableOfSingleSoundingsIsRefused) {
+  expect_refused(
+      write_file("soundings.csv", "lon,lat,depth\n0.0,50.0,10\n0.013,50.002,11\n0.2,50.1,12\n0.21,50.4,7\n"),
+      "no regular grid");
+}
+
+TEST_F(BathymetryTraps, ATableWithABadLineOrTwoDepthsAtAPlaceIsRefused) {
+  const std::string good = "lon,lat,depth\n0.0,50.0,10\n0.1,50.0,11\n0.0,50.1,12\n0.1,50.1,13\n";
+  expect_refused(write_file("bad.csv", good + "0.1,fifty,3\n"), "line 6");
+  expect_refused(write_file("short.csv", good + "0.1,50.1\n"), "line 6");
+  expect_refused(write_file("twice.csv", good + "0.1,50.1,14\n"), "two depths");
+  expect_refused(write_file("none.csv", "lon,lat,depth\n"), "no rows");
+  EXPECT_EQ(ingest(write_file("again.csv", good + "0.1,50.1,13\n")).status, IngestStatus::stored);
+}
+
 TEST_F(BathymetryTraps, ATableThatEndsWithinALineIsStoredWithAWarning) {
   const std::string rows = "0.0 50.1 -10\n0.1 50.1 -11\n0.0 50.0 -12\n0.1 50.0 -13";
 

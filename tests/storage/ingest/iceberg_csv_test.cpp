@@ -86,6 +86,69 @@ TEST_F(IcePatrolCsv, AFileWithoutAnyGoodRowIsRefused) {
   expect_refused(write_file("bergs.csv", header), "no usable sighting");
 }
 
+TEST_F(IcePatrolCsv, KnowsTheColumnsOfItsLaterYears) {
+  const auto report = ingest(write_file("bergs.csv",
+                                        "ICEBERG_YEAR,ICEBERG_NUMBER,SIGHTING_DATE,SIGHTING_TIME,SIGHTING_"
+                                        "LATITUDE,SIGHTING_LONGITUDE,SIGHTING_METHOD,"
+                                        "SIZE,SHAPE,SOURCE\n2021,12,2021-03-04,815,48.52,-49.33,VIS,MED,DRY,"
+                                        "IIP\n2021,13,3/5/2021,1240,48.02,-48.33,RAD,"
+                                        "RAD,UNK,IIP\n"));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  ASSERT_EQ(sightings().size(), 2U);
+  EXPECT_EQ(sightings().front().iceberg.id, "2021-12");
+  EXPECT_EQ(core::iso8601(sightings().front().iceberg.observed), "2021-03-04T08:15:00Z");
+}
+
+class OwnIcebergTable : public IcePatrolCsv {};
+
+TEST_F(OwnIcebergTable, IsReadByTheNamesOfItsColumns) {
+  for (const char* table :
+       {"id,lat,lon,time,length_m,draft_m,size\nA1,69.1,-52.2,2026-11-22T03:00:00Z,120,80,medium\n",
+        "Berg;Longitude;Latitude;Time (UTC);Length (m);Draft (m);Size\r\nA1;-52,2;69,1;2026-11-22 "
+        "03:00;120;80;Medium\r\n",
+        "\"name\"\t\"latitude\"\t\"longitude\"\t\"observed\"\t\"length_m\"\t\"draft_m\"\t\"size\"\nA1\t69."
+        "1\t-52.2\t"
+        "2026-11-22T00:00:00-03:00\t120\t80\tmedium\n"}) {
+    SCOPED_TRACE(table);
+    const auto report = ingest(write_file("bergs.csv", table));
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const ocean::Iceberg berg = sightings().back().iceberg;
+    EXPECT_EQ(berg.id, "A1");
+    EXPECT_EQ(berg.place, (geo::LonLat{-52.2, 69.1}));
+    EXPECT_EQ(core::iso8601(berg.observed), "2026-11-22T03:00:00Z");
+    EXPECT_EQ(berg.length, core::Metres{120.0});
+    EXPECT_EQ(berg.draft, core::Metres{80.0});
+    EXPECT_EQ(berg.size, ocean::IcebergSize::medium);
+  }
+}
+
+TEST_F(OwnIcebergTable, LeavesOutBadRowsWithTheirReasons) {
+  const auto report = ingest(write_file("bergs.csv",
+                                        "id,lat,lon,time,length_m\n"
+                                        "good,69.1,-52.2,2026-11-22T03:00:00Z,\n"
+                                        ",69.1,-52.2,2026-11-22T03:00:00Z,120\n"
+                                        "place,69.1 N,-52.2,2026-11-22T03:00:00Z,120\n"
+                                        "pole,99.1,-52.2,2026-11-22T03:00:00Z,120\n"
+                                        "zone,69.1,-52.2,2026-11-22 03:00,120\n"
+                                        "length,69.1,-52.2,2026-11-22,-5\n"
+                                        "fields,69.1,-52.2\n"));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_EQ(report.dataset->rows_accepted, 1);
+  EXPECT_EQ(report.dataset->rows_refused, 6);
+  EXPECT_THAT(words(report), HasSubstr("with its zone; in UTC, call the column time_utc"));
+  EXPECT_THAT(words(report), HasSubstr("length_m is \"-5\""));
+}
+
+TEST_F(OwnIcebergTable, OfAnotherUnitOrOfAShipsTrackIsNotTakenForOne) {
+  expect_refused(write_file("miles.csv", "id,lat,lon,time,length (nm)\nA1,69.1,-52.2,2026-11-22,2\n"),
+                 "columns");
+  expect_refused(write_file("track.csv", "name,lat,lon,time\nship,69.1,-52.2,2026-11-22T03:00:00Z\n"),
+                 "columns");
+}
+
 TEST(CsvFields, KeepQuotedCommas) {
   EXPECT_THAT(csv_fields(R"(a,"b, c",,"say ""ice""")"), ElementsAre("a", "b, c", "", R"(say "ice")"));
 }

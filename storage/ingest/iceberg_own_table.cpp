@@ -1,0 +1,159 @@
+#include "storage/ingest/iceberg_own_table.hpp"
+
+#include <fstream>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/utc_text.hpp"
+#include "storage/ingest/delimited_text.hpp"
+#include "storage/ingest/iceberg_rows.hpp"
+#include "storage/ingest/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr double longest_m = 400'000.0;  // B-15 was 295 km long
+constexpr double deepest_m = 1'000.0;
+
+struct Columns {
+  std::size_t id{};
+  std::size_t lat{};
+  std::size_t lon{};
+  std::size_t observed{};
+  bool observed_in_utc{};
+  std::optional<std::size_t> length;
+  std::optional<std::size_t> draft;
+  std::optional<std::size_t> size;
+  std::optional<std::size_t> shape;
+  std::optional<std::size_t> method;
+};
+
+std::optional<Columns> columns_of(const DelimitedText& table) {
+  const auto id = table.column({"id", "name", "berg", "iceberg", "berg_id", "iceberg_id"});
+  const auto lat = table.column({"lat", "latitude", "lat_deg", "latitude_deg"});
+  const auto lon = table.column({"lon", "long", "longitude", "lon_deg", "longitude_deg"});
+  const auto with_zone =
+      table.column({"observed", "time", "timestamp", "datetime", "date_time", "date", "last_seen"});
+  const auto in_utc = table.column({"observed_utc", "time_utc", "timestamp_utc", "datetime_utc",
+                                    "date_time_utc", "date_utc", "last_seen_utc"});
+  if (!id || !lat || !lon || with_zone.has_value() == in_utc.has_value()) return std::nullopt;
+  const Columns columns{.id = *id,
+                        .lat = *lat,
+                        .lon = *lon,
+                        .observed = with_zone ? *with_zone : *in_utc,
+                        .observed_in_utc = in_utc.has_value(),
+                        .length = table.column({"length_m"}),
+                        .draft = table.column({"draft_m"}),
+                        .size = table.column({"size", "size_class"}),
+                        .shape = table.column({"shape"}),
+                        .method = table.column({"method", "source"})};
+  const bool of_icebergs =
+      contains_any(table.columns()[*id], {"berg"}) || columns.length || columns.draft || columns.size;
+  return of_icebergs ? std::optional{columns} : std::nullopt;
+}
+
+/// One line, by what its columns mean.
+class Row {
+ public:
+  Row(const DelimitedText& table, const Columns& columns, std::vector<std::string> fields)
+      : table_{table}, columns_{columns}, fields_{std::move(fields)} {}
+
+  [[nodiscard]] Checked<ocean::Iceberg> sighting() const {
+    ocean::Iceberg iceberg;
+    iceberg.id = fields_[columns_.id];
+    if (iceberg.id.empty()) return refuse("it has no " + table_.columns()[columns_.id]);
+    const auto lat = table_.number(fields_[columns_.lat]);
+    const auto lon = table_.number(fields_[columns_.lon]);
+    if (!lat || !lon)
+      return refuse("the position \"" + fields_[columns_.lat] + ", " + fields_[columns_.lon] +
+                    "\" is no pair of degrees like 69.25 and -52.5");
+    iceberg.place = {*lon, *lat};
+    if (auto fault = fault_of_place(iceberg.place); !fault.empty()) return refuse(std::move(fault));
+    const auto observed = time();
+    if (!observed) return refuse(observed.error());
+    iceberg.observed = *observed;
+    const auto length = metres(columns_.length, longest_m);
+    if (!length) return refuse(length.error());
+    iceberg.length = *length;
+    const auto draft = metres(columns_.draft, deepest_m);
+    if (!draft) return refuse(draft.error());
+    iceberg.draft = *draft;
+    if (const std::string size = text(columns_.size); !size.empty()) {
+      const auto known = ocean::parse_size(lower(size));
+      if (!known)
+        return refuse("the size \"" + size + "\" is not one of the classes (growler to very_large, unknown)");
+      iceberg.size = *known;
+    }
+    iceberg.shape = text(columns_.shape);
+    iceberg.method = text(columns_.method);
+    return iceberg;
+  }
+
+ private:
+  [[nodiscard]] std::string text(std::optional<std::size_t> column) const {
+    return column ? fields_[*column] : std::string{};
+  }
+
+  [[nodiscard]] Checked<core::UtcTime> time() const {
+    const std::string& observed = fields_[columns_.observed];
+    if (const auto time = core::parse_iso8601(observed)) return *time;
+    if (columns_.observed_in_utc)
+      if (const auto time = core::parse_iso8601(observed + "Z")) return *time;
+    return refuse(table_.columns()[columns_.observed] + " is \"" + observed +
+                  "\", not a time like 2026-11-20T06:00:00Z" +
+                  (columns_.observed_in_utc ? "" : " with its zone; in UTC, call the column time_utc"));
+  }
+
+  [[nodiscard]] Checked<std::optional<core::Metres>> metres(std::optional<std::size_t> column,
+                                                            double most_m) const {
+    const std::string value = text(column);
+    if (value.empty()) return std::nullopt;
+    const auto length = table_.number(value);
+    if (!length || *length <= 0.0 || *length > most_m)
+      return refuse(table_.columns()[*column] + " is \"" + value +
+                    "\", not a number of metres between 0 and " + number(most_m));
+    return core::Metres{*length};
+  }
+
+  const DelimitedText& table_;
+  const Columns& columns_;
+  std::vector<std::string> fields_;
+};
+
+}  // namespace
+
+bool is_own_iceberg_table_header(std::string_view line) {
+  return line.find_first_of(",;\t") != std::string_view::npos && columns_of(DelimitedText{line}).has_value();
+}
+
+Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& file) {
+  std::ifstream in{file};
+  std::string line;
+  std::getline(in, line);
+  const DelimitedText table{line};
+  const auto columns = columns_of(table);
+  if (!columns) return refuse("the columns do not name an iceberg, its position and when it was seen");
+
+  IcebergRows rows;
+  for (int line_number = 2; std::getline(in, line); ++line_number) {
+    const std::string where = "line " + std::to_string(line_number);
+    auto fields = table.fields(line);
+    if (fields.empty()) continue;
+    if (fields.size() != table.columns().size()) {
+      rows.reject(where, "it has " + std::to_string(fields.size()) + " fields, the header " +
+                             std::to_string(table.columns().size()) +
+                             (in.eof() ? "; the file seems to be cut short" : ""));
+      continue;
+    }
+    auto iceberg = Row{table, *columns, std::move(fields)}.sighting();
+    if (iceberg) {
+      rows.accept(std::move(*iceberg));
+    } else {
+      rows.reject(where, iceberg.error());
+    }
+  }
+  return std::move(rows).prepared(table.columns());
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "storage/ingest/prepared_dataset.hpp"
+
+namespace floeplan::ingest {
+
+/// Whether the first line names the columns of somebody's own table of icebergs: what identifies a berg, its latitude,
+/// its longitude, when it was seen, and one that tracks of ships and gliders do not have: its length, draft or size, or
+/// an identifier called a berg's.
+[[nodiscard]] bool is_own_iceberg_table_header(std::string_view line);
+
+/// Icebergs out of a table with the columns that a GeoJSON point has as properties:
+///  id (name, berg, iceberg, berg_id, iceberg_id)                 required
+///  lat (latitude), lon (long, longitude)                         required, degrees
+///  observed (time, timestamp, datetime, date, last_seen)         required; ISO 8601 with its zone or a day alone; times in
+///                                                                a column whose name ends in "_utc" may leave it out
+///  length_m, draft_m, size, shape, method                        optional
+/// Fields are parted by commas, semicolons or tabs. A bad row is left out and counted.
+[[nodiscard]] Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& file);
+
+}  // namespace floeplan::ingest
