@@ -70,9 +70,11 @@ struct LabelSearch {
 inline constexpr std::int64_t label_expansions_between_looks = 4;
 
 /// The best way from a source to a goal where more than the arrival time counts: several labels for each
-/// vertex, of which none dominates another, expanded by ascending key. Exact under the model's laws; equal
-/// keys in the order the labels were made.
-/// Stops    early, and says so in the result, once `stop` is requested or `most_labels` have been made
+/// vertex, of which none dominates another, expanded by ascending key; of equal keys the latest arrival first, because
+/// it is likely to be nearest to the goal, then in the order the labels were made. Exact under the model's laws but for
+/// `slack`: a way that costs no more than the best by so much will do.
+/// Stops    early, and says so in the result, once `stop` is requested or `most_labels` have been made; in the second
+///          case with the best way to the goal so far, if there is one
 /// Source   Martins 1984, On a multicriteria shortest path problem, doi:10.1016/0377-2217(84)90077-8 (label
 ///          setting with several criteria); Phillips and Likhachev 2011, SIPP: Safe interval path planning
 ///          for dynamic environments, doi:10.1109/ICRA.2011.5980306 (a state that is a safe interval)
@@ -81,14 +83,17 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
                                                     double depart_s, const typename Model::State& start,
                                                     Model& model, std::size_t most_labels,
                                                     const std::stop_token& stop,
-                                                    const ExpansionCallback& report = {}) {
+                                                    const ExpansionCallback& report = {},
+                                                    double slack = 0.0) {
   using State = typename Model::State;
   constexpr std::uint32_t none = Label<State>::no_parent;
   struct Open {
     double key;
+    double arrival_s;
     std::uint32_t label;
     bool operator>(const Open& other) const {
-      return key > other.key || (key == other.key && label > other.label);
+      if (key != other.key) return key > other.key;
+      return arrival_s < other.arrival_s || (arrival_s == other.arrival_s && label > other.label);
     }
   };
 
@@ -97,6 +102,7 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
   std::vector<std::uint32_t> next;                        // in that list, for each label
   std::vector<bool> dominated;
   std::priority_queue<Open, std::vector<Open>, std::greater<>> queue;
+  std::optional<Open> best;  // at the goal
   if (!graph.is_open(source)) return search;
 
   const auto add = [&](const Label<State>& label) {
@@ -123,7 +129,9 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
     next.push_back(newest[label.vertex]);
     dominated.push_back(false);
     newest[label.vertex] = index;
-    queue.push({model.key(label.vertex, label.arrival_s, label.state), index});
+    const Open open{model.key(label.vertex, label.arrival_s, label.state), label.arrival_s, index};
+    if (label.vertex == goal && (!best || open.key < best->key)) best = open;
+    queue.push(open);
   };
 
   add({.vertex = source, .arrival_s = depart_s, .state = start});
@@ -135,15 +143,12 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
       }
       if (report && search.counters.expansions % 1024 == 0) report(search.counters.expansions);
     }
+    if (best && best->key <= queue.top().key + slack) break;
     const std::uint32_t parent = queue.top().label;
     queue.pop();
     if (dominated[parent]) continue;
     ++search.counters.expansions;
     const Label<State> from = search.labels[parent];  // a copy: the list grows below
-    if (from.vertex == goal) {
-      search.goal = parent;
-      break;
-    }
     graph.for_each_edge(from.vertex, [&](const Edge& edge) {
       ++search.counters.edge_evaluations;
       model.extend(edge, from.arrival_s, from.state,
@@ -156,6 +161,7 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
                  add({from.vertex, arrival_s, state, parent, choice});
                });
   }
+  if (best && !search.stopped) search.goal = best->label;
   return search;
 }
 

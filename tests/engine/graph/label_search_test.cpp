@@ -92,6 +92,13 @@ TEST(LabelSearch, FindsTheBestOfAllWaysWhereLeavingLaterMayArriveEarlier) {
     ++found;
     const auto& end = search.labels[*search.goal];
     EXPECT_EQ(world.key(goal, end.arrival_s, end.state), best);
+
+    const double slack = support::uniform(rng, 0.0, 0.5 * best);
+    const auto rough = find_best_labels(graph, 0, goal, depart_s, {}, world, plenty, {}, {}, slack);
+    ASSERT_TRUE(rough.goal);
+    const auto& rough_end = rough.labels[*rough.goal];
+    EXPECT_LE(world.key(goal, rough_end.arrival_s, rough_end.state), best + slack);
+    EXPECT_LE(rough.counters.expansions, search.counters.expansions);
   });
   EXPECT_GT(found, 200);
 }
@@ -172,6 +179,24 @@ TEST(LabelSearch, StopsAtTheBoundOnLabelsAndSaysSo) {
   EXPECT_TRUE(search.full);
   EXPECT_FALSE(search.goal);
   EXPECT_EQ(search.labels.size(), 100U);
+}
+
+TEST(LabelSearch, ReturnsTheBestWaySoFarAtTheBoundOnLabels) {
+  int before_the_end = 0;
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    const GridGraph graph = random_grid(rng);
+    const SwingingTimes times{graph, rng};
+    const auto goal = static_cast<Vertex>(graph.size() - 1);
+    const PlainVoyage voyage{times};
+    const auto whole = find_best_labels(graph, 0, goal, 50.0, {}, voyage, plenty, {});
+
+    const auto part = find_best_labels(graph, 0, goal, 50.0, {}, voyage, whole.labels.size() - 1, {});
+    if (!part.goal) return;
+    before_the_end += part.full ? 1 : 0;
+    EXPECT_EQ(part.labels[*part.goal].vertex, goal);
+    EXPECT_GE(part.labels[*part.goal].arrival_s, whole.labels[*whole.goal].arrival_s);
+  });
+  EXPECT_GT(before_the_end, 0);
 }
 
 TEST(LabelSearch, StopsWhenAskedTo) {
