@@ -2,24 +2,22 @@
 
 #include <algorithm>
 
+#include "engine/ocean/band_mean.hpp"
+
 namespace floeplan::planning {
 
 CurrentSlice::CurrentSlice(const ocean::CurrentGrid& currents, const NodeWindow& window,
                            const std::vector<NodeTurn>& turns, std::size_t time_index)
-    : window_{window}, turns_{turns}, answers_(window.size()) {
-  columns_.reserve(window.size());
-  for (std::size_t iy = 0; iy < window.y.size(); ++iy) {
-    for (const std::size_t column : window.columns) {
-      columns_.push_back(currents.column_at_node(column, window.first_row + iy, time_index));
-    }
-  }
-}
+    : currents_{currents}, window_{window}, turns_{turns}, time_index_{time_index}, answers_(window.size()) {}
 
-motion::CurrentXy CurrentSlice::turned(std::size_t node, const vehicle::DiveBand& band) const {
-  const geo::VelocityEn mean = columns_[node]->mean(band.top, band.bottom);
-  const NodeTurn& turn = turns_[node];
-  return {mean.east.value * turn.cosine - mean.north.value * turn.sine,
-          mean.east.value * turn.sine + mean.north.value * turn.cosine};
+std::optional<motion::CurrentXy> CurrentSlice::turned(std::size_t ix, std::size_t iy,
+                                                      const vehicle::DiveBand& band) const {
+  const auto mean = ocean::band_mean_at_node(currents_, window_.columns[ix], window_.first_row + iy,
+                                             time_index_, band.top, band.bottom);
+  if (!mean) return std::nullopt;
+  const NodeTurn& turn = turns_[iy * window_.x.size() + ix];
+  return motion::CurrentXy{mean->east.value * turn.cosine - mean->north.value * turn.sine,
+                           mean->east.value * turn.sine + mean->north.value * turn.cosine};
 }
 
 const std::optional<CurrentSlice::Mean>& CurrentSlice::at_node(std::size_t ix, std::size_t iy,
@@ -33,15 +31,15 @@ std::optional<CurrentSlice::Mean> CurrentSlice::worked_out(std::size_t ix, std::
                                                            const vehicle::DiveBand& band) const {
   const std::size_t nx = window_.x.size();
   const std::size_t ny = window_.y.size();
-  if (columns_[iy * nx + ix]) return Mean{turned(iy * nx + ix, band), false};
+  if (const auto own = turned(ix, iy, band)) return Mean{*own, false};
   motion::CurrentXy sum{0.0, 0.0};
   int wet = 0;
   for (std::size_t jy = iy > 0 ? iy - 1 : 0; jy <= std::min(iy + 1, ny - 1); ++jy) {
     for (std::size_t jx = ix > 0 ? ix - 1 : 0; jx <= std::min(ix + 1, nx - 1); ++jx) {
-      if (!columns_[jy * nx + jx]) continue;
-      const motion::CurrentXy neighbour = turned(jy * nx + jx, band);
-      sum.x_m_s += neighbour.x_m_s;
-      sum.y_m_s += neighbour.y_m_s;
+      const auto neighbour = turned(jx, jy, band);
+      if (!neighbour) continue;
+      sum.x_m_s += neighbour->x_m_s;
+      sum.y_m_s += neighbour->y_m_s;
       ++wet;
     }
   }

@@ -17,7 +17,7 @@ struct NodeTurn {
   double sine{};
 };
 
-/// The currents of a window of nodes at one time, column by column.
+/// The currents of a window of nodes at one time.
 /// Coast  a node without water takes the mean of its neighbours with water, one ring deep, because a model's
 ///        land mask is coarser than the coast
 class CurrentSlice {
@@ -27,7 +27,7 @@ class CurrentSlice {
     bool extended{false};  // it rests on a node beyond the data's own coast
   };
 
-  /// `window` and `turns` (one for each node, [y][x]) are borrowed and outlive the slice.
+  /// `currents`, `window` and `turns` (one for each node, [y][x]) are borrowed and outlive the slice.
   CurrentSlice(const ocean::CurrentGrid& currents, const NodeWindow& window,
                const std::vector<NodeTurn>& turns, std::size_t time_index);
 
@@ -46,12 +46,15 @@ class CurrentSlice {
                                                    const vehicle::DiveBand& band);
   [[nodiscard]] std::optional<Mean> worked_out(std::size_t ix, std::size_t iy,
                                                const vehicle::DiveBand& band) const;
-  [[nodiscard]] motion::CurrentXy turned(std::size_t node, const vehicle::DiveBand& band) const;
+  /// Empty where the node itself has no water.
+  [[nodiscard]] std::optional<motion::CurrentXy> turned(std::size_t ix, std::size_t iy,
+                                                        const vehicle::DiveBand& band) const;
 
+  const ocean::CurrentGrid& currents_;
   const NodeWindow& window_;
   const std::vector<NodeTurn>& turns_;
-  std::vector<std::optional<ocean::CurrentColumn>> columns_;  // [y][x]
-  std::vector<std::optional<Answer>> answers_;                // likewise
+  std::size_t time_index_;
+  std::vector<std::optional<Answer>> answers_;  // [y][x]
 };
 
 }  // namespace floeplan::planning

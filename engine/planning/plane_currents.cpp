@@ -5,6 +5,8 @@
 #include <limits>
 #include <utility>
 
+#include "engine/planning/current_slice.hpp"
+
 namespace floeplan::planning {
 namespace {
 

@@ -9,7 +9,6 @@
 #include "engine/motion/plane_edge.hpp"
 #include "engine/ocean/current_grid.hpp"
 #include "engine/planning/current_line.hpp"
-#include "engine/planning/current_slice.hpp"
 #include "engine/planning/fast_axis.hpp"
 #include "engine/planning/flown_depths.hpp"
 #include "engine/planning/grid_lookup.hpp"
@@ -17,6 +16,8 @@
 #include "engine/planning/plane_box.hpp"
 
 namespace floeplan::planning {
+
+struct NodeTurn;
 
 /// The currents of a planning area, averaged over the depths that the glider flies at each place, turned into
 /// the axes of the plane: what the inner loop asks. A steady saw-tooth spends the same time at every depth of
