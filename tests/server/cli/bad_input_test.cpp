@@ -49,6 +49,18 @@ TEST(BadInput, AFileThatIsNotThereIsRefused) {
   expect_refused_file(program, program.folder() / "missing.tif", "missing.tif");
 }
 
+TEST(BadInput, AnEndlessFileOfAreasIsRefusedUnread) {
+  const Program program;
+  const std::filesystem::path file = program.folder() / "areas.geojson";
+  write(file, "{");
+  std::filesystem::resize_file(file, 1'000'000'000);  // takes no room: it has no content
+
+  const Outcome outcome = program.run(plan({"--areas", file.string()}));
+
+  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_THAT(outcome.err, HasSubstr("longer than 16 MB"));
+}
+
 TEST(BadInput, ARequestFileThatIsNotJsonSaysWhere) {
   const Program program;
   write(program.folder() / "half.json", R"({"from": [-53, 69], "to": )");
