@@ -13,6 +13,7 @@ using support::eastward_request;
 
 Result<Plan> plan(const ocean::Environment& environment, PlanRequest request, const Objective& objective) {
   request.energy.objective = objective;
+  request.optimality_gap = false;
   return plan_route(environment, request, {}, {});
 }
 
@@ -71,7 +72,7 @@ TEST(CostPlan, UsesTheThrusterOnlyAsFarAsItsWeightIsWorthIt) {
 }
 
 TEST(CostPlan, SavesEnergyAndTheFastestPlanTimeInWhateverCurrents) {
-  support::for_each_seed(6, [](std::mt19937_64& rng) {
+  support::for_each_seed(4, [](std::mt19937_64& rng) {
     const double strength = support::uniform(rng, 0.05, 0.3);
     const double phase = support::uniform(rng, 0.0, 6.28);
     const auto swirl = [&](geo::LonLat place, double hour) {

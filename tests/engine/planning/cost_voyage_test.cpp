@@ -127,7 +127,7 @@ TEST(CostVoyage, IsNearlyExactInATide) {
 double share_of_plain_cost(const ocean::Environment& environment, const Objective& objective) {
   const PlanRequest request = hybrid_request(objective);
   const RouteGrid grid = lay_grid({-20'000.0, 0.0}, {20'000.0, 3000.0},
-                                  {core::Metres{2500.0}, core::Metres{2500.0}}, {0.5, 0.25});
+                                  {core::Metres{4000.0}, core::Metres{4000.0}}, {0.5, 0.25});
   const Sea sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, grid.bounds().grown(2500.0),
                 core::Metres{800.0}};
   std::vector<OpenGrid> grids;

@@ -111,6 +111,7 @@ inline Scene random_scene(std::mt19937_64& rng) {
   PlanRequest request = support::eastward_request();
   request.from = {-40.06, 0.1};
   request.to = {-39.94, 0.1};
+  request.optimality_gap = false;
   request.icebergs.margin = core::Metres{uniform(rng, 200.0, 1000.0)};
   request.icebergs.max_inflation = core::Metres{uniform(rng, 0.0, 1500.0)};
   ocean::Environment environment;

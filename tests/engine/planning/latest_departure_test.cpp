@@ -16,6 +16,7 @@ using support::currents_from;
 PlanRequest coarse_request() {
   PlanRequest request = support::eastward_request();
   request.spacing_along = core::Metres{2000.0};
+  request.optimality_gap = false;
   return request;
 }
 

@@ -56,7 +56,7 @@ TEST(EncounterWeight, LeadsFartherFromABergThatIsNotWellKnown) {
 
 TEST(EncounterWeight, NeverMakesTheChosenPlanExpectMoreEncounters) {
   int fewer = 0;
-  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+  support::for_each_seed(24, [&](std::mt19937_64& rng) {
     auto [request, environment] = random_scene(rng);
     for (ocean::Iceberg& berg : environment.icebergs)
       berg.position_uncertainty = core::Metres{support::uniform(rng, 500.0, 3000.0)};
@@ -75,7 +75,7 @@ TEST(EncounterWeight, NeverMakesTheChosenPlanExpectMoreEncounters) {
               objective.cost(before->travel_time(), {}, *before->iceberg_encounters));
     EXPECT_GT(least_gap_m(*after, environment, request.icebergs), -tolerance_m);
   });
-  EXPECT_GT(fewer, 10);
+  EXPECT_GT(fewer, 4);
 }
 
 TEST(EncounterWeight, IsRefusedWhereTimeHasNone) {

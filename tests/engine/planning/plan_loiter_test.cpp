@@ -101,7 +101,7 @@ TEST(Loiter, IsAdvisedWhereAPlanOnTheMoveKillsTime) {
 TEST(Loiter, NeverLeadsIntoADiscNorArrivesLater) {
   int found = 0;
   int waits = 0;
-  support::for_each_seed(500, [&](std::mt19937_64& rng) {
+  support::for_each_seed(150, [&](std::mt19937_64& rng) {
     auto [request, environment] = random_scene(rng);
     const Result<Plan> moving = plan(environment, request);
     request.max_loiter = core::Seconds{support::uniform(rng, 0.5, 12.0) * hour_s};
@@ -120,8 +120,8 @@ TEST(Loiter, NeverLeadsIntoADiscNorArrivesLater) {
       EXPECT_LE(result->travel_time().count(), moving->travel_time().count());
     }
   });
-  EXPECT_GT(found, 250);
-  EXPECT_GT(waits, 10);
+  EXPECT_GT(found, 75);
+  EXPECT_GT(waits, 3);
 }
 
 TEST(Loiter, WaitsForAZoneThatIsOpenedLater) {

@@ -213,7 +213,7 @@ TEST(Refinement, IsNeverClosedNorSlowerAndKeepsFixedPointsAmongObstacles) {
     const std::size_t via = route->points.size() / 2;
     route->fixed[via] = true;
 
-    const Refined refined = refine_route(scene, timed(scene, *route), {}, {.most_evaluations = 60'000});
+    const Refined refined = refine_route(scene, timed(scene, *route), {}, {.most_evaluations = 25'000});
 
     LegMeter legs{scene, RefinementBudget{}};
     const auto again = legs.timed(refined.itinerary.route, core::Seconds{0.0});
