@@ -132,6 +132,7 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
       if (earliest) earliest->cut_short = search.full;
       return earliest;
     }
+    found.cut_short = found.cut_short || search.full;
     const auto way = graph::way_to(search, *search.goal);
     now_s = way.back().arrival_s;
     if (append(found.route, sea, open.grid, way)) found.touches_rim = true;

@@ -228,7 +228,9 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
     }
   }
   Words words = words_for(binding, sea, request, search.out_of_time, search.nearest, search.nearest_arrival);
-  if (search.cut_short) words.explanation += " (the search for ways that open later was cut short)";
+  if (search.cut_short)
+    words.explanation +=
+        " (the search was cut short at its bound on memory: there may be a way all the same)";
   const bool by_data = binding == outside_data || binding == current_too_strong || binding == under_ice ||
                        binding == no_surfacing;
   return {by_data ? words.reason : Reason::goal_unreachable,

@@ -48,7 +48,7 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   Result<Plan> plan = publish(*chart, environment, request, improved, way.statistics, stop);
   if (plan && way.cut_short) {
     plan->warnings.push_back(
-        "the search for better ways past what clears later was cut short at its bound on memory");
+        "the search for better ways was cut short at its bound on memory: there may be one");
   }
   return {.plan = std::move(plan),
           .chart = std::move(*chart),

@@ -39,7 +39,45 @@ IceCover::IceCover(const ocean::IceField& ice, const UnderIceRules& rules,
   }
   has_dense_ice_ = std::ranges::any_of(
       nodes_, [&](const Node& node) { return static_cast<double>(node.concentration) > limit_; });
-  if (!stop.stop_requested()) extend_to_coast();
+  if (stop.stop_requested()) return;
+  extend_to_coast();
+  measure_distances();
+}
+
+/// Between nodes the ice is never less than at the least of them nor more than at the densest.
+void IceCover::measure_distances() {
+  std::vector<bool> opens(grid_.size(), false);
+  std::vector<bool> is_dense(grid_.size(), false);
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    const auto concentration = static_cast<double>(nodes_[i].concentration);
+    if (concentration <= limit_) opens[i % grid_.size()] = true;
+    if (concentration > limit_) is_dense[i % grid_.size()] = true;
+  }
+  to_openings_ = distances_to(opens);
+  to_dense_ice_ = distances_to(is_dense);
+}
+
+/// Cells are numbered by their first node; those after the last node of a row or column are none.
+CellDistances IceCover::distances_to(const std::vector<bool>& marked_nodes) const {
+  const std::size_t nx = grid_.nx();
+  std::vector<bool> marked(marked_nodes.size(), false);
+  for (std::size_t iy = 0; iy + 1 < grid_.ny(); ++iy) {
+    for (std::size_t ix = 0; ix + 1 < nx; ++ix) {
+      const std::size_t i = iy * nx + ix;
+      marked[i] = marked_nodes[i] || marked_nodes[i + 1] || marked_nodes[i + nx] || marked_nodes[i + nx + 1];
+    }
+  }
+  return CellDistances{marked, nx, core::Metres{grid_.least_cell_m()}};
+}
+
+core::Metres IceCover::least_way_to_opening(geo::PlanePoint point) const {
+  const auto cell = grid_.corner(point);
+  return cell ? to_openings_.from(cell->first) : core::Metres{0.0};
+}
+
+core::Metres IceCover::least_way_to_dense_ice(geo::PlanePoint point) const {
+  const auto cell = grid_.corner(point);
+  return cell ? to_dense_ice_.from(cell->first) : core::Metres{0.0};
 }
 
 void IceCover::extend_to_coast() {

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/ocean/ice_field.hpp"
+#include "engine/planning/cell_distances.hpp"
 #include "engine/planning/plane_grid.hpp"
 #include "engine/planning/under_ice_rules.hpp"
 
@@ -34,6 +35,11 @@ class IceCover {
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const;
   /// Whether there is ice anywhere, at any time, through which the vehicle may not surface.
   [[nodiscard]] bool has_dense_ice() const { return has_dense_ice_; }
+  /// Never more than the way in the plane to where the vehicle may surface, at whatever time; zero beyond the nodes.
+  /// Infinite where that is nowhere.
+  [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
+  /// The same to ice through which it may not surface.
+  [[nodiscard]] core::Metres least_way_to_dense_ice(geo::PlanePoint point) const;
   /// Distance between the data's nodes.
   [[nodiscard]] core::Metres spacing() const { return spacing_; }
 
@@ -50,6 +56,9 @@ class IceCover {
   };
   [[nodiscard]] std::optional<Moment> moment(double time_s) const;
   void extend_to_coast();
+  /// To cells of which a node is marked, whatever the rest of it is.
+  [[nodiscard]] CellDistances distances_to(const std::vector<bool>& marked_nodes) const;
+  void measure_distances();
 
   PlaneGrid grid_;
   std::vector<double> times_s_;  // since epoch
@@ -57,6 +66,8 @@ class IceCover {
   double limit_;
   bool has_dense_ice_{false};
   core::Metres spacing_;
+  CellDistances to_openings_;
+  CellDistances to_dense_ice_;
 };
 
 }  // namespace floeplan::planning

@@ -51,6 +51,7 @@ IcebergDiscs::IcebergDiscs(const ocean::Environment& environment, const IcebergR
       return berg.disc.swept().contains(stop_here) && berg.disc.first_touch(staying);
     };
     if (berg.keel && std::ranges::any_of(stops, comes_over)) berg.keel.reset();
+    may_pass_under_ = may_pass_under_ || berg.keel;
     bergs_.push_back(std::move(berg));
   }
   index(area, horizon);
@@ -218,6 +219,7 @@ double IcebergDiscs::encounter_rate(geo::PlanePoint point, core::Seconds time, c
 
 std::optional<core::Metres> IcebergDiscs::least_upper_turn(geo::PlanePoint point, core::Seconds time) const {
   std::optional<core::Metres> deepest;
+  if (!may_pass_under_) return deepest;
   for (const Berg& berg : bergs_) {
     if (!berg.keel || !berg.disc.swept().contains(point)) continue;
     const auto gap_m = berg.disc.gap_m(point, time.count());

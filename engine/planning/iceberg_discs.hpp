@@ -79,6 +79,8 @@ class IcebergDiscs {
                                       core::Metres blur) const;
   [[nodiscard]] std::size_t size() const { return bergs_.size(); }
 
+  /// Whether the vehicle may pass under any of them.
+  [[nodiscard]] bool may_pass_under() const { return may_pass_under_; }
   /// How deep the dives must turn there and then to pass under what is above; empty where nothing is.
   [[nodiscard]] std::optional<core::Metres> least_upper_turn(geo::PlanePoint point, core::Seconds time) const;
   /// A stay of the vehicle in the disc of a berg that it passes under.
@@ -108,6 +110,7 @@ class IcebergDiscs {
   std::vector<Berg> bergs_;
   std::optional<PassUnder> pass_under_;
   bool standing_{true};
+  bool may_pass_under_{false};
   double slot_s_{3600.0};
   DiscIndex index_;
 };

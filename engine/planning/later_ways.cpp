@@ -12,7 +12,7 @@
 namespace floeplan::planning {
 
 LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds latest,
-                           std::size_t most_labels, const std::stop_token& stop) {
+                           core::Seconds slack, std::size_t most_labels, const std::stop_token& stop) {
   LaterWay result;
   const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
   VertexClosures closures{sea, open.grid};
@@ -32,11 +32,12 @@ LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds d
 
   const Voyage voyage{sea, open.grid, openings, latest, ladder ? &*ladder : nullptr};
   const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, depart.count(), {},
-                                              voyage, most_labels, stop);
+                                              voyage, most_labels, stop, {}, slack.count());
   result.counters = search.counters;
   result.cancelled = search.stopped;
   result.cut_short = search.full;
   if (!search.goal) return result;
+  result.arrival = core::Seconds{search.labels[*search.goal].arrival_s};
   for (const auto& label : graph::way_to(search, *search.goal))
     result.path.push_back(open.grid.point(label.vertex));
   return result;

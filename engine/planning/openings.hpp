@@ -19,6 +19,8 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class Openings {
  public:
+  /// None.
+  Openings() = default;
   /// `latest`: what opens after it is of no use. `closures`: of the grid, so
   /// far as they are worked out. `ladder`: where given, neither is what opens near a vertex after that
   /// is of use. Stops early once `stop` is requested; then not to be used.

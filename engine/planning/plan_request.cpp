@@ -84,8 +84,6 @@ core::Violations PlanRequest::violations() const {
           "must be between 1e-9 and 1e-2");
   require(icebergs.encounter_weight.count() == 0.0 || energy.objective.of_time > 0.0, "/encounter_weight_s",
           "must be 0 where time has no weight: seconds then tell nothing of what an encounter counts");
-  require(!icebergs.pass_under || !under_ice.max_time_without_surfacing, "/pass_under_icebergs",
-          "must be false where the time without surfacing is bounded: leave out one of the two");
   const core::Violations of_icebergs = icebergs.violations();
   found.insert(found.end(), of_icebergs.begin(), of_icebergs.end());
   for (core::Violation& violation : under_ice.violations()) found.push_back(std::move(violation));

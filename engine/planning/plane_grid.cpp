@@ -1,10 +1,23 @@
 #include "engine/planning/plane_grid.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "engine/planning/node_window.hpp"
 
 namespace floeplan::planning {
+namespace {
+
+double narrowest_cell(const FastAxis& axis) {
+  double narrowest = INFINITY;
+  for (std::size_t i = 1; i < axis.size(); ++i)
+    narrowest = std::min(narrowest, axis.nodes()[i] - axis.nodes()[i - 1]);
+  return narrowest;
+}
+
+}  // namespace
+
 PlaneGrid::PlaneGrid(const ocean::HorizontalGrid& grid, const geo::LocalProjection& projection,
                      const PlaneBox& area, const std::stop_token& stop)
     : lookup_{grid.frame(), projection, area, stop}, x_{{0.0}}, y_{{0.0}} {
@@ -21,6 +34,12 @@ std::optional<PlaneGrid::Corner> PlaneGrid::corner(geo::PlanePoint point) const 
   const auto y = y_.locate(at.y);
   if (!x || !y) return std::nullopt;
   return Corner{y->cell * x_.size() + x->cell, x->share, y->share};
+}
+
+double PlaneGrid::least_cell_m() const {
+  if (lookup_.has_jump()) return 0.0;
+  const geo::GridPoint steepest = lookup_.steepest();
+  return std::min(narrowest_cell(x_) / steepest.x, narrowest_cell(y_) / steepest.y);
 }
 
 }  // namespace floeplan::planning

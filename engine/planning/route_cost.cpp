@@ -132,6 +132,23 @@ tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::ve
   return at_once;
 }
 
+std::optional<core::Seconds> since_surfacing_at_end(const Sea& sea, const std::vector<geo::PlanePoint>& route,
+                                                    core::Seconds depart, core::Seconds since_surfacing,
+                                                    core::Seconds latest) {
+  constexpr core::Seconds rounding{1e-3};  // of sums of times
+  const auto schedule = schedule_along(sea, route, depart, since_surfacing);
+  if (!schedule || schedule->arrivals.back() > latest + rounding) return std::nullopt;
+  std::optional<core::Seconds> since = since_surfacing;
+  for (std::size_t i = 1; i < route.size() && since; ++i) {
+    since = since_surfacing_after_wait(sea, route[i - 1], schedule->arrivals[i - 1], schedule->leaves(i - 1),
+                                       *since);
+    if (!since) return std::nullopt;
+    const auto leg = sea.leg(route[i - 1], route[i], schedule->leaves(i - 1), *since);
+    since = leg ? std::optional{leg->since_surfacing} : std::nullopt;
+  }
+  return since;
+}
+
 tl::expected<std::vector<core::Seconds>, RouteClosed> arrivals_along(
     const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
     core::Seconds since_surfacing) {

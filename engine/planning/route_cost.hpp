@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <tl/expected.hpp>
 #include <vector>
 
@@ -34,5 +35,13 @@ struct Schedule {
 [[nodiscard]] tl::expected<std::vector<core::Seconds>, RouteClosed> arrivals_along(
     const Sea& sea, const std::vector<geo::PlanePoint>& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0});
+
+/// How long ago the vehicle might have surfaced when it comes to the end of the route no later than at `latest`; empty
+/// where it does not, or is longer without a surfacing than the request allows on the way.
+[[nodiscard]] std::optional<core::Seconds> since_surfacing_at_end(const Sea& sea,
+                                                                  const std::vector<geo::PlanePoint>& route,
+                                                                  core::Seconds depart,
+                                                                  core::Seconds since_surfacing,
+                                                                  core::Seconds latest);
 
 }  // namespace floeplan::planning

@@ -117,24 +117,26 @@ UntimedWay timed_without_delay(const Sea& sea, const std::vector<geo::PlanePoint
 /// Replaces the way by one that arrives before `latest` although it arrives later somewhere, if there is one.
 void look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& open, core::Seconds depart,
                          core::Seconds latest, const std::stop_token& stop) {
+  const core::Seconds least =
+      sea.least_time(open.grid.point(open.grid.start), open.grid.point(open.grid.goal));
+  const core::Seconds slack = least_gain * (std::isfinite(latest.count()) ? latest - depart : least);
   LaterWay later =
-      search_later_ways(sea, open, depart, latest,
+      search_later_ways(sea, open, depart, latest, slack,
                         result.path.empty() ? most_labels_for_a_way : most_labels_for_a_better_way, stop);
   result.statistics.expansions += later.counters.expansions;
   result.statistics.edge_evaluations += later.counters.edge_evaluations;
   result.cancelled = later.cancelled;
   result.cut_short = later.cut_short;
-  if (!later.path.empty()) result.path = std::move(later.path);
+  if (later.path.empty()) return;
+  result.path = std::move(later.path);
+  result.arrival = later.arrival;
 }
 
-}  // namespace
-
-RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
-                         core::Seconds depart, const std::stop_token& stop,
-                         const std::function<void(double)>& report_fraction, core::Seconds latest,
-                         core::Seconds since_surfacing, Foresight* kept_foresight) {
-  if (sea.bounds_surfacing())
-    return search_with_surfacings(sea, open, depart, since_surfacing, stop, report_fraction);
+/// The search as if the time without surfacing were not bounded.
+RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
+                             core::Seconds depart, const std::stop_token& stop,
+                             const std::function<void(double)>& report_fraction, core::Seconds latest,
+                             Foresight* kept_foresight) {
   const RouteGrid& grid = open.grid;
   const graph::GridGraph& graph = open.graph;
   RouteSearch result;
@@ -201,6 +203,7 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
     result.statistics.reinsertions += tree.counters.reinsertions;
     result.path.clear();
     for (const Vertex v : graph::path_to(graph, tree, grid.goal)) result.path.push_back(grid.point(v));
+    result.arrival = core::Seconds{tree.arrival_s(grid.goal)};
   };
 
   // What no timed closure meets on the best way without any is the best way with all of them.
@@ -220,6 +223,7 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
     if (untimed_way.arrival_s < arrival_s) {
       arrival_s = untimed_way.arrival_s;
       result.path = waiting_path;
+      result.arrival = core::Seconds{arrival_s};
     }
     const bool may_gain =
         result.path.empty() || arrival_s - least_s > least_gain * (arrival_s - depart.count());
@@ -240,6 +244,27 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
   }
   if (result.path.empty() && !result.cancelled) describe_end(result, sea, grid, graph, tree);
   return result;
+}
+
+}  // namespace
+
+RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
+                         core::Seconds depart, const std::stop_token& stop,
+                         const std::function<void(double)>& report_fraction, core::Seconds latest,
+                         core::Seconds since_surfacing, Foresight* kept_foresight) {
+  RouteSearch found =
+      search_unbounded(sea, open, request, depart, stop, report_fraction, latest, kept_foresight);
+  if (!sea.bounds_surfacing() || found.cancelled || found.path.empty()) return found;
+  // The best way of all is the best of those that keep the bound, if it does.
+  if (const auto since = since_surfacing_at_end(sea, found.path, depart, since_surfacing, found.arrival)) {
+    found.since_surfacing = *since;
+    return found;
+  }
+  RouteSearch bounded = search_with_surfacings(sea, open, depart, since_surfacing, stop, report_fraction);
+  bounded.statistics.expansions += found.statistics.expansions;
+  bounded.statistics.edge_evaluations += found.statistics.edge_evaluations;
+  bounded.statistics.reinsertions += found.statistics.reinsertions;
+  return bounded;
 }
 
 }  // namespace floeplan::planning

@@ -18,6 +18,7 @@ namespace floeplan::planning {
 /// What a search over one grid found.
 struct RouteSearch {
   std::vector<geo::PlanePoint> path;  // start and goal included; empty when the goal was not reached
+  core::Seconds arrival{INFINITY};    // at its end
   SearchStatistics statistics;
   bool cancelled{false};
   bool cut_short{false};    // a bound on memory was met: a better way past what opens again may exist
@@ -30,7 +31,8 @@ struct RouteSearch {
 
 /// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct). Where
 /// something that is closed for a while opens again before that arrival, also for ways that arrive somewhere later
-/// than they could. Where the time without surfacing is bounded, by search_with_surfacings whatever the method.
+/// than they could. Where the time without surfacing is bounded and the best way does not keep that bound, by
+/// search_with_surfacings whatever the method.
 /// `latest`: when the goal can certainly be reached by then, later ways need not be looked at, nor legs that open later.
 /// `since_surfacing`: at the start, when that time is bounded.
 /// `foresight`: of this grid, kept from search to search; without it one is made. Changes no result.

@@ -8,6 +8,7 @@
 #include "engine/motion/edge_time_back.hpp"
 #include "engine/planning/current_drive.hpp"
 #include "engine/planning/sea_layout.hpp"
+#include "engine/planning/surfacing_watch.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -44,6 +45,7 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       thruster_speed_{request.vehicle.thruster ? request.vehicle.thruster->speed : buoyancy_speed_},
       edge_tolerance_{request.edge_tolerance},
       longest_wait_{request.max_loiter},
+      longest_without_surfacing_{request.under_ice.max_time_without_surfacing},
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{zones.timed, projection, request.depart},
@@ -119,7 +121,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
                                                               core::Seconds depart, core::Seconds latest,
                                                               vehicle::Drive drive) const {
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  const bool below_ice = ice_ && ice_->has_dense_ice();
+  const bool below_ice = ice_ && ice_->may_be_dense_along(a, b);
   if (!has_timed_closures() && !below_ice) {
     return drive_time({a, b, ground_length(a, b)}, depart, latest, speed(drive), motion::VisitNoPiece{});
   }
@@ -221,7 +223,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
   const auto time =
       currents_ ? motion::edge_time_back(edge, arrive, through_water(), *currents_, accuracy_, earliest)
                 : edge.ground_length / through_water();
-  const bool below_ice = ice_ && ice_->has_dense_ice();
+  const bool below_ice = ice_ && ice_->may_be_dense_along(a, b);
   if (!time || !(has_timed_closures() || below_ice)) return time;
   // What closes for a while, and the room below the ice, is tested along the drive itself.
   const auto forwards = leg_time(a, b, arrive - *time);
@@ -232,12 +234,12 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
 tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::PlanePoint b,
                                                     core::Seconds depart,
                                                     core::Seconds since_surfacing) const {
-  if (!ice_) {
+  if (!ice_ && !bounds_surfacing()) {
     return leg_time(a, b, depart).map([](core::Seconds time) { return Leg{time, core::Seconds{0.0}}; });
   }
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
-  IceWatch watch{*ice_, edge, since_surfacing};
+  SurfacingWatch watch{*this, edge, since_surfacing};
   const double error_m = edge_tolerance_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
   const auto time = drive_time(edge, depart, core::Seconds{INFINITY}, through_water(),
                                [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
@@ -246,6 +248,22 @@ tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::Plan
                                });
   if (!time) return tl::unexpected(time.error());
   return Leg{*time, watch.since_surfacing()};
+}
+
+UnderIce::Leave Sea::leave(geo::PlanePoint point, core::Seconds time) const {
+  UnderIce::Leave leave = ice_ ? ice_->leave(point, time) : UnderIce::Leave{true, true};
+  leave.to_surface = leave.to_surface && !icebergs_.least_upper_turn(point, time);
+  return leave;
+}
+
+core::Metres Sea::surfacing_look() const {
+  constexpr core::Metres without_ice{250.0};  // a quarter of the least disc round an iceberg
+  return ice_ ? ice_->step() : without_ice;
+}
+
+core::Seconds Sea::least_time_to_opening(geo::PlanePoint point) const {
+  const core::Metres way = ice_ ? ice_->least_way_to_opening(point) : core::Metres{0.0};
+  return core::Seconds{least_slowness_s_m_ * way.value / largest_scale_};
 }
 
 std::vector<Sea::Passage> Sea::passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,

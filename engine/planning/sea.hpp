@@ -80,7 +80,7 @@ class Sea {
   /// that becomes longer than the request allows, anywhere on the leg.
   struct Leg {
     core::Seconds time;
-    core::Seconds since_surfacing;  // at its end; zero where there is no ice
+    core::Seconds since_surfacing;  // at its end; zero where nothing is above
   };
   [[nodiscard]] tl::expected<Leg, motion::EdgeClosed> leg(geo::PlanePoint a, geo::PlanePoint b,
                                                           core::Seconds depart,
@@ -97,6 +97,13 @@ class Sea {
   [[nodiscard]] bool may_surface(geo::PlanePoint point, core::Seconds time) const {
     return (!ice_ || ice_->may_surface(point, time)) && !icebergs_.least_upper_turn(point, time);
   }
+  /// The same, and whether there is room below the ice.
+  [[nodiscard]] UnderIce::Leave leave(geo::PlanePoint point, core::Seconds time) const;
+  /// How close together looks at what is above are.
+  [[nodiscard]] core::Metres surfacing_look() const;
+  /// Never more than the time to where the vehicle may surface, at whatever time it is there; infinite where that is
+  /// nowhere.
+  [[nodiscard]] core::Seconds least_time_to_opening(geo::PlanePoint point) const;
   /// How deep the dives must turn there and then, below ice or an iceberg's keel; zero where nothing is above.
   [[nodiscard]] core::Metres least_upper_turn(geo::PlanePoint point, core::Seconds time) const {
     const core::Metres of_ice = ice_ ? ice_->least_upper_turn(point, time) : core::Metres{0.0};
@@ -107,8 +114,14 @@ class Sea {
                                   core::Seconds time) const {
     return encounters_ ? encounters_->along(a, b, depart, time) : 0.0;
   }
-  /// Whether the time without a possible surfacing is bounded, so that a leg depends on those before it.
-  [[nodiscard]] bool bounds_surfacing() const { return ice_ && ice_->longest_without_surfacing(); }
+  /// Whether the time without a possible surfacing is bounded, and something may be above the vehicle, so that a leg
+  /// depends on those before it.
+  [[nodiscard]] bool bounds_surfacing() const {
+    return longest_without_surfacing_ && (ice_ || icebergs_.may_pass_under());
+  }
+  [[nodiscard]] std::optional<core::Seconds> longest_without_surfacing() const {
+    return longest_without_surfacing_;
+  }
 
   /// Never more than the time of any straight way between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
@@ -156,6 +169,7 @@ class Sea {
   core::MetresPerSecond thruster_speed_;  // as the buoyancy drive where there is none
   double edge_tolerance_;
   core::Seconds longest_wait_;
+  std::optional<core::Seconds> longest_without_surfacing_;
   motion::EdgeAccuracy accuracy_;
   SafetyMap safety_;
   TimedZones timed_zones_;

@@ -7,9 +7,6 @@
 namespace floeplan::planning {
 namespace {
 
-/// Looks along a route when nothing is known of ice: often enough to place surfacings well.
-constexpr core::Metres step_in_open_water{250.0};
-
 /// Follows the vehicle from look to look.
 class Log {
  public:
@@ -87,7 +84,7 @@ void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, cor
 
 SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
                               const std::vector<geo::PlanePoint>& route, const Schedule& schedule) {
-  const core::Metres step = sea.ice() ? sea.ice()->step() : step_in_open_water;
+  const core::Metres step = sea.surfacing_look();
   Log log{sea, request, route.front()};
   const Sea::Passage start{route.front(), schedule.arrivals.front()};
   log.look(start);

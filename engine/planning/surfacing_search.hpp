@@ -9,18 +9,21 @@
 
 namespace floeplan::planning {
 
-inline constexpr std::size_t most_surfacing_labels = 4'000'000;  // about 300 MB
+/// How many arrivals a search with a bound on the time without surfacing keeps at most: some seconds, 20 MB.
+inline constexpr std::size_t most_surfacing_labels = 100'000;
 
 /// The earliest arrival at the goal of a grid along ways on which the time without a possible surfacing stays within
 /// the request's bound, everywhere on the way: a search over arrivals that also carries that time, because a way that
 /// passes open water may be the only one that goes on.
-/// Exact    where currents and ice do not change with time. Where they do, an arrival that is earlier and no worse
-///          as to its last possible surfacing is held to be better; it may be that a later one would meet a faster
-///          current, or ice that has opened since
+/// Exact    as to the bound: what is found keeps it. As to time: it is no later than the earliest way that keeps a
+///          bound shorter by a hundredth part, but for the tolerance of the legs' times, where currents and ice do not change with time. Where they do, an arrival
+///          that is earlier and no worse as to its last possible surfacing is held to be better; it may be that a later
+///          one would meet a faster current, or ice that has opened since
 /// Waits    where the request allows them, the least before a leg that lets the vehicle through what is closed for a
 ///          while; time spent so below ice counts as time without a surfacing. The search is then
 ///          cut short much earlier
-/// Stops    early and says so once `stop` is requested; a way is not found beyond `most_labels` arrivals
+/// Stops    early and says so once `stop` is requested or beyond `most_labels` arrivals, then with the best way it
+///          knows, if any
 [[nodiscard]] RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::Seconds depart,
                                                  core::Seconds since_surfacing, const std::stop_token& stop,
                                                  const std::function<void(double)>& report_fraction,

@@ -10,7 +10,7 @@ std::optional<core::Seconds> since_surfacing_after_wait(const Sea& sea, geo::Pla
   constexpr core::Seconds between_looks{900.0};
   constexpr core::Seconds just_now{0.0};
   if (!sea.bounds_surfacing()) return just_now;
-  const core::Seconds longest = *sea.ice()->longest_without_surfacing();
+  const core::Seconds longest = *sea.longest_without_surfacing();
   while (from < until) {
     const core::Seconds now = std::min(from + between_looks, until);
     const bool open = sea.may_surface(place, now);

@@ -39,6 +39,11 @@ bool UnderIce::may_transit(geo::PlanePoint point, core::Seconds time) const {
   return has_room_below(point, cover_.above(point, time));
 }
 
+UnderIce::Leave UnderIce::leave(geo::PlanePoint point, core::Seconds time) const {
+  const IceAbove ice = cover_.above(point, time);
+  return {.to_surface = ice.may_surface, .to_transit = has_room_below(point, ice)};
+}
+
 bool UnderIce::may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const {
   bool open = true;
   motion::look_along(edge, piece, step(), [&](geo::PlanePoint point, core::Seconds time) {
@@ -46,26 +51,6 @@ bool UnderIce::may_transit_along(const motion::PlaneEdge& edge, const motion::Ed
     return open;
   });
   return open;
-}
-
-std::optional<motion::EdgeClosed> IceWatch::operator()(const motion::EdgePiece& piece) {
-  std::optional<motion::EdgeClosed> closed;
-  const auto longest = ice_.longest_without_surfacing();
-  double now_s = piece.t0_s;
-  motion::look_along(edge_, piece, ice_.step(), [&](geo::PlanePoint point, core::Seconds time) {
-    const bool open = ice_.may_surface(point, time);
-    const bool open_all_along = open && since_s_ == 0.0;
-    if (!open_all_along) since_s_ += time.count() - now_s;
-    if (!ice_.may_transit(point, time)) {
-      closed = motion::EdgeClosed::under_ice;
-    } else if (longest && since_s_ > longest->count()) {
-      closed = motion::EdgeClosed::no_surfacing;
-    }
-    if (open) since_s_ = 0.0;
-    now_s = time.count();
-    return !closed;
-  });
-  return closed;
 }
 
 }  // namespace floeplan::planning

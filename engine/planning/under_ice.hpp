@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -38,14 +39,24 @@ class UnderIce {
   /// nothing is known.
   [[nodiscard]] core::Metres least_upper_turn(geo::PlanePoint point, core::Seconds time) const;
   [[nodiscard]] bool may_transit(geo::PlanePoint point, core::Seconds time) const;
-  /// Whether there is ice at all that the vehicle would have to pass below.
-  [[nodiscard]] bool has_dense_ice() const { return cover_.has_dense_ice(); }
+  /// Both questions at once.
+  struct Leave {
+    bool to_surface{};
+    bool to_transit{};
+  };
+  [[nodiscard]] Leave leave(geo::PlanePoint point, core::Seconds time) const;
+  /// Never more than the way in the plane to where the vehicle may surface, at whatever time; infinite where that is
+  /// nowhere.
+  [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const {
+    return cover_.least_way_to_opening(point);
+  }
+  /// Whether there may be ice on a line that the vehicle would have to pass below.
+  [[nodiscard]] bool may_be_dense_along(geo::PlanePoint a, geo::PlanePoint b) const {
+    return cover_.has_dense_ice() &&
+           cover_.least_way_to_dense_ice(a).value <= std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+  }
   /// Whether there is room below the ice all along a piece of a drive.
   [[nodiscard]] bool may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const;
-  [[nodiscard]] std::optional<core::Seconds> longest_without_surfacing() const {
-    return rules_.max_time_without_surfacing;
-  }
-
   [[nodiscard]] core::Metres step() const { return core::Metres{step_m_}; }
 
  private:
@@ -58,22 +69,6 @@ class UnderIce {
   double dive_room_m_;           // from the upper turn to the deepest point of the dives
   double dive_depth_m_;
   double step_m_;
-};
-
-/// Watches a drive for ice: closes it where there is no room below the ice, and where the last possible surfacing
-/// lies too far back. A visitor of the pieces of an edge.
-class IceWatch {
- public:
-  IceWatch(const UnderIce& ice, const motion::PlaneEdge& edge, core::Seconds since_surfacing)
-      : ice_{ice}, edge_{edge}, since_s_{since_surfacing.count()} {}
-
-  std::optional<motion::EdgeClosed> operator()(const motion::EdgePiece& piece);
-  [[nodiscard]] core::Seconds since_surfacing() const { return core::Seconds{since_s_}; }
-
- private:
-  const UnderIce& ice_;
-  const motion::PlaneEdge& edge_;
-  double since_s_;
 };
 
 }  // namespace floeplan::planning

@@ -68,26 +68,35 @@ class GridTrial {
       : sea_{sea}, open_{open}, left_{left}, stop_{stop}, foresight_{sea, open} {}
 
   Reached operator()(core::Seconds depart, core::Seconds since_surfacing) {
-    if (sea_.bounds_surfacing()) return with_surfacings(depart, since_surfacing);
+    std::vector<geo::PlanePoint> path = unbounded_way(depart);
+    if (!sea_.bounds_surfacing() || path.empty()) return {std::move(path), {}};
+    constexpr core::Seconds whenever_there{INFINITY};
+    if (const auto since = since_surfacing_at_end(sea_, path, depart, since_surfacing, whenever_there))
+      return {std::move(path), *since};
+    return with_surfacings(depart, since_surfacing);
+  }
+
+ private:
+  /// As if the time without surfacing were not bounded.
+  std::vector<geo::PlanePoint> unbounded_way(core::Seconds depart) {
     const auto untimed = [this](const graph::Edge& edge, core::Seconds leaves, core::Seconds latest) {
       return sea_.leg_time_without_timed_closures(open_.grid.point(edge.tail), open_.grid.point(edge.head),
                                                   leaves, latest);
     };
     const GridTravelTime timed{sea_, open_.grid};
-    if (!sea_.has_timed_closures()) return {likely_or_earliest_way(depart, timed).path, {}};
+    if (!sea_.has_timed_closures()) return likely_or_earliest_way(depart, timed).path;
 
     Way way = likely_or_earliest_way(depart, untimed);
-    if (way.path.empty() || schedule_along(sea_, way.path, depart)) return {std::move(way.path), {}};
+    if (way.path.empty() || schedule_along(sea_, way.path, depart)) return std::move(way.path);
     // Round what is in the way: seldom much farther, and what is out of reach in that time need not be looked at.
     constexpr double detour = 1.25;
     const core::Seconds soon = depart + detour * (way.arrival - depart);
     way = way_by<TowardsAnyWay>(depart, soon, timed);
     if (way.path.empty()) way = way_by<TowardsEarliestWay>(depart, whenever, timed);
     if (way.path.empty() && left_ > 0) way.path = later_path(depart);
-    return {std::move(way.path), {}};
+    return std::move(way.path);
   }
 
- private:
   [[nodiscard]] std::size_t affordable_labels() const {
     const auto affordable = static_cast<std::size_t>(std::max<std::int64_t>(1, left_ / work_of_a_label));
     return std::min(most_labels_of_a_trial, affordable);
@@ -169,8 +178,7 @@ class GridTrial {
   }
 
   std::vector<geo::PlanePoint> later_path(core::Seconds depart) {
-    LaterWay later =
-        search_later_ways(sea_, open_, depart, core::Seconds{INFINITY}, affordable_labels(), stop_);
+    LaterWay later = search_later_ways(sea_, open_, depart, whenever, whenever, affordable_labels(), stop_);
     left_ -= work_of_a_leg * later.counters.edge_evaluations;
     if (later.cut_short) left_ = std::min<std::int64_t>(left_, 0);
     return std::move(later.path);

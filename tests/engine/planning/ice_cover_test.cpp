@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <limits>
 
@@ -68,6 +69,31 @@ TEST(IceCover, HoldsTheFirstAndTheLastStepForThreeDays) {
   EXPECT_FALSE(cover.above({0.0, 0.0}, hours(24.0 + 71.0)).may_surface);
   EXPECT_TRUE(cover.above({0.0, 0.0}, hours(24.0 + 71.0)).known);
   EXPECT_FALSE(cover.above({0.0, 0.0}, hours(24.0 + 73.0)).known);
+}
+
+TEST(IceCover, KnowsHowFarItIsAtLeastToOpenWaterAndToDenseIce) {
+  support::for_each_seed(40, [](std::mt19937_64& rng) {
+    const double phase = support::uniform(rng, 0.0, 6.28);
+    const IceCover cover = cover_of(support::ice_from(
+        [&](geo::LonLat p, double hour) {
+          return std::clamp(0.6 + 0.6 * std::sin(5.0 * p.lon_deg + phase) * std::sin(9.0 * p.lat_deg + hour),
+                            0.0, 1.0);
+        },
+        {0.0, 24.0}));
+    const auto anywhere = [&] {
+      return geo::PlanePoint{support::uniform(rng, -30'000.0, 30'000.0),
+                             support::uniform(rng, -30'000.0, 30'000.0)};
+    };
+
+    const geo::PlanePoint from = anywhere();
+    for (int i = 0; i < 200; ++i) {
+      const geo::PlanePoint to = anywhere();
+      const IceAbove ice = cover.above(to, hours(support::uniform(rng, 0.0, 24.0)));
+      const core::Metres least =
+          ice.may_surface ? cover.least_way_to_opening(from) : cover.least_way_to_dense_ice(from);
+      EXPECT_LE(least.value, std::hypot(to.x_m - from.x_m, to.y_m - from.y_m));
+    }
+  });
 }
 
 TEST(IceCover, KnowsEightThicknessesOfKeelOrTheAssumedOne) {

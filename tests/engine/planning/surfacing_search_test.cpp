@@ -1,3 +1,5 @@
+#include "engine/planning/surfacing_search.hpp"
+
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -5,8 +7,10 @@
 #include <limits>
 #include <vector>
 
+#include "engine/planning/chart.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/route_search.hpp"
+#include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -85,7 +89,7 @@ std::vector<double> least_since(const Sea& sea, const OpenGrid& open) {
   return least;
 }
 
-TEST(SurfacingSearch, FindsTheEarliestArrivalOfAllWalksThatKeepTheBound) {
+TEST(SurfacingSearch, FindsAnArrivalAsEarlyAsAnyWalkThatKeepsABoundShorterByAHundredth) {
   int found = 0;
   int refused = 0;
   support::for_each_seed(40, [&](std::mt19937_64& rng) {
@@ -106,17 +110,25 @@ TEST(SurfacingSearch, FindsTheEarliestArrivalOfAllWalksThatKeepTheBound) {
 
     const RouteSearch search = search_route(sea, open, request, core::Seconds{0.0}, {}, [](double) {});
 
+    PlanRequest stricter = request;
+    *stricter.under_ice.max_time_without_surfacing *= 0.99;
+    const Sea strict_sea{environment, stricter, projection, grid.bounds().grown(2000.0),
+                         core::Metres{1000.0}};
     const bool possible = least_since(sea, open)[grid.goal] < never;
-    ASSERT_EQ(!search.path.empty(), possible);
-    if (!possible) {
+    const bool strictly_possible = least_since(strict_sea, open)[grid.goal] < never;
+    if (search.path.empty()) {
+      ASSERT_FALSE(strictly_possible);
       ++refused;
       return;
     }
+    ASSERT_TRUE(possible);
     ++found;
     const auto arrivals = arrivals_along(sea, search.path, core::Seconds{0.0});
     ASSERT_TRUE(arrivals) << "the bound holds along the whole way";
     const double arrival_s = arrivals->back().count();
-    EXPECT_FALSE((AllWalks{sea, open, arrival_s - 0.1}.reach_goal_from(grid.start, 0.0, 0.0)));
+    EXPECT_NEAR(search.arrival.count(), arrival_s, 1e-3);
+    EXPECT_FALSE((AllWalks{strict_sea, open, (1.0 - sea.edge_tolerance()) * arrival_s - 0.1}.reach_goal_from(
+        grid.start, 0.0, 0.0)));
   });
   EXPECT_GT(found, 10);
   EXPECT_GT(refused, 2);
@@ -161,6 +173,88 @@ TEST(SurfacingSearch, SaysThatTheLastSurfacingLiesTooFarBack) {
 
   EXPECT_TRUE(search.path.empty());
   EXPECT_GT(std::ranges::count(search.closed_at_nearest, motion::EdgeClosed::no_surfacing), 0);
+}
+
+TEST(SurfacingSearch, TakesTheBestWayOfAllWhereThatKeepsTheBound) {
+  // Eddies, and a tongue of ice to the north of the way.
+  const ocean::Environment environment{
+      .currents = support::currents_from(
+          [](geo::LonLat p, double hour) {
+            return geo::VelocityEn{{0.1 * std::sin(9.0 * p.lat_deg + 0.1 * hour)},
+                                   {0.1 * std::cos(7.0 * p.lon_deg)}};
+          },
+          96),
+      .ice =
+          support::ice_from([](geo::LonLat p, double) { return p.lat_deg > 69.05 ? 0.9 : 0.0; }, {0.0}, 1.0)};
+  const RouteGrid grid = small_grid(6, 6);
+  const auto search_within = [&](double bound_h) {
+    const PlanRequest request = bounded_request(bound_h);
+    const Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{1000.0}};
+    return search_route(sea, open_grid(sea, grid, 1, {}), request, core::Seconds{0.0}, {}, [](double) {});
+  };
+
+  const RouteSearch unhindered = search_within(1000.0);
+  const RouteSearch within_three_hours = search_within(3.0);
+  ASSERT_FALSE(unhindered.path.empty());
+  EXPECT_EQ(within_three_hours.arrival, unhindered.arrival);
+  EXPECT_EQ(within_three_hours.statistics.expansions, unhindered.statistics.expansions);
+}
+
+TEST(SurfacingSearch, FindsTheWayPastABergThatLeavesTheGapLater) {
+  PlanRequest request = bounded_request(1000.0);
+  request.sectors = 2;
+  request.spacing_along = core::Metres{2000.0};
+  request.icebergs.margin = core::Metres{5500.0};
+  request.icebergs.max_inflation = core::Metres{0.0};
+  ocean::Environment environment{
+      .bathymetry = wall_with_a_gap(),
+      .ice = support::ice_from([](geo::LonLat, double) { return 0.0; }, {0.0}, 1.0)};
+  environment.icebergs = {drifting_berg({-53.2, 69.0}, 100.0, 0.12, 90.0)};
+  const auto chart = draw_chart(environment, request, first_reach, {});
+  ASSERT_TRUE(chart);
+  const OpenGrid open = open_grid(chart->sea, chart->layout.grids.front(), request.sectors, {});
+
+  const RouteSearch of_all = search_route(chart->sea, open, request, core::Seconds{0.0}, {}, [](double) {});
+  const RouteSearch bounded =
+      search_with_surfacings(chart->sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}, [](double) {});
+
+  ASSERT_FALSE(of_all.path.empty());
+  ASSERT_FALSE(bounded.path.empty());
+  EXPECT_NEAR(bounded.arrival.count(), of_all.arrival.count(), 0.02 * of_all.arrival.count());
+}
+
+TEST(SurfacingSearch, ReturnsTheBestWayItKnowsWhenItIsCutShort) {
+  // Patches of open water, which leave many ways to come to each place.
+  const ocean::Environment environment{.ice = support::ice_from(
+                                           [](geo::LonLat p, double) {
+                                             return std::clamp(0.45 + 0.5 * std::sin(9.0 * p.lon_deg) +
+                                                                   0.4 * std::sin(25.0 * p.lat_deg),
+                                                               0.0, 1.0);
+                                           },
+                                           {0.0}, 1.0)};
+  const PlanRequest request = bounded_request(20.0);
+  RouteGrid grid = small_grid(25, 25);
+  grid.along.x_m /= 4.0;
+  grid.across.y_m /= 4.0;
+  const Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{1000.0}};
+  const OpenGrid open = open_grid(sea, grid, 2, {});
+  const auto search_among = [&](std::size_t labels) {
+    return search_with_surfacings(
+        sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}, [](double) {}, labels);
+  };
+
+  const RouteSearch whole = search_among(100'000);
+  ASSERT_FALSE(whole.path.empty());
+  EXPECT_FALSE(whole.cut_short);
+  int with_a_way = 0;
+  for (std::size_t labels = 100; labels < 20'000; labels *= 2) {
+    const RouteSearch part = search_among(labels);
+    if (part.path.empty()) continue;
+    ++with_a_way;
+    EXPECT_TRUE(arrivals_along(sea, part.path, core::Seconds{0.0}));
+    EXPECT_GE(part.arrival.count(), whole.arrival.count() - 1e-6);
+  }
+  EXPECT_GT(with_a_way, 2);
 }
 
 }  // namespace

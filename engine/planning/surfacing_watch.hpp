@@ -1,0 +1,31 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/motion/edge_closed.hpp"
+#include "engine/motion/edge_time.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// Watches a drive for what is above: closes it where there is no room below the ice, and where the last possible
+/// surfacing lies too far back. A visitor of the pieces of an edge.
+/// Accuracy  looked at every `surfacing_look()` of the sea; the time between two looks counts as without a surfacing
+///           unless the vehicle may surface at both, so that what counts is never shorter than the truth but for ice,
+///           or an iceberg, narrower than that
+class SurfacingWatch {
+ public:
+  /// `sea` and `edge` are borrowed.
+  SurfacingWatch(const Sea& sea, const motion::PlaneEdge& edge, core::Seconds since_surfacing)
+      : sea_{sea}, edge_{edge}, since_s_{since_surfacing.count()} {}
+
+  std::optional<motion::EdgeClosed> operator()(const motion::EdgePiece& piece);
+  [[nodiscard]] core::Seconds since_surfacing() const { return core::Seconds{since_s_}; }
+
+ private:
+  const Sea& sea_;
+  const motion::PlaneEdge& edge_;
+  double since_s_;
+};
+
+}  // namespace floeplan::planning
