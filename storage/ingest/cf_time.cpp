@@ -205,6 +205,18 @@ Date model_date(CfCalendar calendar, double day) {
   return date;
 }
 
+/// The date that the Julian calendar has on this day since 1970-01-01, if today's calendar has such a date too.
+std::optional<Date> julian_date(double day) {
+  for (int behind = -2; behind <= 13; ++behind) {  // of the Gregorian calendar, from the year 1 to 2100
+    const std::chrono::year_month_day date{
+        std::chrono::sys_days{std::chrono::days{static_cast<int>(day) - behind}}};
+    const Date named{static_cast<int>(date.year()), static_cast<int>(static_cast<unsigned>(date.month())),
+                     static_cast<int>(static_cast<unsigned>(date.day()))};
+    if (julian_days(named) == day) return named;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Checked<CfTime> CfTime::parse(std::string_view units, std::string_view calendar) {
@@ -242,12 +254,23 @@ bool CfTime::is_model_calendar() const {
          calendar_ == CfCalendar::days_360;
 }
 
+bool CfTime::is_julian() const { return calendar_ == CfCalendar::julian; }
+
 Checked<core::UtcTime> CfTime::at(double value) const {
   const std::string quoted = number(value, 15) + " " + text_;
   if (!std::isfinite(value)) return refuse("a time is missing (" + quoted + "); every step needs its time");
   double seconds = std::round((epoch_s_ + value * unit_s_) * 1000.0) / 1000.0;
   if (std::abs(seconds) > 1e12) return refuse("the time " + quoted + " is not within the years 1800 to 2200");
 
+  if (is_julian()) {
+    const double day = std::floor(seconds / day_s);
+    const auto date = julian_date(day);
+    if (!date)
+      return refuse("the time " + quoted +
+                    " is a 29 February that today's calendar does not have; convert the times to the "
+                    "standard calendar");
+    seconds += (*day_number(CfCalendar::proleptic_gregorian, *date) - day) * day_s;
+  }
   if (is_model_calendar()) {
     const double day = std::floor(seconds / day_s);
     const Date date = model_date(calendar_, day);

@@ -97,6 +97,11 @@ Checked<AxisNodes> time_nodes(const NetcdfVariable& coordinate, std::vector<std:
   if (const double rounding_s = rounding_of_float32_s(coordinate, *values, *decoder); rounding_s > 1.0)
     warnings.push_back("the times are stored with so few digits that they may be wrong by " +
                        number(rounding_s, 2) + " s");
+  if (decoder->is_julian())
+    warnings.emplace_back(
+        "the times are stated in the Julian calendar; their dates were taken as dates of today's calendar, "
+        "as their "
+        "producers mean them, and not shifted by 13 days");
   if (decoder->is_model_calendar())
     warnings.push_back("the times are in a model's own calendar (\"" + coordinate.attribute("calendar") +
                        "\"); the dates were kept, but tides and weather of those days are not the real ones");

@@ -50,7 +50,6 @@ INSTANTIATE_TEST_SUITE_P(
         Decoding{"days since 0001-01-01 00:00:00", "standard", 737792.0, "2021-01-01T00:00:00Z"},
         Decoding{"days since 0000-01-01", "proleptic_gregorian", 738156.0, "2021-01-01T00:00:00Z"},
         Decoding{"days since 1582-10-04", "standard", 160000.0, "2020-11-06T00:00:00Z"},
-        Decoding{"days since 2000-01-01", "julian", 0.0, "2000-01-14T00:00:00Z"},
         Decoding{"weeks since 2000-01-01", "", 2.0, "2000-01-15T00:00:00Z"}));
 
 INSTANTIATE_TEST_SUITE_P(
@@ -59,6 +58,11 @@ INSTANTIATE_TEST_SUITE_P(
                     Decoding{"days since 2000-01-01", "365_day", 59.0, "2000-03-01T00:00:00Z"},
                     Decoding{"days since 2001-01-01", "366_day", 60.0, "2001-03-01T00:00:00Z"},
                     Decoding{"days since 2001-01-01", "all_leap", 59.0, ""},
+                    Decoding{"days since 1990-01-01", "julian", 0.0, "1990-01-01T00:00:00Z"},
+                    Decoding{"days since 1990-01-01", "julian", 10957.25, "2020-01-01T06:00:00Z"},
+                    Decoding{"days since 0001-01-01", "julian", 737439.0, "2020-01-01T00:00:00Z"},
+                    Decoding{"days since 1900-02-28", "julian", 1.0, ""},
+                    Decoding{"days since 1900-02-28", "julian", 2.0, "1900-03-01T00:00:00Z"},
                     Decoding{"days since 2000-01-01", "360_day", 360.0, "2001-01-01T00:00:00Z"},
                     Decoding{"days since 2000-01-01", "360_day", 59.0, ""}));
 
@@ -85,6 +89,7 @@ TEST(CfTime, QuotesTheFilesOwnTextWhenItRefuses) {
 TEST(CfTime, KnowsACalendarThatIsNotOurs) {
   EXPECT_TRUE(CfTime::parse("days since 1900-01-01", "noleap")->is_model_calendar());
   EXPECT_FALSE(CfTime::parse("days since 1900-01-01", "julian")->is_model_calendar());
+  EXPECT_TRUE(CfTime::parse("days since 1900-01-01", "julian")->is_julian());
 }
 
 }  // namespace
