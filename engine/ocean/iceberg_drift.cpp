@@ -59,6 +59,8 @@ class Drift {
     return {forced.east + left * besides_forces_.east, forced.north + left * besides_forces_.north};
   }
 
+  /// By the mean depth, not by the least of the cell: a forecast that holds a berg too early leaves the water free to
+  /// which it drifts on, while the error around it grows either way.
   [[nodiscard]] bool is_aground(geo::LonLat place) const {
     if (!environment_.bathymetry) return false;
     const auto bed = environment_.bathymetry->depth(place);

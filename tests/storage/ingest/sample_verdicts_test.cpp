@@ -1,0 +1,76 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <ostream>
+
+#include "tests/storage/ingest/store_fixture.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+/// A sample that is no data of the sea's, and a fragment of the reason for its refusal.
+struct Refused {
+  const char* file;
+  const char* reason;
+};
+
+void PrintTo(const Refused& sample, std::ostream* out) { *out << sample.file; }
+
+class SampleWithoutData : public StoreFixture, public testing::WithParamInterface<Refused> {};
+
+TEST_P(SampleWithoutData, IsRefusedWithTheReason) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+  expect_refused(sample_folder() / GetParam().file, GetParam().reason);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Gliders, SampleWithoutData,
+    testing::Values(Refused{"glider/comet-2019-222-02-154.dbd", "glider"},
+                    Refused{"glider/1f35be3b.cac", "glider"}, Refused{"glider/62d8b5da.cac", "glider"},
+                    Refused{"glider/slocum_amadeus-2014-204-05-000_nav.csv", "glider"},
+                    Refused{"glider/slocum_comet-2019-222-02-154_nav.csv", "glider"},
+                    Refused{"glider/gutils_profile.nc", "glider"},
+                    Refused{"glider/gutils_erddap_2.nc", "glider"},
+                    Refused{"glider/bios_jack_1.nc", "glider"},
+                    Refused{"glider/S102791A002_Barrow_v2_avgd.ad2cp", "does not know"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Tides, SampleWithoutData,
+    testing::Values(Refused{"tides/tmd25_cats2008_ellipse_raw_mislabelled_a.csv", "does not know"},
+                    Refused{"tides/tmd25_cats2008_ellipse_relabelled_a.csv", "does not know"},
+                    Refused{"tides/tmd25_cats2008_U_cms_a.csv", "does not know"},
+                    Refused{"tides/tmd25_cats2008_V_cms_a.csv", "does not know"},
+                    Refused{"tides/aviso_fes2014_v12_fes_slev.txt", "does not know"},
+                    Refused{"tides/utide_HNL2010_prediction_a_2010-03.csv", "does not know"},
+                    Refused{"tides/utide_HNL2010_prediction_a_2016-07.csv", "does not know"},
+                    Refused{"tides/utide_HNL2010_hourly_mm.asc", "does not know"},
+                    Refused{"tides/ttide_constituents_const.nc", "neither currents of the sea"},
+                    Refused{"tides/ttide_constituents_sat.nc", "neither currents of the sea"},
+                    Refused{"tides/ttide_constituents_shallow.nc", "neither currents of the sea"},
+                    Refused{"tides/uhslc_h820_nuuk_hourly.nc", "neither currents of the sea"}));
+
+/// Every sample is named in a test of this folder, here or where its values are compared.
+TEST(Samples, AreAllJudged) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+  const auto text_of = [](const std::filesystem::path& file) {
+    std::ifstream in{file};
+    return std::string{std::istreambuf_iterator<char>{in}, {}};
+  };
+  std::string tests;
+  for (const auto& file : std::filesystem::directory_iterator{std::filesystem::path{FLOEPLAN_SOURCE_DIR} /
+                                                              "tests/storage/ingest"})
+    tests += text_of(file.path());
+  for (const auto& entry : std::filesystem::recursive_directory_iterator{sample_folder()}) {
+    const std::string path = entry.path().lexically_relative(sample_folder());
+    const bool inside_zarr = path.find(".zarr/") != std::string::npos;
+    const bool is_sample = entry.is_regular_file() || path.ends_with(".zarr");
+    if (!is_sample || inside_zarr || entry.path().filename() == "PROVENANCE.md") continue;
+    EXPECT_NE(tests.find(entry.path().filename()), std::string::npos) << path;
+  }
+}
+
+}  // namespace
+}  // namespace floeplan::ingest
