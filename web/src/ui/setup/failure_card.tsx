@@ -5,6 +5,7 @@ import type { Change } from '../../api/types';
 import { formatPosition } from '../../geo/coordinates';
 import { draft, editFor } from '../../model/draft';
 import { failure, reasonTitle, running } from '../../model/job';
+import { inPageWords } from '../../model/page_words';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { ask } from '../../model/view';
@@ -56,7 +57,7 @@ export function FailureCard(): VNode | null {
   return (
     <section class="failure" role="alert" aria-label="No plan is possible" ref={card}>
       <h3><Icon name="warning" /> {reasonTitle(answer.reason)}</h3>
-      <p>{answer.explanation}</p>
+      <p>{inPageWords(answer.explanation)}</p>
       <p class="failure-place">
         <button type="button" class="link" onClick={() => ask({ do: 'centre', place: [answer.at.lon, answer.at.lat] })}>
           {formatPosition([answer.at.lon, answer.at.lat], settings.value.coordinates)}
@@ -66,11 +67,11 @@ export function FailureCard(): VNode | null {
       <Changes changes={answer.changes ?? []} />
       {answer.suggestion && (
         <p class="suggestion">
-          <b>Try this:</b> {answer.suggestion}
+          <b>Try this:</b> {inPageWords(answer.suggestion)}
         </p>
       )}
       {answer.warnings.length > 0 && (
-        <ul class="warnings">{answer.warnings.map((text) => <li key={text}>{text}</li>)}</ul>
+        <ul class="warnings">{answer.warnings.map((text) => <li key={text}>{inPageWords(text)}</li>)}</ul>
       )}
       <IconButton icon="x" label="Dismiss this message" onClick={close} class="corner" />
     </section>

@@ -1,0 +1,11 @@
+/** Flags of the command line that the server's sentences name, and the fields of the set-up that ask for the same. */
+const fields: Record<string, string> = {
+  '--bathymetry': 'Depths', '--currents': 'Currents', '--depart': 'Departure', '--depart-until': 'Latest departure',
+  '--dive-depth': 'Dive depth', '--escape-plan': 'A way out from every waypoint', '--margin': 'Ice margin',
+  '--max-concentration-to-surface': 'Surface up to', '--max-inflation': 'Most for errors', '--max-loiter': 'Longest wait',
+  '--max-sighting-age': 'Sightings up to', '--max-time-without-surfacing': 'Longest below', '--objective': 'Optimise',
+  '--spacing': 'Grid spacing', '--steady': 'Hold the currents at departure', '--thruster': 'Thruster',
+};
+
+/** A sentence of the server in the words of this page: “Longest wait” where it says --max-loiter. */
+export const inPageWords = (text: string): string => text.replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (fields[flag] ? `“${fields[flag]}”` : flag));

@@ -1,0 +1,9 @@
+import { expect, it } from 'vitest';
+import { inPageWords } from '../../src/model/page_words';
+
+it('flags of the command line become the fields of the page, whole ones only', () => {
+  expect(inPageWords('let the vehicle wait (--max-loiter), or depart later')).toBe('let the vehicle wait (“Longest wait”), or depart later');
+  expect(inPageWords('save energy (--objective energy)')).toBe('save energy (“Optimise” energy)');
+  expect(inPageWords('--depart-until 12Z')).toBe('“Latest departure” 12Z');
+  expect(inPageWords('a well-known --thing -- and more')).toBe('a well-known --thing -- and more');
+});
