@@ -17,8 +17,12 @@ import { projection } from '../model/settings';
 import { palette } from '../theme/palette';
 import { toMap } from './projections';
 
-/** Farther out than this many metres in a pixel, ticks and rings would hide the map. */
-const near_m = 150;
+/** Farther out than this many metres in a pixel, rings and ticks would hide the map. */
+const rings_m = 150;
+const ticks_m = 60;
+
+/** Rings of many bergs overlap: each lets the plans and the others shine through. */
+const half = '80';
 
 const isShown = (): boolean => visible.value.drift && visible.value.icebergs;
 
@@ -41,7 +45,7 @@ export function driftLayer(): VectorLayer<VectorSource> {
     const { reach } = palette.value;
     const line = new Style({ stroke: new Stroke({ color: reach, width: 1 }) });
     const tick = new Style({ image: new Circle({ radius: 1.8, fill: new Fill({ color: reach }) }) });
-    layer.setStyle((feature, resolution) => (feature.getGeometry()?.getType() === 'LineString' ? line : resolution < near_m ? tick : undefined));
+    layer.setStyle((feature, resolution) => (feature.getGeometry()?.getType() === 'LineString' ? line : resolution < ticks_m ? tick : undefined));
   });
   effect(() => layer.setVisible(isShown()));
   return layer;
@@ -71,9 +75,9 @@ export function ghostLayer(): VectorLayer<VectorSource> {
   });
   effect(() => {
     const { reach } = palette.value;
-    const ring = new Style({ stroke: new Stroke({ color: reach, width: 1, lineDash: [2, 5] }) });
+    const ring = new Style({ stroke: new Stroke({ color: reach + half, width: 1, lineDash: [2, 5] }) });
     const ghost = new Style({ image: new RegularShape({ points: 3, radius: 6, stroke: new Stroke({ color: reach, width: 1.4, lineDash: [3, 2] }) }) });
-    layer.setStyle((feature, resolution) => (feature.getGeometry()?.getType() === 'Point' ? ghost : resolution < near_m ? ring : undefined));
+    layer.setStyle((feature, resolution) => (feature.getGeometry()?.getType() === 'Point' ? ghost : resolution < rings_m ? ring : undefined));
   });
   return layer;
 }
