@@ -138,6 +138,9 @@ void AvoidanceSystem::perceive(const Sensed& sensed) {
   route_.visit(own_.place);
   room_.sound(own_, water_.own());
   objects_.advance(now_s);
+  if (const auto shoal = room_.take_shoal()) {
+    for (const Echo& patch : *shoal) objects_.add(patch, water_.own());
+  }
   if (sensed.sonar) take_ping(*sensed.sonar, own_);
   room_.take_covers(objects_);
   room_.take_beds(objects_);

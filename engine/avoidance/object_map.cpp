@@ -11,8 +11,10 @@ namespace {
 constexpr std::size_t one_looks_past =
     4;  // of so many echoes: a cell that is not there is seen through often enough
 
-/// Whether the object's keel would have echoed, had it been deeper: near enough, ahead, and seen in this ping.
-bool shows_its_keel(const TrackedObject& object, double now_s, double apart_m, const SonarView& sonar) {
+constexpr double least_row_height = 0.1;  // of beams without a height of their own, 6 degrees
+
+/// Whether more of the object would have echoed, were there more of it: near enough, ahead, and seen in this ping.
+bool is_in_view(const TrackedObject& object, double now_s, double apart_m, const SonarView& sonar) {
   return object.seen_s() == now_s && apart_m < 0.75 * sonar.reach.value;
 }
 
@@ -48,17 +50,24 @@ void ObjectMap::take(std::span<const Echo> ping, const OwnState& own, geo::Plane
     if (const auto confirmed = confirmation_.take(echo)) add(*confirmed, own_in_water);
   }
   for (std::size_t i = 0; i < size_; ++i) objects_[i].correct();
-  look_below(own, own_in_water);
+  look_past(own, own_in_water);
 }
 
-void ObjectMap::look_below(const OwnState& own, geo::PlanePoint own_in_water) {
+/// Below keels and above tops. A top counts as looked over where the highest row of beams looks a row's height above it: an
+/// echo of that row itself may be the foot of what goes on above.
+void ObjectMap::look_past(const OwnState& own, geo::PlanePoint own_in_water) {
+  const SonarView& view = settings_.sonar;
+  const double pitch = own.attitude.pitch.value;
+  const double lowest = view.half_height.value - view.tilt.value - pitch;
+  const double highest = view.edge.value + view.tilt.value + pitch;
+  const double row_height = std::max(2.0 * view.beam_half_height.value, least_row_height);
+  const auto rise = [](double angle) { return std::tan(std::clamp(angle, -1.4, 1.4)); };
   for (std::size_t i = 0; i < size_; ++i) {
     const double apart_m = distance_m(objects_[i].centre(), own_in_water);
-    if (!shows_its_keel(objects_[i], now_s_, apart_m, settings_.sonar)) continue;
-    const double lowest =
-        settings_.sonar.half_height.value - settings_.sonar.tilt.value - own.attitude.pitch.value;
+    if (!is_in_view(objects_[i], now_s_, apart_m, view)) continue;
     const double near_m = std::max(apart_m - objects_[i].half_extent_m(), 0.0);
-    objects_[i].look_below(own.depth.value + near_m * std::tan(std::clamp(lowest, -1.4, 1.4)));
+    objects_[i].look_below(own.depth.value + near_m * rise(lowest));
+    objects_[i].look_above(own.depth.value - near_m * rise(highest - row_height));
   }
 }
 

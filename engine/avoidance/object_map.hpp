@@ -27,6 +27,8 @@ class ObjectMap {
   /// Takes the echoes of one ping. Precondition: advanced to its time.
   void take(std::span<const Echo> ping, const OwnState& own, geo::PlanePoint own_in_water);
 
+  /// Adds a patch of surface that needs no confirmation. Precondition: advanced to its time.
+  void add(const Echo& confirmed, geo::PlanePoint vehicle);
   /// Takes an object out; the last one moves to its place.
   void remove(std::size_t i);
 
@@ -34,8 +36,7 @@ class ObjectMap {
   [[nodiscard]] const TrackedObject& operator[](std::size_t i) const { return objects_[i]; }
 
  private:
-  void look_below(const OwnState& own, geo::PlanePoint own_in_water);
-  void add(const Echo& confirmed, geo::PlanePoint vehicle);
+  void look_past(const OwnState& own, geo::PlanePoint own_in_water);
 
   AvoidanceSettings settings_;
   EchoConfirmation confirmation_;

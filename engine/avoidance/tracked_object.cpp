@@ -218,6 +218,7 @@ void TrackedObject::add(const Echo& confirmed, geo::PlanePoint vehicle) {
   cells_[size_++] = added;
   seen_s_ = now_s_;
   if (confirmed.depth_m > keel_m_ + 0.5 * SurfaceCell::size_m) looks_below_ = 0;
+  if (confirmed.depth_m < top_m_ - 0.5 * SurfaceCell::size_m) looks_above_ = 0;
   measure_box();
 }
 
@@ -276,13 +277,19 @@ void TrackedObject::look_below(double lowest_look_m) {
   if (lowest_look_m > keel_m_ + 2.0 * SurfaceCell::size_m) ++looks_below_;
 }
 
+void TrackedObject::look_above(double least_top_m) {
+  looks_above_ = top_m_ > least_top_m ? looks_above_ + 1 : 0;
+}
+
 void TrackedObject::measure_box() {
   low_ = high_ = size_ > 0 ? cells_[0].offset : geo::PlanePoint{};
   keel_m_ = 0.0;
+  top_m_ = size_ > 0 ? cells_[0].depth_m : 0.0;
   for (std::size_t i = 0; i < size_; ++i) {
     low_ = {std::min(low_.x_m, cells_[i].offset.x_m), std::min(low_.y_m, cells_[i].offset.y_m)};
     high_ = {std::max(high_.x_m, cells_[i].offset.x_m), std::max(high_.y_m, cells_[i].offset.y_m)};
     keel_m_ = std::max(keel_m_, cells_[i].depth_m);
+    top_m_ = std::min(top_m_, cells_[i].depth_m);
   }
 }
 

@@ -65,11 +65,16 @@ class TrackedObject {
   [[nodiscard]] geo::PlanePoint centre() const;
   [[nodiscard]] double half_extent_m() const;              // half its diagonal
   [[nodiscard]] double keel_m() const { return keel_m_; }  // depth of the lowest cell
+  [[nodiscard]] double top_m() const { return top_m_; }    // of the highest
   [[nodiscard]] double seen_s() const { return seen_s_; }
   /// Pings in a row that looked below the keel and met nothing.
   [[nodiscard]] int looks_below() const { return looks_below_; }
   /// `lowest_look_m`: how deep the sonar would have seen the object's side.
   void look_below(double lowest_look_m);
+  /// Pings in a row in which beams looked over the top and met nothing.
+  [[nodiscard]] int looks_above() const { return looks_above_; }
+  /// `least_top_m`: a top deeper than that had a row of beams above it.
+  void look_above(double least_top_m);
 
  private:
   void measure_box();
@@ -83,7 +88,9 @@ class TrackedObject {
   double now_s_{};
   double seen_s_{};
   double keel_m_{};
+  double top_m_{};
   int looks_below_{};
+  int looks_above_{};
   geo::PlanePoint low_{};  // corners of the box, from the origin
   geo::PlanePoint high_{};
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <utility>
 
 #include "engine/avoidance/steering.hpp"
@@ -9,6 +10,7 @@
 namespace floeplan::avoidance {
 namespace {
 
+constexpr double right_angle = std::numbers::pi / 2.0;
 constexpr double soundings_hold_s = 900.0;  // some 300 m of way
 constexpr double steepest = 0.2;            // of a bed or an underside: beyond that it is taken for a wall
 constexpr double noise_m = 3.0;             // of an echo's depth
@@ -22,6 +24,15 @@ constexpr double seek_beds_every_s = 10.0;
 constexpr double cover_width_m = 200.0;  // of the greatest bergs that are gone round without a doubt
 constexpr int looks_needed = 20;         // pings
 constexpr double least_slope = 0.35;     // of a glider's way: 20 degrees
+constexpr double turning_way_m = 15.0;   // from the order to climb to climbing: half a minute of pumping
+constexpr double rise_over_m = 15.0;     // of way, that the bed's rise is taken from
+constexpr double rise_within_s = 300.0;
+/// The altimeter looks straight down in a dive; looking ahead in a climb, its beam's near edge makes the bed an eighth shoaler.
+constexpr double straight_down_pitch = -0.35;
+constexpr double least_rise = 0.03;  // the altimeter's noise makes 0.01 of it
+constexpr double shoal_watch_m = 80.0;
+constexpr double nearest_shoal_m = 40.0;  // room to turn in
+constexpr double shoal_patches_apart_m = 12.0;
 
 }  // namespace
 
@@ -37,12 +48,37 @@ void VerticalRoom::sound(const OwnState& own, geo::PlanePoint own_in_water) {
 void VerticalRoom::read_altimeter(const OwnState& own) {
   if (own.altitude && std::isfinite(own.altitude->value)) {
     silent_s_ = 0.0;
-    bed_.take({place_, own.depth.value + own.altitude->value, now_s_}, true);
+    const Sounding below{place_, own.depth.value + own.altitude->value, now_s_};
+    bed_.take(below, true);
+    if (own.attitude.pitch.value < straight_down_pitch) look_for_shoal(below);
     return;
   }
   // It looks down while the vehicle dives.
   if (own.attitude.pitch.value < 0.0) silent_s_ += now_s_ - before_s_;
   if (silent_s_ >= silence_tells_s) unlearn_bed();
+}
+
+/// Looks along the way as far as the bed's rise since the last time can be trusted.
+void VerticalRoom::look_for_shoal(const Sounding& below) {
+  const double way_m = sounded_ ? distance_m(sounded_->place, below.place) : 0.0;
+  const bool is_of_use = sounded_ && below.time_s - sounded_->time_s < rise_within_s;
+  if (is_of_use && way_m < rise_over_m) return;
+  const auto before = std::exchange(sounded_, below);
+  if (!is_of_use) return;
+  const double rise = (before->depth_m - below.depth_m) / way_m;
+  if (rise < least_rise) return;
+  const double edge_m = (below.depth_m - settings_.least_water.value) / rise;
+  if (edge_m > shoal_watch_m) return;
+  const double course = direction_rad(before->place, below.place);
+  const geo::PlanePoint middle = moved(below.place, course, std::max(edge_m, nearest_shoal_m));
+  const double depth_m = settings_.least_water.value - noise_m;
+  ShoalEdge edge;
+  for (std::size_t i = 0; i < edge.size(); ++i) {
+    const double aside_m = shoal_patches_apart_m * (static_cast<double>(i) - 0.5 * (edge.size() - 1));
+    const geo::PlanePoint place = moved(middle, course + right_angle, aside_m);
+    edge[i] = {place, depth_m, distance_m(place_, place), depth_m, depth_m};
+  }
+  shoal_ = edge;
 }
 
 /// Where the altimeter hears nothing the bed is far below, and no slope leads up from there to what was taken for one: the
@@ -78,6 +114,12 @@ bool VerticalRoom::is_known_bed(geo::PlanePoint place, double depth_m) const {
   });
 }
 
+/// Whether the vehicle clears a bed there when it begins to climb now; half the margin is for the turn.
+bool VerticalRoom::is_passed_above(geo::PlanePoint place, double bed_m) const {
+  const double way_m = std::max(0.0, distance_m(place, place_) - turning_way_m);
+  return depth_m_ - (bed_m - 0.5 * settings_.vertical_margin.value) <= least_slope * way_m;
+}
+
 void VerticalRoom::limit_by(const Sounding& bed) {
   const bool is_old = !shallowest_bed_ || now_s_ - shallowest_bed_->time_s > bed_echo_holds_s;
   if (is_old || bed.depth_m < shallowest_bed_->depth_m) shallowest_bed_ = bed;
@@ -91,7 +133,7 @@ bool VerticalRoom::is_bed(const Echo& echo) {
       bed_.take({bed->place, bed->deepest_m, now_s_}, false);
     return true;
   }
-  if (!is_known_bed(echo.place, echo.deepest_m)) return false;
+  if (!is_known_bed(echo.place, echo.deepest_m) || !is_passed_above(echo.place, echo.deepest_m)) return false;
   if (const auto bed = bed_confirmation_.take(echo)) limit_by({bed->place, bed->deepest_m, now_s_});
   return true;
 }
@@ -99,19 +141,34 @@ bool VerticalRoom::is_bed(const Echo& echo) {
 bool VerticalRoom::is_bed_throughout(const TrackedObject& object) const {
   for (std::size_t i = 0; i < object.size(); ++i) {
     const SurfaceCell& cell = object.cell(i);
-    if (!has_room_over(cell.deepest_m) || !is_known_bed(object.place(cell), cell.deepest_m)) return false;
+    const geo::PlanePoint place = object.place(cell);
+    if (!has_room_over(cell.deepest_m) || !is_known_bed(place, cell.deepest_m) ||
+        !is_passed_above(place, cell.deepest_m))
+      return false;
+  }
+  return true;
+}
+
+/// Ice never does: it reaches up to the surface.
+bool VerticalRoom::ends_below(const TrackedObject& object) const {
+  if (object.looks_above() < looks_needed || !has_room_over(object.top_m())) return false;
+  for (std::size_t i = 0; i < object.size(); ++i) {
+    if (!is_passed_above(object.place(object.cell(i)), object.cell(i).depth_m)) return false;
   }
   return true;
 }
 
 void VerticalRoom::take_beds(ObjectMap& objects) {
-  if (bed_.all().empty() || (beds_sought_s_ && now_s_ - *beds_sought_s_ < seek_beds_every_s)) return;
+  if (beds_sought_s_ && now_s_ - *beds_sought_s_ < seek_beds_every_s) return;
   beds_sought_s_ = now_s_;
   for (std::size_t i = objects.size(); i-- > 0;) {
     const TrackedObject& object = objects[i];
-    if (!is_bed_throughout(object)) continue;
+    const bool is_top_known = ends_below(object);
+    if (!is_top_known && !is_bed_throughout(object)) continue;
     for (std::size_t k = 0; k < object.size(); ++k) {
-      limit_by({object.place(object.cell(k)), object.cell(k).deepest_m, now_s_});
+      if (is_top_known) bed_.take({object.place(object.cell(k)), object.top_m(), now_s_}, false);
+      const double bed_m = is_top_known ? object.top_m() : object.cell(k).deepest_m;
+      limit_by({object.place(object.cell(k)), bed_m, now_s_});
     }
     objects.remove(i);
   }

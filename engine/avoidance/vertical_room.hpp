@@ -3,6 +3,7 @@
 #include <array>
 #include <cstddef>
 #include <optional>
+#include <utility>
 
 #include "engine/avoidance/echo.hpp"
 #include "engine/avoidance/echo_confirmation.hpp"
@@ -17,10 +18,15 @@ namespace floeplan::avoidance {
 /// round because it passes above or below what they come from.
 /// Sonar    an echo comes from anywhere within the height of its beam. What it can come from, it counts as: a bed or an
 ///          underside known near by; and a bed limits the depth as far as it must, which near by is where it is
+/// Shoals   where the altimeter finds the bed rising towards less than the least water, the edge of the shoal is a thing to
+///          go round; nothing else hears a bed that lies close below
 /// Frame    water
 /// Memory   fixed; no member allocates
 class VerticalRoom {
  public:
+  /// Places in a row across the way, as patches of a surface.
+  using ShoalEdge = std::array<Echo, 5>;
+
   explicit VerticalRoom(const AvoidanceSettings& settings) : settings_{settings} {}
 
   /// Takes up the vehicle's place, and what the altimeter has found below it, or not found.
@@ -28,8 +34,9 @@ class VerticalRoom {
   void begin_ping();
   /// Whether the echo is none to go round:
   /// - from below the saw-tooth;
-  /// - from a sea bed that a lower saw-tooth passes over. A bed is told from a wall by soundings, the altimeter's and echoes
-  ///   from steeply below: it rises by no more than 1 in 5 from the nearest;
+  /// - from a sea bed that a lower saw-tooth passes over, and that the vehicle is above by the time it gets there. A bed is
+  ///   told from a wall by soundings, the altimeter's and echoes from steeply below: it rises by no more than 1 in 5 from the
+  ///   nearest;
   /// - from the underside of a cover of ice that a deeper saw-tooth passes under, told from a wall in the same way. Its
   ///   first soundings are echoes from steeply above, and covers recognised from afar.
   /// A bed or a cover that leaves no room is a thing to go round. One that does limits the depth from now on,
@@ -40,8 +47,12 @@ class VerticalRoom {
   /// in time.
   void take_covers(ObjectMap& objects);
 
-  /// Takes out the objects that turn out to be a known bed: what the sonar saw of it before there was a sounding.
+  /// Takes out the objects that turn out to be a bed that is passed over: what the sonar saw of a known bed before there was
+  /// a sounding, and what rises steeply but ends below, the sonar having looked over its top for long enough.
   void take_beds(ObjectMap& objects);
+
+  /// The edge of a shoal ahead, when the altimeter has just found one.
+  [[nodiscard]] std::optional<ShoalEdge> take_shoal() { return std::exchange(shoal_, std::nullopt); }
 
   /// Where to inflect at the latest, climbing and diving; empty: as the mission says. Where ice and bed leave less than the
   /// least band, or seem to, that band midway between them.
@@ -60,9 +71,12 @@ class VerticalRoom {
   [[nodiscard]] std::optional<core::Metres> below_ice() const;
   [[nodiscard]] std::optional<core::Metres> above_bed() const;
   void read_altimeter(const OwnState& own);
+  void look_for_shoal(const Sounding& below);
+  [[nodiscard]] bool is_passed_above(geo::PlanePoint place, double bed_m) const;
   void unlearn_bed();
   [[nodiscard]] bool is_known_bed(geo::PlanePoint place, double depth_m) const;
   [[nodiscard]] bool is_bed_throughout(const TrackedObject& object) const;
+  [[nodiscard]] bool ends_below(const TrackedObject& object) const;
   void limit_by(const Sounding& bed);
   [[nodiscard]] bool is_bed(const Echo& echo);
   [[nodiscard]] bool is_roof(const Echo& echo);
@@ -78,9 +92,11 @@ class VerticalRoom {
   EchoConfirmation underfoot_confirmation_{};
   EchoConfirmation roof_confirmation_{};
   std::optional<Sounding> shallowest_bed_{};  // that an echo showed lately
-  double before_s_{};                         // of the step before
-  double silent_s_{};                         // that the altimeter has heard nothing while diving
-  std::optional<double> beds_sought_s_{};     // among the objects
+  std::optional<Sounding> sounded_{};         // by the altimeter, some way back
+  std::optional<ShoalEdge> shoal_{};
+  double before_s_{};                      // of the step before
+  double silent_s_{};                      // that the altimeter has heard nothing while diving
+  std::optional<double> beds_sought_s_{};  // among the objects
 };
 
 }  // namespace floeplan::avoidance

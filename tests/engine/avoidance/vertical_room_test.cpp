@@ -96,6 +96,46 @@ TEST(VerticalRoom, TakesAnEchoForTheBedThatItsBeamReachesDownTo) {
   EXPECT_FALSE(passes(*room, echo(150.0, 22.0)));
 }
 
+TEST(VerticalRoom, GoesRoundABedThatRisesFasterThanItClimbs) {
+  const auto above = std::make_unique<VerticalRoom>(to_60_m());
+  above->sound(own_over(0.0, 50.0, 66.0), {});
+  EXPECT_TRUE(passes(*above, echo(20.0, 59.0)));
+  const auto below = std::make_unique<VerticalRoom>(to_60_m());
+  below->sound(own_over(0.0, 58.0, 66.0), {});
+  EXPECT_FALSE(passes(*below, echo(20.0, 59.0)));
+}
+
+/// Eastward over a bed that gets shoaler by so much in a metre, from 24 m on.
+std::optional<VerticalRoom::ShoalEdge> shoal_over(double rise) {
+  AvoidanceSettings settings = to_60_m();
+  settings.least_water = core::Metres{20.0};
+  const auto room = std::make_unique<VerticalRoom>(settings);
+  for (double east_m = 0.0; east_m <= 20.0; east_m += 4.0) {
+    OwnState own = own_over(east_m / 0.4, 8.0, 24.0 - rise * east_m);
+    own.attitude.pitch = core::Radians{-0.45};
+    room->sound(own, {east_m, 0.0});
+    if (const auto shoal = room->take_shoal()) return shoal;
+  }
+  return std::nullopt;
+}
+
+TEST(VerticalRoom, MeetsAShoalThatTheAltimeterSeesRising) {
+  const auto shoal = shoal_over(0.08);
+
+  ASSERT_TRUE(shoal);
+  const Echo& middle = (*shoal)[2];
+  EXPECT_NEAR(middle.place.x_m, 16.0 + 40.0, 1.0);  // as near as it may be to be turned away from
+  EXPECT_NEAR(middle.place.y_m, 0.0, 1e-9);
+  EXPECT_NEAR((*shoal)[0].place.y_m, -(*shoal)[4].place.y_m, 1e-9);
+  EXPECT_LT(middle.deepest_m, 20.0);
+}
+
+TEST(VerticalRoom, MeetsNoShoalOverAnEvenBedOrOneThatFalls) {
+  EXPECT_FALSE(shoal_over(0.0));
+  EXPECT_FALSE(shoal_over(0.02));
+  EXPECT_FALSE(shoal_over(-0.2));
+}
+
 TEST(VerticalRoom, TakesOutTheObjectsThatAreTheBed) {
   const AvoidanceSettings settings = to_60_m();
   const auto objects = std::make_unique<ObjectMap>(settings);
