@@ -211,7 +211,9 @@ json summary_document(const simulation::RunSummary& summary, std::size_t run) {
           {"worst_position_error_m", rounded(summary.worst_position_error_m, per_metre)},
           {"clearance_m", summary.clearance_m ? json(rounded(*summary.clearance_m, per_metre)) : json()},
           {"energy_j", rounded(summary.energy.value, 1.0)},
-          {"distance_m", rounded(summary.distance_m, per_metre)}};
+          {"distance_m", rounded(summary.distance_m, per_metre)},
+          {"why", summary.why.empty() ? json() : json(summary.why)},
+          {"could_be_saved", summary.could_be_saved ? json(*summary.could_be_saved) : json()}};
 }
 
 json statistics_document(const simulation::BatchStatistics& statistics) {

@@ -68,6 +68,18 @@ std::optional<Distribution> distribution_over(std::span<const RunSummary> runs, 
   return distribution_of(std::move(values));
 }
 
+std::string why_not_there(const FlightRecord& record) {
+  if (record.end == FlightEnd::arrived) return {};
+  std::string why = record.end_reason;
+  const auto guided = std::ranges::find(record.events.rbegin(), record.events.rend(), EventKind::guidance,
+                                        &FlightEvent::kind);
+  if (guided != record.events.rend()) {
+    const auto since_s = static_cast<long>((record.finished - guided->time).count());
+    why += " The system on board had been in " + guided->text + ", for " + std::to_string(since_s) + " s.";
+  }
+  return why;
+}
+
 }  // namespace
 
 RunSummary summary_of(const FlightRecord& record) {
@@ -76,7 +88,9 @@ RunSummary summary_of(const FlightRecord& record) {
                      .travel_time = record.duration(),
                      .clearance_m = std::nullopt,
                      .energy = record.energy,
-                     .distance_m = record.distance_m};
+                     .distance_m = record.distance_m,
+                     .why = why_not_there(record),
+                     .could_be_saved = std::nullopt};
   if (!record.track.empty()) summary.final_position_error_m = position_error_m(record.track.back());
   for (const TrackPoint& point : record.track)
     summary.worst_position_error_m = std::max(summary.worst_position_error_m, position_error_m(point));

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "engine/simulation/flight_record.hpp"
@@ -21,10 +22,14 @@ struct RunSummary {
       clearance_m;  // the least of all approaches; empty where there was nothing to come near to
   core::Joules energy{};
   double distance_m{};
+  std::string why;  // it did not arrive, for a person: the reason, and what the system on board did last
+  std::optional<bool>
+      could_be_saved;  // by full knowledge; of flights with that system that touched something
 
   friend bool operator==(const RunSummary&, const RunSummary&) = default;
 };
 
+/// All but `could_be_saved`, which takes the world.
 [[nodiscard]] RunSummary summary_of(const FlightRecord& record);
 
 /// An interval that holds the true value with a probability of 95 %.

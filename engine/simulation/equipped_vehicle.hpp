@@ -10,6 +10,7 @@
 #include "engine/simulation/adcp_error_model.hpp"
 #include "engine/simulation/altimeter.hpp"
 #include "engine/simulation/flight.hpp"
+#include "engine/simulation/hindsight.hpp"
 #include "engine/simulation/sonar.hpp"
 #include "engine/simulation/sound_rays.hpp"
 
@@ -38,6 +39,10 @@ struct SystemOnBoard {
 [[nodiscard]] avoidance::AvoidanceSettings avoidance_for(const vehicle::GliderProfile& vehicle,
                                                          const MissionOrders& orders,
                                                          const SonarSettings& sonar);
+
+/// What a vehicle of full knowledge could do, for the judgement of a flight with that sonar.
+[[nodiscard]] ForesightSettings foresight_of(const vehicle::GliderProfile& vehicle,
+                                             const MissionOrders& orders, const SonarSettings& sonar);
 
 /// A vehicle with altimeter and, where a system on board is given, sonar, ADCP and that system.
 /// Log      of each sensor one reading a minute at most, and a profile of currents every ten: what a pilot looks through

@@ -93,4 +93,14 @@ avoidance::AvoidanceSettings avoidance_for(const vehicle::GliderProfile& vehicle
   return settings;
 }
 
+ForesightSettings foresight_of(const vehicle::GliderProfile& vehicle, const MissionOrders& orders,
+                               const SonarSettings& sonar) {
+  ForesightSettings settings;
+  settings.sonar_range = {sonar.range_m};
+  settings.through_water = vehicle.speed_through_water;
+  settings.shallowest = orders.yo.climb.depth;
+  settings.deepest = orders.yo.dive.depth;
+  return settings;
+}
+
 }  // namespace floeplan::simulation

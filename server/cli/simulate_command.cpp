@@ -108,6 +108,27 @@ void print_statistics(const json& document) {
   std::printf("simulated %.0f times faster than real time\n", document.at("real_time_factor").get<double>());
 }
 
+void print_listed(const char* what, const json& runs) {
+  for (const json& run : runs) {
+    std::printf("%s: run %d, seed %s: %s\n", what, run.at("run").get<int>(),
+                run.at("seed").get<std::string>().c_str(), run.at("why").get<std::string>().c_str());
+  }
+}
+
+/// Every flight of a plan that did not arrive, as far as a screen shows them.
+void print_not_there(const json& flights) {
+  constexpr int most_told = 20;
+  int told = 0;
+  for (const json& flight : flights) {
+    if (flight.at("why").is_null() || told++ >= most_told) continue;
+    const json& saved = flight.at("could_be_saved");
+    std::printf("not there: run %d: %s%s\n", flight.at("run").get<int>(),
+                flight.at("why").get<std::string>().c_str(),
+                saved == false ? " Full knowledge could not have saved it." : "");
+  }
+  if (told > most_told) std::printf("and %d more; --json tells of all\n", told - most_told);
+}
+
 void print_table(const json& document) {
   std::printf("simulation %s of plan %s: %d runs, seed %s, obstacle avoidance %s\n",
               document.at("simulation_id").get<std::string>().c_str(),
@@ -115,6 +136,7 @@ void print_table(const json& document) {
               document.at("seed").get<std::string>().c_str(),
               document.at("avoidance").get<bool>() ? "on" : "off");
   print_statistics(document);
+  print_not_there(document.at("flights"));
   std::printf("planned travel time %.2f h\n", document.at("planned_travel_time_s").get<double>() / 3600.0);
   for (const json& warning : document.at("warnings"))
     std::printf("warning: %s\n", warning.get<std::string>().c_str());
@@ -186,6 +208,8 @@ int run_scenario(const Flags& flags) {
   std::printf("%s: %d runs, seed %s, obstacle avoidance %s\n", flags.scenario.c_str(), asked.runs,
               document.at("seed").get<std::string>().c_str(), asked.avoidance ? "on" : "off");
   print_statistics(document);
+  print_listed("beyond the help of full knowledge", document.at("runs_beyond_help"));
+  print_listed("not there", document.at("runs_given_up"));
   return done;
 }
 

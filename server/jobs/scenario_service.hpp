@@ -19,7 +19,9 @@ struct ScenarioRuns {
 
 /// Flies so many seas full of icebergs that the plan does not know (simulation::random_icebergs), each with a seed of its own;
 /// stores nothing.
-/// Returns  how the flights ended, a row for each, and their statistics; the same with any number of workers;
+/// Returns  how the flights ended, a row for each, and their statistics; the same with any number of workers. With the
+///          system on board, collisions that full knowledge could not have prevented are counted apart (`beyond_help`), and
+///          each run that gave up tells why and whether it arrives in the same water without icebergs;
 ///          {"status": "cancelled"} when `stop` was requested meanwhile
 [[nodiscard]] nlohmann::json random_icebergs_document(const ScenarioRuns& asked, const std::stop_token& stop,
                                                       const core::ProgressCallback& progress);

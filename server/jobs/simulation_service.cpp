@@ -153,7 +153,12 @@ class Batch {
     return found;
   }
 
-  [[nodiscard]] FlightRecord fly(std::size_t run, const std::stop_token& stop) const {
+  struct Run {
+    FlightRecord record;
+    simulation::RunSummary summary;
+  };
+
+  [[nodiscard]] Run fly(std::size_t run, const std::stop_token& stop) const {
     const std::uint64_t seed = core::seed_of_run(inputs_.seed, run);
     const simulation::World world = world_of(seed, inputs_.current_error, stop);
     simulation::EquippedVehicle on_board{equipment_, world, seed, system_, stop};
@@ -161,7 +166,12 @@ class Batch {
     record.sensors.sonar = on_board.log().sonar;
     record.sensors.altimeter = on_board.log().altimeter;
     record.sensors.currents = on_board.log().currents;
-    return record;
+    simulation::RunSummary summary = simulation::summary_of(record);
+    if (system_) {
+      summary.could_be_saved = simulation::could_be_saved(
+          world, record, simulation::foresight_of(vehicle_, orders_, inputs_.sonar), stop);
+    }
+    return {std::move(record), std::move(summary)};
   }
 
   /// Of the frame of all its worlds.
@@ -213,12 +223,12 @@ Flown fly_all(const Batch& batch, const SimulateInputs& inputs, std::size_t work
   run_in_parallel(
       runs, workers, stop,
       [&](std::size_t run, const std::stop_token& run_stop) {
-        const FlightRecord record = batch.fly(run, run_stop);
-        flown.summaries[run] = simulation::summary_of(record);
+        Batch::Run done = batch.fly(run, run_stop);
         if (run < tracks) {
           flown.kept[run] = {static_cast<std::int64_t>(run),
-                             codec::flight_document(record, batch.projection(), run).dump()};
+                             codec::flight_document(done.record, batch.projection(), run).dump()};
         }
+        flown.summaries[run] = std::move(done.summary);
       },
       [&](std::size_t done) {
         if (progress) progress("flying", static_cast<double>(done) / static_cast<double>(runs));

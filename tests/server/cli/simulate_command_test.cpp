@@ -107,6 +107,7 @@ TEST(SimulateScenario, FliesTheSameFieldsWithAnyNumberOfWorkers) {
 
   EXPECT_EQ(one["runs"], 3);
   EXPECT_TRUE(one.contains("collisions") && one.contains("arrived") && one.contains("median_detour_pct"));
+  EXPECT_TRUE(one.at("beyond_help").is_number() && one.at("runs_given_up").is_array());
   one.erase("real_time_factor");
   two.erase("real_time_factor");
   EXPECT_EQ(one, two);
