@@ -165,10 +165,15 @@ class Reader {
     } else if (behavior.name == "abend") {
       const double overdepth_m = arguments.value("overdepth", -1.0);
       if (overdepth_m >= 0.0) orders_.overdepth = core::Metres{overdepth_m};
+      const double same_depth_s = arguments.value("samedepth_for", -1.0);
+      if (same_depth_s >= 0.0) orders_.same_depth = core::Seconds{same_depth_s};
       const double farthest_m = arguments.value("max_wpt_distance", -1.0);
       if (farthest_m >= 0.0) orders_.max_waypoint = core::Metres{farthest_m};
-    } else if (behavior.name != "sample" && behavior.name != "prepare_to_dive" &&
-               behavior.name != "sensors_in") {
+    } else if (behavior.name == "sample") {
+      note(
+          "When sensors sample is not simulated: a flight depends on them by their energy alone, and that is "
+          "the profile's.");
+    } else if (behavior.name != "prepare_to_dive" && behavior.name != "sensors_in") {
       orders_.notes.push_back("Behavior " + behavior.name + " of " + arguments.where() +
                               " is not simulated.");
     }

@@ -69,6 +69,7 @@ struct MissionOrders {
   std::vector<SurfaceOrders> surfaces;         // in order of priority
   bool corrects_for_current{true};             // u_use_current_correction
   std::optional<core::Metres> overdepth{};     // of abend: deeper aborts
+  std::optional<core::Seconds> same_depth{};   // of abend: so long at one depth aborts
   std::optional<core::Metres> max_waypoint{};  // of abend: a farther waypoint aborts
   std::vector<std::string> notes;              // what is not simulated or was filled in, for the pilot
 };

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/vehicle/dive_band.hpp"
+
 namespace floeplan::simulation {
 namespace {
 
@@ -15,6 +17,13 @@ constexpr core::Seconds postfix{60.0};
 
 /// Height of the saw-teeth of a vehicle that waits below ice to come up.
 constexpr double held_tooth_m = 10.0;
+
+/// Who moves up and down by less neither saw-tooths nor gets on.
+constexpr core::Metres same_depth = vehicle::lowest_tooth;
+
+/// Who has looked for a way up through ice for so long goes back to where there was one: half an hour of drifting floes is
+/// enough to tell a lead from a cover.
+constexpr core::Seconds looks_for_a_lead{1800.0};
 
 double level_distance(Vector a, Vector b) { return std::hypot(a.east - b.east, a.north - b.north); }
 
@@ -83,6 +92,14 @@ MissionPilot::Turned MissionPilot::step(const Known& known, const avoidance::Gui
   turn(known, guidance, turned);
   if (orders_.overdepth && known.place.down > orders_.overdepth->value) {
     abort("The mission was aborted below the depth that abend allows.");
+  } else if (guidance.mode == avoidance::Mode::given_up) {
+    abort("The mission was aborted: the system on board found no way on, for " +
+          std::string{avoidance::text(guidance.reason)} + ".");
+  } else if (is_held_at_one_depth(known)) {
+    abort(
+        "The mission was aborted: samedepth_for of abend is over; sea bed, ice or the system on board leave "
+        "no room to "
+        "saw-tooth in.");
   } else if (!has_finished() && orders_.max_waypoint &&
              level_distance(path_.stops[stop_].place, known.place) > orders_.max_waypoint->value) {
     abort("The mission was aborted: the next waypoint lies beyond max_wpt_distance of abend.");
@@ -112,7 +129,11 @@ MissionPilot::Turned MissionPilot::at_surface(const Known& known) {
     return turned;
   }
   phase_ = Phase::diving;
+  open_water_ = known.place;
+  turns_back_ = false;
+  below_ice_since_.reset();
   turns_ = 0;
+  held_since_ = known.time;
   turned.dived = true;
   return turned;
 }
@@ -202,8 +223,24 @@ void MissionPilot::abort(std::string reason) {
   reason_ = std::move(reason);
 }
 
+bool MissionPilot::is_held_at_one_depth(const Known& known) {
+  if (std::abs(known.place.down - held_depth_m_) > same_depth.value) {
+    held_depth_m_ = known.place.down;
+    held_since_ = known.time;
+  }
+  return orders_.same_depth && known.time - held_since_ >= *orders_.same_depth;
+}
+
 /// Who is to come up saw-tooths on below the ice until there is none overhead.
 void MissionPilot::keep_below_ice(const Known& known, const avoidance::Guidance& guidance) {
+  if (!guidance.shallowest) {
+    below_ice_since_.reset();
+  } else if (!below_ice_since_) {
+    below_ice_since_ = known.time;
+  } else if (known.time - *below_ice_since_ >= looks_for_a_lead && !turns_back_) {
+    turns_back_ = true;
+    reason_ += " Ice lay above; the vehicle went back to where it had last been at the surface.";
+  }
   if (!guidance.shallowest) {
     held_down_ = false;
   } else if (known.place.down <= guidance.shallowest->value) {
@@ -236,9 +273,10 @@ ActuatorTargets MissionPilot::targets(const Known& known, const avoidance::Guida
     targets.heading_rad = guidance.heading->value;
     return targets;
   }
-  const RouteStop& stop = path_.stops[std::min(stop_, path_.stops.size() - 1)];
-  const double east_m = stop.place.east - known.place.east;
-  const double north_m = stop.place.north - known.place.north;
+  const bool goes_back = phase_ == Phase::surfacing && turns_back_;
+  const Vector goal = goes_back ? open_water_ : path_.stops[std::min(stop_, path_.stops.size() - 1)].place;
+  const double east_m = goal.east - known.place.east;
+  const double north_m = goal.north - known.place.north;
   const double gap_m = std::hypot(east_m, north_m);
   if (gap_m == 0.0) return targets;
   targets.heading_rad = std::atan2(known.speed_m_s * east_m / gap_m - known.current.east,

@@ -31,6 +31,9 @@ struct FlightPath {
 
 /// Runs the mission's behaviours as the vehicle's computer does: which waypoint to steer for, when to turn in the
 /// saw-tooth, when to come up and what to do there. Knows only what the vehicle knows.
+/// Ends     a mission that cannot go on is aborted, and the vehicle comes up: below the depth or beyond the distance of abend,
+///          held at one depth, given up by the system on board. Where ice that the system knows lies above, it looks for a
+///          lead for half an hour and then goes back to where it last was at the surface
 /// Aim      along the course to the waypoint at the vehicle's speed less the current it reckons with: so steers comet in
 ///          its log of 21 August 2019, also where no heading would hold the course
 class MissionPilot {
@@ -77,6 +80,7 @@ class MissionPilot {
   void seek_surface(const Known& known, bool hit_waypoint);
   void come_up(const SurfaceOrders& orders, std::size_t index, core::UtcTime time);
   void abort(std::string reason);
+  [[nodiscard]] bool is_held_at_one_depth(const Known& known);
   void keep_below_ice(const Known& known, const avoidance::Guidance& guidance);
   [[nodiscard]] bool is_due(const SurfaceOrders& orders, std::size_t index, const Known& known,
                             bool hit_waypoint) const;
@@ -87,13 +91,18 @@ class MissionPilot {
   core::Seconds first_fix_;
   Phase phase_{Phase::at_surface};
   std::size_t stop_{};
-  int halves_{};      // done of the yo
-  int turns_{};       // since the last time up
-  bool held_down_{};  // on the way up, below ice that the system on board knows
-  HalfYo climb_{};    // to the surface
+  int halves_{};                                    // done of the yo
+  int turns_{};                                     // since the last time up
+  bool held_down_{};                                // on the way up, below ice that the system on board knows
+  std::optional<core::UtcTime> below_ice_since_{};  // on that way
+  bool turns_back_{};                               // to where it last was at the surface
+  Vector open_water_{};
+  HalfYo climb_{};  // to the surface
   core::Seconds wait_{};
   bool ends_{};
   std::string reason_;
+  double held_depth_m_{};  // near it since `held_since_`
+  core::UtcTime held_since_{};
   core::UtcTime surfaced_{};
   core::UtcTime fix_due_{};
   core::UtcTime leave_{};

@@ -18,16 +18,19 @@ struct GuidedFlight {
   core::Seconds longest{4.0 * 3600.0};
   std::uint64_t seed{1};
   bool has_system{true};
+  simulation::SonarSettings sonar{};
+  core::Seconds same_depth{1800.0};  // of abend
 };
 
 inline simulation::FlightRecord guided(const simulation::World& world, const GuidedFlight& flight) {
-  static const simulation::Equipment equipment;
+  const simulation::Equipment equipment{.sonar = simulation::Sonar{flight.sonar}};
   const vehicle::GliderProfile vehicle = simulation::flown_vehicle(shallow_glider()).value();
-  const simulation::MissionOrders orders = orders_through(world, flight.way);
+  simulation::MissionOrders orders = orders_through(world, flight.way);
+  orders.same_depth = flight.same_depth;
   std::optional<simulation::SystemOnBoard> system;
   if (flight.has_system) {
     system = simulation::system_for(world, orders, flight_origin, flight_start, flight.longest);
-    system->settings = simulation::avoidance_for(vehicle, orders, equipment.sonar.settings());
+    system->settings = simulation::avoidance_for(vehicle, orders, flight.sonar);
   }
   simulation::FlightSettings settings;
   settings.longest = flight.longest;

@@ -14,7 +14,6 @@ using support::plan_of;
 using testing::Contains;
 using testing::Field;
 using testing::HasSubstr;
-using testing::IsEmpty;
 using testing::SizeIs;
 
 std::vector<mission::Document> documents_of(const mission::MissionFiles& files) {
@@ -45,7 +44,8 @@ TEST(MissionOrders, AreThoseOfTheExportedFiles) {
   EXPECT_THAT(orders->surfaces, SizeIs(4));
   EXPECT_TRUE(orders->surfaces[1].ends_mission);
   EXPECT_EQ(orders->overdepth, core::Metres{200.0});
-  EXPECT_THAT(orders->notes, IsEmpty());
+  ASSERT_EQ(orders->notes.size(), 1U);
+  EXPECT_THAT(orders->notes.front(), HasSubstr("sample"));
 }
 
 TEST(MissionOrders, FlyToTheLastWaypointOfTheExportedFiles) {
