@@ -70,9 +70,15 @@ class Searches {
         stop_{stop},
         report_fraction_{report_fraction},
         closures_{sea, open.grid},
-        foresight_{sea, open} {}
+        foresight_{sea, open} {
+    const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+    if (end) look_ahead(*end);
+  }
 
-  /// Sharper bounds for ways that are at the goal by then: not worth their time before one is known.
+  /// Whether any way at all may be at the goal in time.
+  [[nodiscard]] bool has_hope() const { return !ladder_ || ladder_->has_hope(); }
+
+  /// The bounds for ways that are at the goal by then.
   void look_ahead(core::Seconds last) {
     if (!foresight_.is_useful()) return;
     ladder_ = std::make_unique<ArrivalLadder>(foresight_, closures_, open_, depart_, last, stop_);
@@ -140,7 +146,7 @@ RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::S
   const std::size_t affordable = std::max<std::size_t>(1, most_labels / 2);
   const Labels coarse = search(coarse_share, coarse_slack, core::Seconds{INFINITY}, affordable);
   adopt(coarse);
-  if (result.cancelled) return result;
+  if (result.cancelled || !search.has_hope()) return result;
   if (coarse.goal) search.look_ahead(result.arrival);
   const Labels fine = search(fine_share, sea.edge_tolerance(), result.arrival, affordable);
   adopt(fine);
