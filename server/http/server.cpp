@@ -15,7 +15,6 @@
 #include <map>
 #include <stdexcept>
 #include <unordered_set>
-#include <vector>
 
 #include "server/http/session.hpp"
 
@@ -88,23 +87,13 @@ class Server::Listener {
   bool make_room(const std::string& peer) {
     const auto of_peer = sessions_.find(peer);
     if (of_peer != sessions_.end() && of_peer->second.size() >= share_.limits.connections_per_address)
-      return drop_longest_waiting({&of_peer->second});
-    if (open_ < share_.limits.connections) return true;
-    std::vector<const SessionsOfPeer*> all;
-    for (const auto& [address, sessions] : sessions_) all.push_back(&sessions);
-    return drop_longest_waiting(all);
+      return drop(share_.waiting.first_of(peer));
+    return open_ < share_.limits.connections || drop(share_.waiting.first());
   }
 
-  static bool drop_longest_waiting(const std::vector<const SessionsOfPeer*>& groups) {
-    Session* longest = nullptr;
-    for (const SessionsOfPeer* group : groups) {
-      for (Session* session : *group) {
-        if (!session->waiting_since()) continue;
-        if (longest == nullptr || session->waiting_since() < longest->waiting_since()) longest = session;
-      }
-    }
-    if (longest != nullptr) longest->drop();
-    return longest != nullptr;
+  static bool drop(Session* longest_waiting) {
+    if (longest_waiting != nullptr) longest_waiting->drop();
+    return longest_waiting != nullptr;
   }
 
   net::awaitable<void> pause() {

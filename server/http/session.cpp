@@ -68,6 +68,19 @@ Session::Session(net::ip::tcp::socket socket, SessionShare& share)
   stream_.socket().set_option(net::ip::tcp::no_delay{true}, ignored);
   const auto endpoint = stream_.socket().remote_endpoint(ignored);
   peer_ = endpoint.address().to_string(ignored);
+  wait_for_client();
+}
+
+Session::~Session() { stop_waiting(); }
+
+void Session::wait_for_client() {
+  stop_waiting();
+  waiting_ = share_.waiting.enter(*this, peer_);
+}
+
+void Session::stop_waiting() {
+  if (waiting_) share_.waiting.leave(*waiting_, peer_);
+  waiting_.reset();
 }
 
 net::awaitable<void> Session::run() {
@@ -82,7 +95,7 @@ net::awaitable<void> Session::run() {
 
 void Session::drop() {
   finishing_ = true;
-  waiting_since_.reset();
+  stop_waiting();
   stream_.cancel();
 }
 
@@ -123,7 +136,7 @@ net::awaitable<bool> Session::exchange() {
     co_return false;
   }
 
-  waiting_since_.reset();
+  stop_waiting();
   const auto begin = std::chrono::steady_clock::now();
   const std::string id = next_request_id();
   Response response;

@@ -17,6 +17,7 @@
 #include "server/http/memory_budget.hpp"
 #include "server/http/server.hpp"
 #include "server/http/transport.hpp"
+#include "server/http/waiting_line.hpp"
 
 namespace floeplan::http {
 
@@ -29,6 +30,7 @@ struct SessionShare {
   MemoryBudget memory;
   boost::asio::thread_pool pool;
   std::size_t streams{0};  // that are open; on the I/O thread alone
+  WaitingLine waiting;     // the same
 
   SessionShare(routes::Handler answer, Limits bounds, Equipment tools, std::size_t threads);
 };
@@ -39,16 +41,15 @@ struct SessionShare {
 class Session {
  public:
   Session(boost::asio::ip::tcp::socket socket, SessionShare& share);
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
 
   boost::asio::awaitable<void> run();
   /// Ends the connection after the request that is being answered; at once when there is none.
   void finish();
   /// Ends the connection at once.
   void drop();
-  /// Since when the next byte has to come from the client, or to go to it; empty: the server is at work.
-  [[nodiscard]] std::optional<std::chrono::steady_clock::time_point> waiting_since() const {
-    return waiting_since_;
-  }
   [[nodiscard]] const std::string& peer() const { return peer_; }
 
  private:
@@ -73,7 +74,10 @@ class Session {
                                       std::uint64_t most_bytes);
   [[nodiscard]] bool goes_to_disk(const Head& head) const;
   boost::asio::awaitable<void> linger();
-  void wait_for_client() { waiting_since_ = std::chrono::steady_clock::now(); }
+  /// From now on the next byte has to come from the client, or to go to it.
+  void wait_for_client();
+  /// From now on the server is at work.
+  void stop_waiting();
 
   Transport stream_;
   static constexpr std::size_t most_buffered =
@@ -81,8 +85,8 @@ class Session {
   boost::beast::flat_buffer buffer_{most_buffered};
   SessionShare& share_;  // borrowed
   std::string peer_;
-  std::optional<std::chrono::steady_clock::time_point> waiting_since_{std::chrono::steady_clock::now()};
-  bool fresh_{true};  // nothing has come yet
+  std::optional<WaitingLine::Ticket> waiting_;  // the place in the line of those who wait for their clients
+  bool fresh_{true};                            // nothing has come yet
   bool idle_{true};
   bool finishing_{false};
 };

@@ -9,12 +9,12 @@ import concurrent.futures
 import gzip
 import http.client
 import json
+import multiprocessing
 import os
 import random
 import resource
 import socket
 import sys
-import threading
 import time
 
 PORT, PID = int(sys.argv[1]), int(sys.argv[2])
@@ -30,14 +30,22 @@ def memory():
         return next(int(line.split()[1]) * 1024 for line in status if line.startswith("VmRSS"))
 
 
-class Bystander(threading.Thread):
-    """Asks for the health every few milliseconds, each time on a connection of its own."""
+class Bystander:
+    """Asks for the health every few milliseconds, each time on a connection of its own. It does so in a process of its
+    own: the threads of this one would wait for each other, and that would be taken for the server's slowness."""
 
     def __init__(self):
-        super().__init__(daemon=True)
-        self.times, self.failed, self.most_memory, self.over = [], 0, 0, threading.Event()
+        self.times, self.failed, self.most_memory = [], 0, 0
+        self.over, self.found = multiprocessing.Event(), multiprocessing.Queue()
+        self.process = multiprocessing.Process(target=self._ask, daemon=True)
+        self.process.start()
 
-    def run(self):
+    def stop(self):
+        self.over.set()
+        self.times, self.failed, self.most_memory = self.found.get(timeout=60)
+        self.process.join()
+
+    def _ask(self):
         while not self.over.is_set():
             begin = time.monotonic()
             try:
@@ -51,14 +59,13 @@ class Bystander(threading.Thread):
             self.times.append(time.monotonic() - begin)
             self.most_memory = max(self.most_memory, memory())
             self.over.wait(0.02)
+        self.found.put((self.times, self.failed, self.most_memory))
 
 
 def attacked(name, attack):
     bystander = Bystander()
-    bystander.start()
     attack()
-    bystander.over.set()
-    bystander.join()
+    bystander.stop()
     times = sorted(bystander.times)
     p99 = times[int(len(times) * 0.99)]
     print(f"{name:34} {len(times):5} others, p50 {times[len(times) // 2] * 1000:6.1f} ms, p99 {p99 * 1000:6.1f} ms, "

@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <map>
+#include <string>
+
+namespace floeplan::http {
+
+class Session;
+
+/// The connections whose client has to do the next thing, in the order in which they began to wait. Whoever has waited
+/// longest is found without a look at the others: a crowd that comes all at once costs each newcomer the same.
+/// Threads  the I/O thread alone
+class WaitingLine {
+ public:
+  using Ticket = std::uint64_t;
+
+  /// Takes the last place.
+  Ticket enter(Session& session, const std::string& peer);
+  void leave(Ticket ticket, const std::string& peer);
+  /// Of all, and of those of one address; null: nobody waits.
+  [[nodiscard]] Session* first() const;
+  [[nodiscard]] Session* first_of(const std::string& peer) const;
+
+ private:
+  using Line = std::map<Ticket, Session*>;  // borrowed
+
+  Line all_;
+  std::map<std::string, Line> of_peer_;
+  Ticket next_{0};
+};
+
+}  // namespace floeplan::http
