@@ -5,6 +5,7 @@
 
 #include "engine/core/violation.hpp"
 #include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/iceberg_track_repository.hpp"
 
 namespace floeplan::codec {
 

@@ -158,29 +158,6 @@ std::vector<ocean::IcebergFix> IcebergRepository::earlier(const StoredSighting& 
   return fixes;
 }
 
-std::vector<IcebergTrack> IcebergRepository::tracks() const {
-  // Of several sightings at one moment the one stored last, as for the newest of all.
-  sqlite::Statement query{
-      db_,
-      "SELECT first_row, (SELECT id FROM dataset WHERE dataset.row = dataset_row), berg_id, lon_deg, "
-      "lat_deg, "
-      "observed_s, max(row) FROM (SELECT *, min(row) OVER (PARTITION BY dataset_row, berg_id) AS first_row "
-      "FROM "
-      "sighting WHERE berg_id <> '') GROUP BY first_row, observed_s ORDER BY first_row, observed_s"};
-  std::vector<IcebergTrack> tracks;
-  while (query.step()) {
-    const std::int64_t first_row = query.integer(0);
-    const bool begins = tracks.empty() || tracks.back().first_row != first_row;
-    if (begins && !tracks.empty() && tracks.back().fixes.size() < 2) tracks.pop_back();
-    if (begins)
-      tracks.push_back(
-          {.first_row = first_row, .dataset = {query.text(1)}, .berg_id = query.text(2), .fixes = {}});
-    tracks.back().fixes.push_back({{query.real(3), query.real(4)}, query.time(5)});
-  }
-  if (!tracks.empty() && tracks.back().fixes.size() < 2) tracks.pop_back();
-  return tracks;
-}
-
 std::vector<StoredSighting> IcebergRepository::latest(const DatasetId& dataset, const geo::BoundingBox& area,
                                                       core::UtcTime as_of, core::Seconds max_age) const {
   // The area comes last: a berg that has left it must not be found where it was before. A sighting without a

@@ -28,14 +28,6 @@ struct SightingFilter {
   std::optional<std::string> berg_id{};
 };
 
-/// Where one berg of a dataset was seen, at two moments at least.
-struct IcebergTrack {
-  std::int64_t first_row{};  // of its first sighting in the store: names the track
-  DatasetId dataset;
-  std::string berg_id;
-  std::vector<ocean::IcebergFix> fixes;  // oldest first
-};
-
 /// Sightings of icebergs, indexed by place (R*Tree) and time.
 /// Threads  as the connection: one thread at a time
 class IcebergRepository {
@@ -57,8 +49,6 @@ class IcebergRepository {
   /// for each moment, none for a berg without a name.
   [[nodiscard]] std::vector<ocean::IcebergFix> earlier(const StoredSighting& sighting,
                                                        core::Seconds max_age) const;
-  /// Every berg that has a name and was seen at two moments at least, by ascending first row.
-  [[nodiscard]] std::vector<IcebergTrack> tracks() const;
   /// Of each berg of the dataset the newest sighting that is not after `as_of` and not older than `max_age`
   /// before it; in the area; by ascending row.
   [[nodiscard]] std::vector<StoredSighting> latest(const DatasetId& dataset, const geo::BoundingBox& area,
