@@ -50,7 +50,7 @@ Response refused(const Request& request, SubmissionRefused reason) {
     case SubmissionRefused::queue_full: {
       Response response = problem_reply(
           request,
-          {503, "queue-full", "The queue is full", "Too many jobs are waiting; try again later.", {}});
+          {503, "queue-full", "The queue is full", "Too many jobs are waiting, of all or of yours; try again later.", {}});
       response.headers.emplace_back("Retry-After", "30");
       return response;
     }

@@ -1,8 +1,12 @@
 #include "server/cli/api_handler.hpp"
 
+#include <spdlog/spdlog.h>
+
 #include <memory>
 #include <mutex>
 #include <vector>
+
+#include "api/routes/store_trouble.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -57,8 +61,13 @@ Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway&
   };
   return {.answer =
               [doorkeeper, with_context](const routes::Request& request) {
-                return with_context(
-                    [&](const routes::Context& context) { return doorkeeper->answer(context, request); });
+                try {
+                  return with_context(
+                      [&](const routes::Context& context) { return doorkeeper->answer(context, request); });
+                } catch (const sqlite::Failure& failure) {
+                  spdlog::error("method={} path={} failed: {}", request.method, request.path, failure.what());
+                  return routes::store_trouble_reply(request, failure);
+                }
               },
           .refuse =
               [doorkeeper, with_context](const routes::Request& request) {

@@ -59,6 +59,15 @@ std::optional<JobRecord> find_shared(sqlite::Connection& db, const routes::Submi
   return repository::JobRepository{db}.find_shared(*submission.digest, submission.owner);
 }
 
+/// For one job more of the owner.
+bool has_room(const repository::JobRepository& jobs, const std::string& owner) {
+  constexpr auto waiting = repository::JobStatus::accepted;
+  if (jobs.count(waiting) >= JobBoard::max_waiting) return false;
+  if (owner.empty()) return true;
+  const auto own = jobs.list(0, JobBoard::max_waiting_of_owner, {.status = waiting, .owner = owner});
+  return std::ssize(own) < JobBoard::max_waiting_of_owner;
+}
+
 }  // namespace
 
 tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sqlite::Connection& db,
@@ -73,8 +82,7 @@ tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sqlite::Connection& 
   }
   repository::JobRepository jobs{db};
   const auto shared = find_shared(db, submission);
-  if (!shared && jobs.count(repository::JobStatus::accepted) >= max_waiting)
-    return tl::unexpected(SubmissionRefused::queue_full);
+  if (!shared && !has_room(jobs, submission.owner)) return tl::unexpected(SubmissionRefused::queue_full);
   const JobRecord job = shared.value_or(new_job(submission, now));
   if (!shared) jobs.submit(job);
   if (submission.key) repository::KeptAnswers{db}.insert(*submission.key, job.id, std::nullopt, now);

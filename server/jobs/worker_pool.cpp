@@ -10,6 +10,7 @@
 #include <mutex>
 
 #include "server/jobs/process_runner.hpp"
+#include "storage/sqlite/failure.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -17,7 +18,9 @@ namespace {
 using repository::JobRecord;
 using repository::JobRepository;
 
-constexpr core::Seconds lease{30.0};
+// One server at a time holds a store, and takes back every lease when it starts: a lease need not end before it does,
+// and one that ended when the clock is set would have a job done twice at once.
+constexpr core::Seconds lease{1e9};
 constexpr core::Seconds renewal_interval{5.0};  // when there is no progress to write
 constexpr std::chrono::milliseconds progress_interval{250};
 
@@ -37,6 +40,25 @@ void pause(std::chrono::milliseconds time, const std::stop_token& stop) {
   std::condition_variable_any never;
   std::unique_lock lock{mutex};
   never.wait_for(lock, stop, time, [] { return false; });
+}
+
+/// Writes down how a job ended. The work is done and must not be lost because the disk is full for a while: what fails is
+/// tried again until it can be done, or until the server stops, which hands the job back when it starts again.
+template <class Write>
+void keep_trying(sqlite::Connection& db, const repository::JobId& id, const Write& write,
+                 const std::stop_token& stop) {
+  constexpr std::chrono::seconds between{2};
+  while (true) {
+    try {
+      JobRepository jobs{db};
+      write(jobs);
+      return;
+    } catch (const sqlite::Failure& failure) {
+      spdlog::error("job={} its end could not be written down: {}", id.value, failure.what());
+      if (stop.stop_requested()) return;
+    }
+    pause(between, stop);
+  }
 }
 
 }  // namespace
@@ -98,19 +120,21 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
     spdlog::error("job={} broke off: {}", job.id.value, error.what());
     result = tl::unexpected(std::string{"the work broke off: "} + error.what());
   }
+  const bool stopped = job_stop.stop_requested();
+  const auto write_end = [&](JobRepository& jobs) {
+    if (stopped) {
+      jobs.hand_back(worker, now());  // does nothing for a job that was dismissed
+    } else if (result) {
+      jobs.succeed(job.id, worker, *result, now());
+    } else {
+      jobs.fail(job.id, worker, result.error(), now());
+    }
+  };
+  keep_trying(db, job.id, write_end, pool_stop);
   board_.end(job.id);
-
-  JobRepository jobs{db};
-  if (job_stop.stop_requested()) {
-    jobs.hand_back(worker, now());  // does nothing for a job that was dismissed
-  } else if (result) {
-    jobs.succeed(job.id, worker, *result, now());
-  } else {
-    jobs.fail(job.id, worker, result.error(), now());
-  }
   board_.announce(job.id);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  const char* outcome = job_stop.stop_requested() ? "stopped" : result ? "successful" : "failed";
+  const char* outcome = stopped ? "stopped" : result ? "successful" : "failed";
   spdlog::info("job={} outcome={} seconds={:.3f}", job.id.value, outcome, taken.count());
 }
 

@@ -12,13 +12,23 @@ Failure failure_of(const SQLite::Exception& cause, const std::string& file) {
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
       return Failure{database + " is damaged or not a Floeplan store" + detail +
-                     "; restore it from a backup, or move it away and ingest the files again"};
-    case SQLITE_FULL: return Failure{database + " cannot grow: the disk is full" + detail};
+                         "; restore it from a backup, or move it away and ingest the files again",
+                     Trouble::damaged};
+    case SQLITE_FULL:
+      return Failure{database + " cannot grow: the disk is full" + detail, Trouble::disk_full};
     case SQLITE_BUSY:
-    case SQLITE_LOCKED: return Failure{database + " was held by another program for too long" + detail};
+    case SQLITE_LOCKED:
+      return Failure{database + " was held by another program for too long" + detail,
+                     Trouble::held_by_another};
+    case SQLITE_IOERR:
+      return Failure{database + " cannot be read or written" + detail + "; look at the disk",
+                     Trouble::not_writable};
     case SQLITE_READONLY:
-      return Failure{database + " cannot be written" + detail + "; check its permissions"};
-    case SQLITE_CANTOPEN: return Failure{database + " cannot be opened" + detail + "; check its permissions"};
+      return Failure{database + " cannot be written" + detail + "; check its permissions",
+                     Trouble::not_writable};
+    case SQLITE_CANTOPEN:
+      return Failure{database + " cannot be opened" + detail + "; check its permissions",
+                     Trouble::not_writable};
     default: return Failure{database + " failed" + detail};
   }
 }

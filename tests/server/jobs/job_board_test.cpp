@@ -62,9 +62,23 @@ TEST_F(JobBoardTest, GivesTheSameKeyTheSameJob) {
 }
 
 TEST_F(JobBoardTest, RefusesMoreThanTheQueueHolds) {
+  auto of_nobody = plan();
+  of_nobody.owner.clear();
   for (std::int64_t i = 0; i < JobBoard::max_waiting; ++i)
-    ASSERT_TRUE(board_.submit(db_, plan(), some_time).has_value());
+    ASSERT_TRUE(board_.submit(db_, of_nobody, some_time).has_value());
   EXPECT_EQ(board_.submit(db_, plan(), some_time).error(), SubmissionRefused::queue_full);
+}
+
+TEST_F(JobBoardTest, KeepsRoomForOthersWhenOneOwnerSubmitsAndSubmits) {
+  auto mine = plan();
+  mine.owner = "ship";
+  for (int i = 0; i < JobBoard::max_waiting_of_owner; ++i)
+    ASSERT_TRUE(board_.submit(db_, mine, some_time).has_value());
+  EXPECT_EQ(board_.submit(db_, mine, some_time).error(), SubmissionRefused::queue_full);
+
+  auto yours = plan();
+  yours.owner = "office";
+  EXPECT_TRUE(board_.submit(db_, yours, some_time).has_value());
 }
 
 TEST_F(JobBoardTest, WakesThoseWhoWaitForAnyJob) {

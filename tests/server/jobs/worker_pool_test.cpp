@@ -6,6 +6,7 @@
 #include <ctime>
 
 #include "storage/repository/migrations.hpp"
+#include "storage/sqlite/statement.hpp"
 #include "tests/server/jobs/wait_until.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -68,6 +69,34 @@ TEST_F(WorkerPoolTest, StopsADismissedJobWithinASecondOfWork) {
   ASSERT_TRUE(wait_until([&] { return board_.running().empty(); }));
   EXPECT_LT(std::clock() - begin, CLOCKS_PER_SEC);
   EXPECT_EQ(JobRepository{db_}.find(job.id)->status, JobStatus::dismissed);
+}
+
+TEST_F(WorkerPoolTest, KeepsARunningJobHoweverTheClockIsSet) {
+  WorkerPool pool{open_store(), board_, 1};
+  const auto job = submit("echo", R"({"pause":10})");
+  ASSERT_TRUE(wait_for(job.id, JobStatus::running));
+  const core::UtcTime a_year_ahead = std::chrono::system_clock::now() + core::Seconds{3.2e7};
+  EXPECT_FALSE(JobRepository{db_}.claim("another", a_year_ahead, core::Seconds{30.0}, repository::Lane::any));
+}
+
+TEST_F(WorkerPoolTest, WritesTheResultDownOnceTheStoreTakesItAgain) {
+  // FAIL, other than ABORT, leaves what was done before it.
+  sqlite::execute(db_, R"(CREATE TABLE tried (n INTEGER) STRICT;
+    CREATE TRIGGER no_room BEFORE UPDATE OF status ON job WHEN new.status = 'successful' BEGIN
+      INSERT INTO tried VALUES (1); SELECT RAISE(FAIL, 'no room'); END)");
+  WorkerPool pool{open_store(), board_, 1};
+  const auto job = submit("echo", R"({"echo":"kept","pause":0})");
+  ASSERT_TRUE(wait_until([&] {
+    sqlite::Statement query{db_, "SELECT count(*) FROM tried"};
+    return query.step() && query.integer(0) > 0;
+  }));
+  EXPECT_EQ(JobRepository{db_}.find(job.id)->status, JobStatus::running);
+
+  sqlite::execute(db_, "DROP TRIGGER no_room");
+
+  ASSERT_TRUE(wait_for(job.id, JobStatus::successful));
+  EXPECT_EQ(JobRepository{db_}.find(job.id)->result_json, R"({"echo":"kept"})");
+  EXPECT_EQ(JobRepository{db_}.find(job.id)->attempts, 1);
 }
 
 TEST_F(WorkerPoolTest, EndsAPauseThatWasDismissed) {
