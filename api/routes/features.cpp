@@ -1,5 +1,3 @@
-#include <charconv>
-
 #include "api/codec/sha256.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/feature_crs.hpp"
@@ -8,6 +6,7 @@
 #include "api/routes/paging.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "api/routes/text_values.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -128,12 +127,7 @@ const std::vector<FeatureCollection>& feature_collections() {
   return collections;
 }
 
-std::optional<std::int64_t> key_of(const std::string& text) {
-  std::int64_t key = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), key);
-  const bool number = error == std::errc{} && end == text.data() + text.size();
-  return number ? std::optional{key} : std::nullopt;
-}
+std::optional<std::int64_t> key_of(const std::string& text) { return parse_integer(text); }
 
 std::vector<Route> feature_routes() {
   std::vector<Route> routes;

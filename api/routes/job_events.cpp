@@ -1,8 +1,7 @@
-#include <charconv>
-
 #include "api/codec/job_document.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "api/routes/text_values.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -21,10 +20,8 @@ std::string event_of(const JobRecord& job, const std::string& public_url) {
 
 /// The number of the last change that the client has seen: from a token of ours, or from its header.
 std::optional<std::int64_t> change_of(const std::string& text) {
-  std::int64_t change = 0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), change);
-  const bool whole = error == std::errc{} && end == text.data() + text.size();
-  return whole && change >= 0 ? std::optional{change} : std::nullopt;
+  const auto change = parse_integer(text);
+  return change && *change >= 0 ? change : std::nullopt;
 }
 
 /// The client's Last-Event-ID; empty: it has seen nothing.

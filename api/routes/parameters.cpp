@@ -1,10 +1,10 @@
 #include "api/routes/parameters.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <cmath>
 #include <vector>
 
+#include "api/routes/text_values.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/lon_lat.hpp"
 
@@ -13,24 +13,15 @@ namespace {
 
 constexpr std::size_t most_places = 1000;
 
-std::optional<double> parse_number(std::string_view text) {
-  if (text.starts_with('+')) text.remove_prefix(1);
-  double value = 0.0;
-  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-  if (error != std::errc{} || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
-  return value;
-}
-
 std::optional<std::vector<double>> parse_numbers(std::string_view text) {
+  constexpr std::size_t most = 6;
   std::vector<double> numbers;
-  while (true) {
-    const auto comma = text.find(',');
-    const auto number = parse_number(text.substr(0, comma));
-    if (!number || numbers.size() == 6) return std::nullopt;
+  for (const auto part : split(text, ',')) {
+    const auto number = parse_number(part);
+    if (!number || numbers.size() == most) return std::nullopt;
     numbers.push_back(*number);
-    if (comma == std::string_view::npos) return numbers;
-    text.remove_prefix(comma + 1);
   }
+  return numbers;
 }
 
 std::optional<core::UtcTime> parse_time(const std::string& text) {
@@ -69,10 +60,8 @@ std::optional<std::int64_t> ParameterReader::integer(const std::string& name, st
                                                      std::int64_t to) {
   const auto text = request_.parameter(name);
   if (!text) return std::nullopt;
-  std::int64_t value = 0;
-  const auto [end, error] = std::from_chars(text->data(), text->data() + text->size(), value);
-  if (error == std::errc{} && end == text->data() + text->size() && value >= from && value <= to)
-    return value;
+  const auto value = parse_integer(*text);
+  if (value && *value >= from && *value <= to) return value;
   refuse(name, "must be a whole number from " + std::to_string(from) + " to " + std::to_string(to));
   return std::nullopt;
 }

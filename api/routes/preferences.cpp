@@ -1,9 +1,10 @@
 #include "api/routes/preferences.hpp"
 
 #include <algorithm>
-#include <charconv>
 #include <string_view>
 #include <vector>
+
+#include "api/routes/text_values.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -15,22 +16,16 @@ std::string_view trimmed(std::string_view text) {
   return text;
 }
 
-std::vector<std::string_view> split(std::string_view text, char separator) {
-  std::vector<std::string_view> parts;
-  while (true) {
-    const auto end = text.find(separator);
-    parts.push_back(trimmed(text.substr(0, end)));
-    if (end == std::string_view::npos) return parts;
-    text.remove_prefix(end + 1);
-  }
+std::vector<std::string_view> trimmed_parts(std::string_view text, char separator) {
+  auto parts = split(text, separator);
+  for (auto& part : parts) part = trimmed(part);
+  return parts;
 }
 
 double quality(const std::vector<std::string_view>& media_range) {
   for (const auto parameter : media_range) {
     if (!parameter.starts_with("q=")) continue;
-    double value = 0.0;
-    std::from_chars(parameter.data() + 2, parameter.data() + parameter.size(), value);
-    return value;
+    return parse_number(parameter.substr(2)).value_or(0.0);
   }
   return 1.0;
 }
@@ -40,8 +35,8 @@ double quality(const std::vector<std::string_view>& media_range) {
 bool prefers_html(const std::string& accept) {
   double html = 0.0;
   double json = 0.0;
-  for (const auto range : split(accept, ',')) {
-    const auto parts = split(range, ';');
+  for (const auto range : trimmed_parts(accept, ',')) {
+    const auto parts = trimmed_parts(range, ';');
     if (parts.front() == "text/html") html = std::max(html, quality(parts));
     if (parts.front() == "application/json") json = std::max(json, quality(parts));
   }
@@ -50,14 +45,14 @@ bool prefers_html(const std::string& accept) {
 
 Preferences parse_prefer(const std::string& prefer) {
   Preferences preferences;
-  for (const auto preference : split(prefer, ',')) {
-    const std::string_view name = split(preference, ';').front();
+  for (const auto preference : trimmed_parts(prefer, ',')) {
+    const std::string_view name = trimmed_parts(preference, ';').front();
     if (name == "respond-sync") preferences.respond_sync = true;
     if (name == "respond-async") preferences.respond_async = true;
     if (name.starts_with("wait=")) {
-      int seconds = 0;
-      const auto [end, error] = std::from_chars(name.data() + 5, name.data() + name.size(), seconds);
-      if (error == std::errc{} && seconds >= 0) preferences.wait_s = seconds;
+      constexpr std::int64_t longest = 86'400;
+      const auto seconds = parse_integer(name.substr(5));
+      if (seconds && *seconds >= 0) preferences.wait_s = static_cast<int>(std::min(*seconds, longest));
     }
   }
   return preferences;

@@ -106,6 +106,12 @@ TEST_F(EdrTest, ATrajectoryTakesTheTimeOfEachPlace) {
   EXPECT_EQ(values(plain), json::array({0.2, 0.2}));
 }
 
+TEST_F(EdrTest, AParameterThatIsNamedAgainAndAgainComesOnce) {
+  std::string names = "eastward_sea_water_velocity";
+  for (int i = 0; i < 300; ++i) names += ",eastward_sea_water_velocity";
+  EXPECT_EQ(get("position?coords=POINT(-53+69)&parameter-name=" + names).at("ranges").size(), 1U);
+}
+
 TEST_F(EdrTest, WrongQueriesAreRefused) {
   for (const std::string query : {"position",
                                   "area",
