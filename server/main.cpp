@@ -1,11 +1,15 @@
 #include <CLI/CLI.hpp>
+#include <csignal>
 #include <exception>
 
 #include "server/cli/command.hpp"
 #include "server/cli/operator_commands.hpp"
+#include "server/cli/plan_commands.hpp"
 
 int main(int argc, char** argv) {
   using namespace floeplan;
+  std::signal(SIGXFSZ,
+              SIG_IGN);  // a file that may not grow is a full disk, which is said; by default it is a crash
 
   CLI::App app{"Mission planning for underwater gliders in and under ice", "floeplan"};
   app.set_version_flag("--version", std::string{"floeplan "} + FLOEPLAN_VERSION);
@@ -28,6 +32,8 @@ int main(int argc, char** argv) {
   cli::add_reach(app, program);
   cli::add_simulate(app, program);
   cli::add_export(app, program);
+  cli::add_recheck(app, program);
+  cli::add_compare(app, program);
   cli::add_check(app, program);
   cli::add_compare_flight(app, program);
   cli::add_reproduce(app, program);

@@ -46,6 +46,8 @@ Deed post_of(const Request& request, const Response& response) {
   if (const auto process = process_of(request.path)) return {*process, target};
   if (request.path.starts_with("/uploads")) return {"upload", target};
   if (request.path == "/session") return {"log-in", request.path};
+  if (request.path == "/datasets/prune")
+    return {"remove", request.path + " " + json::parse(request.body).dump()};
   return {"add", target.empty() ? request.path : target};
 }
 

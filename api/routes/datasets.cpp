@@ -1,8 +1,11 @@
 #include "api/codec/dataset_document.hpp"
+#include "api/codec/json_text.hpp"
+#include "api/codec/retention_inputs.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_repository.hpp"
+#include "storage/repository/retention.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -43,12 +46,26 @@ Response remove_dataset(const Context& context, const Request& request, const Pa
   return response;
 }
 
+/// By rules and never by a list: what went is in the answer, and in the log of who removed what.
+Response prune_datasets(const Context& context, const Request& request, const PathParameters&) {
+  const auto body = codec::parse_json(request.body);
+  if (!body) return problem_reply(request, {400, "invalid-json", "Invalid JSON", body.error(), {}});
+  const auto inputs = codec::parse_retention_inputs(*body);
+  if (!inputs) return invalid(request, inputs.error());
+  const auto gone =
+      inputs->dry_run
+          ? repository::beyond_retention(repository::stored_sizes(context.db), inputs->rules, request.now)
+          : repository::remove_beyond_retention(context.db, inputs->rules, request.now);
+  return json_reply(codec::retention_document(gone, inputs->dry_run));
+}
+
 }  // namespace
 
 std::vector<Route> dataset_routes() {
   return {{"GET", "/datasets", {}, list_datasets},
           {"GET", "/datasets/{dataset_id}", {}, show_dataset},
-          {"DELETE", "/datasets/{dataset_id}", {}, remove_dataset, Access::admin}};
+          {"DELETE", "/datasets/{dataset_id}", {}, remove_dataset, Access::admin},
+          {"POST", "/datasets/prune", {}, prune_datasets, Access::admin}};
 }
 
 }  // namespace floeplan::routes

@@ -1,16 +1,12 @@
 #include "api/routes/mission_service.hpp"
 
-#include <algorithm>
-#include <charconv>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "api/codec/plan_document.hpp"
-#include "api/codec/plan_inputs.hpp"
+#include "api/routes/text_values.hpp"
 #include "engine/mission/line_words.hpp"
 #include "engine/mission/read_document.hpp"
-#include "engine/mission/route_check.hpp"
-#include "storage/repository/environment_loader.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -18,12 +14,6 @@ namespace {
 using nlohmann::json;
 
 constexpr std::size_t longest_glider_name = 40;
-
-/// The inputs that the plan was made with; nothing when an older version stored them in another form.
-std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record) {
-  auto inputs = codec::parse_plan_inputs(json::parse(record.request_json));
-  return inputs ? std::optional{std::move(*inputs)} : std::nullopt;
-}
 
 /// No file leaves that our own reader would not take back without a word of warning.
 void read_back(const mission::MissionFiles& files) {
@@ -51,13 +41,12 @@ tl::expected<mission::MissionFiles, core::Violations> seaglider_set_of(const rep
   return files;
 }
 
-bool same_data(const std::vector<ocean::DatasetRef>& a, const std::vector<ocean::DatasetRef>& b) {
-  return std::ranges::equal(a, b, [](const ocean::DatasetRef& x, const ocean::DatasetRef& y) {
-    return x.id == y.id && x.sha256 == y.sha256;
-  });
-}
-
 }  // namespace
+
+std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record) {
+  auto inputs = codec::parse_plan_inputs(json::parse(record.request_json));
+  return inputs ? std::optional{std::move(*inputs)} : std::nullopt;
+}
 
 vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record, const planning::Plan& plan) {
   if (const auto inputs = inputs_of(record)) return inputs->request.vehicle;
@@ -94,42 +83,16 @@ tl::expected<std::string, core::Violation> handover_folder(const std::string& gl
 }
 
 std::optional<mission::Firmware> parse_firmware(const std::string& text) {
-  mission::Firmware firmware;
-  const char* const end = text.data() + text.size();
-  const auto major = std::from_chars(text.data(), end, firmware.major);
-  if (major.ec != std::errc{} || major.ptr == end || *major.ptr != '.') return std::nullopt;
-  const auto minor = std::from_chars(major.ptr + 1, end, firmware.minor);
-  if (minor.ec != std::errc{} || minor.ptr != end || firmware.major < 0 || firmware.minor < 0)
-    return std::nullopt;
-  return firmware;
-}
-
-PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record) {
-  const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
-  auto inputs = inputs_of(record);
-  if (!inputs)
-    return {{}, {"The plan was stored by another version and could not be checked in newer data."}};
-  const auto environment = repository::load_environment(db, inputs->data);
-  if (!environment) {
-    return {{},
-            {"The plan could not be checked in the stored data: " + environment.error().front().rule + "."}};
-  }
-  if (same_data(plan.datasets, environment->datasets)) return {};
-
-  inputs->request.depart = plan.departure;  // of a window of departures, the best
-  PlanCheck check;
-  const auto found =
-      mission::check_route(*environment, codec::route_of(json::parse(record.document_json)), inputs->request);
-  for (const auto& finding : found.findings) {
-    const std::string text =
-        "In the newest data, leg " + std::to_string(finding.place) + ": " + finding.text + ".";
-    (finding.dangerous ? check.dangers : check.warnings).push_back(text);
-  }
-  if (found.findings.empty()) {
-    check.warnings.push_back(
-        "The data have changed since the plan was made; in the newest ones it is still clear.");
-  }
-  return check;
+  constexpr std::int64_t most = 999;
+  const auto parts = split(text, '.');
+  if (parts.size() != 2) return std::nullopt;
+  const auto major = parse_integer(parts[0]);
+  const auto minor = parse_integer(parts[1]);
+  const auto valid = [](const std::optional<std::int64_t>& number) {
+    return number && *number >= 0 && *number <= most;
+  };
+  if (!valid(major) || !valid(minor)) return std::nullopt;
+  return mission::Firmware{static_cast<int>(*major), static_cast<int>(*minor)};
 }
 
 }  // namespace floeplan::routes

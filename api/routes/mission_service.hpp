@@ -4,6 +4,7 @@
 #include <string>
 #include <tl/expected.hpp>
 
+#include "api/codec/plan_inputs.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/mission/mission_set.hpp"
@@ -24,6 +25,9 @@ struct MissionRequest {
   std::vector<mission::ScienceBand> bands{};
 };
 
+/// The inputs that the plan was made with; nothing when an older version stored them in another form.
+[[nodiscard]] std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record);
+
 /// The vehicle that a stored plan is for, with what its request says of it.
 [[nodiscard]] vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record,
                                                 const planning::Plan& plan);
@@ -43,15 +47,5 @@ struct MissionRequest {
 
 /// "10.5". Nothing for any other text.
 [[nodiscard]] std::optional<mission::Firmware> parse_firmware(const std::string& text);
-
-/// What newer data than those it was made with say of a stored plan.
-struct PlanCheck {
-  std::vector<std::string> dangers;   // the plan must not be flown as it is
-  std::vector<std::string> warnings;  // what could not be found out
-};
-
-/// Follows a stored plan once more through the newest data of its choice, from its own departure. A plan whose data are
-/// unchanged has been checked when it was made.
-[[nodiscard]] PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record);
 
 }  // namespace floeplan::routes

@@ -5,6 +5,7 @@
 #include "api/codec/zip_archive.hpp"
 #include "api/routes/mission_service.hpp"
 #include "api/routes/parameters.hpp"
+#include "api/routes/plan_check.hpp"
 #include "api/routes/plan_exports.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"

@@ -1,5 +1,7 @@
+#include "api/codec/plan_comparison.hpp"
 #include "api/codec/plan_feature.hpp"
 #include "api/routes/feature_collection.hpp"
+#include "api/routes/plan_check.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "storage/repository/plan_repository.hpp"
@@ -30,13 +32,40 @@ std::optional<json> find(const Context& context, const std::string& id) {
   const std::string self = context.service.public_url + "/collections/plans/items/" + id;
   feature["links"] =
       json::array({link("enclosure", "application/zip", self + "/mission.zip", "GliderDOS mission files"),
-                   link("enclosure", "application/gpx+xml", self + "/mission.gpx", "GPX route")});
+                   link("enclosure", "application/gpx+xml", self + "/mission.gpx", "GPX route"),
+                   link("related", "application/json", self + "/check", "What newer data say of it")});
   return feature;
+}
+
+Response no_such_plan(const Request& request, const std::string& id) {
+  return not_found(request, "unknown-plan", "No plan has the id " + id + ".");
+}
+
+/// What has become of the plan's data, and whether it holds in those of today.
+Response show_check(const Context& context, const Request& request, const PathParameters& path) {
+  const auto plan = PlanRepository{context.db}.find({path.at("plan_id")});
+  if (!plan) return no_such_plan(request, path.at("plan_id"));
+  Response response = json_reply(plan_check_document(*plan, check_plan(context.db, *plan)));
+  response.headers.emplace_back("Cache-Control", "no-cache");
+  return response;
+}
+
+Response show_comparison(const Context& context, const Request& request, const PathParameters& path) {
+  const PlanRepository plans{context.db};
+  const auto first = plans.find({path.at("plan_id")});
+  if (!first) return no_such_plan(request, path.at("plan_id"));
+  const auto other = request.parameter("with");
+  const auto second = other ? plans.find({*other}) : std::nullopt;
+  if (!second) {
+    return invalid(request, {{"?with", "the query parameter \"with\" must be the id of another plan" +
+                                           (other ? ", not " + *other : std::string{})}});
+  }
+  return json_reply(codec::plan_comparison(*first, *second));
 }
 
 Response remove_plan(const Context& context, const Request& request, const PathParameters& path) {
   if (!PlanRepository{context.db}.remove({path.at("plan_id")}))
-    return not_found(request, "unknown-plan", "No plan has the id " + path.at("plan_id") + ".");
+    return no_such_plan(request, path.at("plan_id"));
   Response response;
   response.status = 204;
   return response;
@@ -57,7 +86,9 @@ FeatureCollection plan_collection() {
 }
 
 std::vector<Route> plan_routes() {
-  return {{"DELETE", "/collections/plans/items/{plan_id}", {}, remove_plan}};
+  return {{"DELETE", "/collections/plans/items/{plan_id}", {}, remove_plan},
+          {"GET", "/collections/plans/items/{plan_id}/check", {}, show_check},
+          {"GET", "/collections/plans/items/{plan_id}/comparison", {"with"}, show_comparison}};
 }
 
 }  // namespace floeplan::routes

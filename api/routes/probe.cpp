@@ -19,7 +19,8 @@ Response show_probe(const Context& context, const Request& request, const PathPa
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
   ProbeQuery query;
-  query.place = {geo::wrap_longitude(*lon), *lat};
+  // One that needs no turn keeps its last digit, so that the command line says the same of it.
+  query.place = {*lon < 180.0 ? *lon : geo::wrap_longitude(*lon), *lat};
   query.time = time.value_or(request.now);
   if (depth) query.depth = core::Metres{*depth};
   query.dataset_id = request.parameter("dataset");

@@ -5,6 +5,7 @@
 #include <optional>
 
 #include "api/codec/dataset_document.hpp"
+#include "api/codec/retention_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "storage/repository/dataset_repository.hpp"
@@ -68,9 +69,7 @@ int prune(const Flags& flags, const Program& program) {
   const auto gone = flags.dry_run ? repository::beyond_retention(repository::stored_sizes(db), rules, now())
                                   : repository::remove_beyond_retention(db, rules, now());
   if (flags.json_out) {
-    json removed = json::array();
-    for (const auto& each : gone) removed.push_back({{"id", each.dataset.id.value}, {"bytes", each.bytes}});
-    std::cout << json{{"removed", removed}, {"dry_run", flags.dry_run}}.dump(2) << '\n';
+    std::cout << codec::retention_document(gone, flags.dry_run).dump(2) << '\n';
     return done;
   }
   for (const auto& each : gone)

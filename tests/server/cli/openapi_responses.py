@@ -25,8 +25,13 @@ MISSION = "behavior_name=goto_list\n<start:b_arg>\n\tb_arg: num_waypoints(nodim)
           "<start:waypoints>\n-5300.0000\t6900.0000\n<end:waypoints>\n"
 VERBS = ("get", "post", "put", "patch", "delete")
 
+# Query parameters that are plain text to the schema, and yet not any text.
+STRUCTURED = {"as_of", "coords", "crs", "bbox-crs", "datetime", "depart", "firmware", "parameter-name", "parameter_names",
+              "safe", "science", "sha256", "time", "until", "with", "within", "within-units", "z"}
+
 faults = []
 driven = set()
+sent_wrong = set()
 
 
 def ask(method, path, body=None, headers=None):
@@ -85,6 +90,8 @@ def drive(method, template, status, body=None, headers=None, query="", **names):
     operation = DOCUMENT["paths"][template][method.lower()]
     driven.add((method.lower(), template))
     found, media_type, content = ask(method, path + query, body, headers)
+    if method == "GET" and found == status == 200:
+        send_wrong(template, path, query)
     if found != status:
         faults.append(f"{where}: status {found}, not {status}: {content[:300]!r}")
         return None
@@ -109,6 +116,32 @@ def drive(method, template, status, body=None, headers=None, query="", **names):
     for error in validator.iter_errors(answer):
         note(where, error)
     return answer
+
+
+def wrong_value(parameter):
+    """One that the schema of the parameter does not allow; none for a text that may be anything."""
+    schema = parameter["schema"]
+    if "enum" in schema or schema.get("type") in ("array", "boolean", "integer", "number"):
+        return "wrong"
+    return "wrong" if parameter["name"] in STRUCTURED else None
+
+
+def send_wrong(template, path, query):
+    """Where a request was answered, each query parameter once with a wrong value, and one that there is not."""
+    if template in sent_wrong:
+        return
+    sent_wrong.add(template)
+    parameters = [DOCUMENT["components"]["parameters"][entry["$ref"].rsplit("/", 1)[1]] if "$ref" in entry else entry
+                  for entry in DOCUMENT["paths"][template]["get"]["parameters"]]
+    wrong = {entry["name"]: wrong_value(entry) for entry in parameters if entry["in"] == "query"}
+    for name, value in {**wrong, "no_such_parameter": "1"}.items():
+        if value is None:
+            continue
+        others = [word for word in query[1:].split("&") if word and not word.startswith(name + "=")]
+        address = path + "?" + "&".join(others + [f"{name}={value}"])
+        found, _, content = ask("GET", address)
+        if found != 400 or not json.loads(content).get("errors"):
+            faults.append(f"GET {address}: status {found}, not 400 with the faults: {content[:300]!r}")
 
 
 def execute(process, inputs, status=200):
@@ -281,7 +314,7 @@ def collections(plan):
     drive("GET", "/collections/plans/items/{plan_id}", 200, plan_id=plan)
     for template in DOCUMENT["paths"]:
         if template.startswith("/collections/plans/items/{plan_id}/"):
-            drive("GET", template, 200, plan_id=plan)
+            drive("GET", template, 200, query=f"?with={plan}" if template.endswith("/comparison") else "", plan_id=plan)
     drive("DELETE", "/collections/plans/items/{plan_id}", 204, plan_id=plan)
     drive("GET", "/collections/plans/items/{plan_id}", 404, plan_id=plan)
 
@@ -297,6 +330,9 @@ def data():
     drive("GET", "/map/drift", 200, query=f"{box}&as_of={DEPART}&until={DEPART}")
     drive("GET", "/map/bathymetry", 200, query=box + "&nx=32&ny=32")
     drive("GET", "/map/currents", 200, query=box + f"&nx=32&ny=32&time={DEPART}")
+    drive("POST", "/datasets/prune", 200, {"older_than": "P1D", "kind": "currents", "dry_run": True})
+    for rules in ({}, {"older_than": "long"}, {"max_bytes": 0.5}, {"max_bytes": 1, "kind": "zones"}, {"younger": 1}, []):
+        drive("POST", "/datasets/prune", 400, rules)
     coast = next(entry["id"] for entry in datasets if entry["kind"] == "coastline")
     drive("DELETE", "/datasets/{dataset_id}", 204, dataset_id=coast)
 

@@ -16,23 +16,39 @@ const char* const zone = R"({"type": "FeatureCollection", "features": [{"type": 
   "geometry": {"type": "Polygon", "coordinates": [[[-53.1, 68.9], [-52.8, 68.9], [-52.8, 69.1], [-53.1, 69.1],
                                                    [-53.1, 68.9]]]}}]})";
 
-TEST(OpenApi, DescribesWhatEveryOperationAnswers) {
-  if (std::system("python3 -c 'import jsonschema' 2> /dev/null") != 0)
-    GTEST_SKIP() << "install the package python3-jsonschema to run this test";
-  const support::Program program;
-  const std::filesystem::path demo = program.folder() / "demo";
-  ASSERT_EQ(program.run({"demo", demo.string()}).exit_code, 0);
-  std::ofstream{demo / "zone.geojson"} << zone;
-  std::vector<std::string> ingest{"ingest"};
-  for (const auto& entry : std::filesystem::directory_iterator{demo})
-    if (entry.path().extension() != ".txt") ingest.push_back(entry.path().string());
-  ASSERT_EQ(program.run(ingest).exit_code, 0);
-  const support::ServedProgram served{program.folder() / "store"};
+/// A server with the demonstration data and a zone.
+class ServedDemo : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (std::system("python3 -c 'import jsonschema' 2> /dev/null") != 0)
+      GTEST_SKIP() << "install the package python3-jsonschema to run this test";
+    const std::filesystem::path demo = program_.folder() / "demo";
+    ASSERT_EQ(program_.run({"demo", demo.string()}).exit_code, 0);
+    std::ofstream{demo / "zone.geojson"} << zone;
+    std::vector<std::string> ingest{"ingest"};
+    for (const auto& entry : std::filesystem::directory_iterator{demo})
+      if (entry.path().extension() != ".txt") ingest.push_back(entry.path().string());
+    ASSERT_EQ(program_.run(ingest).exit_code, 0);
+  }
 
-  const std::string command =
-      "python3 " FLOEPLAN_SOURCE_DIR "/tests/server/cli/openapi_responses.py " + served.address();
+  [[nodiscard]] int run(const std::string& script) const {
+    const support::ServedProgram served{program_.folder() / "store"};
+    return std::system(
+        ("python3 " FLOEPLAN_SOURCE_DIR "/tests/server/cli/" + script + ' ' + served.address()).c_str());
+  }
 
-  EXPECT_EQ(std::system(command.c_str()), 0) << "what differs is printed above";
+  support::Program program_;
+};
+
+TEST_F(ServedDemo, AnswersEveryOperationAsItsOpenApiDocumentSays) {
+  EXPECT_EQ(run("openapi_responses.py"), 0) << "what differs is printed above";
+}
+
+TEST_F(ServedDemo, MeetsTheConditionsOfTheSuitesOfOgcApi) {
+  const auto planned = program_.run(
+      {"plan", "--from=-53,69", "--to=-52.9,69.02", "--depart", "2026-11-22T06:00:00Z", "--no-refine"});
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  EXPECT_EQ(run("abstract_tests.py"), 0) << "what does not hold is printed above";
 }
 
 }  // namespace

@@ -1,0 +1,120 @@
+#include "api/routes/plan_check.hpp"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <stdexcept>
+
+#include "api/codec/plan_document.hpp"
+#include "api/routes/mission_service.hpp"
+#include "engine/mission/route_check.hpp"
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/environment_loader.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using nlohmann::json;
+using ocean::DatasetRef;
+
+const char* name_of(DataChange change) {
+  switch (change) {
+    case DataChange::removed: return "removed";
+    case DataChange::replaced: return "replaced";
+    case DataChange::superseded: return "superseded";
+    case DataChange::added: return "added";
+  }
+  throw std::logic_error{"DataChange without a name"};
+}
+
+bool holds(const std::vector<DatasetRef>& datasets, const DatasetRef& wanted) {
+  return std::ranges::any_of(datasets, [&](const DatasetRef& dataset) {
+    return dataset.id == wanted.id && dataset.sha256 == wanted.sha256;
+  });
+}
+
+/// What became of data that the plan was made with; empty: they are in the store as they were.
+std::optional<DataChange> fate_of(const DatasetRef& used, const repository::DatasetRepository& datasets) {
+  const auto stored = datasets.find({used.id});
+  if (!stored) return DataChange::removed;
+  if (stored->provenance.sha256 != used.sha256) return DataChange::replaced;
+  return std::nullopt;
+}
+
+/// `now`: what the plan's request takes today.
+std::vector<ChangedData> changes(sqlite::Connection& db, const std::vector<DatasetRef>& used,
+                                 const std::vector<DatasetRef>& now) {
+  const repository::DatasetRepository datasets{db};
+  std::vector<ChangedData> result;
+  for (const DatasetRef& dataset : used) {
+    if (!holds(now, dataset))
+      result.push_back({dataset, fate_of(dataset, datasets).value_or(DataChange::superseded)});
+  }
+  for (const DatasetRef& dataset : now) {
+    const bool known = std::ranges::find(used, dataset.id, &DatasetRef::id) != used.end();
+    if (!known) result.push_back({dataset, DataChange::added});
+  }
+  return result;
+}
+
+/// When nobody can tell what the request would take today: what is gone, and why the rest is not known.
+PlanCheck not_checkable(sqlite::Connection& db, const std::vector<DatasetRef>& used, std::string why) {
+  const repository::DatasetRepository datasets{db};
+  PlanCheck check;
+  for (const DatasetRef& dataset : used) {
+    if (const auto fate = fate_of(dataset, datasets)) check.changed_data.push_back({dataset, *fate});
+  }
+  check.warnings.push_back(std::move(why));
+  return check;
+}
+
+}  // namespace
+
+PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record) {
+  const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
+  auto inputs = inputs_of(record);
+  if (!inputs) {
+    return not_checkable(db, plan.datasets,
+                         "The plan was stored by another version and could not be checked in newer data.");
+  }
+  const auto environment = repository::load_environment(db, inputs->data);
+  if (!environment) {
+    return not_checkable(
+        db, plan.datasets,
+        "The plan could not be checked in the stored data: " + environment.error().front().rule + ".");
+  }
+  PlanCheck check;
+  check.changed_data = changes(db, plan.datasets, environment->datasets);
+  if (!check.stale()) return check;
+
+  inputs->request.depart = plan.departure;  // of a window of departures, the best
+  const auto found =
+      mission::check_route(*environment, codec::route_of(json::parse(record.document_json)), inputs->request);
+  for (const auto& finding : found.findings) {
+    const std::string text =
+        "In the newest data, leg " + std::to_string(finding.place) + ": " + finding.text + ".";
+    (finding.dangerous ? check.dangers : check.warnings).push_back(text);
+  }
+  if (found.findings.empty()) {
+    check.warnings.push_back(
+        "The data have changed since the plan was made; in the newest ones it is still clear.");
+  }
+  return check;
+}
+
+json plan_check_document(const repository::PlanRecord& record, const PlanCheck& check) {
+  json changed = json::array();
+  for (const auto& [dataset, change] : check.changed_data) {
+    changed.push_back({{"id", dataset.id},
+                       {"kind", dataset.kind},
+                       {"name", dataset.name},
+                       {"sha256", dataset.sha256},
+                       {"change", name_of(change)}});
+  }
+  return {{"plan_id", record.id.value},
+          {"stale", check.stale()},
+          {"changed_data", std::move(changed)},
+          {"dangers", check.dangers},
+          {"warnings", check.warnings}};
+}
+
+}  // namespace floeplan::routes

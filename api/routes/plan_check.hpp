@@ -1,0 +1,43 @@
+#pragma once
+
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "engine/ocean/dataset_ref.hpp"
+#include "storage/repository/plan_repository.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::routes {
+
+/// What became of a dataset between the making of a plan and now.
+enum class DataChange {
+  removed,     // the plan was made with it, and it is no longer in the store
+  replaced,    // it has other contents under the same name, as features have that people report
+  superseded,  // it is in the store, and the same request would take others
+  added,       // the same request would take it, and the plan was made without it
+};
+
+struct ChangedData {
+  ocean::DatasetRef dataset;
+  DataChange change{};
+};
+
+/// What newer data than those it was made with say of a stored plan.
+struct PlanCheck {
+  std::vector<ChangedData> changed_data;  // empty: the same request would give the same plan
+  std::vector<std::string> dangers;       // the plan must not be flown as it is
+  std::vector<std::string> warnings;      // what could not be found out
+
+  [[nodiscard]] bool stale() const { return !changed_data.empty(); }
+};
+
+/// Follows a stored plan once more through the newest data of its choice, from its own departure. A plan whose data are
+/// unchanged has been checked when it was made. One function for API and command line.
+[[nodiscard]] PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record);
+
+/// As API and command line show it.
+[[nodiscard]] nlohmann::json plan_check_document(const repository::PlanRecord& record,
+                                                 const PlanCheck& check);
+
+}  // namespace floeplan::routes

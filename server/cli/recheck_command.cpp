@@ -1,0 +1,57 @@
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "api/routes/plan_check.hpp"
+#include "server/cli/plan_commands.hpp"
+#include "storage/repository/migrations.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+using nlohmann::json;
+
+struct Flags {
+  std::string plan_id;
+  bool json_out{false};
+};
+
+void print_lines(const json& document) {
+  if (!document.at("stale")) std::cout << "The plan's data are those of today.\n";
+  for (const json& dataset : document.at("changed_data"))
+    std::cout << dataset.at("change").get<std::string>() << "  " << dataset.at("kind").get<std::string>()
+              << "  " << dataset.at("name").get<std::string>() << " (" << dataset.at("id").get<std::string>()
+              << ")\n";
+  for (const json& danger : document.at("dangers"))
+    std::cout << "danger: " << danger.get<std::string>() << '\n';
+  for (const json& warning : document.at("warnings"))
+    std::cout << "warning: " << warning.get<std::string>() << '\n';
+}
+
+int run(const Flags& flags, const Program& program) {
+  auto db = repository::open_store(program.store);
+  const auto record = repository::PlanRepository{db}.find({flags.plan_id});
+  if (!record)
+    return complain(could_not, "no plan has the id " + flags.plan_id + "; floeplan plan prints the id");
+  const routes::PlanCheck check = routes::check_plan(db, *record);
+  const json document = routes::plan_check_document(*record, check);
+  if (flags.json_out) {
+    std::cout << document.dump(2) << '\n';
+  } else {
+    print_lines(document);
+  }
+  return check.dangers.empty() ? done : could_not;
+}
+
+}  // namespace
+
+void add_recheck(CLI::App& app, Program& program) {
+  auto flags = std::make_shared<Flags>();
+  auto* command = app.add_subcommand(
+      "recheck", "Tell which data of a plan have changed since, and follow it through those of today");
+  command->add_option("PLAN", flags->plan_id, "The plan's id")->required();
+  command->add_flag("--json", flags->json_out, "Answer with one JSON document");
+  command->callback([flags, &program] { program.exit_code = run(*flags, program); });
+}
+
+}  // namespace floeplan::cli
