@@ -4,7 +4,8 @@ include(GNUInstallDirs)
 install(TARGETS floeplan RUNTIME DESTINATION ${CMAKE_INSTALL_BINDIR})
 install(DIRECTORY web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/floeplan/web OPTIONAL)
 install(PROGRAMS deploy/backup.sh deploy/restore.sh DESTINATION ${CMAKE_INSTALL_DATADIR}/floeplan)
-install(DIRECTORY api/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/floeplan/examples USE_SOURCE_PERMISSIONS OPTIONAL)
+install(DIRECTORY api/examples/ DESTINATION ${CMAKE_INSTALL_DATADIR}/floeplan/examples USE_SOURCE_PERMISSIONS OPTIONAL
+  PATTERN __pycache__ EXCLUDE)
 install(FILES README.md deploy/nginx.conf deploy/Caddyfile DESTINATION ${CMAKE_INSTALL_DOCDIR})
 install(FILES LICENSE DESTINATION ${CMAKE_INSTALL_DOCDIR} RENAME copyright)
 install(FILES deploy/floeplan.service deploy/floeplan-backup.service deploy/floeplan-backup.timer

@@ -62,6 +62,7 @@ lint() {
   step "clang-format" xargs -0 clang-format-19 --dry-run -Werror < <(sources -print0)
   step "shellcheck" shellcheck -x -P "$root/deploy" "$root"/deploy/*.sh "$root/deploy/install-deps" \
     "$root"/api/examples/*.sh
+  step "files for nginx, Caddy and systemd" "$root/deploy/check_config.sh"
   step "eslint" npm --prefix "$root/web" run --silent lint
   step "clang-tidy" run-clang-tidy-19 -quiet -p "$root/build/dev" -j "$(build_jobs)" "${tidy_flags[@]}" \
     "^$root/(engine|storage|api|server)/"
@@ -92,6 +93,7 @@ main() {
   if [[ $full == yes ]]; then
     step "damaged files, 1000 of each format" env FLOEPLAN_DAMAGED_FILES=1000 \
       "$root/build/release/ingest_test" --gtest_filter='HostileFiles.*'
+    step "200 kills" "$root/tests/faults/faults.py" "$root/build/release/floeplan" --kills 200
     step "C++ tests, dev" all_of_preset dev
     step "C++ tests, ci" all_of_preset ci
     step "C++ tests, asan" all_of_preset asan
