@@ -139,7 +139,7 @@ def settle(program, store, promised):
     for entry in whole[:3]:
         west, south = entry["bbox"][:2]
         status, place = server.ask("GET", f"/probe?lon={west + 0.3}&lat={south + 0.3}&dataset={entry['id']}")
-        expect(status == 200 and place["bathymetry"]["depth_m"] is not None, f"{entry['id']} has no depth: {place}")
+        expect(status == 200 and place["depth_m"] is not None, f"{entry['id']} has no depth: {place}")
     expect(not os.listdir(store / "incoming") if (store / "incoming").exists() else True, "files of a killed worker are left")
     expect(server.end() == 0, "the server did not end well")
     return given_up
