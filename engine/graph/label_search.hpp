@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <compare>
 #include <concepts>
 #include <cstddef>
 #include <cstdint>
@@ -69,10 +70,17 @@ struct LabelSearch {
 /// and past moving obstacles, some hundred microseconds in all.
 inline constexpr std::int64_t label_expansions_between_looks = 4;
 
+/// How a search over labels may come to its end sooner.
+struct LabelHaste {
+  double slack{0.0};  // in units of the key: a way that costs no more than the best by so much will do
+  bool latest_first{
+      false};  // of equal keys the latest arrival, likely to be nearest to the goal, goes first; not for
+               // models that may wait: they would kill time under way instead
+};
+
 /// The best way from a source to a goal where more than the arrival time counts: several labels for each
-/// vertex, of which none dominates another, expanded by ascending key; of equal keys the latest arrival first, because
-/// it is likely to be nearest to the goal, then in the order the labels were made. Exact under the model's laws but for
-/// `slack`: a way that costs no more than the best by so much will do.
+/// vertex, of which none dominates another, expanded by ascending key, of
+/// equal keys in the order the labels were made. Exact under the model's laws, as far as `haste` has no slack.
 /// Stops    early, and says so in the result, once `stop` is requested or `most_labels` have been made; in the second
 ///          case with the best way to the goal so far, if there is one
 /// Source   Martins 1984, On a multicriteria shortest path problem, doi:10.1016/0377-2217(84)90077-8 (label
@@ -84,17 +92,14 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
                                                     Model& model, std::size_t most_labels,
                                                     const std::stop_token& stop,
                                                     const ExpansionCallback& report = {},
-                                                    double slack = 0.0) {
+                                                    LabelHaste haste = {}) {
   using State = typename Model::State;
   constexpr std::uint32_t none = Label<State>::no_parent;
   struct Open {
     double key;
-    double arrival_s;
+    double order_s;  // of equal keys the least goes first
     std::uint32_t label;
-    bool operator>(const Open& other) const {
-      if (key != other.key) return key > other.key;
-      return arrival_s < other.arrival_s || (arrival_s == other.arrival_s && label > other.label);
-    }
+    auto operator<=>(const Open&) const = default;
   };
 
   LabelSearch<State> search;
@@ -129,7 +134,8 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
     next.push_back(newest[label.vertex]);
     dominated.push_back(false);
     newest[label.vertex] = index;
-    const Open open{model.key(label.vertex, label.arrival_s, label.state), label.arrival_s, index};
+    const Open open{model.key(label.vertex, label.arrival_s, label.state),
+                    haste.latest_first ? -label.arrival_s : 0.0, index};
     if (label.vertex == goal && (!best || open.key < best->key)) best = open;
     queue.push(open);
   };
@@ -143,7 +149,7 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
       }
       if (report && search.counters.expansions % 1024 == 0) report(search.counters.expansions);
     }
-    if (best && best->key <= queue.top().key + slack) break;
+    if (best && best->key <= queue.top().key + haste.slack) break;
     const std::uint32_t parent = queue.top().label;
     queue.pop();
     if (dominated[parent]) continue;

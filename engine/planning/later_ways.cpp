@@ -31,8 +31,12 @@ LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds d
   if (result.cancelled || openings.empty()) return result;
 
   const Voyage voyage{sea, open.grid, openings, latest, ladder ? &*ladder : nullptr};
+  // A way that kills time under way is as good, but for its slack, as one that waits; who may wait wants to wait.
+  const bool may_wait = sea.longest_wait().count() > 0.0;
+  const auto haste =
+      may_wait ? graph::LabelHaste{} : graph::LabelHaste{.slack = slack.count(), .latest_first = true};
   const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, depart.count(), {},
-                                              voyage, most_labels, stop, {}, slack.count());
+                                              voyage, most_labels, stop, {}, haste);
   result.counters = search.counters;
   result.cancelled = search.stopped;
   result.cut_short = search.full;

@@ -102,7 +102,8 @@ class Searches {
     const double least_s = sea_.least_time(grid.point(grid.start), grid.point(grid.goal)).count();
     const SurfacingVoyage::State start{.surfaced_s = (depart_ - since_surfacing_).count()};
     return graph::find_best_labels(open_.graph, grid.start, grid.goal, depart_.count(), start, voyage,
-                                   affordable, stop_, report, slack * least_s);
+                                   affordable, stop_, report,
+                                   {.slack = slack * least_s, .latest_first = true});
   }
 
  private:
