@@ -48,9 +48,12 @@ Response resume(const Context& context, const Request& request) {
 Response refused(const Request& request, SubmissionRefused reason) {
   switch (reason) {
     case SubmissionRefused::queue_full: {
-      Response response = problem_reply(
-          request,
-          {503, "queue-full", "The queue is full", "Too many jobs are waiting, of all or of yours; try again later.", {}});
+      Response response =
+          problem_reply(request, {503,
+                                  "queue-full",
+                                  "The queue is full",
+                                  "Too many jobs are waiting, of all or of yours; try again later.",
+                                  {}});
       response.headers.emplace_back("Retry-After", "30");
       return response;
     }
