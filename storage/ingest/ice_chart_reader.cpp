@@ -8,6 +8,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/chart_time.hpp"
+#include "storage/ingest/fault_report.hpp"
 #include "storage/ingest/feature_kind.hpp"
 #include "storage/ingest/feature_texts.hpp"
 #include "storage/ingest/ice_raster.hpp"
@@ -18,7 +19,6 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::size_t most_faults = 50;  // a report that a person reads
 constexpr auto thickness_names = std::to_array<std::string_view>({"thicknessm", "thickness"});
 constexpr double thickest_m = 20.0;  // of sea ice that froze in place
 
@@ -93,15 +93,6 @@ Checked<Gathering> gather_polygons(GDALDataset& dataset, const IngestOptions& op
   if (all.polygons.empty() && all.faults.empty())
     all.faults.emplace_back("the chart holds neither ice nor water, only land; there is nothing to store");
   return all;
-}
-
-std::string report_of(std::vector<std::string> faults) {
-  const std::size_t more = faults.size() > most_faults ? faults.size() - most_faults : 0;
-  faults.resize(faults.size() - more);
-  if (more > 0) faults.push_back("and " + std::to_string(more) + " faults more");
-  std::string text;
-  for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
-  return text;
 }
 
 }  // namespace

@@ -19,8 +19,6 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double longest_m = 400'000.0;  // B-15 was 295 km long
-
 /// Text of the first of the properties that is there; empty when none is.
 std::string property(const OGRFeature& feature, std::initializer_list<const char*> names) {
   for (const char* name : names) {
@@ -101,7 +99,7 @@ Checked<Extent> extent_of(const std::vector<geo::LonLat>& corners) {
   Extent extent{{corners.front().lon_deg + 0.5 * (west + east), 0.5 * (south + north)}, core::Metres{0.0}};
   for (const geo::LonLat corner : corners)
     extent.length = std::max(*extent.length, 2.0 * geo::geodesic_between(extent.place, corner).length);
-  if (extent.length->value > longest_m)
+  if (extent.length->value > longest_iceberg_m)
     return refuse("its outline is " + number(extent.length->value / 1000.0) +
                   " km across, longer than any iceberg");
   return extent;
@@ -128,7 +126,6 @@ Checked<Extent> extent_of(const OGRGeometry* geometry) {
 }
 
 Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature) {
-  constexpr double deepest_m = 1'000.0;
   const auto extent = extent_of(feature.GetGeometryRef());
   if (!extent) return refuse(extent.error());
   ocean::Iceberg iceberg;
@@ -139,10 +136,10 @@ Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature) {
   if (!observed) return refuse(observed.error());
   iceberg.observed = *observed;
 
-  const auto length = length_property(feature, "length_m", longest_m);
+  const auto length = length_property(feature, "length_m", longest_iceberg_m);
   if (!length) return refuse(length.error());
   iceberg.length = *length ? *length : extent->length;
-  const auto draft = length_property(feature, "draft_m", deepest_m);
+  const auto draft = length_property(feature, "draft_m", deepest_iceberg_m);
   if (!draft) return refuse(draft.error());
   iceberg.draft = *draft;
   if (const std::string size = property(feature, {"size"}); !size.empty()) {

@@ -13,9 +13,6 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double longest_m = 400'000.0;  // B-15 was 295 km long
-constexpr double deepest_m = 1'000.0;
-
 struct Columns {
   std::size_t id{};
   std::size_t lat{};
@@ -73,10 +70,10 @@ class Row {
     const auto observed = time();
     if (!observed) return refuse(observed.error());
     iceberg.observed = *observed;
-    const auto length = metres(columns_.length, longest_m);
+    const auto length = metres(columns_.length, longest_iceberg_m);
     if (!length) return refuse(length.error());
     iceberg.length = *length;
-    const auto draft = metres(columns_.draft, deepest_m);
+    const auto draft = metres(columns_.draft, deepest_iceberg_m);
     if (!draft) return refuse(draft.error());
     iceberg.draft = *draft;
     if (const std::string size = text(columns_.size); !size.empty()) {

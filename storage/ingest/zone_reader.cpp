@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "storage/ingest/fault_report.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/polygon_shapes.hpp"
 #include "storage/ingest/text.hpp"
@@ -15,7 +16,6 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::size_t most_faults = 50;  // a report that a person reads
 constexpr double widest_edge_deg = 90.0;
 
 /// A ring with longitudes that do not jump, as GEOS wants it, and how far round the Earth it leads.
@@ -121,15 +121,6 @@ Checked<PolygonShapes> shapes_of(OGRLayer& layer, const IngestOptions& options) 
   const auto crs = crs_of(layer, options.crs);
   if (!crs) return refuse(crs.error());
   return PolygonShapes::in(*crs);
-}
-
-std::string report_of(std::vector<std::string> faults) {
-  const std::size_t more = faults.size() > most_faults ? faults.size() - most_faults : 0;
-  faults.resize(faults.size() - more);
-  if (more > 0) faults.push_back("and " + std::to_string(more) + " faults more");
-  std::string text;
-  for (const std::string& fault : faults) text += (text.empty() ? "" : "\n") + fault;
-  return text;
 }
 
 /// The earliest beginning and the latest end; empty where a zone has none.
