@@ -10,6 +10,7 @@ import { view } from './view';
 export const opening: Link = readLink(location.hash);
 
 const pause_ms = 300;
+let timer: ReturnType<typeof setTimeout> | undefined;
 
 /** Takes from the address what needs no data, and keeps the address in step with the view from then on. Call once. */
 export function followAddress(): void {
@@ -18,16 +19,31 @@ export function followAddress(): void {
   if (hidden.length > 0) {
     visible.value = { ...visible.value, ...Object.fromEntries(layerNames.filter((name) => hidden.includes(name)).map((name) => [name, false])) };
   }
-  let timer: ReturnType<typeof setTimeout> | undefined;
   effect(() => {
-    const seen = view.value;
-    const link: Link = {
-      projection: projection.value, time_ms: time_ms.value, hidden: layerNames.filter((name) => !visible.value[name]), plans: shown.value,
-      ...(selectedId.value ? { selected: selectedId.value } : {}),
-      ...(seen ? { centre: seen.centre, metresPerPixel: seen.metresPerPixel } : {}),
-    };
-    if (!seen || playing.value) return;
+    const link = linkToView();
     clearTimeout(timer);
-    timer = setTimeout(() => history.replaceState(null, '', `#${written(link)}`), pause_ms);
+    if (link && !playing.value) timer = setTimeout(() => write(link), pause_ms);
   });
+}
+
+/** The address of what is seen at this moment, which the address bar may still be waiting to show. */
+export function addressOfView(): string {
+  clearTimeout(timer);
+  const link = linkToView();
+  if (link) write(link);
+  return location.href;
+}
+
+/** Nothing before the map knows what it shows. */
+function linkToView(): Link | undefined {
+  const seen = view.value;
+  const link: Link = {
+    projection: projection.value, time_ms: time_ms.value, hidden: layerNames.filter((name) => !visible.value[name]), plans: shown.value,
+    ...(selectedId.value ? { selected: selectedId.value } : {}),
+  };
+  return seen && { ...link, centre: seen.centre, metresPerPixel: seen.metresPerPixel };
+}
+
+function write(link: Link): void {
+  history.replaceState(null, '', `#${written(link)}`);
 }

@@ -5,6 +5,7 @@ import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, data
 import { locked, signedIn } from '../../model/login';
 import { dialog, drawer, leftTab, tell } from '../../model/screen';
 import { change, settings } from '../../model/settings';
+import { addressOfView } from '../../model/shared_view';
 import { age, shortTime } from '../../model/time';
 import { Icon, IconButton } from '../common/icon';
 
@@ -36,10 +37,10 @@ export function Header(): VNode {
   );
 }
 
-/** The address bar holds the view; where the clipboard is out of reach it is copied from there. */
+/** Where the clipboard is out of reach the link is copied from the address bar. */
 async function copyLink(): Promise<void> {
   try {
-    await navigator.clipboard.writeText(location.href);
+    await navigator.clipboard.writeText(addressOfView());
     tell('The link to this view was copied.');
   } catch {
     tell('The address bar holds the link to this view; copy it from there.');
