@@ -14,7 +14,7 @@ function(floeplan_test folder)
   if(FLOEPLAN_SANITIZE OR NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     # What a test calls is optimised as it is for users; its own code is large, runs briefly, and compiles twice as fast.
     # At -Og the compiler takes what a constructor it does not inline sets for uninitialised.
-    target_compile_options(${folder}_test PRIVATE -Og -Wno-maybe-uninitialized)
+    target_compile_options(${folder}_test PRIVATE -Og $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   endif()
   if(NOT CCACHE)  # which spares more by itself, and would not keep what a precompiled header went into
     target_precompile_headers(${folder}_test PRIVATE <gtest/gtest.h> <gmock/gmock.h>)

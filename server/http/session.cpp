@@ -8,6 +8,7 @@
 #include <boost/asio/post.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
+#include <new>
 #include <optional>
 #include <random>
 #include <sstream>
@@ -181,6 +182,9 @@ net::awaitable<std::optional<Response>> Session::ask_doors(Request& request) {
   const auto ask = [&]() -> net::awaitable<std::optional<Response>> {
     try {
       co_return share_.equipment.streaming.refuse(request);
+    } catch (const std::bad_alloc&) {
+      spdlog::error("method={} path={} failed: no memory", request.method, request.path);
+      co_return busy();
     } catch (const std::exception& error) {
       spdlog::error("method={} path={} failed: {}", request.method, request.path, error.what());
     }
@@ -204,6 +208,9 @@ net::awaitable<Response> Session::answer(Request& request) {
 net::awaitable<Response> Session::answer_on_pool(const Request& request) {
   try {
     co_return finish_response(request, share_.handler(request));
+  } catch (const std::bad_alloc&) {
+    spdlog::error("method={} path={} failed: no memory", request.method, request.path);
+    co_return busy();
   } catch (const std::exception& error) {
     spdlog::error("method={} path={} failed: {}", request.method, request.path, error.what());
   }

@@ -8,9 +8,9 @@
 #include <condition_variable>
 #include <map>
 #include <mutex>
+#include <new>
 
 #include "server/jobs/process_runner.hpp"
-#include "storage/sqlite/failure.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -23,6 +23,10 @@ using repository::JobRepository;
 constexpr core::Seconds lease{1e9};
 constexpr core::Seconds renewal_interval{5.0};  // when there is no progress to write
 constexpr std::chrono::milliseconds progress_interval{250};
+
+constexpr const char* no_memory =
+    "the server has not enough memory for this; ask for less at once (a wider spacing_m, fewer sectors, a "
+    "shorter window), or again when it has less to do";
 
 core::UtcTime now() { return std::chrono::system_clock::now(); }
 
@@ -42,8 +46,9 @@ void pause(std::chrono::milliseconds time, const std::stop_token& stop) {
   never.wait_for(lock, stop, time, [] { return false; });
 }
 
-/// Writes down how a job ended. The work is done and must not be lost because the disk is full for a while: what fails is
-/// tried again until it can be done, or until the server stops, which hands the job back when it starts again.
+/// Writes down how a job ended. The work is done and must not be lost because the disk or the memory is full for a while:
+/// what fails is tried again until it can be done, or until the server stops, which hands the job back when it starts
+/// again.
 template <class Write>
 void keep_trying(sqlite::Connection& db, const repository::JobId& id, const Write& write,
                  const std::stop_token& stop) {
@@ -53,8 +58,8 @@ void keep_trying(sqlite::Connection& db, const repository::JobId& id, const Writ
       JobRepository jobs{db};
       write(jobs);
       return;
-    } catch (const sqlite::Failure& failure) {
-      spdlog::error("job={} its end could not be written down: {}", id.value, failure.what());
+    } catch (const std::exception& error) {
+      spdlog::error("job={} its end could not be written down: {}", id.value, error.what());
       if (stop.stop_requested()) return;
     }
     pause(between, stop);
@@ -116,6 +121,9 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
     result = run_process(
         db, job, place_, workers_, job_stop.get_token(),
         [&](std::string_view stage, double share) { board_.report(job.id, stage, share); }, now());
+  } catch (const std::bad_alloc&) {
+    spdlog::error("job={} broke off: no memory", job.id.value);
+    result = tl::unexpected(std::string{no_memory});
   } catch (const std::exception& error) {
     spdlog::error("job={} broke off: {}", job.id.value, error.what());
     result = tl::unexpected(std::string{"the work broke off: "} + error.what());

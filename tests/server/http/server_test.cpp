@@ -4,6 +4,7 @@
 
 #include <atomic>
 #include <mutex>
+#include <new>
 
 #include "tests/server/http/running_server.hpp"
 
@@ -62,6 +63,13 @@ TEST(Server, AnswersAProblemWhenAHandlerThrows) {
   const auto answer = server.exchange(get("/"));
   EXPECT_TRUE(answer.starts_with("HTTP/1.1 500"));
   EXPECT_EQ(answer.find("secret"), std::string::npos);
+}
+
+TEST(Server, AsksToComeAgainWhenAHandlerFindsNoMemory) {
+  RunningServer server{[](const routes::Request&) -> routes::Response { throw std::bad_alloc{}; }};
+  const auto answer = server.exchange(get("/"));
+  EXPECT_TRUE(answer.starts_with("HTTP/1.1 503"));
+  EXPECT_NE(answer.find("Retry-After: 5"), std::string::npos);
 }
 
 TEST(Server, AsksAWaitingHandlerAgainWhenItIsWoken) {
