@@ -101,7 +101,7 @@ edr_read() {
 
 main() {
   local program=${1-$root/build/release/floeplan}
-  bare_server=${2-$root/build/release/tests/bench/floeplan_bare_server}
+  bare_server=${2-$root/build/release/floeplan_bare_server}
   if (($# == 0)); then build; fi
   command -v wrk >/dev/null || fail "wrk is not installed" "apt-get install wrk"
   work=$(mktemp -d)

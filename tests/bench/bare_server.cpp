@@ -1,3 +1,7 @@
+// clang-format off: Asio's awaitable uses std::exchange, but does not include it
+#include <utility>
+// clang-format on
+
 #include <boost/asio.hpp>
 #include <boost/beast/core.hpp>
 #include <boost/beast/http.hpp>
