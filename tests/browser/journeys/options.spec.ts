@@ -1,4 +1,7 @@
 import { expect, open, pixelOf, planAndWait, settled, test, typed, type LonLat } from '../support/page';
+import { expectAccessible } from '../support/accessible';
+import { currentFile } from '../support/current_file';
+import { routeFile } from '../support/files';
 import { findPlaces } from '../support/places';
 
 const chartDrawn = '.uplot canvas';
@@ -125,7 +128,9 @@ test('the server understands every option of the set-up', async ({ page, request
   };
   const others = {
     objective: 'both', 'objective.time': '1', 'objective.energy': '0.01', battery_j: '8', battery_start_share: '90', max_loiter_s: '2',
-    refine_seconds: '0.2', optimality_gap: false, ice: 'none', zones: 'none',
+    refine_seconds: '0.2', optimality_gap: false, ice: 'none', zones: 'none', 'vehicle.depth_rating_m': '190', 'vehicle.hotel_w': '1.5',
+    'vehicle.minimum_working_depth_m': '25', 'vehicle.buoyancy_cm3': '225', 'vehicle.surfacing_interval_s': '4', 'vehicle.surfacing_j': '4',
+    'vehicle.battery_reserve_share': '15', 'vehicle.max_waypoints_per_list': '6', spacing_m: '1000 × 800',
   };
   await page.addInitScript((stored) => localStorage.setItem('floeplan.draft', stored), JSON.stringify({ ...ice, ...others }));
   await open(page);
@@ -135,11 +140,75 @@ test('the server understands every option of the set-up', async ({ page, request
 
   await page.getByText('Uncertainty of currents', { exact: true }).click();
   await page.getByLabel('Members').fill('2');
-  await page.getByLabel('Optimise its').selectOption('quantile');
+  await page.getByLabel('Plan for').selectOption('quantile');
   await page.getByLabel('Quantile').fill('200');
   await page.getByRole('button', { name: /^Plan / }).click();
   await expect(page.getByLabel('Quantile')).toHaveAttribute('aria-invalid', 'true');
   await page.getByLabel('Quantile').fill('80');
   await planAndWait(page);
   await expect(page.getByText('Arrival, p10–p90')).toBeVisible();
+});
+
+test('goals are taken from a mission file, and a file that is none is refused beside its field', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  const middle: LonLat = [(start[0] + goal[0]) / 2, (start[1] + goal[1]) / 2];
+  await open(page);
+  await page.getByRole('button', { name: 'Take the goals from a mission file' }).focus();
+  const opened = page.waitForEvent('filechooser');
+  await page.keyboard.press('Enter');
+  await (await opened).setFiles([routeFile('survey.csv', [middle, goal])]);
+  const goals = page.getByLabel('Goals', { exact: true });
+  await expect(goals).toHaveValue('survey.csv');
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await planAndWait(page);
+  const first = page.getByRole('region', { name: 'Waypoints' }).getByRole('row').nth(1).getByRole('cell').nth(1);
+  const begins = await first.innerText();
+
+  // With no start of its own the plan begins at the first of the places.
+  await page.getByLabel('Start', { exact: true }).fill('');
+  await planAndWait(page);
+  await expect(first).not.toHaveText(begins);
+
+  const chooser = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Take the goals from a mission file' }).click();
+  await (await chooser).setFiles([{ name: 'letter.txt', mimeType: 'text/plain', buffer: Buffer.from('Dear pilot,\n') }]);
+  await page.getByRole('button', { name: /^Plan / }).click();
+  await expect(goals).toHaveAttribute('aria-invalid', 'true');
+  await expect(goals).toBeFocused();
+  await page.getByRole('button', { name: 'Do without letter.txt' }).click();
+  await expect(page.getByLabel('Goal', { exact: true })).toBeVisible();
+});
+
+test('stored currents are the members of an ensemble, until one of them is removed', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  const { datasets } = (await (await request.get('/datasets')).json()) as { datasets: { kind: string; time_start: string; bbox: [number, number, number, number] }[] };
+  const known = datasets.find(({ kind }) => kind === 'currents');
+  if (!known) throw new Error('The store has no currents.');
+  await open(page);
+  await page.getByRole('button', { name: 'Data', exact: true }).click();
+  const file = currentFile(known.bbox, 0.25, new Date(known.time_start), 120);
+  await page.getByLabel('Files to add').setInputFiles([{ name: 'second_member.nc', mimeType: 'application/x-netcdf', buffer: file }]);
+  await expect(page.getByRole('region', { name: 'Import of second_member.nc' }).getByText('Stored', { exact: true })).toBeVisible();
+  await page.getByRole('button', { name: 'Set-up', exact: true }).click();
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
+  await page.locator('summary', { hasText: /^Data/ }).click();
+  const currents = page.getByLabel('Currents', { exact: true });
+  await currents.selectOption({ label: 'Several: members of an ensemble' });
+  const members = page.getByRole('group', { name: 'Currents used together' }).getByRole('checkbox');
+  for (const member of await members.all()) await member.check();
+  await page.getByText('Uncertainty of currents', { exact: true }).click();
+  await expect(page.getByText('The members are the 2 currents chosen under Data')).toBeVisible();
+  await page.getByLabel('Plan for').selectOption('mean');
+  await expectAccessible(page);
+  await planAndWait(page);
+  await expect(page.getByText('Arrival, p10–p90')).toBeVisible();
+
+  await page.getByRole('button', { name: 'Data', exact: true }).click();
+  page.once('dialog', (dialog) => void dialog.accept());
+  await page.getByRole('button', { name: 'Remove second_member', exact: true }).click();
+  await expect(page.locator('.notice')).toContainText('gone from the store: currents');
+  await page.getByRole('button', { name: 'Set-up', exact: true }).click();
+  await page.locator('summary', { hasText: 'Uncertainty of currents' }).click();
+  await expect(page.getByLabel('Members')).toBeVisible();
 });

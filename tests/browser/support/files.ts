@@ -45,3 +45,8 @@ export function crowdOfBergs([lon, lat]: LonLat, count: number): Chosen {
   }));
   return chosen('crowd.geojson', JSON.stringify({ type: 'FeatureCollection', features }));
 }
+
+/** Places in their order, as a table. */
+export function routeFile(name: string, places: LonLat[]): Chosen {
+  return chosen(name, ['lat,lon', ...places.map(([lon, lat]) => `${lat},${lon}`), ''].join('\n'));
+}

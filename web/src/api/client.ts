@@ -79,7 +79,7 @@ interface DriftQuery {
   box: Box;
   as_of: string;
   until: string;
-  dataset?: string | undefined; // the newest, and what was made by hand, unless named
+  dataset: string;
   currents: string;
 }
 

@@ -1,7 +1,7 @@
 import { effect, untracked } from '@preact/signals';
-import { contains, grown, intersection, rounded, width_deg } from '../geo/boxes';
+import { around, contains, grown, intersection, rounded, width_deg } from '../geo/boxes';
 import { wrapLongitude } from '../geo/geodesic';
-import { besideIcebergs, chosenCurrents, chosenIcebergs, currentTimes_ms } from '../model/datasets';
+import { chosenCurrents, chosenIcebergs, currentTimes_ms } from '../model/datasets';
 import { drifts } from '../model/drift';
 import { icebergs } from '../model/field';
 import { visible } from '../model/layers';
@@ -24,8 +24,9 @@ export function followDrift(): void {
     const [bergs, currents, seen] = [chosenIcebergs.value, chosenCurrents.value, view.value];
     const end_ms = currentTimes_ms.value.at(-1);
     const sighted_ms = Math.max(...icebergs.value.map(({ properties }) => Date.parse(properties.observed)));
-    const needed = seen && bergs && intersection(seen.box, boxOf(bergs, besideIcebergs.value));
-    if (!visible.value.drift || !bergs || !currents || !needed || end_ms === undefined || !Number.isFinite(sighted_ms) || end_ms <= sighted_ms) {
+    const sighted = boxOf(bergs);
+    const needed = seen && sighted && intersection(seen.box, sighted);
+    if (!visible.value.drift || !currents || !needed || end_ms === undefined || !Number.isFinite(sighted_ms) || end_ms <= sighted_ms) {
       untracked(() => {
         latest.cancel();
         loaded = undefined;
@@ -33,8 +34,7 @@ export function followDrift(): void {
       });
       return;
     }
-    const reported = besideIcebergs.value;
-    const key = [bergs.id, reported?.sha256, currents.id, sighted_ms].join('|');
+    const key = [...bergs.map(({ id, sha256 }) => id + sha256), currents.id, sighted_ms].join('|');
     if (loaded?.key === key && contains(loaded.box, needed)) return;
     const box = rounded(bounded(grown(needed, 0.3)));
     if (loaded?.key === key && contains(loaded.box, box)) return;
@@ -42,9 +42,9 @@ export function followDrift(): void {
     const until_ms = Math.min(end_ms, sighted_ms + longest_ms);
     untracked(() => {
       latest.run(
-        (signal) => api.drift({ box, as_of: isoOf(sighted_ms), until: isoOf(until_ms), dataset: reported ? undefined : bergs.id, currents: currents.id }, signal),
-        (answer) => {
-          drifts.value = answer.bergs;
+        (signal) => Promise.all(bergs.map(({ id }) => api.drift({ box, as_of: isoOf(sighted_ms), until: isoOf(until_ms), dataset: id, currents: currents.id }, signal))),
+        (answers) => {
+          drifts.value = answers.flatMap((answer) => answer.bergs);
         },
         () => {
           drifts.value = []; // asked again with other sightings or another view only
@@ -54,13 +54,17 @@ export function followDrift(): void {
   });
 }
 
-/** Around both; of datasets on either side of the antimeridian only the first. */
-function boxOf({ bbox }: Dataset, beside: Dataset | undefined): Box {
-  if (!beside || bbox[0] > bbox[2] || beside.bbox[0] > beside.bbox[2]) return bbox;
-  const least = (i: 0 | 1): number => Math.min(bbox[i], beside.bbox[i]);
-  const most = (i: 2 | 3): number => Math.max(bbox[i], beside.bbox[i]);
-  return [least(0), least(1), most(2), most(3)];
-}
+/** Around all sightings, with room for a single one. */
+const boxOf = (bergs: Dataset[]): Box | undefined => {
+  const [first, ...others] = bergs.map(({ bbox }) => bbox);
+  return first && widened(others.reduce(around, first));
+};
+
+const room_deg = 0.01;
+const widened = ([west, south, east, north]: Box): Box =>
+  width_deg([west, south, east, north]) + 2 * room_deg >= 360
+    ? [-180, south - room_deg, 180, north + room_deg]
+    : [wrapLongitude(west - room_deg), south - room_deg, wrapLongitude(east + room_deg), north + room_deg];
 
 /** The middle of a box as far as the server answers. */
 function bounded(box: Box): Box {

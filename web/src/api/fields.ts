@@ -2,7 +2,7 @@ import { effect, untracked } from '@preact/signals';
 import { contains, grown, intersection, rounded, width_deg } from '../geo/boxes';
 import type { Grid } from '../geo/grid';
 import { bracket, time_ms } from '../model/clock';
-import { besideIcebergs, chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, currentTimes_ms } from '../model/datasets';
+import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, currentTimes_ms } from '../model/datasets';
 import { bathymetry, coast, currents, currentsFault, icebergs } from '../model/field';
 import { visible } from '../model/layers';
 import { hour_ms, isoOf } from '../model/time';
@@ -188,15 +188,14 @@ function followIcebergs(): void {
   const remembered = new Map<string, IcebergFeature[]>();
   let wanted = '';
   effect(() => {
-    const dataset = chosenIcebergs.value;
+    const sources = chosenIcebergs.value;
     const hour = Math.floor(time_ms.value / hour_ms) * hour_ms;
-    const sources = [dataset, besideIcebergs.value].filter((source) => source !== undefined);
-    const key = dataset ? [...sources.map(({ id, sha256 }) => id + sha256), hour].join('|') : '';
+    const key = sources.length > 0 ? [...sources.map(({ id, sha256 }) => id + sha256), hour].join('|') : '';
     if (key === wanted) return;
     wanted = key;
     const known = remembered.get(key);
     untracked(() => {
-      if (!dataset || known) {
+      if (sources.length === 0 || known) {
         latest.cancel();
         icebergs.value = known ?? [];
         return;

@@ -1,4 +1,6 @@
-import { draft, edit, editFor, faults, generalFaults, inputsOf, refuse, sortViolations } from '../model/draft';
+import { draft, edit, faults, generalFaults, refuse } from '../model/draft';
+import { editFor, sortViolations } from '../model/draft_answer';
+import { inputsOf } from '../model/draft_request';
 import { failure, reasonTitle, running } from '../model/job';
 import { forbids } from '../model/login';
 import { add, nextName, routeOf } from '../model/plans';
@@ -80,7 +82,7 @@ async function carryOut(inputs: PlanInputs, signal: AbortSignal): Promise<void> 
     showPlan(answer);
   } else {
     failure.value = { kind: 'infeasible', answer };
-    ask({ do: 'fit', places: [[answer.at.lon, answer.at.lat], inputs.from, inputs.to] });
+    ask({ do: 'fit', places: [[answer.at.lon, answer.at.lat], inputs.from, inputs.to].filter((place) => place !== undefined) as Position[] });
     announce(`No plan: ${reasonTitle(answer.reason)}. ${answer.explanation}`);
   }
 }

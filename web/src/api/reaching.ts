@@ -1,4 +1,5 @@
-import { draft, inputsOf, refuse } from '../model/draft';
+import { draft, emptyDraft, refuse } from '../model/draft';
+import { inputsOf } from '../model/draft_request';
 import { hoursIn, reach, reachHours } from '../model/reach';
 import { conditionsIn } from '../model/requests';
 import { announce } from '../model/screen';
@@ -12,7 +13,7 @@ const notAsked = new Set(['under_ice', 'objective', 'thruster', 'require_battery
 /** Asks how far the vehicle of the set-up comes from its start in each of the hours, and shows it. */
 export async function showReach(): Promise<void> {
   const hours = hoursIn(reachHours.value);
-  const form = inputsOf({ ...draft.value, to: draft.value.from, via: '' });
+  const form = inputsOf({ ...draft.value, to: draft.value.from, via: '', goals_file: emptyDraft.goals_file });
   if (!hours) {
     reach.value = { state: 'failed', detail: 'Write the hours as 6, 12, 24.' };
     return;
@@ -24,7 +25,7 @@ export async function showReach(): Promise<void> {
   hideReach();
   const { signal } = (question = new AbortController());
   reach.value = { state: 'pending' };
-  const { from } = form.inputs;
+  const { from = [0, 0] } = form.inputs;
   const conditions = Object.entries(conditionsIn(form.inputs)).filter(([name]) => !notAsked.has(name));
   try {
     const { reach: answer } = await api.reach({ ...Object.fromEntries(conditions), from, hours }, signal);

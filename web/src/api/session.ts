@@ -1,13 +1,13 @@
 import { effect, untracked } from '@preact/signals';
 import { range, setSpan, setTime } from '../model/clock';
 import { coveredDatasets } from '../model/coverage';
-import { connectionFault, chosenCurrents, currentTimes_ms, datasets, vehicles } from '../model/datasets';
+import { connectionFault, chosenCurrents, currentTimes_ms, datasets, forgetMissing, vehicles } from '../model/datasets';
 import { draft, fill } from '../model/draft';
 import * as model from '../model/plans';
 import type { Link } from '../model/link';
 import { opening } from '../model/shared_view';
 import { shownFlight } from '../model/simulations';
-import { announce, probed } from '../model/screen';
+import { announce, probed, tell } from '../model/screen';
 import { fieldOf, hour_ms, isoOf } from '../model/time';
 import { time_ms } from '../model/clock';
 import type { Position } from './types';
@@ -38,6 +38,15 @@ function showFirst({ plans = [], selected }: Link): void {
   model.shown.value = stored;
   const chosen = stored.find((id) => id === selected) ?? stored[0] ?? model.plans.value[0]?.plan_id;
   if (chosen !== undefined) model.select(chosen);
+}
+
+/** Lets the set-up never ask for data that have been removed. Call once. */
+export function followStore(): void {
+  effect(() => {
+    if (datasets.value === undefined) return;
+    const lost = untracked(forgetMissing);
+    if (lost.length > 0) tell(`Data that the set-up named are gone from the store: ${lost.join(', ')}. It uses the rest.`);
+  });
 }
 
 /** Lets the clock's range follow the currents, the plans on the map, the flight and the coverage shown. Call once. */

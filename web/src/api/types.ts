@@ -78,6 +78,13 @@ export interface Vehicle {
   pitch_deg?: number;
   climb_to_m?: number;
   altimeter_margin_m?: number;
+  battery_j?: number;
+  battery_start_share?: number;
+  battery_reserve_share?: number;
+  buoyancy_cm3?: number;
+  hotel_w?: number;
+  surfacing_j?: number;
+  surfacing_interval_s?: number | null;
 }
 
 export interface IcebergProperties {
@@ -155,12 +162,19 @@ export interface CoastFeature {
 
 export type Method = 'tve' | 'dijkstra' | 'astar' | 'frozen' | 'direct';
 
+/** A file with places, as it is sent along with a request. */
+export interface RouteFile {
+  name: string;
+  text: string;
+}
+
 export interface PlanInputs {
-  from: Position;
-  to: Position;
+  from?: Position; // required without goals_file
+  to?: Position;
   via?: Position[];
+  goals_file?: RouteFile; // in place of `to` and `via`
   depart?: string;
-  vehicle?: string;
+  vehicle?: string | ({ profile?: string } & Record<string, unknown>);
   speed_m_s?: number;
   dive_depth_m?: number;
   spacing_m?: number | [along: number, across: number];
@@ -196,7 +210,7 @@ export interface PlanInputs {
   refine_seconds?: number;
   currents?: string | string[];
   steady?: boolean;
-  bathymetry?: string;
+  bathymetry?: string | string[];
   icebergs?: string | string[];
   ice?: string;
   coastline?: string;
@@ -212,7 +226,7 @@ export interface PlanInputs {
 /** What a route is judged under: a request without the way. */
 export type Conditions = Omit<
   PlanInputs,
-  | 'from' | 'to' | 'via' | 'via_order' | 'spacing_m' | 'sectors' | 'method' | 'max_waypoints' | 'max_leg_m' | 'refine' | 'refine_seconds'
+  | 'from' | 'to' | 'via' | 'via_order' | 'goals_file' | 'spacing_m' | 'sectors' | 'method' | 'max_waypoints' | 'max_leg_m' | 'refine' | 'refine_seconds'
   | 'encounter_weight_s' | 'uncertainty' | 'depart_until' | 'depart_step' | 'arrive_by' | 'optimality_gap' | 'name'
 >;
 

@@ -39,6 +39,19 @@ export function intersection(a: Box, b: Box): Box | undefined {
   return undefined;
 }
 
+/** The smallest box around both, across the antimeridian where that is nearer. */
+export function around(a: Box, b: Box): Box {
+  const [south, north] = [Math.min(a[1], b[1]), Math.max(a[3], b[3])];
+  const from = (first: Box, second: Box): number => {
+    const offset = (((second[0] - first[0]) % 360) + 360) % 360;
+    return Math.max(width_deg(first), offset + width_deg(second));
+  };
+  const [widthA, widthB] = [from(a, b), from(b, a)];
+  if (Math.min(widthA, widthB) >= 360) return [-180, south, 180, north];
+  const [west, width] = widthA <= widthB ? [a[0], widthA] : [b[0], widthB];
+  return [west, south, wrapLongitude(west + width), north];
+}
+
 export function contains(outer: Box, inner: Box): boolean {
   if (inner[1] < outer[1] || inner[3] > outer[3]) return false;
   if (width_deg(outer) >= 360) return true;

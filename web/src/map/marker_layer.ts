@@ -6,7 +6,7 @@ import VectorSource from 'ol/source/Vector.js';
 import { Circle, Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
 import type { Position } from '../api/types';
 import { project } from '../geo/projections';
-import { draft, placeIn, placesIn } from '../model/draft';
+import { draft, hasGoalsFile, placeIn, placesIn } from '../model/draft';
 import { openForm } from '../model/hand_made';
 import { failure } from '../model/job';
 import { selectedId } from '../model/plans';
@@ -31,8 +31,9 @@ export function markerLayer(): VectorLayer<VectorSource> {
       source.addFeature(feature);
     };
     put(placeIn(draft.value.from), disc('S', colours.start, colours));
-    for (const [i, place] of placesIn(draft.value.via).places.entries()) put(place, disc(String(i + 1), colours.label, colours));
-    put(placeIn(draft.value.to), disc('G', colours.goal, colours));
+    const isTyped = !hasGoalsFile(draft.value);
+    for (const [i, place] of isTyped ? placesIn(draft.value.via).places.entries() : []) put(place, disc(String(i + 1), colours.label, colours));
+    if (isTyped) put(placeIn(draft.value.to), disc('G', colours.goal, colours));
 
     const form = openForm.value;
     if (form?.berg) put(placeIn(form.berg.place), disc('B', colours.danger, colours));

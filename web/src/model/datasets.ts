@@ -1,7 +1,8 @@
 import { computed, signal } from '@preact/signals';
 import type { Box, Dataset, DatasetKind, Vehicle } from '../api/types';
 import { intersection } from '../geo/boxes';
-import { draft } from './draft';
+import { severalIn, withoutMissing } from './data_choice';
+import { draft, emptyDraft, fill } from './draft';
 import { hour_ms } from './time';
 
 /** Everything the store holds, newest first; undefined until the server has answered. */
@@ -15,30 +16,50 @@ export const isEmptyStore = computed(() => datasets.value?.length === 0);
 
 export const ofKind = (kind: DatasetKind): Dataset[] => (datasets.value ?? []).filter((dataset) => dataset.kind === kind);
 
+const kinds: DatasetKind[] = ['bathymetry', 'currents', 'ice', 'icebergs', 'coastline', 'tides', 'wind', 'zones'];
+
 /** The id of what people made by hand of a kind: a dataset of its own, which plans obey beside those of files. */
 export const byHand = (kind: 'icebergs' | 'zones'): string => `${kind}-by-hand`;
 
-/** The dataset of a kind that the draft asks for and the map therefore shows: the newest unless another was chosen. */
-export function chosen(kind: DatasetKind): Dataset | undefined {
+/** The datasets of a kind that the draft asks for, in their rank: the newest unless others were chosen. */
+export function chosenAll(kind: DatasetKind): Dataset[] {
   const wish = draft.value[kind];
-  if (wish === 'none') return undefined;
   const candidates = ofKind(kind);
-  if (wish === 'newest') return candidates.find(({ id }) => id !== byHand('icebergs')) ?? candidates[0];
-  return candidates.find((dataset) => dataset.id === wish);
+  if (wish === 'none') return [];
+  if (wish === 'all') return candidates;
+  if (wish === 'newest') return newestOf(candidates);
+  const ids = severalIn(wish) ?? [wish];
+  return ids.flatMap((id) => candidates.find((dataset) => dataset.id === id) ?? []);
 }
 
-/** Whether the set-up makes use of a dataset; of zones all are obeyed together. */
-export const isInUse = ({ id, kind }: Dataset): boolean => draft.value[kind] === 'all' || chosen(kind)?.id === id || besideIcebergs.value?.id === id;
+/** The newest, and what was reported by hand beside it; neither hides the other. */
+function newestOf(candidates: Dataset[]): Dataset[] {
+  const reported = candidates.filter(({ id }) => id === byHand('icebergs'));
+  const filed = candidates.filter(({ id }) => id !== byHand('icebergs'));
+  return [...filed.slice(0, 1), ...reported];
+}
 
-/** What was reported by hand beside the chosen icebergs; neither hides the other. */
-export const besideIcebergs = computed(() => {
-  const reported = draft.value.icebergs === 'newest' ? ofKind('icebergs').find(({ id }) => id === byHand('icebergs')) : undefined;
-  return reported === chosen('icebergs') ? undefined : reported;
-});
+/** The first of them, which the map shows. */
+export const chosen = (kind: DatasetKind): Dataset | undefined => chosenAll(kind)[0];
+
+/** Whether the set-up makes use of a dataset. */
+export const isInUse = ({ id, kind }: Dataset): boolean => chosenAll(kind).some((one) => one.id === id);
+
+/** Lets go of datasets that are no longer stored; the kinds of those that the set-up had asked for by name. */
+export function forgetMissing(): DatasetKind[] {
+  const lost: DatasetKind[] = [];
+  for (const kind of kinds) {
+    const left = withoutMissing(draft.value[kind], (id) => ofKind(kind).some((dataset) => dataset.id === id));
+    if (left === draft.value[kind]) continue;
+    lost.push(kind);
+    fill({ [kind]: left ?? emptyDraft[kind] });
+  }
+  return lost;
+}
 
 export const chosenBathymetry = computed(() => chosen('bathymetry'));
 export const chosenCurrents = computed(() => chosen('currents'));
-export const chosenIcebergs = computed(() => chosen('icebergs'));
+export const chosenIcebergs = computed(() => chosenAll('icebergs'));
 export const chosenCoastline = computed(() => chosen('coastline'));
 
 /** The part of the Earth to open on: where currents and depths are both known, else whichever is. */
@@ -46,7 +67,7 @@ export const homeBox = computed<Box>(() => {
   const currents = chosenCurrents.value?.bbox;
   const bathymetry = chosenBathymetry.value?.bbox;
   const both = currents && bathymetry ? intersection(currents, bathymetry) : undefined;
-  return both ?? currents ?? bathymetry ?? chosenIcebergs.value?.bbox ?? [-75, 58, -15, 84];
+  return both ?? currents ?? bathymetry ?? chosenIcebergs.value[0]?.bbox ?? [-75, 58, -15, 84];
 });
 
 /** Moments for which currents are stored, ascending; whole hours where the server keeps its list to itself. */
@@ -62,7 +83,7 @@ export const currentTimes_ms = computed<number[]>(() => {
 
 /** Whether any data in use call themselves made up. */
 export const isSynthetic = computed(() =>
-  [chosenBathymetry, chosenCurrents, chosenIcebergs, chosenCoastline].some(({ value }) =>
-    value ? [value.name, value.file_name, ...value.warnings].some((text) => /synthetic|invented|made.up/i.test(text)) : false,
+  [chosenBathymetry.value, chosenCurrents.value, chosenCoastline.value, ...chosenIcebergs.value].some(
+    (used) => used && [used.name, used.file_name, ...used.warnings].some((text) => /synthetic|invented|made.up/i.test(text)),
   ),
 );

@@ -16,12 +16,16 @@ function stored(): Remembered {
   }
 }
 
+/** The oldest give way where the browser's room, of which files with goals may take much, ends. */
 export function rememberRequest(planId: string, inputs: PlanInputs): void {
   const others = stored().filter(([id]) => id !== planId);
-  try {
-    localStorage.setItem(key, JSON.stringify([[planId, inputs], ...others].slice(0, most)));
-  } catch {
-    // A browser that refuses storage only forgets under which conditions its plans were made.
+  for (let kept: Remembered = [[planId, inputs] as Remembered[number], ...others].slice(0, most); kept.length > 0; kept = kept.slice(0, Math.floor(kept.length / 2))) {
+    try {
+      localStorage.setItem(key, JSON.stringify(kept));
+      return;
+    } catch {
+      // A browser that refuses storage only forgets under which conditions its plans were made.
+    }
   }
 }
 
@@ -42,7 +46,7 @@ export function dataOf(plan: Plan): Pick<PlanInputs, (typeof kinds)[number]> {
 }
 
 const ofTheWay = new Set<string>([
-  'from', 'to', 'via', 'via_order', 'spacing_m', 'sectors', 'method', 'max_waypoints', 'max_leg_m', 'refine', 'refine_seconds',
+  'from', 'to', 'via', 'via_order', 'goals_file', 'spacing_m', 'sectors', 'method', 'max_waypoints', 'max_leg_m', 'refine', 'refine_seconds',
   'encounter_weight_s', 'uncertainty', 'depart_until', 'depart_step', 'arrive_by', 'optimality_gap', 'name',
 ] satisfies Exclude<keyof PlanInputs, keyof Conditions>[]);
 

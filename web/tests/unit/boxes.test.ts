@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import { boxAround, clipSouth, contains, grown, intersection, width_deg } from '../../src/geo/boxes';
+import { around, boxAround, clipSouth, contains, grown, intersection, width_deg } from '../../src/geo/boxes';
 
 describe('boxes', () => {
   it('are found around places on both sides of the antimeridian', () => {
@@ -11,6 +11,14 @@ describe('boxes', () => {
     expect(intersection([170, 60, -170, 70], [-179, 65, -160, 80])).toEqual([-179, 65, -170, 70]);
     expect(intersection([-56, 67, -50, 70], [-180, -90, 180, 90])).toEqual([-56, 67, -50, 70]);
     expect(intersection([-56, 67, -50, 70], [10, 60, 20, 70])).toBeUndefined();
+  });
+
+  it('are put around two others the shorter way', () => {
+    expect(around([170, 60, 175, 70], [-178, 65, -170, 80])).toEqual([170, 60, -170, 80]);
+    expect(around([-178, 65, -170, 80], [170, 60, 175, 70])).toEqual([170, 60, -170, 80]);
+    expect(around([-56, 67, -50, 70], [-53, 68, -53, 68])).toEqual([-56, 67, -50, 70]);
+    expect(around([179, 70, -179, 71], [-180, 70, -179.5, 71])).toEqual([179, 70, -179, 71]);
+    expect(around([-180, 60, 180, 61], [10, 59, 20, 60])).toEqual([-180, 59, 180, 61]);
   });
 
   it('contain what lies within', () => {

@@ -1,5 +1,7 @@
 import { describe, expect, it } from 'vitest';
-import { draft, edit, editFor, emptyDraft, inputsOf, redoDraft, sortViolations, undoDraft } from '../../src/model/draft';
+import { draft, edit, emptyDraft, redoDraft, undoDraft } from '../../src/model/draft';
+import { editFor, sortViolations } from '../../src/model/draft_answer';
+import { inputsOf } from '../../src/model/draft_request';
 
 const good = { ...emptyDraft, from: '69 08 N 51 42 W', to: '68.55, -54.6', depart: '2026-11-21 01:00', vehicle: 'slocum-g3-200' };
 
@@ -60,6 +62,33 @@ describe('the set-up', () => {
       objective: { time: 1, energy: 0.5 },
       uncertainty: { members: 4, objective: 'quantile', quantile: 0.9, arrive_before: '2026-11-23T00:00:00Z' },
     });
+  });
+
+  it('takes its goals from a file, and its start too where none is typed', () => {
+    const goals_file = { name: 'goto_l10.ma', text: '<start:waypoints>' };
+    const all = inputsOf({ ...good, from: '', to: 'unread', via: 'unread', goals_file });
+    if ('faults' in all) throw new Error('refused');
+    expect(all.inputs).toMatchObject({ goals_file });
+    expect(['from', 'to', 'via'].filter((name) => name in all.inputs)).toEqual([]);
+    const started = inputsOf({ ...good, goals_file });
+    expect('inputs' in started && started.inputs.from).toEqual([-51.7, 69.1333333]);
+    expect(inputsOf({ ...good, from: 'nowhere', goals_file })).toHaveProperty('faults.from');
+    expect(editFor({ input: 'to', from: null, to: [-51, 69], text: '' }, { ...good, goals_file })).toBeUndefined();
+  });
+
+  it('names several currents as the members of an ensemble, without the model of errors', () => {
+    const result = inputsOf({ ...good, currents: 'several a b', 'uncertainty.members': '8', 'uncertainty.objective': 'mean', zones: 'several z' });
+    expect('inputs' in result && result.inputs).toMatchObject({ currents: ['a', 'b'], zones: 'z', uncertainty: { objective: 'mean' } });
+    expect('inputs' in result && result.inputs.uncertainty).not.toHaveProperty('members');
+    expect(inputsOf({ ...good, currents: 'several' })).toEqual({ faults: { currents: 'Tick one dataset or more.' } });
+  });
+
+  it('changes a vehicle in what was given, and keeps the rest of it', () => {
+    const result = inputsOf({ ...good, 'vehicle.hotel_w': '2.5', 'vehicle.battery_reserve_share': '20', spacing_m: '500 × 250' });
+    expect('inputs' in result && result.inputs).toMatchObject({
+      vehicle: { profile: 'slocum-g3-200', hotel_w: 2.5, battery_reserve_share: 0.2 }, spacing_m: [500, 250],
+    });
+    expect(inputsOf({ ...good, spacing_m: '500 by 250' })).toHaveProperty('faults.spacing_m');
   });
 
   it('states tides with what they are to the currents, and rare data only where they were chosen', () => {

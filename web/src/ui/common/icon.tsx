@@ -9,6 +9,7 @@ import download from 'lucide-static/icons/download.svg?raw';
 import edit from 'lucide-static/icons/pencil.svg?raw';
 import eye from 'lucide-static/icons/eye.svg?raw';
 import eyeOff from 'lucide-static/icons/eye-off.svg?raw';
+import file from 'lucide-static/icons/file-input.svg?raw';
 import hand from 'lucide-static/icons/hand.svg?raw';
 import help from 'lucide-static/icons/circle-help.svg?raw';
 import info from 'lucide-static/icons/info.svg?raw';
@@ -43,8 +44,8 @@ import warning from 'lucide-static/icons/triangle-alert.svg?raw';
 import x from 'lucide-static/icons/x.svg?raw';
 
 const icons = {
-  chevronRight, clock, compare, compass, crosshair, database, download, edit, eye, eyeOff, hand, help, info, list, lock, maximize, minus, moon, pause,
-  play, plus, polygon, probe, reach, redo, refresh, route, save, settings, share, skipBack, skipForward, stepBack, stepForward, sun, trash, undo, up, upload,
+  chevronRight, clock, compare, compass, crosshair, database, download, edit, eye, eyeOff, file, hand, help, info, list, lock, maximize, minus, moon,
+  pause, play, plus, polygon, probe, reach, redo, refresh, route, save, settings, share, skipBack, skipForward, stepBack, stepForward, sun, trash, undo, up, upload,
   user, warning, x,
 };
 

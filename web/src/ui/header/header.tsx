@@ -83,7 +83,7 @@ function openData(): void {
 /** The data in use by name and time; all of it on the left. */
 function DataBar(): VNode {
   const currents = chosenCurrents.value;
-  const ice = chosenIcebergs.value;
+  const [ice] = chosenIcebergs.value;
   return (
     <div class="data-bar">
       <button type="button" class="data-button" onClick={openData} title="All data in the store">

@@ -1,6 +1,5 @@
 import type { VNode } from 'preact';
-import { vehicles } from '../../model/datasets';
-import { draft } from '../../model/draft';
+import { draft, hasGoalsFile } from '../../model/draft';
 import { AreasField } from './areas_field';
 import { DataPart } from './data_part';
 import { CheckField, SelectField, TextField, type Choice } from './field';
@@ -9,6 +8,7 @@ import { Part } from './part';
 import { PlacesField } from './places_field';
 import { ReachPart } from './reach_part';
 import { UncertaintyPart } from './uncertainty_part';
+import { VehiclePart } from './vehicle_part';
 
 const methods: Choice[] = [
   { value: 'astar', title: 'A* (fastest)' },
@@ -20,11 +20,10 @@ const methods: Choice[] = [
 
 /** What has a good default, by what it is about; a part opens by itself when a fault lies within. */
 export function Advanced(): VNode {
-  const vehicle = vehicles.value.find(({ name }) => name === draft.value.vehicle) ?? vehicles.value[0];
   return (
     <div class="parts">
       <Part title="Places and areas" fields={['via', 'via_order', 'areas']}>
-        <PlacesField />
+        {hasGoalsFile(draft.value) ? <p class="hint">The places to pass come from {draft.value.goals_file.name}.</p> : <PlacesField />}
         <AreasField />
       </Part>
       <Part title="Departure window" fields={['depart_until', 'arrive_by']}>
@@ -35,30 +34,7 @@ export function Advanced(): VNode {
         <TextField name="arrive_by" label="Latest arrival" unit="UTC" placeholder="any" hint="With it the latest departure that arrives in time is found." />
       </Part>
       <ReachPart />
-      <Part title="Vehicle" fields={['objective', 'objective.time', 'objective.energy', 'speed_m_s', 'dive_depth_m', 'pitch_deg', 'climb_to_m', 'altimeter_margin_m', 'battery_j', 'battery_start_share', 'require_battery', 'thruster']}>
-        <SelectField name="objective" label="Optimise" choices={[{ value: 'time', title: 'Travel time' }, { value: 'energy', title: 'Energy' }, { value: 'both', title: 'Both, weighted' }]} />
-        {draft.value.objective === 'both' && (
-          <div class="field-pair">
-            <TextField name="objective.time" label="A second weighs" inputMode="decimal" />
-            <TextField name="objective.energy" label="A joule weighs" inputMode="decimal" />
-          </div>
-        )}
-        <div class="field-pair">
-          <TextField name="speed_m_s" label="Water speed" unit="m/s" inputMode="decimal" placeholder={vehicle?.speed_m_s.toString()} />
-          <TextField name="dive_depth_m" label="Dive depth" unit="m" inputMode="decimal" placeholder={vehicle?.dive_depth_m.toString()} />
-        </div>
-        <div class="field-pair">
-          <TextField name="climb_to_m" label="Climb to" unit="m" inputMode="decimal" placeholder={vehicle?.climb_to_m?.toString()} />
-          <TextField name="altimeter_margin_m" label="Above bed" unit="m" inputMode="decimal" placeholder={vehicle?.altimeter_margin_m?.toString()} />
-        </div>
-        <div class="field-pair">
-          <TextField name="battery_j" label="Battery" unit="MJ" inputMode="decimal" placeholder="as built" />
-          <TextField name="battery_start_share" label="Charged" unit="%" inputMode="decimal" placeholder="100" />
-        </div>
-        <TextField name="pitch_deg" label="Pitch" unit="°" inputMode="decimal" placeholder={vehicle?.pitch_deg?.toString()} />
-        <SelectField name="thruster" label="Thruster" choices={[{ value: 'auto', title: 'Where it helps' }, { value: 'on', title: 'Always' }, { value: 'off', title: 'Never' }]} />
-        <CheckField name="require_battery" label="Only plans that the battery lasts for" />
-      </Part>
+      <VehiclePart />
       <IcePart />
       <UncertaintyPart />
       <Part title="Advanced" fields={['name', 'method', 'sectors', 'spacing_m', 'max_waypoints', 'max_leg_m', 'max_loiter_s', 'refine', 'refine_seconds', 'optimality_gap', 'steady']}>
@@ -68,7 +44,7 @@ export function Advanced(): VNode {
           <TextField name="sectors" label="Reach" unit="1–5" inputMode="numeric" />
         </div>
         <div class="field-pair">
-          <TextField name="spacing_m" label="Grid spacing" unit="m" inputMode="decimal" placeholder="automatic" />
+          <TextField name="spacing_m" label="Grid spacing" unit="m" placeholder="automatic" />
           <TextField name="max_waypoints" label="Most waypoints" inputMode="numeric" placeholder="no limit" />
         </div>
         <div class="field-pair">

@@ -1,7 +1,8 @@
 import type { VNode } from 'preact';
 import type { DatasetKind } from '../../api/types';
-import { ofKind } from '../../model/datasets';
-import { draft } from '../../model/draft';
+import { severalIn, severalOf, ticked } from '../../model/data_choice';
+import { chosen, ofKind } from '../../model/datasets';
+import { draft, edit } from '../../model/draft';
 import { SelectField, type Choice } from './field';
 import { Part } from './part';
 
@@ -9,27 +10,66 @@ import { Part } from './part';
 export function DataPart(): VNode {
   return (
     <Part title="Data" fields={['currents', 'tides', 'bathymetry', 'ice', 'icebergs', 'wind', 'coastline', 'zones']}>
-      <DataField kind="currents" label="Currents" />
-      <DataField kind="tides" label="Tidal currents" />
+      <DataField kind="currents" label="Currents" several="members of an ensemble" />
+      <DataField kind="tides" label="Tidal currents" several="completing each other" />
       {draft.value.tides !== 'none' && (
         <SelectField name="tides_mode" label="Tides are" choices={[{ value: 'add', title: 'added to the currents' }, { value: 'only', title: 'the only currents' }]} />
       )}
-      <DataField kind="bathymetry" label="Depths" />
+      <DataField kind="bathymetry" label="Depths" several="the first has priority" />
       <DataField kind="ice" label="Sea ice" />
-      <DataField kind="icebergs" label="Icebergs" />
+      <DataField kind="icebergs" label="Icebergs" several="all avoided" />
       <DataField kind="wind" label="Wind on icebergs" />
       <DataField kind="coastline" label="Coastline" />
-      <DataField kind="zones" label="Zones" all />
+      <DataField kind="zones" label="Zones" all several="all obeyed" />
     </Part>
   );
 }
 
-function DataField({ kind, label, all = false }: { kind: DatasetKind; label: string; all?: boolean }): VNode | null {
+interface DataFieldProps {
+  kind: DatasetKind;
+  label: string;
+  all?: boolean; // all that are stored count unless others are chosen
+  several?: string; // what several of them are
+}
+
+function DataField({ kind, label, all = false, several }: DataFieldProps): VNode | null {
   const stored: Choice[] = ofKind(kind).map(({ id, name }) => ({ value: id, title: name }));
   const isRare = kind === 'tides' || kind === 'wind' || kind === 'zones';
   if (isRare && stored.length === 0) return null;
   const usual: Choice = all
     ? { value: 'all', title: stored.length === 1 ? 'The stored one' : `All ${stored.length} stored` }
     : { value: 'newest', title: stored[0] ? `Newest (${stored[0].title})` : 'Newest (none stored)' };
-  return <SelectField name={kind} label={label} choices={[usual, ...stored, { value: 'none', title: 'None' }]} />;
+  const none = { value: 'none', title: 'None' };
+  if (!several || stored.length < 2) return <SelectField name={kind} label={label} choices={[usual, ...stored, none]} />;
+  const isSeveral = severalIn(draft.value[kind]) !== undefined;
+  // What is ticked is part of the choice; asked for anew it begins with what was in use.
+  const begin = severalOf([chosen(kind)?.id].filter((id) => id !== undefined));
+  const choices = [usual, ...stored, { value: isSeveral ? draft.value[kind] : begin, title: `Several: ${several}` }, none];
+  return (
+    <>
+      <SelectField name={kind} label={label} choices={choices} />
+      {isSeveral && <Ticks kind={kind} label={label} stored={stored} />}
+    </>
+  );
+}
+
+/** The stored datasets of a kind to be ticked; a figure says which rank each has. */
+function Ticks({ kind, label, stored }: { kind: DatasetKind; label: string; stored: Choice[] }): VNode {
+  const choice = draft.value[kind];
+  const ids = severalIn(choice) ?? [];
+  return (
+    <fieldset class="ticks">
+      <legend class="visually-hidden">{label} used together</legend>
+      {stored.map(({ value, title }) => {
+        const rank = ids.indexOf(value);
+        return (
+          <label class="check" key={value}>
+            <input type="checkbox" checked={rank >= 0} onChange={(event) => edit({ [kind]: ticked(choice, value, event.currentTarget.checked) })} />
+            <span class="tick-title">{title}</span>
+            {rank >= 0 && <span class="count" title="Rank">{rank + 1}</span>}
+          </label>
+        );
+      })}
+    </fieldset>
+  );
 }

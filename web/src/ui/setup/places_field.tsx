@@ -1,8 +1,7 @@
 import type { VNode } from 'preact';
 import { draft, edit, faults } from '../../model/draft';
-import { drawer } from '../../model/screen';
-import { tool } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
+import { PickButton } from './pick_button';
 
 /** The places to pass, each a line of its own: typed, picked on the map, moved up and down. */
 export function PlacesField(): VNode {
@@ -14,7 +13,6 @@ export function PlacesField(): VNode {
     [next[i], next[j]] = [lines[j] ?? '', lines[i] ?? ''];
     set(next);
   };
-  const picking = tool.value === 'via';
   return (
     <fieldset class={fault ? 'field places faulty' : 'field places'}>
       <legend>Places to pass</legend>
@@ -32,13 +30,7 @@ export function PlacesField(): VNode {
       {fault && <p class="fault" id="fault-via">{fault}</p>}
       <div class="field-row">
         <button type="button" onClick={() => set([...lines, ' '])}><Icon name="plus" /> Add a place</button>
-        <IconButton
-          icon="crosshair" label="Pick places to pass on the map" pressed={picking}
-          onClick={() => {
-            tool.value = picking ? 'pan' : 'via';
-            drawer.value = undefined;
-          }}
-        />
+        <PickButton which="via" label="Pick places to pass on the map" />
       </div>
       {lines.length > 1 && (
         <select

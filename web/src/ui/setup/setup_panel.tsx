@@ -8,15 +8,15 @@ import {
 } from '../../model/draft';
 import { failure, running } from '../../model/job';
 import { may } from '../../model/login';
-import { drawer } from '../../model/screen';
 import { fieldOf } from '../../model/time';
-import { tool, type Tool } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
 import { RoleNote } from '../common/role_note';
 import { Advanced } from './advanced';
 import { FailureCard } from './failure_card';
 import { SelectField, TextField } from './field';
+import { GoalField } from './goal_field';
 import { JobRow } from './job_row';
+import { PickButton } from './pick_button';
 
 /** What is asked for: start, goal, departure, vehicle, margin, and the button that plans. */
 export function SetupPanel(): VNode {
@@ -41,9 +41,7 @@ export function SetupPanel(): VNode {
       <TextField name="from" label="Start" placeholder="69°10.2′N 51°21.0′W">
         <PickButton which="from" label="Pick the start on the map" />
       </TextField>
-      <TextField name="to" label="Goal" placeholder="68.9, -53.6">
-        <PickButton which="to" label="Pick the goal on the map" />
-      </TextField>
+      <GoalField />
       <TextField name="depart" label="Departure" unit="UTC" placeholder="2026-11-20 06:00">
         <IconButton icon="clock" label="Depart at the clock's time" onClick={() => edit({ depart: fieldOf(time_ms.value) })} />
       </TextField>
@@ -76,17 +74,4 @@ function clear(): void {
   const { vehicle, depart } = draft.value;
   edit({ ...emptyDraft, vehicle, depart });
   failure.value = undefined;
-}
-
-function PickButton({ which, label }: { which: Tool; label: string }): VNode {
-  const active = tool.value === which;
-  return (
-    <IconButton
-      icon="crosshair" label={label} pressed={active}
-      onClick={() => {
-        tool.value = active ? 'pan' : which;
-        drawer.value = undefined;
-      }}
-    />
-  );
 }

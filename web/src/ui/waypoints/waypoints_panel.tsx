@@ -2,7 +2,7 @@ import type { VNode } from 'preact';
 import { deletePlan } from '../../api/session';
 import type { Plan } from '../../api/types';
 import { time_ms } from '../../model/clock';
-import { edit } from '../../model/draft';
+import { edit, emptyDraft } from '../../model/draft';
 import { editablePosition } from '../../geo/coordinates';
 import { may } from '../../model/login';
 import { routeOf, selectedShown, titleOf } from '../../model/plans';
@@ -112,6 +112,7 @@ function reuse(plan: Plan): void {
   edit({
     from: editablePosition([from.lon, from.lat]),
     to: editablePosition([to.lon, to.lat]),
+    goals_file: emptyDraft.goals_file,
     depart: fieldOf(Date.parse(plan.departure)),
   });
   leftTab.value = 'setup';

@@ -1,0 +1,56 @@
+import type { Change, Position, Violation } from '../api/types';
+import { emptyDraft, hasGoalsFile, type Draft, type Faults, type Field } from './draft';
+import { numberFields, timeFields, type NumberField } from './draft_request';
+import { fieldOf, isoOf } from './time';
+
+const fieldNames = Object.keys(emptyDraft) as Field[];
+const aliases: Record<string, Field> = { departure: 'depart', start: 'from', goal: 'to', iceberg_margin: 'margin_m', uncertainty: 'uncertainty.members' };
+
+/** The field that holds what a JSON pointer (or the name of an input) names. */
+function fieldAt(pointer: string): Field | undefined {
+  const words = pointer.split('/').filter((word) => word !== '' && word !== 'inputs');
+  const [outer = '', inner = ''] = words;
+  return fieldNames.find((name) => name === `${outer}.${inner}`) ?? fieldNames.find((name) => name === outer) ?? aliases[outer];
+}
+
+/** Puts the server's violations beside the fields their JSON pointers name. */
+export function sortViolations(violations: Violation[]): { faults: Faults; general: string[] } {
+  const sorted: Faults = {};
+  const general: string[] = [];
+  for (const { pointer, detail } of violations) {
+    const field = fieldAt(pointer);
+    const text = detail.charAt(0).toUpperCase() + detail.slice(1);
+    const word = pointer.replace(/^\/?(inputs\/)?/, '');
+    if (field) sorted[field] = sorted[field] ? `${sorted[field]} ${text}` : text;
+    else general.push(word ? `${word}: ${text}` : text);
+  }
+  return { faults: sorted, general };
+}
+
+/** A change that the server proposes, as an edit of the set-up; undefined where the set-up has no field for it. */
+export function editFor({ input, to }: Change, form: Draft): Partial<Draft> | undefined {
+  const field = fieldAt(input);
+  if (!field) return undefined;
+  const isInFile = hasGoalsFile(form) && (field === 'to' || field === 'via' || (field === 'from' && form.from.trim() === ''));
+  if (isInFile) return undefined;
+  if (field === 'via') return viaEdit(input, to, form);
+  if (isPosition(to)) return { [field]: exact(to) };
+  if (typeof to === 'number') return field in numberFields ? { [field]: String(Number((to / numberFields[field as NumberField]).toPrecision(8))) } : undefined;
+  if (typeof to === 'boolean' && typeof emptyDraft[field] === 'boolean') return { [field]: to };
+  if (typeof to !== 'string' || typeof emptyDraft[field] !== 'string') return undefined;
+  const time_ms = (timeFields as readonly Field[]).includes(field) ? Date.parse(to) : undefined;
+  return { [field]: time_ms === undefined ? to : time_ms % 60_000 === 0 ? fieldOf(time_ms) : isoOf(time_ms) };
+}
+
+function viaEdit(input: string, to: unknown, form: Draft): Partial<Draft> | undefined {
+  const lines = form.via.split('\n').filter((line) => line.trim() !== '');
+  const index = Number(input.split('/')[1]);
+  if (!isPosition(to) || !(index in lines)) return undefined;
+  return { via: lines.map((line, i) => (i === index ? exact(to) : line)).join('\n') };
+}
+
+const isPosition = (value: unknown): value is Position =>
+  Array.isArray(value) && value.length === 2 && value.every((part) => typeof part === 'number');
+
+/** To the centimetre: a place moved just clear of something must not fall back into it. */
+const exact = ([lon, lat]: Position): string => `${Number(lat.toFixed(7))}, ${Number(lon.toFixed(7))}`;

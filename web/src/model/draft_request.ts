@@ -1,0 +1,156 @@
+import type { PlanInputs, Position } from '../api/types';
+import { parsePosition } from '../geo/coordinates';
+import { areasInputs, faultOfAreas } from './area';
+import { choiceInputs, severalIn } from './data_choice';
+import { emptyDraft, hasGoalsFile, isEnsemble, numberIn, placesIn, type Draft, type Faults, type Field } from './draft';
+import { isoOf, parseTime } from './time';
+
+/** Fields that hold numbers, and how many of the request's unit make one of the field's. */
+export const numberFields = {
+  margin_m: 1, 'objective.time': 1, 'objective.energy': 1, speed_m_s: 1, dive_depth_m: 1, pitch_deg: 1, climb_to_m: 1,
+  altimeter_margin_m: 1, battery_j: 1e6, battery_start_share: 0.01, sectors: 1, max_waypoints: 1, max_leg_m: 1000,
+  'vehicle.depth_rating_m': 1, 'vehicle.minimum_working_depth_m': 1, 'vehicle.buoyancy_cm3': 1, 'vehicle.hotel_w': 1,
+  'vehicle.surfacing_interval_s': 3600, 'vehicle.surfacing_j': 1000, 'vehicle.battery_reserve_share': 0.01,
+  'vehicle.max_waypoints_per_list': 1,
+  refine_seconds: 1, max_inflation_m: 1, max_sighting_age_days: 1, keel_clearance_m: 1, draft_uncertainty: 0.01,
+  encounter_weight_s: 3600, max_loiter_s: 3600, 'under_ice.max_concentration_to_surface': 0.01, 'under_ice.margin_below_ice_m': 1,
+  'under_ice.draft_if_unknown_m': 1, 'under_ice.max_time_without_surfacing_s': 3600, 'under_ice.surfacing_interval_s': 3600,
+  'under_ice.dead_reckoning_share': 0.01, 'under_ice.current_uncertainty_m_s': 1, 'uncertainty.members': 1,
+  'uncertainty.current_error_m_s': 1, 'uncertainty.length_scale_m': 1000, 'uncertainty.time_scale_s': 3600, 'uncertainty.seed': 1,
+  'uncertainty.quantile': 0.01,
+} as const;
+export type NumberField = keyof typeof numberFields;
+const numberFieldNames = Object.keys(numberFields) as NumberField[];
+
+/** Fields that hold instants in UTC. */
+export const timeFields = ['depart', 'depart_until', 'arrive_by', 'icebergs_as_of', 'uncertainty.arrive_before'] as const;
+
+/** Fields that are sent only where they differ from what the server takes anyway. */
+const sentWhenChanged = [
+  'via_order', 'objective', 'thruster', 'require_battery', 'optimality_gap', 'icebergs_drift', 'pass_under_icebergs',
+  'under_ice.escape_plan', 'wind',
+] as const;
+
+/** Fields that choose data of which several may be named. */
+const severalFields = ['currents', 'tides', 'bathymetry', 'icebergs', 'zones'] as const;
+
+/** The request a draft stands for, or every fault that keeps it from being sent. */
+export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults } {
+  const found: Faults = {};
+  const places = placesOf(form, found);
+  const areaFault = faultOfAreas(form.areas);
+  if (areaFault) found.areas = areaFault;
+
+  const values: Partial<Record<Field, number | string | boolean>> = {};
+  for (const field of timeFields) {
+    if (form[field].trim() === '' || isLeftOut(field, form)) continue;
+    const time_ms = parseTime(form[field]);
+    if (time_ms === undefined) found[field] = 'Write the time in UTC as 2026-11-20 06:00.';
+    else values[field] = isoOf(time_ms);
+  }
+  if (form.depart.trim() === '' && form.arrive_by.trim() === '') found.depart = 'Write the time in UTC as 2026-11-20 06:00.';
+
+  for (const field of numberFieldNames) {
+    if (form[field].trim() === '' || isLeftOut(field, form)) continue;
+    const value = numberIn(form[field]);
+    if (value === undefined) found[field] = 'Write a number.';
+    else values[field] = Number((value * numberFields[field]).toPrecision(12));
+  }
+  const spacing_m = spacingIn(form.spacing_m);
+  if (spacing_m === null) found.spacing_m = 'Write a distance, or two: along × across.';
+  if (form.depart_until.trim() !== '') {
+    const step_h = numberIn(form.depart_step);
+    if (step_h === undefined || step_h <= 0) found.depart_step = 'Write a number of hours.';
+    else values.depart_step = `PT${Math.round(60 * step_h)}M`;
+  }
+  if (form.tides !== 'none') values.tides_mode = form.tides_mode;
+  for (const field of sentWhenChanged) {
+    const isPlain = !(field === 'objective' && form.objective === 'both');
+    if (isPlain && form[field] !== emptyDraft[field]) values[field] = form[field];
+  }
+  const aim = form['uncertainty.objective'];
+  if (aim !== 'first' && !isLeftOut('uncertainty.objective', form)) values['uncertainty.objective'] = aim;
+  for (const field of severalFields) {
+    if (severalIn(form[field])?.length === 0) found[field] = 'Tick one dataset or more.';
+  }
+  if (!places || spacing_m === null || Object.keys(found).length > 0) return { faults: found };
+
+  const { vehicle, ...others } = nested(values);
+  return {
+    inputs: {
+      ...places,
+      ...(vehicle ? { vehicle: { ...vehicle, ...(form.vehicle ? { profile: form.vehicle } : {}) } } : form.vehicle ? { vehicle: form.vehicle } : {}),
+      ...(form.name.trim() ? { name: form.name.trim() } : {}),
+      ...others,
+      ...(spacing_m === undefined ? {} : { spacing_m }),
+      ...(form.areas.length > 0 ? { areas: areasInputs(form.areas) } : {}),
+      method: form.method,
+      refine: form.refine,
+      steady: form.steady,
+      ...dataInputs(form),
+    },
+  };
+}
+
+/** From where to where: typed, or from a file; undefined, with the faults noted, where a place cannot be read. */
+function placesOf(form: Draft, found: Faults): Pick<PlanInputs, 'from' | 'to' | 'via' | 'goals_file'> | undefined {
+  const isFromFile = hasGoalsFile(form);
+  const from = parsePosition(form.from);
+  const startsInFile = isFromFile && form.from.trim() === '';
+  if (!from.ok && !startsInFile) found.from = from.fault;
+  const start = from.ok ? { from: rounded(from.value) } : {};
+  if (isFromFile) return from.ok || startsInFile ? { ...start, goals_file: form.goals_file } : undefined;
+
+  const to = parsePosition(form.to);
+  if (!to.ok) found.to = to.fault;
+  const via = placesIn(form.via);
+  if (via.fault) found.via = via.fault;
+  if (!from.ok || !to.ok) return undefined;
+  return { ...start, to: rounded(to.value), ...(via.places.length > 0 ? { via: via.places.map(rounded) } : {}) };
+}
+
+/** Whether a field is about what is not asked for. */
+function isLeftOut(field: Field, form: Draft): boolean {
+  if (field.startsWith('objective.')) return form.objective !== 'both';
+  if (!field.startsWith('uncertainty.')) return false;
+  const isAim = field === 'uncertainty.objective' || field === 'uncertainty.quantile' || field === 'uncertainty.arrive_before';
+  if (field === 'uncertainty.quantile' && form['uncertainty.objective'] !== 'quantile') return true;
+  return isEnsemble(form) ? !isAim : form['uncertainty.members'].trim() === '';
+}
+
+/** Which data are used; rare kinds only where they were chosen. */
+function dataInputs(form: Draft): Partial<PlanInputs> {
+  return {
+    currents: choiceInputs(form.currents),
+    bathymetry: choiceInputs(form.bathymetry),
+    icebergs: choiceInputs(form.icebergs),
+    ice: form.ice,
+    coastline: form.coastline,
+    ...(form.tides === emptyDraft.tides ? {} : { tides: choiceInputs(form.tides) }),
+    ...(form.zones === emptyDraft.zones ? {} : { zones: choiceInputs(form.zones) }),
+  };
+}
+
+/** A distance, or two parted by a sign of multiplication; undefined for none, null where it cannot be read. */
+function spacingIn(text: string): PlanInputs['spacing_m'] | null {
+  if (text.trim() === '') return undefined;
+  const [along, across, ...rest] = text.split(/[x×]/).map(numberIn);
+  if (along === undefined || rest.length > 0) return null;
+  if (!/[x×]/.test(text)) return along;
+  return across === undefined ? null : [along, across];
+}
+
+/** Fields with a dot as members of members. */
+function nested(values: Partial<Record<Field, number | string | boolean>>): Record<string, unknown> {
+  const inputs: Record<string, unknown> = {};
+  for (const [field, value] of Object.entries(values)) {
+    const [outer = '', inner] = field.split('.');
+    inputs[outer] = inner === undefined ? value : { ...(inputs[outer] as object | undefined), [inner]: value };
+  }
+  return inputs;
+}
+
+/** Seven decimals are a centimetre. */
+function rounded([lon, lat]: Position): Position {
+  return [Math.round(lon * 1e7) / 1e7, Math.round(lat * 1e7) / 1e7];
+}
