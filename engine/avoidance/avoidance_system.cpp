@@ -148,13 +148,19 @@ void AvoidanceSystem::perceive(const Sensed& sensed) {
 }
 
 void AvoidanceSystem::take_ping(const SonarPing& ping, const OwnState& own) {
-  room_.begin_ping();
-  std::size_t count = 0;
+  std::size_t heard = 0;
   for (const SonarReturn& sonar : ping.returns) {
-    if (count == echoes_.size()) break;
-    if (!is_usable(sonar, settings_.sonar.reach)) continue;
-    const Echo echo = placed(sonar, own, water_.own(), settings_.sonar);
-    if (!room_.passes(echo)) echoes_[count++] = echo;
+    if (heard == echoes_.size()) break;
+    if (is_usable(sonar, settings_.sonar.reach))
+      echoes_[heard++] = placed(sonar, own, water_.own(), settings_.sonar);
+  }
+  room_.begin_ping({echoes_.data(), heard});
+  for (std::size_t i = 0; i < heard; ++i) passes_[i] = room_.passes(echoes_[i]);
+  std::size_t count = 0;
+  for (std::size_t i = 0; i < heard; ++i) {
+    const Echo echo = echoes_[i];
+    if (passes_[i] == VerticalRoom::Pass::above) objects_.stand_on(echo);
+    if (passes_[i] == VerticalRoom::Pass::no) echoes_[count++] = echo;
   }
   objects_.take({echoes_.data(), count}, own, water_.own());
 }

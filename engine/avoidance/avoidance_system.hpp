@@ -110,6 +110,7 @@ class AvoidanceSystem {
   Obstacles obstacles_;
   ReactiveControl reactive_;
   std::array<Echo, SonarPing::most_returns> echoes_{};
+  std::array<VerticalRoom::Pass, SonarPing::most_returns> passes_{};
 
   OwnState own_{};
   std::optional<core::UtcTime> last_time_{};

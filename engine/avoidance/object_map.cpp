@@ -71,6 +71,10 @@ void ObjectMap::look_past(const OwnState& own, geo::PlanePoint own_in_water) {
   }
 }
 
+void ObjectMap::stand_on(const Echo& bed) {
+  for (std::size_t i = 0; i < size_; ++i) objects_[i].stand_on(bed);
+}
+
 void ObjectMap::add(const Echo& confirmed, geo::PlanePoint vehicle) {
   for (std::size_t i = 0; i < size_; ++i) {
     if (objects_[i].take(confirmed, settings_.sonar) == TrackedObject::Match::none) continue;

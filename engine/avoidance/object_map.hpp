@@ -27,6 +27,8 @@ class ObjectMap {
   /// Takes the echoes of one ping. Precondition: advanced to its time.
   void take(std::span<const Echo> ping, const OwnState& own, geo::PlanePoint own_in_water);
 
+  /// Takes an echo of the sea bed: what it lies right below stands on it, and is no cover to look below.
+  void stand_on(const Echo& bed);
   /// Adds a patch of surface that needs no confirmation. Precondition: advanced to its time.
   void add(const Echo& confirmed, geo::PlanePoint vehicle);
   /// Takes an object out; the last one moves to its place.

@@ -15,6 +15,7 @@ constexpr double surface_sigma_m = 2.0;     // of a berg's roughness around that
 constexpr double independent_echoes = 4.0;  // of one ping: errors of neighbouring beams go together
 constexpr double drift_walk_m2_s3 = 1e-6;   // (0.01 m/s)^2 in 100 s
 constexpr std::uint16_t settled_hits = 6;   // after them a cell's place holds: it is what drift is told by
+constexpr double join_m = 25.0;             // a surface so near belongs to the same body
 constexpr double behind_m = 15.0;           // an echo so far behind a cell has looked past it
 
 double squared(double x) { return x * x; }
@@ -99,7 +100,6 @@ void TrackedObject::advance(double now_s) {
 
 TrackedObject::Match TrackedObject::take(const Echo& echo, const SonarView& sonar) {
   const geo::PlanePoint seen{echo.place.x_m - state_[0], echo.place.y_m - state_[1]};
-  constexpr double join_m = 25.0;  // a surface so near belongs to the same body
   if (seen.x_m < low_.x_m - join_m || seen.x_m > high_.x_m + join_m || seen.y_m < low_.y_m - join_m ||
       seen.y_m > high_.y_m + join_m) {
     return Match::none;
@@ -275,6 +275,20 @@ double TrackedObject::half_extent_m() const {
 
 void TrackedObject::look_below(double lowest_look_m) {
   if (lowest_look_m > keel_m_ + 2.0 * SurfaceCell::size_m) ++looks_below_;
+}
+
+void TrackedObject::stand_on(const Echo& bed) {
+  if (looks_below_ == 0 || bed.deepest_m < keel_m_ || bed.shallowest_m > keel_m_ + SurfaceCell::size_m)
+    return;
+  const geo::PlanePoint at{bed.place.x_m - state_[0], bed.place.y_m - state_[1]};
+  if (at.x_m < low_.x_m - join_m || at.x_m > high_.x_m + join_m || at.y_m < low_.y_m - join_m ||
+      at.y_m > high_.y_m + join_m)
+    return;
+  for (std::size_t i = 0; i < size_; ++i) {
+    if (squared_distance(cells_[i].offset, at) > squared(join_m)) continue;
+    looks_below_ = 0;
+    return;
+  }
 }
 
 void TrackedObject::look_above(double least_top_m) {

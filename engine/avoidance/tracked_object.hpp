@@ -71,6 +71,8 @@ class TrackedObject {
   [[nodiscard]] int looks_below() const { return looks_below_; }
   /// `lowest_look_m`: how deep the sonar would have seen the object's side.
   void look_below(double lowest_look_m);
+  /// Nothing was looked below where an echo of the sea bed lies under the keel without a gap.
+  void stand_on(const Echo& bed);
   /// Pings in a row in which beams looked over the top and met nothing.
   [[nodiscard]] int looks_above() const { return looks_above_; }
   /// `least_top_m`: a top deeper than that had a row of beams above it.

@@ -17,9 +17,10 @@ constexpr double noise_m = 3.0;             // of an echo's depth
 constexpr double beside_m = 150.0;          // farther from a sounding nothing is concluded from it
 constexpr double bed_echo_holds_s = 120.0;
 constexpr double silence_tells_s = 30.0;
-constexpr double heard_from_m = 40.0;  // by any altimeter, of any bed
-constexpr double overhead_m = 3.0;     // the least height above the vehicle of an echo from above
-constexpr double underfoot_m = 10.0;   // the same below: nearer, the altimeter tells
+constexpr double heard_from_m = 40.0;    // by any altimeter, of any bed
+constexpr double overhead_m = 3.0;       // the least height above the vehicle of an echo from above
+constexpr double below_within_m = 15.0;  // seen from above, of what a wall stands on
+constexpr double underfoot_m = 10.0;     // the same below: nearer, the altimeter tells
 constexpr double seek_beds_every_s = 10.0;
 constexpr double cover_width_m = 200.0;  // of the greatest bergs that are gone round without a doubt
 constexpr int looks_needed = 20;         // pings
@@ -91,15 +92,17 @@ void VerticalRoom::unlearn_bed() {
   if (shallowest_bed_ && is_none(*shallowest_bed_)) shallowest_bed_.reset();
 }
 
-void VerticalRoom::begin_ping() {
+void VerticalRoom::begin_ping(std::span<const Echo> ping) {
+  ping_ = ping;
   bed_confirmation_.begin_ping();
   underfoot_confirmation_.begin_ping();
   roof_confirmation_.begin_ping();
 }
 
-bool VerticalRoom::passes(const Echo& echo) {
-  return echo.depth_m > settings_.deepest.value + settings_.vertical_margin.value || is_bed(echo) ||
-         is_roof(echo);
+VerticalRoom::Pass VerticalRoom::passes(const Echo& echo) {
+  if (echo.depth_m > settings_.deepest.value + settings_.vertical_margin.value || is_bed(echo))
+    return Pass::above;
+  return is_roof(echo) ? Pass::below : Pass::no;
 }
 
 bool VerticalRoom::has_room_under(double ice_m) const {
@@ -174,10 +177,23 @@ void VerticalRoom::take_beds(ObjectMap& objects) {
   }
 }
 
+/// Whether the echo comes from steeply above, and from no wall: of a wall the beams below hear what stands under it, no
+/// farther off.
+bool VerticalRoom::is_overhead(const Echo& echo) const {
+  const double above_m = depth_m_ - echo.depth_m;
+  const double away_m = distance_m(place_, echo.place);
+  if (above_m <= overhead_m || above_m <= away_m) return false;
+  return std::ranges::none_of(ping_, [&](const Echo& lower) {
+    const bool is_joined =
+        lower.depth_m > echo.depth_m + noise_m && lower.shallowest_m <= echo.deepest_m + noise_m;
+    return is_joined && distance_m(place_, lower.place) <= away_m + noise_m &&
+           distance_m(lower.place, echo.place) <= below_within_m;
+  });
+}
+
 bool VerticalRoom::is_roof(const Echo& echo) {
   if (!has_room_under(echo.depth_m)) return false;
-  const double above_m = depth_m_ - echo.depth_m;
-  const bool is_overhead = above_m > overhead_m && above_m > distance_m(place_, echo.place);
+  const bool overhead = is_overhead(echo);
   bool is_known = false;
   bool goes_on =
       false;  // at the same slope without the noise: else a wall would be walked down, noise by noise
@@ -187,8 +203,8 @@ bool VerticalRoom::is_roof(const Echo& echo) {
     is_known |= echo.shallowest_m <= roof.depth_m + noise_m + steepest * apart_m;
     goes_on |= echo.depth_m <= roof.depth_m + steepest * apart_m;
   }
-  if (!is_overhead && !is_known) return false;
-  if (is_overhead || goes_on) {
+  if (!overhead && !is_known) return false;
+  if (overhead || goes_on) {
     if (const auto roof = roof_confirmation_.take(echo))
       roof_.take({roof->place, roof->depth_m, now_s_}, false);
   }

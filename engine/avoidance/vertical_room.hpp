@@ -2,7 +2,9 @@
 
 #include <array>
 #include <cstddef>
+#include <cstdint>
 #include <optional>
+#include <span>
 #include <utility>
 
 #include "engine/avoidance/echo.hpp"
@@ -27,24 +29,28 @@ class VerticalRoom {
   /// Places in a row across the way, as patches of a surface.
   using ShoalEdge = std::array<Echo, 5>;
 
+  /// How the vehicle gets past what an echo comes from, without going round it.
+  enum class Pass : std::uint8_t { no, above, below };
+
   explicit VerticalRoom(const AvoidanceSettings& settings) : settings_{settings} {}
 
   /// Takes up the vehicle's place, and what the altimeter has found below it, or not found.
   void sound(const OwnState& own, geo::PlanePoint own_in_water);
-  void begin_ping();
-  /// Whether the echo is none to go round:
+  /// The echoes of one ping, borrowed until the next. Precondition: `sound` has been told where the vehicle is.
+  void begin_ping(std::span<const Echo> ping);
+  /// Whether the echo is one to go round. It is not:
   /// - from below the saw-tooth;
   /// - from a sea bed that a lower saw-tooth passes over, and that the vehicle is above by the time it gets there. A bed is
   ///   told from a wall by soundings, the altimeter's and echoes from steeply below: it rises by no more than 1 in 5 from the
   ///   nearest;
   /// - from the underside of a cover of ice that a deeper saw-tooth passes under, told from a wall in the same way. Its
-  ///   first soundings are echoes from steeply above, and covers recognised from afar.
+  ///   first soundings are echoes from steeply above that nothing stands below, and covers recognised from afar.
   /// A bed or a cover that leaves no room is a thing to go round. One that does limits the depth from now on,
   /// once its echoes have confirmed each other.
-  [[nodiscard]] bool passes(const Echo& echo);
+  [[nodiscard]] Pass passes(const Echo& echo);
   /// Recognises covers of ice among the objects and takes them out. A cover is as wide as the greatest bergs at least,
-  /// the sonar has looked below its keel for long enough, a saw-tooth has room under it, and the vehicle gets below it
-  /// in time.
+  /// the sonar has looked below its keel for long enough and seen no bed that it stands on, a saw-tooth has room under
+  /// it, and the vehicle gets below it in time.
   void take_covers(ObjectMap& objects);
 
   /// Takes out the objects that turn out to be a bed that is passed over: what the sonar saw of a known bed before there was
@@ -80,6 +86,7 @@ class VerticalRoom {
   void limit_by(const Sounding& bed);
   [[nodiscard]] bool is_bed(const Echo& echo);
   [[nodiscard]] bool is_roof(const Echo& echo);
+  [[nodiscard]] bool is_overhead(const Echo& echo) const;
   [[nodiscard]] bool is_cover(const TrackedObject& object) const;
 
   AvoidanceSettings settings_;
@@ -91,6 +98,7 @@ class VerticalRoom {
   EchoConfirmation bed_confirmation_{};
   EchoConfirmation underfoot_confirmation_{};
   EchoConfirmation roof_confirmation_{};
+  std::span<const Echo> ping_{};
   std::optional<Sounding> shallowest_bed_{};  // that an echo showed lately
   std::optional<Sounding> sounded_{};         // by the altimeter, some way back
   std::optional<ShoalEdge> shoal_{};

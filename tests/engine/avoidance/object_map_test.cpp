@@ -65,6 +65,22 @@ TEST(ObjectMap, MakesOneObjectOfOneBody) {
   EXPECT_NEAR((*map)[0].keel_m(), 25.0, 1.0);
 }
 
+/// The top of a scarp looks like ice that reaches down to where the scarp counts as sea bed.
+TEST(ObjectMap, LooksBelowNothingThatStandsOnTheSeaBed) {
+  auto rng = core::random_stream(1, "map");
+  const auto map = map_after(60.0, Berg{}, rng);
+  ASSERT_GE((*map)[0].looks_below(), 20);
+  const geo::PlanePoint beside = (*map)[0].place((*map)[0].cell(0));
+
+  map->stand_on({beside, 80.0, 100.0, 70.0, 90.0});  // far below the keel
+  EXPECT_GE((*map)[0].looks_below(), 20);
+  map->stand_on({{beside.x_m, beside.y_m - 60.0}, 34.0, 100.0, 28.0, 40.0});
+  EXPECT_GE((*map)[0].looks_below(), 20);
+
+  map->stand_on({beside, 34.0, 100.0, 28.0, 40.0});
+  EXPECT_EQ((*map)[0].looks_below(), 0);
+}
+
 /// Every patch lies on the true surface, as it has moved.
 TEST(ObjectMap, KeepsTheSurfaceWhereTheBodyHasDriftedTo) {
   const Berg berg{.drift = {-0.1, -0.05}};

@@ -28,8 +28,8 @@ Echo echo(double x, double depth) { return {{x, 0.0}, depth, x, depth, depth}; }
 bool passes(VerticalRoom& room, const Echo& shown, int pings = 5) {
   bool passed = false;
   for (int i = 0; i < pings; ++i) {
-    room.begin_ping();
-    passed = room.passes(shown);
+    room.begin_ping({&shown, 1});
+    passed = room.passes(shown) != VerticalRoom::Pass::no;
   }
   return passed;
 }
@@ -77,6 +77,27 @@ TEST(VerticalRoom, KeepsBelowTheIceOverhead) {
   EXPECT_DOUBLE_EQ(room->shallowest()->value, 25.0);
   EXPECT_TRUE(passes(*room, echo(60.0, 18.0)));   // the underside goes on
   EXPECT_FALSE(passes(*room, echo(60.0, 34.0)));  // a keel that hangs from it does not
+}
+
+/// What stands on something nearer by or right below is a wall, however steeply it is seen.
+TEST(VerticalRoom, TakesNoWallForIceOverhead) {
+  const auto room = std::make_unique<VerticalRoom>(to_60_m());
+  room->sound(own_over(0.0, 40.0), {});
+  const Echo above{{12.0, 0.0}, 15.0, 28.0, 9.0, 22.0};
+  const Echo wall{{12.0, 1.0}, 27.0, 18.0, 22.0, 32.0};
+  const Echo underside{{30.0, 1.0}, 15.0, 39.0, 7.0, 23.0};
+  for (int ping = 0; ping < 5; ++ping) {
+    const std::array echoes{wall, above};
+    room->begin_ping(echoes);
+    EXPECT_EQ(room->passes(above), VerticalRoom::Pass::no);
+  }
+  EXPECT_FALSE(room->shallowest());
+  for (int ping = 0; ping < 5; ++ping) {
+    const std::array echoes{underside, above};
+    room->begin_ping(echoes);
+    EXPECT_EQ(room->passes(above), VerticalRoom::Pass::below);
+  }
+  EXPECT_TRUE(room->shallowest());
 }
 
 TEST(VerticalRoom, KnowsABedBeyondTheAltimeterByEchoesFromSteeplyBelow) {
