@@ -18,6 +18,10 @@ constexpr core::Seconds postfix{60.0};
 /// Height of the saw-teeth of a vehicle that waits below ice to come up.
 constexpr double held_tooth_m = 10.0;
 
+/// Until pump and pitch have turned a shallow vehicle round (HullMotion): it does not turn again before, so that where bed and
+/// surface leave no room it does not drain its battery by turning every second.
+constexpr core::Seconds turning_time{15.0};
+
 /// Who moves up and down by less neither saw-tooths nor gets on.
 constexpr core::Metres same_depth = vehicle::lowest_tooth;
 
@@ -152,6 +156,7 @@ void MissionPilot::pass_waypoints(const Known& known, const avoidance::Guidance&
 }
 
 void MissionPilot::turn(const Known& known, const avoidance::Guidance& guidance, Turned& turned) {
+  if (known.time - turned_ < turning_time) return;
   const double depth_m = known.place.down;
   if (phase_ == Phase::diving) {
     const HalfYo& dive = orders_.yo.dive;
@@ -166,6 +171,7 @@ void MissionPilot::turn(const Known& known, const avoidance::Guidance& guidance,
     if (turned.inflected) phase_ = Phase::diving;
   }
   if (turned.inflected) {
+    turned_ = known.time;
     ++halves_;
     ++turns_;
   }

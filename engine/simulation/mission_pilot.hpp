@@ -103,6 +103,7 @@ class MissionPilot {
   std::string reason_;
   double held_depth_m_{};  // near it since `held_since_`
   core::UtcTime held_since_{};
+  core::UtcTime turned_{};  // last, up or down
   core::UtcTime surfaced_{};
   core::UtcTime fix_due_{};
   core::UtcTime leave_{};

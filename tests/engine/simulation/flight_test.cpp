@@ -177,6 +177,19 @@ TEST(Flight, KeepsItsAltitudeAboveTheSeaBed) {
   EXPECT_NEAR(record.approaches.front().distance_m, 10.0 - 2.0, 2.0);
 }
 
+/// The altimeter's margin and the depth to climb to leave nothing in between.
+TEST(Flight, IsAbortedWithoutDrainingItsBatteryWhereItIsTooShallowToDive) {
+  const World world{{.origin = flight_origin, .bed = SeaBed{core::Metres{12.0}}}};
+  MissionOrders orders = orders_through(world, {{5000.0, 0.0, 0.0}});
+  orders.same_depth = core::Seconds{1800.0};
+
+  const FlightRecord record = flown(world, orders, perfect_sensors());
+
+  EXPECT_EQ(record.end, FlightEnd::gave_up);
+  EXPECT_NE(record.end_reason.find("samedepth_for"), std::string::npos) << record.end_reason;
+  EXPECT_LT(record.teeth, 70);
+}
+
 TEST(Flight, EndsAtAnIcebergOnItsWay) {
   WorldParts parts{.origin = flight_origin};
   parts.bodies.emplace_back("berg", block(60.0, 150.0), Body::Motion{.track = {{flight_start, 1000.0, 0.0}}});
