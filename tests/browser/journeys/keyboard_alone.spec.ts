@@ -1,4 +1,4 @@
-import { expect, open, planByTyping, settled, test, typed } from '../support/page';
+import { expect, open, planByKeyboard, settled, test, typed, typeInto } from '../support/page';
 import { bergFile } from '../support/files';
 import { findPlaces } from '../support/places';
 import type { Locator, Page } from '@playwright/test';
@@ -11,10 +11,10 @@ async function press(page: Page, control: Locator): Promise<void> {
 test('plans are compared and one made the baseline with the keyboard alone', async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
-  await planByTyping(page, start, goal);
+  await planByKeyboard(page, start, goal);
   const depart = page.getByRole('textbox', { name: /^Departure/ });
   const later = new Date(Date.parse(`${(await depart.inputValue()).replace(' ', 'T')}:00Z`) + 3 * 3_600_000);
-  await depart.fill(later.toISOString().slice(0, 16).replace('T', ' '));
+  await typeInto(page, depart, later.toISOString().slice(0, 16).replace('T', ' '));
   const before = Number(await page.locator('#map').getAttribute('data-plans'));
   await depart.press('Enter');
   await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 120_000 });
@@ -42,7 +42,7 @@ test('plans are compared and one made the baseline with the keyboard alone', asy
 test('new ice is checked and a plan made before judged on it with the keyboard alone', async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
-  await planByTyping(page, start, goal);
+  await planByKeyboard(page, start, goal);
   await press(page, page.getByRole('button', { name: 'Data', exact: true }));
   const opened = page.waitForEvent('filechooser');
   await press(page, page.getByRole('button', { name: 'Add files …' }));
@@ -62,7 +62,7 @@ test('the view is handed over and a draft taken up again with the keyboard alone
   const { start } = await findPlaces(request);
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await open(page);
-  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await typeInto(page, page.getByLabel('Start', { exact: true }), typed(start));
   await page.locator('#map').focus();
   await page.keyboard.press(']');
   const time = await page.getByRole('slider', { name: 'Time' }).inputValue();

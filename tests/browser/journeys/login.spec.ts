@@ -1,4 +1,5 @@
 import { expectAccessible } from '../support/accessible';
+import { bergFile } from '../support/files';
 import { expect, planByTyping, settled, test as base, typed } from '../support/page';
 import { findPlaces } from '../support/places';
 import { startServer, type Server } from '../support/server';
@@ -132,6 +133,25 @@ test('a login that ends does not take along what was typed', async ({ page, guar
   await expect(page.getByLabel('Start', { exact: true })).toHaveValue(typed(start));
   await page.getByRole('button', { name: /^Plan / }).click();
   await expect(page.locator('#map')).not.toHaveAttribute('data-plans', '0', { timeout: 120_000 });
+});
+
+test('files that a login which ended kept from the server are sent again', async ({ page, guarded_server }) => {
+  await signIn(page, guarded_server.pilot);
+  const { start } = await findPlaces(page.request);
+  await page.getByRole('button', { name: 'Data', exact: true }).click();
+  await page.context().clearCookies();
+  const { name, text } = bergFile(start);
+  await page.getByLabel('Files to add').setInputFiles([{ name, mimeType: 'application/geo+json', buffer: Buffer.from(text) }]);
+  await expect(form(page)).toContainText('Your login has ended');
+  await form(page).getByLabel('Token').fill(guarded_server.pilot);
+  await page.keyboard.press('Enter');
+  await expect(form(page)).toBeHidden();
+  const card = page.getByRole('region', { name: `Import of ${name}` });
+  await expect(card).toContainText('None of the files could be sent');
+  await expectAccessible(page);
+  await card.getByRole('button', { name: 'Send again' }).click();
+  await expect(card).toContainText('2 accepted, 1 refused');
+  await expect(card.getByRole('button', { name: 'Send again' })).toBeHidden();
 });
 
 test('the login fits on a narrow screen', async ({ page, guarded_server }) => {

@@ -1,5 +1,5 @@
 import { expectAccessible } from '../support/accessible';
-import { expect, mapAtRest, open, pixelOf, planByTyping, settled, test, typed, type LonLat } from '../support/page';
+import { expect, mapAtRest, open, pixelOf, planByTyping, settled, test, typed, typeInto, type LonLat } from '../support/page';
 import { findPlaces } from '../support/places';
 import type { APIRequestContext, Page } from '@playwright/test';
 
@@ -74,13 +74,13 @@ test('an iceberg is reported with the keyboard alone, and what another changed m
   await page.keyboard.press('Enter');
   await part(page).getByRole('button', { name: 'Report an iceberg' }).focus();
   await page.keyboard.press('Enter');
-  await part(page).getByLabel('Seen at').fill('yesterday');
+  await typeInto(page, part(page).getByLabel('Seen at'), 'yesterday');
   await page.keyboard.press('Enter');
   await expect(part(page).getByLabel('Position', { exact: true })).toHaveAttribute('aria-invalid', 'true');
   await expect(part(page).getByLabel('Seen at')).toHaveAttribute('aria-invalid', 'true');
   await expectAccessible(page);
-  await part(page).getByLabel('Position', { exact: true }).fill(typed(start));
-  await part(page).getByLabel('Seen at').fill('2026-11-22 00:30');
+  await typeInto(page, part(page).getByLabel('Position', { exact: true }), typed(start));
+  await typeInto(page, part(page).getByLabel('Seen at'), '2026-11-22 00:30');
   await part(page).getByLabel('Size class').selectOption('large');
   await part(page).getByLabel('Position', { exact: true }).focus();
   await page.keyboard.press('Enter');
@@ -90,7 +90,7 @@ test('an iceberg is reported with the keyboard alone, and what another changed m
   await change.focus();
   await page.keyboard.press('Enter');
   const length = part(page).getByLabel('Length');
-  await length.fill('180');
+  await typeInto(page, length, '180');
   const answer = await request.get('/collections/icebergs/items?dataset=icebergs-by-hand');
   const { features } = (await answer.json()) as { features: { id: number }[] };
   const theirs = await request.patch(`/collections/icebergs/items/${features[0]?.id ?? 0}`, { data: { properties: { length_m: 150 } } });
@@ -103,7 +103,7 @@ test('an iceberg is reported with the keyboard alone, and what another changed m
   await conflict.getByRole('button', { name: 'Take theirs' }).focus();
   await page.keyboard.press('Enter');
   await expect(length).toHaveValue('150');
-  await length.fill('170');
+  await typeInto(page, length, '170');
   await page.keyboard.press('Enter');
   await expect(part(page).getByRole('form')).toBeHidden();
   await change.focus();
@@ -165,4 +165,24 @@ test('a zone is drawn into the store, obeyed by plans, changed and retired, by d
   await part(page).getByRole('button', { name: 'Undo retiring Survey closed' }).focus();
   await page.keyboard.press('Enter');
   await expect(page.locator('#map')).toHaveAttribute('data-zones', '1');
+});
+
+test('what another changed meanwhile gives way when a person says so', async ({ page, request }) => {
+  const { start } = await findPlaces(request);
+  const items = '/collections/icebergs/items';
+  const properties = { berg_id: 'watched', observed: new Date(Date.now() - 3_600_000).toISOString(), length_m: 100 };
+  const made = await request.post(items, { data: { type: 'Feature', geometry: { type: 'Point', coordinates: start }, properties } });
+  expect(made.status(), await made.text()).toBe(201);
+  const id = made.headers()['location']?.split('/').at(-1) ?? '';
+  await open(page);
+  await data(page).click();
+  await part(page).getByRole('button', { name: 'Change watched' }).click();
+  await part(page).getByLabel('Length').fill('180');
+  const theirs = await request.patch(`${items}/${id}`, { data: { properties: { length_m: 150 } } });
+  expect(theirs.status()).toBe(204);
+  await part(page).getByRole('button', { name: 'Store' }).click();
+  await part(page).getByRole('alert').getByRole('button', { name: 'Put mine in its place' }).click();
+  await expect(part(page).getByRole('form')).toBeHidden();
+  const { features } = (await (await request.get(`${items}?dataset=icebergs-by-hand`)).json()) as { features: { properties: { length_m: number } }[] };
+  expect(features.map((one) => one.properties.length_m)).toEqual([180]);
 });

@@ -1,4 +1,4 @@
-import { expect, open, pixelOf, planAndWait, settled, test, typed, type LonLat } from '../support/page';
+import { expect, open, pixelOf, planAndWait, settled, test, typed, typeInto, type LonLat } from '../support/page';
 import { expectAccessible } from '../support/accessible';
 import { currentFile } from '../support/current_file';
 import { routeFile } from '../support/files';
@@ -94,7 +94,7 @@ test('an area and places to pass are typed with the keyboard alone', async ({ pa
   await expect(page.locator('#map')).toHaveAttribute('data-areas', '1');
   await page.getByText('4 corners').focus();
   await page.keyboard.press('Enter');
-  await page.getByLabel('Corners, one on each line').fill('69, -52\nnowhere');
+  await typeInto(page, page.getByLabel('Corners, one on each line'), '69, -52\nnowhere');
   await expect(page.getByText(/^Line 2:/)).toBeVisible();
   await page.getByRole('button', { name: 'Remove area 1' }).focus();
   await page.keyboard.press('Enter');
@@ -103,10 +103,12 @@ test('an area and places to pass are typed with the keyboard alone', async ({ pa
   await page.getByRole('button', { name: 'Add a place' }).focus();
   await page.keyboard.press('Enter');
   const middle: LonLat = [(start[0] + goal[0]) / 2, (start[1] + goal[1]) / 2];
-  await page.getByLabel('Place 1 to pass').fill(typed(middle));
-  await page.getByLabel('Start', { exact: true }).fill(typed(start));
-  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
-  await planAndWait(page);
+  await typeInto(page, page.getByLabel('Place 1 to pass'), typed(middle));
+  await typeInto(page, page.getByLabel('Start', { exact: true }), typed(start));
+  await typeInto(page, page.getByLabel('Goal', { exact: true }), typed(goal));
+  const before = Number(await page.locator('#map').getAttribute('data-plans'));
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 120_000 });
 });
 
 test('the set-up is there again after a reload', async ({ page }) => {

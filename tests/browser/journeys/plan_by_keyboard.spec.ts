@@ -1,4 +1,4 @@
-import { expect, open, test, typed } from '../support/page';
+import { expect, open, test, typed, typeInto } from '../support/page';
 import { findPlaces } from '../support/places';
 
 test('a first plan is made, read and played back with the keyboard alone', async ({ page, request }) => {
@@ -37,8 +37,8 @@ test('a first plan is made, read and played back with the keyboard alone', async
 
 test('faults are shown beside their fields, all at once', async ({ page }) => {
   await open(page);
-  await page.getByLabel('Start', { exact: true }).fill('somewhere');
-  await page.getByRole('textbox', { name: /^Departure/ }).fill('tomorrow');
+  await typeInto(page, page.getByLabel('Start', { exact: true }), 'somewhere');
+  await typeInto(page, page.getByRole('textbox', { name: /^Departure/ }), 'tomorrow');
   await page.keyboard.press('Enter');
   for (const name of ['Start', 'Goal']) {
     await expect(page.getByLabel(name, { exact: true })).toHaveAttribute('aria-invalid', 'true');

@@ -1,4 +1,4 @@
-import { expect, test as base, type Page } from '@playwright/test';
+import { expect, test as base, type Locator, type Page } from '@playwright/test';
 import proj4 from 'proj4';
 import { startServer, type Server } from './server';
 
@@ -83,6 +83,23 @@ export const typed = ([lon, lat]: LonLat): string => `${lat.toFixed(5)}, ${lon.t
 export async function planAndWait(page: Page): Promise<void> {
   const before = Number(await page.locator('#map').getAttribute('data-plans'));
   await page.getByRole('button', { name: /^Plan / }).click();
+  await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 120_000 });
+  await settled(page);
+}
+
+/** Writes into a field as somebody without a mouse does: in place of what it holds, key by key. */
+export async function typeInto(page: Page, field: Locator, text: string): Promise<void> {
+  await field.focus();
+  await page.keyboard.press('Control+A');
+  await page.keyboard.type(text);
+}
+
+/** Start and goal by key, Enter, and the plan is waited for. */
+export async function planByKeyboard(page: Page, from: LonLat, to: LonLat): Promise<void> {
+  const before = Number(await page.locator('#map').getAttribute('data-plans'));
+  await typeInto(page, page.getByLabel('Start', { exact: true }), typed(from));
+  await typeInto(page, page.getByLabel('Goal', { exact: true }), typed(to));
+  await page.keyboard.press('Enter');
   await expect(page.locator('#map')).toHaveAttribute('data-plans', String(before + 1), { timeout: 120_000 });
   await settled(page);
 }

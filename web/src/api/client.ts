@@ -86,7 +86,18 @@ interface DriftQuery {
 export const drift = ({ box, ...query }: DriftQuery, signal: AbortSignal): Promise<{ bergs: IcebergDrift[] }> =>
   json(address('/map/drift', { bbox: box.join(','), ...query }), { signal });
 
-export const plans = (): Promise<FeaturePage<PlanFeature>> => json(address('/collections/plans/items', { limit: 100 }));
+/** All of them: the server lists the oldest first, and the newest matter most. */
+export async function plans(): Promise<PlanFeature[]> {
+  const all: PlanFeature[] = [];
+  let after: string | undefined;
+  do {
+    const page = await json<FeaturePage<PlanFeature>>(address('/collections/plans/items', { limit: 500, after }));
+    all.push(...page.features);
+    const next = page.links.find(({ rel }) => rel === 'next');
+    after = next && (new URL(next.href, location.href).searchParams.get('after') ?? undefined);
+  } while (after !== undefined);
+  return all;
+}
 
 export const deletePlan = async (planId: string): Promise<void> => {
   await request(`/collections/plans/items/${encodeURIComponent(planId)}`, { method: 'DELETE' });

@@ -8,8 +8,9 @@ import { duration } from '../model/time';
 import * as api from './client';
 import type { PlanInputs } from './types';
 
-/** Held keys and quick clicks are answered once, when they pause this long. */
+/** A single change is asked about at once; held keys and quick clicks are answered once, when they pause this long. */
 const pause_ms = 80;
+const quick_ms = 300;
 
 const textOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
@@ -18,6 +19,7 @@ export function followRouteEdit(): void {
   let asked: string | undefined;
   let question: AbortController | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
+  let changed_ms = -Infinity;
   effect(() => {
     const edit = routeEdit.value;
     const wanted = edit?.verdict.state === 'pending' ? `${edit.origin.plan_id} ${edit.number}` : undefined;
@@ -27,7 +29,11 @@ export function followRouteEdit(): void {
     question?.abort();
     if (!edit || wanted === undefined) return;
     const { signal } = (question = new AbortController());
-    timer = setTimeout(() => untracked(() => void evaluate(edit, signal)), pause_ms);
+    const now_ms = performance.now();
+    const isQuick = now_ms - changed_ms < quick_ms;
+    changed_ms = now_ms;
+    if (isQuick) timer = setTimeout(() => void evaluate(edit, signal), pause_ms);
+    else untracked(() => void evaluate(edit, signal));
   });
 }
 

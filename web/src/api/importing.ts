@@ -1,4 +1,4 @@
-import { beginImport, changeFile, changeImport, distinct, forgetImport, importOf, isLive, uploadsOf } from '../model/imports';
+import { beginImport, changeFile, changeImport, distinct, forgetImport, importOf, isLive, uploadsOf, type Import, type SentFile } from '../model/imports';
 import { announce } from '../model/screen';
 import { Sha256 } from '../model/sha256';
 import { datasets } from '../model/datasets';
@@ -13,21 +13,51 @@ const wordsOf = (error: unknown): string => (error instanceof Error ? error.mess
 
 const running = new Map<number, AbortController>();
 
+/** The files themselves, as long as one of them may have to be sent again. */
+const given = new Map<number, { files: File[]; options: IngestOptions }>();
+
 /** Sends files that belong together and has them read into the store; what comes of it is kept in `imports`. */
 export async function importFiles(files: File[], options: IngestOptions): Promise<void> {
   if (files.length === 0) return;
   const names = distinct(files.map(({ name }) => name));
   const { number } = beginImport(files.map(({ size }, i) => ({ name: names[i] ?? '', size })));
   announce(files.length === 1 ? `Sending ${names[0] ?? ''}.` : `Sending ${files.length} files.`);
+  given.set(number, { files, options });
+  await sendAndRead(number, []);
+}
+
+/** Whether something of an import did not arrive or was not read, and can still be sent. */
+export const maySendAgain = (one: Import): boolean =>
+  given.has(one.number) && (one.state.stage === 'failed' || (one.state.stage === 'done' && one.files.some(({ stage }) => stage === 'failed')));
+
+/** Sends what has not arrived, as when a login had ended, and has it read; what was read before stays as it is. */
+export async function sendAgain(number: number): Promise<void> {
+  const now = importOf(number);
+  if (!now || !maySendAgain(now)) return;
+  const reports = now.state.stage === 'done' ? now.state.reports : [];
+  const files = now.files.map((file): SentFile => {
+    if (file.stage !== 'failed') return reports.length > 0 ? { ...file, stage: 'read' } : file;
+    return { name: file.name, size: file.size, stage: 'waiting', bytes: 0 };
+  });
+  changeImport(number, { files, state: { stage: 'sending' } });
+  await sendAndRead(number, reports);
+}
+
+async function sendAndRead(number: number, reports: FileReport[]): Promise<void> {
+  const { files, options } = given.get(number) ?? { files: [], options: {} };
   await carryOut(number, async (signal) => {
     const uploads: Upload[] = [];
     for (const [i, file] of files.entries()) {
-      const upload = await send(number, i, file, names[i] ?? '', signal);
+      const known = importOf(number)?.files[i];
+      if (!known || known.stage === 'read') continue;
+      const upload = known.upload ?? (await send(number, i, file, known.name, signal));
       if (upload) uploads.push(upload);
     }
-    if (uploads.length > 0) await read(number, uploads, options, signal);
+    if (uploads.length > 0) await read(number, uploads, options, signal, reports);
     else changeImport(number, { state: { stage: 'failed', detail: 'None of the files could be sent.' } });
   });
+  const now = importOf(number);
+  if (!now || !maySendAgain(now)) given.delete(number);
 }
 
 /** Has refused files read once more, with what a person says about them; they are on the server still. */
@@ -49,6 +79,7 @@ export function dismissImport(number: number): void {
   const done = importOf(number);
   if (!done || isLive(done)) return;
   forgetImport(number);
+  given.delete(number);
   removeUploads(done.files.flatMap(({ upload }) => upload ?? []));
 }
 

@@ -21,7 +21,7 @@ export async function refresh(): Promise<void> {
     const [stored, known, planned] = await Promise.all([api.datasets(), api.vehicles(), api.plans()]);
     datasets.value = stored.datasets;
     vehicles.value = known.vehicles;
-    model.plans.value = planned.features
+    model.plans.value = planned
       .map((feature) => feature.properties)
       .sort((a, b) => Date.parse(b.created ?? b.departure) - Date.parse(a.created ?? a.departure));
     connectionFault.value = undefined;

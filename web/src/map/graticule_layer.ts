@@ -74,6 +74,11 @@ function angleText(value: number, positive: string, negative: string, step_deg: 
   return step_deg >= 1 ? `${degrees}${letter}` : `${degrees}${String(minutes % 60).padStart(2, '0')}′${letter}`;
 }
 
+/** The map's tools stand at the upper left: labels go beside them. */
+const frameLeft_px = 24;
+const toolsWidth_px = 52;
+const toolsEnd_px = 206;
+
 /** Writes each label where its line meets the frame, and none over another. */
 class Labels {
   private readonly taken: { x: number; y: number; half: number }[] = [];
@@ -87,9 +92,11 @@ class Labels {
   }
 
   atLeft(line: [number, number][], text: string): void {
-    const x = 24;
-    const y = crossing(line, 0, x);
-    if (y !== undefined && y > 110 && y < this.frame.height - 40) this.write(x, y, text);
+    const beside = crossing(line, 0, frameLeft_px);
+    const isHidden = beside !== undefined && beside < toolsEnd_px;
+    const x = isHidden ? frameLeft_px + toolsWidth_px : frameLeft_px;
+    const y = isHidden ? crossing(line, 0, x) : beside;
+    if (y !== undefined && y > 12 && y < this.frame.height - 40) this.write(x, y, text);
   }
 
   private write(x: number, y: number, text: string): void {

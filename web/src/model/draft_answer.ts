@@ -21,7 +21,7 @@ export function sortViolations(violations: Violation[]): { faults: Faults; gener
     const field = fieldAt(pointer);
     const text = detail.charAt(0).toUpperCase() + detail.slice(1);
     const word = pointer.replace(/^\/?(inputs\/)?/, '');
-    if (field) sorted[field] = sorted[field] ? `${sorted[field]} ${text}` : text;
+    if (field) sorted[field] = sorted[field] ? `${sorted[field].replace(/\.$/, '')}. ${text}` : text;
     else general.push(word ? `${word}: ${text}` : text);
   }
   return { faults: sorted, general };

@@ -5,7 +5,7 @@ import type { FileReport, JobStatus, Upload } from '../api/types';
 export interface SentFile {
   name: string;
   size: number;
-  stage: 'waiting' | 'checking' | 'sending' | 'sent' | 'failed';
+  stage: 'waiting' | 'checking' | 'sending' | 'sent' | 'read' | 'failed';
   bytes: number; // of the stage that are done
   upload?: Upload;
   fault?: string;

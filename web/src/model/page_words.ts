@@ -7,5 +7,8 @@ const fields: Record<string, string> = {
   '--spacing': 'Grid spacing', '--steady': 'Hold the currents at departure', '--thruster': 'Thruster',
 };
 
+/** The order of the request's numbers; on this page latitude comes first, and letters may say which is which. */
+const orderOfNumbers = /; longitude comes first$/;
+
 /** A sentence of the server in the words of this page: “Longest wait” where it says --max-loiter. */
-export const inPageWords = (text: string): string => text.replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (fields[flag] ? `“${fields[flag]}”` : flag));
+export const inPageWords = (text: string): string => text.replace(orderOfNumbers, '').replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (fields[flag] ? `“${fields[flag]}”` : flag));

@@ -5,5 +5,6 @@ it('flags of the command line become the fields of the page, whole ones only', (
   expect(inPageWords('let the vehicle wait (--max-loiter), or depart later')).toBe('let the vehicle wait (“Longest wait”), or depart later');
   expect(inPageWords('save energy (--objective energy)')).toBe('save energy (“Optimise” energy)');
   expect(inPageWords('--depart-until 12Z')).toBe('“Latest departure” 12Z');
+  expect(inPageWords('move it into the water; longitude comes first')).toBe('move it into the water');
   expect(inPageWords('a well-known --thing -- and more')).toBe('a well-known --thing -- and more');
 });

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import { cancelImport, dismissImport } from '../../api/importing';
+import { cancelImport, dismissImport, maySendAgain, sendAgain } from '../../api/importing';
 import { isLive, type Import, type SentFile } from '../../model/imports';
 import { stageTitle } from '../../model/job';
 import { fileSize } from '../../model/units';
@@ -27,6 +27,7 @@ export function ImportCard({ one }: { one: Import }): VNode {
         </div>
       )}
       {state.stage === 'failed' && <p class="fault" role="alert">{state.detail}</p>}
+      {maySendAgain(one) && <button type="button" onClick={() => void sendAgain(number)}><Icon name="upload" /> Send again</button>}
       {state.stage === 'cancelled' && <p class="quiet">Cancelled; nothing was stored.</p>}
       {state.stage === 'done' && state.reports.map((report, i) => (
         <Report key={`${report.file} ${i} ${report.status}`} report={report} number={number} />
@@ -35,7 +36,7 @@ export function ImportCard({ one }: { one: Import }): VNode {
   );
 }
 
-const stages = { waiting: 'waiting', checking: 'checking', sending: 'sending', sent: 'sent', failed: 'not sent' } as const;
+const stages = { waiting: 'waiting', checking: 'checking', sending: 'sending', sent: 'sent', read: 'read', failed: 'not sent' } as const;
 
 function FileRow({ file: { name, size, stage, bytes, fault } }: { file: SentFile }): VNode {
   const percent = size > 0 ? Math.floor((100 * bytes) / size) : 100;

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import type { Dataset } from '../../api/types';
 import { projectionCodes, projections, type ProjectionCode } from '../../geo/projections';
-import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, datasets, isSynthetic } from '../../model/datasets';
+import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, connectionFault, datasets, isSynthetic } from '../../model/datasets';
 import { locked, signedIn } from '../../model/login';
 import { dialog, drawer, leftTab, tell } from '../../model/screen';
 import { change, settings } from '../../model/settings';
@@ -89,7 +89,7 @@ function DataBar(): VNode {
       <button type="button" class="data-button" onClick={openData} title="All data in the store">
         <Icon name="database" />
         {datasets.value === undefined ? (
-          <span>{locked.value ? 'Not signed in' : 'Reading the store …'}</span>
+          <span>{locked.value ? 'Not signed in' : connectionFault.value ? 'No connection' : 'Reading the store …'}</span>
         ) : datasets.value.length === 0 ? (
           <span>No data in the store</span>
         ) : (

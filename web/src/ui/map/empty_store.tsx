@@ -3,6 +3,7 @@ import { refresh } from '../../api/session';
 import { connectionFault, datasets, isEmptyStore } from '../../model/datasets';
 import { locked } from '../../model/login';
 import { dialog } from '../../model/screen';
+import { silence } from '../../api/http';
 import { Icon } from '../common/icon';
 import { FileChooser } from '../data/file_chooser';
 
@@ -26,7 +27,7 @@ export function EmptyStore(): VNode | null {
     return (
       <section class="empty-store" role="alert">
         <h2>The server does not answer</h2>
-        <p>{connectionFault.value}</p>
+        <p>{connectionFault.value === silence.detail ? 'It may be stopped, or this computer cannot reach it. What you typed stays here.' : connectionFault.value}</p>
         {again}
       </section>
     );

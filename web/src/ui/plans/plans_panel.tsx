@@ -1,3 +1,4 @@
+import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
 import type { Plan } from '../../api/types';
 import { plans, select, selectedId, show, shown, shownPlans, titleOf } from '../../model/plans';
@@ -9,15 +10,27 @@ import { distance } from '../../model/units';
 import { Icon } from '../common/icon';
 import { PlanKey } from '../common/plan_key';
 
+/** From so many plans on, a list is searched rather than read. */
+const many = 10;
+const wanted = signal('');
+
 /** Every stored plan; ticked ones are on the map and in the comparison. */
 export function PlansPanel(): VNode {
   if (plans.value.length === 0) {
     return <p class="quiet">No plans yet. Give a start and a goal under <b>Set-up</b> and press <b>Plan route</b>.</p>;
   }
+  const words = wanted.value.trim().toLowerCase();
+  const found = plans.value.filter((plan) => words === '' || titleOf(plan).toLowerCase().includes(words) || shown.value.includes(plan.plan_id));
   return (
     <div class="plans">
+      {plans.value.length >= many && (
+        <div class="field">
+          <label for="find-plan">Find a plan <span class="unit">{found.length} of {plans.value.length}</span></label>
+          <input id="find-plan" type="text" value={wanted.value} placeholder="part of its name" autocomplete="off" onInput={(event) => { wanted.value = event.currentTarget.value; }} />
+        </div>
+      )}
       <ul class="plan-list">
-        {plans.value.map((plan) => <PlanRow key={plan.plan_id} plan={plan} />)}
+        {found.map((plan) => <PlanRow key={plan.plan_id} plan={plan} />)}
       </ul>
       <button
         type="button" disabled={shownPlans.value.length < 2}
