@@ -116,3 +116,53 @@ test('a server that falls silent is said so, and asked again', async ({ page }) 
   await settled(page);
   await expect(page.getByText('The server does not answer')).toBeHidden();
 });
+
+test('a plan under way when the page is reloaded is waited for and shown', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  const countOf = async (): Promise<number> => ((await (await request.get('/collections/plans/items')).json()) as { numberMatched: number }).numberMatched;
+  const before = await countOf();
+  await page.getByLabel('Start', { exact: true }).fill(typed(start));
+  await page.getByLabel('Goal', { exact: true }).fill(typed(goal));
+  const handedIn = page.waitForResponse('**/processes/plan-route/execution');
+  await page.getByRole('button', { name: /^Plan / }).click();
+  await handedIn;
+  await expect(page.getByRole('group', { name: 'Planning' })).toBeVisible();
+  await page.reload();
+  await expect(page.getByRole('button', { name: `Plans (${before + 1})` })).toBeVisible({ timeout: 120_000 });
+  await expect(page.getByRole('group', { name: 'Planning' })).toBeHidden();
+  const { features } = (await (await request.get('/collections/plans/items')).json()) as { features: { properties: { name: string } }[] };
+  const name = features.at(-1)?.properties.name ?? '';
+  await expect(page.getByRole('complementary', { name: 'Waypoints' }).getByRole('heading', { level: 2 }).first()).toContainText(name);
+  expect(await page.evaluate(() => sessionStorage.length)).toBe(0);
+});
+
+test('a plan is found among many, over the pages of a long list', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await planByTyping(page, start, goal);
+  const most = 60;
+  const longName = 'The survey along the ice edge that nobody could agree on a shorter name for, and its many second thoughts';
+  const { features } = (await (await request.get('/collections/plans/items')).json()) as { features: { properties: object }[] };
+  const [one] = features;
+  if (!one) throw new Error('The store has no plan.');
+  await page.route('**/collections/plans/items?**', async (route) => {
+    const after = Number(new URL(route.request().url()).searchParams.get('after') ?? 0);
+    const numbers = Array.from({ length: most }, (_, i) => after + i);
+    const copies = numbers.map((i) => ({ ...one, id: `copy-${i}`, properties: { ...one.properties, plan_id: `copy-${i}`, name: i === 7 ? longName : `Copy ${i}` } }));
+    const links = after < most ? [{ rel: 'next', href: `/collections/plans/items?limit=500&after=${most}` }] : [];
+    await route.fulfill({ json: { type: 'FeatureCollection', features: copies, numberMatched: 2 * most, numberReturned: most, links } });
+  });
+  await page.reload();
+  await settled(page);
+  await page.getByRole('button', { name: `Plans (${2 * most})` }).click();
+  await page.getByLabel('Find a plan').fill('survey');
+  const list = page.locator('.plan-list');
+  await expect(list.getByRole('listitem').filter({ hasText: longName })).toBeVisible();
+  await expect(list.getByRole('listitem')).toHaveCount(2); // and the one on the map
+  await list.getByRole('checkbox', { name: `Show ${longName} on the map` }).check();
+  await page.getByRole('button', { name: 'Compare 2 plans' }).click();
+  await expect(page.getByRole('region', { name: 'Comparison table' }).getByRole('row')).toHaveCount(3);
+  const { violations } = await new AxeBuilder({ page }).analyze();
+  expect(violations.filter(({ impact }) => impact === 'serious' || impact === 'critical').map(({ id }) => id)).toEqual([]);
+});

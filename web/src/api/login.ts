@@ -1,6 +1,7 @@
 import { lock, unlock, type Caller } from '../model/login';
 import { announce } from '../model/screen';
 import * as api from './client';
+import { resumePlanning } from './planning';
 import { refresh } from './session';
 
 /** Asks who one is and reads what the store holds; waits for a token where the server wants one. Called at start. */
@@ -15,6 +16,7 @@ export async function enter(): Promise<void> {
     // Whatever else is wrong shows when the store is read.
   }
   await refresh();
+  void resumePlanning();
 }
 
 /** Shows a token to the server; why it was not taken, if so. */
@@ -28,6 +30,7 @@ export async function signIn(token: string): Promise<string | undefined> {
   unlock(who);
   announce(`Signed in as ${who.name}, ${who.role}.`);
   await refresh();
+  void resumePlanning();
   return undefined;
 }
 

@@ -7,10 +7,11 @@ import { add, nextName, routeOf } from '../model/plans';
 import { conditionsOf, rememberRequest, requestOf, withDeparture } from '../model/requests';
 import { announce, leftTab, rightTab } from '../model/screen';
 import { duration } from '../model/time';
+import { keepUnfinished, unfinished } from '../model/unfinished';
 import { ask } from '../model/view';
 import * as api from './client';
 import { follow } from './following';
-import type { Change, Plan, PlanInputs, Position } from './types';
+import type { Change, JobStatus, Plan, PlanInputs, Position } from './types';
 
 let cancelled: AbortController | undefined;
 
@@ -43,12 +44,33 @@ function guessedRequest(planned: Plan): PlanInputs {
 async function planWith(inputs: PlanInputs): Promise<void> {
   if (running.value) return;
   failure.value = undefined;
-  running.value = { status: undefined, started_ms: Date.now() };
+  const named = { ...inputs, name: inputs.name ?? nextName() };
+  await attend(named, Date.now(), () => api.submitPlan(named));
+}
+
+/** Takes up the job that this tab waited for when its page was left. Called when the store has been read. */
+export async function resumePlanning(): Promise<void> {
+  const left = unfinished();
+  if (!left || running.value) return;
+  await attend(left.inputs, left.started_ms, () => api.job(left.job_id, 0, new AbortController().signal), true);
+}
+
+const isUnknown = (error: unknown): boolean => error instanceof api.ApiError && error.problem.status === 404;
+const isSilence = (error: unknown): boolean => error instanceof api.ApiError && error.problem.status === 0;
+
+/** Stays with a job to its end; one that is taken up again and no longer known to the server is let go without a word. */
+async function attend(inputs: PlanInputs, started_ms: number, begin: () => Promise<JobStatus>, isLeft = false): Promise<void> {
+  running.value = { status: undefined, started_ms };
   cancelled = new AbortController();
   try {
-    await carryOut({ ...inputs, name: inputs.name ?? nextName() }, cancelled.signal);
+    const begun = await begin();
+    keepUnfinished({ job_id: begun.jobID, inputs, started_ms });
+    await carryOut(begun, inputs, started_ms, cancelled.signal);
+    keepUnfinished(undefined);
   } catch (error) {
-    if (!cancelled.signal.aborted) showRefusal(error);
+    // Silence may be the page's own end, or pass: the job is asked for again when the page is next opened.
+    if (!isSilence(error)) keepUnfinished(undefined);
+    if (!cancelled.signal.aborted && !(isLeft && isUnknown(error))) showRefusal(error);
   } finally {
     running.value = undefined;
   }
@@ -62,9 +84,8 @@ export async function planWithChange(change: Change): Promise<void> {
   await plan();
 }
 
-async function carryOut(inputs: PlanInputs, signal: AbortSignal): Promise<void> {
-  const started_ms = Date.now();
-  const status = await follow(await api.submitPlan(inputs), signal, (now) => {
+async function carryOut(begun: JobStatus, inputs: PlanInputs, started_ms: number, signal: AbortSignal): Promise<void> {
+  const status = await follow(begun, signal, (now) => {
     running.value = { status: now, started_ms };
   });
   if (status.status === 'dismissed') {

@@ -18,14 +18,16 @@ const faultOf = (error: unknown): string => (error instanceof Error ? error.mess
 /** Reads what the store holds; called at start and again when a person asks for it. */
 export async function refresh(): Promise<void> {
   try {
-    const [stored, known, planned] = await Promise.all([api.datasets(), api.vehicles(), api.plans()]);
+    const planned = api.plans();
+    planned.catch(() => undefined); // told below, unless something else fails first
+    const [stored, known] = await Promise.all([api.datasets(), api.vehicles()]);
     datasets.value = stored.datasets;
     vehicles.value = known.vehicles;
-    model.plans.value = planned
+    if (draft.value.vehicle === '') fill({ vehicle: known.vehicles[0]?.name ?? '' });
+    model.plans.value = (await planned)
       .map((feature) => feature.properties)
       .sort((a, b) => Date.parse(b.created ?? b.departure) - Date.parse(a.created ?? a.departure));
     connectionFault.value = undefined;
-    if (draft.value.vehicle === '') fill({ vehicle: known.vehicles[0]?.name ?? '' });
     if (model.shown.value.length === 0) showFirst(opening);
   } catch (error) {
     connectionFault.value = faultOf(error);

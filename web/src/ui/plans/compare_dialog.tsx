@@ -63,7 +63,7 @@ export function CompareDialog(): VNode {
           <tbody>
             {rows.map(({ plan, letter, style }) => (
               <tr key={plan.plan_id} class={plan === base ? 'selected' : ''}>
-                <th scope="row"><PlanKey letter={letter} style={style} /> {titleOf(plan)}</th>
+                <th scope="row"><PlanKey letter={letter} style={style} /> <span class="clamped" title={titleOf(plan)}>{titleOf(plan)}</span></th>
                 <td>
                   <input
                     type="radio" name="baseline" checked={plan === base} aria-label={`Compare with plan ${letter}`}

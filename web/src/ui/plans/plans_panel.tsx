@@ -33,7 +33,7 @@ export function PlansPanel(): VNode {
         {found.map((plan) => <PlanRow key={plan.plan_id} plan={plan} />)}
       </ul>
       <button
-        type="button" disabled={shownPlans.value.length < 2}
+        type="button" class="compare-plans" disabled={shownPlans.value.length < 2}
         onClick={() => {
           dialog.value = 'compare';
         }}
@@ -56,7 +56,7 @@ function PlanRow({ plan }: { plan: Plan }): VNode {
       </label>
       <button type="button" class="plan-choose" aria-pressed={selectedId.value === id} onClick={() => select(id)}>
         <span class="plan-name">
-          {key && <PlanKey letter={key.letter} style={key.style} />} {titleOf(plan)}
+          {key && <PlanKey letter={key.letter} style={key.style} />} <span class="clamped" title={titleOf(plan)}>{titleOf(plan)}</span>
           {staleness(plan).length > 0 && <span class="badge"><Icon name="clock" size={12} /> stale data</span>}
           {routeEdit.value?.origin.plan_id === id && <span class="badge"><Icon name="edit" size={12} /> under change</span>}
           {plan.warnings.length > 0 && (

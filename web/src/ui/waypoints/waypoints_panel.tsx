@@ -43,7 +43,7 @@ export function WaypointsPanel(): VNode {
   return (
     <div class="result">
       <div class="result-head">
-        <h2><PlanKey letter={letter} style={style} /> {titleOf(plan)}</h2>
+        <h2><PlanKey letter={letter} style={style} /> <span class="clamped" title={titleOf(plan)}>{titleOf(plan)}</span></h2>
         <IconButton icon="maximize" label="Fit the map to this plan" onClick={() => ask({ do: 'fit', places: routeOf(plan) })} />
         <IconButton icon="refresh" label="Copy start, goal and departure into the set-up" onClick={() => reuse(plan)} />
         <IconButton icon="trash" label="Delete this plan" disabled={!may('pilot')} onClick={() => confirmDelete(plan)} />
