@@ -46,9 +46,7 @@ tl::expected<RouteFile, core::Violations> checked(RoutePlaces places) {
   return RouteFile{std::move(*places), {}};
 }
 
-}  // namespace
-
-tl::expected<RouteFile, core::Violations> read_route_file(const std::string& name, std::string_view bytes) {
+tl::expected<RouteFile, core::Violations> read_by_content(const std::string& name, std::string_view bytes) {
   if (bytes.size() > max_bytes) return route_fault("file", "is larger than 1 MiB");
   if (bytes.starts_with("\xEF\xBB\xBF")) bytes.remove_prefix(3);
   const std::size_t first = bytes.find_first_not_of(" \t\r\n");
@@ -62,6 +60,16 @@ tl::expected<RouteFile, core::Violations> read_route_file(const std::string& nam
   if (looks_like_mission(name, bytes)) return read_mission(name, bytes);
   if (looks_like_targets(bytes)) return read_mission("targets", bytes);
   return checked(read_csv(bytes));
+}
+
+}  // namespace
+
+tl::expected<RouteFile, core::Violations> read_route_file(const std::string& name, std::string_view bytes) {
+  auto route = read_by_content(name, bytes);
+  if (route) {
+    for (geo::LonLat& place : route->places) place.lon_deg = geo::wrap_longitude(place.lon_deg);
+  }
+  return route;
 }
 
 }  // namespace floeplan::codec

@@ -20,6 +20,7 @@ struct RouteFile {
 /// both kinds of mission file are possible, and is named in messages.
 /// Formats  GliderDOS lists and missions (.ma, .mi), GPX, KML, GeoJSON, CSV with columns for longitude and
 ///          latitude, Seaglider targets, IMC plans of Neptus (JSON), NMEA 0183 waypoints and routes
+/// Frame    longitudes are brought into [-180, 180), however the file counts them
 /// Errors   what is wrong, each with its line where the format has lines; files of more than 1 MiB or 10000 places
 [[nodiscard]] tl::expected<RouteFile, core::Violations> read_route_file(const std::string& name,
                                                                         std::string_view bytes);

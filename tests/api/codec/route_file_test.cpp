@@ -22,6 +22,12 @@ std::string fault_of(const std::string& name, const std::string& text) {
   return read ? "" : read.error().front().field + ": " + read.error().front().rule;
 }
 
+TEST(RouteFile, TakesLongitudesCountedEastwardsToAFullTurn) {
+  const auto read = read_route_file("a.csv", "lon,lat\n306.5,69.25\n-52.75,69\n");
+  ASSERT_TRUE(read.has_value());
+  EXPECT_THAT(read->places, ElementsAre(first, second));
+}
+
 TEST(RouteFile, ReadsEveryFormatAlike) {
   const std::vector<std::pair<std::string, std::string>> files{
       {"a.gpx",

@@ -15,6 +15,7 @@ TEST(Longitude, WrapsIntoTheHalfOpenCircle) {
   EXPECT_EQ(wrap_longitude(-180.0), -180.0);
   EXPECT_EQ(wrap_longitude(190.0), -170.0);
   EXPECT_EQ(wrap_longitude(-190.0), 170.0);
+  EXPECT_EQ(wrap_longitude(0.1), 0.1) << "to the bit";
   EXPECT_EQ(wrap_longitude(360.0), 0.0);
   EXPECT_EQ(wrap_longitude(-53.5), -53.5);
 }
