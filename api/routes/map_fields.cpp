@@ -1,3 +1,4 @@
+#include <algorithm>
 #include <optional>
 #include <tl/expected.hpp>
 
@@ -6,6 +7,7 @@
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_overviews.hpp"
 #include "storage/repository/field_repository.hpp"
 
 namespace floeplan::routes {
@@ -104,7 +106,10 @@ Response show_bathymetry(const Context& context, const Request& request, const P
   if (!reader.violations().empty()) return invalid(request, reader.violations());
   const auto dataset = choose(context, request, DatasetKind::bathymetry, view->area, std::nullopt);
   if (!dataset) return dataset.error();
-  const auto bathymetry = repository::FieldRepository{context.db}.load_bathymetry(dataset->id, view->area);
+  // Some depths for each sample of the picture: no more can be seen.
+  const std::size_t most_nodes = std::min<std::size_t>(16 * view->nx * view->ny, 4'000'000);
+  const auto bathymetry =
+      repository::FieldOverviews{context.db}.bathymetry(dataset->id, view->area, most_nodes);
   if (!bathymetry) return not_found(request, "no-data", "The dataset has no node in this area.");
 
   codec::MapGrid grid = empty_grid(*view, *dataset);

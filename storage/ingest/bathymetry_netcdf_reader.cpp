@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 #include "storage/ingest/bathymetry_grid.hpp"
 #include "storage/ingest/cf_units.hpp"
@@ -52,15 +53,16 @@ const NetcdfVariable* find_bathymetry(const NetcdfFile& file, bool any_plane) {
   return any_plane && planes == 1 ? only_plane : nullptr;
 }
 
-Checked<PreparedDataset> read_netcdf_bathymetry(const NetcdfFile& file, const IngestOptions& options) {
-  const NetcdfVariable* variable = find_bathymetry(file, options.kind.has_value());
+Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile> file,
+                                                const IngestOptions& options) {
+  const NetcdfVariable* variable = find_bathymetry(*file, options.kind.has_value());
   if (variable == nullptr)
     return refuse(
         "the file holds no depths or elevations that this program recognises; there is no bathymetry to "
         "store; give a file with, for example, a variable called elevation or deptho");
-  const auto layout = layout_of(file, *variable);
+  auto layout = layout_of(*file, *variable);
   if (!layout) return refuse(layout.error());
-  auto grid = grid_of(file, *variable, *layout, options.crs);
+  auto grid = grid_of(*file, *variable, *layout, options.crs);
   if (!grid) return refuse(grid.error());
 
   const std::string unit = variable->attribute("units");
@@ -68,19 +70,24 @@ Checked<PreparedDataset> read_netcdf_bathymetry(const NetcdfFile& file, const In
   if (!factor)
     return refuse("the variable \"" + variable->name() + "\" has the unit \"" + unit +
                   "\", which is no length that this program knows; ask for a file in metres");
-  const auto values = read_slice(*variable, *layout, 0, 0);
-  if (!values) return refuse(values.error());
 
   RawBathymetry raw{.grid = std::move(*grid),
-                    .values_m = {},
                     .description = {.name = variable->name(),
                                     .standard_name = variable->attribute("standard_name"),
                                     .long_name = variable->attribute("long_name"),
                                     .positive = variable->attribute("positive")},
-                    .warnings = layout->warnings};
-  raw.values_m.reserve(values->size());
-  for (const double value : *values) raw.values_m.push_back(static_cast<float>(value * *factor));
+                    .warnings = layout->warnings,
+                    .read = {}};
   if (unit.empty()) raw.warnings.push_back("\"" + variable->name() + "\" states no unit; taken as metres");
+  raw.read = [file = std::move(file), variable, layout = std::move(*layout), factor = *factor](
+                 std::size_t first_row, std::size_t count) -> Checked<RawRows> {
+    const auto values = read_rows(*variable, layout, 0, 0, first_row, count);
+    if (!values) return refuse(values.error());
+    RawRows rows;
+    rows.values_m.reserve(values->size());
+    for (const double value : *values) rows.values_m.push_back(static_cast<float>(value * factor));
+    return rows;
+  };
   return prepare_bathymetry(std::move(raw), options.positive);
 }
 

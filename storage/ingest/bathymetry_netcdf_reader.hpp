@@ -1,5 +1,7 @@
 #pragma once
 
+#include <memory>
+
 #include "storage/ingest/ingest_file.hpp"
 #include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
@@ -12,7 +14,7 @@ namespace floeplan::ingest {
 
 /// Bathymetry from the coordinate variables of a NetCDF file (never from a mean grid step, which real axes do
 /// not keep).
-[[nodiscard]] Checked<PreparedDataset> read_netcdf_bathymetry(const NetcdfFile& file,
+[[nodiscard]] Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile> file,
                                                               const IngestOptions& options);
 
 }  // namespace floeplan::ingest

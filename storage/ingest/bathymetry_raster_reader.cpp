@@ -9,6 +9,8 @@
 #include <cmath>
 #include <limits>
 #include <memory>
+#include <optional>
+#include <span>
 #include <string_view>
 #include <utility>
 
@@ -24,7 +26,8 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr std::string_view depth_table = "depth table";  // in the place of a driver's name
-constexpr std::int64_t max_nodes = 250'000'000;          // 1 GB as float32
+constexpr std::int64_t max_nodes = 4'000'000'000;        // the grid of GEBCO has 3.7e9
+constexpr std::int64_t max_resampled = 20'000'000;       // which are held in memory, with their extremes
 
 std::string wkt_of(const OGRSpatialReference& crs) {
   char* wkt = nullptr;
@@ -118,8 +121,16 @@ Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& c
   return result;
 }
 
-Checked<std::vector<float>> read_band(GDALRasterBand& band, const AxisNodes& x, const AxisNodes& y,
-                                      double unit_m) {
+/// One band of a raster and what its numbers mean.
+struct Plane {
+  GDALRasterBand* band{};  // borrowed
+  AxisNodes x;
+  AxisNodes y;
+  double unit_m{};
+};
+
+Checked<std::vector<float>> read_plane(const Plane& plane, std::size_t first_row, std::size_t rows) {
+  GDALRasterBand& band = *plane.band;
   int has_nodata = 0;
   double nodata = band.GetNoDataValue(&has_nodata);
   if (band.GetRasterDataType() == GDT_Float32) nodata = static_cast<double>(static_cast<float>(nodata));
@@ -131,18 +142,18 @@ Checked<std::vector<float>> read_band(GDALRasterBand& band, const AxisNodes& x, 
 
   std::vector<double> line(static_cast<std::size_t>(band.GetXSize()));
   std::vector<float> values;
-  values.reserve(x.nodes.size() * y.nodes.size());
+  values.reserve(plane.x.nodes.size() * rows);
   const GdalMessages messages;
-  for (const std::size_t row : y.source) {
+  for (const std::size_t row : std::span{plane.y.source}.subspan(first_row, rows)) {
     if (band.RasterIO(GF_Read, 0, static_cast<int>(row), band.GetXSize(), 1, line.data(), band.GetXSize(), 1,
                       GDT_Float64, 0, 0, nullptr) != CE_None)
       return refuse("the grid cannot be read to its end (" + messages.first_error() +
                     "); the file is damaged or was cut short; copy or download it again");
-    for (const std::size_t column : x.source) {
+    for (const std::size_t column : plane.x.source) {
       const double packed = line[column];
       const bool is_missing = !std::isfinite(packed) || (has_nodata != 0 && packed == nodata);
       values.push_back(is_missing ? std::numeric_limits<float>::quiet_NaN()
-                                  : static_cast<float>((packed * scale + offset) * unit_m));
+                                  : static_cast<float>((packed * scale + offset) * plane.unit_m));
     }
   }
   return values;
@@ -154,9 +165,8 @@ std::vector<double> centres(double origin, double step, int count) {
   return values;
 }
 
-/// Reads a grid whose coordinates the engine understands.
-Checked<RawBathymetry> read_grid(GDALDataset& dataset, const geo::GridFrame& frame, std::string_view driver,
-                                 int band_number) {
+/// A band whose coordinates the engine understands.
+Checked<Plane> plane_of(GDALDataset& dataset, const geo::GridFrame& frame, int band_number) {
   Transform t{};
   if (dataset.GetGeoTransform(t.data()) != CE_None || t[2] != 0.0 || t[4] != 0.0)
     return refuse(
@@ -165,32 +175,20 @@ Checked<RawBathymetry> read_grid(GDALDataset& dataset, const geo::GridFrame& fra
   const bool geographic = std::holds_alternative<geo::GeographicFrame>(frame);
   auto x_values = centres(t[0], t[1], dataset.GetRasterXSize());
   auto y_values = centres(t[3], t[5], dataset.GetRasterYSize());
-  const auto x = geographic ? longitude_nodes("longitude", std::move(x_values))
-                            : monotonic_nodes("x", std::move(x_values));
+  auto x = geographic ? longitude_nodes("longitude", std::move(x_values))
+                      : monotonic_nodes("x", std::move(x_values));
   if (!x) return refuse(x.error());
-  const auto y = geographic ? latitude_nodes("latitude", std::move(y_values))
-                            : monotonic_nodes("y", std::move(y_values));
+  auto y = geographic ? latitude_nodes("latitude", std::move(y_values))
+                      : monotonic_nodes("y", std::move(y_values));
   if (!y) return refuse(y.error());
 
-  GDALRasterBand& band = *dataset.GetRasterBand(band_number);
-  const std::string unit = band.GetUnitType();
+  GDALRasterBand* band = dataset.GetRasterBand(band_number);
+  const std::string unit = band->GetUnitType();
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
   if (!factor)
     return refuse("the depths have the unit \"" + unit +
                   "\", which is no length that this program knows; ask for a file in metres");
-  auto values = read_band(band, *x, *y, *factor);
-  if (!values) return refuse(values.error());
-
-  const std::string description = band.GetDescription();
-  const char* positive = band.GetMetadataItem("positive");
-  return RawBathymetry{
-      .grid = {frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}},
-      .values_m = std::move(*values),
-      .description = {.name = description.empty() ? "band " + std::to_string(band_number) : description,
-                      .standard_name = driver == "BAG" ? "height" : "",
-                      .long_name = "",
-                      .positive = positive == nullptr ? "" : positive},
-      .warnings = {}};
+  return Plane{band, std::move(*x), std::move(*y), *factor};
 }
 
 /// A grid, and where a cell of it stands for several measurements, the lowest and the highest of them.
@@ -213,11 +211,11 @@ DatasetPtr open_finest(const std::filesystem::path& file, const char* population
   return open_raster(file, "BAG", options);
 }
 
-std::optional<std::string> too_many_nodes(GDALDataset& dataset) {
-  if (std::int64_t{dataset.GetRasterXSize()} * dataset.GetRasterYSize() <= max_nodes) return std::nullopt;
+std::optional<std::string> too_many_nodes(GDALDataset& dataset, std::int64_t most = max_nodes) {
+  if (std::int64_t{dataset.GetRasterXSize()} * dataset.GetRasterYSize() <= most) return std::nullopt;
   return "the grid has " + std::to_string(dataset.GetRasterXSize()) + " x " +
          std::to_string(dataset.GetRasterYSize()) + " nodes, more than this program accepts (" +
-         std::to_string(max_nodes) + "); cut out your area first";
+         std::to_string(most) + "); cut out your area first";
 }
 
 Checked<Views> open_views(const std::filesystem::path& file, const char* driver) {
@@ -261,33 +259,74 @@ int uncertainty_band(GDALDataset& dataset) {
 }
 
 /// The bed may lie higher or lower than measured by as much as the measurement may be wrong.
-void widen(RawBathymetry& raw, const std::vector<float>& uncertainty_m) {
-  if (raw.lowest_m.empty()) raw.lowest_m = raw.values_m;
-  if (raw.highest_m.empty()) raw.highest_m = raw.values_m;
+void widen(RawRows& rows, const std::vector<float>& uncertainty_m) {
+  if (rows.lowest_m.empty()) rows.lowest_m = rows.values_m;
+  if (rows.highest_m.empty()) rows.highest_m = rows.values_m;
   for (std::size_t i = 0; i < uncertainty_m.size(); ++i) {
     if (!(uncertainty_m[i] > 0.0F) || uncertainty_m[i] > 1000.0F) continue;  // missing, or a marker for it
-    raw.lowest_m[i] -= uncertainty_m[i];
-    raw.highest_m[i] += uncertainty_m[i];
+    rows.lowest_m[i] -= uncertainty_m[i];
+    rows.highest_m[i] += uncertainty_m[i];
   }
 }
 
-Checked<RawBathymetry> read_views(const Views& views, const geo::GridFrame& frame, std::string_view driver) {
-  const int band = depth_band(*views.middle);
-  auto raw = read_grid(*views.middle, frame, driver, band);
-  if (!raw) return refuse(raw.error());
-  for (const auto& [view, values] : {std::pair{&views.lowest, &RawBathymetry::lowest_m},
-                                     std::pair{&views.highest, &RawBathymetry::highest_m}}) {
-    if (!*view) continue;
-    auto extremes = read_grid(**view, frame, driver, band);
-    if (!extremes) return refuse(extremes.error());
-    (*raw).*values = std::move(extremes->values_m);
-  }
-  if (const int uncertainty = uncertainty_band(*views.middle); uncertainty != 0 && uncertainty != band) {
-    const auto values = read_grid(*views.middle, frame, driver, uncertainty);
+/// What is known of each cell; all on the same nodes.
+struct Planes {
+  Views views;  // to which the planes belong
+  Plane middle;
+  std::optional<Plane> lowest{};
+  std::optional<Plane> highest{};
+  std::optional<Plane> uncertainty{};
+};
+
+Checked<RawRows> read_planes(const Planes& planes, std::size_t first_row, std::size_t count) {
+  RawRows rows;
+  auto values = read_plane(planes.middle, first_row, count);
+  if (!values) return refuse(values.error());
+  rows.values_m = std::move(*values);
+  for (const auto& [plane, extremes] :
+       {std::pair{&planes.lowest, &RawRows::lowest_m}, std::pair{&planes.highest, &RawRows::highest_m}}) {
+    if (!*plane) continue;
+    values = read_plane(**plane, first_row, count);
     if (!values) return refuse(values.error());
-    widen(*raw, values->values_m);
+    rows.*extremes = std::move(*values);
   }
-  return raw;
+  if (!planes.uncertainty) return rows;
+  values = read_plane(*planes.uncertainty, first_row, count);
+  if (!values) return refuse(values.error());
+  widen(rows, *values);
+  return rows;
+}
+
+Checked<std::shared_ptr<const Planes>> planes_of(Views views, const geo::GridFrame& frame) {
+  const int band = depth_band(*views.middle);
+  auto middle = plane_of(*views.middle, frame, band);
+  if (!middle) return refuse(middle.error());
+  Planes planes{.views = std::move(views), .middle = std::move(*middle)};
+  const auto add = [&](std::optional<Plane>& plane, GDALDataset* dataset, int number) -> Checked<bool> {
+    if (dataset == nullptr) return true;
+    auto found = plane_of(*dataset, frame, number);
+    if (!found) return refuse(found.error());
+    plane = std::move(*found);
+    return true;
+  };
+  if (auto added = add(planes.lowest, planes.views.lowest.get(), band); !added) return refuse(added.error());
+  if (auto added = add(planes.highest, planes.views.highest.get(), band); !added)
+    return refuse(added.error());
+  const int uncertainty = uncertainty_band(*planes.views.middle);
+  if (uncertainty != 0 && uncertainty != band) {
+    if (auto added = add(planes.uncertainty, planes.views.middle.get(), uncertainty); !added)
+      return refuse(added.error());
+  }
+  return std::make_shared<const Planes>(std::move(planes));
+}
+
+VerticalDescription description_of(const Plane& plane, std::string_view driver) {
+  const std::string description = plane.band->GetDescription();
+  const char* positive = plane.band->GetMetadataItem("positive");
+  return {.name = description.empty() ? "band " + std::to_string(plane.band->GetBand()) : description,
+          .standard_name = driver == "BAG" ? "height" : "",
+          .long_name = "",
+          .positive = positive == nullptr ? "" : positive};
 }
 
 Checked<PreparedDataset> prepared(Views views, std::string_view driver, const IngestOptions& options) {
@@ -304,6 +343,8 @@ Checked<PreparedDataset> prepared(Views views, std::string_view driver, const In
   if (!crs) return refuse(crs.error());
   auto frame = grid_frame_of(*crs);
   if (!frame) {
+    if (const auto many = too_many_nodes(*views.middle, max_resampled))
+      return refuse(*many + ", or convert it to longitude and latitude with gdalwarp -t_srs EPSG:4326");
     auto geographic = resampled(views, *crs);
     if (!geographic) return refuse(geographic.error());
     warnings.push_back("the grid was resampled from \"" + std::string{crs->GetName()} +
@@ -312,10 +353,16 @@ Checked<PreparedDataset> prepared(Views views, std::string_view driver, const In
     frame = geo::GeographicFrame{};
   }
 
-  auto raw = read_views(views, *frame, driver);
-  if (!raw) return refuse(raw.error());
-  raw->warnings = std::move(warnings);
-  return prepare_bathymetry(std::move(*raw), options.positive);
+  const auto planes = planes_of(std::move(views), *frame);
+  if (!planes) return refuse(planes.error());
+  const Plane& middle = (*planes)->middle;
+  return prepare_bathymetry(
+      {.grid = {*frame, ocean::Axis{middle.x.nodes}, ocean::Axis{middle.y.nodes}},
+       .description = description_of(middle, driver),
+       .warnings = std::move(warnings),
+       .read = [planes = *planes](std::size_t first_row,
+                                  std::size_t rows) { return read_planes(*planes, first_row, rows); }},
+      options.positive);
 }
 
 }  // namespace

@@ -1,6 +1,7 @@
 #include "storage/ingest/netcdf_layout.hpp"
 
 #include <algorithm>
+#include <span>
 
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/text.hpp"
@@ -9,8 +10,8 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr std::uint64_t max_axis_nodes = 1'000'000;
-constexpr std::uint64_t max_points = 10'000'000;        // of a mesh, along one dimension
-constexpr std::uint64_t max_slice_nodes = 250'000'000;  // 1 GB as float32
+constexpr std::uint64_t max_points = 10'000'000;          // of a mesh, along one dimension
+constexpr std::uint64_t max_slice_nodes = 4'000'000'000;  // the grid of GEBCO has 3.7e9
 
 bool has_table_of_positions(const NetcdfFile& file) {
   return std::any_of(file.variables().begin(), file.variables().end(), [](const NetcdfVariable& variable) {
@@ -212,14 +213,23 @@ Checked<NetcdfLayout> layout_over(const NetcdfFile& file, const NetcdfVariable& 
 
 Checked<std::vector<double>> read_slice(const NetcdfVariable& variable, const NetcdfLayout& layout,
                                         std::size_t time_index, std::size_t depth_index) {
+  return read_rows(variable, layout, time_index, depth_index, 0, layout.y.source.size());
+}
+
+Checked<std::vector<double>> read_rows(const NetcdfVariable& variable, const NetcdfLayout& layout,
+                                       std::size_t time_index, std::size_t depth_index, std::size_t first_row,
+                                       std::size_t rows) {
   const auto& dimensions = variable.dimensions();
   std::vector<std::uint64_t> start(dimensions.size(), 0);
   std::vector<std::size_t> count(dimensions.size(), 1);
   if (layout.time_dimension) start[*layout.time_dimension] = layout.times_s->source[time_index];
   if (layout.depth_dimension)
     start[*layout.depth_dimension] = layout.depths_m ? layout.depths_m->source[depth_index] : depth_index;
+  const auto wanted = std::span{layout.y.source}.subspan(first_row, rows);
+  const auto [lowest, highest] = std::ranges::minmax(wanted);
+  start[layout.y_dimension] = lowest;
+  count[layout.y_dimension] = highest - lowest + 1;
   count[layout.x_dimension] = static_cast<std::size_t>(dimensions[layout.x_dimension].size);
-  count[layout.y_dimension] = static_cast<std::size_t>(dimensions[layout.y_dimension].size);
 
   const auto packed = variable.read_packed(start, count);
   if (!packed) return refuse(packed.error());
@@ -228,10 +238,10 @@ Checked<std::vector<double>> read_slice(const NetcdfVariable& variable, const Ne
   const std::size_t step_x = x_fastest ? 1 : count[layout.y_dimension];
   const std::size_t step_y = x_fastest ? count[layout.x_dimension] : 1;
   std::vector<double> values;
-  values.reserve(layout.x.nodes.size() * layout.y.nodes.size());
-  for (const std::size_t y : layout.y.source)
+  values.reserve(layout.x.nodes.size() * rows);
+  for (const std::size_t y : wanted)
     for (const std::size_t x : layout.x.source)
-      values.push_back(variable.unpacked((*packed)[y * step_y + x * step_x]));
+      values.push_back(variable.unpacked((*packed)[(y - lowest) * step_y + x * step_x]));
   return values;
 }
 

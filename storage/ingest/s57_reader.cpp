@@ -141,18 +141,19 @@ Checked<PreparedDataset> read_s57_bathymetry(const std::filesystem::path& base) 
 
   const std::vector<float> is_covered = coverage.values();
   const std::vector<float> shoalest = shoals.values();
+  RawRows rows{.values_m = areas.values()};
+  if (is_covered.empty() || shoalest.empty() || rows.values_m.empty())
+    return refuse("the areas of the chart (S-57) cannot be drawn; it is damaged; download it again");
+  rows.lowest_m.resize(rows.values_m.size(), missing);
+  for (std::size_t i = 0; i < rows.values_m.size(); ++i) {
+    if (is_covered[i] == 0.0F) rows.values_m[i] = missing;
+    if (!std::isnan(rows.values_m[i])) rows.lowest_m[i] = std::min(rows.values_m[i], shoalest[i]);
+  }
   RawBathymetry raw{
       .grid = frame->grid(),
-      .values_m = areas.values(),
       .description = {.name = "DEPARE", .standard_name = "", .long_name = "", .positive = "down"},
-      .warnings = std::move(chart->warnings)};
-  if (is_covered.empty() || shoalest.empty() || raw.values_m.empty())
-    return refuse("the areas of the chart (S-57) cannot be drawn; it is damaged; download it again");
-  raw.lowest_m.resize(raw.values_m.size(), missing);
-  for (std::size_t i = 0; i < raw.values_m.size(); ++i) {
-    if (is_covered[i] == 0.0F) raw.values_m[i] = missing;
-    if (!std::isnan(raw.values_m[i])) raw.lowest_m[i] = std::min(raw.values_m[i], shoalest[i]);
-  }
+      .warnings = std::move(chart->warnings),
+      .read = rows_in_memory(std::move(rows), static_cast<std::size_t>(frame->columns))};
   auto data = prepare_bathymetry(std::move(raw), std::nullopt);
   if (data) data->variables = {"DEPARE", "SOUNDG"};
   return data;

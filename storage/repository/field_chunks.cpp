@@ -28,15 +28,16 @@ ChunkWriter::ChunkWriter(sqlite::Connection& db, const ChunkLayout& layout)
               "samples) "
               "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET samples = excluded.samples"} {}
 
-void ChunkWriter::write(const SliceKey& slice, std::span<const float> values) {
+void ChunkWriter::write(const SliceKey& slice, std::size_t first_row, std::span<const float> values) {
   std::vector<float> chunk;
-  for (std::size_t chunk_y = 0; chunk_y * layout_.side < layout_.y_count; ++chunk_y) {
+  const std::size_t end_row = first_row + values.size() / layout_.x_count;
+  for (std::size_t chunk_y = first_row / layout_.side; chunk_y * layout_.side < end_row; ++chunk_y) {
     const NodeRun y = nodes_of_chunk(chunk_y, layout_.side, layout_.y_count);
     for (std::size_t chunk_x = 0; chunk_x * layout_.side < layout_.x_count; ++chunk_x) {
       const NodeRun x = nodes_of_chunk(chunk_x, layout_.side, layout_.x_count);
       chunk.clear();
       for (std::size_t row = y.first; row < y.first + y.count; ++row) {
-        const auto part = values.subspan(row * layout_.x_count + x.first, x.count);
+        const auto part = values.subspan((row - first_row) * layout_.x_count + x.first, x.count);
         chunk.insert(chunk.end(), part.begin(), part.end());
       }
       upsert_.bind_all(layout_.dataset_row, slice.variable, sql(slice.time_index), sql(slice.depth_index),

@@ -32,8 +32,8 @@ struct SliceKey {
 class ChunkWriter {
  public:
   ChunkWriter(sqlite::Connection& db, const ChunkLayout& layout);
-  /// Shape  values are [y][x], the whole slice
-  void write(const SliceKey& slice, std::span<const float> values);
+  /// Shape  values are [y][x], whole rows from `first_row` on, which begins a chunk, to the end of one
+  void write(const SliceKey& slice, std::size_t first_row, std::span<const float> values);
 
  private:
   ChunkLayout layout_;

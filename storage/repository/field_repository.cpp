@@ -16,7 +16,7 @@ namespace {
 
 /// Measured on model currents and on topography: smaller squares compress worse and unpack more slowly, larger ones
 /// gain two per cent and make a small area read more.
-constexpr std::size_t chunk_side = 64;
+constexpr std::size_t chunk_side = FieldRepository::rows_together;
 
 /// Sizes of a stored grid, without its axes.
 struct StoredLayout {
@@ -34,6 +34,19 @@ std::optional<StoredLayout> find_layout(sqlite::Connection& db, const DatasetId&
   if (!query.step()) return std::nullopt;
   const auto size = [&](int column) { return static_cast<std::size_t>(query.integer(column)); };
   return StoredLayout{{query.integer(0), size(1), size(2), size(3)}, size(4), size(5)};
+}
+
+StoredLayout layout_to_fill(sqlite::Connection& db, const DatasetId& id) {
+  const auto layout = find_layout(db, id);
+  if (!layout) throw std::invalid_argument{"no grid for " + id.value + ": create it before its slices"};
+  return *layout;
+}
+
+void write(sqlite::Connection& db, const ChunkLayout& layout, const SliceKey& slice, std::size_t first_row,
+           std::span<const float> values) {
+  sqlite::Transaction transaction{db};
+  ChunkWriter{db, layout}.write(slice, first_row, values);
+  transaction.commit();
 }
 
 std::vector<std::byte> packed(BlobCodec& codec, const ocean::Axis& axis) {
@@ -111,19 +124,27 @@ void FieldRepository::create(const DatasetId& id, const FieldShape& shape) {
 
 void FieldRepository::write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index,
                                   std::size_t depth_index, std::span<const float> values) {
-  const auto layout = find_layout(db_, id);
-  if (!layout) throw std::invalid_argument{"no grid for " + id.value + ": create it before its slices"};
-  if (values.size() != layout->chunks.x_count * layout->chunks.y_count) {
+  const StoredLayout layout = layout_to_fill(db_, id);
+  if (values.size() != layout.chunks.x_count * layout.chunks.y_count) {
     throw std::invalid_argument{"a slice must have as many samples as its grid has nodes"};
   }
-  if (time_index >= std::max<std::size_t>(layout->time_count, 1) ||
-      depth_index >= std::max<std::size_t>(layout->depth_count, 1)) {
+  if (time_index >= std::max<std::size_t>(layout.time_count, 1) ||
+      depth_index >= std::max<std::size_t>(layout.depth_count, 1)) {
     throw std::invalid_argument{"a slice must lie within the times and depths of its dataset"};
   }
+  write(db_, layout.chunks, {variable, time_index, depth_index}, 0, values);
+}
 
-  sqlite::Transaction transaction{db_};
-  ChunkWriter{db_, layout->chunks}.write({variable, time_index, depth_index}, values);
-  transaction.commit();
+void FieldRepository::write_rows(const DatasetId& id, const std::string& variable, std::size_t first_row,
+                                 std::span<const float> values) {
+  const StoredLayout layout = layout_to_fill(db_, id);
+  const std::size_t rows = values.size() / layout.chunks.x_count;
+  const std::size_t end_row = first_row + rows;
+  if (values.size() != rows * layout.chunks.x_count || end_row > layout.chunks.y_count ||
+      first_row % chunk_side != 0 || (end_row % chunk_side != 0 && end_row != layout.chunks.y_count)) {
+    throw std::invalid_argument{"rows must be whole, and begin and end where those packed together do"};
+  }
+  write(db_, layout.chunks, {variable, 0, 0}, first_row, values);
 }
 
 std::optional<FieldShape> FieldRepository::shape(const DatasetId& id) const {

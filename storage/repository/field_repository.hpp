@@ -34,12 +34,19 @@ struct Period {
 /// Threads  as the connection: one thread at a time
 class FieldRepository {
  public:
+  /// Rows of a slice that are packed together.
+  static constexpr std::size_t rows_together = 64;
+
   explicit FieldRepository(sqlite::Connection& db) : db_{db} {}
 
   void create(const DatasetId& id, const FieldShape& shape);
   /// One horizontal slice [y][x], NaN where missing; indices are 0 where the shape has no such axis.
   void write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index,
                    std::size_t depth_index, std::span<const float> values);
+  /// Some whole rows of the only slice, [y][x], where a grid is too large to be held at once: from a multiple of
+  /// `rows_together` on to another, or to the last row.
+  void write_rows(const DatasetId& id, const std::string& variable, std::size_t first_row,
+                  std::span<const float> values);
 
   [[nodiscard]] std::optional<FieldShape> shape(const DatasetId& id) const;
 

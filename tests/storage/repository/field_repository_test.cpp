@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <span>
 #include <stdexcept>
 
 #include "storage/repository/dataset_repository.hpp"
@@ -135,6 +136,25 @@ TEST_F(FieldRepositoryTest, WritesASliceAgain) {
   fields_.write_slice(id_, "depth_m", 0, 0, second);
 
   EXPECT_EQ(fields_.load_bathymetry(id_, everywhere)->depth_m(), second);
+}
+
+TEST_F(FieldRepositoryTest, WritesRowsAsItWritesTheSliceTheyAreOf) {
+  std::mt19937_64 rng{1};
+  const ocean::HorizontalGrid grid{geo::GeographicFrame{}, axis(0.0, 0.1, 70), axis(0.0, 0.1, 150)};
+  const ocean::Bathymetry whole = store_noise(rng, grid);
+  const std::span<const float> all{whole.depth_m()};
+  const std::size_t band = 2 * FieldRepository::rows_together * 70;
+  fields_.write_slice(id_, "depth_m", 0, 0, std::vector<float>(grid.size()));
+
+  fields_.write_rows(id_, "depth_m", 2 * FieldRepository::rows_together, all.subspan(band));
+  fields_.write_rows(id_, "depth_m", 0, all.first(band));
+
+  EXPECT_TRUE(same_bits(fields_.load_bathymetry(id_, everywhere)->depth_m(), all));
+  EXPECT_THROW(fields_.write_rows(id_, "depth_m", 1, all.first(band)), std::invalid_argument);
+  EXPECT_THROW(fields_.write_rows(id_, "depth_m", 0, all.first(70)), std::invalid_argument);
+  EXPECT_THROW(fields_.write_rows(id_, "depth_m", 0, all.first(71)), std::invalid_argument);
+  EXPECT_THROW(fields_.write_rows(id_, "depth_m", 2 * FieldRepository::rows_together, all),
+               std::invalid_argument);
 }
 
 TEST_F(FieldRepositoryTest, LeavesWhatWasNeverWrittenMissing) {

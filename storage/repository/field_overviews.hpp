@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <string>
+
+#include "engine/geo/bounding_box.hpp"
+#include "engine/ocean/bathymetry.hpp"
+#include "storage/repository/dataset.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::repository {
+
+/// Every fourth node of a large field of one time and depth, every sixteenth, and so on: whoever looks at much of it
+/// from afar need not read all of it. For pictures; what is between these nodes is not in them.
+/// Threads  as the connection: one thread at a time
+class FieldOverviews {
+ public:
+  explicit FieldOverviews(sqlite::Connection& db) : db_{db} {}
+
+  /// Makes those of a variable that is stored whole; of a small field there are none.
+  /// Memory   256 rows of the field
+  void make(const DatasetId& id, const std::string& variable);
+
+  /// Depths around the area, from the finest of the field and its overviews that has no more than `most_nodes` there.
+  /// Outside  nullopt when the dataset is unknown or has no node there
+  [[nodiscard]] std::optional<ocean::Bathymetry> bathymetry(const DatasetId& id, const geo::BoundingBox& area,
+                                                            std::size_t most_nodes) const;
+
+ private:
+  sqlite::Connection& db_;  // borrowed
+};
+
+}  // namespace floeplan::repository
