@@ -44,6 +44,18 @@ const std::vector<ProcessEntry>& all_processes() {
        "position errors, clearances and energy are spread.",
        "SimulateInputs",
        {{"simulation", "A row for each flight, and their statistics"}}},
+      {"fly-scenario",
+       "Fly through a made sea",
+       "Flies the closed loop of vehicle, sensors and obstacle avoidance system through seas that are drawn "
+       "from a seed and that no plan knows, and tells how the flights end. Stores nothing.",
+       "ScenarioInputs",
+       {{"scenario", "A row for each flight, and their statistics"}}},
+      {"compare-flight",
+       "Fly a logged dive again",
+       "Flies the dives of a Slocum's logs again in the simulator and sets both side by side: time under "
+       "water, dives, speed and place of surfacing. Stores nothing.",
+       "CompareFlightInputs",
+       {{"comparison", "Each dive as logged and as simulated, and the medians"}}},
       {"echo",
        "Give back what was sent",
        "Tries out a client: gives every input back under its own name, after a pause if one is asked for.",

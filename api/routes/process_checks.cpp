@@ -4,9 +4,11 @@
 #include <stdexcept>
 
 #include "api/codec/echo_inputs.hpp"
+#include "api/codec/flight_comparison.hpp"
 #include "api/codec/ingest_inputs.hpp"
 #include "api/codec/plan_inputs.hpp"
 #include "api/codec/reach_inputs.hpp"
+#include "api/codec/scenario_inputs.hpp"
 #include "api/codec/sha256.hpp"
 #include "api/codec/simulate_inputs.hpp"
 #include "storage/repository/dataset_repository.hpp"
@@ -103,6 +105,18 @@ tl::expected<json, core::Violations> checked_simulate_inputs(const Context& cont
   return codec::to_json(*parsed);
 }
 
+tl::expected<json, core::Violations> checked_scenario_inputs(const Context&, const json& inputs) {
+  const auto parsed = codec::parse_scenario_inputs(inputs);
+  if (!parsed) return tl::unexpected(parsed.error());
+  return codec::to_json(*parsed);
+}
+
+tl::expected<json, core::Violations> checked_compare_flight_inputs(const Context&, const json& inputs) {
+  const auto parsed = codec::parse_compare_flight_inputs(inputs);
+  if (!parsed) return tl::unexpected(parsed.error());
+  return codec::to_json(*parsed);
+}
+
 tl::expected<json, core::Violations> checked_echo_inputs(const Context&, const json& inputs) {
   const auto parsed = codec::parse_echo_inputs(inputs);
   if (!parsed) return tl::unexpected(parsed.error());
@@ -118,6 +132,8 @@ tl::expected<json, core::Violations> checked_inputs(const Context& context, cons
   if (process == "reach") return checked_reach_inputs(context, inputs);
   if (process == "ingest") return checked_ingest_inputs(context, inputs);
   if (process == "simulate-plan") return checked_simulate_inputs(context, inputs);
+  if (process == "fly-scenario") return checked_scenario_inputs(context, inputs);
+  if (process == "compare-flight") return checked_compare_flight_inputs(context, inputs);
   if (process == "echo") return checked_echo_inputs(context, inputs);
   throw std::logic_error{"the process " + process + " is in the catalogue and has no check"};
 }

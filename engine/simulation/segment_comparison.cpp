@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
+#include <vector>
 
 #include "engine/simulation/flight.hpp"
 
@@ -72,13 +74,17 @@ const FlightEvent* first_of(const FlightRecord& record, EventKind kind) {
   return found == record.events.end() ? nullptr : &*found;
 }
 
+double median(std::vector<double> values) {
+  std::ranges::sort(values);
+  return 0.5 * (values[(values.size() - 1) / 2] + values[values.size() / 2]);
+}
+
 double median_deviation(std::span<const SegmentComparison> comparisons,
                         Compared SegmentComparison::* quantity) {
   std::vector<double> shares;
   for (const SegmentComparison& comparison : comparisons)
     shares.push_back(std::abs((comparison.*quantity).deviation_share()));
-  std::ranges::sort(shares);
-  return 0.5 * (shares[(shares.size() - 1) / 2] + shares[shares.size() / 2]);
+  return median(std::move(shares));
 }
 
 }  // namespace
@@ -150,12 +156,16 @@ bool ComparisonSummary::within_a_tenth() const {
 
 ComparisonSummary summary_of(std::span<const SegmentComparison> comparisons) {
   std::vector<double> apart;
-  for (const SegmentComparison& comparison : comparisons) apart.push_back(comparison.apart_share);
-  std::ranges::sort(apart);
+  std::vector<double> drags;
+  for (const SegmentComparison& comparison : comparisons) {
+    apart.push_back(comparison.apart_share);
+    drags.push_back(comparison.parasite_drag);
+  }
   return {.under_water_share = median_deviation(comparisons, &SegmentComparison::under_water_s),
           .dives_share = median_deviation(comparisons, &SegmentComparison::dives),
           .speed_share = median_deviation(comparisons, &SegmentComparison::speed_m_s),
-          .apart_share = 0.5 * (apart[(apart.size() - 1) / 2] + apart[apart.size() / 2])};
+          .apart_share = median(std::move(apart)),
+          .parasite_drag = median(std::move(drags))};
 }
 
 }  // namespace floeplan::simulation

@@ -47,15 +47,15 @@ enum class DragOf { log, profile };
 [[nodiscard]] tl::expected<SegmentComparison, core::Violations> compare_segment(
     const LoggedSegment& segment, const vehicle::GliderProfile& vehicle, const HullMotion& hull, DragOf drag);
 
-/// Medians of the absolute deviations of several dives.
+/// Medians of the absolute deviations of several dives, and of their drags.
 struct ComparisonSummary {
   double under_water_share{};
   double dives_share{};
   double speed_share{};
   double apart_share{};
-  double parasite_drag{};  // that it was flown with
+  double parasite_drag{};  // that they were flown with
 
-  /// Whether each is a tenth or less.
+  /// Whether each deviation is a tenth or less.
   [[nodiscard]] bool within_a_tenth() const;
 };
 

@@ -4,37 +4,26 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <utility>
 
+#include "api/codec/flight_comparison.hpp"
 #include "engine/core/utc_text.hpp"
-#include "engine/simulation/segment_comparison.hpp"
 #include "server/cli/command.hpp"
+#include "server/jobs/comparison_service.hpp"
 
 namespace floeplan::cli {
 namespace {
 
 using nlohmann::json;
 using simulation::Compared;
-using simulation::LoggedSegment;
 using simulation::SegmentComparison;
 
 struct Flags {
   std::vector<std::string> files;
-  std::string vehicle{"slocum-g3-200"};
+  std::string vehicle{codec::usual_compared_vehicle};
   std::string drag{"log"};
   bool json_out{false};
 };
-
-/// A dive of a file with its simulation.
-struct Dive {
-  std::string file;
-  LoggedSegment logged;
-  SegmentComparison compared;
-};
-
-core::Violations within_file(const std::string& file, core::Violations found) {
-  for (core::Violation& violation : found) violation.field = file + violation.field;
-  return found;
-}
 
 tl::expected<std::string, core::Violations> text_of(const std::string& file) {
   std::ifstream stream{file, std::ios::binary};
@@ -45,29 +34,14 @@ tl::expected<std::string, core::Violations> text_of(const std::string& file) {
   return std::move(text).str();
 }
 
-void compare_file(const std::string& file, const Flags& flags, const vehicle::GliderProfile& vehicle,
-                  std::vector<Dive>& dives, core::Violations& found) {
-  const auto add = [&](core::Violations faults) { found.insert(found.end(), faults.begin(), faults.end()); };
+/// The dives of the file.
+tl::expected<codec::GliderLog, core::Violations> read_log(const std::string& file) {
   const auto text = text_of(file);
-  if (!text) return add(text.error());
-  const auto segments = simulation::read_glider_log(*text);
-  if (!segments) return add(within_file(file, segments.error()));
-  const auto drag = flags.drag == "log" ? simulation::DragOf::log : simulation::DragOf::profile;
-  for (const LoggedSegment& segment : *segments) {
-    const auto compared =
-        simulation::compare_segment(segment, vehicle, simulation::hull_motion_for(vehicle), drag);
-    if (!compared) {
-      add(within_file(file, compared.error()));
-    } else {
-      dives.push_back({.file = file, .logged = segment, .compared = *compared});
-    }
-  }
-}
-
-std::vector<SegmentComparison> comparisons_of(const std::vector<Dive>& dives) {
-  std::vector<SegmentComparison> comparisons;
-  for (const Dive& dive : dives) comparisons.push_back(dive.compared);
-  return comparisons;
+  if (!text) return tl::unexpected(text.error());
+  auto dives = simulation::read_glider_log(*text);
+  if (dives) return codec::GliderLog{.name = file, .dives = std::move(*dives)};
+  for (core::Violation& violation : dives.error()) violation.field = file + violation.field;
+  return tl::unexpected(std::move(dives.error()));
 }
 
 void print_row(const char* what, const Compared& compared, int digits, const char* unit) {
@@ -75,8 +49,8 @@ void print_row(const char* what, const Compared& compared, int digits, const cha
               compared.simulated, unit, 100.0 * compared.deviation_share());
 }
 
-void print(const std::vector<Dive>& dives) {
-  for (const Dive& dive : dives) {
+void print(const std::vector<codec::ComparedDive>& dives) {
+  for (const codec::ComparedDive& dive : dives) {
     const SegmentComparison& compared = dive.compared;
     std::printf("%s, dive of %s\n  %-22s %10s %10s\n", dive.file.c_str(),
                 core::iso8601(dive.logged.dived).c_str(), "", "logged", "simulated");
@@ -89,60 +63,37 @@ void print(const std::vector<Dive>& dives) {
     std::printf("  flown with a parasite drag of %.3f and a trim of %+.0f cm3\n", compared.parasite_drag,
                 1e6 * dive.logged.trim().value);
   }
-  const simulation::ComparisonSummary summary = simulation::summary_of(comparisons_of(dives));
+  const simulation::ComparisonSummary summary = codec::summary_of(dives);
   std::printf("median of %zu dives: time %.1f %%, dives %.1f %%, speed %.1f %%, position %.1f %%: %s\n",
               dives.size(), 100.0 * summary.under_water_share, 100.0 * summary.dives_share,
               100.0 * summary.speed_share, 100.0 * summary.apart_share,
               summary.within_a_tenth() ? "within a tenth" : "not within a tenth");
 }
 
-json pair_of(const Compared& compared) {
-  return {{"logged", compared.logged},
-          {"simulated", compared.simulated},
-          {"deviation_pct", 100.0 * compared.deviation_share()}};
-}
-
-json document(const std::vector<Dive>& dives) {
-  json listed = json::array();
-  for (const Dive& dive : dives) {
-    const SegmentComparison& compared = dive.compared;
-    listed.push_back({{"file", dive.file},
-                      {"dived", core::iso8601(dive.logged.dived)},
-                      {"under_water_s", pair_of(compared.under_water_s)},
-                      {"dives", pair_of(compared.dives)},
-                      {"speed_through_water_m_s", pair_of(compared.speed_m_s)},
-                      {"over_ground_m", pair_of(compared.over_ground_m)},
-                      {"positions_apart_m", compared.apart_m},
-                      {"positions_apart_pct", 100.0 * compared.apart_share},
-                      {"parasite_drag", compared.parasite_drag},
-                      {"trim_cm3", 1e6 * dive.logged.trim().value}});
-  }
-  const simulation::ComparisonSummary summary = simulation::summary_of(comparisons_of(dives));
-  return {{"dives", listed},
-          {"median",
-           {{"under_water_pct", 100.0 * summary.under_water_share},
-            {"dives_pct", 100.0 * summary.dives_share},
-            {"speed_pct", 100.0 * summary.speed_share},
-            {"positions_apart_pct", 100.0 * summary.apart_share},
-            {"within_a_tenth", summary.within_a_tenth()}}}};
-}
-
 int run(const Flags& flags) {
-  const auto vehicle = vehicle::find_profile(flags.vehicle);
-  if (!vehicle) {
-    std::string known;
-    for (const auto& profile : vehicle::known_profiles()) known += (known.empty() ? "" : ", ") + profile.name;
-    return complain(bad_data, "--vehicle " + flags.vehicle + " is not known; use " + known);
-  }
-  std::vector<Dive> dives;
+  const auto vehicle = codec::compared_vehicle(flags.vehicle);
+  if (!vehicle) return complain(bad_data, "--vehicle " + vehicle.error().rule);
+  const auto drag = flags.drag == "log" ? simulation::DragOf::log : simulation::DragOf::profile;
+  std::vector<codec::GliderLog> logs;
   core::Violations found;
-  for (const std::string& file : flags.files) compare_file(file, flags, *vehicle, dives, found);
+  for (const std::string& file : flags.files) {
+    auto log = read_log(file);
+    if (log) {
+      logs.push_back(std::move(*log));
+    } else {
+      found.insert(found.end(), log.error().begin(), log.error().end());
+    }
+  }
+  const jobs::ComparedFlights compared = jobs::compare_flights(logs, *vehicle, drag);
+  found.insert(found.end(), compared.violations.begin(), compared.violations.end());
   if (!found.empty()) complain(bad_data, found);
-  if (dives.empty()) return bad_data;
+  if (compared.dives.empty()) return bad_data;
   if (flags.json_out) {
-    std::cout << document(dives).dump(2, ' ', false, json::error_handler_t::replace) << '\n';
+    std::cout
+        << codec::comparison_document(compared.dives).dump(2, ' ', false, json::error_handler_t::replace)
+        << '\n';
   } else {
-    print(dives);
+    print(compared.dives);
   }
   return found.empty() ? done : bad_data;
 }

@@ -192,13 +192,14 @@ int run(const Flags& flags, const Program& program) {
 }
 
 int run_scenario(const Flags& flags) {
-  const jobs::ScenarioRuns asked{.runs = flags.runs.value_or(1),
-                                 .seed = static_cast<std::uint64_t>(flags.seed.value_or(1)),
-                                 .avoidance = !flags.no_avoidance,
-                                 .workers = flags.workers};
+  const codec::ScenarioInputs asked{.scenario = flags.scenario,
+                                    .runs = flags.runs.value_or(1),
+                                    .seed = static_cast<std::uint64_t>(flags.seed.value_or(1)),
+                                    .avoidance = !flags.no_avoidance};
   const auto begin = std::chrono::steady_clock::now();
   const Interruption interruption;
-  json document = jobs::random_icebergs_document(asked, interruption.token(), terminal_progress());
+  json document =
+      jobs::fly_scenario_document(asked, flags.workers, interruption.token(), terminal_progress());
   if (was_interrupted(document)) return complain_of_interruption();
   document["real_time_factor"] = real_time_factor(document, begin);
   if (flags.json_out) {
@@ -224,7 +225,7 @@ void add_simulate(CLI::App& app, Program& program) {
                    "Instead of a plan: random-icebergs, 5 km through icebergs that nobody knew of; takes "
                    "--runs, --seed, "
                    "--no-avoidance, --workers and --json")
-      ->check(CLI::IsMember({"random-icebergs"}));
+      ->check(CLI::IsMember({codec::random_icebergs}));
   command->add_option("--request", flags->request_file,
                       "JSON file with the inputs of process simulate-plan, for what has no flag");
   command->add_option("--runs", flags->runs, "Flights, each with errors and icebergs of its own; default 1")

@@ -3,12 +3,16 @@
 #include <nlohmann/json.hpp>
 
 #include "api/codec/echo_inputs.hpp"
+#include "api/codec/flight_comparison.hpp"
 #include "api/codec/plan_inputs.hpp"
 #include "api/codec/reach_inputs.hpp"
+#include "api/codec/scenario_inputs.hpp"
 #include "api/codec/simulate_inputs.hpp"
+#include "server/jobs/comparison_service.hpp"
 #include "server/jobs/echo_service.hpp"
 #include "server/jobs/plan_service.hpp"
 #include "server/jobs/reach_service.hpp"
+#include "server/jobs/scenario_service.hpp"
 #include "server/jobs/simulation_service.hpp"
 
 namespace floeplan::jobs {
@@ -28,6 +32,15 @@ tl::expected<std::string, std::string> result(const char* output,
                                               const tl::expected<json, core::Violations>& document) {
   if (!document) return tl::unexpected(in_one_line(document.error()));
   return json{{output, *document}}.dump();
+}
+
+tl::expected<json, core::Violations> compare_flight_document(const codec::CompareFlightInputs& inputs,
+                                                             const std::stop_token& stop,
+                                                             const core::ProgressCallback& progress) {
+  const ComparedFlights compared = compare_flights(inputs.logs, inputs.vehicle, inputs.drag, stop, progress);
+  if (stop.stop_requested()) return json{{"status", "cancelled"}};
+  if (!compared.violations.empty()) return tl::unexpected(compared.violations);
+  return codec::comparison_document(compared.dives);
 }
 
 }  // namespace
@@ -64,6 +77,16 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
     const auto inputs = codec::parse_simulate_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
     return result("simulation", simulate_plan_document(db, *inputs, workers, stop, progress, now));
+  }
+  if (job.process == "fly-scenario") {
+    const auto inputs = codec::parse_scenario_inputs(request);
+    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
+    return result("scenario", fly_scenario_document(*inputs, workers, stop, progress));
+  }
+  if (job.process == "compare-flight") {
+    const auto inputs = codec::parse_compare_flight_inputs(request);
+    if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
+    return result("comparison", compare_flight_document(*inputs, stop, progress));
   }
   if (job.process == "echo") {
     const auto inputs = codec::parse_echo_inputs(request);

@@ -102,19 +102,19 @@ json median_detour(const std::vector<RunSummary>& runs) {
 
 }  // namespace
 
-json random_icebergs_document(const ScenarioRuns& asked, const std::stop_token& stop,
-                              const core::ProgressCallback& progress) {
+json fly_scenario_document(const codec::ScenarioInputs& asked, std::size_t workers,
+                           const std::stop_token& stop, const core::ProgressCallback& progress) {
   const simulation::Equipment equipment;
   std::vector<RunSummary> runs(static_cast<std::size_t>(asked.runs));
   run_in_parallel(
-      runs.size(), asked.workers, stop,
+      runs.size(), workers, stop,
       [&](std::size_t run, const std::stop_token& run_stop) {
         runs[run] = fly_field(core::seed_of_run(asked.seed, run), asked.avoidance, equipment, run_stop);
       },
       [&](std::size_t done) {
         if (progress) progress("flying", static_cast<double>(done) / static_cast<double>(runs.size()));
       });
-  if (stop.stop_requested()) return {{"status", "cancelled"}, {"scenario", "random-icebergs"}};
+  if (stop.stop_requested()) return {{"status", "cancelled"}, {"scenario", asked.scenario}};
   const auto is_beyond_help = [](const RunSummary& run) { return run.could_be_saved == false; };
   const auto has_given_up = [](const RunSummary& run) {
     return run.end != FlightEnd::arrived && !has_touched(run);
@@ -124,7 +124,7 @@ json random_icebergs_document(const ScenarioRuns& asked, const std::stop_token& 
   json flights = json::array();
   for (std::size_t run = 0; run < runs.size(); ++run)
     flights.push_back(codec::summary_document(runs[run], run));
-  return {{"scenario", "random-icebergs"},
+  return {{"scenario", asked.scenario},
           {"runs", asked.runs},
           {"seed", std::to_string(asked.seed)},
           {"avoidance", asked.avoidance},

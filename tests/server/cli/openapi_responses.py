@@ -191,6 +191,8 @@ def simulations(plan):
                                      "ice": "none"})
     name = made["simulation"]["simulation_id"]
     execute("simulate-plan", {"plan_id": plan, "runs": 0}, 400)
+    execute("fly-scenario", {"scenario": "random-icebergs", "runs": 1})
+    execute("compare-flight", {"files": [{"name": "empty", "text": ""}]}, 400)
     drive("GET", "/simulations", 200, query=f"?plan_id={plan}")
     drive("GET", "/simulations/{simulation_id}", 200, simulation_id=name)
     drive("GET", "/simulations/{simulation_id}/flights/{run}", 200, simulation_id=name, run=0)
@@ -364,7 +366,7 @@ def uploads():
 def rest():
     for template in ("/", "/conformance", "/processes", "/vehicles", "/healthz", "/version", "/api"):
         drive("GET", template, 200)
-    for process in ("plan-route", "evaluate-route", "reach", "simulate-plan", "ingest", "echo"):
+    for process in ("plan-route", "evaluate-route", "reach", "simulate-plan", "fly-scenario", "compare-flight", "ingest", "echo"):
         drive("GET", "/processes/{process_id}", 200, process_id=process)
     drive("GET", "/app/{path}", 404, path="none.js")
     for template in ("/session", "/audit", "/metrics", "/readyz"):

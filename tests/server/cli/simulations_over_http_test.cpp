@@ -1,4 +1,9 @@
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
 
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
@@ -9,6 +14,7 @@ namespace {
 
 using nlohmann::json;
 using support::wait_until;
+using ::testing::HasSubstr;
 
 const char* const deep_bed =
     "ncols 3\nnrows 3\nxllcorner 0\nyllcorner 50\ncellsize 0.5\n900 900 900\n900 900 900\n900 900 900\n";
@@ -63,6 +69,56 @@ TEST_F(SimulationsOverHttp, EndWhenTheirJobIsDismissedAndLeaveTheWorkersFree) {
   EXPECT_EQ(dismissed.status, 200) << dismissed.body;
   EXPECT_NE(status_of(job), "running");
   EXPECT_EQ(served_.execute("simulate-plan", flights(1)).status, 200);
+}
+
+TEST(ScenarioOverHttp, IsFlownAsByTheCommandLine) {
+  const support::Program program;
+  const support::ServedProgram served{program.folder() / "store", {"--workers", "2"}};
+
+  const auto flown =
+      served.execute("fly-scenario", {{"scenario", "random-icebergs"}, {"runs", 2}, {"seed", 9}});
+  const auto refused = served.execute("fly-scenario", {{"scenario", "calm"}, {"runs", 0}});
+  json told =
+      program.run({"simulate", "--scenario", "random-icebergs", "--runs", "2", "--seed", "9", "--json"})
+          .json();
+
+  ASSERT_EQ(flown.status, 200) << flown.body;
+  told.erase("real_time_factor");
+  EXPECT_EQ(flown.json().at("scenario"), told);
+  EXPECT_EQ(told.at("flights").size(), 2U);
+  EXPECT_EQ(refused.status, 400);
+  EXPECT_THAT(refused.body, HasSubstr("/scenario"));
+  EXPECT_THAT(refused.body, HasSubstr("/runs"));
+}
+
+TEST(FlightComparisonOverHttp, IsMadeAsByTheCommandLine) {
+  const auto log = support::shared_sample("glider/slocum_comet-2019-222-02-154_nav.csv");
+  if (!std::filesystem::exists(log)) GTEST_SKIP() << "the shared logs are not there";
+  const support::Program program;
+  const support::ServedProgram served{program.folder() / "store"};
+  std::ostringstream text;
+  text << std::ifstream{log}.rdbuf();
+
+  const auto compared =
+      served.execute("compare-flight", {{"files", {{{"name", log.string()}, {"text", text.str()}}}}});
+
+  ASSERT_EQ(compared.status, 200) << compared.body;
+  EXPECT_EQ(compared.json().at("comparison"), program.run({"compare-flight", log.string(), "--json"}).json());
+}
+
+TEST(FlightComparisonOverHttp, NamesWhatIsWrongWithALog) {
+  const support::Program program;
+  const support::ServedProgram served{program.folder() / "store"};
+  const std::string text = "m_present_time,m_depth\ntimestamp,m\n1,deep\n";
+
+  const auto refused = served.execute(
+      "compare-flight",
+      {{"files", {{{"name", "log.csv"}, {"text", text}}}}, {"vehicle", "boat"}, {"drag", "sea"}});
+
+  EXPECT_EQ(refused.status, 400);
+  EXPECT_THAT(refused.body, HasSubstr("/files/0/line 3/m_depth"));
+  EXPECT_THAT(refused.body, HasSubstr("slocum-g3-200"));
+  EXPECT_THAT(refused.body, HasSubstr("/drag"));
 }
 
 }  // namespace

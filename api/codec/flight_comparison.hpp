@@ -1,0 +1,56 @@
+#pragma once
+
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <tl/expected.hpp>
+#include <vector>
+
+#include "engine/core/violation.hpp"
+#include "engine/simulation/segment_comparison.hpp"
+
+namespace floeplan::codec {
+
+inline constexpr const char* usual_compared_vehicle = "slocum-g3-200";
+inline constexpr std::size_t most_logs = 100;            // of one request
+inline constexpr std::size_t longest_log = 16UL << 20U;  // bytes
+
+/// A log of a Slocum as text, and the dives that were read from it.
+struct GliderLog {
+  std::string name;
+  std::string text{};
+  std::vector<simulation::LoggedSegment> dives;
+};
+
+/// Inputs of process compare-flight.
+struct CompareFlightInputs {
+  std::vector<GliderLog> logs;
+  vehicle::GliderProfile vehicle{};  // of a known kind
+  simulation::DragOf drag{simulation::DragOf::log};
+};
+
+/// The kind of the vehicle whose name is given; one violation, with the known ones, where there is none.
+[[nodiscard]] tl::expected<vehicle::GliderProfile, core::Violation> compared_vehicle(const std::string& name);
+
+/// Errors   every violation at once, faults of the logs among them, each with the JSON pointer of its value relative to
+///          `inputs`; below a log's own pointer the line and the column
+[[nodiscard]] tl::expected<CompareFlightInputs, core::Violations> parse_compare_flight_inputs(
+    const nlohmann::json& inputs);
+
+/// The inputs with every default written out.
+[[nodiscard]] nlohmann::json to_json(const CompareFlightInputs& inputs);
+
+/// A logged dive with its simulation.
+struct ComparedDive {
+  std::string file;
+  simulation::LoggedSegment logged;
+  simulation::SegmentComparison compared;
+};
+
+/// Precondition   one dive or more
+[[nodiscard]] simulation::ComparisonSummary summary_of(std::span<const ComparedDive> dives);
+
+/// All dives, logged and simulated, and the medians of their deviations. Precondition as of `summary_of`.
+[[nodiscard]] nlohmann::json comparison_document(std::span<const ComparedDive> dives);
+
+}  // namespace floeplan::codec
