@@ -66,6 +66,8 @@ export interface Run {
   clearance_m: number | null;
   energy_j: number;
   distance_m: number;
+  why?: string | null; // it did not arrive; simulations of older versions do not tell
+  could_be_saved?: boolean | null; // by full knowledge; null where nothing was touched
 }
 
 export interface Simulation extends SimulationSummary {

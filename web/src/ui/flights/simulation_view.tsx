@@ -72,16 +72,24 @@ function Spread({ title, of, text }: { title: string; of: Distribution | null; t
 function FlightRow({ id, run, kept }: { id: string; run: Run; kept: boolean }): VNode {
   const chosen = playedFlight.value?.run === run.run;
   return (
-    <tr class={chosen ? 'selected' : ''}>
-      <td>
-        {kept
-          ? <button type="button" class="row-choose" aria-pressed={chosen} aria-label={`Play flight ${run.run + 1}`} onClick={() => void playFlight(id, run.run)}>{run.run + 1}</button>
-          : <abbr title="Its track was not kept">{run.run + 1}</abbr>}
-      </td>
-      <td class={run.end === 'arrived' ? '' : 'bad'}>{endTitles[run.end]}</td>
-      <td>{duration(run.travel_time_s)}</td>
-      <td>{distance(run.clearance_m)}</td>
-      <td>{distance(run.worst_position_error_m)}</td>
-    </tr>
+    <>
+      <tr class={chosen ? 'selected' : ''}>
+        <td>
+          {kept
+            ? <button type="button" class="row-choose" aria-pressed={chosen} aria-label={`Play flight ${run.run + 1}`} onClick={() => void playFlight(id, run.run)}>{run.run + 1}</button>
+            : <abbr title="Its track was not kept">{run.run + 1}</abbr>}
+        </td>
+        <td class={run.end === 'arrived' ? '' : 'bad'}>{endTitles[run.end]}</td>
+        <td>{duration(run.travel_time_s)}</td>
+        <td>{distance(run.clearance_m)}</td>
+        <td>{distance(run.worst_position_error_m)}</td>
+      </tr>
+      {run.why && (
+        <tr class="why">
+          <td />
+          <td colSpan={4} class="difference">{run.why}{run.could_be_saved === false && ' Full knowledge could not have saved it.'}</td>
+        </tr>
+      )}
+    </>
   );
 }
