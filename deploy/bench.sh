@@ -1,6 +1,7 @@
 #!/usr/bin/env bash
 # Builds and runs the benchmarks and prints one table: what, ours, the comparator, the ratio, all measured in this run
-# on one core, in processor time. Takes about a minute beside the building, and 2 GB of memory.
+# on one core, in processor time; but for the batch of flights, which takes all cores and is timed by the clock.
+# Takes about a minute beside the building, and 2 GB of memory.
 # usage: deploy/bench.sh [--json]      with --json the table alone goes to standard output, as JSON
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 

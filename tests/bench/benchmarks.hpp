@@ -14,7 +14,7 @@ std::vector<Row> plan_rows();
 std::vector<Row> window_rows();
 /// Steps of the obstacle avoidance system on board: the longest, and the usual one.
 std::vector<Row> avoidance_rows();
-/// A glider in the simulator, bare and with all its sensors.
+/// A glider in the simulator, bare and with all its sensors, and a batch of flights on all cores.
 std::vector<Row> flight_rows();
 
 }  // namespace floeplan::bench

@@ -1,13 +1,17 @@
+#include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <stdexcept>
 #include <string>
+#include <thread>
 #include <utility>
 #include <vector>
 
 #include "engine/planning/plane_box.hpp"
 #include "engine/simulation/equipped_vehicle.hpp"
 #include "engine/simulation/random_icebergs.hpp"
+#include "server/jobs/parallel_runs.hpp"
 #include "tests/bench/benchmarks.hpp"
 
 namespace floeplan::bench {
@@ -19,6 +23,9 @@ constexpr core::UtcTime departure = core::from_unix_seconds(1.7e9);
 constexpr geo::LonLat start{-52.0, 47.5};
 constexpr std::uint64_t fields = 4;
 constexpr double wanted = 2000.0;
+constexpr unsigned most_workers = 8;  // more would only take longer alone
+constexpr std::size_t runs_for_each_worker = 4;
+constexpr double least_share_of_cores = 0.8;
 
 /// A way of 5 km over hills between 65 and 135 m deep, that the sonar hears all the time.
 IcebergField bank() {
@@ -46,25 +53,58 @@ IcebergField bank() {
   return {World{std::move(parts)}, field.orders, field.vehicle, {}};
 }
 
-/// Simulated time over processor time, all fields together; a contact does not end a flight.
+/// How long a flight takes in its sea; a contact does not end it.
+template <class OnBoardFor>
+core::Seconds flown_through(const IcebergField& sea, std::uint64_t seed, const OnBoardFor& on_board_for) {
+  FlightRequest request{.world = sea.world,
+                        .orders = sea.orders,
+                        .vehicle = sea.vehicle,
+                        .start = start,
+                        .departure = departure,
+                        .settings = {},
+                        .seed = seed};
+  request.settings.ends_at_contact = false;
+  request.settings.longest = longest_flight({}, sea.vehicle);
+  auto on_board = on_board_for(request);
+  return fly(request, on_board).duration();
+}
+
+/// Time that passes while so many workers fly each sea a few times.
+template <class OnBoardFor>
+double seconds_passed(std::size_t workers, std::size_t runs, const std::vector<IcebergField>& seas,
+                      const OnBoardFor& on_board_for) {
+  const auto begin = std::chrono::steady_clock::now();
+  jobs::run_in_parallel(
+      runs, workers, {},
+      [&](std::size_t run, const std::stop_token&) {
+        (void)flown_through(seas[run % seas.size()], run, on_board_for);
+      },
+      [](std::size_t) {});
+  return core::Seconds{std::chrono::steady_clock::now() - begin}.count();
+}
+
+/// A Monte-Carlo batch on all cores beside one worker: time that passes, so that other programs on the machine count.
+template <class OnBoardFor>
+Row scaling_row(const std::vector<IcebergField>& seas, const OnBoardFor& on_board_for) {
+  const std::size_t workers = std::clamp(std::thread::hardware_concurrency(), 1U, most_workers);
+  const std::size_t runs = runs_for_each_worker * workers;
+  const double alone_s = seconds_passed(1, runs, seas, on_board_for);
+  const double together_s = seconds_passed(workers, runs, seas, on_board_for);
+  Row row = less_is_better("batch of flights on " + std::to_string(workers) + " workers", "s", together_s,
+                           "one worker", alone_s);
+  const double least = least_share_of_cores * static_cast<double>(workers);
+  row.meets_target = row.ratio >= least;
+  row.target = "four fifths of the cores";
+  return row;
+}
+
+/// Simulated time over processor time, all fields together.
 template <class OnBoardFor>
 Row row_of(std::string what, const std::vector<IcebergField>& seas, const OnBoardFor& on_board_for) {
   core::Seconds flown{};
   const double seconds = least_seconds(2, [&] {
     flown = core::Seconds{0.0};
-    for (std::uint64_t i = 0; i < seas.size(); ++i) {
-      FlightRequest request{.world = seas[i].world,
-                            .orders = seas[i].orders,
-                            .vehicle = seas[i].vehicle,
-                            .start = start,
-                            .departure = departure,
-                            .settings = {},
-                            .seed = i};
-      request.settings.ends_at_contact = false;
-      request.settings.longest = longest_flight({}, seas[i].vehicle);
-      auto on_board = on_board_for(request);
-      flown += fly(request, on_board).duration();
-    }
+    for (std::uint64_t i = 0; i < seas.size(); ++i) flown += flown_through(seas[i], i, on_board_for);
   });
   if (flown < core::Seconds{3600.0} * static_cast<double>(seas.size()))
     throw std::runtime_error{"the flights of the benchmark ended early"};
@@ -92,7 +132,8 @@ std::vector<Row> flight_rows() {
   };
   return {row_of("flights through random icebergs, no sonar", seas, bare),
           row_of("the same with sonar at 1 Hz, ADCP and avoidance", seas, equipped),
-          row_of("over a bank, with sonar at 1 Hz, ADCP and avoidance", over_bank, equipped)};
+          row_of("over a bank, with sonar at 1 Hz, ADCP and avoidance", over_bank, equipped),
+          scaling_row(seas, equipped)};
 }
 
 }  // namespace floeplan::bench
