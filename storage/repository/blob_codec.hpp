@@ -26,7 +26,8 @@ class BlobCodec {
   [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values);
   [[nodiscard]] std::span<const std::byte> pack(std::span<const double> values);
 
-  [[nodiscard]] std::vector<float> unpack_floats(std::span<const std::byte> blob, std::size_t count);
+  /// A view of scratch memory, valid until the next call: fields are read by the thousand of such blobs.
+  [[nodiscard]] std::span<const float> unpack_floats(std::span<const std::byte> blob, std::size_t count);
   [[nodiscard]] std::vector<double> unpack_doubles(std::span<const std::byte> blob, std::size_t count);
 
   /// How many bytes the blob holds once unpacked.
@@ -40,13 +41,14 @@ class BlobCodec {
 
   template <class T, class Bits>
   std::span<const std::byte> pack_as(std::span<const T> values);
-  template <class T, class Bits>
-  std::vector<T> unpack_as(std::span<const std::byte> blob, std::size_t count);
+  /// The bytes as they were before they were compressed, still shuffled.
+  std::span<const std::byte> decompress(std::span<const std::byte> blob, std::size_t bytes);
 
   std::unique_ptr<ZSTD_CCtx_s, Release> compressor_;
   std::unique_ptr<ZSTD_DCtx_s, Release> decompressor_;
   std::vector<std::byte> shuffled_;
   std::vector<std::byte> packed_;
+  std::vector<float> floats_;
 };
 
 }  // namespace floeplan::repository

@@ -1,7 +1,6 @@
 #include "storage/repository/field_chunks.hpp"
 
 #include <algorithm>
-#include <limits>
 
 namespace floeplan::repository {
 namespace {
@@ -56,7 +55,6 @@ ChunkReader::ChunkReader(sqlite::Connection& db, const ChunkLayout& layout)
           "?8"} {}
 
 void ChunkReader::read(const SliceKey& slice, const GridWindow& window, std::span<float> out) {
-  std::ranges::fill(out, std::numeric_limits<float>::quiet_NaN());
   std::size_t out_x = 0;
   for (const NodeRun x : window.x.runs) {
     read_part(slice, x, window.y.runs.front(), out_x, window.x.nodes.size(), out);
@@ -76,13 +74,14 @@ void ChunkReader::read_part(const SliceKey& slice, NodeRun x, NodeRun y, std::si
         nodes_of_chunk(static_cast<std::size_t>(select_.integer(0)), side, layout_.y_count);
     const NodeRun chunk_x =
         nodes_of_chunk(static_cast<std::size_t>(select_.integer(1)), side, layout_.x_count);
-    const std::vector<float> samples = codec_.unpack_floats(select_.blob(2), chunk_y.count * chunk_x.count);
+    const std::span<const float> samples =
+        codec_.unpack_floats(select_.blob(2), chunk_y.count * chunk_x.count);
 
     const NodeRun rows = common(chunk_y, y);
     const NodeRun columns = common(chunk_x, x);
     for (std::size_t row = rows.first; row < rows.first + rows.count; ++row) {
-      const auto from = std::span{samples}.subspan(
-          (row - chunk_y.first) * chunk_x.count + columns.first - chunk_x.first, columns.count);
+      const auto from = samples.subspan((row - chunk_y.first) * chunk_x.count + columns.first - chunk_x.first,
+                                        columns.count);
       const std::size_t to = (row - y.first) * out_width + out_x + columns.first - x.first;
       std::ranges::copy(from, out.subspan(to).begin());
     }

@@ -1,6 +1,7 @@
 #include "storage/repository/field_repository.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -91,11 +92,11 @@ bool holds(sqlite::Connection& db, const ChunkLayout& layout, const std::string&
   return query.step();
 }
 
-/// The window's samples of one variable, [time][depth][y][x].
+/// The window's samples of one variable, [time][depth][y][x]; NaN where nothing was ever written.
 std::vector<float> read_block(ChunkReader& reader, const std::string& variable, NodeRun times, NodeRun depths,
                               const GridWindow& window) {
   const std::size_t slice = window.x.nodes.size() * window.y.nodes.size();
-  std::vector<float> samples(times.count * depths.count * slice);
+  std::vector<float> samples(times.count * depths.count * slice, std::numeric_limits<float>::quiet_NaN());
   auto rest = std::span{samples};
   for (std::size_t time = times.first; time < times.first + times.count; ++time) {
     for (std::size_t depth = depths.first; depth < depths.first + depths.count; ++depth) {
