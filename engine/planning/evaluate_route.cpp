@@ -10,6 +10,16 @@
 #include "engine/planning/published_plan.hpp"
 
 namespace floeplan::planning {
+namespace {
+
+/// A route that is given needs no room for a search, only for the fastest way in open water that it is compared with,
+/// which bends with the currents: it is a fraction of the work to chart that much. Ways of escape are searched for.
+GridReach reach_beside(const PlanRequest& request) {
+  constexpr GridReach beside_route{0.2, 0.1};
+  return request.under_ice.escape_plan ? first_reach : beside_route;
+}
+
+}  // namespace
 
 Result<Plan> evaluate_route(const ocean::Environment& environment, const std::vector<geo::LonLat>& route,
                             const PlanRequest& request, const std::stop_token& stop) {
@@ -29,7 +39,7 @@ Result<Plan> evaluate_route(const ocean::Environment& environment, const std::ve
   }
   throw_if_invalid(on_route);
 
-  const Result<Chart> chart = draw_chart(environment, on_route, first_reach, stop);
+  const Result<Chart> chart = draw_chart(environment, on_route, reach_beside(request), stop);
   if (!chart) return tl::unexpected(chart.error());
   Improved given = improve(chart->sea, fixed_route(chart->layout.points), on_route, stop, {});
   Result<Plan> plan = publish(*chart, environment, on_route, given, {}, stop);
