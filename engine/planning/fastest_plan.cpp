@@ -2,11 +2,13 @@
 
 #include <optional>
 #include <utility>
+#include <vector>
 
 #include "engine/planning/chart.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/improvement.hpp"
 #include "engine/planning/published_plan.hpp"
+#include "engine/planning/route_cost.hpp"
 #include "engine/planning/voyage_search.hpp"
 
 namespace floeplan::planning {
@@ -22,6 +24,55 @@ struct Attempt {
   bool wider_may_help{false};
 };
 
+/// The way that the grids give, and what became of it.
+struct RefinedWay {
+  FoundWay found;
+  Improved improved;
+};
+
+/// Searches the grids, and moves the points of what it finds.
+class WayFinder {
+ public:
+  /// Everything is borrowed and outlives the finder.
+  WayFinder(const Chart& chart, const PlanRequest& request, const std::stop_token& stop,
+            const core::ProgressCallback& progress, const core::SteadyClock& clock)
+      : chart_{chart}, request_{request}, stop_{stop}, progress_{progress}, clock_{clock} {
+    if (request.method != Method::direct)
+      grids_ = open_grids(chart.sea, chart.layout.grids, request.sectors, stop);
+  }
+
+  [[nodiscard]] Result<RefinedWay> find() const {
+    if (!chart_.sea.bounds_surfacing()) return find_in(chart_.sea);
+    // What is best without the bound and keeps it is best with it. Refinement often takes a way out of the ice that
+    // the grid cannot keep clear of.
+    auto free = find_in(chart_.sea.without_bound_on_surfacing());
+    if (!free || arrivals_along(chart_.sea, free->improved.route.points, at_departure)) return free;
+    return find_in(chart_.sea);
+  }
+
+ private:
+  [[nodiscard]] Result<RefinedWay> find_in(const Sea& sea) const {
+    FoundWay way;
+    way.route = fixed_route(chart_.layout.points);
+    if (request_.method != Method::direct) {
+      const auto report = [&](double fraction) { progress_("search", 0.1 + 0.8 * fraction); };
+      auto found = search_voyage(sea, grids_, request_, at_departure, stop_, report);
+      if (!found) return tl::unexpected(std::move(found.error()));
+      way = std::move(*found);
+    }
+    progress_("refinement", 0.9);
+    Improved improved = improve(sea, way.route, request_, stop_, clock_);
+    return RefinedWay{std::move(way), std::move(improved)};
+  }
+
+  const Chart& chart_;
+  const PlanRequest& request_;
+  const std::stop_token& stop_;
+  const core::ProgressCallback& progress_;
+  const core::SteadyClock& clock_;
+  std::vector<OpenGrid> grids_;  // none for the direct way
+};
+
 Attempt plan_within(GridReach reach, const ocean::Environment& environment, const PlanRequest& request,
                     const std::stop_token& stop, const core::ProgressCallback& progress,
                     const core::SteadyClock& clock) {
@@ -29,31 +80,21 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   Result<Chart> chart = draw_chart(environment, request, reach, stop);
   if (!chart) return {.plan = tl::unexpected(std::move(chart.error()))};
 
-  FoundWay way;
-  way.route = fixed_route(chart->layout.points);
-  if (request.method != Method::direct) {
-    const auto report = [&](double fraction) { progress("search", 0.1 + 0.8 * fraction); };
-    const std::vector<OpenGrid> grids = open_grids(chart->sea, chart->layout.grids, request.sectors, stop);
-    auto found = search_voyage(chart->sea, grids, request, at_departure, stop, report);
-    if (!found) {
-      const bool cancelled = found.error().reason == Reason::cancelled;
-      return {.plan = tl::unexpected(std::move(found.error())), .wider_may_help = !cancelled};
-    }
-    way = std::move(*found);
+  Result<RefinedWay> way = WayFinder{*chart, request, stop, progress, clock}.find();
+  if (!way) {
+    const bool cancelled = way.error().reason == Reason::cancelled;
+    return {.plan = tl::unexpected(std::move(way.error())), .wider_may_help = !cancelled};
   }
-
-  progress("refinement", 0.9);
-  Improved improved = improve(chart->sea, way.route, request, stop, clock);
   if (stop.stop_requested()) return {.plan = tl::unexpected(explain_cancelled(request))};
-  Result<Plan> plan = publish(*chart, environment, request, improved, way.statistics, stop);
-  if (plan && way.cut_short) {
+  Result<Plan> plan = publish(*chart, environment, request, way->improved, way->found.statistics, stop);
+  if (plan && way->found.cut_short) {
     plan->warnings.push_back(
         "the search for better ways was cut short at its bound on memory: there may be one");
   }
   return {.plan = std::move(plan),
           .chart = std::move(*chart),
-          .route = std::move(improved.route),
-          .wider_may_help = way.touches_rim};
+          .route = std::move(way->improved.route),
+          .wider_may_help = way->found.touches_rim};
 }
 
 /// On the nearer grids, and on the wider ones where they may do better.

@@ -122,6 +122,12 @@ class Sea {
   [[nodiscard]] std::optional<core::Seconds> longest_without_surfacing() const {
     return longest_without_surfacing_;
   }
+  /// The same sea for a vehicle that may stay below for as long as it takes.
+  [[nodiscard]] Sea without_bound_on_surfacing() const {
+    Sea unbounded = *this;
+    unbounded.longest_without_surfacing_.reset();
+    return unbounded;
+  }
 
   /// Never more than the time of any straight way between the two points.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;

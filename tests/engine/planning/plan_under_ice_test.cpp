@@ -57,6 +57,20 @@ TEST(PlanUnderIce, GoesRoundTheIceWhenTheTimeBelowItWouldBeTooLong) {
   EXPECT_GT(plan.arrival, planned(band_of_ice(), support::eastward_request()).arrival);
 }
 
+TEST(PlanUnderIce, ABoundThatTheBestWayKeepsChangesNothing) {
+  const Plan free = planned(band_of_ice(), support::eastward_request());
+  PlanRequest request = support::eastward_request();
+  request.under_ice.max_time_without_surfacing = 1.1 * free.surfacing->longest_without;
+
+  const Plan bounded = planned(band_of_ice(), request);
+
+  EXPECT_EQ(bounded.arrival, free.arrival);
+  ASSERT_EQ(bounded.waypoints.size(), free.waypoints.size());
+  for (std::size_t i = 0; i < free.waypoints.size(); ++i)
+    EXPECT_EQ(bounded.waypoints[i].place, free.waypoints[i].place);
+  EXPECT_EQ(bounded.search.expansions, free.search.expansions);
+}
+
 TEST(PlanUnderIce, SaysWhereTheVehicleWouldBeTooLongWithoutASurfacing) {
   PlanRequest request = support::eastward_request();
   request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 3.0};
