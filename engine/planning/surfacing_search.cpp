@@ -148,6 +148,12 @@ RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::S
   const Labels coarse = search(coarse_share, coarse_slack, core::Seconds{INFINITY}, affordable);
   adopt(coarse);
   if (result.cancelled || !search.has_hope()) return result;
+  if (coarse.full &&
+      !coarse.goal) {  // a finer search keeps more labels for each place and would not come as far
+    result.cut_short = true;
+    describe_end(result, sea, open, coarse);
+    return result;
+  }
   if (coarse.goal) search.look_ahead(result.arrival);
   const Labels fine = search(fine_share, sea.edge_tolerance(), result.arrival, affordable);
   adopt(fine);
