@@ -10,6 +10,10 @@ test('a first plan is made with the mouse alone', async ({ page, request }) => {
   const from = await pixelOf(page, start);
   await page.mouse.click(from.x, from.y);
   await expect(page.getByLabel('Start', { exact: true })).toHaveValue(/\d+°\d+\.\d+′[NS] \d+°\d+\.\d+′[EW]/);
+  // The map asks for the goal by itself; who presses its button all the same is not taken to give up.
+  const pick = page.getByRole('button', { name: 'Pick the goal on the map' });
+  await expect(pick).toHaveAttribute('aria-pressed', 'true');
+  await pick.click();
   const to = await pixelOf(page, goal);
   await page.mouse.click(to.x, to.y);
   await expect(page.getByLabel('Goal', { exact: true })).toHaveValue(/\d+°/);

@@ -1,3 +1,5 @@
+import { shortTime } from './time';
+
 /** Flags of the command line that the server's sentences name, and the fields of the set-up that ask for the same. */
 const fields: Record<string, string> = {
   '--bathymetry': 'Depths', '--currents': 'Currents', '--depart': 'Departure', '--depart-until': 'Latest departure',
@@ -7,8 +9,14 @@ const fields: Record<string, string> = {
   '--spacing': 'Grid spacing', '--steady': 'Hold the currents at departure', '--thruster': 'Thruster',
 };
 
+const instant = /\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ/g;
+
 /** The order of the request's numbers; on this page latitude comes first, and letters may say which is which. */
 const orderOfNumbers = /; longitude comes first$/;
 
 /** A sentence of the server in the words of this page: “Longest wait” where it says --max-loiter. */
-export const inPageWords = (text: string): string => text.replace(orderOfNumbers, '').replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (fields[flag] ? `“${fields[flag]}”` : flag));
+export const inPageWords = (text: string): string =>
+  text
+    .replace(orderOfNumbers, '')
+    .replace(instant, (time) => shortTime(Date.parse(time)))
+    .replace(/--[a-z]+(-[a-z]+)*/g, (flag) => (fields[flag] ? `“${fields[flag]}”` : flag));

@@ -1,16 +1,26 @@
 import type { VNode } from 'preact';
+import { useEffect, useState } from 'preact/hooks';
 import { drawer } from '../../model/screen';
 import { tool, type Tool } from '../../model/view';
 import { IconButton } from '../common/icon';
 
-/** Picks a place on the map; pressed again it gives up. */
+/**
+ * Picks a place on the map; pressed again it gives up. Where the map has gone on to this place by itself, as from the start to the
+ * goal, a first press is no second one.
+ */
 export function PickButton({ which, label }: { which: Tool; label: string }): VNode {
-  const active = tool.value === which;
+  const [isPressed, setPressed] = useState(false);
+  const isActive = tool.value === which;
+  useEffect(() => {
+    if (!isActive) setPressed(false);
+  }, [isActive]);
   return (
     <IconButton
-      icon="crosshair" label={label} pressed={active}
+      icon="crosshair" label={label} pressed={isActive}
       onClick={() => {
-        tool.value = active ? 'pan' : which;
+        const givesUp = isActive && isPressed;
+        tool.value = givesUp ? 'pan' : which;
+        setPressed(!givesUp);
         drawer.value = undefined;
       }}
     />
