@@ -10,7 +10,10 @@ namespace floeplan::simulation {
 ///         a single ping, which is 0.03 m/s along a beam, and neighbouring cells share 15 % of their noise (Teledyne RD
 ///         Instruments, Acoustic Doppler current profiler: principles of operation, 3rd ed. 2011, sections 4 and 7). The
 ///         reference, the vehicle's velocity over ground, is known to a few cm/s from depth-averaged currents (Todd,
-///         Rudnick, Sherman, Owens and George 2017, J. Atmos. Oceanic Technol. 34, doi:10.1175/JTECH-D-16-0156.1)
+///         Rudnick, Sherman, Owens and George 2017, J. Atmos. Oceanic Technol. 34, doi:10.1175/JTECH-D-16-0156.1).
+///         Chosen for want of a source: beams between the usual 20 and 30 degrees; fifteen cells, the 60 m that such a
+///         profiler reaches; half a minute of pings in each minute, to save the battery; attitude as a compass module
+///         senses it, and a hull that sways little more; a reference that is another one after an hour, about a dive
 struct AdcpSettings {
   double beam_angle_rad{0.4363323};  // of each beam from the axis, 25 degrees
   double blank_m{2.0};               // vertical, before the first cell, level vehicle
