@@ -1,6 +1,7 @@
 #include "storage/repository/field_chunks.hpp"
 
 #include <algorithm>
+#include <limits>
 
 namespace floeplan::repository {
 namespace {
@@ -55,6 +56,7 @@ ChunkReader::ChunkReader(sqlite::Connection& db, const ChunkLayout& layout)
           "?8"} {}
 
 void ChunkReader::read(const SliceKey& slice, const GridWindow& window, std::span<float> out) {
+  std::ranges::fill(out, std::numeric_limits<float>::quiet_NaN());
   std::size_t out_x = 0;
   for (const NodeRun x : window.x.runs) {
     read_part(slice, x, window.y.runs.front(), out_x, window.x.nodes.size(), out);

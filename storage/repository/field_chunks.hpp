@@ -46,7 +46,7 @@ class ChunkWriter {
 class ChunkReader {
  public:
   ChunkReader(sqlite::Connection& db, const ChunkLayout& layout);
-  /// Fills `out`, [y][x] of the window, and leaves it as it is where nothing was ever written.
+  /// Fills `out`, [y][x] of the window; NaN where nothing was ever written.
   void read(const SliceKey& slice, const GridWindow& window, std::span<float> out);
 
  private:

@@ -1,7 +1,6 @@
 #include "storage/repository/field_repository.hpp"
 
 #include <algorithm>
-#include <limits>
 #include <stdexcept>
 #include <utility>
 
@@ -92,11 +91,11 @@ bool holds(sqlite::Connection& db, const ChunkLayout& layout, const std::string&
   return query.step();
 }
 
-/// The window's samples of one variable, [time][depth][y][x]; NaN where nothing was ever written.
+/// The window's samples of one variable, [time][depth][y][x].
 std::vector<float> read_block(ChunkReader& reader, const std::string& variable, NodeRun times, NodeRun depths,
                               const GridWindow& window) {
   const std::size_t slice = window.x.nodes.size() * window.y.nodes.size();
-  std::vector<float> samples(times.count * depths.count * slice, std::numeric_limits<float>::quiet_NaN());
+  std::vector<float> samples(times.count * depths.count * slice);
   auto rest = std::span{samples};
   for (std::size_t time = times.first; time < times.first + times.count; ++time) {
     for (std::size_t depth = depths.first; depth < depths.first + depths.count; ++depth) {
