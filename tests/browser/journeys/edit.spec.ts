@@ -5,7 +5,8 @@ import type { Page } from '@playwright/test';
 const evaluated = async (page: Page): Promise<void> => {
   await expect(page.getByRole('complementary', { name: 'Waypoints' }).getByText(/^Evaluated/)).toBeVisible({ timeout: 30_000 });
 };
-const travelTime = (page: Page): Promise<string> => page.locator('.figures-grid div', { hasText: 'Travel time' }).locator('dd').innerText();
+/** All of them: a small change may leave the minutes of the travel time as they were. */
+const figures = (page: Page): Promise<string> => page.locator('.figures-grid').innerText();
 const save = (page: Page) => page.getByRole('button', { name: 'Store as a plan' });
 
 test('a copy of a plan is changed with the mouse, judged anew, taken back and stored', async ({ page, request }) => {
@@ -31,7 +32,7 @@ test('a copy of a plan is changed with the mouse, judged anew, taken back and st
   await evaluated(page);
   await expect(page.getByLabel('Position of waypoint 2')).not.toHaveValue(typed);
 
-  const before = await travelTime(page);
+  const before = await figures(page);
   await mapAtRest(page);
   const from = await pixelOf(page, middle);
   await page.mouse.move(from.x, from.y);
@@ -41,11 +42,11 @@ test('a copy of a plan is changed with the mouse, judged anew, taken back and st
   await expect(page.locator('.figures-grid')).toHaveAttribute('aria-busy', 'true');
   await expect(save(page)).toBeDisabled();
   await expect(page.locator('.figures-grid')).toHaveAttribute('aria-busy', 'false');
-  expect(await travelTime(page)).not.toBe(before);
+  expect(await figures(page)).not.toBe(before);
 
   await page.getByRole('button', { name: 'Undo (Ctrl+Z)' }).click();
   await evaluated(page);
-  expect(await travelTime(page)).toBe(before);
+  expect(await figures(page)).toBe(before);
 
   const plans = Number(await map.getAttribute('data-plans'));
   await save(page).click();
