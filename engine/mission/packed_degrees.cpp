@@ -10,6 +10,7 @@ namespace {
 
 constexpr long long units_per_minute = 10'000;  // four decimals
 constexpr long long units_per_degree = 60 * units_per_minute;
+constexpr double most_packed_lon = 18'000.0;
 
 }  // namespace
 
@@ -34,6 +35,12 @@ UnpackedAngle unpack_degrees(double packed) {
   const double degrees = std::floor(size / 100.0);
   const double minutes = size - 100.0 * degrees;
   return {std::copysign(degrees + minutes / 60.0, packed), minutes >= 60.0};
+}
+
+std::optional<geo::LonLat> unpack_place(double packed_lon, double packed_lat) {
+  const geo::LonLat place{unpack_degrees(packed_lon).degrees, unpack_degrees(packed_lat).degrees};
+  const bool is_place = std::abs(packed_lon) <= most_packed_lon && geo::is_valid(place);
+  return is_place ? std::optional{place} : std::nullopt;
 }
 
 }  // namespace floeplan::mission

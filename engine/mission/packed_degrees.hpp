@@ -1,6 +1,9 @@
 #pragma once
 
+#include <optional>
 #include <string>
+
+#include "engine/geo/lon_lat.hpp"
 
 namespace floeplan::mission {
 
@@ -19,5 +22,9 @@ struct UnpackedAngle {
 
 /// The angle of a packed number; the sign belongs to all of it, so -30.5 is half a degree and a bit west.
 [[nodiscard]] UnpackedAngle unpack_degrees(double packed);
+
+/// The place of two packed angles.
+/// Outside  nullopt for what is no place: a Slocum that has no fix logs 69696969 or 69697000
+[[nodiscard]] std::optional<geo::LonLat> unpack_place(double packed_lon, double packed_lat);
 
 }  // namespace floeplan::mission

@@ -12,8 +12,6 @@
 namespace floeplan::simulation {
 namespace {
 
-/// Positions never received are 69696969 or 69697000, far beyond any packed angle.
-constexpr double most_packed = 18'000.0;
 /// A turn of the saw-tooth that is less than this is the vehicle's heave.
 constexpr double least_turn_m = 3.0;
 /// The pump is on its way once it has moved this share of its stroke.
@@ -35,10 +33,7 @@ double median(std::vector<double> values) {
 }
 
 std::optional<geo::LonLat> place_of(std::optional<double> lon, std::optional<double> lat) {
-  if (!lon || !lat || std::abs(*lon) > most_packed || std::abs(*lat) > most_packed) return std::nullopt;
-  const geo::LonLat place{mission::unpack_degrees(*lon).degrees, mission::unpack_degrees(*lat).degrees};
-  if (!geo::is_valid(place)) return std::nullopt;
-  return place;
+  return lon && lat ? mission::unpack_place(*lon, *lat) : std::nullopt;
 }
 
 struct Turn {

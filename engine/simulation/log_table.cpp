@@ -76,15 +76,18 @@ bool is_units(const std::vector<std::string_view>& fields) {
 
 }  // namespace
 
-tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text) {
+tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text,
+                                                        std::span<const std::string_view> wanted) {
   core::Violations found;
   if (text.size() > most_bytes)
     return tl::unexpected(core::Violations{{"/file", "is larger than 256 MiB; cut it by segments"}});
   std::vector<std::string> names;
   std::vector<Column> columns;
+  std::vector<bool> kept;
   Layout layout;
   if (is_converted(text)) layout = {.by_blanks = true, .lines_of_labels = 2};
   int rows_seen = 0;
+  std::size_t rows = 0;
   for (std::size_t line_number = 1; !text.empty(); ++line_number) {
     const auto end = text.find('\n');
     const std::string_view line = trimmed(text.substr(0, end));
@@ -96,6 +99,8 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text) {
       if (!std::ranges::all_of(fields, is_name)) break;
       names.assign(fields.begin(), fields.end());
       columns.resize(names.size());
+      for (const std::string& name : names)
+        kept.push_back(wanted.empty() || std::ranges::find(wanted, name) != wanted.end());
       continue;
     }
     ++rows_seen;
@@ -109,8 +114,9 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text) {
         found.push_back({"/line " + std::to_string(line_number) + "/" + names[i],
                          "must be a number or empty, not " + std::string{fields[i].substr(0, 40)}});
       }
-      columns[i].push_back(value.value_or(std::nullopt));
+      if (kept[i]) columns[i].push_back(value.value_or(std::nullopt));
     }
+    ++rows;
     if (found.size() >= most_faults) break;
   }
   if (names.empty())
@@ -120,8 +126,9 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text) {
   if (!found.empty()) return tl::unexpected(std::move(found));
 
   LogTable table;
-  table.rows_ = columns.front().size();
-  for (std::size_t i = 0; i < names.size(); ++i) table.columns_.emplace(names[i], std::move(columns[i]));
+  table.rows_ = rows;
+  for (std::size_t i = 0; i < names.size(); ++i)
+    if (kept[i]) table.columns_.emplace(names[i], std::move(columns[i]));
   return table;
 }
 

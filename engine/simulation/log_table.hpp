@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <map>
 #include <optional>
+#include <span>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -17,8 +18,10 @@ class LogTable {
  public:
   using Column = std::vector<std::optional<double>>;
 
+  /// `wanted`  the sensors to keep, so that those of a wide log take no memory; empty: all
   /// Errors   lines that are no row, at most ten of them; no line of names
-  [[nodiscard]] static tl::expected<LogTable, core::Violations> read(std::string_view text);
+  [[nodiscard]] static tl::expected<LogTable, core::Violations> read(
+      std::string_view text, std::span<const std::string_view> wanted = {});
 
   [[nodiscard]] std::size_t rows() const { return rows_; }
   [[nodiscard]] bool has(const std::string& name) const { return columns_.contains(name); }

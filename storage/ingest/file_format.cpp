@@ -12,6 +12,7 @@
 #include "storage/ingest/iceberg_own_table.hpp"
 #include "storage/ingest/iceberg_table_reader.hpp"
 #include "storage/ingest/netcdf3_length.hpp"
+#include "storage/ingest/slocum_log.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/tide_table.hpp"
 #include "storage/ingest/zarr_store.hpp"
@@ -47,10 +48,12 @@ std::string refusal_of_foreign(std::string_view head) {
   if (head.find("BSB/") < 4096 || head.find("KNP/") < 4096)
     return "this is a raster chart (KAP/BSB): a picture of a chart in colours, not depths; depths cannot be "
            "read from it; give a bathymetry grid of the area";
-  if (head.starts_with("dbd_label:") || head.starts_with("s: T") || head.starts_with("s: F"))
-    return "this is a binary log of a Slocum glider, or the cache of its sensors' names; tracks are not "
-           "stored; turn it "
-           "into a table (dbd2asc) and compare it with its plan: floeplan compare-flight";
+  if (head.starts_with("s: T") || head.starts_with("s: F"))
+    return "this is the list of the sensors of a Slocum glider's logs, which hold no data by itself; turn "
+           "the "
+           "logs into text (dbd2asc) with it";
+  if (head.starts_with("dbd_label:") && !is_slocum_text(head))
+    return "this is a binary log of a Slocum glider; turn it into text (dbd2asc) and give that";
   if (head.starts_with("PK\x03\x04") || head.starts_with("\x1f\x8b") || head.starts_with("BZh"))
     return "this is a compressed archive; unpack it and give the files in it";
   if (head.starts_with("%PDF") || head.starts_with("\x89PNG") || head.starts_with("\xff\xd8\xff"))
@@ -121,10 +124,7 @@ Checked<FileFormat> format_of_text(std::string_view head, const std::string& ext
   if (is_tide_table(head)) return FileFormat::tide_table;
   if (is_otps_extract(head)) return FileFormat::otps_extract;
   if (is_number_table(head)) return FileFormat::xyz;
-  if (contains_any(head.substr(0, 16384), {"m_present_time", "m_gps_lat"}))
-    return refuse(
-        "this is a log of a Slocum glider; tracks are not stored; compare it with its plan: floeplan "
-        "compare-flight");
+  if (is_slocum_text(head)) return FileFormat::slocum_text;
   if (is_depth_table_header(first_line(head))) return FileFormat::depth_table;
 
   const std::string line = trimmed(first_line(head));

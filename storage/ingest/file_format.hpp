@@ -29,7 +29,8 @@ enum class FileFormat {
   kml,
   geopackage,
   shapefile,
-  s57
+  s57,
+  slocum_text
 };
 
 /// Errors   every other file, by name where it is known (chart pictures, Zarr, archives, ...); an empty

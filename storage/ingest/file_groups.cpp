@@ -3,12 +3,15 @@
 #include <algorithm>
 #include <optional>
 #include <string>
+#include <tuple>
 
 #include "storage/ingest/file_format.hpp"
 #include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/glider_netcdf.hpp"
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/position_tables.hpp"
 #include "storage/ingest/sidecar.hpp"
+#include "storage/ingest/slocum_log.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
@@ -23,6 +26,8 @@ struct Member {
   std::vector<NetcdfDimension> plane;  // of the velocity
   bool tables_alone{false};            // no velocity, but positions
   bool chart{false};                   // a cell of S-57, or an update of one
+  std::string track;                   // of a glider, and of the files of the same track; empty: of none
+  int segment{};                       // of a Slocum's log
   bool taken{false};
 };
 
@@ -44,9 +49,18 @@ Member member_of(const std::filesystem::path& path) {
   member.path = path;
   const auto format = format_of(path);
   member.chart = format && *format == FileFormat::s57;
+  if (format && *format == FileFormat::slocum_text) {
+    const SlocumName name = slocum_name_of(path);
+    member.track = name.mission;
+    member.segment = name.segment;
+  }
   if (!format || (*format != FileFormat::netcdf_classic && *format != FileFormat::netcdf4)) return member;
   auto file = NetcdfFile::open(path);
   if (!file) return member;
+  if (is_glider_track(*file)) {  // of which there may be hundreds, so none stays open
+    member.track = trajectory_of(*file);
+    return member;
+  }
   member.netcdf = std::make_shared<const NetcdfFile>(std::move(*file));
   member.parts = velocity_parts(*member.netcdf);
   member.tables_alone = member.parts == VelocityParts::none && holds_position_tables(*member.netcdf);
@@ -98,6 +112,21 @@ void take_updates(const Member& base, std::vector<Member>& members, FileGroup& g
   }
 }
 
+/// The other files of the same track, all in one order however they were given.
+void take_rest_of_track(const Member& first, std::vector<Member>& members, FileGroup& group) {
+  std::vector<Member*> parts;
+  for (Member& part : members)
+    if (!first.track.empty() && part.track == first.track) parts.push_back(&part);
+  std::ranges::sort(parts, {}, [](const Member* part) {
+    return std::tuple{part->segment, part->path.filename(), part->path};
+  });
+  if (!parts.empty()) group.clear();
+  for (Member* part : parts) {
+    part->taken = true;
+    group.push_back(part->path);
+  }
+}
+
 }  // namespace
 
 std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& files,
@@ -130,6 +159,7 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
     member.taken = true;
     take_sidecars(member, members, group);
     if (member.chart) take_updates(member, members, group);
+    take_rest_of_track(member, members, group);
     if (member.parts != VelocityParts::none)
       for (Member& tables : members)
         if (tables.tables_alone && fits(tables, member)) {

@@ -12,6 +12,7 @@
 #include "storage/ingest/file_digest.hpp"
 #include "storage/ingest/file_groups.hpp"
 #include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/glider_netcdf.hpp"
 #include "storage/ingest/grib_currents.hpp"
 #include "storage/ingest/gshhg_coastline.hpp"
 #include "storage/ingest/ice_chart_reader.hpp"
@@ -26,6 +27,7 @@
 #include "storage/ingest/s57_cell.hpp"
 #include "storage/ingest/s57_reader.hpp"
 #include "storage/ingest/sidecar.hpp"
+#include "storage/ingest/slocum_reader.hpp"
 #include "storage/ingest/tide_reader.hpp"
 #include "storage/ingest/tide_table.hpp"
 #include "storage/ingest/vector_file.hpp"
@@ -56,12 +58,13 @@ Checked<PreparedDataset> prepare_features(const RecognisedFile& file, DatasetKin
   return read_zones(*file.features, options);
 }
 
-Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, const IngestOptions& options,
-                                 const core::ProgressCallback& progress) {
+Checked<PreparedDataset> prepare(const RecognisedFile& file, const FileGroup& files, DatasetKind kind,
+                                 const IngestOptions& options, const core::ProgressCallback& progress) {
   switch (file.format) {
     case FileFormat::netcdf_classic:
     case FileFormat::netcdf4:
     case FileFormat::zarr:
+      if (kind == DatasetKind::glider_tracks) return read_glider_netcdf(files, progress);
       if (kind == DatasetKind::coastline) return read_gshhg_coastline(file.path, progress);
       if (kind == DatasetKind::tides) return read_tides(file.netcdf, file.path, options, progress);
       if (kind == DatasetKind::wind) return read_wind(file.netcdf, options.crs, progress);
@@ -84,6 +87,7 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, DatasetKind kind, c
     case FileFormat::own_iceberg_table: return read_own_iceberg_table(file.path);
     case FileFormat::iceberg_json: return read_iceberg_list_json(file.path);
     case FileFormat::ice_patrol_csv: return read_ice_patrol_csv(file.path);
+    case FileFormat::slocum_text: return read_slocum_tracks(files, progress);
     case FileFormat::geojson:
     case FileFormat::kml:
     case FileFormat::geopackage:
@@ -96,11 +100,16 @@ repository::DatasetId id_of(DatasetKind kind, const std::string& sha256) {
   return {repository::kind_name(kind) + "-" + sha256.substr(0, 8)};
 }
 
-/// "u.nc + v.nc", "charts.zip: ice.shp"
+/// "u.nc + v.nc", "charts.zip: ice.shp"; of the many files of a track the first ones.
 std::string names_of(const FileGroup& files, const IngestOptions& options) {
+  constexpr std::size_t most_names = 8;
   std::string names;
-  for (const std::filesystem::path& file : files)
-    if (!is_sidecar_of(file, files.front())) names += (names.empty() ? "" : " + ") + file.filename().string();
+  std::size_t count = 0;
+  for (const std::filesystem::path& file : files) {
+    if (is_sidecar_of(file, files.front()) || ++count > most_names) continue;
+    names += (names.empty() ? "" : " + ") + file.filename().string();
+  }
+  if (count > most_names) names += " + " + std::to_string(count - most_names) + " files more";
   return options.archive ? *options.archive + ": " + names : names;
 }
 
@@ -163,7 +172,7 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
              .errors = {}},
             std::nullopt};
   }
-  auto data = prepare(file, kind, options, progress);
+  auto data = prepare(file, files, kind, options, progress);
   if (!data) return {refused(files, options, data.error()), std::nullopt};
   if (file.netcdf && repository::has_steps(kind)) data->run = model_run_of(*file.netcdf);
   if (auto warning = warning_of_open_end(file.path, file.format))
@@ -235,7 +244,8 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
   auto recognised =
       recognise(files.front(), {.kind = options.kind, .zone_kind_stated = options.zone_kind.has_value()});
   if (!recognised) return {refused(files, options, recognised.error())};
-  if (recognised->netcdf) {  // the parts of others are found beside them
+  const bool tracks = recognised->kinds.front() == DatasetKind::glider_tracks;
+  if (recognised->netcdf && !tracks) {  // the parts of others are found beside them, or read one by one
     auto companions = open_companions(files);
     if (!companions) return {refused(files, options, companions.error())};
     recognised->companions = std::move(*companions);

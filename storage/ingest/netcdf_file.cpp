@@ -104,6 +104,8 @@ Checked<std::vector<double>> NetcdfVariable::read_all() const {
 std::vector<std::string> NetcdfVariable::texts() const {
   constexpr std::uint64_t most = 1000;
   if (array_->GetDataType().GetClass() != GEDTC_STRING) return {};
+  // Of a text without dimensions GDAL 3.6 gives the bytes of its address.
+  if (dimensions_.empty()) return {};
   std::uint64_t size = 1;
   std::vector<GUInt64> start;
   std::vector<std::size_t> count;
@@ -154,9 +156,13 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
   return result;
 }
 
-std::optional<double> NetcdfFile::numeric_attribute(const std::string& name) const {
+std::string NetcdfFile::attribute(const std::string& name) const {
   const auto found = attributes_.find(name);
-  return found == attributes_.end() ? std::nullopt : parse_number(found->second);
+  return found == attributes_.end() ? std::string{} : found->second;
+}
+
+std::optional<double> NetcdfFile::numeric_attribute(const std::string& name) const {
+  return parse_number(attribute(name));
 }
 
 const NetcdfVariable* NetcdfFile::find(const std::string& name) const {

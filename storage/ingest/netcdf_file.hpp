@@ -45,7 +45,7 @@ class NetcdfVariable {
                                                          const std::vector<std::size_t>& count) const;
   /// All values of a small variable (coordinates), scale and offset applied, fill as NaN.
   [[nodiscard]] Checked<std::vector<double>> read_all() const;
-  /// All texts of a variable of characters, trimmed; empty for one of numbers, or of more than a thousand texts.
+  /// All texts of a variable of characters, trimmed; empty of numbers, of a text without dimensions, of over 1000 texts.
   [[nodiscard]] std::vector<std::string> texts() const;
   /// What a packed value stands for: scale and offset applied; NaN where it is the fill or the missing value.
   /// The fill is compared with the packed value, in the variable's own precision.
@@ -73,7 +73,9 @@ class NetcdfFile {
   [[nodiscard]] const std::vector<NetcdfVariable>& variables() const { return variables_; }
   /// Null when there is none.
   [[nodiscard]] const NetcdfVariable* find(const std::string& name) const;
-  /// A number that the file states of itself as a whole.
+  /// What the file states of itself as a whole, trimmed; empty when it does not.
+  [[nodiscard]] std::string attribute(const std::string& name) const;
+  /// A number that it states so.
   [[nodiscard]] std::optional<double> numeric_attribute(const std::string& name) const;
 
  private:

@@ -5,6 +5,7 @@
 #include "storage/ingest/bathymetry_netcdf_reader.hpp"
 #include "storage/ingest/feature_kind.hpp"
 #include "storage/ingest/geojson_file.hpp"
+#include "storage/ingest/glider_netcdf.hpp"
 #include "storage/ingest/grib_contents.hpp"
 #include "storage/ingest/gshhg_reader.hpp"
 #include "storage/ingest/ice_variables.hpp"
@@ -55,13 +56,6 @@ std::vector<DatasetKind> kinds_of_netcdf(const std::shared_ptr<const NetcdfFile>
   return kinds;
 }
 
-/// Whether a file follows a glider on its way and holds no field: by the names that the formats of the IOOS National
-/// Glider Data Assembly Center (profile_id, lat_uv) and OceanGliders OG1 (TRAJECTORY) demand.
-bool is_glider_track(const NetcdfFile& file) {
-  return file.find("profile_id") != nullptr || file.find("lat_uv") != nullptr ||
-         file.find("TRAJECTORY") != nullptr;
-}
-
 std::string nothing_known(const NetcdfFile& file) {
   std::vector<std::string> names;
   for (const NetcdfVariable& variable : file.variables()) names.push_back(variable.name());
@@ -91,11 +85,10 @@ Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
       auto netcdf = NetcdfFile::open(file.path);
       if (!netcdf) return refuse(netcdf.error());
       file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
-      if (is_glider_track(*file.netcdf))
-        return refuse(
-            "the file holds what a glider met on its way, no field of the sea; tracks are not stored; give "
-            "the output of a "
-            "model or an analysis");
+      if (is_glider_track(*file.netcdf)) {
+        file.kinds = {DatasetKind::glider_tracks};
+        return true;
+      }
       file.kinds = kinds_of_netcdf(file.netcdf, expected.kind);
       if (file.kinds.empty() && file.format != FileFormat::zarr && is_gshhg(file.path))
         file.kinds = {DatasetKind::coastline};
@@ -127,6 +120,7 @@ Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
     case FileFormat::ascii_grid:
     case FileFormat::depth_table:
     case FileFormat::xyz: file.kinds = {DatasetKind::bathymetry}; return true;
+    case FileFormat::slocum_text: file.kinds = {DatasetKind::glider_tracks}; return true;
   }
   return true;
 }

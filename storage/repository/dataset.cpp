@@ -16,7 +16,8 @@ constexpr std::array names{std::pair{DatasetKind::bathymetry, "bathymetry"},
                            std::pair{DatasetKind::icebergs, "icebergs"},
                            std::pair{DatasetKind::coastline, "coastline"},
                            std::pair{DatasetKind::tides, "tides"},
-                           std::pair{DatasetKind::zones, "zones"}};
+                           std::pair{DatasetKind::zones, "zones"},
+                           std::pair{DatasetKind::glider_tracks, "glider-tracks"}};
 
 }  // namespace
 

@@ -11,7 +11,7 @@
 namespace floeplan::repository {
 
 /// Kinds of data the store holds.
-enum class DatasetKind { bathymetry, currents, wind, ice, icebergs, coastline, tides, zones };
+enum class DatasetKind { bathymetry, currents, wind, ice, icebergs, coastline, tides, zones, glider_tracks };
 
 [[nodiscard]] std::string kind_name(DatasetKind kind);
 [[nodiscard]] std::optional<DatasetKind> parse_kind(const std::string& name);
@@ -35,8 +35,8 @@ struct Provenance {
   std::string tool_version;  // "floeplan 0.1.0, GDAL 3.6.2"
 };
 
-/// What a list of datasets shows; the data themselves are in the repositories of fields, icebergs, coasts and
-/// zones.
+/// What a list of datasets shows; the data themselves are in the repositories of fields, icebergs, coasts,
+/// zones and tracks.
 struct Dataset {
   DatasetId id;
   DatasetKind kind{};
@@ -47,7 +47,7 @@ struct Dataset {
   std::optional<core::UtcTime> time_end;
   std::optional<core::UtcTime>
       run{};                     // when the model run began that made the data; empty: the file does not say
-  std::int64_t rows_accepted{};  // grid nodes, sightings, polygons or zones
+  std::int64_t rows_accepted{};  // grid nodes, sightings, polygons, zones or points
   std::int64_t rows_refused{};
   std::vector<std::string> warnings;
   Provenance provenance;

@@ -52,10 +52,11 @@ std::vector<StoredSize> beyond_retention(std::vector<StoredSize> stored, const R
 
 std::vector<StoredSize> stored_sizes(sqlite::Connection& db) {
   std::vector<StoredSize> sizes;
-  sqlite::Statement query{db,
-                          "SELECT coalesce(sum(length(samples)), 0) FROM field_chunk WHERE dataset_row = "
-                          "(SELECT row FROM dataset "
-                          "WHERE id = ?1)"};
+  sqlite::Statement query{
+      db,
+      "SELECT (SELECT coalesce(sum(length(samples)), 0) FROM field_chunk WHERE dataset_row = dataset.row) + "
+      "(SELECT coalesce(sum(length(way)), 0) FROM glider_track WHERE dataset_row = dataset.row) FROM dataset "
+      "WHERE id = ?1"};
   for (Dataset& dataset : DatasetRepository{db}.list()) {
     query.bind(1, dataset.id.value);
     const std::int64_t bytes = query.step() ? query.integer(0) : 0;

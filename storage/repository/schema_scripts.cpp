@@ -282,6 +282,37 @@ CREATE INDEX kept_answer_by_age ON kept_answer (created_s);
                              R"sql(
 ALTER TABLE dataset ADD COLUMN run_s REAL;       -- when the model run began that made the data; NULL: not stated
 ALTER TABLE dataset ADD COLUMN arriving_s REAL;  -- last sign of life of who copies it here; NULL: all of it is here
+)sql",
+                             R"sql(
+CREATE TABLE glider_track (
+  row INTEGER PRIMARY KEY AUTOINCREMENT,
+  dataset_row INTEGER NOT NULL REFERENCES dataset (row) ON DELETE CASCADE,
+  position INTEGER NOT NULL,  -- among the tracks of its dataset, from 0
+  glider TEXT NOT NULL,
+  start_s REAL NOT NULL,
+  end_s REAL NOT NULL,
+  deepest_m REAL,  -- NULL: no depth is known
+  points INTEGER NOT NULL,
+  way BLOB NOT NULL,  -- all times, longitudes, latitudes, depths (NaN: not known), fixes (1; 0: reckoned)
+  UNIQUE (dataset_row, position)
+) STRICT;
+CREATE VIRTUAL TABLE glider_track_box USING rtree (row, west_deg, east_deg, south_deg, north_deg);
+CREATE TRIGGER glider_track_deleted AFTER DELETE ON glider_track BEGIN
+  DELETE FROM glider_track_box WHERE row = old.row;
+END;
+
+CREATE TABLE glider_current (
+  row INTEGER PRIMARY KEY,
+  dataset_row INTEGER NOT NULL,
+  position INTEGER NOT NULL,  -- of its track
+  time_s REAL NOT NULL,
+  lon_deg REAL NOT NULL,
+  lat_deg REAL NOT NULL,
+  east_m_s REAL NOT NULL,
+  north_m_s REAL NOT NULL,
+  FOREIGN KEY (dataset_row, position) REFERENCES glider_track (dataset_row, position) ON DELETE CASCADE
+) STRICT;
+CREATE INDEX glider_current_by_track ON glider_current (dataset_row, position, time_s);
 )sql"};
 
 }  // namespace

@@ -73,6 +73,19 @@ void NetcdfWriter::variable(const Variable& variable) {
                        GDALExtendedDataType::Create(GDT_Float64), variable.values.data()));
 }
 
+void NetcdfWriter::text(const std::string& name, const std::string& value) {
+  const auto array = dataset_->GetRootGroup()->CreateMDArray(name, {}, GDALExtendedDataType::CreateString());
+  const char* const raw[] = {value.c_str()};
+  require(array != nullptr &&
+          array->Write(nullptr, nullptr, nullptr, nullptr, GDALExtendedDataType::CreateString(), raw));
+}
+
+void NetcdfWriter::attribute(const std::string& name, const std::string& value) {
+  const auto attribute =
+      dataset_->GetRootGroup()->CreateAttribute(name, {}, GDALExtendedDataType::CreateString());
+  require(attribute != nullptr && attribute->Write(value.c_str()));
+}
+
 void NetcdfWriter::axis(const std::string& name, const std::vector<double>& values,
                         std::map<std::string, std::string> texts) {
   dimension(name, values.size());

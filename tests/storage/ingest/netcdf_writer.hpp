@@ -34,6 +34,10 @@ class NetcdfWriter {
 
   void dimension(const std::string& name, std::size_t size);
   void variable(const Variable& variable);
+  /// A single text.
+  void text(const std::string& name, const std::string& value);
+  /// What the file says of itself as a whole.
+  void attribute(const std::string& name, const std::string& value);
   /// A dimension and its coordinate variable.
   void axis(const std::string& name, const std::vector<double>& values,
             std::map<std::string, std::string> texts);

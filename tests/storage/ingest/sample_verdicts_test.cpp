@@ -29,12 +29,7 @@ TEST_P(SampleWithoutData, IsRefusedWithTheReason) {
 INSTANTIATE_TEST_SUITE_P(
     Gliders, SampleWithoutData,
     testing::Values(Refused{"glider/comet-2019-222-02-154.dbd", "glider"},
-                    Refused{"glider/1f35be3b.cac", "glider"}, Refused{"glider/62d8b5da.cac", "glider"},
-                    Refused{"glider/slocum_amadeus-2014-204-05-000_nav.csv", "glider"},
-                    Refused{"glider/slocum_comet-2019-222-02-154_nav.csv", "glider"},
-                    Refused{"glider/gutils_profile.nc", "glider"},
-                    Refused{"glider/gutils_erddap_2.nc", "glider"},
-                    Refused{"glider/bios_jack_1.nc", "glider"},
+                    Refused{"glider/1f35be3b.cac", "sensors"}, Refused{"glider/62d8b5da.cac", "sensors"},
                     Refused{"glider/S102791A002_Barrow_v2_avgd.ad2cp", "does not know"}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/glider_track_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/job_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
@@ -73,6 +74,9 @@ DROP TABLE dataset;
 ALTER TABLE first_dataset RENAME TO dataset;
 DROP TABLE zone;
 DROP TABLE zone_box;
+DROP TABLE glider_current;
+DROP TABLE glider_track;
+DROP TABLE glider_track_box;
 DROP TABLE simulation_flight;
 DROP TABLE simulation;
 DROP TABLE login;
@@ -121,6 +125,7 @@ TEST(OpenStore, KnowsNoRunOfWhatWasStoredBeforeRunsWereKept) {
     sqlite::Connection db = open_store(folder.path());
     DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::currents));
     sqlite::execute(db,
+                    "DROP TABLE glider_current; DROP TABLE glider_track; DROP TABLE glider_track_box;"
                     "ALTER TABLE dataset DROP COLUMN arriving_s; ALTER TABLE dataset DROP COLUMN run_s;"
                     "PRAGMA user_version = 7");
   }
@@ -129,6 +134,25 @@ TEST(OpenStore, KnowsNoRunOfWhatWasStoredBeforeRunsWereKept) {
 
   EXPECT_EQ(DatasetRepository{db}.list().size(), 1U);
   EXPECT_FALSE(DatasetRepository{db}.find({"a"}).value().run);
+}
+
+TEST(OpenStore, TakesTracksOfGlidersIntoAStoreThatWasMadeBeforeThem) {
+  const support::TemporaryFolder folder;
+  {
+    sqlite::Connection db = open_store(folder.path());
+    DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::icebergs));
+    sqlite::execute(db,
+                    "DROP TABLE glider_current; DROP TABLE glider_track; DROP TABLE glider_track_box;"
+                    "PRAGMA user_version = 8");
+  }
+
+  sqlite::Connection db = open_store(folder.path());
+
+  DatasetRepository{db}.insert(sample_dataset("b", DatasetKind::glider_tracks));
+  GliderTrackRepository{db}.insert(
+      {"b"}, {{.glider = "amadeus", .points = {{.time = {}, .place = {}}}, .currents = {}}});
+  EXPECT_EQ(GliderTrackRepository{db}.count({}), 1);
+  EXPECT_EQ(DatasetRepository{db}.list().size(), 2U);
 }
 
 TEST(OpenStore, RefusesTheStoreOfANewerProgram) {

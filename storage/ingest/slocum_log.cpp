@@ -1,0 +1,91 @@
+#include "storage/ingest/slocum_log.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <regex>
+#include <vector>
+
+#include "engine/simulation/log_table.hpp"
+#include "storage/ingest/fault_report.hpp"
+#include "storage/ingest/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr std::uintmax_t most_bytes = 128'000'000;
+constexpr std::size_t most_tag_bytes = 16'384;
+
+/// At most `most` bytes from the beginning of a file.
+std::string text_of(const std::filesystem::path& file, std::uintmax_t most) {
+  std::ifstream in{file, std::ios::binary};
+  std::string text(static_cast<std::size_t>(std::min(std::filesystem::file_size(file), most)), '\0');
+  in.read(text.data(), static_cast<std::streamsize>(text.size()));
+  text.resize(static_cast<std::size_t>(in.gcount()));
+  return text;
+}
+
+std::string tag(std::string_view head, std::string_view key) {
+  while (!head.empty()) {
+    const std::string_view line = head.substr(0, head.find('\n'));
+    head.remove_prefix(std::min(line.size() + 1, head.size()));
+    if (line.starts_with(key) && line.substr(key.size()).starts_with(':'))
+      return trimmed(line.substr(key.size() + 1));
+  }
+  return {};
+}
+
+std::string reasons_of(const core::Violations& violations) {
+  std::vector<std::string> faults;
+  for (const auto& violation : violations)
+    faults.push_back("the log cannot be read: " + trimmed(violation.field.substr(1)) + " " + violation.rule +
+                     "; copy or convert it again");
+  return report_of(std::move(faults));
+}
+
+}  // namespace
+
+SlocumName slocum_name_of(const std::filesystem::path& file) {
+  static const std::regex form{R"((.+)-(\d{4}-\d{1,3}-\d{1,4})-(\d{1,5}))"};
+  const std::string head = text_of(file, most_tag_bytes);
+  const std::string full = tag(head, "full_filename");
+  std::smatch parts;
+  if (!std::regex_match(full, parts, form)) return {};
+  return {.glider = parts[1],
+          .mission = parts[1].str() + "-" + parts[2].str() + "." + tag(head, "filename_extension"),
+          .segment = std::stoi(parts[3])};
+}
+
+bool is_slocum_text(std::string_view head) {
+  const std::string_view first = head.substr(0, head.find('\n'));
+  if (first.starts_with("dbd_label:")) return contains_any(first, {"DBD_ASC"});
+  return contains_any(head.substr(0, most_tag_bytes), {"m_present_time", "m_gps_lat"});
+}
+
+Checked<SlocumLog> read_slocum_text(const std::filesystem::path& file,
+                                    const std::function<void(const SlocumRow&)>& take) {
+  if (std::filesystem::file_size(file) > most_bytes)
+    return refuse("the log is longer than 128 MB; convert it segment by segment and give the parts together");
+  std::string text = text_of(file, most_bytes);
+  SlocumLog log{.name = slocum_name_of(file)};
+  if (!text.ends_with('\n')) {
+    text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
+    ++log.rows_refused;
+    log.warning = "the last line has no end and was left out; if the log was cut short, copy it again";
+  }
+  const auto table = simulation::LogTable::read(text, slocum_sensors);
+  if (!table) return refuse(reasons_of(table.error()));
+  for (std::size_t i = 0; i < slocum_sensors.size(); ++i)
+    log.has[i] = table->has(std::string{slocum_sensors[i]});
+  std::array<const simulation::LogTable::Column*, slocum_sensors.size()> columns{};
+  for (std::size_t i = 0; i < columns.size(); ++i)
+    if (log.has[i]) columns[i] = &(*table)[std::string{slocum_sensors[i]}];
+  for (std::size_t row = 0; row < table->rows(); ++row) {
+    SlocumRow values;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (columns[i] != nullptr) values.values[i] = (*columns[i])[row];
+    take(values);
+  }
+  return log;
+}
+
+}  // namespace floeplan::ingest
