@@ -4,6 +4,7 @@
 #include <numbers>
 
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_overviews.hpp"
 #include "storage/repository/field_repository.hpp"
 
 namespace floeplan::routes {
@@ -118,7 +119,8 @@ std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape&
   const std::optional<repository::Period> period =
       shape.times.empty() ? std::nullopt : std::optional{repository::Period{from, to}};
   if (shape.dataset.kind == DatasetKind::bathymetry) {
-    auto bathymetry = fields.load_bathymetry(id, area);
+    constexpr std::size_t most_nodes = 4'000'000;  // several for each sample that an answer may have
+    auto bathymetry = repository::FieldOverviews{db}.bathymetry(id, area, most_nodes);
     return bathymetry ? std::make_unique<DepthField>(std::move(*bathymetry)) : nullptr;
   }
   if (shape.dataset.kind == DatasetKind::ice) {
