@@ -52,9 +52,9 @@ tl::expected<IngestInputs, core::Violations> parse_ingest_inputs(const json& doc
   IngestInputs inputs;
   inputs.uploads = read_uploads(reader);
   inputs.name = reader.text("name");
-  const auto kind =
-      choice(reader, "kind",
-             {"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides", "wind", "zones"});
+  const auto kind = choice(reader, "kind",
+                           {"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides", "wind",
+                            "zones", "glider-tracks"});
   if (kind && *kind != "auto") inputs.kind = repository::parse_kind(*kind);
   inputs.crs = reader.text("crs");
   inputs.positive = choice(reader, "positive", {"up", "down"});

@@ -121,9 +121,9 @@ void add_editing(std::vector<Route>& routes, const FeatureCollection& collection
 }  // namespace
 
 const std::vector<FeatureCollection>& feature_collections() {
-  static const std::vector<FeatureCollection> collections{iceberg_collection(),  iceberg_track_collection(),
-                                                          zone_collection(),     plan_collection(),
-                                                          plan_leg_collection(), waypoint_collection()};
+  static const std::vector<FeatureCollection> collections{
+      iceberg_collection(), iceberg_track_collection(), glider_track_collection(), zone_collection(),
+      plan_collection(),    plan_leg_collection(),      waypoint_collection()};
   return collections;
 }
 

@@ -79,16 +79,17 @@ void add_ingest(CLI::App& app, Program& program) {
   auto flags = std::make_shared<Flags>();
   auto* command = app.add_subcommand("ingest", "Read data files into the store");
   command
-      ->add_option(
-          "FILE", flags->files,
-          "Bathymetry, currents, tides, sea ice, icebergs, coastline or zones, packed (zip, KMZ, tar, gz) or "
-          "not; files that belong together (both components of a current, a model's grid) in one "
-          "command")
+      ->add_option("FILE", flags->files,
+                   "Bathymetry, currents, tides, sea ice, icebergs, coastline, zones or tracks of gliders, "
+                   "packed (zip, KMZ, tar, gz) or "
+                   "not; files that belong together (both components of a current, a model's grid, the "
+                   "segments of a glider's mission) in one "
+                   "command")
       ->required();
   command->add_option("--name", flags->name, "Name of the dataset; default: the file's name");
   command->add_option("--kind", flags->kind, "What to take the file for")
-      ->check(CLI::IsMember(
-          {"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides", "wind", "zones"}))
+      ->check(CLI::IsMember({"auto", "bathymetry", "currents", "ice", "icebergs", "coastline", "tides",
+                             "wind", "zones", "glider-tracks"}))
       ->capture_default_str();
   command->add_option("--crs", flags->crs, "Reference system of a file that states none, as EPSG:4326");
   command

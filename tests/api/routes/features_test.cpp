@@ -1,4 +1,5 @@
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/glider_track_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
@@ -34,6 +35,23 @@ class FeaturesTest : public support::ApiTest {
     }
     repository::IcebergRepository{db_}.insert(dataset.id, bergs);
   }
+  void store_glider_tracks() {
+    repository::Dataset dataset;
+    dataset.id = {"glider-tracks-00000000"};
+    dataset.kind = repository::DatasetKind::glider_tracks;
+    dataset.bounds = {-54.0, 68.0, -50.0, 70.0};
+    repository::DatasetRepository{db_}.insert(dataset);
+    const core::UtcTime start{core::Seconds{1'780'000'000.0}};
+    const core::Seconds minute{60.0};
+    repository::GliderTrackRepository{db_}.insert(
+        dataset.id,
+        {{.glider = "amadeus",
+          .points = {{.time = start, .place = {-54.0, 69.0}, .depth = core::Metres{0.0}},
+                     {.time = start + minute, .place = {-53.9, 69.0}},
+                     {.time = start + 2.0 * minute, .place = {-53.8, 69.0}, .depth = core::Metres{180.0}}},
+          .currents = {{start + minute, {-53.9, 69.0}, {{0.25}, {-0.5}}}}},
+         {.glider = "comet", .points = {{.time = start, .place = {-50.0, 69.0}}}, .currents = {}}});
+  }
   void store_plan() {
     repository::PlanRecord plan;
     plan.id = {"p1"};
@@ -62,7 +80,7 @@ class FeaturesTest : public support::ApiTest {
 
 TEST_F(FeaturesTest, EveryCollectionIsDescribedAndAnswers) {
   const json collections = json_of(ask("GET", "/collections")).at("collections");
-  EXPECT_EQ(collections.size(), 6U);
+  EXPECT_EQ(collections.size(), 7U);
   for (const auto& collection : collections) {
     const std::string base = "/collections/" + collection.at("id").get<std::string>();
     EXPECT_EQ(json_of(ask("GET", base)), collection);
@@ -118,6 +136,45 @@ TEST_F(FeaturesTest, TracksJoinTheSightingsOfABerg) {
   EXPECT_THAT(ids(items + "?limit=1"), testing::ElementsAre(1));
   EXPECT_EQ(json_of(ask("GET", items + "/3")).at("properties").at("sightings"), 2);
   EXPECT_EQ(ask("GET", items + "/4").status, 404);
+}
+
+TEST_F(FeaturesTest, TracksOfGlidersHaveTheirDepthsTimesAndCurrents) {
+  store_glider_tracks();
+  const std::string items = "/collections/glider-tracks/items";
+
+  EXPECT_THAT(ids(items), testing::ElementsAre(1, 2));
+  EXPECT_THAT(ids(items + "?glider=comet"), testing::ElementsAre(2));
+  EXPECT_THAT(ids(items + "?bbox=-53.95,68,-53.85,70"), testing::ElementsAre(1));
+  EXPECT_THAT(ids(items + "?datetime=2026-05-28T20:20:00Z/.."), testing::ElementsAre(1, 2));
+  EXPECT_THAT(ids(items + "?datetime=2027-01-01T00:00:00Z/.."), testing::IsEmpty());
+  const json page = json_of(ask("GET", items + "?limit=1"));
+  EXPECT_EQ(page.at("numberMatched"), 2);
+  EXPECT_EQ(page.at("numberReturned"), 1);
+
+  const json track = json_of(ask("GET", items + "/1"));
+  EXPECT_EQ(track.at("geometry"), json::parse(R"({"type":"LineString",
+    "coordinates":[[-54.0,69.0,0.0],[-53.9,69.0,-90.0],[-53.8,69.0,-180.0]]})"));
+  const json& told = track.at("properties");
+  EXPECT_EQ(told.at("glider"), "amadeus");
+  EXPECT_EQ(told.at("points"), 3);
+  EXPECT_EQ(told.at("deepest_m"), 180.0);
+  EXPECT_EQ(told.at("depths_m"), json::parse("[0.0, null, 180.0]"));
+  EXPECT_EQ(told.at("times").size(), 3U);
+  EXPECT_EQ(told.at("start"), told.at("times").front());
+  EXPECT_EQ(told.at("mean_east_m_s"), 0.25);
+  EXPECT_EQ(told.at("currents").at(0).at("north_m_s"), -0.5);
+  EXPECT_EQ(told.at("dataset_id"), "glider-tracks-00000000");
+  const json turned = json_of(ask("GET", items + "/1?crs=http://www.opengis.net/def/crs/EPSG/0/4326"));
+  EXPECT_EQ(turned.at("geometry").at("coordinates").at(2), json::parse("[69.0,-53.8,-180.0]"));
+  EXPECT_EQ(ask("GET", items + "/3").status, 404);
+}
+
+TEST_F(FeaturesTest, AGliderThatWasSeenAtOnePlaceHasALineFromThereToThere) {
+  store_glider_tracks();
+  const json track = json_of(ask("GET", "/collections/glider-tracks/items/2"));
+  EXPECT_EQ(track.at("geometry").at("coordinates"), json::parse("[[-50.0,69.0],[-50.0,69.0]]"));
+  EXPECT_EQ(track.at("properties").at("times").size(), 2U);
+  EXPECT_EQ(track.at("properties").at("mean_east_m_s"), nullptr);
 }
 
 TEST_F(FeaturesTest, LegsAndWaypointsOfPlansAreFoundByPlaceAndTime) {

@@ -16,7 +16,13 @@ const char* const zone = R"({"type": "FeatureCollection", "features": [{"type": 
   "geometry": {"type": "Polygon", "coordinates": [[[-53.1, 68.9], [-52.8, 68.9], [-52.8, 69.1], [-53.1, 69.1],
                                                    [-53.1, 68.9]]]}}]})";
 
-/// A server with the demonstration data and a zone.
+/// A Slocum's log of one dive.
+const char* const flight =
+    "m_present_time,m_gps_lat,m_gps_lon,m_depth,x_dr_state,m_initial_water_vx,m_initial_water_vy\n"
+    "1763704800,6900.0,-5300.0,0.5,4,0.1,0.1\n1763705400,,,90,1,,\n1763708400,6901.0,-5259.0,0.5,2,,\n"
+    "1763708460,6901.0,-5259.0,0.5,3,0.2,-0.1\n";
+
+/// A server with the demonstration data, a zone and the track of a glider.
 class ServedDemo : public testing::Test {
  protected:
   void SetUp() override {
@@ -25,6 +31,7 @@ class ServedDemo : public testing::Test {
     const std::filesystem::path demo = program_.folder() / "demo";
     ASSERT_EQ(program_.run({"demo", demo.string()}).exit_code, 0);
     std::ofstream{demo / "zone.geojson"} << zone;
+    std::ofstream{demo / "flight.csv"} << flight;
     std::vector<std::string> ingest{"ingest"};
     for (const auto& entry : std::filesystem::directory_iterator{demo})
       if (entry.path().extension() != ".txt") ingest.push_back(entry.path().string());

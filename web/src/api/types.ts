@@ -3,7 +3,7 @@
 export type Position = [lon: number, lat: number];
 export type Box = [west: number, south: number, east: number, north: number];
 
-export type DatasetKind = 'bathymetry' | 'currents' | 'ice' | 'icebergs' | 'coastline' | 'tides' | 'wind' | 'zones';
+export type DatasetKind = 'bathymetry' | 'currents' | 'ice' | 'icebergs' | 'coastline' | 'tides' | 'wind' | 'zones' | 'glider-tracks';
 
 export interface Dataset {
   id: string;
