@@ -29,6 +29,13 @@ test('a colleague opens the same view from the address', async ({ page, request 
   await expect.poll(() => at(theirs.url()).split(',').slice(0, 2).map((word) => Number(word).toFixed(2))).toEqual(
     at(before).split(',').slice(0, 2).map((word) => Number(word).toFixed(2)),
   );
+
+  // Put into the address of a page that is open, a link is followed, too.
+  const page_url = new URL(theirs.url());
+  page_url.hash = page_url.hash.replace('crs=3995', 'crs=3857');
+  await theirs.goto(page_url.href);
+  await expect(theirs.getByLabel('Projection')).toHaveValue('EPSG:3857');
+  await settled(theirs);
   await other?.close();
 });
 

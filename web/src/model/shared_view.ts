@@ -24,6 +24,10 @@ export function followAddress(): void {
     clearTimeout(timer);
     if (link && !playing.value) timer = setTimeout(() => write(link), pause_ms);
   });
+  // Written here without an event: what comes with one is a link that somebody has put into the address of an open page.
+  addEventListener('hashchange', () => {
+    if (Object.keys(readLink(location.hash)).length > 0) location.reload();
+  });
 }
 
 /** The address of what is seen at this moment, which the address bar may still be waiting to show. */
