@@ -5,6 +5,9 @@ export type Box = [west: number, south: number, east: number, north: number];
 
 export type DatasetKind = 'bathymetry' | 'currents' | 'ice' | 'icebergs' | 'coastline' | 'tides' | 'wind' | 'zones' | 'glider-tracks';
 
+/** The kinds that a plan is made on; tracks of gliders are only kept and shown. */
+export type PlanningKind = Exclude<DatasetKind, 'glider-tracks'>;
+
 export interface Dataset {
   id: string;
   kind: DatasetKind;

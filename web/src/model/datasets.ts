@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Box, Dataset, DatasetKind, Vehicle } from '../api/types';
+import type { Box, Dataset, DatasetKind, PlanningKind, Vehicle } from '../api/types';
 import { intersection } from '../geo/boxes';
 import { severalIn, withoutMissing } from './data_choice';
 import { draft, emptyDraft, fill } from './draft';
@@ -16,13 +16,13 @@ export const isEmptyStore = computed(() => datasets.value?.length === 0);
 
 export const ofKind = (kind: DatasetKind): Dataset[] => (datasets.value ?? []).filter((dataset) => dataset.kind === kind);
 
-const kinds: DatasetKind[] = ['bathymetry', 'currents', 'ice', 'icebergs', 'coastline', 'tides', 'wind', 'zones'];
+const kinds: PlanningKind[] = ['bathymetry', 'currents', 'ice', 'icebergs', 'coastline', 'tides', 'wind', 'zones'];
 
 /** The id of what people made by hand of a kind: a dataset of its own, which plans obey beside those of files. */
 export const byHand = (kind: 'icebergs' | 'zones'): string => `${kind}-by-hand`;
 
 /** The datasets of a kind that the draft asks for, in their rank: the newest unless others were chosen. */
-export function chosenAll(kind: DatasetKind): Dataset[] {
+export function chosenAll(kind: PlanningKind): Dataset[] {
   const wish = draft.value[kind];
   const candidates = ofKind(kind);
   if (wish === 'none') return [];
@@ -40,14 +40,14 @@ function newestOf(candidates: Dataset[]): Dataset[] {
 }
 
 /** The first of them, which the map shows. */
-export const chosen = (kind: DatasetKind): Dataset | undefined => chosenAll(kind)[0];
+export const chosen = (kind: PlanningKind): Dataset | undefined => chosenAll(kind)[0];
 
 /** Whether the set-up makes use of a dataset. */
-export const isInUse = ({ id, kind }: Dataset): boolean => chosenAll(kind).some((one) => one.id === id);
+export const isInUse = ({ id, kind }: Dataset): boolean => kinds.some((known) => known === kind && chosenAll(known).some((one) => one.id === id));
 
 /** Lets go of datasets that are no longer stored; the kinds of those that the set-up had asked for by name. */
-export function forgetMissing(): DatasetKind[] {
-  const lost: DatasetKind[] = [];
+export function forgetMissing(): PlanningKind[] {
+  const lost: PlanningKind[] = [];
   for (const kind of kinds) {
     const left = withoutMissing(draft.value[kind], (id) => ofKind(kind).some((dataset) => dataset.id === id));
     if (left === draft.value[kind]) continue;

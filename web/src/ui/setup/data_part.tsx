@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import type { DatasetKind } from '../../api/types';
+import type { PlanningKind } from '../../api/types';
 import { severalIn, severalOf, ticked } from '../../model/data_choice';
 import { chosen, ofKind } from '../../model/datasets';
 import { draft, edit } from '../../model/draft';
@@ -26,7 +26,7 @@ export function DataPart(): VNode {
 }
 
 interface DataFieldProps {
-  kind: DatasetKind;
+  kind: PlanningKind;
   label: string;
   all?: boolean; // all that are stored count unless others are chosen
   several?: string; // what several of them are
@@ -54,7 +54,7 @@ function DataField({ kind, label, all = false, several }: DataFieldProps): VNode
 }
 
 /** The stored datasets of a kind to be ticked; a figure says which rank each has. */
-function Ticks({ kind, label, stored }: { kind: DatasetKind; label: string; stored: Choice[] }): VNode {
+function Ticks({ kind, label, stored }: { kind: PlanningKind; label: string; stored: Choice[] }): VNode {
   const choice = draft.value[kind];
   const ids = severalIn(choice) ?? [];
   return (
