@@ -155,8 +155,9 @@ test('goals are taken from a mission file, and a file that is none is refused be
   const { start, goal } = await findPlaces(request);
   const middle: LonLat = [(start[0] + goal[0]) / 2, (start[1] + goal[1]) / 2];
   await open(page);
-  await page.getByRole('button', { name: 'Take the goals from a mission file' }).focus();
+  // Waited for before anything else: the browser takes a moment to hand its choosers over.
   const opened = page.waitForEvent('filechooser');
+  await page.getByRole('button', { name: 'Take the goals from a mission file' }).focus();
   await page.keyboard.press('Enter');
   await (await opened).setFiles([routeFile('survey.csv', [middle, goal])]);
   const goals = page.getByLabel('Goals', { exact: true });
