@@ -12,9 +12,11 @@ test('the clock plays with the mouse, and the table marks the leg under way', as
   await page.getByRole('button', { name: 'Play (Space)' }).click();
   await expect.poll(async () => Number(await slider.inputValue())).toBeGreaterThan(first + 3_600_000);
   await page.getByRole('button', { name: 'Pause (Space)' }).click();
-  const paused = await slider.inputValue();
-  await page.getByRole('button', { name: 'One hour back (,)' }).click();
-  await expect(slider).not.toHaveValue(paused);
+  const paused = Number(await slider.inputValue());
+  const back = page.getByRole('button', { name: 'One hour back (,)' });
+  await back.click(); // to the hour before, which the slider may show already: it shows tens of minutes
+  await back.click();
+  await expect.poll(async () => Number(await slider.inputValue())).toBeLessThan(paused);
 });
 
 test('where motion is not wanted the clock plays in whole hours', async ({ page }) => {

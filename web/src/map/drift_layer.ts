@@ -1,5 +1,6 @@
-import { effect } from '@preact/signals';
+import { computed, effect } from '@preact/signals';
 import Feature from 'ol/Feature.js';
+import type Geometry from 'ol/geom/Geometry.js';
 import LineString from 'ol/geom/LineString.js';
 import MultiPoint from 'ol/geom/MultiPoint.js';
 import Point from 'ol/geom/Point.js';
@@ -14,6 +15,7 @@ import { drifts, expectedAt, ticksOf, wayOf } from '../model/drift';
 import { crowd } from '../model/icebergs';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
+import { view } from '../model/view';
 import { palette } from '../theme/palette';
 import { toMap } from './projections';
 
@@ -25,6 +27,7 @@ const ticks_m = 60;
 const half = '80';
 
 const isShown = (): boolean => visible.value.drift && visible.value.icebergs;
+const ringsAreShown = computed(() => (view.value?.metresPerPixel ?? Infinity) < rings_m);
 
 /** Where each berg is expected to go: a thin line with a tick every six hours. */
 export function driftLayer(): VectorLayer<VectorSource> {
@@ -65,10 +68,9 @@ export function ghostLayer(): VectorLayer<VectorSource> {
     const ghosts = drifts.value.flatMap((drift) => {
       const expected = expectedAt(drift, minute);
       if (!expected || minute <= Date.parse(drift.observed)) return [];
-      return [
-        new Feature(new Polygon([toMap(code, circle(expected.place, expected.error_m + drift.safe_length_m / 2))])),
-        new Feature(new Point(project(code, expected.place))),
-      ];
+      const ghost = new Feature<Geometry>(new Point(project(code, expected.place)));
+      if (!ringsAreShown.value) return [ghost];
+      return [new Feature<Geometry>(new Polygon([toMap(code, circle(expected.place, expected.error_m + drift.safe_length_m / 2))])), ghost];
     });
     source.clear(true);
     source.addFeatures(ghosts);
@@ -77,7 +79,7 @@ export function ghostLayer(): VectorLayer<VectorSource> {
     const { reach } = palette.value;
     const ring = new Style({ stroke: new Stroke({ color: reach + half, width: 1, lineDash: [2, 5] }) });
     const ghost = new Style({ image: new RegularShape({ points: 3, radius: 6, stroke: new Stroke({ color: reach, width: 1.4, lineDash: [3, 2] }) }) });
-    layer.setStyle((feature, resolution) => (feature.getGeometry()?.getType() === 'Point' ? ghost : resolution < rings_m ? ring : undefined));
+    layer.setStyle((feature) => (feature.getGeometry()?.getType() === 'Point' ? ghost : ring));
   });
   return layer;
 }

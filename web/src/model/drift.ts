@@ -10,14 +10,36 @@ export interface Expected {
   error_m: number;
 }
 
+const known = new WeakMap<IcebergDrift, number[]>();
+
+/** The moments of a forecast; read once, because every step of the clock asks every berg. */
+function momentsOf(drift: IcebergDrift): number[] {
+  const moments_ms = known.get(drift) ?? drift.time.map((text) => Date.parse(text));
+  known.set(drift, moments_ms);
+  return moments_ms;
+}
+
+/** The first of ascending moments that is not before another; as many as there are when all are. */
+function firstFrom(moments_ms: number[], at_ms: number): number {
+  let [low, high] = [0, moments_ms.length];
+  while (low < high) {
+    const middle = (low + high) >> 1;
+    if ((moments_ms[middle] ?? NaN) < at_ms) low = middle + 1;
+    else high = middle;
+  }
+  return low;
+}
+
 /** Where a berg is expected at a moment; undefined before its sighting and after the end of its forecast. */
-export function expectedAt({ time, lon, lat, error_m }: IcebergDrift, at_ms: number): Expected | undefined {
-  const after = time.findIndex((text) => Date.parse(text) >= at_ms);
-  if (after < 0) return undefined;
+export function expectedAt(drift: IcebergDrift, at_ms: number): Expected | undefined {
+  const { lon, lat, error_m } = drift;
+  const moments_ms = momentsOf(drift);
+  const after = firstFrom(moments_ms, at_ms);
+  const [before_ms, after_ms] = [moments_ms[after - 1], moments_ms[after]];
+  if (after_ms === undefined) return undefined;
   const placeOf = (i: number): Position => [lon[i] ?? NaN, lat[i] ?? NaN];
-  const [before_ms, after_ms] = [Date.parse(time[after - 1] ?? ''), Date.parse(time[after] ?? '')];
   if (after_ms === at_ms) return { place: placeOf(after), error_m: error_m[after] ?? NaN };
-  if (after === 0) return undefined;
+  if (before_ms === undefined) return undefined;
   const share = (at_ms - before_ms) / (after_ms - before_ms);
   const [from, to] = [placeOf(after - 1), placeOf(after)];
   const leg = inverse(from, to);
