@@ -131,25 +131,27 @@ Response download_zip(const Context& context, const Request& request, const Path
   const bool seaglider = request.parameter("format") == "seaglider";
   const auto folder = handover_folder(request.parameter("glider").value_or(""), seaglider);
   if (!folder) return invalid(request, {{"?glider", folder.error().rule}});
-  return with_plan(
-      context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
-        return with_files(request, plan, warnings, [&](const mission::MissionFiles& set) {
-          std::vector<codec::ArchivedFile> files;
-          for (const auto& file : set.files) files.push_back({*folder + file.name, file.text});
-          return download(plan.id.value + ".zip", "application/zip", codec::zip_archive(files, request.now));
-        });
-      });
+  return with_plan(context, request, path,
+                   [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
+                     return with_files(request, plan, warnings, [&](const mission::MissionFiles& set) {
+                       std::vector<codec::ArchivedFile> files;
+                       for (const auto& file : set.files) files.push_back({*folder + file.name, file.text});
+                       return download(download_stem(plan) + ".zip", "application/zip",
+                                       codec::zip_archive(files, request.now));
+                     });
+                   });
 }
 
 /// Answers with the plan in one format that is a single file.
 auto download_as(const ExportFormat& format) {
   return [&format](const Context& context, const Request& request, const PathParameters& path) {
-    return with_plan(
-        context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
-          auto bytes = export_plan(context.db, plan, format, warnings, request.now);
-          if (!bytes) return invalid(request, bytes.error());
-          return download(export_file_name(format, plan), format.content_type, std::move(*bytes));
-        });
+    return with_plan(context, request, path,
+                     [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
+                       auto bytes = export_plan(context.db, plan, format, warnings, request.now);
+                       if (!bytes) return invalid(request, bytes.error());
+                       return download(export_file_name(format, download_stem(plan)), format.content_type,
+                                       std::move(*bytes));
+                     });
   };
 }
 

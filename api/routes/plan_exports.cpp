@@ -14,6 +14,7 @@
 #include "api/codec/plan_imc.hpp"
 #include "api/codec/plan_kml.hpp"
 #include "api/routes/mission_service.hpp"
+#include "engine/core/utc_text.hpp"
 #include "engine/mission/goto_lists.hpp"
 #include "engine/mission/nmea_route.hpp"
 #include "engine/mission/seaglider_files.hpp"
@@ -66,9 +67,23 @@ std::span<const ExportFormat> export_formats() {
   return formats;
 }
 
-std::string export_file_name(const ExportFormat& format, const PlanRecord& record) {
+std::string export_file_name(const ExportFormat& format, const std::string& stem) {
   if (!format.file_name.empty()) return format.file_name;
-  return record.id.value + "." + format.name + (format.name == "imc" ? ".json" : "");
+  return stem + "." + format.name + (format.name == "imc" ? ".json" : "");
+}
+
+std::string download_stem(const PlanRecord& record) {
+  constexpr std::size_t longest_name = 40;
+  std::string name;
+  for (const char c : record.name.substr(0, longest_name)) {
+    const bool plain = (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9');
+    if (plain) name += c;
+    if (!plain && !name.empty() && name.back() != '_') name += '_';
+  }
+  if (name.ends_with('_')) name.pop_back();
+  std::string minute = core::iso8601(record.departure).substr(0, std::size("2026-11-20T06:00") - 1);
+  std::erase_if(minute, [](char c) { return c == '-' || c == ':'; });
+  return (name.empty() ? "plan" : name) + "-" + minute + "Z-" + record.id.value;
 }
 
 tl::expected<std::string, core::Violations> export_plan(sqlite::Connection& db, const PlanRecord& record,

@@ -16,13 +16,18 @@ namespace floeplan::routes {
 struct ExportFormat {
   std::string name;  // "gpx": names the flag's value and ends the address
   std::string content_type;
-  std::string file_name;  // of the file; empty: the plan's id and the format's name
+  std::string file_name;  // of the file; empty: what the plan is called and the format's name
 };
 
 /// Every format but the mission files of a vehicle, in a fixed order.
 [[nodiscard]] std::span<const ExportFormat> export_formats();
 
-[[nodiscard]] std::string export_file_name(const ExportFormat& format, const repository::PlanRecord& record);
+/// `stem`  what the plan is called, where the format does not name its file
+[[nodiscard]] std::string export_file_name(const ExportFormat& format, const std::string& stem);
+
+/// What a person finds a downloaded plan by among others, as far as a file can be called so: its name, its departure and
+/// its id, "Kangia-20261122T0600Z-p1c2d3e4f5a6".
+[[nodiscard]] std::string download_stem(const repository::PlanRecord& record);
 
 /// The plan in one of these formats. `warnings`: what the check before the export said; the printed page shows it.
 /// Errors   a violation for a plan that the format cannot hold

@@ -78,7 +78,7 @@ tl::expected<mission::MissionFiles, core::Violations> files_of(sqlite::Connectio
   auto bytes = routes::export_plan(db, record, *format, warnings, now());
   if (!bytes) return tl::unexpected(bytes.error());
   mission::MissionFiles result;
-  result.files.push_back({routes::export_file_name(*format, record), std::move(*bytes)});
+  result.files.push_back({routes::export_file_name(*format, record.id.value), std::move(*bytes)});
   return result;
 }
 

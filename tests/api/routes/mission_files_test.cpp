@@ -1,4 +1,6 @@
 #include "api/codec/plan_document.hpp"
+#include "api/routes/plan_exports.hpp"
+#include "engine/core/utc_text.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
@@ -102,6 +104,21 @@ TEST_F(MissionFilesTest, LieInTheArchiveWhereADockserverLooksForThem) {
   for (const char* bad : {"..%2Fup", "a%20b", "%2Fetc"})
     EXPECT_EQ(ask("GET", "/collections/plans/items/p1/mission.zip?glider=" + std::string{bad}).status, 400)
         << bad;
+}
+
+TEST_F(MissionFilesTest, AreDownloadedUnderTheNameDepartureAndIdOfThePlan) {
+  repository::PlanRecord plan;
+  plan.id = {"p1c2d3e4f5a6"};
+  plan.departure = core::parse_iso8601("2026-11-22T06:00:00Z").value();
+  EXPECT_EQ(download_stem(plan), "plan-20261122T0600Z-p1c2d3e4f5a6");
+  plan.name = "Into the \"Kangia\"/../fjørd ";
+  EXPECT_EQ(download_stem(plan), "Into_the_Kangia_fj_rd-20261122T0600Z-p1c2d3e4f5a6");
+
+  for (const std::string format : {"zip", "gpx"}) {
+    const auto response = ask("GET", "/collections/plans/items/p1/mission." + format);
+    EXPECT_THAT(response.headers, testing::Contains(testing::Pair(
+                                      "Content-Disposition", testing::EndsWith("-p1." + format + "\""))));
+  }
 }
 
 TEST_F(MissionFilesTest, RefuseBadOptions) {

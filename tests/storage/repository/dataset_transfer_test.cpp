@@ -10,19 +10,16 @@
 #include "storage/repository/migrations.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "storage/sqlite/transaction.hpp"
+#include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::repository {
 namespace {
 
 Dataset named(const std::string& id) {
-  return {.id = {id},
-          .kind = DatasetKind::icebergs,
-          .name = id,
-          .variables = {"berg"},
-          .bounds = {-60.0, 60.0, -40.0, 75.0},
-          .warnings = {"seen from afar"},
-          .provenance = {.sha256 = id}};
+  Dataset dataset = sample_dataset(id, DatasetKind::icebergs);
+  dataset.warnings = {"seen from afar"};
+  return dataset;
 }
 
 void store(sqlite::Connection& db, const std::string& id, double lon_deg) {
