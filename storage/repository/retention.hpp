@@ -13,8 +13,9 @@ namespace floeplan::repository {
 struct RetentionRules {
   std::optional<core::Seconds>
       max_age{};  // since the end of their period, or their ingestion if that is later
-  std::optional<std::int64_t> max_bytes{};  // of all samples and tracks together, compressed as they are stored
-  std::optional<DatasetKind> kind{};        // the rules hold for it alone, and count it alone
+  std::optional<std::int64_t>
+      max_bytes{};                    // of all samples and tracks together, compressed as they are stored
+  std::optional<DatasetKind> kind{};  // the rules hold for it alone, and count it alone
 };
 
 /// A dataset and the room that its samples and tracks take.
