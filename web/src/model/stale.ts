@@ -11,16 +11,16 @@ const changing: DatasetKind[] = ['icebergs', 'currents', 'ice', 'zones'];
 /** How far a berg may drift into the way of a plan from outside, as the planner reckons: a hundred kilometres. */
 const drift_deg = 0.9;
 
-/** The box of a dataset; of bergs made by hand, which may be a single one, with the water they may drift into. */
-function reachOf({ bbox: [west, south, east, north], id }: Dataset): Box {
-  if (id !== byHand('icebergs')) return [west, south, east, north];
+/** The box of a dataset; of bergs with the water that they may drift into. */
+function reachOf({ bbox: [west, south, east, north], kind }: Dataset): Box {
+  if (kind !== 'icebergs') return [west, south, east, north];
   const aside_deg = drift_deg / Math.cos((Math.min(89, Math.max(Math.abs(south), Math.abs(north))) * Math.PI) / 180);
   return [wrapLongitude(west - aside_deg), south - drift_deg, wrapLongitude(east + aside_deg), north + drift_deg];
 }
 
 /**
- * Datasets that came in or were changed by hand after a plan was made, of a kind that it used and where it goes; of zones, and of
- * icebergs made by hand, also the first ones.
+ * Datasets that came in or were changed by hand after a plan was made, of a kind that it used and where it goes; of zones and of
+ * icebergs, which close ways that were open, also the first ones.
  */
 export function newerThan(plan: Plan, stored: Dataset[]): Dataset[] {
   const around = boxAround(routeOf(plan));
@@ -31,7 +31,7 @@ export function newerThan(plan: Plan, stored: Dataset[]): Dataset[] {
     const newer = stored.filter((one) => one.kind === kind && Date.parse(one.ingested) > created_ms && intersection(reachOf(one), around) !== undefined);
     const fromFiles = newer.filter(({ id }) => id !== byHand('icebergs'));
     const reported = newer.filter(({ id }) => id === byHand('icebergs'));
-    const counting = kind === 'zones' ? newer : [...(isUsed ? fromFiles.slice(0, 1) : []), ...reported];
+    const counting = kind === 'zones' ? newer : [...(isUsed || kind === 'icebergs' ? fromFiles.slice(0, 1) : []), ...reported];
     return counting.filter((one) => !plan.datasets.some(({ id, sha256 }) => id === one.id && sha256 === one.sha256));
   });
 }

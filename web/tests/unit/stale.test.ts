@@ -24,6 +24,11 @@ describe('a plan is stale', () => {
     expect(newerThan(plan, [dataset({ bbox: [-10, 68, 0, 70] })])).toEqual([]);
   });
 
+  it('when icebergs may drift into its way from beside it, or are the first that are known', () => {
+    expect(newerThan(plan, [dataset({ bbox: [-50, 69, -49, 69.2] })])).toHaveLength(1);
+    expect(newerThan({ ...plan, datasets: [] }, [dataset({})])).toHaveLength(1);
+  });
+
   it('when icebergs or zones made by hand have changed since, also the first ones', () => {
     const reported = dataset({ id: 'icebergs-by-hand', sha256: 'a' });
     expect(newerThan(plan, [dataset({}), reported]).map(({ id }) => id)).toEqual(['new', 'icebergs-by-hand']);
