@@ -119,8 +119,8 @@ std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape&
   const std::optional<repository::Period> period =
       shape.times.empty() ? std::nullopt : std::optional{repository::Period{from, to}};
   if (shape.dataset.kind == DatasetKind::bathymetry) {
-    constexpr std::size_t most_nodes = 4'000'000;  // several for each sample that an answer may have
-    auto bathymetry = repository::FieldOverviews{db}.bathymetry(id, area, most_nodes);
+    using repository::FieldOverviews;
+    auto bathymetry = FieldOverviews{db}.bathymetry(id, area, FieldOverviews::plenty);
     return bathymetry ? std::make_unique<DepthField>(std::move(*bathymetry)) : nullptr;
   }
   if (shape.dataset.kind == DatasetKind::ice) {

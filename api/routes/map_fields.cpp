@@ -106,10 +106,10 @@ Response show_bathymetry(const Context& context, const Request& request, const P
   if (!reader.violations().empty()) return invalid(request, reader.violations());
   const auto dataset = choose(context, request, DatasetKind::bathymetry, view->area, std::nullopt);
   if (!dataset) return dataset.error();
+  using repository::FieldOverviews;
   // Some depths for each sample of the picture: no more can be seen.
-  const std::size_t most_nodes = std::min<std::size_t>(16 * view->nx * view->ny, 4'000'000);
-  const auto bathymetry =
-      repository::FieldOverviews{context.db}.bathymetry(dataset->id, view->area, most_nodes);
+  const std::size_t most_nodes = std::min(16 * view->nx * view->ny, FieldOverviews::plenty);
+  const auto bathymetry = FieldOverviews{context.db}.bathymetry(dataset->id, view->area, most_nodes);
   if (!bathymetry) return not_found(request, "no-data", "The dataset has no node in this area.");
 
   codec::MapGrid grid = empty_grid(*view, *dataset);

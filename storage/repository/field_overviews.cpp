@@ -15,8 +15,6 @@ namespace floeplan::repository {
 namespace {
 
 constexpr std::size_t stride = 4;
-/// 16 MB as 4-byte floats, which are unpacked in some hundredths of a second: no more need be thinned.
-constexpr std::size_t small_enough = 4'000'000;
 
 /// A field or one of its overviews.
 struct Level {
@@ -47,7 +45,7 @@ ocean::Axis thinned(const ocean::Axis& axis) {
 /// The field itself, then what is, or would be, made of it.
 std::vector<Level> levels_of(const std::string& variable, const ocean::HorizontalGrid& field) {
   std::vector<Level> levels{{variable, field}};
-  while (levels.back().grid.size() > small_enough) {
+  while (levels.back().grid.size() > FieldOverviews::plenty) {
     const ocean::HorizontalGrid& finer = levels.back().grid;
     levels.push_back(
         {name_of_level(variable, levels.size()), {finer.frame(), thinned(finer.x()), thinned(finer.y())}});

@@ -16,6 +16,10 @@ namespace floeplan::repository {
 /// Threads  as the connection: one thread at a time
 class FieldOverviews {
  public:
+  /// More than any picture or answer shows, and 16 MB as 4-byte floats, unpacked in some hundredths of a second: fields
+  /// with no more nodes have no overviews.
+  static constexpr std::size_t plenty = 4'000'000;
+
   explicit FieldOverviews(sqlite::Connection& db) : db_{db} {}
 
   /// Makes those of a variable that is stored whole; of a small field there are none.
