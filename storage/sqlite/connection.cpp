@@ -9,11 +9,14 @@
 #include <utility>
 
 #include "storage/sqlite/failure.hpp"
+#include "storage/sqlite/prepared_statements.hpp"
 
 namespace floeplan::sqlite {
 namespace {
 
 constexpr int busy_timeout_ms = 10'000;
+// A connection serves one thread at a time, so it need not lock itself.
+constexpr int open_flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_CREATE | SQLITE_OPEN_NOMUTEX;
 
 /// Ours already, or so new that nobody has put anything into it. The contents are looked at first: another program
 /// may be creating the store at this moment, and puts its mark and its tables there at once.
@@ -44,14 +47,19 @@ void use_write_ahead_log(SQLite::Database& database) {
 
 }  // namespace
 
-Connection::Connection(std::unique_ptr<SQLite::Database> database) : database_{std::move(database)} {
+Connection::Connection(std::unique_ptr<SQLite::Database> database)
+    : database_{std::move(database)}, statements_{std::make_unique<PreparedStatements>()} {
   database_->exec("PRAGMA foreign_keys = ON");
   database_->exec("PRAGMA synchronous = FULL");
   database_->exec("PRAGMA journal_size_limit = 67108864");  // bytes: an ingestion's log shrinks again
 }
 
 Connection::Connection(Connection&&) noexcept = default;
-Connection& Connection::operator=(Connection&&) noexcept = default;
+Connection& Connection::operator=(Connection&& other) noexcept {
+  std::swap(statements_, other.statements_);  // what this one had ends with `other`, in the right order
+  std::swap(database_, other.database_);
+  return *this;
+}
 Connection::~Connection() = default;
 
 Connection Connection::open(const std::filesystem::path& store) {
@@ -61,8 +69,7 @@ Connection Connection::open(const std::filesystem::path& store) {
 
   const std::string file = (store / "floeplan.sqlite").string();
   try {
-    auto database = std::make_unique<SQLite::Database>(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
-                                                       busy_timeout_ms);
+    auto database = std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms);
     refuse_foreign_file(*database);
     use_write_ahead_log(*database);
     return Connection{std::move(database)};
@@ -74,8 +81,7 @@ Connection Connection::open(const std::filesystem::path& store) {
 Connection Connection::open_scratch(const std::filesystem::path& folder) {
   const std::string file = (folder / "floeplan.sqlite").string();
   try {
-    Connection scratch{std::make_unique<SQLite::Database>(file, SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE,
-                                                          busy_timeout_ms)};
+    Connection scratch{std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms)};
     scratch.handle().exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF");
     return scratch;
   } catch (const SQLite::Exception& cause) {
@@ -84,8 +90,7 @@ Connection Connection::open_scratch(const std::filesystem::path& folder) {
 }
 
 Connection Connection::in_memory() {
-  return Connection{std::make_unique<SQLite::Database>(
-      ":memory:", SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, busy_timeout_ms)};
+  return Connection{std::make_unique<SQLite::Database>(":memory:", open_flags, busy_timeout_ms)};
 }
 
 }  // namespace floeplan::sqlite

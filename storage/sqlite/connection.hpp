@@ -10,12 +10,15 @@ class Database;
 
 namespace floeplan::sqlite {
 
+class PreparedStatements;
+
 /// Marks a database file as ours in its header ("FLOE"), so that nobody else's file is ever written to.
 inline constexpr std::int32_t application_id = 0x464C4F45;
 
 /// One connection to the store's database, set to WAL, foreign keys on, full synchronisation and a busy
 /// timeout, so that a committed transaction survives a kill and a power cut.
 /// Threads  one thread at a time; open one connection for each thread
+/// Edges    its statements are to be gone before it is
 /// Errors   std::runtime_error when the file cannot be opened, is damaged, or is a database of another
 ///          program; such a file is left as it is
 class Connection {
@@ -33,11 +36,13 @@ class Connection {
   ~Connection();
 
   [[nodiscard]] SQLite::Database& handle() { return *database_; }
+  [[nodiscard]] PreparedStatements& statements() { return *statements_; }
 
  private:
   explicit Connection(std::unique_ptr<SQLite::Database> database);
 
   std::unique_ptr<SQLite::Database> database_;
+  std::unique_ptr<PreparedStatements> statements_;  // of database_
 };
 
 }  // namespace floeplan::sqlite

@@ -6,8 +6,10 @@
 
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 
 #include "storage/sqlite/failure.hpp"
+#include "storage/sqlite/prepared_statements.hpp"
 
 namespace floeplan::sqlite {
 namespace {
@@ -30,11 +32,14 @@ void execute(Connection& db, const std::string& script) {
 
 Statement::Statement(Connection& db, const std::string& sql)
     : database_{db.handle()},
-      statement_{translated(database_, [&] { return std::make_unique<SQLite::Statement>(database_, sql); })} {
-}
+      statements_{db.statements()},
+      statement_{translated(database_, [&] { return statements_.take(database_, sql); })} {}
 
 Statement::Statement(Statement&&) noexcept = default;
-Statement::~Statement() = default;
+
+Statement::~Statement() {
+  if (statement_) statements_.give_back(std::move(statement_));
+}
 
 void Statement::bind(int parameter, const std::string& value) {
   translated(database_, [&] { statement_->bind(parameter, value); });

@@ -83,5 +83,73 @@ TEST_F(StatementTest, FailsWithTheDatabasesReason) {
   EXPECT_THROW(insert.run(), Failure);
 }
 
+TEST_F(StatementTest, RemembersNothingOfTheOneBeforeThatHadTheSameText) {
+  const std::string sql = "SELECT ?1 IS NULL";
+  {
+    Statement first{db_, sql};
+    first.bind(1, 7);
+    ASSERT_TRUE(first.step());
+    EXPECT_EQ(first.integer(0), 0);
+  }
+  Statement second{db_, sql};
+  ASSERT_TRUE(second.step());
+  EXPECT_EQ(second.integer(0), 1);
+}
+
+TEST_F(StatementTest, RunsBesideAnotherOfTheSameText) {
+  execute(db_, "INSERT INTO t (b) VALUES (1), (2)");
+  const std::string sql = "SELECT b FROM t ORDER BY b";
+  Statement outer{db_, sql};
+  int pairs = 0;
+  while (outer.step()) {
+    Statement inner{db_, sql};
+    while (inner.step()) ++pairs;
+  }
+  EXPECT_EQ(pairs, 4);
+}
+
+TEST_F(StatementTest, LetsGoOfTheTableWhenItIsLeftHalfway) {
+  execute(db_, "INSERT INTO t (b) VALUES (1), (2)");
+  {
+    Statement query{db_, "SELECT b FROM t"};
+    ASSERT_TRUE(query.step());
+  }
+  EXPECT_NO_THROW(execute(db_, "DROP TABLE t"));
+}
+
+TEST_F(StatementTest, SeesTheColumnsOfToday) {
+  const std::string sql = "SELECT * FROM t";
+  {
+    EXPECT_FALSE(Statement(db_, sql).step());
+  }
+  execute(db_, "DROP TABLE t; CREATE TABLE t (only INTEGER); INSERT INTO t VALUES (5)");
+  Statement query{db_, sql};
+  ASSERT_TRUE(query.step());
+  EXPECT_EQ(query.integer(0), 5);
+}
+
+TEST_F(StatementTest, WorksAgainAfterAFailure) {
+  execute(db_, "CREATE UNIQUE INDEX one ON t (b)");
+  const std::string sql = "INSERT INTO t (b) VALUES (?1)";
+  const auto insert = [&](int value) {
+    Statement statement{db_, sql};
+    statement.bind(1, value);
+    return statement.run();
+  };
+  EXPECT_EQ(insert(1), 1);
+  EXPECT_THROW(insert(1), Failure);
+  EXPECT_EQ(insert(2), 1);
+}
+
+TEST_F(StatementTest, StaysRightWhenThereAreMoreTextsThanAreKept) {
+  for (int round = 0; round < 2; ++round) {
+    for (int i = 0; i < 200; ++i) {
+      Statement query{db_, "SELECT " + std::to_string(i)};
+      ASSERT_TRUE(query.step());
+      EXPECT_EQ(query.integer(0), i);
+    }
+  }
+}
+
 }  // namespace
 }  // namespace floeplan::sqlite
