@@ -52,14 +52,15 @@ std::optional<TimeSpan> time_within(const motion::MovingDisc& disc, const motion
   return TimeSpan{core::Seconds{*first}, core::Seconds{last ? -*last : *first}};
 }
 
-DriftingDisc::DriftingDisc(const std::vector<TrackPoint>& track, core::Metres hull, core::Metres margin)
+DriftingDisc::DriftingDisc(const std::vector<TrackPoint>& track, core::Metres hull, core::Metres margin,
+                           core::Metres rounding)
     : hull_radius_m_{track.front().scale * hull.value},
       kept_m_{track.front().scale * (hull.value + margin.value)},
       scale_{track.front().scale},
       swept_{track.front().centre, track.front().centre} {
   for (const TrackPoint& point : track) {
-    knots_.push_back(
-        {point.t_s, point.centre, point.scale * (hull.value + margin.value + point.error.value)});
+    knots_.push_back({point.t_s, point.centre,
+                      point.scale * (hull.value + margin.value + point.error.value + rounding.value)});
     swept_.include(box_around(knots_.back()));
   }
   for (std::size_t first = 0; first < knots_.size(); first += knots_in_a_block) {

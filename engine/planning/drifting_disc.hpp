@@ -20,8 +20,10 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class DriftingDisc {
  public:
-  /// `track` holds at least one point; `hull` is half the length, on the ground.
-  DriftingDisc(const std::vector<TrackPoint>& track, core::Metres hull, core::Metres margin);
+  /// `track` holds at least one point; `hull` is half the length, on the ground. `rounding`: kept besides, of which no
+  /// figure tells.
+  DriftingDisc(const std::vector<TrackPoint>& track, core::Metres hull, core::Metres margin,
+               core::Metres rounding = {});
 
   /// Where it is at a time; between two knots it moves and grows evenly.
   struct Knot {

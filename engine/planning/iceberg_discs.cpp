@@ -33,7 +33,8 @@ PlaneBox box_of(const motion::EvenMove& move) {
 IcebergDiscs::IcebergDiscs(const ocean::Environment& environment, const IcebergRules& rules,
                            const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch,
                            core::Seconds horizon, const std::stop_token& stop,
-                           std::optional<PassUnder> pass_under, const std::vector<geo::PlanePoint>& stops)
+                           std::optional<PassUnder> pass_under, const std::vector<geo::PlanePoint>& stops,
+                           core::Metres rounding)
     : pass_under_{std::move(pass_under)}, standing_{!rules.drift || environment.icebergs.empty()} {
   for (const ocean::Iceberg& iceberg : environment.icebergs) {
     if (stop.stop_requested()) return;
@@ -41,7 +42,7 @@ IcebergDiscs::IcebergDiscs(const ocean::Environment& environment, const IcebergR
     const double scale = track.front().scale;
     const core::Metres stated = iceberg.position_uncertainty.value_or(core::Metres{0.0});
     Berg berg{.name = iceberg.id,
-              .disc = {track, core::Metres{0.5 * ocean::safe_length(iceberg).value}, rules.margin},
+              .disc = {track, core::Metres{0.5 * ocean::safe_length(iceberg).value}, rules.margin, rounding},
               .error = {.at_sighting_m = scale * stated.value,
                         .growth_m_s = standing_ ? 0.0 : scale * ocean::error_growth.value,
                         .sighted_s = (iceberg.observed - epoch).count()},

@@ -30,11 +30,12 @@ class IcebergDiscs {
  public:
   /// `horizon`: how far ahead the drift is forecast. `area`: where questions will be asked; the answers are right
   /// outside it too. Once `stop` is requested the discs stay incomplete and must not be used.
+  /// `rounding`: by which the discs are larger than the rules ask for.
   IcebergDiscs(const ocean::Environment& environment, const IcebergRules& rules,
                const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch,
                core::Seconds horizon, const std::stop_token& stop = {},
                std::optional<PassUnder> pass_under = std::nullopt,
-               const std::vector<geo::PlanePoint>& stops = {});
+               const std::vector<geo::PlanePoint>& stops = {}, core::Metres rounding = {});
 
   [[nodiscard]] bool empty() const { return bergs_.empty(); }
   /// Whether no disc ever moves or grows.

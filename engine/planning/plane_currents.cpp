@@ -5,7 +5,7 @@
 #include <limits>
 #include <utility>
 
-#include "engine/planning/current_slice.hpp"
+#include "engine/planning/band_means.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -14,6 +14,8 @@ constexpr double most_beside_chord =
     2.5e-4;  // of a cell: so small a share of what the current changes over the cell goes unseen
 constexpr int most_parts = 4;  // of a side of a cell: beyond it memory and time outgrow the gain
 constexpr std::size_t most_nodes = 1 << 22;  // over all times: 32 MB
+/// Of the data: so few that what a time needs of them stays in the processor's nearer memory.
+constexpr std::size_t rows_together = 16;
 
 /// Each step of the axis cut into equal parts.
 std::vector<double> cut(const std::vector<double>& nodes, int parts) {
@@ -34,7 +36,12 @@ CellPosition on_uncut(std::size_t i, int parts, std::size_t nodes) {
   return cell + 1 < nodes ? CellPosition{cell, share} : CellPosition{nodes - 1, 0.0};
 }
 
-/// The depths flown at the nodes of a window whose cells are cut into parts.
+/// The parts that the cells of a window are cut into, and the depths flown at the nodes of all.
+struct Cut {
+  int parts{1};
+  std::vector<vehicle::DiveBand> bands;  // [y][x]
+};
+
 std::vector<vehicle::DiveBand> bands_over(const FlownDepths& depths, const geo::GridFrame& frame,
                                           const NodeWindow& window, int parts) {
   std::vector<vehicle::DiveBand> bands;
@@ -44,19 +51,21 @@ std::vector<vehicle::DiveBand> bands_over(const FlownDepths& depths, const geo::
   return bands;
 }
 
-/// Parts to cut the data's cells into so that a bank of the bathymetry inside one of them is felt.
-int parts_for(const FlownDepths& depths, const ocean::HorizontalGrid& grid, const NodeWindow& window,
-              std::size_t slices) {
-  if (!depths.bathymetry()) return 1;
+/// Cuts the data's cells so that a bank of the bathymetry inside one of them is felt.
+Cut cut_for(const FlownDepths& depths, const ocean::HorizontalGrid& grid, const NodeWindow& window,
+            std::size_t slices) {
+  if (!depths.bathymetry()) return {1, std::vector(window.size(), depths.at(grid.place(0, 0)))};
   const double wanted = std::ceil(grid.spacing() / depths.bathymetry()->grid().spacing());
   int parts = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most_parts)));
   const auto too_many = [&] {
     return window.size() * static_cast<std::size_t>(parts * parts) * slices > most_nodes;
   };
   while (parts > 1 && too_many()) --parts;
-  const std::vector<vehicle::DiveBand> bands = bands_over(depths, grid.frame(), window, parts);
+  std::vector<vehicle::DiveBand> bands = bands_over(depths, grid.frame(), window, parts);
   const bool same = std::ranges::all_of(bands, [&](const auto& band) { return band == bands.front(); });
-  return same ? 1 : parts;
+  if (!same) return {parts, std::move(bands)};
+  bands.resize(window.size());
+  return {1, std::move(bands)};
 }
 
 std::vector<NodeTurn> turns_of(const ocean::HorizontalGrid& grid, const NodeWindow& window,
@@ -69,6 +78,38 @@ std::vector<NodeTurn> turns_of(const ocean::HorizontalGrid& grid, const NodeWind
     }
   }
   return turns;
+}
+
+/// Some rows of the data's nodes, and those of the cut nodes that lie from the first of them up to the end.
+struct RowBlock {
+  std::size_t first_cut{};
+  std::size_t end_cut{};
+  std::size_t
+      first_needed{};  // of the data: the last cells end at the next row, and a coast reaches one row further
+  std::size_t needed{};
+};
+
+RowBlock block_from(std::size_t first, const NodeWindow& window, std::size_t parts, std::size_t cut_rows) {
+  const std::size_t end = std::min(first + rows_together, window.y.size());
+  const std::size_t first_needed = first > 0 ? first - 1 : 0;
+  return {.first_cut = first * parts,
+          .end_cut = std::min(end * parts, cut_rows),
+          .first_needed = first_needed,
+          .needed = std::min(end + 2, window.y.size()) - first_needed};
+}
+
+std::vector<BandMeans::Place> places_in(const RowBlock& block, std::size_t cut_columns, int parts,
+                                        const NodeWindow& window,
+                                        const std::vector<vehicle::DiveBand>& bands) {
+  std::vector<BandMeans::Place> places;
+  places.reserve((block.end_cut - block.first_cut) * cut_columns);
+  for (std::size_t iy = block.first_cut; iy < block.end_cut; ++iy) {
+    for (std::size_t ix = 0; ix < cut_columns; ++ix) {
+      places.push_back({on_uncut(ix, parts, window.x.size()), on_uncut(iy, parts, window.y.size()),
+                        bands[iy * cut_columns + ix]});
+    }
+  }
+  return places;
 }
 
 }  // namespace
@@ -86,7 +127,7 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
     }
     times_s_ = FastAxis{std::move(times)};
   }
-  const int parts = parts_for(depths, grid, window, times_s_ ? times_s_->size() : 1);
+  const auto [parts, bands] = cut_for(depths, grid, window, times_s_ ? times_s_->size() : 1);
   x_ = FastAxis{cut(window.x, parts)};
   y_ = FastAxis{cut(window.y, parts)};
   spacing_ = (1.0 / parts) * grid.spacing();
@@ -94,8 +135,7 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
   // A chord of length h misses a curve by h^2 / 8 of its bend.
   straight_parts_per_metre_ =
       std::sqrt(std::max(bend.x / x_.mean_step(), bend.y / y_.mean_step()) / (8.0 * most_beside_chord));
-  fill(currents, window, parts, bands_over(depths, grid.frame(), window, parts),
-       turns_of(grid, window, projection), stop);
+  fill(currents, window, parts, bands, turns_of(grid, window, projection), stop);
 }
 
 void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& window, int parts,
@@ -107,17 +147,25 @@ void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& w
   nodes_.assign(slice * slices, Node{missing, missing});
   extended_.assign(slice, 0);
   double strongest2 = 0.0;
-  for (std::size_t t = 0; t < slices; ++t) {
-    CurrentSlice water{currents, window, turns, t};
-    for (std::size_t iy = 0; iy < y_.size(); ++iy) {
+  for (std::size_t first = 0; first < window.y.size(); first += rows_together) {
+    const RowBlock block = block_from(first, window, static_cast<std::size_t>(parts), y_.size());
+    const std::vector<BandMeans::Place> places = places_in(block, x_.size(), parts, window, bands);
+    std::optional<WetLevels> wet;
+    std::optional<BandMeans> means;
+    for (std::size_t t = 0; t < slices; ++t) {
       if (stop.stop_requested()) return;
-      for (std::size_t ix = 0; ix < x_.size(); ++ix) {
-        const std::size_t node = iy * x_.size() + ix;
-        const auto mean = water.mean(on_uncut(ix, parts, window.x.size()),
-                                     on_uncut(iy, parts, window.y.size()), bands[node]);
+      const ocean::CurrentRows water{currents, t, window.first_row + block.first_needed, block.needed};
+      WetLevels wet_now{window, block.first_needed, block.needed, water};
+      if (wet != wet_now) {
+        means.emplace(places, currents.samples().depths_m, window, turns, wet_now, water);
+        wet = std::move(wet_now);
+      }
+      for (std::size_t i = 0; i < places.size(); ++i) {
+        const auto mean = means->at(i, water);
         if (!mean) continue;
         const motion::CurrentXy c = mean->current;
         strongest2 = std::max(strongest2, c.x_m_s * c.x_m_s + c.y_m_s * c.y_m_s);
+        const std::size_t node = block.first_cut * x_.size() + i;
         nodes_[t * slice + node] = {static_cast<float>(c.x_m_s), static_cast<float>(c.y_m_s)};
         if (mean->extended) extended_[node] = 1;
       }

@@ -106,6 +106,8 @@ std::optional<motion::EdgeClosed> SafetyMap::closed_between(geo::PlanePoint a, g
   const double reach_m = std::max(std::abs(b.x_m - a.x_m), std::abs(b.y_m - a.y_m));
   // A clearance of n leaves at least n - 1 whole open cells around the one the line starts in.
   if (reach_m <= (clearance_[*start] - 1) * raster_.cell_m()) return std::nullopt;
+  const auto middle = raster_.index({0.5 * (a.x_m + b.x_m), 0.5 * (a.y_m + b.y_m)});
+  if (middle && 0.5 * reach_m <= (clearance_[*middle] - 1) * raster_.cell_m()) return std::nullopt;
 
   std::optional<motion::EdgeClosed> closed;
   raster_.for_each_cell(a, b, [&](std::int64_t ix, std::int64_t iy) {

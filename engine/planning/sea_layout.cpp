@@ -35,6 +35,12 @@ std::optional<PassUnder> lay_out_under(const ocean::Environment& environment, co
   return PassUnder{environment, request.icebergs, request.vehicle, projection, area, stop};
 }
 
+/// What a way that is searched for keeps from the rims of icebergs beside what is asked: a route that just touches one is
+/// judged again from written positions, in a plane of its own. Mission files round to a ten-thousandth of a minute, 0.19 m.
+core::Metres kept_for_rounding(const PlanRequest& request) {
+  return core::Metres{request.method == Method::direct ? 0.0 : 0.3};
+}
+
 /// Where the vehicle surfaces whatever the way.
 std::vector<geo::PlanePoint> stops_of(const PlanRequest& request, const geo::LocalProjection& projection) {
   std::vector<geo::PlanePoint> stops{projection.to_plane(request.from), projection.to_plane(request.to)};
@@ -62,7 +68,8 @@ IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanR
           forecast_horizon(environment, request),
           stop,
           lay_out_under(environment, request, projection, area, stop),
-          stops_of(request, projection)};
+          stops_of(request, projection),
+          kept_for_rounding(request)};
 }
 
 std::optional<PlaneCurrents> lay_out_currents(const ocean::Environment& environment,
