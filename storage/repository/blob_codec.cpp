@@ -68,8 +68,16 @@ std::span<const std::byte> BlobCodec::pack(std::span<const double> values) {
   return pack_as<double, std::uint64_t>(values);
 }
 
+std::span<const std::byte> BlobCodec::pack(std::span<const float> values, const SampleSteps& steps) {
+  return write_as_steps(values, steps, shuffled_) ? compress() : pack(values);
+}
+
 std::span<const float> BlobCodec::unpack_floats(std::span<const std::byte> blob, std::size_t count) {
   floats_.resize(count);
+  if (unpacked_bytes(blob) == bytes_as_steps(count)) {
+    if (!read_steps(decompress(blob, bytes_as_steps(count)), floats_)) refuse("a block of unknown form");
+    return floats_;
+  }
   unshuffle<float, std::uint32_t>(decompress(blob, count * sizeof(float)), floats_);
   return floats_;
 }
@@ -96,7 +104,10 @@ std::span<const std::byte> BlobCodec::pack_as(std::span<const T> values) {
       out[i] = static_cast<std::byte>(std::bit_cast<Bits>(values[i]) >> (8 * plane));
     }
   }
+  return compress();
+}
 
+std::span<const std::byte> BlobCodec::compress() {
   packed_.resize(ZSTD_compressBound(shuffled_.size()));
   const std::size_t size =
       ZSTD_compress2(compressor_.get(), packed_.data(), packed_.size(), shuffled_.data(), shuffled_.size());

@@ -5,6 +5,8 @@
 #include <span>
 #include <vector>
 
+#include "storage/repository/sample_steps.hpp"
+
 struct ZSTD_CCtx_s;
 struct ZSTD_DCtx_s;
 
@@ -12,7 +14,8 @@ namespace floeplan::repository {
 
 /// Arrays of numbers as compressed blobs and back, every bit kept (NaN payloads and signed zeros too).
 /// Format   little-endian, shuffled (all first bytes, then all second bytes, ...), one zstd frame with a
-///          checksum. Neighbouring values of a smooth field share their high bytes; shuffling joins those
+///          checksum. Neighbouring values of a smooth field share their high bytes; shuffling joins those. Floats that
+///          are multiples of steps: those (see write_as_steps), told by their odd length, in the same frame
 /// Threads  one thread at a time
 /// Errors   std::runtime_error from `unpack` for a damaged blob or one of another length
 class BlobCodec {
@@ -22,9 +25,12 @@ class BlobCodec {
   BlobCodec& operator=(const BlobCodec&) = delete;
   ~BlobCodec();
 
-  /// Both return views of scratch memory, valid until the next call.
+  /// All return views of scratch memory, valid until the next call.
   [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values);
   [[nodiscard]] std::span<const std::byte> pack(std::span<const double> values);
+
+  /// As steps where every sample is a whole number of them.
+  [[nodiscard]] std::span<const std::byte> pack(std::span<const float> values, const SampleSteps& steps);
 
   /// A view of scratch memory, valid until the next call: fields are read by the thousand of such blobs.
   [[nodiscard]] std::span<const float> unpack_floats(std::span<const std::byte> blob, std::size_t count);
@@ -41,6 +47,7 @@ class BlobCodec {
 
   template <class T, class Bits>
   std::span<const std::byte> pack_as(std::span<const T> values);
+  std::span<const std::byte> compress();
   /// The bytes as they were before they were compressed, still shuffled.
   std::span<const std::byte> decompress(std::span<const std::byte> blob, std::size_t bytes);
 

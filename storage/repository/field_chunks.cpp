@@ -28,7 +28,8 @@ ChunkWriter::ChunkWriter(sqlite::Connection& db, const ChunkLayout& layout)
               "samples) "
               "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7) ON CONFLICT DO UPDATE SET samples = excluded.samples"} {}
 
-void ChunkWriter::write(const SliceKey& slice, std::size_t first_row, std::span<const float> values) {
+void ChunkWriter::write(const SliceKey& slice, std::size_t first_row, std::span<const float> values,
+                        const SampleSteps& steps) {
   std::vector<float> chunk;
   const std::size_t end_row = first_row + values.size() / layout_.x_count;
   for (std::size_t chunk_y = first_row / layout_.side; chunk_y * layout_.side < end_row; ++chunk_y) {
@@ -41,7 +42,7 @@ void ChunkWriter::write(const SliceKey& slice, std::size_t first_row, std::span<
         chunk.insert(chunk.end(), part.begin(), part.end());
       }
       upsert_.bind_all(layout_.dataset_row, slice.variable, sql(slice.time_index), sql(slice.depth_index),
-                       sql(chunk_y), sql(chunk_x), codec_.pack(std::span<const float>{chunk}));
+                       sql(chunk_y), sql(chunk_x), codec_.pack(chunk, steps));
       upsert_.run();
     }
   }

@@ -33,7 +33,9 @@ class ChunkWriter {
  public:
   ChunkWriter(sqlite::Connection& db, const ChunkLayout& layout);
   /// Shape  values are [y][x], whole rows from `first_row` on, which begins a chunk, to the end of one
-  void write(const SliceKey& slice, std::size_t first_row, std::span<const float> values);
+  /// `steps`  in which the values may have been counted
+  void write(const SliceKey& slice, std::size_t first_row, std::span<const float> values,
+             const SampleSteps& steps = {});
 
  private:
   ChunkLayout layout_;

@@ -43,9 +43,9 @@ StoredLayout layout_to_fill(sqlite::Connection& db, const DatasetId& id) {
 }
 
 void write(sqlite::Connection& db, const ChunkLayout& layout, const SliceKey& slice, std::size_t first_row,
-           std::span<const float> values) {
+           std::span<const float> values, const SampleSteps& steps) {
   sqlite::Transaction transaction{db};
-  ChunkWriter{db, layout}.write(slice, first_row, values);
+  ChunkWriter{db, layout}.write(slice, first_row, values, steps);
   transaction.commit();
 }
 
@@ -62,11 +62,18 @@ std::int64_t stored_size(const std::optional<ocean::Axis>& axis) {
   return axis ? static_cast<std::int64_t>(axis->size()) : 0;
 }
 
-/// Levels down to `deepest` and the next one below, so that `deepest` itself can be interpolated.
-AxisWindow levels_down_to(const ocean::Axis& depths_m, std::optional<core::Metres> deepest) {
-  if (!deepest) return whole(depths_m);
-  auto window = window_around(depths_m, depths_m.front(), std::max(deepest->value, depths_m.front()));
-  return window ? *window : whole(depths_m);
+/// Levels between which both depths can be interpolated, and one more below; no depths: all levels.
+AxisWindow levels_between(const ocean::Axis& depths_m, std::optional<core::Metres> shallowest,
+                          std::optional<core::Metres> deepest) {
+  const auto& nodes = depths_m.nodes();
+  std::ptrdiff_t first = 0;
+  auto last = std::ssize(nodes) - 1;
+  if (deepest) last = std::min(std::ranges::upper_bound(nodes, deepest->value) - nodes.begin(), last);
+  if (shallowest)
+    first = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(nodes, shallowest->value) - nodes.begin() - 1,
+                                       0, last);
+  return {{{static_cast<std::size_t>(first), static_cast<std::size_t>(last - first + 1)}},
+          ocean::Axis{{nodes.begin() + first, nodes.begin() + last + 1}}};
 }
 
 /// Steps from the last at or before the period to the first at or after it. nullopt: they do not meet.
@@ -93,12 +100,13 @@ bool holds(sqlite::Connection& db, const ChunkLayout& layout, const std::string&
 
 /// The window's samples of one variable, [time][depth][y][x].
 std::vector<float> read_block(ChunkReader& reader, const std::string& variable, NodeRun times, NodeRun depths,
-                              const GridWindow& window) {
+                              const GridWindow& window, const std::stop_token& stop) {
   const std::size_t slice = window.x.nodes.size() * window.y.nodes.size();
   std::vector<float> samples(times.count * depths.count * slice);
   auto rest = std::span{samples};
   for (std::size_t time = times.first; time < times.first + times.count; ++time) {
     for (std::size_t depth = depths.first; depth < depths.first + depths.count; ++depth) {
+      if (stop.stop_requested()) return samples;
       reader.read({variable, time, depth}, window, rest.first(slice));
       rest = rest.subspan(slice);
     }
@@ -123,7 +131,8 @@ void FieldRepository::create(const DatasetId& id, const FieldShape& shape) {
 }
 
 void FieldRepository::write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index,
-                                  std::size_t depth_index, std::span<const float> values) {
+                                  std::size_t depth_index, std::span<const float> values,
+                                  const SampleSteps& steps) {
   const StoredLayout layout = layout_to_fill(db_, id);
   if (values.size() != layout.chunks.x_count * layout.chunks.y_count) {
     throw std::invalid_argument{"a slice must have as many samples as its grid has nodes"};
@@ -132,7 +141,7 @@ void FieldRepository::write_slice(const DatasetId& id, const std::string& variab
       depth_index >= std::max<std::size_t>(layout.depth_count, 1)) {
     throw std::invalid_argument{"a slice must lie within the times and depths of its dataset"};
   }
-  write(db_, layout.chunks, {variable, time_index, depth_index}, 0, values);
+  write(db_, layout.chunks, {variable, time_index, depth_index}, 0, values, steps);
 }
 
 void FieldRepository::write_rows(const DatasetId& id, const std::string& variable, std::size_t first_row,
@@ -144,7 +153,7 @@ void FieldRepository::write_rows(const DatasetId& id, const std::string& variabl
       first_row % chunk_side != 0 || (end_row % chunk_side != 0 && end_row != layout.chunks.y_count)) {
     throw std::invalid_argument{"rows must be whole, and begin and end where those packed together do"};
   }
-  write(db_, layout.chunks, {variable, 0, 0}, first_row, values);
+  write(db_, layout.chunks, {variable, 0, 0}, first_row, values, {});
 }
 
 std::optional<FieldShape> FieldRepository::shape(const DatasetId& id) const {
@@ -168,10 +177,9 @@ std::optional<FieldShape> FieldRepository::shape(const DatasetId& id) const {
   return FieldShape{{*frame, axis(1, 5), axis(2, 6)}, optional_axis(3, 7), optional_axis(4, 8)};
 }
 
-std::optional<ocean::CurrentGrid> FieldRepository::load_currents(const DatasetId& id,
-                                                                 const geo::BoundingBox& area,
-                                                                 std::optional<Period> period,
-                                                                 std::optional<core::Metres> deepest) const {
+std::optional<ocean::CurrentGrid> FieldRepository::load_currents(
+    const DatasetId& id, const geo::BoundingBox& area, std::optional<Period> period,
+    std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest) const {
   const auto layout = find_layout(db_, id);
   const auto stored = shape(id);
   if (!layout || !stored) return std::nullopt;
@@ -180,15 +188,15 @@ std::optional<ocean::CurrentGrid> FieldRepository::load_currents(const DatasetId
   const auto times = stored->times_s ? steps_around(*stored->times_s, period) : whole(ocean::Axis{{0.0}});
   if (!times) return std::nullopt;
   const AxisWindow depths =
-      stored->depths_m ? levels_down_to(*stored->depths_m, deepest) : whole(ocean::Axis{{0.0}});
+      stored->depths_m ? levels_between(*stored->depths_m, shallowest, deepest) : whole(ocean::Axis{{0.0}});
 
   ChunkReader reader{db_, layout->chunks};
   return ocean::CurrentGrid{
       {.grid = ocean::HorizontalGrid{stored->grid.frame(), window->x.nodes, window->y.nodes},
        .depths_m = stored->depths_m ? std::optional{depths.nodes} : std::nullopt,
        .times_s = times->nodes,
-       .u = read_block(reader, "u_m_s", times->runs.front(), depths.runs.front(), *window),
-       .v = read_block(reader, "v_m_s", times->runs.front(), depths.runs.front(), *window)}};
+       .u = read_block(reader, "u_m_s", times->runs.front(), depths.runs.front(), *window, stop_),
+       .v = read_block(reader, "v_m_s", times->runs.front(), depths.runs.front(), *window, stop_)}};
 }
 
 std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetId& id,
@@ -201,7 +209,7 @@ std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetI
 
   ChunkReader reader{db_, layout->chunks};
   const auto read = [&](const std::string& variable) {
-    return read_block(reader, variable, {0, 1}, {0, 1}, *window);
+    return read_block(reader, variable, {0, 1}, {0, 1}, *window, stop_);
   };
   return ocean::Bathymetry{
       {stored->grid.frame(), window->x.nodes, window->y.nodes},
@@ -220,7 +228,7 @@ std::optional<ocean::IceField> FieldRepository::load_ice(const DatasetId& id, co
 
   ChunkReader reader{db_, layout->chunks};
   const auto read = [&](const std::string& variable) {
-    return read_block(reader, variable, times->runs.front(), {0, 1}, *window);
+    return read_block(reader, variable, times->runs.front(), {0, 1}, *window, stop_);
   };
   return ocean::IceField{
       {.grid = ocean::HorizontalGrid{stored->grid.frame(), window->x.nodes, window->y.nodes},
@@ -252,7 +260,7 @@ std::optional<FieldRepository::Planes> FieldRepository::load_planes(
   ChunkReader reader{db_, layout->chunks};
   Planes planes{{stored->grid.frame(), window->x.nodes, window->y.nodes}, {}};
   for (const std::string& variable : variables)
-    planes.values.push_back(read_block(reader, variable, {0, 1}, {0, 1}, *window));
+    planes.values.push_back(read_block(reader, variable, {0, 1}, {0, 1}, *window, stop_));
   return planes;
 }
 

@@ -2,7 +2,9 @@
 
 #include <optional>
 #include <span>
+#include <stop_token>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "engine/geo/bounding_box.hpp"
@@ -11,6 +13,7 @@
 #include "engine/ocean/horizontal_grid.hpp"
 #include "engine/ocean/ice_field.hpp"
 #include "storage/repository/dataset.hpp"
+#include "storage/repository/sample_steps.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::repository {
@@ -31,18 +34,21 @@ struct Period {
 /// Gridded data in compressed chunks, so that a job reads only its area and period.
 /// Variables are "depth_m" and (where cells are known to be shoaler) "shoalest_m" for bathymetry, "u_m_s" and "v_m_s" for currents, "concentration" and (where known)
 /// "thickness_m" for ice.
+/// Stops    reading early once `stop` is requested; what is returned then is incomplete and must not be used
 /// Threads  as the connection: one thread at a time
 class FieldRepository {
  public:
   /// Rows of a slice that are packed together.
   static constexpr std::size_t rows_together = 64;
 
-  explicit FieldRepository(sqlite::Connection& db) : db_{db} {}
+  explicit FieldRepository(sqlite::Connection& db, std::stop_token stop = {})
+      : db_{db}, stop_{std::move(stop)} {}
 
   void create(const DatasetId& id, const FieldShape& shape);
   /// One horizontal slice [y][x], NaN where missing; indices are 0 where the shape has no such axis.
+  /// `steps`  in which the values were counted, where that is known: they take less room then
   void write_slice(const DatasetId& id, const std::string& variable, std::size_t time_index,
-                   std::size_t depth_index, std::span<const float> values);
+                   std::size_t depth_index, std::span<const float> values, const SampleSteps& steps = {});
   /// Some whole rows of the only slice, [y][x], where a grid is too large to be held at once: from a multiple of
   /// `rows_together` on to another, or to the last row.
   void write_rows(const DatasetId& id, const std::string& variable, std::size_t first_row,
@@ -51,13 +57,12 @@ class FieldRepository {
   [[nodiscard]] std::optional<FieldShape> shape(const DatasetId& id) const;
 
   /// The nodes around `area` (one more on each side), the times around `period` and the depths down to
-  /// `deepest` (one more below). nullopt when the dataset is unknown or shares no node with the area, or no
+  /// `deepest` (one more below), from the last level at or above `shallowest` on. nullopt when the dataset is unknown or shares no node with the area, or no
   /// time with the period. A dataset whose period ends before or begins after `period` yields nullopt;
   /// `period` empty means all times.
-  [[nodiscard]] std::optional<ocean::CurrentGrid> load_currents(const DatasetId& id,
-                                                                const geo::BoundingBox& area,
-                                                                std::optional<Period> period,
-                                                                std::optional<core::Metres> deepest) const;
+  [[nodiscard]] std::optional<ocean::CurrentGrid> load_currents(
+      const DatasetId& id, const geo::BoundingBox& area, std::optional<Period> period,
+      std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest = {}) const;
   [[nodiscard]] std::optional<ocean::Bathymetry> load_bathymetry(const DatasetId& id,
                                                                  const geo::BoundingBox& area) const;
   /// As load_currents, without depths. Thickness is there when a slice of it was ever written.
@@ -76,6 +81,7 @@ class FieldRepository {
 
  private:
   sqlite::Connection& db_;  // borrowed
+  std::stop_token stop_;
 };
 
 }  // namespace floeplan::repository

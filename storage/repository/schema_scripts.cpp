@@ -313,6 +313,9 @@ CREATE TABLE glider_current (
   FOREIGN KEY (dataset_row, position) REFERENCES glider_track (dataset_row, position) ON DELETE CASCADE
 ) STRICT;
 CREATE INDEX glider_current_by_track ON glider_current (dataset_row, position, time_s);
+)sql",
+                             R"sql(
+-- The samples of field_chunk may be counts of steps from here on; a program that does not know it must not open the store.
 )sql"};
 
 }  // namespace

@@ -360,6 +360,32 @@ TEST_F(CurrentWindow, HoldsOneMoreLevelThanTheDeepest) {
   EXPECT_EQ(depths(1000.0).size(), 4U);
 }
 
+TEST_F(CurrentWindow, HoldsOnlyTheLevelsAroundTheDepths) {
+  const auto depths_between = [&](double shallowest_m, double deepest_m) {
+    return fields_
+        .load_currents(id_, everywhere, std::nullopt, core::Metres{deepest_m}, core::Metres{shallowest_m})
+        ->samples()
+        .depths_m->nodes();
+  };
+
+  EXPECT_THAT(depths_between(30.0, 40.0), testing::ElementsAre(10.0, 50.0));
+  EXPECT_THAT(depths_between(10.0, 60.0), testing::ElementsAre(10.0, 50.0, 100.0));
+  EXPECT_THAT(depths_between(-5.0, -1.0), testing::ElementsAre(0.0));
+  EXPECT_THAT(depths_between(150.0, 200.0), testing::ElementsAre(100.0));
+}
+
+TEST_F(CurrentWindow, AnswersAtADepthAsAllLevelsDo) {
+  const auto all = fields_.load_currents(id_, everywhere, std::nullopt, std::nullopt);
+  support::for_each_seed(50, [&](std::mt19937_64& rng) {
+    const core::Metres depth{support::uniform(rng, -5.0, 110.0)};
+    const auto few = fields_.load_currents(id_, everywhere, std::nullopt, depth, depth);
+    const auto expected = all->at({0.5, 0.5}, depth, sample_time);
+    const auto found = few->at({0.5, 0.5}, depth, sample_time);
+    ASSERT_EQ(found.has_value(), expected.has_value()) << depth.value;
+    if (expected) EXPECT_NEAR(found->north.value, expected->north.value, 1e-6);
+  });
+}
+
 TEST_F(CurrentWindow, TakesTheRightSlices) {
   const auto currents = fields_.load_currents(
       id_, everywhere, Period{sample_time + 2 * hour, sample_time + 3 * hour}, core::Metres{5.0});
