@@ -11,6 +11,7 @@
 #include <string_view>
 
 #include "storage/ingest/file_format.hpp"
+#include "storage/ingest/first_bytes.hpp"
 #include "storage/ingest/gzip_stream.hpp"
 #include "storage/ingest/sidecar.hpp"
 #include "storage/ingest/text.hpp"
@@ -24,20 +25,12 @@ using namespace std::string_view_literals;
 constexpr std::size_t most_entries = 100'000;  // a Zarr store of a year has so many chunks
 constexpr std::size_t most_folders_deep = 16;
 constexpr std::size_t longest_name = 200;  // bytes
+constexpr std::size_t through_magic_of_tar = 512;
 
 struct Close {
   void operator()(struct archive* opened) const { archive_read_free(opened); }
 };
 using Archive = std::unique_ptr<struct archive, Close>;
-
-std::string head_of(const fs::path& file) {
-  constexpr std::size_t through_magic_of_tar = 512;
-  std::ifstream in{file, std::ios::binary};
-  std::string head(through_magic_of_tar, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  return head;
-}
 
 std::string damaged(struct archive* opened) {
   const char* const reason = archive_error_string(opened);
@@ -190,7 +183,7 @@ Checked<Unpacked> sorted_out(const fs::path& folder) {
 bool is_archive(const fs::path& file) {
   std::error_code error;
   if (!fs::is_regular_file(file, error)) return false;
-  const std::string head = head_of(file);
+  const std::string head = first_bytes(file, through_magic_of_tar);
   const auto starts = [&](std::string_view magic) { return head.starts_with(magic); };
   constexpr std::size_t magic_of_tar = 257;
   return starts("PK\x03\x04") || starts("\x1f\x8b") || starts("\x1f\x9d") || starts("BZh") ||

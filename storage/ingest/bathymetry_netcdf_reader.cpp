@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
+#include <limits>
 #include <utility>
 
 #include "storage/ingest/bathymetry_grid.hpp"
+#include "storage/ingest/bent_plane.hpp"
 #include "storage/ingest/cf_units.hpp"
 #include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
@@ -38,6 +41,22 @@ bool is_called_bathymetry(const NetcdfVariable& variable) {
                       {"bathymetr", "topograph", "relief of", "sea floor depth", "elevation relative"});
 }
 
+/// Metres at all points, resampled. What cannot be on Earth is left out: it would be mixed with its neighbours.
+Checked<RawRows> rows_of_bent(const NetcdfVariable& variable, const BentPlane& plane, double factor) {
+  constexpr double deepest_m = 12'000.0;
+  constexpr double customary_mark = 9999.0;
+  auto values = read_slice(variable, plane.layout, 0, 0);
+  if (!values) return refuse(values.error());
+  plane.water.apply(*values);
+  std::vector<float> metres;
+  metres.reserve(values->size());
+  for (const double value : *values) {
+    const bool possible = std::abs(value * factor) <= deepest_m && std::abs(value) != customary_mark;
+    metres.push_back(possible ? static_cast<float>(value * factor) : std::numeric_limits<float>::quiet_NaN());
+  }
+  return resampled_with_range(plane, metres);
+}
+
 }  // namespace
 
 const NetcdfVariable* find_bathymetry(const NetcdfFile& file, bool any_plane) {
@@ -61,8 +80,16 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
         "the file holds no depths or elevations that this program recognises; there is no bathymetry to "
         "store; give a file with, for example, a variable called elevation or deptho");
   auto layout = layout_of(*file, *variable);
-  if (!layout) return refuse(layout.error());
-  auto grid = grid_of(*file, *variable, *layout, options.crs);
+  std::optional<BentPlane> bent;
+  if (!layout) {
+    auto plane = bent_plane_of(file, *variable);
+    if (!plane) return refuse(plane.error());
+    if (!*plane) return refuse(layout.error());
+    layout = (*plane)->layout;
+    bent = std::move(*plane);
+  }
+  auto grid =
+      bent ? Checked<ocean::HorizontalGrid>{bent->grid} : grid_of(*file, *variable, *layout, options.crs);
   if (!grid) return refuse(grid.error());
 
   const std::string unit = variable->attribute("units");
@@ -79,6 +106,13 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
                     .warnings = layout->warnings,
                     .read = {}};
   if (unit.empty()) raw.warnings.push_back("\"" + variable->name() + "\" states no unit; taken as metres");
+  if (bent) {
+    auto rows = rows_of_bent(*variable, *bent, *factor);
+    if (!rows) return refuse(rows.error());
+    raw.warnings.push_back(bent->account + "; the shoalest of the points around each node is kept beside it");
+    raw.read = rows_in_memory(std::move(*rows), raw.grid.x().size());
+    return prepare_bathymetry(std::move(raw), options.positive);
+  }
   raw.read = [file = std::move(file), variable, layout = std::move(*layout), factor = *factor](
                  std::size_t first_row, std::size_t count) -> Checked<RawRows> {
     const auto values = read_rows(*variable, layout, 0, 0, first_row, count);

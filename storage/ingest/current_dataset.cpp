@@ -72,13 +72,14 @@ tl::expected<void, std::string> write(const StoredCurrents& currents, const core
   if (currents.depths_m) depths = ocean::Axis{*currents.depths_m};
   fields.create(id, {currents.grid, std::move(depths), ocean::Axis{currents.source->shape().times_s}});
   for (std::size_t time = 0; time < currents.times(); ++time) {
-    const auto written = for_each_level(currents, time,
-                                        [&](std::size_t level, const VelocitySlice& /*source*/,
-                                            const VelocitySlice& stored) -> Checked<bool> {
-                                          fields.write_slice(id, "u_m_s", time, level, stored.east);
-                                          fields.write_slice(id, "v_m_s", time, level, stored.north);
-                                          return true;
-                                        });
+    const auto written =
+        for_each_level(currents, time,
+                       [&](std::size_t level, const VelocitySlice& /*source*/,
+                           const VelocitySlice& stored) -> Checked<bool> {
+                         fields.write_slice(id, "u_m_s", time, level, stored.east, stored.east_steps);
+                         fields.write_slice(id, "v_m_s", time, level, stored.north, stored.north_steps);
+                         return true;
+                       });
     if (!written) return refuse(written.error());
     if (progress)
       progress("storing", 0.5 + 0.5 * static_cast<double>(time + 1) / static_cast<double>(currents.times()));
@@ -175,9 +176,10 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
   data.variables = std::move(input.variables);
   data.warnings = std::move(input.warnings);
   if (found->undeclared_fill > 0)
-    data.warnings.push_back(
-        std::to_string(found->undeclared_fill) +
-        " values are markers for \"missing\" that the file does not declare; they were left out");
+    data.warnings.push_back(std::to_string(found->undeclared_fill) +
+                            " values are markers for \"missing\" that the file does not declare, or lie "
+                            "outside its valid range; they were "
+                            "left out");
   if (found->land)
     data.warnings.push_back("the file marks no land, but " + number(100.0 * found->land->share(), 3) +
                             " % of its nodes are exactly zero at all times and lie together; taken as land");

@@ -46,9 +46,11 @@ Checked<CurrentSurvey> survey(const VelocitySource& source, Moving what, bool st
       for (std::size_t i = 0; i < slice->east.size(); ++i) {
         if (std::isnan(slice->east[i])) continue;
         ++result.valid;
-        const double speed = std::hypot(slice->east[i], slice->north[i]);
-        if (speed > most_m_s) return refuse(too_fast(source, what, states_unit, i, speed));
-        if (speed > 0.0) result.everything_is_zero = false;
+        const auto east = static_cast<double>(slice->east[i]);
+        const auto north = static_cast<double>(slice->north[i]);
+        if (east * east + north * north > most_m_s * most_m_s)
+          return refuse(too_fast(source, what, states_unit, i, std::hypot(east, north)));
+        if (east != 0.0 || north != 0.0) result.everything_is_zero = false;
       }
       result.undeclared_fill += slice->undeclared_fill;
       if (land) land->add(level, slice->east, slice->north);

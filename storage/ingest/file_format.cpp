@@ -2,16 +2,18 @@
 
 #include <algorithm>
 #include <array>
-#include <fstream>
+#include <cstdint>
 #include <optional>
 #include <string_view>
 
 #include "storage/ingest/ascii_grid_length.hpp"
 #include "storage/ingest/depth_table.hpp"
+#include "storage/ingest/first_bytes.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/iceberg_own_table.hpp"
 #include "storage/ingest/iceberg_table_reader.hpp"
 #include "storage/ingest/netcdf3_length.hpp"
+#include "storage/ingest/slocum_binary.hpp"
 #include "storage/ingest/slocum_log.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/tide_table.hpp"
@@ -24,14 +26,6 @@ using namespace std::string_view_literals;
 
 constexpr std::size_t head_bytes = 65536;
 
-std::string head_of(const std::filesystem::path& file) {
-  std::ifstream in{file, std::ios::binary};
-  std::string head(head_bytes, '\0');
-  in.read(head.data(), static_cast<std::streamsize>(head.size()));
-  head.resize(static_cast<std::size_t>(std::max<std::streamsize>(in.gcount(), 0)));
-  return head;
-}
-
 bool is_zarr(const std::filesystem::path& folder) {
   return std::ranges::any_of(std::array{"zarr.json", ".zgroup", ".zmetadata", ".zarray"},
                              [&](const char* name) { return std::filesystem::exists(folder / name); });
@@ -43,17 +37,41 @@ Checked<FileFormat> format_of_folder(const std::filesystem::path& folder) {
   return FileFormat::zarr;
 }
 
+std::uint32_t big_endian_at(std::string_view head, std::size_t offset) {
+  std::uint32_t value = 0;
+  for (const char byte : head.substr(offset, 4)) value = (value << 8) | static_cast<unsigned char>(byte);
+  return value;
+}
+
+/// By the first record, whose length in bytes stands before it: of constituents nx, ny, their count, four limits and
+/// their names of four letters; of a grid nx, ny, four limits, a time step, a count.
+/// Source  as public readers of TPXO take the format apart; no file of it has been at hand
+bool is_otis_binary(std::string_view head) {
+  constexpr std::uint32_t most_nodes = 100'000;
+  if (head.size() < 64) return false;
+  const std::uint32_t length = big_endian_at(head, 0);
+  const auto is_size = [](std::uint32_t nodes) { return nodes >= 2 && nodes <= most_nodes; };
+  if (!is_size(big_endian_at(head, 4)) || !is_size(big_endian_at(head, 8))) return false;
+  const std::uint32_t constituents = big_endian_at(head, 12);
+  const bool is_grid = length == 32 && big_endian_at(head, 36) == length;
+  return is_grid || (constituents >= 1 && constituents <= 100 && length == 28 + 4 * constituents);
+}
+
 /// What a file is that this program knows but does not read; empty when it may be readable.
 std::string refusal_of_foreign(std::string_view head) {
   if (head.find("BSB/") < 4096 || head.find("KNP/") < 4096)
     return "this is a raster chart (KAP/BSB): a picture of a chart in colours, not depths; depths cannot be "
            "read from it; give a bathymetry grid of the area";
-  if (head.starts_with("s: T") || head.starts_with("s: F"))
-    return "this is the list of the sensors of a Slocum glider's logs, which hold no data by itself; turn "
-           "the "
-           "logs into text (dbd2asc) with it";
-  if (head.starts_with("dbd_label:") && !is_slocum_text(head))
-    return "this is a binary log of a Slocum glider; turn it into text (dbd2asc) and give that";
+  if (is_sensor_cache(head))
+    return "this is the list of the sensors of a Slocum glider's logs, which holds no data by itself; "
+           "give it together with the logs that name it";
+  if (is_compressed_slocum(head))
+    return "this is a compressed binary log of a Slocum glider (dcd, scd, ... or its list of sensors, ccc); "
+           "decompress it with the vendor's compexp and give what comes out";
+  if (is_otis_binary(head))
+    return "this is a tide model in the binary format of OTIS (TPXO's h, u and grid files), which this "
+           "program does not read; give what OTPS's extract_HC writes for your places, or the model as "
+           "NetCDF (the TPXO atlas)";
   if (head.starts_with("PK\x03\x04") || head.starts_with("\x1f\x8b") || head.starts_with("BZh"))
     return "this is a compressed archive; unpack it and give the files in it";
   if (head.starts_with("%PDF") || head.starts_with("\x89PNG") || head.starts_with("\xff\xd8\xff"))
@@ -163,7 +181,7 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
   if (std::filesystem::is_directory(status)) return format_of_folder(file);
   if (!std::filesystem::is_regular_file(status))
     return refuse("there is no such file; check its name and its folder");
-  const std::string head = head_of(file);
+  const std::string head = first_bytes(file, head_bytes);
   if (head.empty())
     return refuse(
         "the file is empty or cannot be read; the download or copy failed; copy or download it again");
@@ -181,6 +199,7 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
   if (bytes.starts_with("\x00\x00\x27\x0a"sv)) return FileFormat::shapefile;
   // The leader of ISO 8211 with interchange level 3, as S-57 has it.
   if (bytes.size() > 24 && bytes.substr(5, 3) == "3LE") return FileFormat::s57;
+  if (is_slocum_binary(bytes)) return FileFormat::slocum_binary;
   if (auto foreign = refusal_of_foreign(bytes); !foreign.empty()) return refuse(std::move(foreign));
   if (is_text(bytes)) {
     const auto format = format_of_text(bytes, lower(file.extension().string()));

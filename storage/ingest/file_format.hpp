@@ -30,7 +30,8 @@ enum class FileFormat {
   geopackage,
   shapefile,
   s57,
-  slocum_text
+  slocum_text,
+  slocum_binary
 };
 
 /// Errors   every other file, by name where it is known (chart pictures, Zarr, archives, ...); an empty

@@ -11,6 +11,7 @@
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/position_tables.hpp"
 #include "storage/ingest/sidecar.hpp"
+#include "storage/ingest/slocum_binary.hpp"
 #include "storage/ingest/slocum_log.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 
@@ -28,6 +29,7 @@ struct Member {
   bool chart{false};                   // a cell of S-57, or an update of one
   std::string track;                   // of a glider, and of the files of the same track; empty: of none
   int segment{};                       // of a Slocum's log
+  bool sensor_cache{false};            // the list of sensors of binary logs
   bool taken{false};
 };
 
@@ -49,11 +51,13 @@ Member member_of(const std::filesystem::path& path) {
   member.path = path;
   const auto format = format_of(path);
   member.chart = format && *format == FileFormat::s57;
-  if (format && *format == FileFormat::slocum_text) {
+  if (format && (*format == FileFormat::slocum_text || *format == FileFormat::slocum_binary)) {
     const SlocumName name = slocum_name_of(path);
-    member.track = name.mission;
+    const bool binary = *format == FileFormat::slocum_binary;  // the same again where both are given
+    if (!name.mission.empty()) member.track = name.mission + (binary ? " binary" : "");
     member.segment = name.segment;
   }
+  member.sensor_cache = !format && holds_sensor_cache(path);
   if (!format || (*format != FileFormat::netcdf_classic && *format != FileFormat::netcdf4)) return member;
   auto file = NetcdfFile::open(path);
   if (!file) return member;
@@ -127,6 +131,17 @@ void take_rest_of_track(const Member& first, std::vector<Member>& members, FileG
   }
 }
 
+/// The lists of sensors that binary logs name; several groups may have the same.
+void add_sensor_caches(std::vector<Member>& members, FileGroup& group) {
+  const FileGroup logs = group;
+  for (Member& cache : members) {
+    const auto names_it = [&](const std::filesystem::path& log) { return is_cache_of(cache.path, log); };
+    if (!cache.sensor_cache || std::ranges::none_of(logs, names_it)) continue;
+    cache.taken = true;
+    group.push_back(cache.path);
+  }
+}
+
 }  // namespace
 
 std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& files,
@@ -141,7 +156,7 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
   }
 
   for (Member& member : members) {
-    if (member.taken || member.tables_alone || is_update_of_another(member, members) ||
+    if (member.taken || member.tables_alone || member.sensor_cache || is_update_of_another(member, members) ||
         is_sidecar_of_another(member, members))
       continue;
     FileGroup group{member.path};
@@ -160,6 +175,7 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
     take_sidecars(member, members, group);
     if (member.chart) take_updates(member, members, group);
     take_rest_of_track(member, members, group);
+    add_sensor_caches(members, group);
     if (member.parts != VelocityParts::none)
       for (Member& tables : members)
         if (tables.tables_alone && fits(tables, member)) {

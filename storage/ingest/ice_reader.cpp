@@ -4,6 +4,7 @@
 #include <cmath>
 #include <limits>
 
+#include "storage/ingest/bent_plane.hpp"
 #include "storage/ingest/ice_units.hpp"
 #include "storage/ingest/ice_variables.hpp"
 #include "storage/ingest/netcdf_grid.hpp"
@@ -35,6 +36,7 @@ struct IceSource {
   std::vector<Quantity> thickness;  // one or none
   NetcdfLayout layout;
   ocean::HorizontalGrid grid;
+  std::optional<BentPlane> bent;  // empty: the layout's points are the grid's nodes
 
   [[nodiscard]] std::size_t times() const { return layout.times_s->nodes.size(); }
 };
@@ -121,13 +123,16 @@ tl::expected<void, std::string> write(const IceSource& source, const core::Progr
   repository::FieldRepository fields{db};
   fields.create(id, {source.grid, std::nullopt, ocean::Axis{source.layout.times_s->nodes}});
   for (std::size_t time = 0; time < source.times(); ++time) {
+    const auto stored = [&](const std::vector<float>& values) {
+      return source.bent ? source.bent->resampling->apply(values) : values;
+    };
     const auto concentration = read_greatest(source.concentrations, source.layout, time, 1.0);
     if (!concentration) return refuse(concentration.error());
-    fields.write_slice(id, "concentration", time, 0, *concentration);
+    fields.write_slice(id, "concentration", time, 0, stored(*concentration));
     if (!source.thickness.empty()) {
       const auto thickness_m = read_greatest(source.thickness, source.layout, time, INFINITY);
       if (!thickness_m) return refuse(thickness_m.error());
-      fields.write_slice(id, "thickness_m", time, 0, *thickness_m);
+      fields.write_slice(id, "thickness_m", time, 0, stored(*thickness_m));
     }
     if (progress) progress("storing", static_cast<double>(time + 1) / static_cast<double>(source.times()));
   }
@@ -146,18 +151,17 @@ Checked<bool> settle_time(NetcdfLayout& layout, const std::optional<core::UtcTim
   return true;
 }
 
-Checked<NetcdfLayout> layout_of_ice(const NetcdfFile& file, const NetcdfVariable& variable,
+/// The layout with its times, which ice must have.
+Checked<NetcdfLayout> layout_of_ice(NetcdfLayout layout, const NetcdfVariable& variable,
                                     const std::optional<core::UtcTime>& stated_time) {
-  auto layout = layout_of(file, variable);
-  if (!layout) return refuse(layout.error());
-  if (const auto settled = settle_time(*layout, stated_time); !settled) return refuse(settled.error());
-  if (layout->depths_m && layout->depths_m->nodes.size() > 1)
+  if (const auto settled = settle_time(layout, stated_time); !settled) return refuse(settled.error());
+  if (layout.depths_m && layout.depths_m->nodes.size() > 1)
     return refuse(
         "the concentration \"" + variable.name() +
         "\" has several depths; sea ice has none; give the variable of the whole ice with --variable");
-  const std::uint64_t nodes = layout->x.nodes.size() * layout->y.nodes.size();
-  if (layout->times_s->nodes.size() > max_values / nodes)
-    return refuse("the file holds " + std::to_string(layout->times_s->nodes.size()) + " times of " +
+  const std::uint64_t nodes = layout.x.nodes.size() * layout.y.nodes.size();
+  if (layout.times_s->nodes.size() > max_values / nodes)
+    return refuse("the file holds " + std::to_string(layout.times_s->nodes.size()) + " times of " +
                   std::to_string(nodes) +
                   " nodes, more than this program accepts; cut out your area and period first");
   return layout;
@@ -168,14 +172,24 @@ Checked<IceSource> open_source(const std::shared_ptr<const NetcdfFile>& file, co
   const auto ice = find_ice(*file, options.variable);
   if (!ice) return refuse(ice.error());
   const NetcdfVariable& first = *ice->concentrations.front();
-  auto layout = layout_of_ice(*file, first, options.time);
+  auto layout = layout_of(*file, first);
+  std::optional<BentPlane> bent;
+  if (!layout) {
+    auto plane = bent_plane_of(file, first);
+    if (!plane) return refuse(plane.error());
+    if (!*plane) return refuse(layout.error());
+    layout = (*plane)->layout;
+    bent = std::move(*plane);
+    warnings.push_back(bent->account);
+  }
+  layout = layout_of_ice(std::move(*layout), first, options.time);
   if (!layout) return refuse(layout.error());
-  auto grid = grid_of(*file, first, *layout, options.crs);
+  auto grid = bent ? Checked<ocean::HorizontalGrid>{bent->grid} : grid_of(*file, first, *layout, options.crs);
   if (!grid) return refuse(grid.error());
 
   warnings.insert(warnings.end(), ice->warnings.begin(), ice->warnings.end());
   warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
-  IceSource source{file, {}, {}, std::move(*layout), std::move(*grid)};
+  IceSource source{file, {}, {}, std::move(*layout), std::move(*grid), std::move(bent)};
   for (const NetcdfVariable* variable : ice->concentrations) {
     auto quantity = concentration_of(*variable, source.layout, warnings);
     if (!quantity) return refuse(quantity.error());

@@ -106,7 +106,6 @@ Checked<IceVariables> find_ice(const NetcdfFile& file, const std::optional<std::
         "a variable siconc of standard name sea_ice_area_fraction");
 
   const NetcdfVariable& first = *ice.concentrations.front();
-  if (auto unsupported = unsupported_grid(file, first)) return refuse(std::move(*unsupported));
   for (const NetcdfVariable* other : ice.concentrations)
     if (!on_same_dimensions(first, *other))
       return refuse(

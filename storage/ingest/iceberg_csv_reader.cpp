@@ -51,7 +51,7 @@ std::optional<ocean::IcebergSize> size_of_code(const std::string& code) {
   if (code == "MED") return IcebergSize::medium;
   if (code == "LG") return IcebergSize::large;
   if (code == "VLG") return IcebergSize::very_large;
-  if (code == "GEN") return IcebergSize::unknown;
+  if (code == "GEN" || code == "UNK") return IcebergSize::unknown;
   if (code == "RAD") return IcebergSize::radar_target;
   return std::nullopt;
 }

@@ -27,6 +27,7 @@
 #include "storage/ingest/s57_cell.hpp"
 #include "storage/ingest/s57_reader.hpp"
 #include "storage/ingest/sidecar.hpp"
+#include "storage/ingest/slocum_binary.hpp"
 #include "storage/ingest/slocum_reader.hpp"
 #include "storage/ingest/tide_reader.hpp"
 #include "storage/ingest/tide_table.hpp"
@@ -87,7 +88,8 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, const FileGroup& fi
     case FileFormat::own_iceberg_table: return read_own_iceberg_table(file.path);
     case FileFormat::iceberg_json: return read_iceberg_list_json(file.path);
     case FileFormat::ice_patrol_csv: return read_ice_patrol_csv(file.path);
-    case FileFormat::slocum_text: return read_slocum_tracks(files, progress);
+    case FileFormat::slocum_text:
+    case FileFormat::slocum_binary: return read_slocum_tracks(files, progress);
     case FileFormat::geojson:
     case FileFormat::kml:
     case FileFormat::geopackage:
@@ -223,6 +225,7 @@ Checked<std::string> digest_of(const RecognisedFile& recognised, const FileGroup
   if (recognised.format == FileFormat::zarr) return sha256_of_zarr(files.front());
   if (recognised.format == FileFormat::shapefile) return sha256_of_files(parts_of_shapefile(files.front()));
   if (recognised.format == FileFormat::s57) return sha256_of_files(parts_of_s57(files.front()));
+  if (recognised.format == FileFormat::slocum_binary) return sha256_of_files(without_sensor_caches(files));
   return sha256_of_files(files);
 }
 

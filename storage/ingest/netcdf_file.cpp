@@ -4,15 +4,27 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <limits>
+#include <type_traits>
 
 #include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/hdf5_references.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
 constexpr std::size_t max_coordinate_values = 50'000'000;
+
+template <class Number>
+constexpr GDALDataType gdal_type = GDT_Float64;
+template <>
+constexpr GDALDataType gdal_type<float> = GDT_Float32;
+template <>
+constexpr GDALDataType gdal_type<std::int16_t> = GDT_Int16;
+template <>
+constexpr GDALDataType gdal_type<std::int32_t> = GDT_Int32;
 
 }  // namespace
 
@@ -70,16 +82,32 @@ std::shared_ptr<OGRSpatialReference> NetcdfVariable::crs() const { return array_
 
 Checked<std::vector<double>> NetcdfVariable::read_packed(const std::vector<std::uint64_t>& start,
                                                          const std::vector<std::size_t>& count) const {
+  // GDAL converts number by number, three times as slowly as this program does.
+  switch (array_->GetDataType().GetNumericDataType()) {
+    case GDT_Int16: return read_as<std::int16_t>(start, count);
+    case GDT_Int32: return read_as<std::int32_t>(start, count);
+    case GDT_Float32: return read_as<float>(start, count);
+    default: return read_as<double>(start, count);
+  }
+}
+
+template <class Number>
+Checked<std::vector<double>> NetcdfVariable::read_as(const std::vector<std::uint64_t>& start,
+                                                     const std::vector<std::size_t>& count) const {
   std::size_t size = 1;
   for (const std::size_t n : count) size *= n;
-  std::vector<double> values(size);
+  std::vector<Number> values(size);
   const GdalMessages messages;
   const std::vector<GUInt64> first(start.begin(), start.end());
-  if (!array_->Read(first.data(), count.data(), nullptr, nullptr, GDALExtendedDataType::Create(GDT_Float64),
-                    values.data()))
+  if (!array_->Read(first.data(), count.data(), nullptr, nullptr,
+                    GDALExtendedDataType::Create(gdal_type<Number>), values.data()))
     return refuse("the variable \"" + name_ + "\" cannot be read to its end (" + messages.first_error() +
                   "); the file is damaged or was cut short; copy or download it again");
-  return values;
+  if constexpr (std::is_same_v<Number, double>) {
+    return values;
+  } else {
+    return std::vector<double>(values.begin(), values.end());
+  }
 }
 
 Checked<std::vector<double>> NetcdfVariable::read_all() const {
@@ -96,8 +124,7 @@ Checked<std::vector<double>> NetcdfVariable::read_all() const {
     count.push_back(static_cast<std::size_t>(dimension.size));
   }
   auto values = read_packed(start, count);
-  if (values)
-    std::transform(values->begin(), values->end(), values->begin(), [this](double v) { return unpacked(v); });
+  if (values) unpack(*values);
   return values;
 }
 
@@ -128,15 +155,23 @@ std::vector<std::string> NetcdfVariable::texts() const {
 }
 
 double NetcdfVariable::unpacked(double packed) const {
-  if (std::find(fills_.begin(), fills_.end(), packed) != fills_.end() || !std::isfinite(packed))
-    return std::numeric_limits<double>::quiet_NaN();
-  return packed * scale_ + offset_;
+  unpack({&packed, 1});
+  return packed;
+}
+
+void NetcdfVariable::unpack(std::span<double> values) const {
+  constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+  for (const double fill : fills_)
+    for (double& value : values) value = value == fill ? missing : value;
+  for (double& value : values) value = std::isfinite(value) ? value * scale_ + offset_ : missing;
 }
 
 Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
   register_drivers();
   const GdalMessages messages;
   const bool is_zarr = std::filesystem::is_directory(file);
+  if (!is_zarr)
+    if (const auto checked = check_hdf5_references(file); !checked) return refuse(checked.error());
   const char* const drivers[] = {is_zarr ? "Zarr" : "netCDF", nullptr};
   const std::string path = std::filesystem::absolute(file).string();
   NetcdfFile result;
@@ -147,6 +182,7 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
     return refuse("the NetCDF file cannot be opened (" + messages.first_error() +
                   "); it is damaged or was cut short; copy or download it again");
 
+  result.groups_ = root->GetGroupNames();
   for (const auto& attribute : root->GetAttributes())
     if (const char* text = attribute->ReadAsString())
       result.attributes_.emplace(attribute->GetName(), trimmed(text));

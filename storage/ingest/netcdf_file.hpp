@@ -5,6 +5,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -50,8 +51,16 @@ class NetcdfVariable {
   /// What a packed value stands for: scale and offset applied; NaN where it is the fill or the missing value.
   /// The fill is compared with the packed value, in the variable's own precision.
   [[nodiscard]] double unpacked(double packed) const;
+  /// The same of many.
+  void unpack(std::span<double> values) const;
+  [[nodiscard]] double scale() const { return scale_; }
+  [[nodiscard]] double offset() const { return offset_; }
 
  private:
+  template <class Number>
+  [[nodiscard]] Checked<std::vector<double>> read_as(const std::vector<std::uint64_t>& start,
+                                                     const std::vector<std::size_t>& count) const;
+
   std::string name_;
   std::shared_ptr<GDALMDArray> array_;
   std::vector<NetcdfDimension> dimensions_;
@@ -71,6 +80,8 @@ class NetcdfFile {
   [[nodiscard]] static Checked<NetcdfFile> open(const std::filesystem::path& file);
 
   [[nodiscard]] const std::vector<NetcdfVariable>& variables() const { return variables_; }
+  /// Names of the groups below the root, which are not looked into.
+  [[nodiscard]] const std::vector<std::string>& groups() const { return groups_; }
   /// Null when there is none.
   [[nodiscard]] const NetcdfVariable* find(const std::string& name) const;
   /// What the file states of itself as a whole, trimmed; empty when it does not.
@@ -82,6 +93,7 @@ class NetcdfFile {
   std::shared_ptr<GDALDataset> dataset_;
   std::map<std::string, std::string> attributes_;
   std::vector<NetcdfVariable> variables_;
+  std::vector<std::string> groups_;
 };
 
 }  // namespace floeplan::ingest

@@ -239,9 +239,18 @@ Checked<std::vector<double>> read_rows(const NetcdfVariable& variable, const Net
   const std::size_t step_y = x_fastest ? count[layout.x_dimension] : 1;
   std::vector<double> values;
   values.reserve(layout.x.nodes.size() * rows);
-  for (const std::size_t y : wanted)
+  const bool whole_rows = step_x == 1 && std::ranges::is_sorted(layout.x.source) &&
+                          layout.x.source.size() == count[layout.x_dimension];
+  for (const std::size_t y : wanted) {
+    const auto row = packed->begin() + static_cast<std::ptrdiff_t>((y - lowest) * step_y);
+    if (whole_rows) {
+      values.insert(values.end(), row, row + static_cast<std::ptrdiff_t>(layout.x.source.size()));
+      continue;
+    }
     for (const std::size_t x : layout.x.source)
-      values.push_back(variable.unpacked((*packed)[(y - lowest) * step_y + x * step_x]));
+      values.push_back(row[static_cast<std::ptrdiff_t>(x * step_x)]);
+  }
+  variable.unpack(values);
   return values;
 }
 

@@ -8,6 +8,7 @@
 #include "storage/ingest/glider_netcdf.hpp"
 #include "storage/ingest/grib_contents.hpp"
 #include "storage/ingest/gshhg_reader.hpp"
+#include "storage/ingest/hdf5_references.hpp"
 #include "storage/ingest/ice_variables.hpp"
 #include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
@@ -57,6 +58,12 @@ std::vector<DatasetKind> kinds_of_netcdf(const std::shared_ptr<const NetcdfFile>
 }
 
 std::string nothing_known(const NetcdfFile& file) {
+  if (file.find("x_range") != nullptr && file.find("y_range") != nullptr && file.find("spacing") != nullptr)
+    return "this is a grid of GMT 3 or before, whose rows and columns have no axes of their own; convert it "
+           "with GMT: gmt grdconvert IN.grd OUT.nc=nf";
+  if (!file.groups().empty())
+    return "nothing at the top level of the file is known, and its groups (" + enumeration(file.groups()) +
+           ") are not looked into; bring them to the top level, for example with ncks -G : IN.nc OUT.nc";
   std::vector<std::string> names;
   for (const NetcdfVariable& variable : file.variables()) names.push_back(variable.name());
   if (names.empty())
@@ -115,12 +122,17 @@ Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
     case FileFormat::iceberg_json:
     case FileFormat::ice_patrol_csv: file.kinds = {DatasetKind::icebergs}; return true;
     case FileFormat::s57:
-    case FileFormat::bag:
+    case FileFormat::bag: {
+      if (const auto checked = check_hdf5_references(file.path); !checked) return refuse(checked.error());
+      file.kinds = {DatasetKind::bathymetry};
+      return true;
+    }
     case FileFormat::geotiff:
     case FileFormat::ascii_grid:
     case FileFormat::depth_table:
     case FileFormat::xyz: file.kinds = {DatasetKind::bathymetry}; return true;
-    case FileFormat::slocum_text: file.kinds = {DatasetKind::glider_tracks}; return true;
+    case FileFormat::slocum_text:
+    case FileFormat::slocum_binary: file.kinds = {DatasetKind::glider_tracks}; return true;
   }
   return true;
 }

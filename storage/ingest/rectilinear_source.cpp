@@ -71,12 +71,22 @@ class RectilinearSource : public VelocitySource {
     const std::size_t points = shape_.points();
     VelocitySlice slice{std::vector<float>(points, missing), std::vector<float>(points, missing),
                         std::max(first->undeclared_fill, second->undeclared_fill)};
+    if (!turns_) {
+      slice.east_steps = first_.steps();
+      slice.north_steps = second_.steps();
+      for (std::size_t i = 0; i < points; ++i) {
+        if (std::isnan(first->values[i]) || std::isnan(second->values[i])) continue;
+        slice.east[i] = static_cast<float>(first->values[i]);
+        slice.north[i] = static_cast<float>(second->values[i]);
+      }
+      return slice;
+    }
     for (std::size_t i = 0; i < points; ++i) {
       const double u = first->values[i];
       const double v = second->values[i];
       if (std::isnan(u) || std::isnan(v)) continue;
-      const double cosine = turns_ ? static_cast<double>(turns_->cosine[i]) : 1.0;
-      const double sine = turns_ ? static_cast<double>(turns_->sine[i]) : 0.0;
+      const auto cosine = static_cast<double>(turns_->cosine[i]);
+      const auto sine = static_cast<double>(turns_->sine[i]);
       slice.east[i] = static_cast<float>(u * cosine - v * sine);
       slice.north[i] = static_cast<float>(u * sine + v * cosine);
     }

@@ -67,6 +67,24 @@ void Resampling::add(const SourceMesh& mesh, const SourceMesh::Cell& cell, const
   }
 }
 
+std::vector<float> Resampling::apply(std::span<const float> values) const {
+  std::vector<float> out(stencils_.size(), missing);
+  for (std::size_t node = 0; node < stencils_.size(); ++node) {
+    const Stencil& stencil = stencils_[node];
+    float share = 0.0F;
+    float sum = 0.0F;
+    for (std::size_t i = 0; i < stencil.point.size(); ++i) {
+      const float weight =
+          std::sqrt(stencil.along[i] * stencil.along[i] + stencil.across[i] * stencil.across[i]);
+      if (weight == 0.0F || std::isnan(values[stencil.point[i]])) continue;
+      share += weight;
+      sum += weight * values[stencil.point[i]];
+    }
+    if (share >= least_share_of_water) out[node] = sum / share;
+  }
+  return out;
+}
+
 VelocitySlice Resampling::apply(std::span<const float> east, std::span<const float> north) const {
   VelocitySlice out{std::vector<float>(stencils_.size(), missing),
                     std::vector<float>(stencils_.size(), missing), 0};

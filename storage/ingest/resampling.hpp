@@ -13,7 +13,7 @@
 
 namespace floeplan::ingest {
 
-/// Brings currents from the points of a mesh to the nodes of a regular grid: bilinear in four-sided cells, linear in
+/// Brings currents, or plain numbers, from the points of a mesh to the nodes of a regular grid: bilinear in four-sided cells, linear in
 /// triangles. Vectors are carried along the great circle from point to node, so that meridians that converge do not
 /// turn them.
 /// Edges    a node outside every cell is missing, and so is one less than half of whose weight lies on points with
@@ -27,6 +27,8 @@ class Resampling {
 
   /// Shape  of the points in, of the grid [y][x] out
   [[nodiscard]] VelocitySlice apply(std::span<const float> east, std::span<const float> north) const;
+  /// The same of numbers without a direction.
+  [[nodiscard]] std::vector<float> apply(std::span<const float> values) const;
 
  private:
   /// One node: its points and, for each, its weight times the cosine and the sine of the turn to the node.

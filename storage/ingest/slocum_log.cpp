@@ -1,12 +1,12 @@
 #include "storage/ingest/slocum_log.hpp"
 
 #include <algorithm>
-#include <fstream>
 #include <regex>
 #include <vector>
 
 #include "engine/simulation/log_table.hpp"
 #include "storage/ingest/fault_report.hpp"
+#include "storage/ingest/first_bytes.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -14,15 +14,6 @@ namespace {
 
 constexpr std::uintmax_t most_bytes = 128'000'000;
 constexpr std::size_t most_tag_bytes = 16'384;
-
-/// At most `most` bytes from the beginning of a file.
-std::string text_of(const std::filesystem::path& file, std::uintmax_t most) {
-  std::ifstream in{file, std::ios::binary};
-  std::string text(static_cast<std::size_t>(std::min(std::filesystem::file_size(file), most)), '\0');
-  in.read(text.data(), static_cast<std::streamsize>(text.size()));
-  text.resize(static_cast<std::size_t>(in.gcount()));
-  return text;
-}
 
 std::string tag(std::string_view head, std::string_view key) {
   while (!head.empty()) {
@@ -46,7 +37,7 @@ std::string reasons_of(const core::Violations& violations) {
 
 SlocumName slocum_name_of(const std::filesystem::path& file) {
   static const std::regex form{R"((.+)-(\d{4}-\d{1,3}-\d{1,4})-(\d{1,5}))"};
-  const std::string head = text_of(file, most_tag_bytes);
+  const std::string head = first_bytes(file, most_tag_bytes);
   const std::string full = tag(head, "full_filename");
   std::smatch parts;
   if (!std::regex_match(full, parts, form)) return {};
@@ -65,7 +56,7 @@ Checked<SlocumLog> read_slocum_text(const std::filesystem::path& file,
                                     const std::function<void(const SlocumRow&)>& take) {
   if (std::filesystem::file_size(file) > most_bytes)
     return refuse("the log is longer than 128 MB; convert it segment by segment and give the parts together");
-  std::string text = text_of(file, most_bytes);
+  std::string text = first_bytes(file, most_bytes);
   SlocumLog log{.name = slocum_name_of(file)};
   if (!text.ends_with('\n')) {
     text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);

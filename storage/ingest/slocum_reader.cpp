@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "storage/ingest/slocum_binary.hpp"
 #include "storage/ingest/slocum_dives.hpp"
 #include "storage/ingest/slocum_log.hpp"
 #include "storage/ingest/track_builder.hpp"
@@ -36,7 +37,10 @@ Checked<PreparedDataset> read_slocum_tracks(const FileGroup& files, const core::
   std::vector<std::string> names;
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (progress) progress("reading", static_cast<double>(i) / static_cast<double>(files.size()));
-    const auto log = read_slocum_text(files[i], [&](const SlocumRow& row) { dives.take(row); });
+    if (holds_sensor_cache(files[i])) continue;
+    const auto take = [&](const SlocumRow& row) { dives.take(row); };
+    const auto log = holds_slocum_binary(files[i]) ? read_slocum_binary(files[i], files, take)
+                                                   : read_slocum_text(files[i], take);
     if (!log) return refuse(log.error());
     if (const std::string missing = missing_in(*log); !missing.empty())
       return refuse("the log \"" + files[i].filename().string() + "\" has no " + missing +

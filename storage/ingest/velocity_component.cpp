@@ -19,6 +19,30 @@ bool is_undeclared_fill(double value, double factor) {
          std::find(markers.begin(), markers.end(), std::abs(value)) != markers.end();
 }
 
+/// The declared range, unpacked. CF has it packed; ends that could be speeds of water or air as they stand are taken as
+/// such, because many files state them so and none packs a speed in so few steps. A range on one side of zero is none of
+/// a component.
+Extent valid_range_of(const NetcdfVariable& variable, double factor) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  constexpr double most_m_s = 300.0;
+  const auto end = [&](const char* alone, std::size_t of_both, double otherwise) {
+    const auto both = variable.numbers("valid_range");
+    const auto one = variable.numbers(alone);
+    return one.size() == 1 ? one.front() : both.size() == 2 ? both[of_both] : otherwise;
+  };
+  const Extent range{end("valid_min", 0, -infinite), end("valid_max", 1, infinite)};
+  const auto is_speed = [&](double value) {
+    return std::isinf(value) || std::abs(value) * factor <= most_m_s;
+  };
+  if (!(range.least < 0.0 && range.greatest > 0.0)) return {-infinite, infinite};
+  // A float32 of the file may lie beyond the end that its decimals name.
+  constexpr double slack = 1e-6;
+  if (is_speed(range.least) && is_speed(range.greatest)) return {range.least - slack, range.greatest + slack};
+  const auto unpacked = [&](double value) { return value * variable.scale() + variable.offset(); };
+  const auto [least, greatest] = std::minmax({unpacked(range.least), unpacked(range.greatest)});
+  return {least - slack, greatest + slack};
+}
+
 }  // namespace
 
 Checked<VelocityComponent> VelocityComponent::of(const NetcdfVariable& variable, NetcdfLayout layout,
@@ -29,7 +53,12 @@ Checked<VelocityComponent> VelocityComponent::of(const NetcdfVariable& variable,
   component.variable_ = &variable;
   component.layout_ = std::move(layout);
   component.factor_ = *factor;
+  component.valid_ = valid_range_of(variable, *factor);
   return component;
+}
+
+repository::SampleSteps VelocityComponent::steps() const {
+  return {variable_->scale() * factor_, variable_->offset() * factor_};
 }
 
 Checked<ComponentSlice> VelocityComponent::read(std::size_t time, std::size_t level) const {
@@ -38,7 +67,7 @@ Checked<ComponentSlice> VelocityComponent::read(std::size_t time, std::size_t le
   ComponentSlice slice{std::move(*values), 0};
   for (double& value : slice.values) {
     if (std::isnan(value)) continue;
-    if (is_undeclared_fill(value, factor_)) {
+    if (is_undeclared_fill(value, factor_) || !valid_.contains(value)) {
       ++slice.undeclared_fill;
       value = std::numeric_limits<double>::quiet_NaN();
     } else {

@@ -4,8 +4,10 @@
 #include <string>
 #include <vector>
 
+#include "storage/ingest/missing_marks.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/refusal.hpp"
+#include "storage/repository/sample_steps.hpp"
 
 namespace floeplan::ingest {
 
@@ -28,13 +30,17 @@ class VelocityComponent {
   [[nodiscard]] const NetcdfVariable& variable() const { return *variable_; }
   [[nodiscard]] std::size_t columns() const { return layout_.x.source.size(); }
   [[nodiscard]] std::size_t rows() const { return layout_.y.source.size(); }
-  /// Numbers that producers write for "missing" without declaring them are missing and counted.
+  /// In metres per second; of numbers that are not packed whole ones.
+  [[nodiscard]] repository::SampleSteps steps() const;
+  /// Numbers that producers write for "missing" without declaring them, and those outside the variable's valid range, are
+  /// missing and counted.
   [[nodiscard]] Checked<ComponentSlice> read(std::size_t time, std::size_t level) const;
 
  private:
   const NetcdfVariable* variable_{nullptr};  // borrowed
   NetcdfLayout layout_;
   double factor_{1.0};  // metres per second in one of the variable's unit
+  Extent valid_;        // in the variable's unit
 };
 
 }  // namespace floeplan::ingest

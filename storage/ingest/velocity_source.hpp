@@ -7,6 +7,7 @@
 
 #include "engine/geo/lon_lat.hpp"
 #include "storage/ingest/refusal.hpp"
+#include "storage/repository/sample_steps.hpp"
 
 namespace floeplan::ingest {
 
@@ -29,7 +30,9 @@ struct SourceShape {
 struct VelocitySlice {
   std::vector<float> east;
   std::vector<float> north;
-  std::int64_t undeclared_fill{};  // values taken as missing although the file does not say so
+  std::int64_t undeclared_fill{};        // values taken as missing although the file does not say so
+  repository::SampleSteps east_steps{};  // in which the file counts them, if it does
+  repository::SampleSteps north_steps{};
 };
 
 /// Currents of one file or of several as their model has them: whatever the layout, brought to one set of points

@@ -71,9 +71,9 @@ Checked<bool> check_array(const fs::path& description, std::size_t chunk_files) 
 Checked<ZarrStore> open_zarr(const fs::path& folder) {
   if (fs::exists(folder / "zarr.json"))
     return refuse(
-        "this is a Zarr store of version 3; this layout is not yet supported; convert it to NetCDF or to "
-        "Zarr version 2 "
-        "first");
+        "this is a Zarr store of version 3, which this program does not read; convert it to NetCDF, for "
+        "example by "
+        "Python's xarray.open_zarr(...).to_netcdf(...), or to Zarr version 2");
   if (!fs::exists(folder / ".zgroup"))
     return refuse("this Zarr store has no group at its top; give the folder that holds .zgroup");
   ZarrStore store;

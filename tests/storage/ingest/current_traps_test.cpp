@@ -42,6 +42,24 @@ TEST_F(CurrentTraps, LatitudesThatDescendAreTurnedWithTheirData) {
   EXPECT_FLOAT_EQ(samples.v[2 * 4 + 3], static_cast<float>(file.value('v', 0, 0, 0, 3)));
 }
 
+TEST_F(CurrentTraps, ValuesOutsideTheValidRangeAreMissingPackedOrNot) {
+  for (const double end : {2000.0, 2.0}) {
+    CurrentFile file;
+    file.type = NetcdfWriter::Type::int16;
+    file.numbers = {{"scale_factor", 0.001}, {"valid_min", -end}, {"valid_max", end}};
+    file.value = [](char, std::size_t, std::size_t, std::size_t y, std::size_t x) {
+      return y == 0 && x == 1 ? 3000.0 : 100.0 + static_cast<double>(x);
+    };
+
+    const auto samples = stored(file);
+
+    EXPECT_FLOAT_EQ(samples.u[0], 0.1F);
+    EXPECT_TRUE(std::isnan(samples.u[1]));
+    EXPECT_THAT(words(report_), HasSubstr("outside its valid range"));
+    db_ = repository::open_store_in_memory();
+  }
+}
+
 TEST_F(CurrentTraps, LongitudesFromZeroTo360StayAndWrap) {
   CurrentFile file;
   file.lons = {0.0, 90.0, 180.0, 270.0, 360.0};

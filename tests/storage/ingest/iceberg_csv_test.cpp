@@ -38,11 +38,14 @@ TEST_F(IcePatrolCsv, ReadsARowIntoASighting) {
 }
 
 TEST_F(IcePatrolCsv, AnUnknownSizeAndARadarTargetAreNeverSmall) {
-  ingest_rows("2014,1,1/1/2014,0000,50,-50,VIS,GEN,GEN,A\n2014,2,1/1/2014,0,50,-50,RAD,RAD,RAD,A\n");
+  ingest_rows(
+      "2014,1,1/1/2014,0000,50,-50,VIS,GEN,GEN,A\n2014,2,1/1/2014,0,50,-50,RAD,RAD,RAD,A\n"
+      "2014,3,1/1/2014,0,50,-50,VIS,UNK,UNK,A\n");
 
-  ASSERT_EQ(sightings().size(), 2U);
+  ASSERT_EQ(sightings().size(), 3U);
   EXPECT_EQ(sightings()[0].iceberg.size, ocean::IcebergSize::unknown);
   EXPECT_EQ(sightings()[1].iceberg.size, ocean::IcebergSize::radar_target);
+  EXPECT_EQ(sightings()[2].iceberg.size, ocean::IcebergSize::unknown);
 }
 
 TEST_F(IcePatrolCsv, ColumnsAreFoundByTheirNames) {

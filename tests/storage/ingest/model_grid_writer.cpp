@@ -2,6 +2,7 @@
 
 #include <array>
 #include <cmath>
+#include <complex>
 #include <numbers>
 
 #include "engine/geo/bearing.hpp"
@@ -49,6 +50,16 @@ void write_positions(NetcdfWriter& writer, const ModelGrid& grid, const std::str
       {{"units", "degrees_north"}}));
 }
 
+/// Ellipses and hyperbolas with their foci in the two poles, on the polar stereographic plane of a unit sphere.
+geo::LonLat place_on_cap(const ModelGrid& grid, double i, double j) {
+  constexpr double focus = 0.2679491924311227;  // tan of half of 30 degrees
+  const double round = 2.0 * std::numbers::pi * i / static_cast<double>(grid.columns - 2);
+  const double outward = (static_cast<double>(grid.rows - 2) - j) / static_cast<double>(grid.rows - 2);
+  const std::complex<double> place = focus * std::cosh(std::complex{outward, round});
+  return {geo::wrap_longitude(grid.origin.lon_deg + std::arg(place) / radians),
+          90.0 - 2.0 * std::atan(std::abs(place)) / radians};
+}
+
 const std::map<std::string, std::string> hours{{"units", "hours since 2026-11-20 00:00:00"}};
 
 }  // namespace
@@ -72,6 +83,7 @@ geo::VelocityEn turning_sea(geo::LonLat place) {
 }
 
 geo::LonLat ModelGrid::place(double i, double j) const {
+  if (two_poles) return place_on_cap(*this, i, j);
   const double x = (i - 0.5 * static_cast<double>(columns - 1)) * spacing_m;
   const double y = (j - 0.5 * static_cast<double>(rows - 1)) * spacing_m;
   const double distance = std::hypot(x, y);

@@ -1,8 +1,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
+#include "engine/geo/geodesic.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/model_grid_writer.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
@@ -91,6 +93,30 @@ TEST_F(ModelLayouts, AGridMayLieAcrossAPole) {
     EXPECT_TRUE(
         currents.at({0.0, std::copysign(90.0, lat_deg)}, {1.0}, core::from_unix_seconds(1795132800.0)));
   }
+}
+
+TEST_F(ModelLayouts, AGridMayHaveTwoPolesAndAFoldBetweenThem) {
+  const auto currents = stored_nemo({.columns = 242, .rows = 82, .two_poles = true});
+
+  const auto& samples = currents.samples();
+  const std::size_t nx = samples.grid.x().size();
+  constexpr double least_m = 1e6;  // from the grid's poles, which a model puts on land
+  double largest = 0.0;
+  std::size_t wet = 0;
+  for (std::size_t i = 0; i < samples.grid.size(); ++i) {
+    const geo::LonLat place = samples.grid.place(i % nx, i / nx);
+    if (std::isnan(samples.u[i]) || geo::geodesic_between(place, {15.0, 60.0}).length.value < least_m ||
+        geo::geodesic_between(place, {-165.0, 60.0}).length.value < least_m)
+      continue;
+    ++wet;
+    const geo::VelocityEn truth = turning_sea(place);
+    largest = std::max(largest, std::hypot(static_cast<double>(samples.u[i]) - truth.east.value,
+                                           static_cast<double>(samples.v[i]) - truth.north.value));
+  }
+  EXPECT_GT(wet, samples.grid.size() / 2);
+  EXPECT_LT(largest, 2e-3);
+  EXPECT_TRUE(
+      currents.at({15.0, 89.9}, core::Metres{0.5}, core::from_unix_seconds(currents.times_s().front())));
 }
 
 TEST_F(ModelLayouts, CollocatedComponentsAlongABentGridAreTurned) {

@@ -39,6 +39,36 @@ TEST_F(Refusals, AFolderThatIsAZarrStore) {
   expect_refused(path("store.zarr"), "Zarr store of version 3");
 }
 
+TEST_F(Refusals, ATideModelInTheBinaryFormatOfOtis) {
+  const std::string eight_by_six{"\0\0\0\x08\0\0\0\x06", 8};
+  const std::string limits(16, '\x42');
+  const std::string constituents = std::string{"\0\0\0\x24", 4} + eight_by_six +
+                                   std::string{"\0\0\0\x02", 4} + limits + "m2  s2  " +
+                                   std::string{"\0\0\0\x24", 4} + std::string(100, '\0');
+  expect_refused(write_file("h_arc", constituents), "OTIS");
+
+  const std::string grid = std::string{"\0\0\0\x20", 4} + eight_by_six + limits + std::string(8, '\0') +
+                           std::string{"\0\0\0\x20", 4} + std::string(100, '\0');
+  expect_refused(write_file("grid_arc", grid), "OTIS");
+}
+
+TEST_F(Refusals, AGridOfAnOldGmt) {
+  NetcdfWriter file{path("old.grd")};
+  file.dimension("side", 2);
+  file.dimension("xysize", 6);
+  for (const char* name : {"x_range", "y_range", "z_range", "spacing"})
+    file.variable(
+        {.name = name, .dimensions = {"side"}, .values = {1.0, 2.0}, .texts = {}, .numbers = {}, .fill = {}});
+  file.variable({.name = "z",
+                 .dimensions = {"xysize"},
+                 .values = {1, 2, 3, 4, 5, 6},
+                 .texts = {},
+                 .numbers = {},
+                 .fill = {}});
+
+  expect_refused(path("old.grd"), "gmt grdconvert");
+}
+
 TEST_F(Refusals, AGribFile) { expect_refused(write_file("gfs.nc", std::string{"GRIB\0\0\0\2", 8}), "GRIB"); }
 
 TEST_F(Refusals, BytesWithoutMeaning) {

@@ -28,8 +28,7 @@ TEST_P(SampleWithoutData, IsRefusedWithTheReason) {
 
 INSTANTIATE_TEST_SUITE_P(
     Gliders, SampleWithoutData,
-    testing::Values(Refused{"glider/comet-2019-222-02-154.dbd", "glider"},
-                    Refused{"glider/1f35be3b.cac", "sensors"}, Refused{"glider/62d8b5da.cac", "sensors"},
+    testing::Values(Refused{"glider/1f35be3b.cac", "sensors"}, Refused{"glider/62d8b5da.cac", "sensors"},
                     Refused{"glider/S102791A002_Barrow_v2_avgd.ad2cp", "does not know"}));
 
 INSTANTIATE_TEST_SUITE_P(

@@ -1,0 +1,39 @@
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "engine/ocean/horizontal_grid.hpp"
+#include "storage/ingest/bathymetry_grid.hpp"
+#include "storage/ingest/netcdf_file.hpp"
+#include "storage/ingest/netcdf_layout.hpp"
+#include "storage/ingest/refusal.hpp"
+#include "storage/ingest/resampling.hpp"
+#include "storage/ingest/water_mask.hpp"
+
+namespace floeplan::ingest {
+
+/// A variable on a bent grid, whose places are two-dimensional tables, and the regular grid on which it is stored.
+struct BentPlane {
+  NetcdfLayout layout;  // its points, [row][column]
+  std::vector<geo::LonLat> points;
+  ocean::HorizontalGrid grid;
+  std::shared_ptr<const Resampling> resampling;
+  WaterMask water;      // of ROMS, which has depths on land too
+  std::string account;  // "resampled from ..."
+};
+
+/// Returns  nullopt when the file holds no tables of positions over the variable's plane
+/// Errors   damaged tables; dimensions whose meaning is not known
+[[nodiscard]] Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const NetcdfFile>& file,
+                                                              const NetcdfVariable& variable);
+
+/// The values at the nodes and, around each, the lowest and the highest of its neighbouring points, also of those that
+/// lie closer together than the nodes.
+/// Shape  of the points in, of the grid [y][x] out
+[[nodiscard]] RawRows resampled_with_range(const BentPlane& plane, std::span<const float> values);
+
+}  // namespace floeplan::ingest

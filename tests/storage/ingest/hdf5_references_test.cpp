@@ -1,0 +1,69 @@
+#include "storage/ingest/hdf5_references.hpp"
+
+#include <gtest/gtest.h>
+#include <hdf5.h>
+
+#include <array>
+
+#include "tests/storage/ingest/netcdf_writer.hpp"
+#include "tests/storage/ingest/store_fixture.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+/// Good currents, to which something is added that lies in another file.
+class Hdf5References : public StoreFixture {
+ protected:
+  Hdf5References() {
+    CurrentFile{}.write(file_);
+    opened_ = H5Fopen(file_.c_str(), H5F_ACC_RDWR, H5P_DEFAULT);
+    EXPECT_GE(opened_, 0);
+  }
+
+  void add_dataset(hid_t creation) const {
+    const std::array<hsize_t, 2> size{3, 4};
+    const hid_t space = H5Screate_simple(2, size.data(), nullptr);
+    const hid_t dataset =
+        H5Dcreate2(opened_, "outside", H5T_NATIVE_FLOAT, space, H5P_DEFAULT, creation, H5P_DEFAULT);
+    EXPECT_GE(dataset, 0);
+    H5Dclose(dataset);
+    H5Sclose(space);
+    H5Pclose(creation);
+  }
+
+  void expect_refused_for(const std::string& reason) {
+    H5Fclose(opened_);
+    expect_refused(file_, reason);
+  }
+
+  const std::filesystem::path file_{path("currents.nc")};
+  hid_t opened_{-1};
+};
+
+TEST_F(Hdf5References, AreNotMissedInALink) {
+  ASSERT_GE(H5Lcreate_external("other.nc", "/uo", opened_, "outside", H5P_DEFAULT, H5P_DEFAULT), 0);
+
+  expect_refused_for("\"outside\" is a link to another file");
+}
+
+TEST_F(Hdf5References, AreNotMissedInAVirtualDataset) {
+  const std::array<hsize_t, 2> size{3, 4};
+  const hid_t space = H5Screate_simple(2, size.data(), nullptr);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  ASSERT_GE(H5Pset_virtual(creation, space, "other.nc", "/uo", space), 0);
+  H5Sclose(space);
+  add_dataset(creation);
+
+  expect_refused_for("\"outside\" is put together from other files");
+}
+
+TEST_F(Hdf5References, AreNotMissedInValuesThatLieElsewhere) {
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  ASSERT_GE(H5Pset_external(creation, "/etc/hostname", 0, 48), 0);
+  add_dataset(creation);
+
+  expect_refused_for("\"outside\" has its values in another file");
+}
+
+}  // namespace
+}  // namespace floeplan::ingest
