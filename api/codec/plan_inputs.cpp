@@ -94,6 +94,27 @@ void read_via_order(InputReader& reader, planning::PlanRequest& request) {
   }
 }
 
+/// Where a plan from end to end of a route would look. A judgement of its way has to see icebergs drift as it did, and
+/// they drift by the data of that area.
+geo::BoundingBox area_of_a_plan(planning::PlanRequest request) {
+  request.via.clear();
+  return request.from == request.to ? geo::bounding_box(std::vector{request.from})
+                                    : planning::planning_area(request);
+}
+
+geo::BoundingBox united(const geo::BoundingBox& a, const geo::BoundingBox& b) {
+  const geo::LonLat corners[] = {{a.west_deg, a.south_deg},
+                                 {a.east_deg, a.north_deg},
+                                 {b.west_deg, b.south_deg},
+                                 {b.east_deg, b.north_deg}};
+  geo::BoundingBox box = geo::bounding_box(corners);
+  if (std::max(geo::width_deg(a), geo::width_deg(b)) > 180.0) {
+    box.west_deg = -180.0;
+    box.east_deg = 180.0;
+  }
+  return box;
+}
+
 void fill_data(const planning::PlanRequest& request, repository::EnvironmentQuery& data) {
   data.area = planning::planning_area(request);
   fill_period(request, data);
@@ -184,6 +205,7 @@ void set_route(EvaluateInputs& inputs, std::vector<geo::LonLat> route) {
   inputs.request.to = inputs.route.back();
   inputs.request.via.assign(inputs.route.begin() + 1, inputs.route.end() - 1);
   fill_data(inputs.request, inputs.data);
+  inputs.data.area = united(inputs.data.area, area_of_a_plan(inputs.request));
 }
 
 json to_json(const PlanInputs& inputs) {

@@ -70,13 +70,11 @@ void add_departures(json& document, const std::vector<planning::DepartureOutcome
 
 }  // namespace
 
-tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
-                                                         const codec::PlanInputs& inputs,
-                                                         const std::stop_token& stop,
-                                                         const core::ProgressCallback& progress,
-                                                         core::UtcTime now) {
+tl::expected<json, core::Violations> plan_route_document(
+    sqlite::Connection& db, const codec::PlanInputs& inputs, const std::stop_token& stop,
+    const core::ProgressCallback& progress, core::UtcTime now, repository::CurrentGridCache* kept_currents) {
   if (progress) progress("loading data", 0.0);
-  const auto environment = repository::load_environment(db, inputs.data);
+  const auto environment = repository::load_environment(db, inputs.data, {stop, kept_currents});
   if (!environment) return tl::unexpected(environment.error());
 
   const Stopwatch watch;
@@ -110,14 +108,15 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
 
 tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection& db,
                                                              codec::EvaluateInputs inputs,
-                                                             const std::stop_token& stop) {
+                                                             const std::stop_token& stop,
+                                                             repository::CurrentGridCache* kept_currents) {
   if (inputs.plan_id) {
     const auto stored = repository::PlanRepository{db}.find({*inputs.plan_id});
     if (!stored)
       return tl::unexpected(core::Violations{{"/plan_id", "no plan has the id " + *inputs.plan_id}});
     codec::set_route(inputs, codec::route_of(json::parse(stored->document_json)));
   }
-  const auto environment = repository::load_environment(db, inputs.data);
+  const auto environment = repository::load_environment(db, inputs.data, {stop, kept_currents});
   if (!environment) return tl::unexpected(environment.error());
 
   const Stopwatch watch;

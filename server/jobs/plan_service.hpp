@@ -8,6 +8,7 @@
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
+#include "storage/repository/current_grid_cache.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::jobs {
@@ -19,12 +20,14 @@ namespace floeplan::jobs {
 /// Names    the plan's id is a digest of its inputs and of the data used: the same request gives the same id
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> plan_route_document(
     sqlite::Connection& db, const codec::PlanInputs& inputs, const std::stop_token& stop,
-    const core::ProgressCallback& progress, core::UtcTime now);
+    const core::ProgressCallback& progress, core::UtcTime now,
+    repository::CurrentGridCache* kept_currents = nullptr);
 
 /// Times a given route in the stored data; stores nothing.
 /// Returns  a document of the same shape, without a plan_id
 /// Errors   as above; also for a plan_id that is not stored
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> evaluate_route_document(
-    sqlite::Connection& db, codec::EvaluateInputs inputs, const std::stop_token& stop);
+    sqlite::Connection& db, codec::EvaluateInputs inputs, const std::stop_token& stop,
+    repository::CurrentGridCache* kept_currents = nullptr);
 
 }  // namespace floeplan::jobs

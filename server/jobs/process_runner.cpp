@@ -47,6 +47,7 @@ tl::expected<json, core::Violations> compare_flight_document(const codec::Compar
 
 tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const repository::JobRecord& job,
                                                    const IngestPlace& place, std::size_t workers,
+                                                   repository::CurrentGridCache& kept_currents,
                                                    const std::stop_token& stop,
                                                    const core::ProgressCallback& progress,
                                                    core::UtcTime now) {
@@ -54,17 +55,17 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
   if (job.process == "plan-route") {
     const auto inputs = codec::parse_plan_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("plan", plan_route_document(db, *inputs, stop, progress, now));
+    return result("plan", plan_route_document(db, *inputs, stop, progress, now, &kept_currents));
   }
   if (job.process == "evaluate-route") {
     const auto inputs = codec::parse_evaluate_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("evaluation", evaluate_route_document(db, *inputs, stop));
+    return result("evaluation", evaluate_route_document(db, *inputs, stop, &kept_currents));
   }
   if (job.process == "reach") {
     const auto inputs = codec::parse_reach_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("reach", reach_document(db, *inputs, stop, progress));
+    return result("reach", reach_document(db, *inputs, stop, progress, &kept_currents));
   }
   if (job.process == "ingest") {
     const auto inputs = codec::parse_ingest_inputs(request);

@@ -13,9 +13,10 @@ namespace floeplan::jobs {
 tl::expected<nlohmann::json, core::Violations> reach_document(sqlite::Connection& db,
                                                               const codec::ReachInputs& inputs,
                                                               const std::stop_token& stop,
-                                                              const core::ProgressCallback& progress) {
+                                                              const core::ProgressCallback& progress,
+                                                              repository::CurrentGridCache* kept_currents) {
   if (progress) progress("loading data", 0.0);
-  const auto environment = repository::load_environment(db, inputs.data);
+  const auto environment = repository::load_environment(db, inputs.data, {stop, kept_currents});
   if (!environment) return tl::unexpected(environment.error());
 
   const auto begin = std::chrono::steady_clock::now();

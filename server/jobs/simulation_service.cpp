@@ -301,7 +301,7 @@ tl::expected<json, core::Violations> simulate_plan_document(sqlite::Connection& 
   if (!files) return tl::unexpected(files.error());
   const auto orders = orders_of(*files, flown->vehicle);
   if (!orders) return tl::unexpected(orders.error());
-  const auto environment = repository::load_environment(db, flown->data);
+  const auto environment = repository::load_environment(db, flown->data, {stop});
   if (!environment) return tl::unexpected(environment.error());
 
   const json cancelled{{"status", "cancelled"}, {"plan_id", inputs.plan_id}};

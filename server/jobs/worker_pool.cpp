@@ -24,6 +24,9 @@ constexpr core::Seconds lease{1e9};
 constexpr core::Seconds renewal_interval{5.0};  // when there is no progress to write
 constexpr std::chrono::milliseconds progress_interval{250};
 
+/// Of currents between jobs: five days of hourly ones over 150 by 150 km with six levels are half of it.
+constexpr std::size_t most_kept_bytes = std::size_t{256} << 20;
+
 constexpr const char* no_memory =
     "the server has not enough memory for this; ask for less at once (a wider spacing_m, fewer sectors, a "
     "shorter window), or again when it has less to do";
@@ -69,7 +72,11 @@ void keep_trying(sqlite::Connection& db, const repository::JobId& id, const Writ
 }  // namespace
 
 WorkerPool::WorkerPool(OpenStore open_store, JobBoard& board, std::size_t workers, IngestPlace place)
-    : open_store_{std::move(open_store)}, board_{board}, workers_{workers}, place_{std::move(place)} {
+    : open_store_{std::move(open_store)},
+      board_{board},
+      workers_{workers},
+      place_{std::move(place)},
+      kept_currents_{most_kept_bytes} {
   auto db = open_store_();
   JobRepository{db}.release_all_leases(now());
   lease_keeper_ = std::jthread{[this](const std::stop_token& stop) { keep_leases(stop); }};
@@ -119,7 +126,7 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   tl::expected<std::string, std::string> result;
   try {
     result = run_process(
-        db, job, place_, workers_, job_stop.get_token(),
+        db, job, place_, workers_, kept_currents_, job_stop.get_token(),
         [&](std::string_view stage, double share) { board_.report(job.id, stage, share); }, now());
   } catch (const std::bad_alloc&) {
     spdlog::error("job={} broke off: no memory", job.id.value);

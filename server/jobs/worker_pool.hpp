@@ -8,6 +8,7 @@
 
 #include "server/jobs/ingest_service.hpp"
 #include "server/jobs/job_board.hpp"
+#include "storage/repository/current_grid_cache.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::jobs {
@@ -18,7 +19,8 @@ using OpenStore = std::function<sqlite::Connection()>;
 /// Threads that take jobs from the queue and do them, at lower priority than the rest of the process, and one
 /// that keeps their leases and writes their progress. One thread beside the `workers` ingests files and does nothing
 /// else: nobody who plans waits for a large file.
-/// A batch of flights uses as many threads as there are workers.
+/// A batch of flights uses as many threads as there are workers. Currents that a job has read are kept for the next, in
+/// at most 256 MiB.
 /// Start    jobs that a killed process left running become free at once Stop stop() or the destructor:
 ///          running work is asked to stop and goes back into the queue
 /// Errors   what a job throws fails that job; what the store throws while looking for work is logged and
@@ -42,6 +44,7 @@ class WorkerPool {
   JobBoard& board_;  // borrowed
   std::size_t workers_;
   IngestPlace place_;
+  repository::CurrentGridCache kept_currents_;
   std::vector<std::jthread> threads_;
   std::jthread lease_keeper_;
 };

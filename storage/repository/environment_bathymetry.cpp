@@ -72,7 +72,7 @@ void add_bathymetry(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const auto found =
       candidates(draft.stored, DatasetKind::bathymetry, query.bathymetry, query.area, draft.violations);
-  const FieldRepository fields{draft.db};
+  const FieldRepository fields{draft.db, draft.reading.stop};
   std::optional<ocean::Bathymetry> alone;  // the first layer, while no other is needed
   std::optional<BathymetryMosaic> mosaic;
   std::vector<Dataset> used;

@@ -1,10 +1,36 @@
 #include "storage/repository/environment_draft.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/repository/dataset_row.hpp"
 
 namespace floeplan::repository {
+namespace {
+
+CurrentGridCache::Part part_of(const EnvironmentDraft& draft, const Dataset& dataset,
+                               const std::optional<Period>& period) {
+  const std::int64_t row = dataset_row(draft.db, dataset.id);
+  if (!period) return {row, std::nullopt, std::nullopt};
+  return {row, core::unix_seconds(period->from), core::unix_seconds(period->to)};
+}
+
+/// What was kept of an earlier reading of the same, or else what `read` gives.
+template <class Read>
+std::shared_ptr<const ocean::CurrentGrid> kept_or_read(const Reading& reading,
+                                                       const CurrentGridCache::Key& key, const Read& read) {
+  if (reading.kept_currents != nullptr)
+    if (auto kept = reading.kept_currents->find(key)) return kept;
+  std::optional<ocean::CurrentGrid> found = read();
+  if (!found) return nullptr;
+  auto grid = std::make_shared<const ocean::CurrentGrid>(std::move(*found));
+  if (reading.kept_currents != nullptr && !reading.stop.stop_requested())
+    reading.kept_currents->keep(key, grid);
+  return grid;
+}
+
+}  // namespace
 
 std::optional<Period> period_of(const Dataset& dataset) {
   if (!dataset.time_start || !dataset.time_end) return std::nullopt;
@@ -55,6 +81,32 @@ void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts) 
         (&part == &parts.front() ? "" : ", then ") + title(part.dataset) + " from " + period_text(part.used);
   }
   draft.warn(text);
+}
+
+std::shared_ptr<const ocean::CurrentGrid> read_joined(const EnvironmentDraft& draft,
+                                                      const std::vector<JoinedPart>& parts,
+                                                      const geo::BoundingBox& area, core::UtcTime from,
+                                                      std::optional<core::Metres> deepest) {
+  CurrentGridCache::Key key{.parts = {},
+                            .area = area,
+                            .from_s = core::unix_seconds(from),
+                            .deepest_m = deepest ? std::optional{deepest->value} : std::nullopt};
+  for (const JoinedPart& part : parts) key.parts.push_back(part_of(draft, part.dataset, part.used));
+  return kept_or_read(draft.reading, key,
+                      [&] { return load_joined(draft.db, parts, area, from, deepest, draft.reading.stop); });
+}
+
+std::shared_ptr<const ocean::CurrentGrid> read_currents(const EnvironmentDraft& draft, const Dataset& dataset,
+                                                        const std::optional<Period>& period) {
+  const EnvironmentQuery& query = draft.query;
+  const CurrentGridCache::Key key{.parts = {part_of(draft, dataset, period)},
+                                  .area = query.area,
+                                  .from_s = std::nullopt,
+                                  .deepest_m = query.dive_depth.value};
+  return kept_or_read(draft.reading, key, [&] {
+    return FieldRepository{draft.db, draft.reading.stop}.load_currents(dataset.id, query.area, period,
+                                                                       query.dive_depth);
+  });
 }
 
 bool covers_begin(const Period& period, const EnvironmentQuery& query) {

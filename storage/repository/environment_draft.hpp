@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -18,6 +19,7 @@ namespace floeplan::repository {
 struct EnvironmentDraft {
   sqlite::Connection& db;  // borrowed
   const EnvironmentQuery& query;
+  const Reading& reading;
   std::vector<Dataset> stored;  // newest first
   ocean::Environment environment;
   core::Violations violations;
@@ -60,6 +62,16 @@ struct EnvironmentDraft {
 /// The period of the parts; of the dataset where nothing was joined.
 [[nodiscard]] std::optional<Period> joined_period(const Dataset& dataset,
                                                   const std::vector<JoinedPart>& parts);
+/// As load_joined, and as kept as the reading may keep it; null: nothing there.
+[[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> read_joined(const EnvironmentDraft& draft,
+                                                                    const std::vector<JoinedPart>& parts,
+                                                                    const geo::BoundingBox& area,
+                                                                    core::UtcTime from,
+                                                                    std::optional<core::Metres> deepest);
+/// The steps of one dataset around the area of the query; null: nothing there. No period: all steps.
+[[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> read_currents(const EnvironmentDraft& draft,
+                                                                      const Dataset& dataset,
+                                                                      const std::optional<Period>& period);
 /// Names every part, and, where there are several, from when until when it was used.
 void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts);
 /// Says what the plan goes without, since a kind was left out or is not stored for the area.

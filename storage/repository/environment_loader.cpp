@@ -3,7 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <limits>
+#include <functional>
 #include <memory>
 #include <utility>
 
@@ -15,7 +15,7 @@
 #include "storage/repository/environment_water.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/hand_made_id.hpp"
-#include "storage/repository/joined_sightings.hpp"
+#include "storage/repository/known_icebergs.hpp"
 #include "storage/repository/zone_repository.hpp"
 #include "storage/sqlite/snapshot.hpp"
 
@@ -34,6 +34,10 @@ std::string shortened_list(const std::vector<std::string>& names) {
   return text;
 }
 
+/// Areas that are all ice, such as fast ice, of a chart without codes: the variable that ingest names then. Outside them
+/// nothing is known, so that as the newest ice they would hide a concentration that is.
+bool is_areas_alone(const Dataset& dataset) { return dataset.variables == std::vector<std::string>{"ice"}; }
+
 void adopt_ice(EnvironmentDraft& draft, const Dataset& dataset, ocean::IceField ice) {
   const auto covered = period_of(dataset);
   if (covered && !covers(*covered, draft.query.depart)) {
@@ -49,7 +53,8 @@ void adopt_ice(EnvironmentDraft& draft, const Dataset& dataset, ocean::IceField 
 
 void add_ice(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
-  const auto found = candidates(draft.stored, DatasetKind::ice, query.ice, query.area, draft.violations);
+  auto found = candidates(draft.stored, DatasetKind::ice, query.ice, query.area, draft.violations);
+  const auto areas = std::ranges::stable_partition(found, std::not_fn(is_areas_alone));
   const bool named = query.ice.how == DatasetChoice::How::named;
   if (named && query.ice.ids.size() > 1) {
     draft.refuse(DatasetKind::ice, "one dataset at a time; name the one to plan with");
@@ -67,8 +72,13 @@ void add_ice(EnvironmentDraft& draft) {
       continue;
     }
     const Period wanted{std::clamp(query.depart, covered->from, covered->to), covered->to};
-    auto ice = FieldRepository{draft.db}.load_ice(dataset.id, query.area, wanted);
-    if (ice) return adopt_ice(draft, dataset, std::move(*ice));
+    auto ice = FieldRepository{draft.db, draft.reading.stop}.load_ice(dataset.id, query.area, wanted);
+    if (!ice) continue;
+    if (!is_areas_alone(dataset))
+      for (const Dataset& unused : areas)
+        draft.warn(title(unused) + " holds areas of ice and nothing outside them; not used beside " +
+                   title(dataset) + "; make zones of them, or name it to plan with it alone");
+    return adopt_ice(draft, dataset, std::move(*ice));
   }
 
   if (named && !periods_missed.empty()) {
@@ -83,69 +93,33 @@ void add_ice(EnvironmentDraft& draft) {
   }
 }
 
-bool is_among(const std::vector<Dataset>& datasets, const Dataset& dataset) {
-  return std::ranges::find(datasets, dataset.id, &Dataset::id) != datasets.end();
-}
-
-/// Every dataset with sightings young enough to count, wherever they lie: a berg may have left the area since the one
-/// that saw it here. Where none of them speaks of the area, also the newest that does, and in any case what people have
-/// reported.
-/// `here`  the datasets that meet the area, newest first
-std::vector<Dataset> datasets_of_sightings(const EnvironmentDraft& draft, const std::vector<Dataset>& here,
-                                           core::UtcTime as_of, core::UtcTime oldest) {
-  const auto begun = [&](const Dataset& dataset) {
-    return !dataset.time_start || *dataset.time_start <= as_of;
-  };
-  const auto recent = [&](const Dataset& dataset) {
-    return !dataset.time_end || *dataset.time_end >= oldest;
-  };
-  const auto by_hand = [](const Dataset& dataset) {
-    return dataset.id == hand_made_id(DatasetKind::icebergs);
-  };
-  std::vector<Dataset> chosen;
-  std::ranges::copy_if(draft.stored, std::back_inserter(chosen), [&](const Dataset& dataset) {
-    return dataset.kind == DatasetKind::icebergs && !by_hand(dataset) && begun(dataset) && recent(dataset);
-  });
-  const auto speaks_of_area = [&](const Dataset& dataset) { return is_among(here, dataset); };
-  if (std::ranges::none_of(chosen, speaks_of_area))
-    if (const auto newest = std::ranges::find_if(
-            here, [&](const Dataset& dataset) { return begun(dataset) && !by_hand(dataset); });
-        newest != here.end())
-      chosen.insert(chosen.begin(), *newest);
-  std::ranges::copy_if(here, std::back_inserter(chosen), by_hand);
-  return chosen;
-}
-
 /// Says which bergs of a dataset were seen too long ago.
-void warn_of_old_sightings(EnvironmentDraft& draft, const Dataset& dataset,
-                           const std::vector<StoredSighting>& all, core::UtcTime oldest) {
+void warn_of_old_sightings(EnvironmentDraft& draft, const Dataset& dataset, const KnownIcebergs& known,
+                           core::UtcTime oldest) {
   std::vector<std::string> dropped;
-  std::size_t count = 0;
-  for (const StoredSighting& sighting : all) {
-    if (sighting.dataset != dataset.id) continue;
-    ++count;
-    if (sighting.iceberg.observed < oldest)
+  for (const StoredSighting& sighting : known.too_old)
+    if (sighting.dataset == dataset.id)
       dropped.push_back(sighting.iceberg.id.empty() ? "one without a name" : sighting.iceberg.id);
-  }
   if (dropped.empty()) return;
-  draft.warn(std::to_string(dropped.size()) + " of " + std::to_string(count) + " icebergs of " +
-             title(dataset) + " left out: last seen before " + core::iso8601(oldest) + ": " +
-             shortened_list(dropped));
+  const auto used = std::ranges::count(known.sightings, dataset.id, &StoredSighting::dataset);
+  draft.warn(std::to_string(dropped.size()) + " of " + std::to_string(used + std::ssize(dropped)) +
+             " icebergs of " + title(dataset) + " left out: last seen before " + core::iso8601(oldest) +
+             ": " + shortened_list(dropped));
 }
 
-/// Names the datasets that had something to say, those that were wanted by name and what people reported; else the newest
-/// that speaks of the area.
-/// `here`  the datasets that meet the area, newest first
-void cite_sightings(EnvironmentDraft& draft, const std::vector<Dataset>& chosen,
-                    const std::vector<Dataset>& here, const std::vector<StoredSighting>& all) {
+/// Names the datasets that had something to say, those that were wanted by name and what people reported here; else the
+/// newest that speaks of the area.
+void cite_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
   const bool named = draft.query.icebergs.how == DatasetChoice::How::named;
+  const bool nothing = known.sightings.empty() && known.too_old.empty();
   std::string joined;
-  for (const Dataset& dataset : chosen) {
-    const auto count = std::ranges::count(all, dataset.id, &StoredSighting::dataset);
-    const bool stands_for_the_area =
-        all.empty() && draft.environment.datasets.empty() && is_among(here, dataset);
-    const bool by_hand = dataset.id == hand_made_id(DatasetKind::icebergs);
-    if (!named && !by_hand && count == 0 && !stands_for_the_area) continue;
+  for (const Dataset& dataset : known.consulted) {
+    const auto count = std::ranges::count(known.sightings, dataset.id, &StoredSighting::dataset) +
+                       std::ranges::count(known.too_old, dataset.id, &StoredSighting::dataset);
+    const bool is_here = known.speaks_here(dataset.id);
+    const bool stands_for_the_area = nothing && draft.environment.datasets.empty() && is_here;
+    const bool reported = is_here && dataset.id == hand_made_id(DatasetKind::icebergs);
+    if (!named && !reported && count == 0 && !stands_for_the_area) continue;
     draft.cite(dataset);
     joined += (joined.empty() ? "" : ", ") + std::to_string(count) + " of " + title(dataset);
   }
@@ -157,21 +131,21 @@ void add_icebergs(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const core::UtcTime last_moment = query.may_begin_later && query.until ? query.until->time : query.depart;
   const core::UtcTime as_of = query.icebergs_as_of.value_or(last_moment);
-  const core::UtcTime oldest = oldest_sighting_used(as_of, query.max_sighting_age);
-  const geo::BoundingBox area = query.iceberg_drift ? geo::grown(query.area, reach_of_drift) : query.area;
-  const auto here =
-      candidates(draft.stored, DatasetKind::icebergs, query.icebergs, query.area, draft.violations);
-  const auto chosen = query.icebergs.how == DatasetChoice::How::newest
-                          ? datasets_of_sightings(draft, here, as_of, oldest)
-                          : here;
+  SightingQuery wanted{.choice = query.icebergs,
+                       .area = query.area,
+                       .as_of = as_of,
+                       .oldest = oldest_sighting_used(as_of, query.max_sighting_age),
+                       .also_too_old = true};
+  if (query.iceberg_drift) {
+    wanted.reach = reach_of_drift;
+    wanted.track_age = query.max_sighting_age;
+  }
 
-  constexpr core::Seconds any_age{std::numeric_limits<double>::infinity()};
-  const core::Seconds track_age = query.iceberg_drift ? query.max_sighting_age : core::Seconds{0.0};
-  const auto all = joined_sightings(draft.db, chosen, area, as_of, any_age, track_age);
-  for (const StoredSighting& sighting : all)
-    if (sighting.iceberg.observed >= oldest) draft.environment.icebergs.push_back(sighting.iceberg);
-  for (const Dataset& dataset : chosen) warn_of_old_sightings(draft, dataset, all, oldest);
-  cite_sightings(draft, chosen, here, all);
+  const KnownIcebergs known = known_icebergs(draft.db, draft.stored, wanted, draft.violations);
+  for (const StoredSighting& sighting : known.sightings)
+    draft.environment.icebergs.push_back(sighting.iceberg);
+  for (const Dataset& dataset : known.consulted) warn_of_old_sightings(draft, dataset, known, wanted.oldest);
+  cite_sightings(draft, known);
   if (draft.environment.datasets.empty() && query.icebergs.how != DatasetChoice::How::named) {
     warn_of_gap(draft, DatasetKind::icebergs, query.icebergs, "no iceberg is avoided");
   }
@@ -239,10 +213,10 @@ void add_wind(EnvironmentDraft& draft) {
           (periods_missed.empty() ? "" : "; ") + title(found[i]) + " covers " + period_text(*period);
       continue;
     }
-    auto wind = load_joined(draft.db, parts, geo::grown(query.area, reach_of_drift), drift_start(draft),
-                            std::nullopt);
+    auto wind =
+        read_joined(draft, parts, geo::grown(query.area, reach_of_drift), drift_start(draft), std::nullopt);
     if (!wind) continue;
-    draft.environment.wind = std::make_shared<const ocean::CurrentGrid>(std::move(*wind));
+    draft.environment.wind = std::move(wind);
     cite_joined(draft, parts);
     return;
   }
@@ -294,18 +268,23 @@ core::UtcTime oldest_sighting_used(core::UtcTime as_of, core::Seconds max_age) {
 }
 
 tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Connection& db,
-                                                                    const EnvironmentQuery& query) {
+                                                                    const EnvironmentQuery& query,
+                                                                    const Reading& reading) {
   const sqlite::Snapshot snapshot{db};
-  EnvironmentDraft draft{
-      .db = db, .query = query, .stored = DatasetRepository{db}.list(), .environment = {}, .violations = {}};
+  EnvironmentDraft draft{.db = db,
+                         .query = query,
+                         .reading = reading,
+                         .stored = DatasetRepository{db}.list(),
+                         .environment = {},
+                         .violations = {}};
   // The oldest sighting says from when on currents are needed; in the report icebergs come after the depths.
   EnvironmentDraft icebergs = draft;
   add_icebergs(icebergs);
   draft.environment.icebergs = std::move(icebergs.environment.icebergs);
-  add_water(draft);
-  add_wind(draft);
-  add_bathymetry(draft);
-  add_ice(draft);
+  for (const auto& add : {add_water, add_wind, add_bathymetry, add_ice}) {
+    if (reading.stop.stop_requested()) return std::move(draft.environment);
+    add(draft);
+  }
   draft.append_report(icebergs);
   add_coastline(draft);
   warn_of_icebergs_on_land(draft);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
@@ -8,6 +9,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/environment.hpp"
+#include "storage/repository/current_grid_cache.hpp"
 #include "storage/repository/dataset_choice.hpp"
 #include "storage/repository/tide_environment.hpp"
 #include "storage/sqlite/connection.hpp"
@@ -52,6 +54,12 @@ struct EnvironmentQuery {
 [[nodiscard]] core::UtcTime oldest_sighting_used(core::UtcTime as_of,
                                                  core::Seconds max_age = max_sighting_age);
 
+/// What reading the store for a job may look at beside the store.
+struct Reading {
+  std::stop_token stop{};
+  CurrentGridCache* kept_currents{nullptr};  // borrowed; null: everything is read anew
+};
+
 /// Puts together the snapshot for one job from the newest (or the named) datasets that meet the area and
 /// the period, all as they stood at one moment.
 /// Errors   a violation for each named dataset that does not exist, is of another kind or shares nothing
@@ -61,7 +69,8 @@ struct EnvironmentQuery {
 ///          when icebergs drift) to their end: how long a plan takes is not yet known. Currents without time are
 ///          held steady. Drifting icebergs are also read up to 100 km beyond the area. Ice is taken where its
 ///          period, lengthened by ocean::longest_ice_hold, covers the departure; a named one that does not is refused
+/// Stops    early once `reading.stop` is requested; what is returned then is incomplete and must not be used
 [[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(
-    sqlite::Connection& db, const EnvironmentQuery& query);
+    sqlite::Connection& db, const EnvironmentQuery& query, const Reading& reading = {});
 
 }  // namespace floeplan::repository

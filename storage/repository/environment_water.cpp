@@ -12,9 +12,10 @@ namespace {
 
 std::string in_metres(double length_m) { return std::to_string(std::lround(length_m)) + " m"; }
 
-void adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, ocean::CurrentGrid currents) {
+void adopt_currents(EnvironmentDraft& draft, const Dataset& dataset,
+                    std::shared_ptr<const ocean::CurrentGrid> currents) {
   const std::string name = title(dataset);
-  const auto& samples = currents.samples();
+  const auto& samples = currents->samples();
   if (!samples.depths_m) {
     draft.warn("currents " + name + " state no depth: taken as the same at every depth");
   } else if (samples.depths_m->size() == 1) {
@@ -38,8 +39,9 @@ void adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, ocean::Curr
   }
 
   draft.environment.steady_currents = draft.query.steady || !covered;
-  draft.environment.currents = std::make_shared<const ocean::CurrentGrid>(
-      draft.environment.steady_currents && steps > 1 ? currents.time_mean() : std::move(currents));
+  draft.environment.currents = draft.environment.steady_currents && steps > 1
+                                   ? std::make_shared<const ocean::CurrentGrid>(currents->time_mean())
+                                   : std::move(currents);
 }
 
 bool covers_end(const Period& period, const EnvironmentQuery& query) {
@@ -69,12 +71,12 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
       continue;
     }
     if (period) period->from = drift_start(draft);
-    auto currents = FieldRepository{draft.db}.load_currents(dataset.id, query.area, period, query.dive_depth);
+    auto currents = read_currents(draft, dataset, period);
     if (!currents) {
       draft.refuse(DatasetKind::currents, title(dataset) + " has no node near the area");
       continue;
     }
-    adopt_currents(draft, dataset, std::move(*currents));
+    adopt_currents(draft, dataset, std::move(currents));
     draft.cite(dataset);
     members.push_back(draft.environment.currents);
     all_steady = all_steady && draft.environment.steady_currents;
@@ -110,12 +112,11 @@ void add_currents(EnvironmentDraft& draft) {
           (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
       continue;
     }
-    auto currents =
-        parts.empty()
-            ? FieldRepository{draft.db}.load_currents(dataset.id, query.area, std::nullopt, query.dive_depth)
-            : load_joined(draft.db, parts, query.area, drift_start(draft), query.dive_depth);
+    auto currents = parts.empty()
+                        ? read_currents(draft, dataset, std::nullopt)
+                        : read_joined(draft, parts, query.area, drift_start(draft), query.dive_depth);
     if (!currents) continue;
-    adopt_currents(draft, dataset, std::move(*currents));
+    adopt_currents(draft, dataset, std::move(currents));
     return parts.empty() ? draft.cite(dataset) : cite_joined(draft, parts);
   }
 

@@ -104,10 +104,11 @@ std::vector<JoinedPart> join_runs(sqlite::Connection& db, const std::vector<Data
 
 std::optional<ocean::CurrentGrid> load_joined(sqlite::Connection& db, const std::vector<JoinedPart>& parts,
                                               const geo::BoundingBox& area, core::UtcTime from,
-                                              std::optional<core::Metres> deepest) {
+                                              std::optional<core::Metres> deepest,
+                                              const std::stop_token& stop) {
   const auto load = [&](const JoinedPart& part) {
     const Period wanted{std::clamp(from, part.used.from, part.used.to), part.used.to};
-    return FieldRepository{db}.load_currents(part.dataset.id, area, wanted, deepest);
+    return FieldRepository{db, stop}.load_currents(part.dataset.id, area, wanted, deepest);
   };
   if (parts.size() == 1) return load(parts.front());
 

@@ -45,10 +45,11 @@ struct JoinedPart {
                                                 bool may_begin_later);
 
 /// The currents (or the wind) of parts that were joined, from the last step before `from` on; nullopt: no node near the
-/// area, or no step that late.
+/// area, or no step that late. Stops early as a FieldRepository does.
 [[nodiscard]] std::optional<ocean::CurrentGrid> load_joined(sqlite::Connection& db,
                                                             const std::vector<JoinedPart>& parts,
                                                             const geo::BoundingBox& area, core::UtcTime from,
-                                                            std::optional<core::Metres> deepest);
+                                                            std::optional<core::Metres> deepest,
+                                                            const std::stop_token& stop = {});
 
 }  // namespace floeplan::repository

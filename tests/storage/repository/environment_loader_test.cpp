@@ -522,6 +522,25 @@ TEST_F(EnvironmentLoaderTest, HoldsTheIceForThreeDaysBeyondItsPeriodAndSaysSo) {
   EXPECT_THAT(environment.warnings, Contains(HasSubstr("no thickness")));
 }
 
+TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
+  add_ice("ice", sample_time - day, 3);
+  Dataset fast = sample_dataset("fast", DatasetKind::ice, bay);
+  fast.variables = {"ice"};
+  fast.time_start = fast.time_end = sample_time;
+  fast.provenance.ingested += core::Seconds{1000.0};
+  DatasetRepository{db_}.insert(fast);
+  const FieldShape shape{grid(bay, 0.5), {}, ocean::Axis{{core::unix_seconds(sample_time)}}};
+  FieldRepository{db_}.create({"fast"}, shape);
+  FieldRepository{db_}.write_slice({"fast"}, "concentration", 0, 0, std::vector(shape.grid.size(), 1.0F));
+
+  const ocean::Environment both = load();
+  EXPECT_NEAR(both.ice->at({-52.0, 69.0}, sample_time)->concentration, 0.1, 1e-6);
+  EXPECT_THAT(both.warnings, Contains(HasSubstr("nothing outside them")));
+
+  DatasetRepository{db_}.remove({"ice"});
+  EXPECT_EQ(load().ice->at({-52.0, 69.0}, sample_time)->concentration, 1.0);
+}
+
 TEST_F(EnvironmentLoaderTest, TakesNoIceOfAnotherTime) {
   add_ice("ice", sample_time - 9.0 * day, 2);
 
@@ -635,6 +654,49 @@ TEST_F(EnvironmentLoaderTest, NeverJoinsRunsOfDifferentGrids) {
   add_currents("wider", sample_time + 3.0 * hour, 5, levels_, {-56.0, 67.0, -50.0, 70.0});
 
   EXPECT_THAT(cited(load()), AllOf(Contains("here"), Not(Contains("wider"))));
+}
+
+TEST_F(EnvironmentLoaderTest, GivesTheVeryCurrentsThatWereKept) {
+  add_currents("currents-1", sample_time, 5, ocean::Axis{{0.0, 50.0, 300.0}});
+  CurrentGridCache kept{1 << 20};
+
+  const auto anew = load_environment(db_, query_);
+  const auto first = load_environment(db_, query_, {{}, &kept});
+  const auto second = load_environment(db_, query_, {{}, &kept});
+
+  ASSERT_TRUE(anew && first && second);
+  EXPECT_EQ(second->currents, first->currents);
+  EXPECT_EQ(second->currents->samples().u, anew->currents->samples().u);
+  EXPECT_EQ(second->currents->samples().v, anew->currents->samples().v);
+  EXPECT_EQ(second->currents->times_s().nodes(), anew->currents->times_s().nodes());
+  EXPECT_EQ(second->warnings, anew->warnings);
+}
+
+TEST_F(EnvironmentLoaderTest, ReadsWhatIsStoredNowThoughOthersWereKept) {
+  add_currents("currents-1", sample_time, 5, std::nullopt);
+  CurrentGridCache kept{1 << 20};
+  ASSERT_TRUE(load_environment(db_, query_, {{}, &kept}));
+
+  add_currents("currents-2", sample_time - 3.0 * hour, 9, std::nullopt);
+  const auto joined = load_environment(db_, query_, {{}, &kept});
+  const auto anew = load_environment(db_, query_);
+
+  ASSERT_TRUE(joined && anew);
+  EXPECT_EQ(joined->currents->samples().u, anew->currents->samples().u);
+  EXPECT_FLOAT_EQ(joined->currents->samples().u.front(), 3.0F);
+}
+
+TEST_F(EnvironmentLoaderTest, KeepsNothingOfAReadingThatWasStopped) {
+  add_currents("currents-1", sample_time, 5, std::nullopt);
+  CurrentGridCache kept{1 << 20};
+  std::stop_source source;
+  source.request_stop();
+
+  (void)load_environment(db_, query_, {source.get_token(), &kept});
+  const auto later = load_environment(db_, query_, {{}, &kept});
+
+  ASSERT_TRUE(later);
+  EXPECT_FLOAT_EQ(later->currents->samples().u.back(), 4.0F);
 }
 
 }  // namespace

@@ -1,0 +1,41 @@
+#pragma once
+
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/core/violation.hpp"
+#include "storage/repository/dataset_choice.hpp"
+#include "storage/repository/iceberg_repository.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::repository {
+
+/// Which icebergs somebody wants to know of.
+struct SightingQuery {
+  DatasetChoice choice;
+  geo::BoundingBox area;         // that the datasets are to speak of
+  core::Metres reach{0.0};       // bergs as far beyond the area count too: they may drift into it
+  core::UtcTime as_of;           // no later sighting counts
+  core::UtcTime oldest;          // nor an earlier one
+  core::Seconds track_age{0.0};  // each with its earlier fixes no older than this; zero: without
+  bool also_too_old{false};      // list those left out for their age too
+};
+
+/// What the store knows of icebergs, as plans obey it and the map shows it.
+struct KnownIcebergs {
+  std::vector<Dataset> here;              // of the choice those that meet the area; named ones, within reach
+  std::vector<Dataset> consulted;         // those that the sightings were taken from
+  std::vector<StoredSighting> sightings;  // of each berg the newest, in the order of the datasets
+  std::vector<StoredSighting> too_old;    // that nobody has seen since `oldest`, where these were wanted
+
+  [[nodiscard]] bool speaks_here(const DatasetId& dataset) const;
+};
+
+/// Without a word on datasets every file with sightings young enough to count is consulted, wherever they lie: a berg may
+/// have left the area since the one that saw it here; where none of them speaks of the area, the newest that does as well.
+/// What people reported by hand is always consulted.
+/// Errors   adds the violations of `candidates`
+[[nodiscard]] KnownIcebergs known_icebergs(sqlite::Connection& db, const std::vector<Dataset>& stored,
+                                           const SightingQuery& query, core::Violations& violations);
+
+}  // namespace floeplan::repository
