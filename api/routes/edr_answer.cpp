@@ -116,7 +116,7 @@ Response grid_reply(const EdrCollection& collection, const Context& context, con
   coverage.y_deg = spread(box.south_deg, box.north_deg, ny);
   const auto from = coverage.t.empty() ? core::UtcTime{} : coverage.t.front();
   const auto to = coverage.t.empty() ? core::UtcTime{} : coverage.t.back();
-  const auto field = load_edr_field(context.db, *shape, box, from, to);
+  const auto field = load_edr_field(context.db, *shape, box, from, to, coverage.z_m);
   fill(coverage, field.get(), collection, wanted, is_inside);
   return coverage_reply(request, codec::coverage_json(coverage));
 }

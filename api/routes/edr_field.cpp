@@ -1,5 +1,6 @@
 #include "api/routes/edr_field.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <numbers>
 
@@ -113,7 +114,8 @@ std::optional<EdrShape> find_edr_data(sqlite::Connection& db, const EdrCollectio
 }
 
 std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape& shape,
-                                         const geo::BoundingBox& area, core::UtcTime from, core::UtcTime to) {
+                                         const geo::BoundingBox& area, core::UtcTime from, core::UtcTime to,
+                                         const std::vector<double>& depths_m) {
   const FieldRepository fields{db};
   const auto& id = shape.dataset.id;
   const std::optional<repository::Period> period =
@@ -127,7 +129,13 @@ std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape&
     auto ice = fields.load_ice(id, area, period);
     return ice ? std::make_unique<SeaIceField>(std::move(*ice)) : nullptr;
   }
-  auto currents = fields.load_currents(id, area, period, std::nullopt);
+  std::optional<core::Metres> shallowest;
+  std::optional<core::Metres> deepest;
+  if (!depths_m.empty()) {
+    shallowest = core::Metres{std::ranges::min(depths_m)};
+    deepest = core::Metres{std::ranges::max(depths_m)};
+  }
+  auto currents = fields.load_currents(id, area, period, deepest, shallowest);
   return currents ? std::make_unique<CurrentsField>(std::move(*currents)) : nullptr;
 }
 

@@ -47,9 +47,10 @@ struct EdrShape {
                                                     const std::optional<geo::BoundingBox>& area,
                                                     const TimeSpan& span);
 
-/// What of it lies around the area and the period; null: nothing.
+/// What of it lies around the area and the period, and around the depths that are asked for (none: at all depths);
+/// null: nothing.
 [[nodiscard]] std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape& shape,
                                                        const geo::BoundingBox& area, core::UtcTime from,
-                                                       core::UtcTime to);
+                                                       core::UtcTime to, const std::vector<double>& depths_m);
 
 }  // namespace floeplan::routes

@@ -30,7 +30,7 @@ tl::expected<json, Response> coverage_at(const EdrCollection& collection, const 
   coverage.y_deg = {at.place.lat_deg};
   const auto from = coverage.t.empty() ? core::UtcTime{} : coverage.t.front();
   const auto to = coverage.t.empty() ? core::UtcTime{} : coverage.t.back();
-  const auto field = load_edr_field(context.db, *shape, box, from, to);
+  const auto field = load_edr_field(context.db, *shape, box, from, to, coverage.z_m);
   fill(coverage, field.get(), collection, wanted, [](geo::LonLat) { return true; });
   return codec::coverage_json(coverage);
 }
@@ -133,8 +133,11 @@ Response query_trajectory(const EdrCollection& collection, const Context& contex
     coverage.places.push_back(place);
   }
   const auto from = timed ? *coverage.places.front().time : core::UtcTime{};
-  const auto field =
-      load_edr_field(context.db, *shape, box, wanted.span.from.value_or(from), wanted.span.to.value_or(from));
+  std::vector<double> flown_m;
+  for (const auto& place : coverage.places)
+    if (place.z_m) flown_m.push_back(*place.z_m);
+  const auto field = load_edr_field(context.db, *shape, box, wanted.span.from.value_or(from),
+                                    wanted.span.to.value_or(from), flown_m);
   std::vector<std::optional<double>> sample(collection.parameters.size());
   for (const auto& place : coverage.places) {
     std::ranges::fill(sample, std::nullopt);

@@ -13,7 +13,7 @@
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/forecast_runs.hpp"
-#include "storage/repository/joined_sightings.hpp"
+#include "storage/repository/known_icebergs.hpp"
 #include "storage/repository/zone_repository.hpp"
 
 namespace floeplan::routes {
@@ -226,12 +226,15 @@ void read_land(sqlite::Connection& db, const std::vector<Dataset>& datasets, cod
 }
 
 void read_icebergs(sqlite::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
-  const auto area = geo::grown(box_at(probe.place), probe_iceberg_range);
-  std::vector<Dataset> of_icebergs;
-  std::ranges::copy_if(datasets, std::back_inserter(of_icebergs),
-                       [](const Dataset& dataset) { return dataset.kind == DatasetKind::icebergs; });
-  const core::Seconds age = probe.time - repository::oldest_sighting_used(probe.time);
-  for (const auto& sighting : repository::joined_sightings(db, of_icebergs, area, probe.time, age)) {
+  core::Violations none;  // none is named
+  const auto known = repository::known_icebergs(db, datasets,
+                                                {.choice = {},
+                                                 .area = box_at(probe.place),
+                                                 .reach = probe_iceberg_range,
+                                                 .as_of = probe.time,
+                                                 .oldest = repository::oldest_sighting_used(probe.time)},
+                                                none);
+  for (const auto& sighting : known.sightings) {
     const auto distance = geo::geodesic_between(probe.place, sighting.iceberg.place).length;
     if (distance <= probe_iceberg_range) probe.icebergs.push_back({sighting.iceberg, distance});
   }

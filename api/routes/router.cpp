@@ -24,25 +24,33 @@ std::vector<std::string_view> segments(std::string_view path) {
   return result;
 }
 
-std::optional<PathParameters> match(std::string_view pattern, std::string_view path) {
-  const auto wanted = segments(pattern);
-  const auto given = segments(path);
+bool is_parameter(std::string_view part) { return part.starts_with('{'); }
+
+bool takes_the_rest(std::string_view part) { return part.ends_with("...}"); }
+
+/// Runs for every route and request, so it makes nothing.
+bool matches(const std::vector<std::string>& pattern, const std::vector<std::string_view>& given) {
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    if (i >= given.size()) return false;
+    if (takes_the_rest(pattern[i])) return true;
+    if (is_parameter(pattern[i]) ? given[i].empty() : pattern[i] != given[i]) return false;
+  }
+  return pattern.size() == given.size();
+}
+
+/// Of a path that matches.
+PathParameters parameters_of(const std::vector<std::string>& pattern,
+                             const std::vector<std::string_view>& given, std::string_view path) {
   PathParameters parameters;
-  for (std::size_t i = 0; i < wanted.size(); ++i) {
-    if (i >= given.size()) return std::nullopt;
-    const auto part = wanted[i];
-    if (part.ends_with("...}")) {
+  for (std::size_t i = 0; i < pattern.size(); ++i) {
+    const std::string_view part = pattern[i];
+    if (takes_the_rest(part)) {
       parameters[std::string{part.substr(1, part.size() - 5)}] = path.substr(given[i].data() - path.data());
-      return parameters;
-    }
-    if (part.starts_with('{')) {
-      if (given[i].empty()) return std::nullopt;
+    } else if (is_parameter(part)) {
       parameters[std::string{part.substr(1, part.size() - 2)}] = given[i];
-    } else if (part != given[i]) {
-      return std::nullopt;
     }
   }
-  return wanted.size() == given.size() ? std::optional{parameters} : std::nullopt;
+  return parameters;
 }
 
 std::string without_last_slash(std::string path) {
@@ -146,11 +154,20 @@ std::optional<repository::Role> least_role(const Route& route) {
   throw std::logic_error{"Access without a role"};
 }
 
+Router::Router(std::vector<Route> routes) : routes_{std::move(routes)} {
+  for (const auto& route : routes_) {
+    const auto parts = segments(route.pattern);
+    patterns_.emplace_back(parts.begin(), parts.end());
+  }
+}
+
 std::optional<Response> Router::refusal(const Request& request) const {
   const std::string path = without_last_slash(request.path);
-  for (const auto& route : routes_) {
-    if (route.method == request.method && path.starts_with('/') && match(route.pattern, path))
-      return refuse_caller(route, request);
+  if (!path.starts_with('/')) return std::nullopt;
+  const auto given = segments(path);
+  for (std::size_t i = 0; i < routes_.size(); ++i) {
+    if (routes_[i].method == request.method && matches(patterns_[i], given))
+      return refuse_caller(routes_[i], request);
   }
   return std::nullopt;
 }
@@ -160,15 +177,17 @@ Response Router::answer(const Context& context, const Request& request) const {
   const std::string method = request.method == "HEAD" ? "GET" : request.method;
 
   std::vector<std::string> methods;
-  for (const auto& route : routes_) {
-    const auto parameters = path.starts_with('/') ? match(route.pattern, path) : std::nullopt;
-    if (!parameters) continue;
+  if (!path.starts_with('/')) return without_operation(request, methods);
+  const auto given = segments(path);
+  for (std::size_t i = 0; i < routes_.size(); ++i) {
+    const Route& route = routes_[i];
+    if (!matches(patterns_[i], given)) continue;
     if (route.method != method) {
       if (std::find(methods.begin(), methods.end(), route.method) == methods.end())
         methods.push_back(route.method);
       continue;
     }
-    Response response = answer_by(route, context, request, *parameters);
+    Response response = answer_by(route, context, request, parameters_of(patterns_[i], given, path));
     response.route = route.pattern;
     return response;
   }

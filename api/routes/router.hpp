@@ -33,7 +33,7 @@ struct Route {
 /// Threads  may be called from several threads at once
 class Router {
  public:
-  explicit Router(std::vector<Route> routes) : routes_{std::move(routes)} {}
+  explicit Router(std::vector<Route> routes);
 
   [[nodiscard]] Response answer(const Context& context, const Request& request) const;
   /// The answer to a caller who may not use the operation asked for; nothing when he may, or when there is none.
@@ -42,10 +42,14 @@ class Router {
 
  private:
   std::vector<Route> routes_;
+  std::vector<std::vector<std::string>> patterns_;  // of each route, cut at its slashes
 };
 
 /// Whether the body of a request is a file that belongs on the disk, not in memory.
 [[nodiscard]] bool streams_body(const std::string& method, const std::string& path);
+
+/// Whether a request takes no longer than to read one small row, as scripts do that watch a job.
+[[nodiscard]] bool asks_for_job_status(const Request& request);
 
 /// Every operation of the service.
 [[nodiscard]] std::vector<Route> all_routes();

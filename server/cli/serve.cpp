@@ -149,9 +149,11 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                       {.streaming = {routes::streams_body, uploads, options.max_upload_mb * megabyte,
                                      [&api](const routes::Request& request) { return api.refuse(request); }},
                        .tls = tls_of(options),
-                       .observe = [counts](const http::Exchange& exchange) {
-                         counts->add(exchange.method, exchange.route, exchange.status, exchange.taken);
-                       }}};
+                       .observe =
+                           [counts](const http::Exchange& exchange) {
+                             counts->add(exchange.method, exchange.route, exchange.status, exchange.taken);
+                           },
+                       .at_once = routes::asks_for_job_status}};
   const std::string local = origin(address, server.port(), options.tls_cert.has_value());
   const bool secure = options.behind_proxy || options.tls_cert;
   api = make_api(open_store, board,

@@ -45,10 +45,13 @@ struct Equipment {
   Streaming streaming{};
   std::optional<TlsFiles> tls{};                   // none: in the clear
   std::function<void(const Exchange&)> observe{};  // called on the I/O thread after every answer
+  /// Requests so small that to hand them to another thread takes as long as to answer them: these are answered on the
+  /// I/O thread, and everybody else waits meanwhile.
+  std::function<bool(const routes::Request&)> at_once{};
 };
 
 /// HTTP/1.1 listener. One thread (the caller of run) does all input and output; handlers run on threads of
-/// their own.
+/// their own, except for what is to be answered at once.
 /// When there are too many connections, of one address or in all, the one that has been waiting longest for its client
 /// makes room; those that are being answered are never ended, and a new one is refused when there are no others.
 /// Errors   std::runtime_error from the constructor when the address cannot be listened on or the certificate not be used

@@ -196,8 +196,13 @@ net::awaitable<std::optional<Response>> Session::ask_doors(Request& request) {
 }
 
 net::awaitable<Response> Session::answer(Request& request) {
-  Response response =
-      co_await net::co_spawn(share_.pool.get_executor(), answer_on_pool(request), net::use_awaitable);
+  Response response;
+  if (share_.equipment.at_once && share_.equipment.at_once(request)) {
+    response = ask_handler(request);
+  } else {
+    response =
+        co_await net::co_spawn(share_.pool.get_executor(), answer_on_pool(request), net::use_awaitable);
+  }
   if (response.wait && !response.streams) {
     routes::Wait wait = std::move(*response.wait);
     response = co_await wait_and_answer(request, std::move(wait));
@@ -205,16 +210,18 @@ net::awaitable<Response> Session::answer(Request& request) {
   co_return response;
 }
 
-net::awaitable<Response> Session::answer_on_pool(const Request& request) {
+net::awaitable<Response> Session::answer_on_pool(const Request& request) { co_return ask_handler(request); }
+
+Response Session::ask_handler(const Request& request) {
   try {
-    co_return finish_response(request, share_.handler(request));
+    return finish_response(request, share_.handler(request));
   } catch (const std::bad_alloc&) {
     spdlog::error("method={} path={} failed: no memory", request.method, request.path);
-    co_return busy();
+    return busy();
   } catch (const std::exception& error) {
     spdlog::error("method={} path={} failed: {}", request.method, request.path, error.what());
   }
-  co_return internal_error();
+  return internal_error();
 }
 
 /// Asks the handler again after every wake-up until it has an answer; at the end of its time it must have

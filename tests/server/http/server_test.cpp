@@ -65,6 +65,21 @@ TEST(Server, AnswersAProblemWhenAHandlerThrows) {
   EXPECT_EQ(answer.find("secret"), std::string::npos);
 }
 
+TEST(Server, AnswersAtOnceWhatItIsToldTo) {
+  const auto thread_of_handler = [](const routes::Request&) {
+    routes::Response response;
+    response.body = std::to_string(std::hash<std::thread::id>{}(std::this_thread::get_id()));
+    return response;
+  };
+  std::string io_thread;
+  RunningServer server{thread_of_handler, {}, {.at_once = [&](const routes::Request& request) {
+                         io_thread = std::to_string(std::hash<std::thread::id>{}(std::this_thread::get_id()));
+                         return request.path == "/quick";
+                       }}};
+  EXPECT_TRUE(server.exchange(get("/quick")).ends_with("\r\n" + io_thread));
+  EXPECT_FALSE(server.exchange(get("/slow")).ends_with("\r\n" + io_thread));
+}
+
 TEST(Server, AsksToComeAgainWhenAHandlerFindsNoMemory) {
   RunningServer server{[](const routes::Request&) -> routes::Response { throw std::bad_alloc{}; }};
   const auto answer = server.exchange(get("/"));
