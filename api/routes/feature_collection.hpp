@@ -71,6 +71,7 @@ struct FeatureCollection {
 [[nodiscard]] FeatureCollection iceberg_collection();
 [[nodiscard]] FeatureCollection iceberg_track_collection();
 [[nodiscard]] FeatureCollection glider_track_collection();
+[[nodiscard]] FeatureCollection isobath_collection();
 [[nodiscard]] FeatureCollection zone_collection();
 [[nodiscard]] FeatureCollection plan_collection();
 [[nodiscard]] FeatureCollection plan_leg_collection();

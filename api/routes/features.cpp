@@ -66,7 +66,8 @@ Response show_item(const FeatureCollection& collection, const Context& context, 
   auto feature = collection.find(context, id);
   if (!feature) return no_such_feature(request, collection, id);
 
-  const std::string tag = feature_tag(*feature);
+  const bool editable = crs == FeatureCrs::crs84 && collection.editing.has_value();
+  const std::string tag = editable ? feature_tag(*feature) : std::string{};
   const std::string self = context.service.public_url + "/collections/" + collection.id;
   json links = json::array({link("self", "application/geo+json", self + "/items/" + id),
                             link("collection", "application/json", self, collection.title)});
@@ -74,7 +75,7 @@ Response show_item(const FeatureCollection& collection, const Context& context, 
   (*feature)["links"] = std::move(links);
   express_in(feature->at("geometry"), crs);
   Response response = with_crs(geojson_reply(*feature), crs);
-  if (crs == FeatureCrs::crs84 && collection.editing) response.headers.emplace_back("ETag", '"' + tag + '"');
+  if (editable) response.headers.emplace_back("ETag", '"' + tag + '"');
   return response;
 }
 
@@ -122,8 +123,8 @@ void add_editing(std::vector<Route>& routes, const FeatureCollection& collection
 
 const std::vector<FeatureCollection>& feature_collections() {
   static const std::vector<FeatureCollection> collections{
-      iceberg_collection(), iceberg_track_collection(), glider_track_collection(), zone_collection(),
-      plan_collection(),    plan_leg_collection(),      waypoint_collection()};
+      iceberg_collection(), iceberg_track_collection(), glider_track_collection(), isobath_collection(),
+      zone_collection(),    plan_collection(),          plan_leg_collection(),     waypoint_collection()};
   return collections;
 }
 

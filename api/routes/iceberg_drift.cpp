@@ -8,6 +8,7 @@
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "api/routes/text_values.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
@@ -49,10 +50,13 @@ json drift_document(const ocean::Environment& sea, core::UtcTime until) {
           {"datasets", codec::dataset_refs_json(sea.datasets)}};
 }
 
+/// Ids separated by commas; the planner's own choice without any.
 repository::DatasetChoice named(const Request& request, const std::string& parameter) {
-  const auto id = request.parameter(parameter);
-  if (!id) return {};
-  return {repository::DatasetChoice::How::named, {{*id}}};
+  const auto ids = request.parameter(parameter);
+  if (!ids) return {};
+  repository::DatasetChoice choice{repository::DatasetChoice::How::named, {}};
+  for (const std::string_view id : split(*ids, ',')) choice.ids.push_back({std::string{id}});
+  return choice;
 }
 
 core::Violations faults_of(const geo::BoundingBox& area, core::UtcTime as_of, core::UtcTime until) {
@@ -72,6 +76,7 @@ Response show_drift(const Context& context, const Request& request, const PathPa
   const auto area = reader.bbox();
   const auto as_of = reader.time("as_of");
   const auto until = reader.time("until");
+  const auto max_age_days = reader.number("max_sighting_age_days", 0.0, 30.0);
   if (!reader.violations().empty()) return invalid(request, reader.violations());
   if (const auto faults = faults_of(*area, *as_of, *until); !faults.empty()) return invalid(request, faults);
 
@@ -81,6 +86,7 @@ Response show_drift(const Context& context, const Request& request, const PathPa
   query.may_begin_later = true;
   query.icebergs_as_of = *as_of;
   query.icebergs = named(request, "dataset");
+  if (max_age_days) query.max_sighting_age = core::Seconds{*max_age_days * 86'400.0};
   query.currents = named(request, "currents");
   for (auto* unused : {&query.bathymetry, &query.ice, &query.coastline, &query.zones})
     unused->how = repository::DatasetChoice::How::none;
@@ -92,7 +98,10 @@ Response show_drift(const Context& context, const Request& request, const PathPa
 }  // namespace
 
 std::vector<Route> iceberg_drift_routes() {
-  return {{"GET", "/map/drift", {"bbox", "as_of", "until", "dataset", "currents"}, show_drift}};
+  return {{"GET",
+           "/map/drift",
+           {"bbox", "as_of", "until", "dataset", "max_sighting_age_days", "currents"},
+           show_drift}};
 }
 
 }  // namespace floeplan::routes

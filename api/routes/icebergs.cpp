@@ -3,10 +3,11 @@
 #include "api/codec/iceberg_feature.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
+#include "api/routes/text_values.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/iceberg_repository.hpp"
-#include "storage/repository/joined_sightings.hpp"
+#include "storage/repository/known_icebergs.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -18,20 +19,30 @@ using repository::StoredSighting;
 
 constexpr geo::BoundingBox whole_world{-180.0, -90.0, 180.0, 90.0};
 
-/// The newest sighting of each berg over the datasets asked for, by ascending row.
-std::vector<StoredSighting> latest_of_each(sqlite::Connection& db, const repository::SightingFilter& filter,
-                                           core::UtcTime as_of) {
-  std::vector<repository::Dataset> datasets;
-  for (const auto& dataset : repository::DatasetRepository{db}.list())
-    if (dataset.kind == DatasetKind::icebergs && (!filter.dataset || dataset.id == *filter.dataset))
-      datasets.push_back(dataset);
-  auto result = repository::joined_sightings(db, datasets, filter.area.value_or(whole_world), as_of,
-                                             as_of - repository::oldest_sighting_used(as_of));
+/// What the query parameters say of `latest`.
+struct Latest {
+  repository::DatasetChoice choice;
+  core::Seconds max_age{repository::max_sighting_age};
+  std::optional<std::string> berg_id;
+};
+
+/// As a plan that leaves at `as_of` would have it, by ascending row.
+std::vector<StoredSighting> latest_of_each(sqlite::Connection& db, const Latest& latest,
+                                           const geo::BoundingBox& area, core::UtcTime as_of) {
+  core::Violations none;  // its datasets have been found, and all meet the whole world
+  auto known = repository::known_icebergs(db, repository::DatasetRepository{db}.list(),
+                                          {.choice = latest.choice,
+                                           .area = whole_world,
+                                           .as_of = as_of,
+                                           .oldest = repository::oldest_sighting_used(as_of, latest.max_age)},
+                                          none);
+  auto& result = known.sightings;
   std::erase_if(result, [&](const StoredSighting& sighting) {
-    return filter.berg_id && sighting.iceberg.id != *filter.berg_id;
+    return !geo::contains(area, sighting.iceberg.place) ||
+           (latest.berg_id && sighting.iceberg.id != *latest.berg_id);
   });
   std::sort(result.begin(), result.end(), [](const auto& a, const auto& b) { return a.row < b.row; });
-  return result;
+  return std::move(result);
 }
 
 std::vector<StoredSighting> page_of(const std::vector<StoredSighting>& all, std::int64_t after, int limit) {
@@ -47,41 +58,72 @@ std::optional<std::string> filter_of(const FeatureQuery& query, const std::strin
   return found == query.filters.end() ? std::nullopt : std::optional{found->second};
 }
 
-tl::expected<bool, codec::Problem> read_latest(const FeatureQuery& query) {
-  const std::string latest = filter_of(query, "latest").value_or("false");
+/// The longest age that a plan can ask for, too.
+constexpr double oldest_days = 30.0;
+
+/// Ids separated by commas.
+std::vector<repository::DatasetId> datasets_of(const FeatureQuery& query) {
+  std::vector<repository::DatasetId> ids;
+  if (const auto text = filter_of(query, "dataset"))
+    for (const std::string_view id : split(*text, ',')) ids.push_back({std::string{id}});
+  return ids;
+}
+
+/// Empty: every sighting is asked for, not the latest of each berg.
+tl::expected<std::optional<Latest>, codec::Problem> read_latest(const FeatureQuery& query) {
+  const std::string wish = filter_of(query, "latest").value_or("false");
+  const auto age = filter_of(query, "max_sighting_age_days");
+  const double days = age ? parse_number(*age).value_or(-1.0) : 0.0;
+  Latest latest;
+  latest.berg_id = filter_of(query, "berg_id");
+  latest.choice.ids = datasets_of(query);
   core::Violations violations;
-  if (latest != "true" && latest != "false")
+  if (wish != "true" && wish != "false")
     violations.push_back({"?latest", "the query parameter \"latest\" must be true or false"});
-  if (latest == "true" && !query.span.to)
+  if (wish == "true" && !query.span.to)
     violations.push_back(
         {"?datetime",
          "the query parameter \"datetime\" is required: with latest=true, the moment to look at"});
+  if (wish != "true" && age)
+    violations.push_back({"?max_sighting_age_days",
+                          "the query parameter \"max_sighting_age_days\" belongs to latest=true; without it, "
+                          "\"datetime\" says from when on"});
+  if (days < 0.0 || days > oldest_days)
+    violations.push_back({"?max_sighting_age_days",
+                          "the query parameter \"max_sighting_age_days\" must be a number from 0 to 30"});
+  if (wish != "true" && latest.choice.ids.size() > 1)
+    violations.push_back(
+        {"?dataset", "the query parameter \"dataset\" takes several ids with latest=true only"});
   if (!violations.empty())
     return tl::unexpected(codec::Problem{400, "invalid-request", "Invalid request",
                                          "The request has faults; each is listed under \"errors\".",
                                          std::move(violations)});
-  return latest == "true";
+  if (wish == "false") return std::nullopt;
+  if (age) latest.max_age = core::Seconds{days * 86'400.0};
+  if (!latest.choice.ids.empty()) latest.choice.how = repository::DatasetChoice::How::named;
+  return latest;
 }
 
 tl::expected<FeaturePage, codec::Problem> list(const Context& context, const FeatureQuery& query) {
   const auto latest = read_latest(query);
   if (!latest) return tl::unexpected(latest.error());
-  repository::SightingFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
-  filter.berg_id = filter_of(query, "berg_id");
-  if (const auto dataset = filter_of(query, "dataset")) {
-    filter.dataset = repository::DatasetId{*dataset};
-    if (!repository::DatasetRepository{context.db}.find(*filter.dataset))
+  for (const auto& id : datasets_of(query)) {
+    if (!repository::DatasetRepository{context.db}.find(id))
       return tl::unexpected(
-          codec::Problem{404, "unknown-dataset", "Not found", "No dataset has the id " + *dataset + ".", {}});
+          codec::Problem{404, "unknown-dataset", "Not found", "No dataset has the id " + id.value + ".", {}});
   }
-  const IcebergRepository icebergs{context.db};
   FeaturePage page;
   std::vector<StoredSighting> sightings;
   if (*latest) {
-    const auto all = latest_of_each(context.db, filter, query.span.to.value_or(query.now));
+    const auto all = latest_of_each(context.db, **latest, query.area.value_or(whole_world),
+                                    query.span.to.value_or(query.now));
     sightings = page_of(all, query.after, query.limit);
     page.matched = std::ssize(all);
   } else {
+    const IcebergRepository icebergs{context.db};
+    repository::SightingFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
+    filter.berg_id = filter_of(query, "berg_id");
+    if (const auto ids = datasets_of(query); !ids.empty()) filter.dataset = ids.front();
     sightings = icebergs.list(filter, query.after, query.limit);
     page.matched = icebergs.count(filter);
   }
@@ -135,7 +177,7 @@ FeatureCollection iceberg_collection() {
           .description = "Sightings of icebergs, each with its size as stated and as planned with.",
           .schema = "Iceberg",
           .item_name = "row",
-          .filters = {"dataset", "latest", "berg_id"},
+          .filters = {"dataset", "latest", "max_sighting_age_days", "berg_id"},
           .extent = extent,
           .list = list,
           .find = find,
