@@ -1,4 +1,13 @@
-import { expect, open, settled, test } from '../support/page';
+import { mkdtempSync, rmSync, writeFileSync } from 'node:fs';
+import { tmpdir } from 'node:os';
+import { join } from 'node:path';
+import { bergFile } from '../support/files';
+import { expect, open, planByTyping, settled, test } from '../support/page';
+import { findPlaces } from '../support/places';
+import type { Page } from '@playwright/test';
+
+/** The moment that the page's clock shows. */
+const clockOf = async (page: Page): Promise<string> => new Date(Number(await page.getByLabel('Time', { exact: true }).inputValue())).toISOString();
 
 test('icebergs have ghosts where they are expected, and the layer puts them away', async ({ page }) => {
   await open(page);
@@ -14,6 +23,39 @@ test('icebergs have ghosts where they are expected, and the layer puts them away
   await page.keyboard.press('Enter');
   await settled(page);
   await expect(map).not.toHaveAttribute('data-drifts', '0');
+});
+
+test('the map shows the icebergs of every file that a plan joins, and those of the chosen ones alone', async ({ page, request, server }) => {
+  const { start, goal } = await findPlaces(request);
+  const map = page.locator('#map');
+  await open(page);
+  const before = Number(await map.getAttribute('data-icebergs'));
+  expect(before).toBeGreaterThan(0);
+  const folder = mkdtempSync(join(tmpdir(), 'floeplan-bergs-'));
+  const { name, text } = bergFile(start);
+  writeFileSync(join(folder, name), text.replaceAll(/"observed":"[^"]*"/g, `"observed":"${await clockOf(page)}"`));
+  server.run('ingest', join(folder, name));
+  rmSync(folder, { recursive: true });
+
+  await open(page);
+  await expect(map).toHaveAttribute('data-icebergs', String(before + 2));
+  await expect(map).toHaveAttribute('data-drifts', String(before + 2));
+  await planByTyping(page, start, goal);
+  const { features } = (await (await request.get('/collections/plans/items?limit=500')).json()) as { features: { properties: { datasets: { kind: string }[] } }[] };
+  expect(features.at(-1)?.properties.datasets.filter(({ kind }) => kind === 'icebergs')).toHaveLength(2);
+
+  await page.getByText('Advanced', { exact: true }).click();
+  await page.getByText('Data', { exact: true }).last().click();
+  const ice = page.getByLabel('Icebergs', { exact: true });
+  await ice.selectOption({ label: 'sighted-today' });
+  await expect(map).toHaveAttribute('data-icebergs', '2');
+  await expect(map).toHaveAttribute('data-drifts', '2');
+  await expect(page.getByText('of the dataset chosen')).toBeVisible();
+  await ice.selectOption({ label: 'None' });
+  await expect(map).toHaveAttribute('data-icebergs', '0');
+
+  const { datasets } = (await (await request.get('/datasets')).json()) as { datasets: { id: string; name: string }[] };
+  for (const { id } of datasets.filter((one) => one.name === 'sighted-today')) await request.delete(`/datasets/${id}`);
 });
 
 test('a server that cannot forecast the drift is asked once', async ({ page }) => {

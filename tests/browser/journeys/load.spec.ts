@@ -35,8 +35,9 @@ test('a loaded desk stays quick', async ({ page, request }) => {
   const currents = currentFile([-60, 65, -48, 72], step_deg, midnight, hours);
   await page.getByLabel('Files to add').setInputFiles([{ name: 'ten_days.nc', mimeType: 'application/x-netcdf', buffer: currents }]);
   await expect(page.getByRole('region', { name: 'Import of ten_days.nc' }).getByText('Stored', { exact: true })).toBeVisible({ timeout: 120_000 });
-  await page.getByLabel('Files to add').setInputFiles([crowdOfBergs(start, bergs)]);
-  await expect(page.getByRole('region', { name: 'Import of crowd.geojson' })).toContainText(`${bergs} accepted`);
+  const more = bergs - Number(await page.locator('#map').getAttribute('data-icebergs'));
+  await page.getByLabel('Files to add').setInputFiles([crowdOfBergs(start, more)]);
+  await expect(page.getByRole('region', { name: 'Import of crowd.geojson' })).toContainText(`${more} accepted`);
   for (let i = 0; i < plans; ++i) {
     const depart = new Date(midnight.getTime() + (6 + 3 * i) * 3_600_000).toISOString();
     const answer = await request.post('/processes/plan-route/execution', {

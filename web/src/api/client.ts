@@ -1,9 +1,10 @@
 import type {
-  Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, IcebergDrift, IcebergFeature, IngestInputs, IngestReport, JobStatus, MissionPreview, NewFeature, PlanFeature, PlanInputs,
+  Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, GliderTrackFeature, IcebergDrift, IcebergFeature, IngestInputs, IngestReport, JobStatus, MissionPreview, NewFeature, PlanFeature, PlanInputs,
   PlanResults, Probe, Reach, ReachInputs, Upload, Vehicle, ZoneFeature,
 } from './types';
 import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
+import type { IcebergChoice } from '../model/iceberg_choice';
 import type { Caller } from '../model/login';
 import { address, ApiError, json, noteRefusal, request, silence } from './http';
 
@@ -36,11 +37,18 @@ export const currents = (
 export const coast = (box: Box, signal: AbortSignal): Promise<{ features: CoastFeature[] }> =>
   json(address('/map/coast', { bbox: box.join(',') }), { signal });
 
-export const icebergsAt = (time: string, dataset: string | undefined, signal: AbortSignal): Promise<FeaturePage<IcebergFeature>> =>
-  json(address('/collections/icebergs/items', { latest: true, datetime: time, limit: 10000, dataset }), { signal });
+const choiceOf = ({ datasets, max_sighting_age_days }: IcebergChoice): Record<string, string | number | undefined> => ({
+  dataset: datasets?.join(','), max_sighting_age_days,
+});
+
+export const icebergsAt = (time: string, choice: IcebergChoice, signal: AbortSignal): Promise<FeaturePage<IcebergFeature>> =>
+  json(address('/collections/icebergs/items', { latest: true, datetime: time, limit: 10000, ...choiceOf(choice) }), { signal });
 
 export const icebergsOf = (dataset: string): Promise<FeaturePage<IcebergFeature>> =>
   json(address('/collections/icebergs/items', { dataset, limit: 10000 }));
+
+export const gliderTracks = (signal: AbortSignal): Promise<FeaturePage<GliderTrackFeature>> =>
+  json(address('/collections/glider-tracks/items', { limit: 1000 }), { signal });
 
 export const zones = (): Promise<FeaturePage<ZoneFeature>> => json(address('/collections/nogo-zones/items', { limit: 10000 }));
 
@@ -79,12 +87,12 @@ interface DriftQuery {
   box: Box;
   as_of: string;
   until: string;
-  dataset: string;
-  currents: string;
+  choice: IcebergChoice;
+  currents: string | undefined; // undefined: those that a plan would take
 }
 
-export const drift = ({ box, ...query }: DriftQuery, signal: AbortSignal): Promise<{ bergs: IcebergDrift[] }> =>
-  json(address('/map/drift', { bbox: box.join(','), ...query }), { signal });
+export const drift = ({ box, choice, ...query }: DriftQuery, signal: AbortSignal): Promise<{ bergs: IcebergDrift[] }> =>
+  json(address('/map/drift', { bbox: box.join(','), ...query, ...choiceOf(choice) }), { signal });
 
 /** All of them: the server lists the oldest first, and the newest matter most. */
 export async function plans(): Promise<PlanFeature[]> {

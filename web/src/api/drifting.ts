@@ -3,13 +3,15 @@ import { around, contains, grown, intersection, rounded, width_deg } from '../ge
 import { wrapLongitude } from '../geo/geodesic';
 import { chosenCurrents, chosenIcebergs, currentTimes_ms } from '../model/datasets';
 import { drifts } from '../model/drift';
-import { icebergs } from '../model/field';
+import { draft } from '../model/draft';
+import { icebergs, icebergsAsOf_ms } from '../model/field';
+import { icebergChoice, type IcebergChoice } from '../model/iceberg_choice';
 import { visible } from '../model/layers';
 import { isoOf } from '../model/time';
 import { view } from '../model/view';
 import * as api from './client';
 import { Latest } from './latest';
-import type { Box, Dataset } from './types';
+import type { Box, IcebergFeature } from './types';
 
 /** What the server forecasts at once. */
 const widest_deg = 10;
@@ -21,12 +23,12 @@ export function followDrift(): void {
   const latest = new Latest();
   let loaded: { key: string; box: Box } | undefined;
   effect(() => {
-    const [bergs, currents, seen] = [chosenIcebergs.value, chosenCurrents.value, view.value];
-    const end_ms = currentTimes_ms.value.at(-1);
-    const sighted_ms = Math.max(...icebergs.value.map(({ properties }) => Date.parse(properties.observed)));
+    const [bergs, currents, seen] = [icebergs.value, chosenCurrents.value, view.value];
+    const [choice, as_of_ms, end_ms] = [icebergChoice.value, icebergsAsOf_ms.value, currentTimes_ms.value.at(-1)];
+    const sighted_ms = Math.max(...bergs.map(({ properties }) => Date.parse(properties.observed)));
     const sighted = boxOf(bergs);
     const needed = seen && sighted && intersection(seen.box, sighted);
-    if (!visible.value.drift || !currents || !needed || end_ms === undefined || !Number.isFinite(sighted_ms) || end_ms <= sighted_ms) {
+    if (!visible.value.drift || !choice || !currents || !needed || end_ms === undefined || as_of_ms === undefined || end_ms <= sighted_ms) {
       untracked(() => {
         latest.cancel();
         loaded = undefined;
@@ -34,17 +36,20 @@ export function followDrift(): void {
       });
       return;
     }
-    const key = [...bergs.map(({ id, sha256 }) => id + sha256), currents.id, sighted_ms].join('|');
+    const key = [...chosenIcebergs.value.map(({ id, sha256 }) => id + sha256), choice.datasets?.join(' '), choice.max_sighting_age_days, draft.value.currents, currents.id, as_of_ms].join('|');
     if (loaded?.key === key && contains(loaded.box, needed)) return;
     const box = rounded(bounded(grown(needed, 0.3)));
     if (loaded?.key === key && contains(loaded.box, box)) return;
     loaded = { key, box };
-    const until_ms = Math.min(end_ms, sighted_ms + longest_ms);
+    const until_ms = Math.max(as_of_ms, Math.min(end_ms, as_of_ms + longest_ms));
+    // Those that plans join are left to the server, which knows the runs.
+    const currentsWish = draft.peek().currents === 'newest' ? undefined : currents.id;
     untracked(() => {
       latest.run(
-        (signal) => Promise.all(bergs.map(({ id }) => api.drift({ box, as_of: isoOf(sighted_ms), until: isoOf(until_ms), dataset: id, currents: currents.id }, signal))),
-        (answers) => {
-          drifts.value = answers.flatMap((answer) => answer.bergs);
+        (signal) => api.drift({ box, as_of: isoOf(as_of_ms), until: isoOf(until_ms), choice: thoseIn(bergs, choice), currents: currentsWish }, signal),
+        (answer) => {
+          const shown = new Set(bergs.map(({ properties }) => keyOf(properties)));
+          drifts.value = answer.bergs.filter((berg) => shown.has(keyOf(berg)));
         },
         () => {
           drifts.value = []; // asked again with other sightings or another view only
@@ -54,9 +59,16 @@ export function followDrift(): void {
   });
 }
 
+/** The server refuses a named dataset that has nothing where it is asked. */
+const thoseIn = (bergs: IcebergFeature[], { datasets, ...others }: IcebergChoice): IcebergChoice => ({
+  ...others, datasets: datasets?.filter((id) => bergs.some(({ properties }) => properties.dataset_id === id)),
+});
+
+const keyOf = ({ berg_id, observed }: { berg_id: string; observed: string }): string => `${berg_id}|${observed}`;
+
 /** Around all sightings, with room for a single one. */
-const boxOf = (bergs: Dataset[]): Box | undefined => {
-  const [first, ...others] = bergs.map(({ bbox }) => bbox);
+const boxOf = (bergs: IcebergFeature[]): Box | undefined => {
+  const [first, ...others] = bergs.map(({ geometry: { coordinates: [lon, lat] } }): Box => [lon, lat, lon, lat]);
   return first && widened(others.reduce(around, first));
 };
 

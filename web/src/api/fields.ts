@@ -2,14 +2,15 @@ import { effect, untracked } from '@preact/signals';
 import { contains, grown, intersection, rounded, width_deg } from '../geo/boxes';
 import type { Grid } from '../geo/grid';
 import { bracket, time_ms } from '../model/clock';
-import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, currentTimes_ms } from '../model/datasets';
-import { bathymetry, coast, currents, currentsFault, icebergs } from '../model/field';
+import { chosenBathymetry, chosenCoastline, chosenCurrents, currentTimes_ms } from '../model/datasets';
+import { bathymetry, coast, currents, currentsFault } from '../model/field';
 import { visible } from '../model/layers';
-import { hour_ms, isoOf } from '../model/time';
+import { isoOf } from '../model/time';
 import { view, type View } from '../model/view';
 import * as api from './client';
 import { Latest } from './latest';
-import type { Box, Dataset, IcebergFeature } from './types';
+import { followIcebergs } from './sightings';
+import type { Box, Dataset } from './types';
 
 /** Keeps what is loaded of the sea in step with the view, the clock and the chosen data. Call once. */
 export function followFields(): void {
@@ -177,39 +178,6 @@ function followCurrents(): void {
         },
         (fault) => {
           clear(fault);
-        },
-      );
-    });
-  });
-}
-
-function followIcebergs(): void {
-  const latest = new Latest();
-  const remembered = new Map<string, IcebergFeature[]>();
-  let wanted = '';
-  effect(() => {
-    const sources = chosenIcebergs.value;
-    const hour = Math.floor(time_ms.value / hour_ms) * hour_ms;
-    const key = sources.length > 0 ? [...sources.map(({ id, sha256 }) => id + sha256), hour].join('|') : '';
-    if (key === wanted) return;
-    wanted = key;
-    const known = remembered.get(key);
-    untracked(() => {
-      if (sources.length === 0 || known) {
-        latest.cancel();
-        icebergs.value = known ?? [];
-        return;
-      }
-      latest.run(
-        (signal) => Promise.all(sources.map(({ id }) => api.icebergsAt(isoOf(hour), id, signal))),
-        (pages) => {
-          const features = pages.flatMap((page) => page.features);
-          if (remembered.size > 200) remembered.clear();
-          remembered.set(key, features);
-          icebergs.value = features;
-        },
-        () => {
-          wanted = '';
         },
       );
     });

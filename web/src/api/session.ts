@@ -1,9 +1,10 @@
 import { effect, untracked } from '@preact/signals';
 import { range, setSpan, setTime } from '../model/clock';
 import { coveredDatasets } from '../model/coverage';
-import { connectionFault, chosenCurrents, currentTimes_ms, datasets, forgetMissing, vehicles } from '../model/datasets';
+import { connectionFault, chosenBathymetry, chosenCurrents, currentTimes_ms, datasets, forgetMissing, homeBox, vehicles } from '../model/datasets';
 import { draft, fill } from '../model/draft';
 import * as model from '../model/plans';
+import { dataArea } from '../model/position';
 import type { Link } from '../model/link';
 import { opening } from '../model/shared_view';
 import { shownFlight } from '../model/simulations';
@@ -40,6 +41,13 @@ function showFirst({ plans = [], selected }: Link): void {
   model.shown.value = stored;
   const chosen = stored.find((id) => id === selected) ?? stored[0] ?? model.plans.value[0]?.plan_id;
   if (chosen !== undefined) model.select(chosen);
+}
+
+/** Lets positions be read by where the data lie. Call once. */
+export function followDataArea(): void {
+  effect(() => {
+    dataArea.value = chosenCurrents.value || chosenBathymetry.value ? homeBox.value : undefined;
+  });
 }
 
 /** Lets the set-up never ask for data that have been removed. Call once. */

@@ -110,6 +110,24 @@ export interface IcebergFeature {
   properties: IcebergProperties;
 }
 
+/** Where a glider has been, with the depth-averaged currents that it met. */
+export interface GliderTrackFeature {
+  type: 'Feature';
+  id: number | string;
+  geometry: { type: 'LineString'; coordinates: number[][] } | { type: 'MultiLineString'; coordinates: number[][][] };
+  properties: {
+    glider: string;
+    start: string;
+    end: string;
+    deepest_m: number | null;
+    mean_east_m_s: number | null;
+    mean_north_m_s: number | null;
+    times: string[];
+    currents: { time: string; lon: number; lat: number; east_m_s: number; north_m_s: number }[];
+    dataset_id: string;
+  };
+}
+
 /** A stored zone; plans obey it wherever it meets their way. */
 export interface ZoneFeature {
   type: 'Feature';
@@ -314,6 +332,8 @@ export interface DatasetRef {
   kind: DatasetKind;
   name: string;
   sha256: string;
+  from?: string; // the steps used, where several runs were joined in time
+  until?: string;
 }
 
 export interface Plan {

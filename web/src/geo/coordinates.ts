@@ -41,7 +41,9 @@ interface Angle {
 
 /** One angle: degrees, optional minutes and seconds, a sign or a letter of the compass. */
 function parseAngle(text: string): Angle | undefined {
-  const letter = /[NSEW]/i.exec(text)?.[0].toUpperCase();
+  const letters = text.match(/[NSEW]/gi) ?? [];
+  if (letters.length > 1) return undefined;
+  const letter = letters[0]?.toUpperCase();
   const bare = text.replace(/[NSEW]/gi, ' ').replace(/[°ºd'′"″]/gi, ' ').trim();
   const words = bare.split(/\s+/);
   if (words.length < 1 || words.length > 3 || !words.every((word) => /^[+-]?\d+(\.\d+)?$/.test(word))) return undefined;
@@ -70,23 +72,63 @@ function halves(text: string): [string, string] | undefined {
   return [words.slice(0, words.length / 2).join(' '), words.slice(words.length / 2).join(' ')];
 }
 
-/**
- * A position as people write it: degrees and decimal minutes, decimal degrees, degrees-minutes-seconds; latitude first
- * unless letters say otherwise; west and south by letter or by minus.
- */
-export function parsePosition(text: string): Parsed<Position> {
-  if (text.trim() === '') return fail('Give a position, as 69°10.2′N 51°21.0′W or 69.17, -51.35.');
+const plain = ({ value, letter }: Angle): boolean => letter === undefined && Number.isFinite(value);
+
+/** Degrees and minutes in one number, as a glider writes them (DDMM.mm); undefined where the minutes are none. */
+function fromGlider({ value, letter }: Angle): Angle | undefined {
+  const size = Math.abs(value);
+  const degrees = Math.floor(size / 100);
+  const minutes = size - 100 * degrees;
+  return minutes < 60 ? { value: Math.sign(value) * (degrees + minutes / 60), letter } : undefined;
+}
+
+/** Nothing but DDMM.mm has a latitude of thousands; the longitude is then written the same way. */
+const areGliders = (lat: Angle, lon: Angle): boolean => Math.abs(lat.value) >= 1000 && Math.abs(lon.value) >= 100;
+
+/** One reading of the text: points are decimal, commas part. */
+function readAs(text: string, isNear: (place: Position) => boolean): Parsed<Position> {
   const pieces = halves(text);
   const first = pieces && parseAngle(pieces[0]);
   const second = pieces && parseAngle(pieces[1]);
   if (!first || !second) return fail('Not understood. Write 69°10.2′N 51°21.0′W or 69.17, -51.35.');
 
   const firstIsLon = first.letter === 'E' || first.letter === 'W' || second.letter === 'N' || second.letter === 'S';
-  const [lat, lon] = firstIsLon ? [second, first] : [first, second];
+  let [lat, lon] = firstIsLon ? [second, first] : [first, second];
   if (lat.letter === 'E' || lat.letter === 'W' || lon.letter === 'N' || lon.letter === 'S') {
     return fail('One latitude (N or S) and one longitude (E or W) are needed.');
   }
-  if (Math.abs(lat.value) > 90) return fail('Latitude must lie between 90° S and 90° N.');
+  if (areGliders(lat, lon)) {
+    const [gliderLat, gliderLon] = [fromGlider(lat), fromGlider(lon)];
+    if (!gliderLat || !gliderLon) return fail('Read as DDMM.mm, the minutes must be below 60. Write 6910.2, -5121.0 or 69.17, -51.35.');
+    [lat, lon] = [gliderLat, gliderLon];
+  }
+  const isPlain = plain(lat) && plain(lon);
+  const swapped = `${lon.value}, ${lat.value}`;
+  const canSwap = isPlain && Math.abs(lon.value) <= 90 && Math.abs(lat.value) <= 180;
+  if (Math.abs(lat.value) > 90) return fail(`Latitude must lie between 90° S and 90° N.${canSwap ? ` It comes first: did you mean ${swapped}?` : ''}`);
   if (Math.abs(lon.value) > 180) return fail('Longitude must lie between 180° W and 180° E.');
+  if (canSwap && !isNear([lon.value, lat.value]) && isNear([lat.value, lon.value])) {
+    return fail(`That is far from all data. Latitude comes first: did you mean ${swapped}? Else write the letters N, S, E and W.`);
+  }
   return { ok: true, value: [lon.value, lat.value] };
+}
+
+/**
+ * A position as people write it: degrees and decimal minutes, decimal degrees with points or commas, degrees-minutes-seconds, or a
+ * glider's DDMM.mm; latitude first unless letters say otherwise; west and south by letter or by minus. What can be read in two
+ * ways is refused.
+ * @param isNear whether a place is where there are data: figures in the wrong order are told by it
+ */
+export function parsePosition(text: string, isNear: (place: Position) => boolean = () => true): Parsed<Position> {
+  if (text.trim() === '') return fail('Give a position, as 69°10.2′N 51°21.0′W or 69.17, -51.35.');
+  const asWritten = readAs(text, isNear);
+  const inFigures = /(?<=\d),(?=\d)/g;
+  if (text.includes('.') || !inFigures.test(text)) return asWritten;
+  const withPoints = text.replace(inFigures, '.');
+  const decimal = readAs(withPoints, isNear);
+  const isOneNumber = /^[+-]?\d+\.\d+$/.test(withPoints.trim());
+  if (asWritten.ok && (decimal.ok || isOneNumber)) {
+    return fail('Is the comma a decimal one, or does it part latitude and longitude? Write 69.17, -51.35 with points, and a space after the comma.');
+  }
+  return asWritten.ok ? asWritten : decimal;
 }

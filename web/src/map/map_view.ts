@@ -6,7 +6,7 @@ import type BaseLayer from 'ol/layer/Base.js';
 import { noModifierKeys } from 'ol/events/condition.js';
 import { boundingExtent } from 'ol/extent.js';
 import { DoubleClickZoom, DragPan, DragRotate, DragZoom, KeyboardPan, MouseWheelZoom, PinchZoom } from 'ol/interaction.js';
-import type { Box, IcebergFeature, Position } from '../api/types';
+import type { Box, GliderTrackFeature, IcebergFeature, Position } from '../api/types';
 import { boxAround } from '../geo/boxes';
 import { editablePosition } from '../geo/coordinates';
 import { densify } from '../geo/geodesic';
@@ -24,6 +24,8 @@ import { projection } from '../model/settings';
 import { announce } from '../model/screen';
 import { opening } from '../model/shared_view';
 import { shownFlight } from '../model/simulations';
+import { visible } from '../model/layers';
+import { gliderTracks, hoveredTrack } from '../model/tracks';
 import { command, hoveredBerg, pointer, tool, view, type Command } from '../model/view';
 import { areaLayer } from './area_layer';
 import { bathymetryLayer } from './bathymetry_layer';
@@ -33,6 +35,7 @@ import { currentsLayer } from './currents_layer';
 import { driftLayer, ghostLayer } from './drift_layer';
 import { editLayer } from './edit_layer';
 import { flightLayer, flownVehicleLayer } from './flight_layer';
+import { trackLayer, trackedGliderLayer } from './track_layer';
 import { graticuleLayer } from './graticule_layer';
 import { icebergLayer, safetyLayer } from './iceberg_layer';
 import { markerLayer } from './marker_layer';
@@ -61,8 +64,8 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
       new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), route.drag, areas.draw,
     ],
     layers: [
-      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), coverageLayer(), reachLayer(), areas.layer, safetyLayer(), driftLayer(), ghostLayer(), planLayer(), flightLayer(), bergs,
-      waypointLayer(), vehicleLayer(), flownVehicleLayer(), route.layer, markerLayer(),
+      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), coverageLayer(), reachLayer(), areas.layer, safetyLayer(), driftLayer(), ghostLayer(), trackLayer(), planLayer(), flightLayer(), bergs,
+      waypointLayer(), trackedGliderLayer(), vehicleLayer(), flownVehicleLayer(), route.layer, markerLayer(),
     ],
   });
   followProjection(map);
@@ -221,11 +224,15 @@ function followPointer(map: Map, target: HTMLElement, bergs: BaseLayer, probe: (
         layerFilter: (layer) => layer === bergs,
       });
       hoveredBerg.value = berg;
+      hoveredTrack.value = gliderTracks.value.length > 0 && !berg
+        ? map.forEachFeatureAtPixel(event.pixel, (feature) => feature.get('track') as GliderTrackFeature | undefined, { hitTolerance: 4 })
+        : undefined;
     });
   });
   target.addEventListener('pointerleave', () => {
     pointer.value = undefined;
     hoveredBerg.value = undefined;
+    hoveredTrack.value = undefined;
   });
   map.on('click', (event) => use(map, event, placeOf(event), probe));
   effect(() => {
@@ -291,6 +298,7 @@ function publishState(map: Map, target: HTMLElement): void {
     target.dataset['coverage'] = String(coveredDatasets.value.length);
     target.dataset['areas'] = String(draft.value.areas.length);
     target.dataset['zones'] = String(zones.value.length);
+    target.dataset['tracks'] = String(visible.value.tracks ? gliderTracks.value.length : 0);
     target.dataset['handles'] = String(openEdit.value?.route.now.length ?? 0);
     target.dataset['coast'] = String(coast.value.length);
     target.dataset['currents'] = currents.value ? 'shown' : 'none';
@@ -302,5 +310,6 @@ function publishState(map: Map, target: HTMLElement): void {
   map.on('rendercomplete', settle);
   effect(() => {
     if (isLoading.value) settle();
+    else map.render(); // what came may have changed nothing that is drawn
   });
 }

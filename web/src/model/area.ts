@@ -1,5 +1,6 @@
 import type { AreaProperties, Areas, Position } from '../api/types';
-import { editablePosition, parsePosition } from '../geo/coordinates';
+import { editablePosition } from '../geo/coordinates';
+import { readPosition } from './position';
 import { isoOf, parseTime } from './time';
 
 /** An area to keep out of or to stay in, as a person gives it: texts, and its corners without the closing one. */
@@ -24,7 +25,7 @@ export function cornersIn(text: string): { corners: Position[] } | { fault: stri
   const corners: Position[] = [];
   const lines = text.split('\n').filter((line) => line.trim() !== '');
   for (const [i, line] of lines.entries()) {
-    const parsed = parsePosition(line);
+    const parsed = readPosition(line);
     if (!parsed.ok) return { fault: `Line ${i + 1}: ${parsed.fault}` };
     corners.push(parsed.value);
   }

@@ -3,6 +3,7 @@ import type { Box, Dataset, DatasetKind, PlanningKind, Vehicle } from '../api/ty
 import { intersection } from '../geo/boxes';
 import { severalIn, withoutMissing } from './data_choice';
 import { draft, emptyDraft, fill } from './draft';
+import { icebergs } from './field';
 import { hour_ms } from './time';
 
 /** Everything the store holds, newest first; undefined until the server has answered. */
@@ -21,29 +22,29 @@ const kinds: PlanningKind[] = ['bathymetry', 'currents', 'ice', 'icebergs', 'coa
 /** The id of what people made by hand of a kind: a dataset of its own, which plans obey beside those of files. */
 export const byHand = (kind: 'icebergs' | 'zones'): string => `${kind}-by-hand`;
 
-/** The datasets of a kind that the draft asks for, in their rank: the newest unless others were chosen. */
+/**
+ * The datasets of a kind that the draft asks for, in their rank: the newest unless others were chosen; of icebergs, which plans
+ * join, every one.
+ */
 export function chosenAll(kind: PlanningKind): Dataset[] {
   const wish = draft.value[kind];
   const candidates = ofKind(kind);
   if (wish === 'none') return [];
   if (wish === 'all') return candidates;
-  if (wish === 'newest') return newestOf(candidates);
+  if (wish === 'newest') return kind === 'icebergs' ? candidates : candidates.slice(0, 1);
   const ids = severalIn(wish) ?? [wish];
   return ids.flatMap((id) => candidates.find((dataset) => dataset.id === id) ?? []);
-}
-
-/** The newest, and what was reported by hand beside it; neither hides the other. */
-function newestOf(candidates: Dataset[]): Dataset[] {
-  const reported = candidates.filter(({ id }) => id === byHand('icebergs'));
-  const filed = candidates.filter(({ id }) => id !== byHand('icebergs'));
-  return [...filed.slice(0, 1), ...reported];
 }
 
 /** The first of them, which the map shows. */
 export const chosen = (kind: PlanningKind): Dataset | undefined => chosenAll(kind)[0];
 
-/** Whether the set-up makes use of a dataset. */
-export const isInUse = ({ id, kind }: Dataset): boolean => kinds.some((known) => known === kind && chosenAll(known).some((one) => one.id === id));
+/** Whether the set-up makes use of a dataset: of icebergs where it is named, or has the last word on one now. */
+export function isInUse({ id, kind }: Dataset): boolean {
+  const isJoined = kind === 'icebergs' && draft.value.icebergs === 'newest';
+  if (isJoined) return icebergs.value.some(({ properties }) => properties.dataset_id === id);
+  return kinds.some((known) => known === kind && chosenAll(known).some((one) => one.id === id));
+}
 
 /** Lets go of datasets that are no longer stored; the kinds of those that the set-up had asked for by name. */
 export function forgetMissing(): PlanningKind[] {
@@ -60,6 +61,10 @@ export function forgetMissing(): PlanningKind[] {
 export const chosenBathymetry = computed(() => chosen('bathymetry'));
 export const chosenCurrents = computed(() => chosen('currents'));
 export const chosenIcebergs = computed(() => chosenAll('icebergs'));
+/** Of the icebergs chosen the dataset with the newest sighting. */
+export const lastSighted = computed<Dataset | undefined>(() =>
+  chosenIcebergs.value.reduce<Dataset | undefined>((newest, one) => ((one.time_end ?? '') > (newest?.time_end ?? '') ? one : (newest ?? one)), undefined),
+);
 export const chosenCoastline = computed(() => chosen('coastline'));
 
 /** The part of the Earth to open on: where currents and depths are both known, else whichever is. */
@@ -83,7 +88,7 @@ export const currentTimes_ms = computed<number[]>(() => {
 
 /** Whether any data in use call themselves made up. */
 export const isSynthetic = computed(() =>
-  [chosenBathymetry.value, chosenCurrents.value, chosenCoastline.value, ...chosenIcebergs.value].some(
+  [chosenBathymetry.value, chosenCurrents.value, chosenCoastline.value, ...chosenIcebergs.value.filter(isInUse)].some(
     (used) => used && [used.name, used.file_name, ...used.warnings].some((text) => /synthetic|invented|made.up/i.test(text)),
   ),
 );

@@ -1,6 +1,6 @@
 import { computed, signal } from '@preact/signals';
 import type { Method, Position, RouteFile } from '../api/types';
-import { parsePosition } from '../geo/coordinates';
+import { readPosition } from './position';
 import type { Area } from './area';
 import { severalIn } from './data_choice';
 import { begin, record, redo, undo } from './history';
@@ -158,7 +158,7 @@ export function redoDraft(): void {
 
 /** The place in a position field, where it can be read. */
 export function placeIn(text: string): Position | undefined {
-  const parsed = parsePosition(text);
+  const parsed = readPosition(text);
   return parsed.ok ? parsed.value : undefined;
 }
 
@@ -173,7 +173,7 @@ export function placesIn(text: string): { places: Position[]; fault?: string } {
   const places: Position[] = [];
   for (const line of text.split('\n')) {
     if (line.trim() === '') continue;
-    const parsed = parsePosition(line);
+    const parsed = readPosition(line);
     if (!parsed.ok) return { places, fault: `Line ${places.length + 1}: ${parsed.fault}` };
     places.push(parsed.value);
   }

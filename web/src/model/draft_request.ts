@@ -1,5 +1,5 @@
 import type { PlanInputs, Position } from '../api/types';
-import { parsePosition } from '../geo/coordinates';
+import { readPosition } from './position';
 import { areasInputs, faultOfAreas } from './area';
 import { choiceInputs, severalIn } from './data_choice';
 import { emptyDraft, hasGoalsFile, isEnsemble, numberIn, placesIn, type Draft, type Faults, type Field } from './draft';
@@ -95,13 +95,13 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
 /** From where to where: typed, or from a file; undefined, with the faults noted, where a place cannot be read. */
 function placesOf(form: Draft, found: Faults): Pick<PlanInputs, 'from' | 'to' | 'via' | 'goals_file'> | undefined {
   const isFromFile = hasGoalsFile(form);
-  const from = parsePosition(form.from);
+  const from = readPosition(form.from);
   const startsInFile = isFromFile && form.from.trim() === '';
   if (!from.ok && !startsInFile) found.from = from.fault;
   const start = from.ok ? { from: rounded(from.value) } : {};
   if (isFromFile) return from.ok || startsInFile ? { ...start, goals_file: form.goals_file } : undefined;
 
-  const to = parsePosition(form.to);
+  const to = readPosition(form.to);
   if (!to.ok) found.to = to.fault;
   const via = placesIn(form.via);
   if (via.fault) found.via = via.fault;

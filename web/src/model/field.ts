@@ -10,8 +10,9 @@ export const coast = signal<CoastFeature[]>([]);
 export const currents = signal<TimedPair | undefined>(undefined);
 export const currentsFault = signal<string | undefined>(undefined);
 
-/** Newest sighting of each berg not after the clock's time. */
+/** Newest sighting of each berg, as a plan that leaves at the clock's time obeys them; and the first moment they were asked for. */
 export const icebergs = signal<IcebergFeature[]>([]);
+export const icebergsAsOf_ms = signal<number | undefined>(undefined);
 
 /** How many loads are under way. */
 export const loading = signal(0);

@@ -1,6 +1,7 @@
 import { computed, signal } from '@preact/signals';
 import type { IcebergFeature, NewFeature, Position, ZoneFeature } from '../api/types';
-import { editablePosition, parsePosition } from '../geo/coordinates';
+import { editablePosition } from '../geo/coordinates';
+import { readPosition } from './position';
 import { areasInputs, faultOfAreas, newArea, type Area } from './area';
 import { time_ms } from './clock';
 import { byHand } from './datasets';
@@ -119,7 +120,7 @@ const lengths = ['length_m', 'draft_m', 'position_uncertainty_m'] as const;
 function bergFeature(form: BergForm, before: IcebergFeature | undefined): { feature: NewFeature } | { faults: OpenForm['faults'] } {
   const faults: OpenForm['faults'] = {};
   if (form.berg_id.trim() === '') faults.berg_id = 'Give it a name, the same in each of its sightings.';
-  const place = parsePosition(form.place);
+  const place = readPosition(form.place);
   if (!place.ok) faults.place = place.fault;
   const observed_ms = parseTime(form.observed);
   if (observed_ms === undefined) faults.observed = 'Write the time in UTC as 2026-11-20 06:00.';

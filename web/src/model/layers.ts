@@ -4,6 +4,7 @@ import { signal } from '@preact/signals';
 export const layerTitles = {
   plans: 'Plans',
   areas: 'Areas',
+  tracks: 'Glider tracks',
   reach: 'Reach',
   icebergs: 'Icebergs',
   safety: 'Safety circles',
@@ -18,7 +19,7 @@ export type LayerName = keyof typeof layerTitles;
 export const layerNames = Object.keys(layerTitles) as LayerName[];
 
 export const visible = signal<Record<LayerName, boolean>>({
-  plans: true, areas: true, reach: true, icebergs: true, safety: true, drift: true, graticule: true, coast: true, currents: true, bathymetry: true,
+  plans: true, areas: true, tracks: true, reach: true, icebergs: true, safety: true, drift: true, graticule: true, coast: true, currents: true, bathymetry: true,
 });
 
 export function toggleLayer(name: LayerName): void {

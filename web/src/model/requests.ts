@@ -1,5 +1,6 @@
 import type { Conditions, Plan, PlanInputs } from '../api/types';
 import { draft, numberIn } from './draft';
+import { staleness } from './stale';
 
 /** The requests that plans came from, by plan id, as far as they were made in this browser: a stored plan does not say. */
 const key = 'floeplan.requests';
@@ -32,17 +33,22 @@ export function rememberRequest(planId: string, inputs: PlanInputs): void {
 export const requestOf = (planId: string): PlanInputs | undefined => stored().find(([id]) => id === planId)?.[1];
 
 const kinds = ['currents', 'bathymetry', 'ice', 'icebergs', 'coastline'] as const;
+const several = new Set<string>(['currents', 'bathymetry', 'icebergs']);
 
-/** The very data that a plan was computed on, and none of a kind that it did without. */
-export function dataOf(plan: Plan): Pick<PlanInputs, (typeof kinds)[number]> {
-  const idsOf = (kind: string): string[] => plan.datasets.filter((dataset) => dataset.kind === kind).map(({ id }) => id);
-  const currents = idsOf('currents');
-  const icebergs = idsOf('icebergs');
-  return {
-    currents: currents.length > 1 ? currents : (currents[0] ?? 'none'),
-    ...Object.fromEntries(kinds.slice(1).map((kind) => [kind, idsOf(kind)[0] ?? 'none'])),
-    ...(icebergs.length > 1 ? { icebergs } : {}),
+/**
+ * The very data that a plan was computed on, and none of a kind that it did without. What the server joins by itself it is left
+ * to join again: runs of one product, which by name would be members of an ensemble, and sightings as long as none are newer,
+ * because those of a file that has nothing near a route cannot be named for it.
+ */
+export function dataOf(plan: Plan, icebergs: PlanInputs['icebergs'] = 'newest'): Pick<PlanInputs, (typeof kinds)[number]> {
+  const choiceOf = (kind: (typeof kinds)[number]): string | string[] => {
+    const used = plan.datasets.filter((dataset) => dataset.kind === kind);
+    const ids = used.map(({ id }) => id);
+    if (kind === 'icebergs' && icebergs === 'newest' && !staleness(plan).some((newer) => newer.kind === kind)) return 'newest';
+    if (ids.length <= 1) return ids[0] ?? 'none';
+    return several.has(kind) && used.every(({ from }) => from === undefined) ? ids : 'newest';
   };
+  return Object.fromEntries(kinds.map((kind) => [kind, choiceOf(kind)]));
 }
 
 const ofTheWay = new Set<string>([
@@ -70,6 +76,6 @@ export function conditionsOf(plan: Plan): { conditions: Conditions; known: boole
   const inputs = requestOf(plan.plan_id);
   const margin_m = numberIn(draft.value.margin_m);
   const guessed = { vehicle: plan.vehicle, ...(margin_m === undefined ? {} : { margin_m }) };
-  const conditions = { ...(inputs ? conditionsIn(inputs) : guessed), ...dataOf(plan), depart: plan.departure };
+  const conditions = { ...(inputs ? conditionsIn(inputs) : guessed), ...dataOf(plan, inputs?.icebergs), depart: plan.departure };
   return { conditions, known: inputs !== undefined };
 }

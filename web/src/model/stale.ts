@@ -2,14 +2,32 @@ import { signal } from '@preact/signals';
 import type { Box, Dataset, DatasetKind, Infeasible, Plan } from '../api/types';
 import { boxAround, intersection } from '../geo/boxes';
 import { wrapLongitude } from '../geo/geodesic';
-import { byHand, datasets } from './datasets';
+import { datasets } from './datasets';
 import { routeOf } from './plans';
+import { day_ms } from './time';
 
 /** What changes from day to day; depths and coastlines do not go stale. */
 const changing: DatasetKind[] = ['icebergs', 'currents', 'ice', 'zones'];
 
 /** How far a berg may drift into the way of a plan from outside, as the planner reckons: a hundred kilometres. */
 const drift_deg = 0.9;
+
+/** Sightings older than this at departure do not count, by whole days, unless the set-up says otherwise. */
+export const sighting_days = 3;
+
+/** Whether a plan that leaves then heeds sightings of this dataset: none of them too old, or later than the departure. */
+function speaksThen({ kind, time_start, time_end }: Dataset, plan: Plan): boolean {
+  if (kind !== 'icebergs') return true;
+  const [oldest_ms, newest_ms] = sightingsFor(plan);
+  return (!time_start || Date.parse(time_start) <= newest_ms) && (!time_end || Date.parse(time_end) >= oldest_ms);
+}
+
+/** From when till when sightings count: to the departure, and to now for a plan under way. */
+export function sightingsFor({ departure, arrival }: Plan, now_ms = Date.now()): [oldest_ms: number, newest_ms: number] {
+  const depart_ms = Date.parse(departure);
+  const isUnderWay = now_ms > depart_ms && now_ms < Date.parse(arrival);
+  return [Math.floor(depart_ms / day_ms - sighting_days) * day_ms, isUnderWay ? now_ms : depart_ms];
+}
 
 /** The box of a dataset; of bergs with the water that they may drift into. */
 function reachOf({ bbox: [west, south, east, north], kind }: Dataset): Box {
@@ -28,10 +46,11 @@ export function newerThan(plan: Plan, stored: Dataset[]): Dataset[] {
   const created_ms = Date.parse(plan.created);
   return changing.flatMap((kind) => {
     const isUsed = plan.datasets.some((used) => used.kind === kind);
-    const newer = stored.filter((one) => one.kind === kind && Date.parse(one.ingested) > created_ms && intersection(reachOf(one), around) !== undefined);
-    const fromFiles = newer.filter(({ id }) => id !== byHand('icebergs'));
-    const reported = newer.filter(({ id }) => id === byHand('icebergs'));
-    const counting = kind === 'zones' ? newer : [...(isUsed || kind === 'icebergs' ? fromFiles.slice(0, 1) : []), ...reported];
+    const newer = stored.filter(
+      (one) => one.kind === kind && Date.parse(one.ingested) > created_ms && intersection(reachOf(one), around) !== undefined && speaksThen(one, plan),
+    );
+    const isJoined = kind === 'zones' || kind === 'icebergs';
+    const counting = isJoined ? newer : isUsed ? newer.slice(0, 1) : [];
     return counting.filter((one) => !plan.datasets.some(({ id, sha256 }) => id === one.id && sha256 === one.sha256));
   });
 }

@@ -1,6 +1,8 @@
 /** Instants are milliseconds since 1970 in UTC; nothing here knows a local time zone. */
 
 export const hour_ms = 3_600_000;
+export const day_ms = 24 * hour_ms;
+const half_a_year_ms = 183 * day_ms;
 
 const months = ['Jan', 'Feb', 'Mar', 'Apr', 'May', 'Jun', 'Jul', 'Aug', 'Sep', 'Oct', 'Nov', 'Dec'];
 const fullMonths = [
@@ -18,10 +20,11 @@ export function fieldOf(time_ms: number): string {
   return isoOf(time_ms).slice(0, 16).replace('T', ' ');
 }
 
-/** "20 Nov 06:00Z" */
-export function shortTime(time_ms: number): string {
+/** "20 Nov 06:00Z", and "20 Nov 2019 06:00Z" where a reader of today could take it for another year's. */
+export function shortTime(time_ms: number, now_ms: number = Date.now()): string {
   const date = new Date(time_ms);
-  return `${date.getUTCDate()} ${months[date.getUTCMonth()] ?? ''} ${two(date.getUTCHours())}:${two(date.getUTCMinutes())}Z`;
+  const year = Math.abs(time_ms - now_ms) > half_a_year_ms ? ` ${date.getUTCFullYear()}` : '';
+  return `${date.getUTCDate()} ${months[date.getUTCMonth()] ?? ''}${year} ${two(date.getUTCHours())}:${two(date.getUTCMinutes())}Z`;
 }
 
 /** "20 November 06:00 UTC", for screen readers. */

@@ -62,7 +62,9 @@ describe('times', () => {
   it('are written short, long and for fields', () => {
     expect(isoOf(start)).toBe('2026-11-20T00:00:00Z');
     expect(fieldOf(start)).toBe('2026-11-20 00:00');
-    expect(shortTime(start)).toBe('20 Nov 00:00Z');
+    expect(shortTime(start, start)).toBe('20 Nov 00:00Z');
+    expect(shortTime(start, start + 300 * 24 * hour_ms)).toBe('20 Nov 2026 00:00Z');
+    expect(shortTime(start, start - 300 * 24 * hour_ms)).toBe('20 Nov 2026 00:00Z');
     expect(duration(100 * 3600)).toBe('4 d 04 h');
     expect(duration(3600 * 5 + 1200)).toBe('5 h 20 min');
   });

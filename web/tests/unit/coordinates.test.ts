@@ -10,14 +10,27 @@ describe('positions', () => {
   it.each([
     '69°10.2′N 51°21.0′W', "69 10.2 N 51 21 W", "69°10.2'N, 51°21.0'W", '69.17, -51.35', '69.17 -51.35', '69.17N 51.35W',
     'N69 10.2 W51 21.0', '51°21.0′W 69°10.2′N', '69 10 12 N 51 21 0 W', '69.17; -51.35', '  69.17,-51.35 ',
+    '69,17 -51,35', '69,17; -51,35', '69,17, -51,35', '69,17,-51,35', '69,17N 51,35W', '69°10,2′N 51°21,0′W', '69 10,2 N 51 21 W',
+    '6910.2 -5121.0', '6910.2, -5121', '6910.2N 05121.0W', '6910,2 -5121,0',
   ])('reads %s', (text) => {
     const value = read(text);
     expect(value[0]).toBeCloseTo(-51.35, 9);
     expect(value[1]).toBeCloseTo(69.17, 9);
   });
 
-  it.each(['', 'abc', '69', '69 70 N 51 W', '91, 10', '10, 181', '69N 51S', '1,2,3', '69.5 10 N 51 W', '-69 N, 51 W'])('refuses "%s" with a reason', (text) => {
+  it.each(['', 'abc', '69', '69 70 N 51 W', '91, 10', '10, 181', '69N 51S', '1,2,3', '69.5 10 N 51 W', '-69 N, 51 W',
+    '69,17', '69,1 51', '69,1,51,7', '6970.0 -5121.0', '45.0 -5121.0', '123, 10'])('refuses "%s" with a reason', (text) => {
     expect(parsePosition(text).ok).toBe(false);
+  });
+
+  it('asks where figures seem to stand in the wrong order, and takes letters at their word', () => {
+    const isNear = ([lon, lat]: [number, number]): boolean => lon > -55 && lon < -50 && lat > 68 && lat < 70;
+    const swapped = parsePosition('-51.35, 69.17', isNear);
+    expect(swapped).toMatchObject({ ok: false, fault: expect.stringContaining('did you mean 69.17, -51.35?') as string });
+    expect(parsePosition('-5121.0 6910.2', isNear)).toMatchObject({ ok: false, fault: expect.stringContaining('did you mean 69.17') as string });
+    expect(parsePosition('51.35S 69.17E', isNear)).toEqual({ ok: true, value: [69.17, -51.35] });
+    expect(parsePosition('40, 10', isNear).ok).toBe(true);
+    expect(parsePosition('-151.35, 69.17')).toMatchObject({ ok: false, fault: expect.stringContaining('did you mean 69.17, -151.35?') as string });
   });
 
   it('writes degrees and decimal minutes, carrying sixty minutes over', () => {

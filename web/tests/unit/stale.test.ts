@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Dataset } from '../../src/api/types';
-import { newerThan } from '../../src/model/stale';
+import { newerThan, sightingsFor } from '../../src/model/stale';
 import { makePlan } from './make_plan';
 
 const dataset = (part: Partial<Dataset>): Dataset => ({
@@ -27,6 +27,19 @@ describe('a plan is stale', () => {
   it('when icebergs may drift into its way from beside it, or are the first that are known', () => {
     expect(newerThan(plan, [dataset({ bbox: [-50, 69, -49, 69.2] })])).toHaveLength(1);
     expect(newerThan({ ...plan, datasets: [] }, [dataset({})])).toHaveLength(1);
+  });
+
+  it('when sightings came in that it would heed, of every file, and not for those too old or later than it left', () => {
+    const sighted = (id: string, at: string): Dataset => dataset({ id, time_start: at, time_end: at });
+    const stored = [sighted('one', '2026-11-19T20:00:00Z'), sighted('two', '2026-11-17T01:00:00Z'), sighted('old', '2026-11-16T20:00:00Z'), sighted('later', '2026-11-20T02:00:00Z')];
+    expect(newerThan(plan, stored).map(({ id }) => id)).toEqual(['one', 'two']);
+  });
+
+  it('of a plan under way also when something was sighted since it left', () => {
+    const [depart_ms, arrive_ms] = [Date.parse(plan.departure), Date.parse(plan.arrival)];
+    expect(sightingsFor(plan, depart_ms - 1)[1]).toBe(depart_ms);
+    expect(sightingsFor(plan, depart_ms + 1000)[1]).toBe(depart_ms + 1000);
+    expect(sightingsFor(plan, arrive_ms + 1000)[1]).toBe(depart_ms);
   });
 
   it('when icebergs or zones made by hand have changed since, also the first ones', () => {

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import type { Dataset } from '../../api/types';
 import { projectionCodes, projections, type ProjectionCode } from '../../geo/projections';
-import { chosenBathymetry, chosenCoastline, chosenCurrents, chosenIcebergs, connectionFault, datasets, isSynthetic } from '../../model/datasets';
+import { chosenBathymetry, chosenCoastline, chosenCurrents, connectionFault, datasets, isSynthetic, lastSighted } from '../../model/datasets';
 import { locked, signedIn } from '../../model/login';
 import { dialog, drawer, leftTab, tell } from '../../model/screen';
 import { change, settings } from '../../model/settings';
@@ -83,7 +83,7 @@ function openData(): void {
 /** The data in use by name and time; all of it on the left. */
 function DataBar(): VNode {
   const currents = chosenCurrents.value;
-  const [ice] = chosenIcebergs.value;
+  const ice = lastSighted.value;
   return (
     <div class="data-bar">
       <button type="button" class="data-button" onClick={openData} title="All data in the store">

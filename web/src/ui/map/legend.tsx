@@ -1,11 +1,13 @@
 import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
-import { chosenBathymetry, chosenCurrents, chosenIcebergs, vehicles } from '../../model/datasets';
+import { chosenBathymetry, chosenCurrents, ofKind, vehicles } from '../../model/datasets';
 import { draft } from '../../model/draft';
 import { drifts } from '../../model/drift';
 import { icebergs } from '../../model/field';
+import { choiceInWords } from '../../model/iceberg_choice';
 import { crowd, validity_h } from '../../model/icebergs';
 import { visible } from '../../model/layers';
+import { gliderTracks } from '../../model/tracks';
 import { speedFigure, speedUnit } from '../../model/units';
 import { currentLimits_m_s, depthLimits_m, palette } from '../../theme/palette';
 
@@ -17,14 +19,16 @@ export function Legend(): VNode | null {
   const shown = visible.value;
   const depths = shown.bathymetry && chosenBathymetry.value;
   const currents = shown.currents && chosenCurrents.value;
-  const ice = shown.icebergs && chosenIcebergs.value;
-  if (!depths && !currents && !ice) return null;
+  const ice = shown.icebergs && ofKind('icebergs').length > 0;
+  const tracks = shown.tracks && gliderTracks.value.length > 0;
+  if (!depths && !currents && !ice && !tracks) return null;
   return (
     <details class="legend" open={open.value} onToggle={(event) => { open.value = event.currentTarget.open; }}>
       <summary>Legend</summary>
       {depths && <Depths />}
       {currents && <Currents />}
       {ice && <Ice circles={shown.safety} drift={shown.drift && drifts.value.length > 0} />}
+      {tracks && <Tracks />}
     </details>
   );
 }
@@ -70,11 +74,22 @@ function Currents(): VNode {
   );
 }
 
+function Tracks(): VNode {
+  return (
+    <div class="legend-part">
+      <h3>Glider tracks <span class="unit">{gliderTracks.value.length}</span></h3>
+      <p><svg width="22" height="14" aria-hidden="true"><path class="track" d="M1 7 H21" /></svg> with a diamond at the clock’s time</p>
+      {gliderTracks.value.some(({ properties }) => properties.currents.length > 0) && <p>arrows: depth-averaged current met</p>}
+    </div>
+  );
+}
+
 function Ice({ circles, drift }: { circles: boolean; drift: boolean }): VNode {
   const margin = draft.value.margin_m;
   return (
     <div class="legend-part">
       <h3>Icebergs <span class="unit">{icebergs.value.length}</span></h3>
+      {choiceInWords.value !== undefined && <p class="caution">{choiceInWords.value}</p>}
       <p><svg width="22" height="14" aria-hidden="true"><path class="berg" d="M11 1 L19 12 H3 Z" /></svg> by size; grey after {validity_h} h</p>
       {drift && <p><svg width="22" height="14" aria-hidden="true"><path class="ghost" d="M11 1 L19 12 H3 Z" /></svg> expected, within the ring</p>}
       {circles && (

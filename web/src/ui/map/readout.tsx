@@ -6,9 +6,10 @@ import { sizeTitle } from '../../model/icebergs';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { course, depth, distance, none, speed } from '../../model/units';
+import { hoveredTrack } from '../../model/tracks';
 import { hoveredBerg, pointer } from '../../model/view';
 
-/** Position, depth and current under the pointer; a berg's sighting when it points at one. */
+/** Position, depth and current under the pointer; a berg's sighting or a glider's track when it points at one. */
 export function Readout(): VNode | null {
   const place = pointer.value;
   if (!place) return null;
@@ -20,6 +21,18 @@ export function Readout(): VNode | null {
         <span>{sizeTitle(berg.size)}{berg.length_m !== null ? `, ${distance(berg.length_m)} long` : ''}</span>
         <span>seen {shortTime(Date.parse(berg.observed))}</span>
         {berg.position_uncertainty_m !== null && <span>±{distance(berg.position_uncertainty_m)}</span>}
+      </div>
+    );
+  }
+  const track = hoveredTrack.value?.properties;
+  if (track) {
+    const [east, north] = [track.mean_east_m_s, track.mean_north_m_s];
+    return (
+      <div class="readout">
+        <b>{track.glider}</b>
+        <span>{shortTime(Date.parse(track.start))} – {shortTime(Date.parse(track.end))}</span>
+        {track.deepest_m !== null && <span>to {depth(track.deepest_m)}</span>}
+        {east !== null && north !== null && <span>mean current {speed(Math.hypot(east, north))} to {course(directionTowards_deg(east, north))}</span>}
       </div>
     );
   }

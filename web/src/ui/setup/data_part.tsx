@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import type { PlanningKind } from '../../api/types';
 import { severalIn, severalOf, ticked } from '../../model/data_choice';
-import { chosen, ofKind } from '../../model/datasets';
+import { chosenAll, ofKind } from '../../model/datasets';
 import { draft, edit } from '../../model/draft';
 import { SelectField, type Choice } from './field';
 import { Part } from './part';
@@ -36,14 +36,12 @@ function DataField({ kind, label, all = false, several }: DataFieldProps): VNode
   const stored: Choice[] = ofKind(kind).map(({ id, name }) => ({ value: id, title: name }));
   const isRare = kind === 'tides' || kind === 'wind' || kind === 'zones';
   if (isRare && stored.length === 0) return null;
-  const usual: Choice = all
-    ? { value: 'all', title: stored.length === 1 ? 'The stored one' : `All ${stored.length} stored` }
-    : { value: 'newest', title: stored[0] ? `Newest (${stored[0].title})` : 'Newest (none stored)' };
+  const usual = usualOf(kind, stored, all);
   const none = { value: 'none', title: 'None' };
   if (!several || stored.length < 2) return <SelectField name={kind} label={label} choices={[usual, ...stored, none]} />;
   const isSeveral = severalIn(draft.value[kind]) !== undefined;
   // What is ticked is part of the choice; asked for anew it begins with what was in use.
-  const begin = severalOf([chosen(kind)?.id].filter((id) => id !== undefined));
+  const begin = severalOf(chosenAll(kind).slice(0, kind === 'icebergs' ? undefined : 1).map(({ id }) => id));
   const choices = [usual, ...stored, { value: isSeveral ? draft.value[kind] : begin, title: `Several: ${several}` }, none];
   return (
     <>
@@ -51,6 +49,15 @@ function DataField({ kind, label, all = false, several }: DataFieldProps): VNode
       {isSeveral && <Ticks kind={kind} label={label} stored={stored} />}
     </>
   );
+}
+
+/** What counts where nobody chooses, with its word in the request. */
+function usualOf(kind: PlanningKind, stored: Choice[], all: boolean): Choice {
+  if (all) return { value: 'all', title: stored.length === 1 ? 'The stored one' : `All ${stored.length} stored` };
+  const [first] = stored;
+  if (!first) return { value: 'newest', title: 'Newest (none stored)' };
+  const isJoined = kind === 'icebergs' && stored.length > 1;
+  return { value: 'newest', title: isJoined ? `Newest of each berg (${stored.length} stored)` : `Newest (${first.title})` };
 }
 
 /** The stored datasets of a kind to be ticked; a figure says which rank each has. */

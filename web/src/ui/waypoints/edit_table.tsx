@@ -1,7 +1,8 @@
 import type { VNode } from 'preact';
 import { useState } from 'preact/hooks';
 import type { Position, Waypoint } from '../../api/types';
-import { editablePosition, parsePosition } from '../../geo/coordinates';
+import { editablePosition } from '../../geo/coordinates';
+import { readPosition } from '../../model/position';
 import { selectedWaypoint } from '../../model/plans';
 import { insertAfter, moveWaypoint, removeWaypoint, type RouteEdit } from '../../model/route_edit';
 import { announce } from '../../model/screen';
@@ -76,7 +77,7 @@ function PositionInput({ index, place }: { index: number; place: Position }): VN
       setFault(undefined);
       return;
     }
-    const parsed = parsePosition(text);
+    const parsed = readPosition(text);
     setFault(parsed.ok ? undefined : parsed.fault);
     if (!parsed.ok) {
       announce(parsed.fault);

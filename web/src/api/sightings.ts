@@ -1,0 +1,72 @@
+import { effect, signal, untracked } from '@preact/signals';
+import { time_ms } from '../model/clock';
+import { chosenIcebergs } from '../model/datasets';
+import { icebergs, icebergsAsOf_ms } from '../model/field';
+import { icebergChoice, knownAt_ms } from '../model/iceberg_choice';
+import { hour_ms, isoOf } from '../model/time';
+import * as api from './client';
+import { Latest } from './latest';
+import type { IcebergFeature } from './types';
+
+/** While the clock runs the sightings of its whole hour are shown; once it rests so long, those of its very moment. */
+const rest_ms = 200;
+const most = 200;
+
+/** Keeps the icebergs that the set-up asks for in step with the clock. Call once. */
+export function followIcebergs(): void {
+  const latest = new Latest();
+  const remembered = new Map<string, IcebergFeature[]>();
+  const restingClock = clockAtRest();
+  let wanted = '';
+  effect(() => {
+    const choice = icebergChoice.value;
+    const sources = choice ? chosenIcebergs.value : [];
+    const as_of_ms = knownAt_ms.value ?? restingClock.value;
+    const key = choice && sources.length > 0 ? [...sources.map(({ id, sha256 }) => id + sha256), choice.max_sighting_age_days, as_of_ms].join('|') : '';
+    if (key === wanted) return;
+    wanted = key;
+    const known = remembered.get(key);
+    untracked(() => {
+      if (key === '' || !choice || known) {
+        latest.cancel();
+        show(known ?? [], as_of_ms);
+        return;
+      }
+      latest.run(
+        (signal) => api.icebergsAt(isoOf(as_of_ms), choice, signal),
+        ({ features }) => {
+          if (remembered.size > most) remembered.clear();
+          remembered.set(key, features);
+          show(features, as_of_ms);
+        },
+        () => {
+          wanted = '';
+        },
+      );
+    });
+  });
+}
+
+/** The same sightings stay as they are: nothing that is made of them has to be made again. */
+function show(features: IcebergFeature[], as_of_ms: number): void {
+  const before = icebergs.value;
+  const isSame = features === before || (features.length === before.length && features.every((berg, i) => JSON.stringify(berg) === JSON.stringify(before[i])));
+  if (isSame) return;
+  icebergsAsOf_ms.value = as_of_ms;
+  icebergs.value = features;
+}
+
+function clockAtRest(): { readonly value: number } {
+  const shown = signal(time_ms.value);
+  let timer: ReturnType<typeof setTimeout> | undefined;
+  effect(() => {
+    const now_ms = time_ms.value;
+    clearTimeout(timer);
+    const hourOf = (at_ms: number): number => Math.floor(at_ms / hour_ms);
+    if (hourOf(shown.peek()) !== hourOf(now_ms)) shown.value = hourOf(now_ms) * hour_ms;
+    timer = setTimeout(() => {
+      shown.value = now_ms;
+    }, rest_ms);
+  });
+  return shown;
+}
