@@ -16,7 +16,7 @@ build() {
 serve() {
   local log=$1 waited=0 address
   shift
-  "$@" 2>"$log" &
+  "$@" >"$log" 2>&1 &
   echo $! >>"$work/pids"
   until address=$(grep -om1 'http://127.0.0.1:[0-9]*' "$log"); do
     if ((++waited > 200)); then fail "$1 did not start" "read $log"; fi
@@ -87,11 +87,11 @@ bergs() {
       i ? "," : "", i, (i / 60) % 24, i % 60, -60 + (i % 100) / 100, 60 + i / 5000; print "]}" }'
 }
 
-# plan REFINE: a new plan of 140 km in hourly currents, corner to corner of 100 by 100 km
+# plan REFINE: a new plan of 140 km in hourly currents, corner to corner of 100 by 100 km of water
 plan() {
-  curl --fail --silent -H 'Content-Type: application/json' --data "{\"force\": true, \"inputs\": {\"from\": [-54.9, 68.35],
-    \"to\": [-52.5, 69.25], \"depart\": \"2026-11-22T06:00:00Z\", \"spacing_m\": 1000, \"refine\": $1}}" \
-    "$address/processes/plan-route/execution"
+  curl --fail --silent -H 'Content-Type: application/json' --data "{\"force\": true, \"inputs\": {\"from\": [-54.4, 68.45],
+    \"to\": [-51.95, 69.3], \"depart\": \"2026-11-22T06:00:00Z\", \"spacing_m\": 1000, \"refine\": $1}}" \
+    "$address/processes/plan-route/execution" | grep '"plan_id"'
 }
 
 ogr_read() { ogr2ogr -f GeoJSON "$work/bergs-$RANDOM$RANDOM.out" "OAPIF:$address" icebergs -oo PAGE_SIZE=1000; }

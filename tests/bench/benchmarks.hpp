@@ -16,5 +16,8 @@ std::vector<Row> window_rows();
 std::vector<Row> avoidance_rows();
 /// A glider in the simulator, bare and with all its sensors, and a batch of flights on all cores.
 std::vector<Row> flight_rows();
+/// A gigabyte of currents on its way into the store and out of it, beside GDAL. The program must be its own reader of
+/// foreign files.
+std::vector<Row> store_rows();
 
 }  // namespace floeplan::bench
