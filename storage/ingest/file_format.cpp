@@ -13,7 +13,7 @@
 #include "storage/ingest/iceberg_own_table.hpp"
 #include "storage/ingest/iceberg_table_reader.hpp"
 #include "storage/ingest/netcdf3_length.hpp"
-#include "storage/ingest/slocum_binary.hpp"
+#include "storage/ingest/slocum_header.hpp"
 #include "storage/ingest/slocum_log.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/tide_table.hpp"

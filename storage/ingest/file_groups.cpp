@@ -11,7 +11,7 @@
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/position_tables.hpp"
 #include "storage/ingest/sidecar.hpp"
-#include "storage/ingest/slocum_binary.hpp"
+#include "storage/ingest/slocum_header.hpp"
 #include "storage/ingest/slocum_log.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 

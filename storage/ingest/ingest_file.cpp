@@ -27,7 +27,7 @@
 #include "storage/ingest/s57_cell.hpp"
 #include "storage/ingest/s57_reader.hpp"
 #include "storage/ingest/sidecar.hpp"
-#include "storage/ingest/slocum_binary.hpp"
+#include "storage/ingest/slocum_header.hpp"
 #include "storage/ingest/slocum_reader.hpp"
 #include "storage/ingest/tide_reader.hpp"
 #include "storage/ingest/tide_table.hpp"

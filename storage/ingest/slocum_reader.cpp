@@ -4,6 +4,7 @@
 
 #include "storage/ingest/slocum_binary.hpp"
 #include "storage/ingest/slocum_dives.hpp"
+#include "storage/ingest/slocum_header.hpp"
 #include "storage/ingest/slocum_log.hpp"
 #include "storage/ingest/track_builder.hpp"
 
