@@ -3,13 +3,21 @@
 #include <ogrsf_frmts.h>
 
 #include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <cmath>
 #include <cstdlib>
 #include <fstream>
+#include <iostream>
 #include <iterator>
 
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/guarded_ingest.hpp"
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "storage/repository/glider_track_repository.hpp"
+#include "storage/repository/iceberg_repository.hpp"
 #include "tests/storage/ingest/archive_writer.hpp"
 #include "tests/storage/ingest/grib_writer.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
@@ -28,51 +36,59 @@ std::uint64_t variants(std::uint64_t in_every_run) {
   return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : in_every_run;
 }
 
+/// What became of the damaged files of one format. A run of many says it on standard output.
+struct Tally {
+  std::uint64_t stored{};
+  std::uint64_t refused{};
+  std::uint64_t broken_readers{};  // of the refused: their reader died
+  std::uint64_t out_of_bounds{};   // of the refused: their reader took too long or too much memory
+  double longest_s{};
+};
+
+std::ostream& operator<<(std::ostream& out, const Tally& tally) {
+  return out << tally.stored << " stored, " << tally.refused << " refused (of these " << tally.broken_readers
+             << " broke their reader, " << tally.out_of_bounds << " went beyond its bounds), longest "
+             << tally.longest_s << " s";
+}
+
 /// Small good files of the formats that others write by the thousand.
 class HostileFiles : public StoreFixture {
  protected:
-  std::vector<std::filesystem::path> good_files() {
-    std::vector<std::filesystem::path> files = real_files();
-    for (auto& file : written_files()) files.push_back(std::move(file));
-    return files;
-  }
-
-  /// Of formats that nothing here writes; none where the samples are not on this machine.
-  std::vector<std::filesystem::path> real_files() const {
+  std::filesystem::path good_file(const std::string& name) {
     const std::filesystem::path samples = sample_folder();
-    if (samples.empty()) return {};
-    const std::string sensors = "1f35be3b.cac";  // beside the log
-    const auto replace = std::filesystem::copy_options::overwrite_existing;
-    std::filesystem::copy_file(samples / "glider" / sensors, path(sensors), replace);
-    return {samples / "bathymetry/s57/US4MD81M.000", samples / "glider/gutils_profile.nc",
-            samples / "glider/comet-2019-222-02-154.dbd"};
-  }
-
-  std::vector<std::filesystem::path> written_files() {
-    CurrentFile{}.write(path("currents.nc"));
-    write_geotiff(path("bed.tif"));
-    write_points("GPKG", path("bergs.gpkg"));
-    write_points("ESRI Shapefile", path("bergs.shp"));
-    write_archive(path("bergs.zip"), Packing::zip, members_of({path("bergs.gpkg")}));
-    return {
-        path("currents.nc"),
-        path("bed.tif"),
-        path("bergs.gpkg"),
-        path("bergs.shp"),
-        path("bergs.zip"),
-        write_file("currents.grb", grib_currents()),
-        write_file("log.csv", slocum_log()),
-        write_file("bed.asc",
-                   "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 50\ncellsize 0.5\n-900 -800 70\n-600 -5 4\n"),
-        write_file(
-            "bergs.kml",
-            "<?xml version=\"1.0\"?><kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document><Placemark>"
-            "<name>A99</name><TimeStamp><when>2026-11-20T06:30:00Z</when></TimeStamp><Point>"
-            "<coordinates>-49.5,-60.25,0</coordinates></Point></Placemark></Document></kml>"),
-        write_file("bergs.geojson",
-                   R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties":
+    if (name == "US4MD81M.000") return samples / "bathymetry/s57" / name;
+    if (name == "gutils_profile.nc") return samples / "glider" / name;
+    if (name == "gnome_gridded_current.nc") return samples / "currents" / name;
+    if (name == "sample-2.0.1.bag") return samples / "bathymetry" / name;
+    if (name == "comet-2019-222-02-154.dbd") {
+      const std::string sensors = "1f35be3b.cac";  // beside the log
+      const auto replace = std::filesystem::copy_options::overwrite_existing;
+      std::filesystem::copy_file(samples / "glider" / sensors, path(sensors), replace);
+      return samples / "glider" / name;
+    }
+    if (name == "currents.nc") CurrentFile{}.write(path(name));
+    if (name == "bed.tif") write_geotiff(path(name));
+    if (name == "bergs.gpkg") write_points("GPKG", path(name));
+    if (name == "bergs.shp") write_points("ESRI Shapefile", path(name));
+    if (name == "bergs.zip") {
+      write_points("GPKG", path("bergs.gpkg"));
+      write_archive(path(name), Packing::zip, members_of({path("bergs.gpkg")}));
+    }
+    if (name == "currents.grb") write_file(name, grib_currents());
+    if (name == "log.csv") write_file(name, slocum_log());
+    if (name == "bed.asc")
+      write_file(name,
+                 "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 50\ncellsize 0.5\n-900 -800 70\n-600 -5 4\n");
+    if (name == "bergs.kml")
+      write_file(name,
+                 "<?xml version=\"1.0\"?><kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document><Placemark>"
+                 "<name>A99</name><TimeStamp><when>2026-11-20T06:30:00Z</when></TimeStamp><Point>"
+                 "<coordinates>-49.5,-60.25,0</coordinates></Point></Placemark></Document></kml>");
+    if (name == "bergs.geojson")
+      write_file(name, R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties":
                           {"id": "a", "observed": "2026-11-20T06:00:00Z", "length_m": 120},
-                          "geometry": {"type": "Point", "coordinates": [-52.0, 69.0]}}]})")};
+                          "geometry": {"type": "Point", "coordinates": [-52.0, 69.0]}}]})");
+    return path(name);
   }
 
   static std::string slocum_log() {
@@ -146,63 +162,130 @@ class HostileFiles : public StoreFixture {
     return path("damaged" + file.extension().string());
   }
 
-  /// Reads a damaged file in the process that is made for it. Whatever comes of it lies in the store whole or not at all.
+  /// Reads a damaged file in the process that is made for it. Whatever comes of it lies in the store whole or not at all,
+  /// and is possible.
   std::vector<IngestReport> guarded(const std::filesystem::path& file) {
+    const auto began = std::chrono::steady_clock::now();
     auto reports =
         guarded_ingest(db_, guard_, {file}, {.positive = "up"}, core::from_unix_seconds(1.8e9), {}, {}, {});
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
+    tally_.longest_s = std::max(tally_.longest_s, taken.count());
     EXPECT_FALSE(reports.empty());
     for (const IngestReport& report : reports) {
       EXPECT_EQ(report.dataset.has_value(), report.status != IngestStatus::refused);
       EXPECT_EQ(report.errors.empty(), report.dataset.has_value());
-      if (report.dataset) repository::DatasetRepository{db_}.remove(report.dataset->id);
+      ++(report.dataset ? tally_.stored : tally_.refused);
+      if (words(report).find("stops its reader") != std::string::npos) ++tally_.broken_readers;
+      if (words(report).find("reading took more than") != std::string::npos ||
+          words(report).find("reading needs more than") != std::string::npos)
+        ++tally_.out_of_bounds;
+      if (!report.dataset) continue;
+      expect_possible(*report.dataset);
+      repository::DatasetRepository{db_}.remove(report.dataset->id);
     }
     EXPECT_EQ(stored_datasets(), 0U);
     return reports;
   }
 
+  /// Every number of a dataset is one that there can be.
+  void expect_possible(const repository::Dataset& dataset) {
+    const repository::FieldRepository fields{db_};
+    constexpr geo::BoundingBox world{-180.0, -90.0, 180.0, 90.0};
+    const auto expect_within = [&](const std::vector<float>& values, float least, float greatest) {
+      for (const float value : values)
+        ASSERT_TRUE(std::isnan(value) || (value >= least && value <= greatest)) << value;
+    };
+    const auto expect_place = [](geo::LonLat place) {
+      ASSERT_TRUE(std::abs(place.lat_deg) <= 90.0 && std::abs(place.lon_deg) <= 360.0)
+          << place.lon_deg << " " << place.lat_deg;
+    };
+    expect_place({dataset.bounds.west_deg, dataset.bounds.south_deg});
+    expect_place({dataset.bounds.east_deg, dataset.bounds.north_deg});
+    if (dataset.kind == repository::DatasetKind::currents || dataset.kind == repository::DatasetKind::wind) {
+      const auto field = fields.load_currents(dataset.id, world, std::nullopt, std::nullopt);
+      const float fastest_m_s = dataset.kind == repository::DatasetKind::wind ? 100.01F : 10.01F;
+      for (std::size_t i = 0; field && i < field->samples().u.size(); ++i)
+        expect_within({std::hypot(field->samples().u[i], field->samples().v[i])}, 0.0F, fastest_m_s);
+    }
+    if (dataset.kind == repository::DatasetKind::bathymetry)
+      for (const std::string& variable : fields.variables(dataset.id))
+        if (const auto planes = fields.load_planes(dataset.id, world, std::array{variable}))
+          expect_within(planes->values.front(), -9000.0F, 12'000.0F);  // Everest is 8,849 m high
+    if (dataset.kind == repository::DatasetKind::icebergs)
+      for (const auto& sighting : repository::IcebergRepository{db_}.list({}, 0, 10'000))
+        expect_place(sighting.iceberg.place);
+    if (dataset.kind == repository::DatasetKind::glider_tracks)
+      for (const auto& stored : repository::GliderTrackRepository{db_}.list({}, 0, 100).tracks) {
+        for (const auto& point : stored.track.points) expect_place(point.place);
+        for (const auto& drift : stored.track.currents)
+          EXPECT_LE(std::hypot(drift.current.east.value, drift.current.north.value), 10.01);
+      }
+  }
+
+  Tally tally_;
   Guard guard_{.program = FLOEPLAN_BINARY_DIR "/ingest_reader", .staging = path("incoming")};
 };
 
-TEST_F(HostileFiles, AreReadWhileTheyAreGood) {
-  for (const auto& file : good_files()) {
-    const auto reports = guarded(file);
-    EXPECT_EQ(reports.front().status, IngestStatus::stored) << file << words(reports.front());
+/// One format.
+class HostileFormat : public HostileFiles, public testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    file_ = good_file(GetParam());
+    if (!std::filesystem::exists(file_)) GTEST_SKIP() << "the sample data are not on this machine";
   }
+
+  std::filesystem::path file_;
+};
+
+TEST_P(HostileFormat, IsReadWhileItIsGood) {
+  const auto reports = guarded(file_);
+  EXPECT_EQ(reports.front().status, IngestStatus::stored) << words(reports.front());
 }
 
-TEST_F(HostileFiles, ThatWereCutShortLeaveNothingHalfInTheStore) {
-  const auto cuts = variants(2);
-  for (const auto& file : good_files()) {
-    const std::string whole = bytes_of(file);
-    support::for_each_seed(std::min<std::uint64_t>(cuts, 20), [&](std::mt19937_64& rng) {
-      const int part = support::uniform_int(rng, 0, 19);
-      write_file(damaged_name(file).filename(),
-                 whole.substr(0, whole.size() * static_cast<std::size_t>(part) / 20));
-      const auto reports = guarded(damaged_name(file));
-      const bool says_its_length = file.extension() != ".shp" && file.extension() != ".tif" &&
-                                   file.extension() != ".zip" &&  // whole before its table of contents
-                                   file.extension() != ".dbd" &&
-                                   file.extension() != ".csv";  // a log ends where the glider was lost
-      if (says_its_length) {
-        EXPECT_EQ(reports.front().status, IngestStatus::refused) << file << " " << part;
-      }
-    });
-  }
+TEST_P(HostileFormat, ThatWasCutShortLeavesNothingHalfInTheStore) {
+  const std::string whole = bytes_of(file_);
+  const auto cuts = std::min<std::uint64_t>(variants(2), 20);
+  support::for_each_seed(cuts, [&](std::mt19937_64& rng) {
+    const int part = support::uniform_int(rng, 0, 19);
+    write_file(damaged_name(file_).filename(),
+               whole.substr(0, whole.size() * static_cast<std::size_t>(part) / 20));
+    const auto reports = guarded(damaged_name(file_));
+    const bool says_its_length = file_.extension() != ".shp" && file_.extension() != ".tif" &&
+                                 file_.extension() != ".zip" &&  // whole before its table of contents
+                                 file_.extension() != ".dbd" &&
+                                 file_.extension() != ".csv";  // a log ends where the glider was lost
+    if (says_its_length) {
+      EXPECT_EQ(reports.front().status, IngestStatus::refused) << part;
+    }
+  });
 }
 
-TEST_F(HostileFiles, WithBytesChangedLeaveNothingHalfInTheStore) {
-  for (const auto& file : good_files()) {
-    const std::string whole = bytes_of(file);
-    support::for_each_seed(variants(2), [&](std::mt19937_64& rng) {
-      std::string bytes = whole;
-      for (int flips = support::uniform_int(rng, 1, 8); flips > 0; --flips)
-        bytes[std::uniform_int_distribution<std::size_t>{0, bytes.size() - 1}(rng)] =
-            static_cast<char>(support::uniform_int(rng, 0, 255));
-      write_file(damaged_name(file).filename(), bytes);
-      static_cast<void>(guarded(damaged_name(file)));
-    });
-  }
+TEST_P(HostileFormat, WithBytesChangedLeavesNothingHalfInTheStore) {
+  const std::string whole = bytes_of(file_);
+  tally_ = {};
+  support::for_each_seed(variants(2), [&](std::mt19937_64& rng) {
+    std::string bytes = whole;
+    for (int flips = support::uniform_int(rng, 1, 8); flips > 0; --flips)
+      bytes[std::uniform_int_distribution<std::size_t>{0, bytes.size() - 1}(rng)] =
+          static_cast<char>(support::uniform_int(rng, 0, 255));
+    write_file(damaged_name(file_).filename(), bytes);
+    static_cast<void>(guarded(damaged_name(file_)));
+  });
+  if (variants(0) > 0) std::cout << GetParam() << ": " << tally_ << std::endl;
 }
+
+INSTANTIATE_TEST_SUITE_P(Of, HostileFormat,
+                         testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc",
+                                         "sample-2.0.1.bag", "comet-2019-222-02-154.dbd", "currents.nc",
+                                         "bed.tif", "bergs.gpkg", "bergs.shp", "bergs.zip", "currents.grb",
+                                         "log.csv", "bed.asc", "bergs.kml", "bergs.geojson"),
+                         [](const testing::TestParamInfo<const char*>& format) {
+                           std::string name = format.param;
+                           std::ranges::replace_if(
+                               name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; },
+                               '_');
+                           return name;
+                         });
 
 TEST_F(HostileFiles, ThatNeverEndAreRefusedWhenTheirTimeIsUp) {
   write_points("GPKG", path("endless.gpkg"),
