@@ -2,6 +2,7 @@
 
 #include <cmath>
 
+#include "storage/ingest/in_blocks.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/velocity_component.hpp"
 
@@ -11,8 +12,41 @@ namespace {
 /// The strongest mean winds that were measured at sea level are below 90 m/s.
 constexpr double max_wind_m_s = 100.0;
 
-std::string too_fast(const VelocitySource& source, Moving what, bool states_unit, std::size_t point,
-                     double speed) {
+struct SpeedCount {
+  std::int64_t known{};
+  std::int64_t moving{};
+  std::int64_t too_fast{};
+};
+
+double squared_speed(const VelocitySlice& slice, std::size_t point) {
+  const auto east = static_cast<double>(slice.east[point]);
+  const auto north = static_cast<double>(slice.north[point]);
+  return east * east + north * north;
+}
+
+SpeedCount count_speeds(const VelocitySlice& slice, double most_m_s) {
+  SpeedCount all;
+  in_blocks(slice.east.size(), [&](std::size_t first, auto count) {
+    SpeedCount some;
+    for (std::size_t i = 0; i < count; ++i) {
+      const double squared = squared_speed(slice, first + i);  // NaN where missing
+      some.known += std::int64_t{squared >= 0.0};
+      some.moving += std::int64_t{squared > 0.0};
+      some.too_fast += std::int64_t{squared > most_m_s * most_m_s};
+    }
+    all.known += some.known;
+    all.moving += some.moving;
+    all.too_fast += some.too_fast;
+  });
+  return all;
+}
+
+/// Why a slice is refused in which a speed is beyond `most_m_s`.
+std::string too_fast(const VelocitySource& source, Moving what, bool states_unit, const VelocitySlice& slice,
+                     double most_m_s) {
+  std::size_t point = 0;
+  while (!(squared_speed(slice, point) > most_m_s * most_m_s)) ++point;
+  const double speed = std::sqrt(squared_speed(slice, point));
   const geo::LonLat place = source.place(point);
   const std::string where = "longitude " + number(place.lon_deg) + ", latitude " + number(place.lat_deg);
   if (what == Moving::air)
@@ -43,15 +77,10 @@ Checked<CurrentSurvey> survey(const VelocitySource& source, Moving what, bool st
     for (std::size_t level = 0; level < shape.levels; ++level) {
       const auto slice = source.read(time, level);
       if (!slice) return refuse(slice.error());
-      for (std::size_t i = 0; i < slice->east.size(); ++i) {
-        if (std::isnan(slice->east[i])) continue;
-        ++result.valid;
-        const auto east = static_cast<double>(slice->east[i]);
-        const auto north = static_cast<double>(slice->north[i]);
-        if (east * east + north * north > most_m_s * most_m_s)
-          return refuse(too_fast(source, what, states_unit, i, std::hypot(east, north)));
-        if (east != 0.0 || north != 0.0) result.everything_is_zero = false;
-      }
+      const SpeedCount speeds = count_speeds(*slice, most_m_s);
+      if (speeds.too_fast > 0) return refuse(too_fast(source, what, states_unit, *slice, most_m_s));
+      result.valid += speeds.known;
+      if (speeds.moving > 0) result.everything_is_zero = false;
       result.undeclared_fill += slice->undeclared_fill;
       if (land) land->add(level, slice->east, slice->north);
     }

@@ -10,6 +10,7 @@
 
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/hdf5_references.hpp"
+#include "storage/ingest/in_blocks.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -161,9 +162,18 @@ double NetcdfVariable::unpacked(double packed) const {
 
 void NetcdfVariable::unpack(std::span<double> values) const {
   constexpr double missing = std::numeric_limits<double>::quiet_NaN();
-  for (const double fill : fills_)
-    for (double& value : values) value = value == fill ? missing : value;
-  for (double& value : values) value = std::isfinite(value) ? value * scale_ + offset_ : missing;
+  constexpr double largest = std::numeric_limits<double>::max();
+  const double scale = scale_;
+  const double offset = offset_;
+  in_blocks(values.size(), [&](std::size_t first, auto count) {
+    double* const some = values.data() + first;
+    for (const double fill : fills_)
+      for (std::size_t i = 0; i < count; ++i) some[i] = some[i] == fill ? missing : some[i];
+    for (std::size_t i = 0; i < count; ++i) {
+      const double whole = some[i] * scale + offset;
+      some[i] = std::abs(some[i]) <= largest ? whole : missing;
+    }
+  });
 }
 
 Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {

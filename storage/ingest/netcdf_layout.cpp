@@ -231,16 +231,20 @@ Checked<std::vector<double>> read_rows(const NetcdfVariable& variable, const Net
   count[layout.y_dimension] = highest - lowest + 1;
   count[layout.x_dimension] = static_cast<std::size_t>(dimensions[layout.x_dimension].size);
 
-  const auto packed = variable.read_packed(start, count);
+  auto packed = variable.read_packed(start, count);
   if (!packed) return refuse(packed.error());
 
   const bool x_fastest = layout.x_dimension >= layout.y_dimension;
   const std::size_t step_x = x_fastest ? 1 : count[layout.y_dimension];
   const std::size_t step_y = x_fastest ? count[layout.x_dimension] : 1;
-  std::vector<double> values;
-  values.reserve(layout.x.nodes.size() * rows);
   const bool whole_rows = step_x == 1 && std::ranges::is_sorted(layout.x.source) &&
                           layout.x.source.size() == count[layout.x_dimension];
+  if (whole_rows && std::ranges::is_sorted(wanted) && packed->size() == layout.x.source.size() * rows) {
+    variable.unpack(*packed);
+    return packed;
+  }
+  std::vector<double> values;
+  values.reserve(layout.x.nodes.size() * rows);
   for (const std::size_t y : wanted) {
     const auto row = packed->begin() + static_cast<std::ptrdiff_t>((y - lowest) * step_y);
     if (whole_rows) {

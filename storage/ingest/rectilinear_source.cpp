@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "storage/ingest/component_times.hpp"
+#include "storage/ingest/in_blocks.hpp"
 #include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/netcdf_shape.hpp"
 #include "storage/ingest/nominal_axes.hpp"
@@ -67,24 +68,29 @@ class RectilinearSource : public VelocitySource {
     const auto second = second_.read(time, level);
     if (!second) return refuse(second.error());
 
-    constexpr float missing = std::numeric_limits<float>::quiet_NaN();
+    constexpr double missing = std::numeric_limits<double>::quiet_NaN();
     const std::size_t points = shape_.points();
-    VelocitySlice slice{std::vector<float>(points, missing), std::vector<float>(points, missing),
+    VelocitySlice slice{std::vector<float>(points), std::vector<float>(points),
                         std::max(first->undeclared_fill, second->undeclared_fill)};
     if (!turns_) {
       slice.east_steps = first_.steps();
       slice.north_steps = second_.steps();
-      for (std::size_t i = 0; i < points; ++i) {
-        if (std::isnan(first->values[i]) || std::isnan(second->values[i])) continue;
-        slice.east[i] = static_cast<float>(first->values[i]);
-        slice.north[i] = static_cast<float>(second->values[i]);
-      }
+      in_blocks(points, [&](std::size_t begin, auto count) {
+        const double* const u = first->values.data() + begin;
+        const double* const v = second->values.data() + begin;
+        float* const east = slice.east.data() + begin;
+        float* const north = slice.north.data() + begin;
+        for (std::size_t i = 0; i < count; ++i) {
+          const bool known = u[i] == u[i] && v[i] == v[i];  // neither is NaN
+          east[i] = static_cast<float>(known ? u[i] : missing);
+          north[i] = static_cast<float>(known ? v[i] : missing);
+        }
+      });
       return slice;
     }
     for (std::size_t i = 0; i < points; ++i) {
       const double u = first->values[i];
       const double v = second->values[i];
-      if (std::isnan(u) || std::isnan(v)) continue;
       const auto cosine = static_cast<double>(turns_->cosine[i]);
       const auto sine = static_cast<double>(turns_->sine[i]);
       slice.east[i] = static_cast<float>(u * cosine - v * sine);

@@ -5,10 +5,14 @@
 #include <cmath>
 #include <limits>
 
+#include "storage/ingest/in_blocks.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 namespace {
+
+/// No marker for "missing" is smaller.
+constexpr double below_markers = 500.0;
 
 /// Numbers that producers write for "missing" without declaring them, when they are also too large for a
 /// current.
@@ -65,15 +69,22 @@ Checked<ComponentSlice> VelocityComponent::read(std::size_t time, std::size_t le
   auto values = read_slice(*variable_, layout_, time, level);
   if (!values) return refuse(values.error());
   ComponentSlice slice{std::move(*values), 0};
-  for (double& value : slice.values) {
-    if (std::isnan(value)) continue;
-    if (is_undeclared_fill(value, factor_) || !valid_.contains(value)) {
+  const double factor = factor_;
+  const Extent valid = valid_;
+  const Extent plain{std::max(valid.least, -below_markers), std::min(valid.greatest, below_markers)};
+  in_blocks(slice.values.size(), [&](std::size_t first, auto count) {
+    double* const some = slice.values.data() + first;
+    bool doubtful = false;
+    for (std::size_t i = 0; i < count; ++i)
+      doubtful |= (some[i] < plain.least) | (some[i] > plain.greatest);  // NaN is neither
+    for (std::size_t i = 0; doubtful && i < count; ++i) {
+      if (std::isnan(some[i])) continue;
+      if (!is_undeclared_fill(some[i], factor) && valid.contains(some[i])) continue;
       ++slice.undeclared_fill;
-      value = std::numeric_limits<double>::quiet_NaN();
-    } else {
-      value *= factor_;
+      some[i] = std::numeric_limits<double>::quiet_NaN();
     }
-  }
+    for (std::size_t i = 0; i < count; ++i) some[i] *= factor;
+  });
   return slice;
 }
 
