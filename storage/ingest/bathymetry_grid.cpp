@@ -74,6 +74,8 @@ class Survey {
       } else {
         widen(without_, met);
         if (std::abs(value) > 9000.0F) other_is_large_ = true;
+        for (const auto* const ends : {&rows.lowest_m, &rows.highest_m})
+          if (!ends->empty() && !std::isnan((*ends)[i])) widen(cells_, {(*ends)[i], met.node});
       }
       if (!rows.lowest_m.empty() && rows.lowest_m[i] < value) reaches_lower_ = true;
       if (!rows.highest_m.empty() && rows.highest_m[i] > value) reaches_higher_ = true;
@@ -93,6 +95,11 @@ class Survey {
     }
     return range;
   }
+  /// The shoalest that a cell reaches; empty where the range of cells is not known.
+  [[nodiscard]] std::optional<Extreme> shoalest_cell(VerticalSense sense) const {
+    if (!cells_ || !has_shoaler_cells(sense)) return std::nullopt;
+    return sense == VerticalSense::up ? cells_->second : cells_->first;
+  }
   /// Whether a cell is shoaler than its value.
   [[nodiscard]] bool has_shoaler_cells(VerticalSense sense) const {
     return sense == VerticalSense::up ? reaches_higher_ : reaches_lower_;
@@ -110,6 +117,7 @@ class Survey {
   std::size_t columns_;
   Range without_;
   Range with_doubtful_;
+  Range cells_;  // of the nodes that are no markers
   std::int64_t certain_{};
   std::int64_t doubtful_{};
   bool other_is_large_{false};
@@ -125,8 +133,9 @@ bool covers_the_globe(const ocean::HorizontalGrid& grid) {
 }
 
 std::optional<std::string> fault_of_depths(const RawBathymetry& raw, VerticalSense sense,
-                                           const std::pair<Extreme, Extreme>& range) {
-  for (const Extreme& extreme : {range.first, range.second}) {
+                                           const std::pair<Extreme, Extreme>& range,
+                                           const std::optional<Extreme>& shoalest_cell) {
+  for (const Extreme& extreme : {range.first, range.second, shoalest_cell.value_or(range.first)}) {
     const float depth_m = sense == VerticalSense::up ? 0.0F - extreme.value : extreme.value;
     if (depth_m <= deepest_m && depth_m >= -highest_m) continue;
     const std::size_t columns = raw.grid.x().size();
@@ -218,7 +227,8 @@ Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::option
                          covers_the_globe(raw.grid)});
   if (!finding) return refuse(finding.error());
   if (finding->warning) data.warnings.push_back(*finding->warning);
-  if (const auto fault = fault_of_depths(raw, finding->sense, *range)) return refuse(*fault);
+  if (const auto fault = fault_of_depths(raw, finding->sense, *range, survey.shoalest_cell(finding->sense)))
+    return refuse(*fault);
 
   data.bounds = raw.grid.bounds();
   data.rows_accepted = static_cast<std::int64_t>(raw.grid.size());

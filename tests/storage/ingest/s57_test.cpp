@@ -1,6 +1,8 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <fstream>
+#include <iterator>
 
 #include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
@@ -129,6 +131,17 @@ TEST_F(ElectronicChart, IsRefusedWhenItsLastRecordIsMissing) {
   std::filesystem::resize_file(base, std::filesystem::file_size(base) - 174);
 
   expect_refused(base, "21997 records where it counts 21998");
+}
+
+TEST_F(ElectronicChart, IsRefusedWhenALeastDepthIsImpossible) {
+  const auto base = chart_with({".000"});
+  std::ifstream in{base, std::ios::binary};
+  std::string bytes{std::istreambuf_iterator<char>{in}, {}};
+  const std::string end_of_value = "\x1f";
+  for (std::size_t at = 0; (at = bytes.find("10.9" + end_of_value, at)) != std::string::npos; ++at)
+    bytes.replace(at, 4, "-9e9");
+
+  expect_refused(write_file("US4MD81M.000", bytes), "m high");
 }
 
 TEST_F(ElectronicChart, IsRefusedWhenAnUpdateIsCutShort) {
