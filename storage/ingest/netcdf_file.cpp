@@ -12,6 +12,8 @@
 #include "storage/ingest/hdf5_references.hpp"
 #include "storage/ingest/in_blocks.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/ingest/zarr3_view.hpp"
+#include "storage/ingest/zarr_store.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -183,14 +185,15 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
   if (!is_zarr)
     if (const auto checked = check_hdf5_references(file); !checked) return refuse(checked.error());
   const char* const drivers[] = {is_zarr ? "Zarr" : "netCDF", nullptr};
-  const std::string path = std::filesystem::absolute(file).string();
+  const std::string path =
+      is_zarr && is_zarr3(file) ? zarr3_view(file) : std::filesystem::absolute(file).string();
   NetcdfFile result;
   result.dataset_.reset(
       GDALDataset::Open(path.c_str(), GDAL_OF_MULTIDIM_RASTER | GDAL_OF_VERBOSE_ERROR, drivers));
   const auto root = result.dataset_ ? result.dataset_->GetRootGroup() : nullptr;
   if (!root)
-    return refuse("the NetCDF file cannot be opened (" + messages.first_error() +
-                  "); it is damaged or was cut short; copy or download it again");
+    return refuse("the " + std::string{is_zarr ? "Zarr store" : "NetCDF file"} + " cannot be opened (" +
+                  messages.first_error() + "); it is damaged or was cut short; copy or download it again");
 
   result.groups_ = root->GetGroupNames();
   for (const auto& attribute : root->GetAttributes())

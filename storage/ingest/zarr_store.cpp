@@ -1,12 +1,12 @@
 #include "storage/ingest/zarr_store.hpp"
 
 #include <algorithm>
-#include <fstream>
-#include <iterator>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "storage/ingest/file_digest.hpp"
+#include "storage/ingest/first_bytes.hpp"
+#include "storage/ingest/zarr3_description.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -15,7 +15,6 @@ namespace fs = std::filesystem;
 using nlohmann::json;
 
 constexpr std::size_t max_files = 100'000;
-constexpr std::uint64_t max_description_bytes = 1'000'000;
 constexpr std::uint64_t max_chunk_bytes = 256'000'000;
 constexpr std::uint64_t most_bytes_a_value = 16;
 
@@ -37,12 +36,22 @@ std::optional<std::uint64_t> product(const json& numbers, std::uint64_t most) {
   return result;
 }
 
-Checked<bool> check_array(const fs::path& description, std::size_t chunk_files) {
-  if (fs::file_size(description) > max_description_bytes)
+/// The description of an array as version 2 has it; null of what is none.
+Checked<json> array_of(const fs::path& description, int version) {
+  if (fs::file_size(description) > max_zarr_description_bytes)
     return refuse(damaged(description, "is over 1 MB long"));
-  std::ifstream in{description, std::ios::binary};
-  const std::string text{std::istreambuf_iterator<char>{in}, {}};
-  const json array = json::parse(text, nullptr, false);
+  const std::string text = first_bytes(description, max_zarr_description_bytes);
+  if (version == 2) return json::parse(text, nullptr, false);
+  const auto array = zarr3_array(text);
+  if (!array) return refuse(array.error());
+  return *array ? json::parse((*array)->array_text) : json{};
+}
+
+Checked<bool> check_array(const fs::path& description, int version, std::size_t chunk_files) {
+  const auto described = array_of(description, version);
+  if (!described) return refuse(described.error());
+  const json& array = *described;
+  if (version == 3 && array.is_null()) return true;
   if (!array.is_object() || !array.contains("shape") || !array.contains("chunks"))
     return refuse(damaged(description, "has no shape or no chunks"));
   const json& shape = array["shape"];
@@ -68,15 +77,19 @@ Checked<bool> check_array(const fs::path& description, std::size_t chunk_files) 
 
 }  // namespace
 
+bool is_zarr3(const fs::path& folder) { return fs::exists(folder / "zarr.json"); }
+
 Checked<ZarrStore> open_zarr(const fs::path& folder) {
-  if (fs::exists(folder / "zarr.json"))
-    return refuse(
-        "this is a Zarr store of version 3, which this program does not read; convert it to NetCDF, for "
-        "example by "
-        "Python's xarray.open_zarr(...).to_netcdf(...), or to Zarr version 2");
-  if (!fs::exists(folder / ".zgroup"))
-    return refuse("this Zarr store has no group at its top; give the folder that holds .zgroup");
   ZarrStore store;
+  store.version = is_zarr3(folder) ? 3 : 2;
+  const std::string description = store.version == 3 ? "zarr.json" : ".zarray";
+  if (store.version == 3) {
+    const auto top = zarr3_array(first_bytes(folder / description, max_zarr_description_bytes));
+    if (!top) return refuse(top.error());
+    if (*top) return refuse("this is one array of a Zarr store; give the folder of the whole store");
+  }
+  if (store.version == 2 && !fs::exists(folder / ".zgroup"))
+    return refuse("this Zarr store has no group at its top; give the folder that holds .zgroup");
   std::error_code error;
   for (auto entry = fs::recursive_directory_iterator{folder, error};
        entry != fs::recursive_directory_iterator{}; entry.increment(error)) {
@@ -93,12 +106,12 @@ Checked<ZarrStore> open_zarr(const fs::path& folder) {
   if (error) return refuse("the Zarr store cannot be read; check that you may read its folders");
   std::ranges::sort(store.files);
   for (const fs::path& file : store.files) {
-    if (file.filename() != ".zarray") continue;
+    if (file.filename() != description) continue;
     const auto beside = std::ranges::count_if(store.files, [&](const fs::path& other) {
       return other.string().starts_with(file.parent_path().string() + "/") &&
-             other.filename().string()[0] != '.';
+             other.filename().string()[0] != '.' && other.filename() != description;
     });
-    if (const auto checked = check_array(file, static_cast<std::size_t>(beside)); !checked)
+    if (const auto checked = check_array(file, store.version, static_cast<std::size_t>(beside)); !checked)
       return refuse(checked.error());
   }
   return store;

@@ -218,7 +218,7 @@ INSTANTIATE_TEST_SUITE_P(
         Sample{"tides/oce_noaa_harmonics_sample.tsv", "--unit", "", "", 0, "", {}},
         Sample{"tides/utide_HNL2010_coef_matlab.csv", "--at LON,LAT", "", "", 0, "", {}},
         Sample{"tides/otps_tpxo9v2a_predict_tide_sample_out.txt", "does not know", "", "", 0, "", {}},
-        Sample{"tides/roms_tidal_forcing_v3.zarr", "Zarr store of version 3", "", "", 0, "", {}}));
+        Sample{"tides/roms_tidal_forcing_v3.zarr", "forcing of a ROMS model", "", "", 0, "", {}}));
 
 INSTANTIATE_TEST_SUITE_P(ZarrStores, SampleFile,
                          testing::Values(Sample{"seaice/sic_daily_sample.zarr",

@@ -33,10 +33,10 @@ TEST_F(Refusals, ATextNamedLikeNetcdf) {
   expect_refused(write_file("page.nc", "<html>Sign in to download</html>\n"), "holds text");
 }
 
-TEST_F(Refusals, AFolderThatIsAZarrStore) {
+TEST_F(Refusals, AZarrStoreWithNothingInIt) {
   std::filesystem::create_directories(path("store.zarr"));
-  write_file("store.zarr/zarr.json", "{\"zarr_format\": 3}");
-  expect_refused(path("store.zarr"), "Zarr store of version 3");
+  write_file("store.zarr/zarr.json", R"({"zarr_format": 3, "node_type": "group"})");
+  expect_refused(path("store.zarr"), "no variables");
 }
 
 TEST_F(Refusals, ATideModelInTheBinaryFormatOfOtis) {
