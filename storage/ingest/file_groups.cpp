@@ -13,6 +13,7 @@
 #include "storage/ingest/sidecar.hpp"
 #include "storage/ingest/slocum_header.hpp"
 #include "storage/ingest/slocum_log.hpp"
+#include "storage/ingest/tide_variables.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
@@ -30,6 +31,8 @@ struct Member {
   std::string track;                   // of a glider, and of the files of the same track; empty: of none
   int segment{};                       // of a Slocum's log
   bool sensor_cache{false};            // the list of sensors of binary logs
+  bool transports{false};              // of a tide, without depths
+  bool tide_depths{false};             // the grid file of such tides
   bool taken{false};
 };
 
@@ -68,6 +71,8 @@ Member member_of(const std::filesystem::path& path) {
   member.netcdf = std::make_shared<const NetcdfFile>(std::move(*file));
   member.parts = velocity_parts(*member.netcdf);
   member.tables_alone = member.parts == VelocityParts::none && holds_position_tables(*member.netcdf);
+  member.transports = needs_tide_depths(*member.netcdf);
+  member.tide_depths = holds_tide_depths_alone(*member.netcdf);
   if (member.parts != VelocityParts::none) describe_velocity(member);
   return member;
 }
@@ -142,6 +147,15 @@ void add_sensor_caches(std::vector<Member>& members, FileGroup& group) {
   }
 }
 
+/// The grid files of a tide's model, which the files of all its constituents need.
+void add_tide_depths(std::vector<Member>& members, FileGroup& group) {
+  for (Member& depths : members) {
+    if (!depths.tide_depths) continue;
+    depths.taken = true;
+    group.push_back(depths.path);
+  }
+}
+
 }  // namespace
 
 std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& files,
@@ -156,8 +170,8 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
   }
 
   for (Member& member : members) {
-    if (member.taken || member.tables_alone || member.sensor_cache || is_update_of_another(member, members) ||
-        is_sidecar_of_another(member, members))
+    if (member.taken || member.tables_alone || member.sensor_cache || member.tide_depths ||
+        is_update_of_another(member, members) || is_sidecar_of_another(member, members))
       continue;
     FileGroup group{member.path};
     if (member.parts == VelocityParts::first_alone || member.parts == VelocityParts::second_alone) {
@@ -176,6 +190,7 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
     if (member.chart) take_updates(member, members, group);
     take_rest_of_track(member, members, group);
     add_sensor_caches(members, group);
+    if (member.transports) add_tide_depths(members, group);
     if (member.parts != VelocityParts::none)
       for (Member& tables : members)
         if (tables.tables_alone && fits(tables, member)) {

@@ -18,13 +18,16 @@
 namespace floeplan::ingest {
 namespace {
 
-/// Whether every file is in one group, and in one only: what a broken process says is not believed.
-bool is_partition(const Grouped& grouped, std::size_t count) {
+/// Whether every file is in a group, and heads one at most: what a broken process says is not believed. Several groups
+/// may need the same file beside their own.
+bool groups_all(const Grouped& grouped, std::size_t count) {
   std::set<std::size_t> seen;
+  std::set<std::size_t> heads;
   for (const auto& group : grouped.groups) {
-    if (group.empty()) return false;
-    for (const std::size_t file : group)
-      if (file >= count || !seen.insert(file).second) return false;
+    if (group.empty() || !heads.insert(group.front()).second) return false;
+    const std::set<std::size_t> members{group.begin(), group.end()};
+    if (members.size() != group.size() || *members.rbegin() >= count) return false;
+    seen.insert(members.begin(), members.end());
   }
   return seen.size() == count;
 }
@@ -38,7 +41,7 @@ std::vector<FileGroup> guarded_groups(const Guard& guard, FileGroup files, const
     const Told told =
         run_reader(guard, staging.path(), files,
                    {.task = ReaderRequest::Task::group, .options = {}, .now = {}, .limits = {}}, stop, {});
-    if (told.breakdown.empty() && told.grouped && is_partition(*told.grouped, files.size())) {
+    if (told.breakdown.empty() && told.grouped && groups_all(*told.grouped, files.size())) {
       for (const auto& numbers : told.grouped->groups) {
         FileGroup& group = groups.emplace_back();
         for (const std::size_t number : numbers) group.push_back(files[number]);

@@ -67,7 +67,7 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, const FileGroup& fi
     case FileFormat::zarr:
       if (kind == DatasetKind::glider_tracks) return read_glider_netcdf(files, progress);
       if (kind == DatasetKind::coastline) return read_gshhg_coastline(file.path, progress);
-      if (kind == DatasetKind::tides) return read_tides(file.netcdf, file.path, options, progress);
+      if (kind == DatasetKind::tides) return read_tides(together(file), file.path, options, progress);
       if (kind == DatasetKind::wind) return read_wind(file.netcdf, options.crs, progress);
       if (kind == DatasetKind::ice) return read_ice(file.netcdf, options, progress);
       return kind == DatasetKind::currents ? read_currents(together(file), options.crs, progress)

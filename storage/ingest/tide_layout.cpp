@@ -117,20 +117,25 @@ std::optional<std::size_t> other_dimension(const NetcdfVariable& field, std::siz
   return std::nullopt;
 }
 
+/// Equal but for the rounding of coordinates in single precision, 3e-5 degrees near 360.
+bool are_same_nodes(const ocean::HorizontalGrid& a, const ocean::HorizontalGrid& b) {
+  const auto alike = [](const ocean::Axis& one, const ocean::Axis& other) {
+    const double tolerance = 1e-3 * one.mean_step();
+    return std::ranges::equal(one.nodes(), other.nodes(),
+                              [&](double x, double y) { return std::abs(x - y) <= tolerance; });
+  };
+  return geo::frame_text(a.frame()) == geo::frame_text(b.frame()) && alike(a.x(), b.x()) &&
+         alike(a.y(), b.y());
+}
+
 Checked<std::vector<double>> read_plane(const NetcdfVariable& variable, const TideLayout& layout,
                                         std::size_t line) {
   const auto& dimensions = variable.dimensions();
   std::vector<std::uint64_t> start(dimensions.size(), 0);
   std::vector<std::size_t> count(dimensions.size(), 1);
-  const auto x =
-      dimensions.size() == 2 && layout.line_dimension && *layout.line_dimension < layout.x_dimension
-          ? layout.x_dimension - 1
-          : layout.x_dimension;
-  const auto y =
-      dimensions.size() == 2 && layout.line_dimension && *layout.line_dimension < layout.y_dimension
-          ? layout.y_dimension - 1
-          : layout.y_dimension;
-  if (dimensions.size() > 2 && layout.line_dimension) start[*layout.line_dimension] = line;
+  const std::size_t x = layout.x_dimension;
+  const std::size_t y = layout.y_dimension;
+  if (layout.line_dimension) start[*layout.line_dimension] = line;
   count[x] = static_cast<std::size_t>(dimensions[x].size);
   count[y] = static_cast<std::size_t>(dimensions[y].size);
   const auto packed = variable.read_packed(start, count);
@@ -257,22 +262,21 @@ Checked<std::vector<std::complex<double>>> read_tide_field(const TideVariables& 
   return field;
 }
 
-Checked<std::vector<double>> read_tide_depths(const NetcdfFile& file, const TideVariables& tide,
-                                              const TideLayout& layout) {
-  const NetcdfVariable* depth = find_any(file, {"h" + suffix_of(tide.quantity), "wct"});
-  if (depth == nullptr || depth->dimensions().size() != 2) return std::vector<double>{};
-  const auto& dimensions = tide.first->dimensions();
-  const bool fits = dimension_named(*depth, dimensions[layout.x_dimension].name) &&
-                    dimension_named(*depth, dimensions[layout.y_dimension].name);
-  const bool same_order = (layout.x_dimension > layout.y_dimension) ==
-                          (dimension_named(*depth, dimensions[layout.x_dimension].name) >
-                           dimension_named(*depth, dimensions[layout.y_dimension].name));
-  if (!fits || !same_order) return std::vector<double>{};
-  auto depths = read_plane(*depth, layout, 0);
-  if (!depths) return refuse(depths.error());
-  for (double& value : *depths)
-    if (!(value > 0.0)) value = missing;
-  return depths;
+Checked<std::vector<double>> read_tide_depths(const NetcdfFiles& files, const TideVariables& tide,
+                                              const TideLayout& layout,
+                                              const std::optional<std::string>& stated_crs) {
+  for (const auto& file : files) {
+    const NetcdfVariable* depth = find_any(*file, {"h" + suffix_of(tide.quantity), "wct"});
+    if (depth == nullptr || depth->dimensions().size() != 2) continue;
+    const auto own = tide_layout_of(*file, {tide.quantity, depth, depth}, stated_crs);
+    if (!own || !are_same_nodes(own->grid, layout.grid)) continue;
+    auto depths = read_plane(*depth, *own, 0);
+    if (!depths) return refuse(depths.error());
+    for (double& value : *depths)
+      if (!(value > 0.0)) value = missing;
+    return depths;
+  }
+  return std::vector<double>{};
 }
 
 }  // namespace floeplan::ingest

@@ -9,6 +9,7 @@
 #include "storage/ingest/netcdf_axis.hpp"
 #include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/tide_variables.hpp"
+#include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 
@@ -40,8 +41,11 @@ struct TideLayout {
                                                                          const TideLayout& layout,
                                                                          std::size_t line);
 
-/// The depths of the water column on the layout's own nodes, metres, NaN on land; empty when the file has none there.
-[[nodiscard]] Checked<std::vector<double>> read_tide_depths(const NetcdfFile& file, const TideVariables& tide,
-                                                            const TideLayout& layout);
+/// The depths of the water column on the layout's own nodes, metres, NaN on land; from the first of the files that has
+/// them there, empty when none does.
+[[nodiscard]] Checked<std::vector<double>> read_tide_depths(const NetcdfFiles& files,
+                                                            const TideVariables& tide,
+                                                            const TideLayout& layout,
+                                                            const std::optional<std::string>& stated_crs);
 
 }  // namespace floeplan::ingest

@@ -110,8 +110,9 @@ Checked<std::vector<std::optional<tide::Constituent>>> lines_of(const NetcdfFile
   return lines;
 }
 
-Checked<TideSource> open_source(const std::shared_ptr<const NetcdfFile>& file, const std::string& stem,
+Checked<TideSource> open_source(const NetcdfFiles& files, const std::string& stem,
                                 const IngestOptions& options, std::vector<std::string>& warnings) {
+  const auto& file = files.front();
   const auto found = find_tides(*file);
   if (!found) return refuse(found.error());
   std::vector<Part> parts;
@@ -129,14 +130,14 @@ Checked<TideSource> open_source(const std::shared_ptr<const NetcdfFile>& file, c
     lines = count;
     std::vector<double> depths_m;
     if (variables.transport) {
-      auto depths = read_tide_depths(*file, variables, *layout);
+      auto depths = read_tide_depths(files, variables, *layout, options.crs);
       if (!depths) return refuse(depths.error());
       depths_m = std::move(*depths);
       if (depths_m.empty())
         return refuse(
             "\"" + variables.first->name() +
-            "\" is the transport of the whole water column, and the file has no depths to make it a speed; "
-            "join the model's grid file to it first, for example with ncks -A grid.nc u.nc");
+            "\" is the transport of the whole water column, and there are no depths to make it a speed; "
+            "give the model's grid file (grid_*.nc, with hu and hv) in the same command");
     }
     parts.push_back({variables, std::move(*layout), std::move(depths_m)});
   }
@@ -188,12 +189,11 @@ tl::expected<void, std::string> write(const TideSource& source, const core::Prog
 
 }  // namespace
 
-Checked<PreparedDataset> read_tides(const std::shared_ptr<const NetcdfFile>& file,
-                                    const std::filesystem::path& path, const IngestOptions& options,
-                                    const core::ProgressCallback& progress) {
+Checked<PreparedDataset> read_tides(const NetcdfFiles& files, const std::filesystem::path& path,
+                                    const IngestOptions& options, const core::ProgressCallback& progress) {
   PreparedDataset data;
   data.kind = repository::DatasetKind::tides;
-  auto source = open_source(file, path.stem().string(), options, data.warnings);
+  auto source = open_source(files, path.stem().string(), options, data.warnings);
   if (!source) return refuse(source.error());
   const auto nodes = look_through(*source, progress);
   if (!nodes) return refuse(nodes.error());

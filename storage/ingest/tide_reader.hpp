@@ -1,21 +1,19 @@
 #pragma once
 
 #include <filesystem>
-#include <memory>
 
 #include "engine/core/progress.hpp"
 #include "storage/ingest/ingest_file.hpp"
-#include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
+#include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 
-/// Harmonic constants of a tide model on a grid, elevations and currents. Transports are divided by the depth of the
-/// water column; components between the nodes (C-grid) are brought to the nodes of the elevations.
+/// Harmonic constants of a tide model on a grid, elevations and currents, in the first of the files. Transports are
+/// divided by the depth of the water column, there or in another of the files; components between the nodes (C-grid) are brought to the nodes of the elevations.
 /// Errors   see the refusals of find_tides, tide_layout_of and tide_names; a constituent that this program does not
 ///          know; transports without depths; elevations over 20 m or currents over 10 m/s; nothing but missing values
-[[nodiscard]] Checked<PreparedDataset> read_tides(const std::shared_ptr<const NetcdfFile>& file,
-                                                  const std::filesystem::path& path,
+[[nodiscard]] Checked<PreparedDataset> read_tides(const NetcdfFiles& files, const std::filesystem::path& path,
                                                   const IngestOptions& options,
                                                   const core::ProgressCallback& progress);
 

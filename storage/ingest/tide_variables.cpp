@@ -50,6 +50,10 @@ bool is_roms_forcing(const NetcdfFile& file) {
          (file.find("ssh_Re") != nullptr && file.find("ssh_Im") != nullptr);
 }
 
+bool has_depths(const NetcdfFile& file) {
+  return field_named(file, "hu") != nullptr && field_named(file, "hv") != nullptr;
+}
+
 /// "centimeter^2/sec" as "cm2/s".
 std::string plain_unit(std::string unit) {
   unit = lower(unit);
@@ -115,6 +119,14 @@ bool holds_tides(const NetcdfFile& file) {
   return is_roms_forcing(file) ||
          std::ranges::any_of(known_pairs, [&](const KnownPair& pair) { return has_pair(file, pair); });
 }
+
+bool needs_tide_depths(const NetcdfFile& file) {
+  if (!holds_tides(file) || has_depths(file)) return false;
+  const auto tides = find_tides(file);
+  return tides && std::ranges::any_of(*tides, &TideVariables::transport);
+}
+
+bool holds_tide_depths_alone(const NetcdfFile& file) { return has_depths(file) && !holds_tides(file); }
 
 Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file) {
   if (is_roms_forcing(file))

@@ -23,6 +23,12 @@ struct TideVariables {
 /// Whether the file holds harmonic constants of a tide.
 [[nodiscard]] bool holds_tides(const NetcdfFile& file);
 
+/// Whether it holds tidal currents as transports of the water column, without the depths that make them speeds.
+[[nodiscard]] bool needs_tide_depths(const NetcdfFile& file);
+
+/// Whether it is the grid file of such a model: depths at the nodes of u and v (hu, hv), and no tide.
+[[nodiscard]] bool holds_tide_depths_alone(const NetcdfFile& file);
+
 /// What a file holds, elevations first. Known are the names of TPXO and OTIS (hRe, hIm, uRe, uIm, vRe, vIm), TMD 3 (URe,
 /// ...), FES (amplitude, phase, Ua, Ug, Va, Vg), FES2012 (Ha, Hg) and HAMTIDE (AMPL, PHAS, UAMP, UPHA, VAMP, VPHA).
 /// Errors   a tidal forcing of ROMS; half of a pair; one component of the current alone; a unit that is none

@@ -7,6 +7,7 @@
 #include <random>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/ingest/guarded_ingest.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/tide_repository.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
@@ -90,6 +91,7 @@ TEST_F(TideFile, IsRefusedWithAUnitThatIsNone) {
 /// Transports of a C-grid, 0.25 degrees west and south of the nodes, over 100 m and 200 m of water.
 void write_tpxo_transport(const std::filesystem::path& file, bool with_depths) {
   NetcdfWriter writer{file};
+  writer.attribute("title", file.stem().string());
   writer.dimension("nx", 3);
   writer.dimension("ny", 2);
   place_nodes(writer, "u", {305.75, 306.25, 306.75}, {69.0, 69.5});
@@ -100,6 +102,19 @@ void write_tpxo_transport(const std::filesystem::path& file, bool with_depths) {
   writer.variable(field("vRe", {"nx", "ny"}, {-2e5, -4e5, -2e5, -4e5, -2e5, -4e5}, "centimeter^2/sec"));
   writer.variable(field("vIm", {"nx", "ny"}, {2e4, 2e4, 2e4, 2e4, 2e4, 2e4}, "centimeter^2/sec"));
   if (!with_depths) return;
+  writer.variable(field("hu", {"nx", "ny"}, {100, 100, 100, 100, 100, 100}, "meter"));
+  writer.variable(field("hv", {"nx", "ny"}, {200, 200, 200, 200, 200, 200}, "meter"));
+}
+
+/// The depths at the nodes of those transports, the first longitude at `west`.
+void write_tpxo_grid(const std::filesystem::path& file, double west) {
+  NetcdfWriter writer{file};
+  writer.dimension("nx", 3);
+  writer.dimension("ny", 2);
+  place_nodes(writer, "z", {west + 0.25, west + 0.75, west + 1.25}, {69.0, 69.5});
+  place_nodes(writer, "u", {west, west + 0.5, west + 1.0}, {69.0, 69.5});
+  place_nodes(writer, "v", {west + 0.25, west + 0.75, west + 1.25}, {68.75, 69.25});
+  writer.variable(field("hz", {"nx", "ny"}, {150, 150, 150, 150, 150, 150}, "meter"));
   writer.variable(field("hu", {"nx", "ny"}, {100, 100, 100, 100, 100, 100}, "meter"));
   writer.variable(field("hv", {"nx", "ny"}, {200, 200, 200, 200, 200, 200}, "meter"));
 }
@@ -122,6 +137,41 @@ TEST_F(TideFile, OfTransportsIsDividedByTheDepthAndBroughtToTheNodes) {
 TEST_F(TideFile, OfTransportsWithoutDepthsIsRefused) {
   write_tpxo_transport(path("u_k1_tpxo.nc"), false);
   expect_refused(path("u_k1_tpxo.nc"), "no depths to make it a speed");
+}
+
+TEST_F(TideFile, OfTransportsTakesTheDepthsOfTheGridFileThatIsGivenWithAllConstituents) {
+  write_tpxo_transport(path("u_k1_tpxo.nc"), false);
+  write_tpxo_transport(path("u_m2_tpxo.nc"), false);
+  write_tpxo_elevation(path("h_m2_tpxo.nc"));
+  write_tpxo_grid(path("grid_tpxo.nc"), 305.75);
+
+  const auto reports =
+      guarded_ingest(db_, {.program = FLOEPLAN_BINARY_DIR "/ingest_reader", .staging = path("incoming")},
+                     {path("grid_tpxo.nc"), path("u_k1_tpxo.nc"), path("h_m2_tpxo.nc"), path("u_m2_tpxo.nc")},
+                     {}, core::from_unix_seconds(1.8e9), {}, {}, {});
+
+  ASSERT_EQ(reports.size(), 3U);
+  for (const IngestReport& report : reports) EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(reports[0].dataset->variables, ElementsAre("K1"));
+  EXPECT_THAT(reports[2].dataset->variables, ElementsAre("M2"));
+  for (const IngestReport& report : {reports[0], reports[2]}) {
+    const auto east = constants(report, TideQuantity::east, {-54.0, 69.0});
+    ASSERT_TRUE(east);
+    EXPECT_LT(std::abs(east->front().value - std::complex<double>{0.15, 0.01}), 1e-6);
+    const auto north = constants(report, TideQuantity::north, {-54.0, 69.0});
+    ASSERT_TRUE(north);
+    EXPECT_LT(std::abs(north->front().value - std::complex<double>{-0.15, 0.01}), 1e-6);
+  }
+}
+
+TEST_F(TideFile, OfTransportsIsRefusedBesideTheGridFileOfAnotherModel) {
+  write_tpxo_transport(path("u_k1_tpxo.nc"), false);
+  write_tpxo_grid(path("grid_tpxo.nc"), 305.5);
+
+  const IngestReport report = ingest_together({path("u_k1_tpxo.nc"), path("grid_tpxo.nc")});
+
+  EXPECT_EQ(report.status, IngestStatus::refused);
+  EXPECT_THAT(words(report), HasSubstr("no depths to make it a speed"));
 }
 
 /// As FES: amplitude and phase, latitude and longitude, one constituent a file.
