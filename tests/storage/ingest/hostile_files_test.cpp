@@ -11,6 +11,7 @@
 #include <fstream>
 #include <iostream>
 #include <iterator>
+#include <map>
 
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/guarded_ingest.hpp"
@@ -55,16 +56,24 @@ std::ostream& operator<<(std::ostream& out, const Tally& tally) {
 class HostileFiles : public StoreFixture {
  protected:
   std::filesystem::path good_file(const std::string& name) {
-    const std::filesystem::path samples = sample_folder();
-    if (name == "US4MD81M.000") return samples / "bathymetry/s57" / name;
-    if (name == "gutils_profile.nc") return samples / "glider" / name;
-    if (name == "gnome_gridded_current.nc") return samples / "currents" / name;
-    if (name == "sample-2.0.1.bag") return samples / "bathymetry" / name;
-    if (name == "comet-2019-222-02-154.dbd") {
-      const std::string sensors = "1f35be3b.cac";  // beside the log
-      const auto replace = std::filesystem::copy_options::overwrite_existing;
-      std::filesystem::copy_file(samples / "glider" / sensors, path(sensors), replace);
-      return samples / "glider" / name;
+    static const std::map<std::string, std::string> folders_of_samples{
+        {"US4MD81M.000", "bathymetry/s57"},
+        {"sample-2.0.1.bag", "bathymetry"},
+        {"nw_atlantic_etopo1_4min.xyz", "bathymetry"},
+        {"gnome_gridded_current.nc", "currents"},
+        {"gutils_profile.nc", "glider"},
+        {"comet-2019-222-02-154.dbd", "glider"},
+        {"cis_beacon_1997_12995.csv", "icebergs"},
+        {"byu_latest_20260818.json", "icebergs"},
+        {"noaa_anchorage-knik-arm.json", "tides"},
+        {"otps_tpxo9v2a_extract_HC_sample_out.txt", "tides"}};
+    if (const auto sample = folders_of_samples.find(name); sample != folders_of_samples.end()) {
+      const std::filesystem::path file = sample_folder() / sample->second / name;
+      const std::filesystem::path sensors = file.parent_path() / "1f35be3b.cac";  // that the log names
+      if (file.extension() == ".dbd" && std::filesystem::exists(sensors))
+        std::filesystem::copy_file(sensors, path(sensors.filename().string()),
+                                   std::filesystem::copy_options::overwrite_existing);
+      return file;
     }
     if (name == "currents.nc") CurrentFile{}.write(path(name));
     if (name == "bed.tif") write_geotiff(path(name));
@@ -252,7 +261,8 @@ TEST_P(HostileFormat, ThatWasCutShortLeavesNothingHalfInTheStore) {
     const auto reports = guarded(damaged_name(file_));
     const bool says_its_length = file_.extension() != ".shp" && file_.extension() != ".tif" &&
                                  file_.extension() != ".zip" &&  // whole before its table of contents
-                                 file_.extension() != ".dbd" &&
+                                 file_.extension() != ".dbd" && file_.extension() != ".xyz" &&
+                                 file_.extension() != ".txt" &&
                                  file_.extension() != ".csv";  // a log ends where the glider was lost
     if (says_its_length) {
       EXPECT_EQ(reports.front().status, IngestStatus::refused) << part;
@@ -274,18 +284,19 @@ TEST_P(HostileFormat, WithBytesChangedLeavesNothingHalfInTheStore) {
   if (variants(0) > 0) std::cout << GetParam() << ": " << tally_ << std::endl;
 }
 
-INSTANTIATE_TEST_SUITE_P(Of, HostileFormat,
-                         testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc",
-                                         "sample-2.0.1.bag", "comet-2019-222-02-154.dbd", "currents.nc",
-                                         "bed.tif", "bergs.gpkg", "bergs.shp", "bergs.zip", "currents.grb",
-                                         "log.csv", "bed.asc", "bergs.kml", "bergs.geojson"),
-                         [](const testing::TestParamInfo<const char*>& format) {
-                           std::string name = format.param;
-                           std::ranges::replace_if(
-                               name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; },
-                               '_');
-                           return name;
-                         });
+INSTANTIATE_TEST_SUITE_P(
+    Of, HostileFormat,
+    testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc", "sample-2.0.1.bag",
+                    "comet-2019-222-02-154.dbd", "currents.nc", "bed.tif", "bergs.gpkg", "bergs.shp",
+                    "bergs.zip", "currents.grb", "log.csv", "bed.asc", "bergs.kml", "bergs.geojson",
+                    "nw_atlantic_etopo1_4min.xyz", "cis_beacon_1997_12995.csv", "byu_latest_20260818.json",
+                    "noaa_anchorage-knik-arm.json", "otps_tpxo9v2a_extract_HC_sample_out.txt"),
+    [](const testing::TestParamInfo<const char*>& format) {
+      std::string name = format.param;
+      std::ranges::replace_if(
+          name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+      return name;
+    });
 
 TEST_F(HostileFiles, ThatNeverEndAreRefusedWhenTheirTimeIsUp) {
   write_points("GPKG", path("endless.gpkg"),
