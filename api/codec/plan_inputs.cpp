@@ -102,21 +102,11 @@ geo::BoundingBox area_of_a_plan(planning::PlanRequest request) {
                                     : planning::planning_area(request);
 }
 
-geo::BoundingBox united(const geo::BoundingBox& a, const geo::BoundingBox& b) {
-  const geo::LonLat corners[] = {{a.west_deg, a.south_deg},
-                                 {a.east_deg, a.north_deg},
-                                 {b.west_deg, b.south_deg},
-                                 {b.east_deg, b.north_deg}};
-  geo::BoundingBox box = geo::bounding_box(corners);
-  if (std::max(geo::width_deg(a), geo::width_deg(b)) > 180.0) {
-    box.west_deg = -180.0;
-    box.east_deg = 180.0;
-  }
-  return box;
-}
+/// Areas of data lie on this lattice, so that requests that differ little read, and may keep, the same.
+constexpr double lattice_deg = 0.25;
 
 void fill_data(const planning::PlanRequest& request, repository::EnvironmentQuery& data) {
-  data.area = planning::planning_area(request);
+  data.area = geo::on_lattice(planning::planning_area(request), lattice_deg);
   fill_period(request, data);
   data.dive_depth = request.vehicle.dive_depth;
 }
@@ -205,7 +195,8 @@ void set_route(EvaluateInputs& inputs, std::vector<geo::LonLat> route) {
   inputs.request.to = inputs.route.back();
   inputs.request.via.assign(inputs.route.begin() + 1, inputs.route.end() - 1);
   fill_data(inputs.request, inputs.data);
-  inputs.data.area = united(inputs.data.area, area_of_a_plan(inputs.request));
+  inputs.data.area =
+      geo::united(inputs.data.area, geo::on_lattice(area_of_a_plan(inputs.request), lattice_deg));
 }
 
 json to_json(const PlanInputs& inputs) {

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <stdexcept>
+#include <utility>
 #include <vector>
 
 namespace floeplan::geo {
@@ -76,6 +77,33 @@ BoundingBox grown(const BoundingBox& box, core::Metres margin) {
   result.west_deg = wrap_longitude(box.west_deg - east_west);
   result.east_deg = wrap_longitude(box.east_deg + east_west);
   return result;
+}
+
+BoundingBox united(const BoundingBox& a, const BoundingBox& b) {
+  // From the western edge of the one to whichever eastern edge is further, or the same from the other.
+  const auto from_west_of = [](const BoundingBox& first, const BoundingBox& second) {
+    const double to_second = eastward(first.west_deg, second.west_deg) + width_deg(second);
+    const double width = std::max(width_deg(first), to_second);
+    return std::pair{
+        width, BoundingBox{.west_deg = first.west_deg,
+                           .east_deg = to_second > width_deg(first) ? second.east_deg : first.east_deg}};
+  };
+  const auto [width_a, begins_as_a] = from_west_of(a, b);
+  const auto [width_b, begins_as_b] = from_west_of(b, a);
+  BoundingBox result = width_a <= width_b ? begins_as_a : begins_as_b;
+  if (std::min(width_a, width_b) >= 360.0) result = {.west_deg = -180.0, .east_deg = 180.0};
+  result.south_deg = std::min(a.south_deg, b.south_deg);
+  result.north_deg = std::max(a.north_deg, b.north_deg);
+  return result;
+}
+
+BoundingBox on_lattice(const BoundingBox& box, double step_deg) {
+  const auto down = [step_deg](double deg) { return step_deg * std::floor(deg / step_deg); };
+  const auto up = [step_deg](double deg) { return step_deg * std::ceil(deg / step_deg); };
+  const double west_deg = down(box.west_deg);
+  const double east_deg = up(box.west_deg + width_deg(box));
+  if (east_deg - west_deg >= 360.0) return {-180.0, down(box.south_deg), 180.0, up(box.north_deg)};
+  return {wrap_longitude(west_deg), down(box.south_deg), wrap_longitude(east_deg), up(box.north_deg)};
 }
 
 }  // namespace floeplan::geo

@@ -32,4 +32,10 @@ struct BoundingBox {
 /// The box grown by a distance on every side; reaches round the globe where a pole comes inside.
 [[nodiscard]] BoundingBox grown(const BoundingBox& box, core::Metres margin);
 
+/// The smallest box that holds both.
+[[nodiscard]] BoundingBox united(const BoundingBox& a, const BoundingBox& b);
+
+/// The least box round this one whose edges are whole multiples of `step_deg`, which divides 90 evenly.
+[[nodiscard]] BoundingBox on_lattice(const BoundingBox& box, double step_deg);
+
 }  // namespace floeplan::geo

@@ -68,11 +68,21 @@ std::optional<Infeasible> check_stops(Sea& sea, const Layout& layout, const Plan
 
 }  // namespace
 
+std::optional<Infeasible> too_much_to_lay_out(const ocean::Environment& environment,
+                                              const PlanRequest& request) {
+  if (environment.icebergs.size() <= most_icebergs) return std::nullopt;
+  return explain_too_many_icebergs(environment.icebergs.size(), request);
+}
+
+Result<Chart> chart_on(Sea sea, Layout layout, const PlanRequest& request) {
+  if (request.method == Method::direct) sea.safety().open_along(layout.points, layout.projection);
+  if (auto unusable = check_stops(sea, layout, request)) return tl::unexpected(std::move(*unusable));
+  return Chart{.layout = std::move(layout), .sea = std::move(sea)};
+}
+
 Result<Chart> draw_chart(const ocean::Environment& environment, const PlanRequest& request, GridReach reach,
                          const std::stop_token& stop) {
-  if (environment.icebergs.size() > most_icebergs) {
-    return tl::unexpected(explain_too_many_icebergs(environment.icebergs.size(), request));
-  }
+  if (auto too_much = too_much_to_lay_out(environment, request)) return tl::unexpected(std::move(*too_much));
   Layout layout = lay_out(request, reach);
   if (request.method != Method::direct && layout.most_vertices() > most_vertices) {
     return tl::unexpected(explain_too_large(layout.most_vertices(), request));
@@ -81,9 +91,7 @@ Result<Chart> draw_chart(const ocean::Environment& environment, const PlanReques
   const PlaneBox area = layout.bounds().grown(2.0 * cell.value);
   Sea sea{environment, request, layout.projection, area, cell, stop};
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-  if (request.method == Method::direct) sea.safety().open_along(layout.points, layout.projection);
-  if (auto unusable = check_stops(sea, layout, request)) return tl::unexpected(std::move(*unusable));
-  return Chart{.layout = std::move(layout), .sea = std::move(sea)};
+  return chart_on(std::move(sea), std::move(layout), request);
 }
 
 }  // namespace floeplan::planning

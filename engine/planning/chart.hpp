@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <stop_token>
 
 #include "engine/ocean/environment.hpp"
@@ -22,5 +23,14 @@ struct Chart {
 /// `environment` and `request` are borrowed and outlive the chart.
 [[nodiscard]] Result<Chart> draw_chart(const ocean::Environment& environment, const PlanRequest& request,
                                        GridReach reach, const std::stop_token& stop);
+
+/// The chart of a request on a sea that was laid out for it or for one like it: opened where the request's stops lie and,
+/// for a direct way, along it.
+/// Errors   why a stop cannot be used
+[[nodiscard]] Result<Chart> chart_on(Sea sea, Layout layout, const PlanRequest& request);
+
+/// Why nothing can be laid out; empty: it can.
+[[nodiscard]] std::optional<Infeasible> too_much_to_lay_out(const ocean::Environment& environment,
+                                                            const PlanRequest& request);
 
 }  // namespace floeplan::planning

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cmath>
-#include <optional>
 #include <tl/expected.hpp>
 
 #include "engine/motion/edge_time.hpp"
@@ -10,27 +9,27 @@
 namespace floeplan::planning {
 
 /// How exactly to drive through the currents: with a step no longer than a cell of the data, nor than the time
-/// between two of its slices.
-[[nodiscard]] inline motion::EdgeAccuracy drive_accuracy(const std::optional<PlaneCurrents>& currents,
+/// between two of its slices. Null: still water.
+[[nodiscard]] inline motion::EdgeAccuracy drive_accuracy(const PlaneCurrents* currents,
                                                          double relative_tolerance) {
   motion::EdgeAccuracy accuracy{.relative_tolerance = relative_tolerance};
-  if (!currents) return accuracy;
+  if (currents == nullptr) return accuracy;
   accuracy.longest_step = currents->spacing();
   if (const auto time_step = currents->time_step()) accuracy.longest_duration = *time_step;
   return accuracy;
 }
 
-/// Travel time along an edge in the currents, or in still water without them: the one integration, whoever looks at
+/// Travel time along an edge in the currents, or in still water where they are null: the one integration, whoever looks at
 /// its pieces.
 /// Errors   as `motion::edge_time`; in still water only what `visit` answers
 template <motion::EdgePieceVisitor VisitPiece = motion::VisitNoPiece>
 [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time(
-    const std::optional<PlaneCurrents>& currents, const motion::PlaneEdge& edge, core::Seconds depart,
+    const PlaneCurrents* currents, const motion::PlaneEdge& edge, core::Seconds depart,
     core::MetresPerSecond through_water, const motion::EdgeAccuracy& accuracy,
     core::Seconds latest = core::Seconds{INFINITY}, const VisitPiece& visit = {}) {
-  if (currents && currents->has_lines())
+  if (currents != nullptr && currents->has_lines())
     return motion::edge_time(edge, depart, through_water, *currents, accuracy, latest, visit);
-  if (currents) {
+  if (currents != nullptr) {
     const auto point_by_point = [&](geo::PlanePoint point, core::Seconds time) {
       return (*currents)(point, time);
     };

@@ -8,6 +8,7 @@
 #include "engine/planning/infeasible.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/route_ground.hpp"
 
 namespace floeplan::planning {
 
@@ -18,5 +19,11 @@ namespace floeplan::planning {
 [[nodiscard]] Result<Plan> evaluate_route(const ocean::Environment& environment,
                                           const std::vector<geo::LonLat>& route, const PlanRequest& request,
                                           const std::stop_token& stop = {});
+
+/// The same on the ground of the route's site, which gives the same figures whichever route it was laid out for; of the
+/// request only the places may differ from the one that it was laid out for.
+/// Errors   also std::invalid_argument for a ground of another site
+[[nodiscard]] Result<Plan> evaluate_route(const RouteGround& ground, const std::vector<geo::LonLat>& route,
+                                          const PlanRequest& request, const std::stop_token& stop = {});
 
 }  // namespace floeplan::planning

@@ -24,12 +24,6 @@ std::vector<geo::LonLat> stops_of(const PlanRequest& request) {
   return stops;
 }
 
-geo::LonLat centre_of(const std::vector<geo::LonLat>& places) {
-  const geo::BoundingBox box = geo::bounding_box(std::span{places});
-  return {geo::wrap_longitude(box.west_deg + 0.5 * geo::width_deg(box)),
-          0.5 * (box.south_deg + box.north_deg)};
-}
-
 }  // namespace
 
 PlaneBox Layout::bounds() const {
@@ -57,10 +51,19 @@ core::Metres Layout::map_cell() const {
   return core::Metres{std::max(finest_step_m / map_cells_per_step, by_memory)};
 }
 
+geo::LonLat middle_of_stops(const PlanRequest& request) {
+  const std::vector<geo::LonLat> stops = stops_of(request);
+  const geo::BoundingBox box = geo::bounding_box(std::span{stops});
+  return {geo::wrap_longitude(box.west_deg + 0.5 * geo::width_deg(box)),
+          0.5 * (box.south_deg + box.north_deg)};
+}
+
 Layout lay_out(const PlanRequest& request, GridReach reach) {
-  std::vector<geo::LonLat> stops = stops_of(request);
-  const geo::LocalProjection projection{centre_of(stops)};
-  Layout layout{.projection = projection, .stops = std::move(stops), .points = {}, .grids = {}};
+  return lay_out(request, reach, geo::LocalProjection{middle_of_stops(request)});
+}
+
+Layout lay_out(const PlanRequest& request, GridReach reach, const geo::LocalProjection& projection) {
+  Layout layout{.projection = projection, .stops = stops_of(request), .points = {}, .grids = {}};
   for (const geo::LonLat stop : layout.stops) layout.points.push_back(projection.to_plane(stop));
   for (std::size_t i = 1; i < layout.points.size(); ++i) {
     const geo::PlanePoint from = layout.points[i - 1];

@@ -27,8 +27,15 @@ struct Layout {
   [[nodiscard]] core::Metres map_cell() const;  // step of the safety map
 };
 
+/// In a plane round the middle of the stops.
 /// Precondition: the request is valid.
 [[nodiscard]] Layout lay_out(const PlanRequest& request, GridReach reach);
+/// The same in a plane that is given.
+[[nodiscard]] Layout lay_out(const PlanRequest& request, GridReach reach,
+                             const geo::LocalProjection& projection);
+
+/// The middle of the box round start, vias and goal.
+[[nodiscard]] geo::LonLat middle_of_stops(const PlanRequest& request);
 
 /// Grid steps for a way of this length: as asked for, or distance/200 within 250 m .. 5 km.
 [[nodiscard]] GridSpacing spacing_for(const PlanRequest& request, core::Metres distance);

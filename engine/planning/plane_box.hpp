@@ -11,6 +11,7 @@ struct PlaneBox {
   geo::PlanePoint low;
   geo::PlanePoint high;
 
+  friend bool operator==(const PlaneBox&, const PlaneBox&) = default;
   [[nodiscard]] double width_m() const { return high.x_m - low.x_m; }
   [[nodiscard]] double height_m() const { return high.y_m - low.y_m; }
   [[nodiscard]] bool contains(geo::PlanePoint p) const {

@@ -52,6 +52,7 @@ class PlaneCurrents {
   [[nodiscard]] core::Metres spacing() const { return spacing_; }
   /// Least time between two steps of the data; empty when there is one step only.
   [[nodiscard]] std::optional<core::Seconds> time_step() const;
+  [[nodiscard]] std::size_t bytes() const { return nodes_.size() * sizeof(Node) + extended_.size(); }
   /// Last time that is covered; empty when steady.
   [[nodiscard]] std::optional<core::Seconds> end() const;
 

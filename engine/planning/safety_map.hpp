@@ -40,6 +40,7 @@ class SafetyMap {
   /// Why a place is closed by the data themselves, not by its cell; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_at(geo::LonLat place) const;
   [[nodiscard]] core::Metres cell() const { return core::Metres{raster_.cell_m()}; }
+  [[nodiscard]] std::size_t bytes() const { return cells_.size() * sizeof(CellState) + clearance_.size(); }
   /// Opens the cell of a place that is open itself, so that caution about the rest of the cell does not lock
   /// it in.
   void open_around(geo::PlanePoint point);

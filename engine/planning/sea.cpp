@@ -55,7 +55,7 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       depths_{request.vehicle.dive_limits(), environment.bathymetry},
       currents_{lay_out_currents(environment, request, depths_, projection, area, stop)},
       energy_{request.vehicle, depths_, projection, area, stop} {
-  accuracy_ = drive_accuracy(currents_, request.edge_tolerance);
+  accuracy_ = drive_accuracy(currents_.get(), request.edge_tolerance);
   for (int iy = 0; iy <= scale_cells; ++iy) {
     for (int ix = 0; ix <= scale_cells; ++ix) {
       const geo::PlanePoint point{area.low.x_m + area.width_m() * ix / scale_cells,
@@ -108,7 +108,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time(const motion::Pl
                                                                 core::Seconds depart, core::Seconds latest,
                                                                 core::MetresPerSecond through_water,
                                                                 const VisitPiece& visit) const {
-  return planning::drive_time(currents_, edge, depart, through_water, accuracy_, latest, visit);
+  return planning::drive_time(currents_.get(), edge, depart, through_water, accuracy_, latest, visit);
 }
 
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a, geo::PlanePoint b,

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <tl/expected.hpp>
@@ -148,7 +149,8 @@ class Sea {
   [[nodiscard]] bool has_timed_closures() const { return !timed_zones_.empty() || !icebergs_.standing(); }
   [[nodiscard]] const TimedZones& timed_zones() const { return timed_zones_; }
   [[nodiscard]] const std::optional<UnderIce>& ice() const { return ice_; }
-  [[nodiscard]] const std::optional<PlaneCurrents>& currents() const { return currents_; }
+  /// Null: still water.
+  [[nodiscard]] const PlaneCurrents* currents() const { return currents_.get(); }
   [[nodiscard]] core::Metres ground_length(geo::PlanePoint a, geo::PlanePoint b) const;
   /// Metres on the ground for one of the plane: never more than on any line of this length that leaves the point.
   [[nodiscard]] double least_ground_per_plane(geo::PlanePoint from, core::Metres length) const;
@@ -183,7 +185,7 @@ class Sea {
   std::optional<EncounterMap> encounters_;  // empty: nothing weighs them
   std::optional<UnderIce> ice_;             // empty: nothing is known of ice
   FlownDepths depths_;
-  std::optional<PlaneCurrents> currents_;  // empty: still water
+  std::shared_ptr<const PlaneCurrents> currents_;  // null: still water; seas laid out alike share it
   EnergyMap energy_;
   std::vector<double> scales_;  // of the projection, [y][x] on a coarse lattice over the area
   double largest_scale_{1.0};

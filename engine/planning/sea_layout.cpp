@@ -1,26 +1,20 @@
 #include "engine/planning/sea_layout.hpp"
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/geo/geodesic.hpp"
 
 namespace floeplan::planning {
 namespace {
 
-/// How long drift matters: to the end of the currents, within which any departure and any way must fall; at least six
-/// times the straight way, for detours and head currents, and a day; not beyond 30 days, after which the
-/// International Ice Patrol itself gives up a berg that was not seen again.
+constexpr core::Seconds day{86'400.0};
+
+/// How long drift matters: to the end of the currents, within which any departure and any way must fall; no less than
+/// the way needs; not beyond 30 days, after which the International Ice Patrol itself gives up a berg that was not seen
+/// again.
 core::Seconds forecast_horizon(const ocean::Environment& environment, const PlanRequest& request) {
-  constexpr double detours = 6.0;
-  constexpr core::Seconds day{86'400.0};
-  core::Metres way{0.0};
-  geo::LonLat last = request.from;
-  for (const geo::LonLat via : request.via) {
-    way = way + geo::geodesic_between(last, via).length;
-    last = via;
-  }
-  way = way + geo::geodesic_between(last, request.to).length;
-  core::Seconds horizon = detours * (way / request.vehicle.speed_through_water) + day;
+  core::Seconds horizon = drift_for_the_way(request);
   if (environment.currents && !environment.steady_currents) {
     const core::UtcTime end = core::from_unix_seconds(environment.currents->times_s().back());
     horizon = std::max<core::Seconds>(horizon, end - request.depart);
@@ -50,6 +44,19 @@ std::vector<geo::PlanePoint> stops_of(const PlanRequest& request, const geo::Loc
 
 }  // namespace
 
+core::Seconds drift_for_the_way(const PlanRequest& request) {
+  constexpr double detours = 6.0;
+  core::Metres way{0.0};
+  geo::LonLat last = request.from;
+  for (const geo::LonLat via : request.via) {
+    way = way + geo::geodesic_between(last, via).length;
+    last = via;
+  }
+  way = way + geo::geodesic_between(last, request.to).length;
+  const core::Seconds longest = detours * (way / request.vehicle.speed_through_water) + day;
+  return std::ceil(longest / day) * day;
+}
+
 /// A glider comes to the surface between its dives.
 ZoneRules lay_out_zones(const ocean::Environment& environment, const PlanRequest& request) {
   std::vector<ocean::Zone> zones = environment.zones;
@@ -72,13 +79,13 @@ IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanR
           kept_for_rounding(request)};
 }
 
-std::optional<PlaneCurrents> lay_out_currents(const ocean::Environment& environment,
-                                              const PlanRequest& request, const FlownDepths& depths,
-                                              const geo::LocalProjection& projection, const PlaneBox& area,
-                                              const std::stop_token& stop) {
-  if (!environment.currents) return std::nullopt;
-  return PlaneCurrents{
-      *environment.currents, environment.steady_currents, depths, projection, area, request.depart, stop};
+std::shared_ptr<const PlaneCurrents> lay_out_currents(const ocean::Environment& environment,
+                                                      const PlanRequest& request, const FlownDepths& depths,
+                                                      const geo::LocalProjection& projection,
+                                                      const PlaneBox& area, const std::stop_token& stop) {
+  if (!environment.currents) return nullptr;
+  return std::make_shared<const PlaneCurrents>(*environment.currents, environment.steady_currents, depths,
+                                               projection, area, request.depart, stop);
 }
 
 std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment, const PlanRequest& request,

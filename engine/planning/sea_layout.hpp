@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <stop_token>
 
@@ -20,6 +21,10 @@ namespace floeplan::planning {
 /// The rules of the environment's zones and of the request's own.
 [[nodiscard]] ZoneRules lay_out_zones(const ocean::Environment& environment, const PlanRequest& request);
 
+/// How long icebergs drift while a vehicle is on its way, at most: six times the straight way from stop to stop, for
+/// detours and head currents, and a day; whole days, so that ways of about one length have the same.
+[[nodiscard]] core::Seconds drift_for_the_way(const PlanRequest& request);
+
 /// The icebergs' drift for as long as it matters: to the end of the currents, within which any departure and any way
 /// must fall, and no less than a slow way with detours takes.
 [[nodiscard]] IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanRequest& request,
@@ -38,7 +43,7 @@ namespace floeplan::planning {
                                                   const PlaneBox& area, core::Metres step,
                                                   const std::stop_token& stop);
 
-[[nodiscard]] std::optional<PlaneCurrents> lay_out_currents(
+[[nodiscard]] std::shared_ptr<const PlaneCurrents> lay_out_currents(
     const ocean::Environment& environment, const PlanRequest& request, const FlownDepths& depths,
     const geo::LocalProjection& projection, const PlaneBox& area, const std::stop_token& stop);
 

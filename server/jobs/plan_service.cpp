@@ -13,8 +13,10 @@
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/latest_departure.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/plan_repository.hpp"
+#include "storage/sqlite/snapshot.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -68,13 +70,29 @@ void add_departures(json& document, const std::vector<planning::DepartureOutcome
   if (!departures.empty()) document["departures"] = codec::departures_json(departures);
 }
 
+repository::Reading reading(const std::stop_token& stop, KeptWork* kept) {
+  return {stop, kept != nullptr ? &kept->currents : nullptr};
+}
+
+GroundKey ground_key(sqlite::Connection& db, const codec::EvaluateInputs& inputs,
+                     const planning::PlanRequest& on_route) {
+  json conditions = codec::to_json(inputs);
+  for (const char* other : {"name", "plan_id", "remarks", "route"}) conditions.erase(other);
+  return {.conditions = conditions.dump(),
+          .contents = repository::DatasetRepository{db}.contents(),
+          .area = inputs.data.area,
+          .site = planning::site_of(on_route)};
+}
+
 }  // namespace
 
-tl::expected<json, core::Violations> plan_route_document(
-    sqlite::Connection& db, const codec::PlanInputs& inputs, const std::stop_token& stop,
-    const core::ProgressCallback& progress, core::UtcTime now, repository::CurrentGridCache* kept_currents) {
+tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
+                                                         const codec::PlanInputs& inputs,
+                                                         const std::stop_token& stop,
+                                                         const core::ProgressCallback& progress,
+                                                         core::UtcTime now, KeptWork* kept) {
   if (progress) progress("loading data", 0.0);
-  const auto environment = repository::load_environment(db, inputs.data, {stop, kept_currents});
+  const auto environment = repository::load_environment(db, inputs.data, reading(stop, kept));
   if (!environment) return tl::unexpected(environment.error());
 
   const Stopwatch watch;
@@ -108,20 +126,29 @@ tl::expected<json, core::Violations> plan_route_document(
 
 tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection& db,
                                                              codec::EvaluateInputs inputs,
-                                                             const std::stop_token& stop,
-                                                             repository::CurrentGridCache* kept_currents) {
+                                                             const std::stop_token& stop, KeptWork* kept) {
   if (inputs.plan_id) {
     const auto stored = repository::PlanRepository{db}.find({*inputs.plan_id});
     if (!stored)
       return tl::unexpected(core::Violations{{"/plan_id", "no plan has the id " + *inputs.plan_id}});
     codec::set_route(inputs, codec::route_of(json::parse(stored->document_json)));
   }
-  const auto environment = repository::load_environment(db, inputs.data, {stop, kept_currents});
-  if (!environment) return tl::unexpected(environment.error());
+  const planning::PlanRequest on_route = planning::request_along(inputs.route, inputs.request);
+  const sqlite::Snapshot one_moment{db};
+  const GroundKey key = ground_key(db, inputs, on_route);
+  auto ground = kept != nullptr ? kept->grounds.find(key) : nullptr;
 
   const Stopwatch watch;
-  auto plan = planning::evaluate_route(*environment, inputs.route, inputs.request, stop);
-  if (!plan) return codec::infeasible_document(plan.error(), *environment);
+  if (!ground) {
+    const auto environment = repository::load_environment(db, inputs.data, reading(stop, kept));
+    if (!environment) return tl::unexpected(environment.error());
+    const auto laid_out = planning::lay_out_ground(*environment, on_route, key.site, stop);
+    if (!laid_out) return codec::infeasible_document(laid_out.error(), *environment);
+    ground = *laid_out;
+    if (kept != nullptr) kept->grounds.keep(key, ground, ground->bytes());
+  }
+  auto plan = planning::evaluate_route(*ground, inputs.route, inputs.request, stop);
+  if (!plan) return codec::infeasible_document(plan.error(), ground->environment());
   plan->search.duration = watch.elapsed();
   std::ranges::copy(inputs.warnings, std::back_inserter(plan->warnings));
   return codec::plan_document(*plan, "", inputs.name);

@@ -8,26 +8,26 @@
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
-#include "storage/repository/current_grid_cache.hpp"
+#include "server/jobs/kept_work.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::jobs {
 
 /// Plans a route in the stored data and stores the plan; one function for API and command line.
+/// `kept` is of the store that `db` is connected to, and borrowed; null: everything is read and laid out anew.
 /// Returns  the plan document: status "ok", or "infeasible" with the reason ("cancelled" when `stop` was
 ///          requested); of a plan that was stored before under the same id that one's
 /// Errors   violations of the choice of data (unknown id, wrong kind, nothing in common with the area)
 /// Names    the plan's id is a digest of its inputs and of the data used: the same request gives the same id
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> plan_route_document(
     sqlite::Connection& db, const codec::PlanInputs& inputs, const std::stop_token& stop,
-    const core::ProgressCallback& progress, core::UtcTime now,
-    repository::CurrentGridCache* kept_currents = nullptr);
+    const core::ProgressCallback& progress, core::UtcTime now, KeptWork* kept = nullptr);
 
 /// Times a given route in the stored data; stores nothing.
 /// Returns  a document of the same shape, without a plan_id
 /// Errors   as above; also for a plan_id that is not stored
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> evaluate_route_document(
     sqlite::Connection& db, codec::EvaluateInputs inputs, const std::stop_token& stop,
-    repository::CurrentGridCache* kept_currents = nullptr);
+    KeptWork* kept = nullptr);
 
 }  // namespace floeplan::jobs

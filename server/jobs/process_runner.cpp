@@ -47,25 +47,24 @@ tl::expected<json, core::Violations> compare_flight_document(const codec::Compar
 
 tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const repository::JobRecord& job,
                                                    const IngestPlace& place, std::size_t workers,
-                                                   repository::CurrentGridCache& kept_currents,
-                                                   const std::stop_token& stop,
+                                                   KeptWork& kept, const std::stop_token& stop,
                                                    const core::ProgressCallback& progress,
                                                    core::UtcTime now) {
   const json request = json::parse(job.request_json);
   if (job.process == "plan-route") {
     const auto inputs = codec::parse_plan_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("plan", plan_route_document(db, *inputs, stop, progress, now, &kept_currents));
+    return result("plan", plan_route_document(db, *inputs, stop, progress, now, &kept));
   }
   if (job.process == "evaluate-route") {
     const auto inputs = codec::parse_evaluate_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("evaluation", evaluate_route_document(db, *inputs, stop, &kept_currents));
+    return result("evaluation", evaluate_route_document(db, *inputs, stop, &kept));
   }
   if (job.process == "reach") {
     const auto inputs = codec::parse_reach_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    return result("reach", reach_document(db, *inputs, stop, progress, &kept_currents));
+    return result("reach", reach_document(db, *inputs, stop, progress, &kept));
   }
   if (job.process == "ingest") {
     const auto inputs = codec::parse_ingest_inputs(request);

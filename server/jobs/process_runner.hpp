@@ -8,19 +8,18 @@
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "server/jobs/ingest_service.hpp"
-#include "storage/repository/current_grid_cache.hpp"
+#include "server/jobs/kept_work.hpp"
 #include "storage/repository/job_repository.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::jobs {
 
 /// Does the work of a job. A batch of flights is flown with so many `workers` at once.
-/// `kept_currents`  of the store that `db` is connected to
+/// `kept`   of the store that `db` is connected to
 /// Returns  the results document as JSON text; of no use when `stop` was requested meanwhile
 /// Errors   why it could not be done, for a person; std::exception when the machine or the stored data fail
 [[nodiscard]] tl::expected<std::string, std::string> run_process(
     sqlite::Connection& db, const repository::JobRecord& job, const IngestPlace& place, std::size_t workers,
-    repository::CurrentGridCache& kept_currents, const std::stop_token& stop,
-    const core::ProgressCallback& progress, core::UtcTime now);
+    KeptWork& kept, const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now);
 
 }  // namespace floeplan::jobs

@@ -14,9 +14,10 @@ tl::expected<nlohmann::json, core::Violations> reach_document(sqlite::Connection
                                                               const codec::ReachInputs& inputs,
                                                               const std::stop_token& stop,
                                                               const core::ProgressCallback& progress,
-                                                              repository::CurrentGridCache* kept_currents) {
+                                                              KeptWork* kept) {
   if (progress) progress("loading data", 0.0);
-  const auto environment = repository::load_environment(db, inputs.data, {stop, kept_currents});
+  const auto environment =
+      repository::load_environment(db, inputs.data, {stop, kept != nullptr ? &kept->currents : nullptr});
   if (!environment) return tl::unexpected(environment.error());
 
   const auto begin = std::chrono::steady_clock::now();

@@ -7,7 +7,7 @@
 #include "api/codec/reach_inputs.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/core/violation.hpp"
-#include "storage/repository/current_grid_cache.hpp"
+#include "server/jobs/kept_work.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::jobs {
@@ -18,6 +18,6 @@ namespace floeplan::jobs {
 /// Errors   violations of the choice of data, as for a plan
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> reach_document(
     sqlite::Connection& db, const codec::ReachInputs& inputs, const std::stop_token& stop,
-    const core::ProgressCallback& progress, repository::CurrentGridCache* kept_currents = nullptr);
+    const core::ProgressCallback& progress, KeptWork* kept = nullptr);
 
 }  // namespace floeplan::jobs

@@ -25,7 +25,9 @@ constexpr core::Seconds renewal_interval{5.0};  // when there is no progress to 
 constexpr std::chrono::milliseconds progress_interval{250};
 
 /// Of currents between jobs: five days of hourly ones over 150 by 150 km with six levels are half of it.
-constexpr std::size_t most_kept_bytes = std::size_t{256} << 20;
+constexpr std::size_t most_kept_currents = std::size_t{256} << 20;
+/// Of seas laid out for a route: 32 MB at most for the currents of each, and mostly a few more for its safety map.
+constexpr std::size_t most_kept_grounds = std::size_t{128} << 20;
 
 constexpr const char* no_memory =
     "the server has not enough memory for this; ask for less at once (a wider spacing_m, fewer sectors, a "
@@ -76,7 +78,8 @@ WorkerPool::WorkerPool(OpenStore open_store, JobBoard& board, std::size_t worker
       board_{board},
       workers_{workers},
       place_{std::move(place)},
-      kept_currents_{most_kept_bytes} {
+      kept_{.currents = repository::CurrentGridCache{most_kept_currents},
+            .grounds = repository::RecentlyUsed<GroundKey, planning::RouteGround>{most_kept_grounds}} {
   auto db = open_store_();
   JobRepository{db}.release_all_leases(now());
   lease_keeper_ = std::jthread{[this](const std::stop_token& stop) { keep_leases(stop); }};
@@ -126,7 +129,7 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   tl::expected<std::string, std::string> result;
   try {
     result = run_process(
-        db, job, place_, workers_, kept_currents_, job_stop.get_token(),
+        db, job, place_, workers_, kept_, job_stop.get_token(),
         [&](std::string_view stage, double share) { board_.report(job.id, stage, share); }, now());
   } catch (const std::bad_alloc&) {
     spdlog::error("job={} broke off: no memory", job.id.value);

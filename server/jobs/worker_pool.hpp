@@ -8,7 +8,7 @@
 
 #include "server/jobs/ingest_service.hpp"
 #include "server/jobs/job_board.hpp"
-#include "storage/repository/current_grid_cache.hpp"
+#include "server/jobs/kept_work.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::jobs {
@@ -20,7 +20,7 @@ using OpenStore = std::function<sqlite::Connection()>;
 /// that keeps their leases and writes their progress. One thread beside the `workers` ingests files and does nothing
 /// else: nobody who plans waits for a large file.
 /// A batch of flights uses as many threads as there are workers. Currents that a job has read are kept for the next, in
-/// at most 256 MiB.
+/// at most 256 MiB, and the seas that routes were judged in, in at most 128 MiB.
 /// Start    jobs that a killed process left running become free at once Stop stop() or the destructor:
 ///          running work is asked to stop and goes back into the queue
 /// Errors   what a job throws fails that job; what the store throws while looking for work is logged and
@@ -44,7 +44,7 @@ class WorkerPool {
   JobBoard& board_;  // borrowed
   std::size_t workers_;
   IngestPlace place_;
-  repository::CurrentGridCache kept_currents_;
+  KeptWork kept_;
   std::vector<std::jthread> threads_;
   std::jthread lease_keeper_;
 };

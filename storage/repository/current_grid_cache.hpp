@@ -3,21 +3,19 @@
 #include <compare>
 #include <cstddef>
 #include <cstdint>
-#include <list>
 #include <memory>
-#include <mutex>
 #include <optional>
 #include <vector>
 
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/current_grid.hpp"
+#include "storage/repository/recently_used.hpp"
 
 namespace floeplan::repository {
 
 /// Grids of currents as they were read from the store, for others who want just the same: whoever tries a departure, a
 /// speed or a way after another reads the same tens of millions of samples each time.
-/// Memory   at most so many bytes of samples, the grids that were used last; a larger grid is not kept. Whoever uses a
-///          grid keeps it alive beyond that
+/// Memory   as of RecentlyUsed, by the bytes of samples
 /// Threads  all members may be called from several threads at once
 class CurrentGridCache {
  public:
@@ -39,23 +37,14 @@ class CurrentGridCache {
     friend bool operator==(const Key&, const Key&) = default;
   };
 
-  explicit CurrentGridCache(std::size_t most_bytes) : most_bytes_{most_bytes} {}
+  explicit CurrentGridCache(std::size_t most_bytes) : grids_{most_bytes} {}
 
   /// Null where it is not kept.
-  [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> find(const Key& key);
+  [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> find(const Key& key) { return grids_.find(key); }
   void keep(const Key& key, const std::shared_ptr<const ocean::CurrentGrid>& grid);
 
  private:
-  struct Entry {
-    Key key;
-    std::shared_ptr<const ocean::CurrentGrid> grid;
-    std::size_t bytes{};
-  };
-
-  std::size_t most_bytes_;
-  std::mutex mutex_;
-  std::list<Entry> entries_;  // the one used last first
-  std::size_t bytes_{};
+  RecentlyUsed<Key, ocean::CurrentGrid> grids_;
 };
 
 }  // namespace floeplan::repository

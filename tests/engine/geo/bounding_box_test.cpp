@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <stdexcept>
 #include <vector>
 
@@ -90,6 +91,55 @@ TEST(BoundingBox, GrownHoldsEverythingWithinTheMargin) {
     const Bearing course = Bearing::degrees(support::uniform(rng, 0.0, 360.0));
     const LonLat inside = geodesic_destination(centre, course, core::Metres{0.999 * margin.value});
     EXPECT_TRUE(contains(box, inside)) << centre.lon_deg << " " << centre.lat_deg << " " << margin.value;
+  });
+}
+
+BoundingBox random_box(std::mt19937_64& rng) {
+  const double south = support::uniform(rng, -90.0, 80.0);
+  return {support::uniform(rng, -180.0, 180.0), south, support::uniform(rng, -180.0, 180.0),
+          support::uniform(rng, south, 90.0)};
+}
+
+LonLat random_place_in(std::mt19937_64& rng, const BoundingBox& box) {
+  return {wrap_longitude(box.west_deg + support::uniform(rng, 0.0, 1.0) * width_deg(box)),
+          support::uniform(rng, box.south_deg, box.north_deg)};
+}
+
+TEST(BoundingBox, UnitedHoldsBoth) {
+  support::for_each_seed(500, [](std::mt19937_64& rng) {
+    const BoundingBox a = random_box(rng);
+    const BoundingBox b = random_box(rng);
+
+    const BoundingBox both = united(a, b);
+
+    for (const BoundingBox& one : {a, b}) EXPECT_TRUE(contains(both, random_place_in(rng, one)));
+    EXPECT_EQ(both.south_deg, std::min(a.south_deg, b.south_deg));
+    EXPECT_EQ(both.north_deg, std::max(a.north_deg, b.north_deg));
+    EXPECT_EQ(united(both, a), both) << "it grows no more by what it holds";
+  });
+}
+
+TEST(BoundingBox, UnitedAcrossTheAntimeridian) {
+  EXPECT_EQ(united({170.0, 60.0, 175.0, 62.0}, {-178.0, 61.0, -170.0, 65.0}),
+            (BoundingBox{170.0, 60.0, -170.0, 65.0}));
+  EXPECT_EQ(united({-180.0, 80.0, 180.0, 90.0}, {10.0, 70.0, 20.0, 85.0}),
+            (BoundingBox{-180.0, 70.0, 180.0, 90.0}));
+}
+
+TEST(BoundingBox, OnALatticeHoldsTheBoxAndIsLittleWider) {
+  support::for_each_seed(500, [](std::mt19937_64& rng) {
+    constexpr double step_deg = 0.25;
+    const BoundingBox box = random_box(rng);
+
+    const BoundingBox lattice = on_lattice(box, step_deg);
+
+    EXPECT_TRUE(contains(lattice, random_place_in(rng, box)));
+    EXPECT_LE(width_deg(lattice), width_deg(box) + 2.0 * step_deg);
+    EXPECT_GT(lattice.south_deg, box.south_deg - step_deg);
+    EXPECT_LT(lattice.north_deg, box.north_deg + step_deg);
+    for (const double edge : {lattice.west_deg, lattice.south_deg, lattice.east_deg, lattice.north_deg})
+      EXPECT_EQ(std::remainder(edge, step_deg), 0.0);
+    EXPECT_EQ(on_lattice(lattice, step_deg), lattice);
   });
 }
 

@@ -4,6 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/utc_text.hpp"
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -31,6 +34,65 @@ TEST(PlanService, AnswersWithThePlanThatIsStored) {
   const json second = plan_route_document(db, inputs, {}, {}, some_time).value();
   EXPECT_EQ(second.at("plan_id"), first.at("plan_id"));
   EXPECT_EQ(second.at("distance_m"), 7);
+}
+
+codec::EvaluateInputs route_past(double middle_lat_deg) {
+  return codec::parse_evaluate_inputs(json{{"route", {{-53.0, 69.0}, {-52.9, middle_lat_deg}, {-52.8, 69.0}}},
+                                           {"depart", "2026-11-20T06:00:00Z"}})
+      .value();
+}
+
+/// Of an evaluation, without what it took.
+json figures(const json& evaluation) {
+  json result = evaluation;
+  if (result.contains("search")) result["search"].erase("seconds");
+  return result;
+}
+
+void add_iceberg(sqlite::Connection& db, geo::LonLat place) {
+  repository::Dataset dataset;
+  dataset.id = {"icebergs-12345678"};
+  dataset.kind = repository::DatasetKind::icebergs;
+  dataset.name = "seen";
+  dataset.bounds = {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
+  dataset.provenance.sha256 = "1234";
+  repository::DatasetRepository{db}.insert(dataset);
+  ocean::Iceberg berg;
+  berg.id = "on the way";
+  berg.place = place;
+  berg.length = core::Metres{100.0};
+  berg.observed = core::parse_iso8601("2026-11-20T05:00:00Z").value();
+  repository::IcebergRepository{db}.insert(dataset.id, {berg});
+}
+
+KeptWork room_for_work() {
+  constexpr std::size_t most = 64 << 20;
+  return {.currents = repository::CurrentGridCache{most},
+          .grounds = repository::RecentlyUsed<GroundKey, planning::RouteGround>{most}};
+}
+
+TEST(PlanService, EvaluatesOnKeptGroundAsOnNew) {
+  const support::TemporaryFolder store;
+  sqlite::Connection db{repository::open_store(store.path())};
+  KeptWork kept = room_for_work();
+  for (const double lat_deg : {69.05, 69.051, 69.049, 69.05}) {
+    const json evaluation = evaluate_route_document(db, route_past(lat_deg), {}, &kept).value();
+    EXPECT_EQ(evaluation.at("status"), "ok");
+    EXPECT_EQ(figures(evaluation), figures(evaluate_route_document(db, route_past(lat_deg), {}).value()));
+  }
+}
+
+TEST(PlanService, KeepsNoGroundBeyondAChangeOfTheData) {
+  const support::TemporaryFolder store;
+  sqlite::Connection db{repository::open_store(store.path())};
+  KeptWork kept = room_for_work();
+  ASSERT_EQ(evaluate_route_document(db, route_past(69.05), {}, &kept).value().at("status"), "ok");
+
+  add_iceberg(db, {-52.9, 69.05});
+
+  const json evaluation = evaluate_route_document(db, route_past(69.05), {}, &kept).value();
+  EXPECT_EQ(evaluation.at("status"), "infeasible");
+  EXPECT_EQ(figures(evaluation), figures(evaluate_route_document(db, route_past(69.05), {}).value()));
 }
 
 }  // namespace

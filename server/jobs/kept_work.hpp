@@ -1,0 +1,31 @@
+#pragma once
+
+#include <cstddef>
+#include <string>
+
+#include "engine/geo/bounding_box.hpp"
+#include "engine/planning/route_ground.hpp"
+#include "storage/repository/current_grid_cache.hpp"
+#include "storage/repository/recently_used.hpp"
+
+namespace floeplan::jobs {
+
+/// All that the ground under a route follows from.
+struct GroundKey {
+  std::string conditions;  // the request but for its route
+  std::string contents;    // of the store
+  geo::BoundingBox area;   // of which the data are
+  planning::RouteSite site;
+
+  friend bool operator==(const GroundKey&, const GroundKey&) = default;
+};
+
+/// What jobs on one store keep for those after them: reading and laying out a sea takes most of the time of a small job,
+/// and whoever moves a waypoint asks for nearly the same again.
+/// Threads  all members may be used from several threads at once
+struct KeptWork {
+  repository::CurrentGridCache currents;
+  repository::RecentlyUsed<GroundKey, planning::RouteGround> grounds;
+};
+
+}  // namespace floeplan::jobs
