@@ -138,8 +138,10 @@ std::optional<core::Metres> land_clearance(const Sea& sea, const ocean::Environm
   double least = std::numeric_limits<double>::infinity();
   const auto approach = [&](geo::PlanePoint a, geo::PlanePoint b) {
     const auto [west, east] = std::minmax(a.x_m, b.x_m);
+    const auto [south, north] = std::minmax(a.y_m, b.y_m);
     auto sample = std::ranges::lower_bound(samples, west - least, {}, &geo::PlanePoint::x_m);
     for (; sample != samples.end() && sample->x_m <= east + least; ++sample) {
+      if (sample->y_m < south - least || sample->y_m > north + least) continue;
       least = std::min(least, distance_to_line(*sample, a, b));
     }
   };
