@@ -71,6 +71,11 @@ std::string_view unit_of(std::string_view sensor) {
   return sensor == "m_present_time" ? "timestamp" : "enum";
 }
 
+std::string in_another_unit(const std::string& sensor, const std::string& unit) {
+  return "the binary log gives " + sensor + " in \"" + unit + "\", not in \"" + std::string{unit_of(sensor)} +
+         "\" as all Slocums do; its list of sensors is damaged or altered; give the glider's own";
+}
+
 /// Lines "s: T <number> <index in a cycle> <bytes> <name> <unit>"; F and -1: not in this log.
 Checked<std::vector<LoggedSensor>> sensors_in(std::string_view bytes, std::size_t& at, int lines,
                                               int wanted) {
@@ -96,10 +101,7 @@ Checked<std::vector<LoggedSensor>> sensors_in(std::string_view bytes, std::size_
     sensors.push_back({.bytes = size, .wanted = std::nullopt});
     if (known == slocum_sensors.end()) continue;
     line >> unit;
-    if (unit != unit_of(name))
-      return refuse("the binary log gives " + name + " in \"" + unit + "\", not in \"" +
-                    std::string{unit_of(name)} +
-                    "\" as all Slocums do; its list of sensors is damaged or altered; give the glider's own");
+    if (unit != unit_of(name)) return refuse(in_another_unit(name, unit));
     sensors.back().wanted = static_cast<std::size_t>(known - slocum_sensors.begin());
   }
   if (static_cast<int>(sensors.size()) != wanted)

@@ -89,7 +89,7 @@ void* open_seen(void* /*unused*/, const char* path, const char* access) {
   if (!seen->text) return VSIFOpenL(seen->file.c_str(), "rb");
   auto* const bytes = static_cast<GByte*>(VSIMalloc(std::max<std::size_t>(seen->text->size(), 1)));
   if (bytes == nullptr) return nullptr;
-  std::memcpy(bytes, seen->text->data(), seen->text->size());
+  std::ranges::copy(*seen->text, bytes);
   return VSIFileFromMemBuffer(nullptr, bytes, seen->text->size(), TRUE);
 }
 

@@ -44,7 +44,8 @@ Checked<json> array_of(const fs::path& description, int version) {
   if (version == 2) return json::parse(text, nullptr, false);
   const auto array = zarr3_array(text);
   if (!array) return refuse(array.error());
-  return *array ? json::parse((*array)->array_text) : json{};
+  const std::optional<Zarr3Array>& numbers = *array;
+  return numbers ? json::parse(numbers->array_text) : json{};
 }
 
 Checked<bool> check_array(const fs::path& description, int version, std::size_t chunk_files) {
