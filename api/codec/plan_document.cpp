@@ -167,6 +167,7 @@ planning::Plan parse_members(const json& document) {
                  .reinsertions = search.at("reinsertions").get<std::int64_t>(),
                  .fifo_violations = search.value("fifo_violations", std::int64_t{0}),
                  .worst_fifo_violation = parse_late_opening(search),
+                 .cut_short = search.value("cut_short", false),
                  .duration = core::Seconds{search.at("seconds").get<double>()}};
   plan.refinement = parse_refinement(document);
   const json& clearances = document.at("clearances");
@@ -248,6 +249,7 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
             {"reinsertions", plan.search.reinsertions},
             {"fifo_violations", plan.search.fifo_violations},
             {"worst_fifo_violation", late_opening_json(plan.search.worst_fifo_violation)},
+            {"cut_short", plan.search.cut_short},
             {"seconds", plan.search.duration.count()}}},
           {"refinement", refinement_json(plan.refinement)},
           {"leg_trade", leg_trade_json(plan.refinement)},

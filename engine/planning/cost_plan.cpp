@@ -55,7 +55,7 @@ Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, cons
   Plan plan = assemble_plan(sea, environment, request, route.points, schedule, route.drives);
   plan.search = way.statistics;
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
-  if (way.cut_short) {
+  if (way.statistics.cut_short) {
     plan.warnings.push_back(
         "the search met its bound on memory before it was done; a plan that costs less may exist");
   }

@@ -41,7 +41,6 @@ Result<CostWay> earliest_way(const Sea& sea, const std::vector<OpenGrid>& grids,
                            .fixed = std::move(found->route.fixed),
                            .drives = std::vector<vehicle::Drive>(legs, sea.drives().front())},
                  .statistics = found->statistics,
-                 .cut_short = false,
                  .touches_rim = found->touches_rim};
 }
 
@@ -129,10 +128,10 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
     if (search.stopped) return tl::unexpected(explain_cancelled(request));
     if (!search.goal) {
       auto earliest = earliest_way(sea, grids, request, depart, stop, report_fraction);
-      if (earliest) earliest->cut_short = search.full;
+      if (earliest) earliest->statistics.cut_short = search.full;
       return earliest;
     }
-    found.cut_short = found.cut_short || search.full;
+    found.statistics.cut_short = found.statistics.cut_short || search.full;
     const auto way = graph::way_to(search, *search.goal);
     now_s = way.back().arrival_s;
     if (append(found.route, sea, open.grid, way)) found.touches_rim = true;

@@ -17,7 +17,6 @@ namespace floeplan::planning {
 struct CostWay {
   DrivenRoute route;
   SearchStatistics statistics;
-  bool cut_short{false};    // the bound on labels was met: a better way may exist
   bool touches_rim{false};  // it keeps to the rim of a grid, beyond which a better way may lie
 };
 

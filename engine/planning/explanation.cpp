@@ -228,7 +228,7 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
     }
   }
   Words words = words_for(binding, sea, request, search.out_of_time, search.nearest, search.nearest_arrival);
-  if (search.cut_short)
+  if (search.statistics.cut_short)
     words.explanation +=
         " (the search was cut short at its bound on memory: there may be a way all the same)";
   const bool by_data = binding == outside_data || binding == current_too_strong || binding == under_ice ||

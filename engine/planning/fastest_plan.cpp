@@ -87,7 +87,7 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   }
   if (stop.stop_requested()) return {.plan = tl::unexpected(explain_cancelled(request))};
   Result<Plan> plan = publish(*chart, environment, request, way->improved, way->found.statistics, stop);
-  if (plan && way->found.cut_short) {
+  if (plan && way->found.statistics.cut_short) {
     plan->warnings.push_back(
         "the search for better ways was cut short at its bound on memory: there may be one");
   }

@@ -52,6 +52,8 @@ struct SearchStatistics {
   std::int64_t reinsertions{};
   std::int64_t fifo_violations{};  // such legs, where the goal might be reached earlier through them
   std::optional<LateOpening> worst_fifo_violation{};
+  /// It ended at its bound on arrivals kept: a better way, or where none was found a way, may exist.
+  bool cut_short{false};
   core::Seconds duration{};  // filled by the caller that owns a clock
 };
 

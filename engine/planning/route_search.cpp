@@ -126,7 +126,7 @@ void look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& op
   result.statistics.expansions += later.counters.expansions;
   result.statistics.edge_evaluations += later.counters.edge_evaluations;
   result.cancelled = later.cancelled;
-  result.cut_short = later.cut_short;
+  result.statistics.cut_short = later.cut_short;
   if (later.path.empty()) return;
   result.path = std::move(later.path);
   result.arrival = later.arrival;

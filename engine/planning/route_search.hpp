@@ -21,7 +21,6 @@ struct RouteSearch {
   core::Seconds arrival{INFINITY};    // at its end
   SearchStatistics statistics;
   bool cancelled{false};
-  bool cut_short{false};    // a bound on memory was met: a better way past what opens again may exist
   geo::PlanePoint nearest;  // the reached point nearest to the goal: where the search stopped
   core::Seconds nearest_arrival{};
   core::Seconds since_surfacing{};  // at the goal, where the time without surfacing is bounded

@@ -150,14 +150,14 @@ RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::S
   if (result.cancelled || !search.has_hope()) return result;
   if (coarse.full &&
       !coarse.goal) {  // a finer search keeps more labels for each place and would not come as far
-    result.cut_short = true;
+    result.statistics.cut_short = true;
     describe_end(result, sea, open, coarse);
     return result;
   }
   if (coarse.goal) search.look_ahead(result.arrival);
   const Labels fine = search(fine_share, sea.edge_tolerance(), result.arrival, affordable);
   adopt(fine);
-  result.cut_short = fine.full;
+  result.statistics.cut_short = fine.full;
   if (result.path.empty() && !result.cancelled) describe_end(result, sea, open, fine);
   return result;
 }

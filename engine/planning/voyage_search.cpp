@@ -18,6 +18,7 @@ void add(SearchStatistics& sum, const SearchStatistics& part) {
   sum.expansions += part.expansions;
   sum.reinsertions += part.reinsertions;
   sum.fifo_violations += part.fifo_violations;
+  sum.cut_short = sum.cut_short || part.cut_short;
   sum.worst_fifo_violation = worse_of(sum.worst_fifo_violation, part.worst_fifo_violation);
 }
 
@@ -79,7 +80,6 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grid
       search = search_by(core::Seconds{INFINITY});
     }
     add(found.statistics, search.statistics);
-    found.cut_short = found.cut_short || search.cut_short;
     if (search.cancelled) return tl::unexpected(explain_cancelled(request));
     if (search.path.empty()) return tl::unexpected(explain_search(search, sea, request));
 

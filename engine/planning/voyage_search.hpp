@@ -19,7 +19,6 @@ struct FoundWay {
   Route route;
   core::Seconds arrival{};
   SearchStatistics statistics;
-  bool cut_short{false};    // a better way past something that opens again may exist
   bool touches_rim{false};  // it keeps to the rim of a grid, beyond which a better way may lie
 };
 

@@ -106,7 +106,7 @@ class GridTrial {
     RouteSearch found = search_with_surfacings(
         sea_, open_, depart, since_surfacing, stop_, [](double) {}, affordable_labels());
     left_ -= work_of_a_leg * found.statistics.edge_evaluations;
-    if (found.cut_short) left_ = std::min<std::int64_t>(left_, 0);
+    if (found.statistics.cut_short) left_ = std::min<std::int64_t>(left_, 0);
     return {std::move(found.path), found.since_surfacing};
   }
 

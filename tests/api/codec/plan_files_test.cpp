@@ -55,6 +55,17 @@ TEST(PlanDocument, KeepsWhatTheSearchSawOpenTooLate) {
   EXPECT_EQ(plan_document(read, "p-01", ""), document);
 }
 
+TEST(PlanDocument, TellsWhetherTheSearchWasCutShort) {
+  planning::Plan plan = two_legs();
+  EXPECT_EQ(plan_document(plan, "p-01", "").at("search").at("cut_short"), false);
+  plan.search.cut_short = true;
+
+  const json document = plan_document(plan, "p-01", "");
+
+  EXPECT_EQ(document.at("search").at("cut_short"), true);
+  EXPECT_TRUE(parse_plan_document(document).search.cut_short);
+}
+
 TEST(PlanDocument, KeepsWaitsAndWhatIsPassedUnderAndTraded) {
   planning::Plan plan = two_legs();
   plan.waypoints[0].wait = core::Seconds{5400.0};
@@ -93,6 +104,7 @@ TEST(PlanDocument, IsReadBackFromAnOlderVersionThatDidNotLookForThem) {
   json document = plan_document(two_legs(), "p-01", "");
   document.at("search").erase("fifo_violations");
   document.at("search").erase("worst_fifo_violation");
+  document.at("search").erase("cut_short");
 
   EXPECT_EQ(parse_plan_document(document).search.fifo_violations, 0);
 }

@@ -245,7 +245,7 @@ TEST(SurfacingSearch, ReturnsTheBestWayItKnowsWhenItIsCutShort) {
 
   const RouteSearch whole = search_among(100'000);
   ASSERT_FALSE(whole.path.empty());
-  EXPECT_FALSE(whole.cut_short);
+  EXPECT_FALSE(whole.statistics.cut_short);
   int with_a_way = 0;
   for (std::size_t labels = 100; labels < 20'000; labels *= 2) {
     const RouteSearch part = search_among(labels);

@@ -363,6 +363,7 @@ export interface Plan {
     reinsertions: number;
     fifo_violations: number;
     worst_fifo_violation: { lon: number; lat: number; refused: string; opens: string; gain_s: number | null } | null;
+    cut_short?: boolean; // absent in plans of older versions
     seconds: number;
   };
   refinement?: {
