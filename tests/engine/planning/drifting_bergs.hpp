@@ -1,5 +1,7 @@
 #pragma once
 
+#include <gtest/gtest.h>
+
 #include <algorithm>
 #include <cmath>
 #include <memory>
@@ -125,5 +127,20 @@ inline Scene random_scene(std::mt19937_64& rng) {
   }
   return {request, environment};
 }
+
+/// A quarter of 500 random scenes, 0 to 3: four tests that may run beside each other.
+class IcebergScenes : public testing::TestWithParam<int> {
+ protected:
+  static constexpr int scenes = 125;
+
+  /// Calls `law(rng)` for each scene's seed.
+  template <class Law>
+  void for_each_scene(const Law& law) const {
+    int scene = 0;
+    support::for_each_seed(4 * scenes, [&](std::mt19937_64& rng) {
+      if (scene++ / scenes == GetParam()) law(rng);
+    });
+  }
+};
 
 }  // namespace floeplan::planning
