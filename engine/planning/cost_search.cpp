@@ -10,6 +10,7 @@
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/openings.hpp"
 #include "engine/planning/route_search.hpp"
+#include "engine/planning/time_killing.hpp"
 #include "engine/planning/voyage_search.hpp"
 
 namespace floeplan::planning {
@@ -17,13 +18,19 @@ namespace {
 
 constexpr std::size_t most_labels = 1'000'000;  // about 100 MB with their lists and the queue
 
+using Way = std::vector<graph::Label<CostVoyage::State>>;
+
+std::vector<geo::PlanePoint> points_of(const RouteGrid& grid, const Way& way) {
+  std::vector<geo::PlanePoint> points;
+  for (const auto& label : way) points.push_back(grid.point(label.vertex));
+  return points;
+}
+
 /// Adds the way over one grid; answers whether it keeps to the grid's rim.
-bool append(DrivenRoute& route, const Sea& sea, const RouteGrid& grid,
-            const std::vector<graph::Label<CostVoyage::State>>& way) {
-  std::vector<geo::PlanePoint> points{grid.point(way.front().vertex)};
+bool append(DrivenRoute& route, const Sea& sea, const RouteGrid& grid, const Way& way) {
+  const std::vector<geo::PlanePoint> points = points_of(grid, way);
   for (std::size_t i = 1; i < way.size(); ++i) {
-    points.push_back(grid.point(way[i].vertex));
-    route.points.push_back(points.back());
+    route.points.push_back(points[i]);
     route.fixed.push_back(i + 1 == way.size());
     route.drives.push_back(sea.drives()[way[i].choice]);
   }
@@ -126,13 +133,14 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
     const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, now_s,
                                                 CostVoyage::State{}, voyage, most_labels, stop, report);
     if (search.stopped) return tl::unexpected(explain_cancelled(request));
-    if (!search.goal) {
+    const auto way = search.goal ? graph::way_to(search, *search.goal) : Way{};
+    if (way.empty() ||
+        circles_too_long(sea, open, points_of(open.grid, way), core::Seconds{now_s}, std::nullopt, stop)) {
       auto earliest = earliest_way(sea, grids, request, depart, stop, report_fraction);
       if (earliest) earliest->statistics.cut_short = search.full;
       return earliest;
     }
     found.statistics.cut_short = found.statistics.cut_short || search.full;
-    const auto way = graph::way_to(search, *search.goal);
     now_s = way.back().arrival_s;
     if (append(found.route, sea, open.grid, way)) found.touches_rim = true;
     found.statistics.vertices += open.vertices;

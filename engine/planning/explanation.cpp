@@ -6,7 +6,9 @@
 #include <stdexcept>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/geo/geodesic.hpp"
 #include "engine/planning/late_openings.hpp"
+#include "engine/planning/usable_place.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -239,6 +241,48 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
           "no way was found to the goal; the nearest place reached is marked, where " + words.explanation,
           words.suggestion + "; a finer grid (--spacing) finds narrower passages",
           constraint_of(binding, search.out_of_time)};
+}
+
+Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::PlanePoint stop, const Sea& sea,
+                            const PlanRequest& request) {
+  const RouteClosed& closed = opens_later.closed;
+  const bool in_zone = closed.reason == motion::EdgeClosed::in_zone;
+  const std::vector<TimeSpan> closures = sea.closed_times(stop);
+  const auto at_stop = std::ranges::find_if(closures, [&](const TimeSpan& span) {
+    return span.from <= closed.when + sea.least_time(closed.at, stop) && closed.when <= span.until;
+  });
+  const bool is_at_stop = at_stop != closures.end();
+  const std::string what =
+      in_zone
+          ? "where a zone does not allow the vehicle to be at " + core::iso8601(clock(request, closed.when))
+          : "too close to " + iceberg_text(sea, is_at_stop ? stop : closed.at, closed.when, request);
+  std::string text = is_at_stop ? subject_of(kind) + " lies " + what : "the way leads " + what;
+  if (is_at_stop && std::isfinite(at_stop->until.count()))
+    text += ", until " + core::iso8601(clock(request, at_stop->until));
+  text += "; the vehicle, which is there earlier, would have to turn in circles for " +
+          hours_text(opens_later.circling);
+  const Reason stop_reason =
+      in_zone ? reason_at(kind, Reason::in_zone, Reason::in_zone, Reason::goal_in_zone)
+              : reason_at(kind, Reason::near_iceberg, Reason::near_iceberg, Reason::goal_near_iceberg);
+  Infeasible infeasible{
+      is_at_stop ? stop_reason : Reason::goal_unreachable,
+      sea.projection().to_lon_lat(is_at_stop ? stop : closed.at),
+      clock(request, closed.when),
+      std::move(text),
+      std::string{"depart later, let the vehicle wait (--max-loiter), move the "} +
+          (kind == Stop::goal ? "goal" : "place") +
+          (in_zone ? ", or change the zone or its times"
+                   : ", or reduce the margin (--margin) or the error that is allowed for (--max-inflation)"),
+      constraint_of(closed.reason, closed.out_of_time)};
+  infeasible.postponed = Postponed{.by = opens_later.circling};
+  if (!is_at_stop || kind != Stop::goal) return infeasible;
+  if (const auto place = nearest_usable_place(sea, stop, closed.when)) {
+    char move[64];
+    std::snprintf(move, sizeof move, "move it by %.1f km",
+                  1e-3 * geo::geodesic_between(request.to, *place).length.value);
+    infeasible.postponed->move = Change{.input = "to", .from = request.to, .to = *place, .text = move};
+  }
+  return infeasible;
 }
 
 Infeasible explain_no_escape(const Sea& sea, const PlanRequest& request, geo::PlanePoint place,

@@ -22,6 +22,10 @@ enum class Stop { start, via, goal };
 [[nodiscard]] Infeasible explain_search(const RouteSearch& search, const Sea& sea,
                                         const PlanRequest& request);
 
+/// Says what keeps the vehicle from `stop`, the goal of a grid, for so long that it would have to turn in circles.
+[[nodiscard]] Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::PlanePoint stop,
+                                          const Sea& sea, const PlanRequest& request);
+
 /// Says from which place of a route no way leads to where the vehicle may surface.
 [[nodiscard]] Infeasible explain_no_escape(const Sea& sea, const PlanRequest& request, geo::PlanePoint place,
                                            core::Seconds when);

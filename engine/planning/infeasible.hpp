@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <tl/expected.hpp>
 #include <variant>
@@ -63,6 +64,13 @@ struct Change {
   std::string text;  // for a person: "raise the speed through the water from 0.35 to 0.42 m/s"
 };
 
+/// Who goes on at once is stopped by something that opens again.
+struct Postponed {
+  core::Seconds by{};  // what the vehicle would have to spend turning in circles
+  /// A place for the goal that is open when the vehicle can be there, not tried yet.
+  std::optional<Change> move{};
+};
+
 struct Infeasible {
   Reason reason{};
   geo::LonLat at;           // where the search or the vehicle stopped
@@ -73,6 +81,7 @@ struct Infeasible {
   std::vector<Change> changes{};  // found to make it possible, each alone; the smallest first
   /// The work set aside for finding them was done before all were tried: smaller ones, or others, may help, too.
   bool changes_cut_short{false};
+  std::optional<Postponed> postponed{};
 };
 
 template <class T>

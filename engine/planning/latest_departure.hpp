@@ -23,6 +23,11 @@ namespace floeplan::planning {
                                                             core::Seconds arrive, core::Seconds earliest,
                                                             const std::stop_token& stop);
 
+/// The same on one grid.
+[[nodiscard]] std::optional<core::Seconds> latest_departure(const Sea& sea, const OpenGrid& open,
+                                                            core::Seconds arrive, core::Seconds earliest,
+                                                            const std::stop_token& stop);
+
 /// The plan with the latest departure that arrives by the request's `departures.arrive_by`: the plan for this
 /// departure alone. Its arrival is within a minute, or a thousandth of the travel time, of the wanted one unless
 /// the sea lets none arrive then.

@@ -75,7 +75,7 @@ Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest
   WayTrials trials{environment, stop};
   FoundChanges found = find_changes(
       environment, request, plan.error().binding,
-      [&trials](const PlanRequest& changed) { return trials(changed); }, stop);
+      [&trials](const PlanRequest& changed) { return trials(changed); }, stop, plan.error().postponed);
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
   plan.error().changes = std::move(found.changes);
   plan.error().changes_cut_short = found.cut_short;

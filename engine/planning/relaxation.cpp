@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/geo/geodesic.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -86,6 +87,46 @@ class Relaxation {
     }
   }
 
+  /// Departures from the one on after which nothing has to be circled away.
+  void depart_after(core::Seconds circling) {
+    begin_input();
+    for (const core::Seconds delay : whole_hours_from(circling)) {
+      PlanRequest changed = request_;
+      changed.depart = request_.depart + delay;
+      if (is_over()) return;
+      if (!works(changed)) continue;
+      add("depart", request_.depart, changed.depart, 1.0 + delay / a_day,
+          "depart " + written("%.0f h later, at ", delay / an_hour, 0.0) + core::iso8601(changed.depart));
+      return;
+    }
+  }
+
+  void wait_for(core::Seconds circling) {
+    begin_input();
+    const double now = request_.max_loiter.count();
+    for (const core::Seconds wait : whole_hours_from(circling)) {
+      if (wait <= request_.max_loiter) continue;
+      PlanRequest changed = request_;
+      changed.max_loiter = wait;
+      if (is_over()) return;
+      if (!works(changed)) continue;
+      add("max_loiter_s", now, wait.count(), 1.0 + wait / a_day,
+          written("let the vehicle wait for up to %.0f h at one place instead of %.4g h", wait / an_hour,
+                  now / an_hour.count()));
+      return;
+    }
+  }
+
+  void move_goal(const Change& move) {
+    begin_input();
+    PlanRequest changed = request_;
+    changed.to = std::get<geo::LonLat>(move.to);
+    if (is_over() || !works(changed)) return;
+    const double way_m = geo::geodesic_between(request_.from, request_.to).length.value;
+    const double moved_m = geo::geodesic_between(request_.to, changed.to).length.value;
+    found_.push_back({move, 1.0 + moved_m / way_m});
+  }
+
   void leave_out_a_zone() {
     begin_input();
     for (std::size_t i = 0; i < request_.zones.size() && i < most_zones; ++i) {
@@ -139,12 +180,22 @@ class Relaxation {
 
  private:
   static constexpr std::size_t most_zones = 10;
+  static constexpr core::Seconds an_hour{3600.0};
+  static constexpr core::Seconds a_day{86'400.0};
   static constexpr int most_beginnings = 3;  // of a value, where the most generous one tells nothing
 
   struct Found {
     Change change;
     double effort;  // how much is asked: 1 for nothing, 2 for twice the value or a day
   };
+
+  /// What has to be circled away, and somewhat more: what is in the way moves on while the vehicle does.
+  static std::vector<core::Seconds> whole_hours_from(core::Seconds circling) {
+    const core::Seconds least = std::ceil(circling / an_hour) * an_hour;
+    std::vector<core::Seconds> result;
+    for (const double more : {0.0, 2.0, 5.0, 12.0}) result.push_back(least + more * an_hour);
+    return result;
+  }
 
   void begin_input() { told_nothing_ = false; }
   /// Whether no more is to be tried of the input at hand.
@@ -205,8 +256,14 @@ class Relaxation {
 }  // namespace
 
 FoundChanges find_changes(const ocean::Environment& environment, const PlanRequest& request,
-                          Constraint binding, const Trial& trial, const std::stop_token& stop) {
+                          Constraint binding, const Trial& trial, const std::stop_token& stop,
+                          const std::optional<Postponed>& postponed) {
   Relaxation relaxation{environment, request, trial, stop};
+  if (postponed) {
+    relaxation.depart_after(postponed->by);
+    relaxation.wait_for(postponed->by);
+    if (postponed->move) relaxation.move_goal(*postponed->move);
+  }
   switch (binding) {
     case Constraint::current:
       relaxation.raise_speed();

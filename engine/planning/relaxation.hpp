@@ -1,6 +1,7 @@
 #pragma once
 
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -28,9 +29,11 @@ struct FoundChanges {
 /// or by trying one after the other where less is not always easier.
 /// Accuracy a hundredth of the interval; a change is only named when its trial succeeded. A trial that tells nothing
 ///          counts as one that failed, and the result says so
-/// Bounds   at most 30 trials; none for constraints that no input governs (land, memory)
+/// `postponed`: what binds opens again; leaving later, waiting and another goal are then tried first.
+/// Bounds   at most 45 trials; none for constraints that no input governs (land, memory)
 /// Stops    with what was found so far once `stop` is requested
 [[nodiscard]] FoundChanges find_changes(const ocean::Environment& environment, const PlanRequest& request,
-                                        Constraint binding, const Trial& trial, const std::stop_token& stop);
+                                        Constraint binding, const Trial& trial, const std::stop_token& stop,
+                                        const std::optional<Postponed>& postponed = {});
 
 }  // namespace floeplan::planning

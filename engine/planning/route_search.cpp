@@ -114,9 +114,39 @@ UntimedWay timed_without_delay(const Sea& sea, const std::vector<geo::PlanePoint
   return {!waits, std::max(least_s, schedule->arrivals.back().count())};
 }
 
+/// A way as if nothing closed and opened in time.
+struct AtOnce {
+  std::vector<geo::PlanePoint> path;
+  core::Seconds arrival;
+};
+
+/// Whether the way circles for too long; the result then says what opens too late.
+bool is_refused_for_circling(RouteSearch& result, const Sea& sea, const OpenGrid& open,
+                             const std::vector<geo::PlanePoint>& way, const AtOnce& at_once,
+                             core::Seconds depart, const std::stop_token& stop) {
+  const auto circling = circles_too_long(sea, open, way, depart, at_once.arrival, stop);
+  if (!circling) return false;
+  const auto closed = closed_at_once(sea, at_once.path, depart);
+  if (!closed) return false;
+  result.opens_later = OpensLater{*closed, *circling};
+  return true;
+}
+
+/// What keeps the goal when the vehicle could be there, if it opens later: no way was found that is there then, because
+/// labels ran out or nothing but circling would do.
+std::optional<OpensLater> goal_opens_later(const Sea& sea, const OpenGrid& open, const AtOnce& at_once,
+                                           core::Seconds depart) {
+  const auto opens = opens_at(sea, open.grid.point(open.grid.goal), at_once.arrival);
+  const auto closed = opens ? closed_at_once(sea, at_once.path, depart) : std::nullopt;
+  if (!closed) return std::nullopt;
+  return OpensLater{*closed, *opens - at_once.arrival};
+}
+
 /// Replaces the way by one that arrives before `latest` although it arrives later somewhere, if there is one.
-void look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& open, core::Seconds depart,
-                         core::Seconds latest, const std::stop_token& stop) {
+/// `at_once`: the best way as if nothing closed and opened in time.
+/// Returns  whether it did
+bool look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& open, const AtOnce& at_once,
+                         core::Seconds depart, core::Seconds latest, const std::stop_token& stop) {
   const core::Seconds least =
       sea.least_time(open.grid.point(open.grid.start), open.grid.point(open.grid.goal));
   const core::Seconds slack = least_gain * (std::isfinite(latest.count()) ? latest - depart : least);
@@ -127,9 +157,11 @@ void look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& op
   result.statistics.edge_evaluations += later.counters.edge_evaluations;
   result.cancelled = later.cancelled;
   result.statistics.cut_short = later.cut_short;
-  if (later.path.empty()) return;
+  if (later.path.empty()) return false;
+  if (is_refused_for_circling(result, sea, open, later.path, at_once, depart, stop)) return false;
   result.path = std::move(later.path);
   result.arrival = later.arrival;
+  return true;
 }
 
 /// The search as if the time without surfacing were not bounded.
@@ -215,23 +247,29 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
                                    : UntimedWay{.is_best = true, .arrival_s = INFINITY};
   if (in_time && !result.path.empty() && !untimed_way.is_best) {
     const double least_s = tree.arrival_s(grid.goal);
-    const std::vector<geo::PlanePoint> waiting_path = result.path;
+    const AtOnce at_once{result.path, core::Seconds{least_s}};
     refused.edges.clear();
     tree = search(GridTravelTime{sea, grid, &refused});
     adopt(tree);
     double arrival_s = tree.arrival_s(grid.goal);
     if (untimed_way.arrival_s < arrival_s) {
       arrival_s = untimed_way.arrival_s;
-      result.path = waiting_path;
+      result.path = at_once.path;
       result.arrival = core::Seconds{arrival_s};
     }
     const bool may_gain =
         result.path.empty() || arrival_s - least_s > least_gain * (arrival_s - depart.count());
+    bool comes_later = false;
     if (!result.cancelled && may_gain) {
       const double worthwhile_s =
           result.path.empty() ? arrival_s : arrival_s - least_gain * (arrival_s - depart.count());
-      look_for_later_ways(result, sea, open, depart, core::Seconds{worthwhile_s}, stop);
+      comes_later =
+          look_for_later_ways(result, sea, open, at_once, depart, core::Seconds{worthwhile_s}, stop);
     }
+    if (!comes_later && is_refused_for_circling(result, sea, open, result.path, at_once, depart, stop))
+      result.path.clear();
+    if (result.path.empty() && !result.cancelled && !result.opens_later)
+      result.opens_later = goal_opens_later(sea, open, at_once, depart);
   }
   // With weights fixed at departure nothing opens later.
   const bool look = std::isinf(latest.count()) && request.method != Method::frozen;
@@ -260,10 +298,16 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
     found.since_surfacing = *since;
     return found;
   }
+  const auto along_best = arrivals_along(sea, found.path, depart, since_surfacing);
   RouteSearch bounded = search_with_surfacings(sea, open, depart, since_surfacing, stop, report_fraction);
   bounded.statistics.expansions += found.statistics.expansions;
   bounded.statistics.edge_evaluations += found.statistics.edge_evaluations;
   bounded.statistics.reinsertions += found.statistics.reinsertions;
+  if (const auto circling = circles_too_long(sea, open, bounded.path, depart, found.arrival, stop);
+      circling && !along_best) {
+    bounded.opens_later = OpensLater{along_best.error(), *circling};
+    bounded.path.clear();
+  }
   return bounded;
 }
 

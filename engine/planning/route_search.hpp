@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -12,6 +13,7 @@
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/sea.hpp"
+#include "engine/planning/time_killing.hpp"
 
 namespace floeplan::planning {
 
@@ -26,12 +28,13 @@ struct RouteSearch {
   core::Seconds since_surfacing{};  // at the goal, where the time without surfacing is bounded
   bool out_of_time{false};          // some way onward has data now, but they end before it does
   std::vector<motion::EdgeClosed> closed_at_nearest;  // why its outgoing edges were closed, one entry each
+  std::optional<OpensLater> opens_later;  // why no way was found, when one that circles until then would be
 };
 
 /// Searches the grid for the earliest arrival at its goal with the request's method (not Method::direct). Where
 /// something that is closed for a while opens again before that arrival, also for ways that arrive somewhere later
-/// than they could. Where the time without surfacing is bounded and the best way does not keep that bound, by
-/// search_with_surfacings whatever the method.
+/// than they could, but none that circles for too long (time_killing.hpp). Where the time without surfacing is bounded
+/// and the best way does not keep that bound, by search_with_surfacings whatever the method.
 /// `latest`: when the goal can certainly be reached by then, later ways need not be looked at, nor legs that open later.
 /// `since_surfacing`: at the start, when that time is bounded.
 /// `foresight`: of this grid, kept from search to search; without it one is made. Changes no result.

@@ -1,8 +1,11 @@
 #include "engine/planning/time_killing.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <numeric>
 
+#include "engine/planning/latest_departure.hpp"
 #include "engine/planning/loiter.hpp"
 
 namespace floeplan::planning {
@@ -15,7 +18,29 @@ constexpr std::size_t most_points_between = 64;  // of a route; parts with more 
 /// at work.
 constexpr double least_share_of_way = 0.5;
 
+/// What may be circled away on a way that is flown all the same. A judgement: an hour is one long dive more, and who
+/// would turn for longer than travel would rather leave later.
+constexpr core::Seconds most_circling{3600.0};
+constexpr double most_share_circling = 0.5;
+
+/// Of an arrival that is no worse: the fineness of the searches.
+constexpr core::Seconds just_as_good{60.0};
+constexpr double just_as_good_share = 1e-3;
+
 double distance_m(geo::PlanePoint a, geo::PlanePoint b) { return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m); }
+
+/// Whether the way leads where the vehicle could not have been at some time since its departure.
+bool passes_what_has_opened(const Sea& sea, const std::vector<geo::PlanePoint>& way,
+                            const std::vector<core::Seconds>& arrivals) {
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const std::vector<TimeSpan> closed = sea.closed_times(way[i]);
+    if (std::ranges::any_of(closed, [&](const TimeSpan& span) {
+          return arrivals.front() < span.until && span.until <= arrivals[i];
+        }))
+      return true;
+  }
+  return false;
+}
 
 }  // namespace
 
@@ -40,6 +65,38 @@ std::optional<TimeKilled> longest_killing_of_time(const Sea& sea, const std::vec
     }
   }
   return longest;
+}
+
+std::optional<core::Seconds> opens_at(const Sea& sea, geo::PlanePoint place, core::Seconds when) {
+  for (const TimeSpan& closed : sea.closed_times(place)) {
+    if (closed.from <= when && when <= closed.until && std::isfinite(closed.until.count()))
+      return closed.until;
+  }
+  return std::nullopt;
+}
+
+std::optional<core::Seconds> circles_too_long(const Sea& sea, const OpenGrid& open,
+                                              const std::vector<geo::PlanePoint>& way, core::Seconds depart,
+                                              std::optional<core::Seconds> at_once,
+                                              const std::stop_token& stop) {
+  if (way.empty() || !sea.has_timed_closures()) return std::nullopt;
+  const auto schedule = schedule_along(sea, way, depart);
+  if (!schedule) return std::nullopt;
+  const core::Seconds arrives = schedule->arrivals.back();
+  const core::Seconds most = std::max(most_circling, most_share_circling * (arrives - depart));
+  const core::Seconds waits =
+      std::accumulate(schedule->waits.begin(), schedule->waits.end(), core::Seconds{0.0});
+  if (at_once && arrives - waits - *at_once <= most) return std::nullopt;
+  if (at_once) {
+    const auto opens = opens_at(sea, way.back(), *at_once);
+    if (opens && *opens - *at_once - waits > most) return *opens - *at_once - waits;
+  }
+  if (!passes_what_has_opened(sea, way, schedule->arrivals)) return std::nullopt;
+  // Where something opens just before the arrival, times on the film run backwards are a little too long.
+  const core::Seconds as_good = arrives + std::max(just_as_good, just_as_good_share * (arrives - depart));
+  const auto latest = latest_departure(sea, open, as_good, depart + waits + most, stop);
+  if (!latest) return std::nullopt;
+  return *latest - depart - waits;
 }
 
 std::string describe(const TimeKilled& killed) {

@@ -2,9 +2,11 @@
 
 #include <cstddef>
 #include <optional>
+#include <stop_token>
 #include <string>
 #include <vector>
 
+#include "engine/planning/open_grid.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/sea.hpp"
 
@@ -23,6 +25,27 @@ struct TimeKilled {
 [[nodiscard]] std::optional<TimeKilled> longest_killing_of_time(const Sea& sea,
                                                                 const std::vector<geo::PlanePoint>& route,
                                                                 const Schedule& schedule);
+
+/// What stops a vehicle that goes on at once, and for how long it would have to turn in circles until that opens.
+struct OpensLater {
+  RouteClosed closed;
+  core::Seconds circling{};
+};
+
+/// When a place that is closed at some time opens again; empty where it is open then, and where it stays closed.
+[[nodiscard]] std::optional<core::Seconds> opens_at(const Sea& sea, geo::PlanePoint place,
+                                                    core::Seconds when);
+
+/// For how long a way over a grid circles, if that makes it none that a pilot would fly: for more than an hour and more
+/// than half of its time. Either its end opens so much later than the vehicle could be there, or the way leads where
+/// something has opened since the departure and who leaves so much later is at its end at the same time. Waits at one
+/// place, which the request allows, do not count. Empty for a way that may be flown, and for none.
+/// `at_once`: when the vehicle is at the end of the best way there is if nothing closes and opens, where that is known
+[[nodiscard]] std::optional<core::Seconds> circles_too_long(const Sea& sea, const OpenGrid& open,
+                                                            const std::vector<geo::PlanePoint>& way,
+                                                            core::Seconds depart,
+                                                            std::optional<core::Seconds> at_once,
+                                                            const std::stop_token& stop);
 
 /// What it means, for a pilot.
 [[nodiscard]] std::string describe(const TimeKilled& killed);

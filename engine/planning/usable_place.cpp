@@ -10,15 +10,14 @@ namespace {
 constexpr double farthest_m = 100'000.0;  // a place farther away is another mission
 constexpr int most_rings = 400;
 
-bool is_usable(const Sea& sea, geo::PlanePoint point) {
-  constexpr TimeSpan at_departure{core::Seconds{0.0}, core::Seconds{0.0}};
-  return !sea.closed_between(point, point) && !sea.timed_zones().forbid(point, point, at_departure) &&
-         !sea.icebergs().touched({point, point, 0.0, 0.0});
+bool is_usable(const Sea& sea, geo::PlanePoint point, const TimeSpan& when) {
+  return !sea.closed_between(point, point) && !sea.timed_zones().forbid(point, point, when) &&
+         !sea.icebergs().touched({point, point, when.from.count(), when.until.count()});
 }
 
 }  // namespace
 
-std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint around) {
+std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint around, core::Seconds when) {
   const double step_m = std::max(sea.safety().cell().value, farthest_m / most_rings);
   std::optional<geo::PlanePoint> nearest;
   double least_m = std::numeric_limits<double>::infinity();
@@ -26,7 +25,10 @@ std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint 
     const double distance_m = step_m * std::hypot(ix, iy);
     if (distance_m >= least_m) return;
     const geo::PlanePoint point{around.x_m + step_m * ix, around.y_m + step_m * iy};
-    if (!is_usable(sea, point)) return;
+    const bool later = when.count() > 0.0;
+    const core::Seconds on_the_way =
+        later ? core::Metres{distance_m} / sea.through_water() : core::Seconds{0.0};
+    if (!is_usable(sea, point, {when, when + on_the_way})) return;
     nearest = point;
     least_m = distance_m;
   };

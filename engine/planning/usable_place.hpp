@@ -8,6 +8,8 @@ namespace floeplan::planning {
 
 /// The nearest place that the vehicle may be in at departure, in rings of the safety map's cells around a place
 /// that it may not; empty when there is none within 100 km. The middle of a cell that is open as a whole.
-[[nodiscard]] std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint around);
+/// `when`: later than the departure: from then on for as long as the vehicle needs from the one place to the other.
+[[nodiscard]] std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint around,
+                                                              core::Seconds when = core::Seconds{0.0});
 
 }  // namespace floeplan::planning

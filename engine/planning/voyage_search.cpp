@@ -81,6 +81,11 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grid
     }
     add(found.statistics, search.statistics);
     if (search.cancelled) return tl::unexpected(explain_cancelled(request));
+    if (search.path.empty() && search.opens_later) {
+      const Stop kind = i + 1 == grids.size() ? Stop::goal : Stop::via;
+      return tl::unexpected(
+          explain_circling(*search.opens_later, kind, grids[i].grid.point(grids[i].grid.goal), sea, request));
+    }
     if (search.path.empty()) return tl::unexpected(explain_search(search, sea, request));
 
     const auto arrivals = arrivals_along(sea, search.path, depart, since_surfacing);

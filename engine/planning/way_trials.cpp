@@ -15,6 +15,7 @@
 #include "engine/planning/published_plan.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/surfacing_search.hpp"
+#include "engine/planning/time_killing.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -91,9 +92,11 @@ class GridTrial {
     // Round what is in the way: seldom much farther, and what is out of reach in that time need not be looked at.
     constexpr double detour = 1.25;
     const core::Seconds soon = depart + detour * (way.arrival - depart);
+    const core::Seconds at_once = way.arrival;
     way = way_by<TowardsAnyWay>(depart, soon, timed);
     if (way.path.empty()) way = way_by<TowardsEarliestWay>(depart, whenever, timed);
     if (way.path.empty() && left_ > 0) way.path = later_path(depart);
+    if (circles_too_long(sea_, open_, way.path, depart, at_once, stop_)) return {};
     return std::move(way.path);
   }
 
@@ -107,6 +110,7 @@ class GridTrial {
         sea_, open_, depart, since_surfacing, stop_, [](double) {}, affordable_labels());
     left_ -= work_of_a_leg * found.statistics.edge_evaluations;
     if (found.statistics.cut_short) left_ = std::min<std::int64_t>(left_, 0);
+    if (circles_too_long(sea_, open_, found.path, depart, std::nullopt, stop_)) return {};
     return {std::move(found.path), found.since_surfacing};
   }
 

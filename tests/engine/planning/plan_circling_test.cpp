@@ -1,0 +1,169 @@
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/core/utc_text.hpp"
+#include "engine/geo/geodesic.hpp"
+#include "engine/planning/departure.hpp"
+#include "engine/planning/plan_route.hpp"
+#include "tests/engine/planning/drifting_bergs.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning {
+namespace {
+
+Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
+  return plan_route(environment, request, {}, {});
+}
+
+const Change* change_of(const Infeasible& infeasible, const std::string& input) {
+  const auto found = std::ranges::find(infeasible.changes, input, &Change::input);
+  return found == infeasible.changes.end() ? nullptr : &*found;
+}
+
+core::Seconds waited(const Plan& plan) {
+  core::Seconds sum{0.0};
+  for (const Waypoint& waypoint : plan.waypoints) sum += waypoint.wait;
+  return sum;
+}
+
+/// Some 10 km to a goal that a berg leaves at a seventh of the vehicle's speed, in a disc that grows to 5 km about it.
+Scene goal_in_a_growing_disc() {
+  PlanRequest request = support::eastward_request();
+  request.to = {-53.25, 69.0};
+  request.spacing_along = core::Metres{500.0};
+  request.optimality_gap = false;
+  ocean::Environment environment;
+  environment.icebergs = {drifting_berg(request.to, 100.0, 0.05, 0.0)};
+  environment.icebergs[0].id = "B-17";
+  return {request, environment};
+}
+
+/// When the disc, at its largest, has left the goal, with a minute for the earth not being flat.
+core::Seconds opening(const PlanRequest& request) {
+  return core::Seconds{(50.0 + (request.icebergs.margin + request.icebergs.max_inflation).value) / 0.05};
+}
+
+TEST(Circling, IsNoPlanWhereTheGoalOpensLongAfterTheVehicleCouldBeThere) {
+  const auto [request, environment] = goal_in_a_growing_disc();
+
+  const Result<Plan> result = plan(environment, request);
+
+  ASSERT_FALSE(result) << result->travel_time().count() / hour_s << " h with " << result->waypoints.size();
+  EXPECT_EQ(result.error().reason, Reason::goal_near_iceberg);
+  EXPECT_EQ(result.error().binding, Constraint::iceberg);
+  EXPECT_LT(geo::geodesic_between(result.error().at, request.to).length.value, 1.0);
+  const std::string& why = result.error().explanation;
+  EXPECT_NE(why.find("iceberg B-17"), std::string::npos) << why;
+  const std::string until = core::iso8601(start + opening(request));
+  EXPECT_NE(why.find(", until " + until.substr(0, 13)), std::string::npos) << why;
+}
+
+TEST(Circling, IsRefusedWithTheDepartureThatNeedsNone) {
+  auto [request, environment] = goal_in_a_growing_disc();
+  const Result<Plan> refused = plan(environment, request);
+  ASSERT_FALSE(refused);
+
+  const Change* later = change_of(refused.error(), "depart");
+
+  ASSERT_NE(later, nullptr);
+  const core::Seconds way{9'980.0 / 0.35};
+  EXPECT_NEAR((std::get<core::UtcTime>(later->to) - start).count(), (opening(request) - way).count(), 7200.0);
+  request.depart = std::get<core::UtcTime>(later->to);
+  const Result<Plan> result = plan(environment, request);
+  ASSERT_TRUE(result);
+  EXPECT_LT(result->travel_time().count(), 1.2 * way.count());
+}
+
+TEST(Circling, IsRefusedWithTheWaitThatNeedsNone) {
+  auto [request, environment] = goal_in_a_growing_disc();
+  const Result<Plan> refused = plan(environment, request);
+  ASSERT_FALSE(refused);
+
+  const Change* wait = change_of(refused.error(), "max_loiter_s");
+
+  ASSERT_NE(wait, nullptr);
+  request.max_loiter = core::Seconds{std::get<double>(wait->to)};
+  const Result<Plan> result = plan(environment, request);
+  ASSERT_TRUE(result);
+  EXPECT_GT(waited(*result).count(), 0.8 * request.max_loiter.count());
+  EXPECT_LT(result->distance.value, 16'000.0);
+  EXPECT_GT(least_gap_m(*result, environment, request.icebergs), -50.0);
+}
+
+TEST(Circling, IsRefusedWithTheNearestGoalThatIsOpenInTime) {
+  auto [request, environment] = goal_in_a_growing_disc();
+  const Result<Plan> refused = plan(environment, request);
+  ASSERT_FALSE(refused);
+
+  const Change* goal = change_of(refused.error(), "to");
+
+  ASSERT_NE(goal, nullptr);
+  request.to = std::get<geo::LonLat>(goal->to);
+  EXPECT_LT(geo::geodesic_between(std::get<geo::LonLat>(goal->from), request.to).length.value, 6000.0);
+  EXPECT_TRUE(plan(environment, request).has_value());
+}
+
+TEST(Circling, IsNotAllowedByALeaveToWaitThatIsTooShort) {
+  auto [request, environment] = goal_in_a_growing_disc();
+  request.max_loiter = core::Seconds{0.5 * hour_s};
+
+  const Result<Plan> result = plan(environment, request);
+
+  ASSERT_FALSE(result);
+  ASSERT_NE(change_of(result.error(), "max_loiter_s"), nullptr);
+}
+
+TEST(Circling, IsNoDepartureOfAWindowEither) {
+  auto [request, environment] = goal_in_a_growing_disc();
+  request.departures.until = start + core::Seconds{24.0 * hour_s};
+  request.departures.step = core::Seconds{8.0 * hour_s};
+
+  const auto outcomes = compare_departures(environment, request, {}, {});
+
+  ASSERT_TRUE(outcomes);
+  ASSERT_EQ(outcomes->size(), 4U);
+  EXPECT_FALSE(outcomes->front().travel_time);
+  EXPECT_TRUE(outcomes->front().closed);
+  EXPECT_TRUE(outcomes->back().travel_time);
+}
+
+TEST(Circling, ForAWhileIsPartOfAWayThatIsFlown) {
+  // The disc leaves the goal some hours after the vehicle could be there.
+  auto [request, environment] = goal_in_a_growing_disc();
+  environment.icebergs = {drifting_berg(request.to, 100.0, 0.12, 0.0)};
+
+  const Result<Plan> result = plan(environment, request);
+
+  ASSERT_TRUE(result) << result.error().explanation;
+  EXPECT_GT(result->travel_time().count(), 9'980.0 / 0.35 + hour_s);
+  EXPECT_GT(least_gap_m(*result, environment, request.icebergs), -50.0);
+}
+
+TEST(Circling, GivesWayToAWayRoundThatArrivesLater) {
+  // Half a day across the straight way lies a no-go area: round it takes longer than to circle until it opens.
+  PlanRequest request = support::eastward_request();
+  request.to = {-53.3, 69.0};
+  request.spacing_along = core::Metres{500.0};
+  request.optimality_gap = false;
+  const Result<Plan> free = plan({}, request);
+  const core::Seconds until{9.0 * hour_s};
+  request.zones = {
+      {.name = "trawlers",
+       .kind = ocean::ZoneKind::no_go,
+       .area = {.outer = {{-53.42, 68.93}, {-53.38, 68.93}, {-53.38, 69.07}, {-53.42, 69.07}}, .holes = {}},
+       .from = std::nullopt,
+       .until = start + until}};
+
+  const Result<Plan> result = plan({}, request);
+
+  ASSERT_TRUE(free && result);
+  EXPECT_GT(result->travel_time(), 0.5 * free->travel_time() + until) << "later than by circling";
+  const auto& points = result->waypoints;
+  EXPECT_TRUE(
+      std::ranges::any_of(points, [](const Waypoint& p) { return std::abs(p.place.lat_deg - 69.0) > 0.06; }));
+}
+
+}  // namespace
+}  // namespace floeplan::planning
