@@ -14,10 +14,10 @@ namespace floeplan::planning {
 namespace {
 
 constexpr double origin_step_deg = 0.25;  // the plane is as true a quarter of a degree beside its middle
-constexpr double area_steps =
-    16.0;  // of the lattice over the longer side: the area grows by an eighth at most
-constexpr double cells_per_octave =
-    4.0;  // sizes of cells: the map is finer than asked for by a sixth at most
+// Of the lattice over the longer side, at least: few routes that are moved a little cross a line.
+constexpr double area_steps = 5.0;
+// Sizes of cells: the map is finer than asked for by a sixth at most.
+constexpr double cells_per_octave = 4.0;
 
 geo::LonLat on_lattice(geo::LonLat place) {
   const auto nearest = [](double deg) { return origin_step_deg * std::round(deg / origin_step_deg); };

@@ -31,8 +31,8 @@ ocean::Environment random_sea(std::mt19937_64& rng) {
   environment.bathymetry = support::bathymetry_from([&](geo::LonLat place) {
     return 350.0 + 250.0 * std::sin(phase + 2.0 * place.lon_deg) * std::cos(4.0 * place.lat_deg);
   });
-  for (int i = uniform_int(rng, 0, 5); i > 0; --i) {
-    environment.icebergs.push_back(support::iceberg_at({uniform(rng, -53.4, -52.6), uniform(rng, 68.9, 69.1)},
+  for (int i = uniform_int(rng, 0, 2); i > 0; --i) {
+    environment.icebergs.push_back(support::iceberg_at({uniform(rng, -53.4, -52.6), uniform(rng, 68.7, 69.3)},
                                                        uniform(rng, 20.0, 300.0)));
   }
   return environment;
