@@ -38,7 +38,7 @@ export function EmptyStore(): VNode | null {
       <h2>The store is empty</h2>
       <p>Planning needs depths and currents; coastline and icebergs make it safe.</p>
       <FileChooser />
-      <p>Or drop files anywhere on this page. Demonstration data are written by <code>floeplan demo FOLDER</code> on the machine that runs Floeplan.</p>
+      <p>Demonstration data are written by <code>floeplan demo FOLDER</code> on the machine that runs Floeplan.</p>
       {again}
     </section>
   );
