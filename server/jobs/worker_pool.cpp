@@ -11,6 +11,7 @@
 #include <new>
 
 #include "server/jobs/process_runner.hpp"
+#include "storage/sqlite/failure.hpp"
 
 namespace floeplan::jobs {
 namespace {
@@ -28,6 +29,9 @@ constexpr std::chrono::milliseconds progress_interval{250};
 constexpr std::size_t most_kept_currents = std::size_t{256} << 20;
 /// Of seas laid out for a route: 32 MB at most for the currents of each, and mostly a few more for its safety map.
 constexpr std::size_t most_kept_grounds = std::size_t{128} << 20;
+
+/// Before a job that the store could not serve is begun again.
+constexpr std::chrono::milliseconds before_next_try{2000};
 
 constexpr const char* no_memory =
     "the server has not enough memory for this; ask for less at once (a wider spacing_m, fewer sectors, a "
@@ -49,6 +53,18 @@ void pause(std::chrono::milliseconds time, const std::stop_token& stop) {
   std::condition_variable_any never;
   std::unique_lock lock{mutex};
   never.wait_for(lock, stop, time, [] { return false; });
+}
+
+/// Whether the store may do later what it could not do now: somebody makes room on the disk, or gives back its lock.
+bool may_pass(const sqlite::Failure& failure) {
+  switch (failure.trouble()) {
+    case sqlite::Trouble::disk_full:
+    case sqlite::Trouble::held_by_another:
+    case sqlite::Trouble::not_writable: return true;
+    case sqlite::Trouble::damaged:
+    case sqlite::Trouble::other: break;
+  }
+  return false;
 }
 
 /// Writes down how a job ended. The work is done and must not be lost because the disk or the memory is full for a while:
@@ -73,20 +89,23 @@ void keep_trying(sqlite::Connection& db, const repository::JobId& id, const Writ
 
 }  // namespace
 
-WorkerPool::WorkerPool(OpenStore open_store, JobBoard& board, std::size_t workers, IngestPlace place)
-    : open_store_{std::move(open_store)},
-      board_{board},
+WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers, IngestPlace place)
+    : board_{board},
       workers_{workers},
       place_{std::move(place)},
       kept_{.currents = repository::CurrentGridCache{most_kept_currents},
             .grounds = repository::RecentlyUsed<GroundKey, planning::RouteGround>{most_kept_grounds}} {
-  auto db = open_store_();
+  auto db = open_store();
   JobRepository{db}.release_all_leases(now());
-  lease_keeper_ = std::jthread{[this](const std::stop_token& stop) { keep_leases(stop); }};
+  // Every connection is made here: what goes wrong then keeps the pool from starting, and does not end a thread.
+  lease_keeper_ = std::jthread{
+      [this, own = open_store()](const std::stop_token& stop) mutable { keep_leases(own, stop); }};
   for (std::size_t i = 0; i <= workers; ++i) {
     const std::string name = std::to_string(getpid()) + "-" + std::to_string(i + 1);
     const auto lane = i < workers ? repository::Lane::planning : repository::Lane::ingest;
-    threads_.emplace_back([this, name, lane](const std::stop_token& stop) { work(stop, name, lane); });
+    threads_.emplace_back([this, own = open_store(), name, lane](const std::stop_token& stop) mutable {
+      work(own, name, lane, stop);
+    });
   }
 }
 
@@ -99,15 +118,15 @@ void WorkerPool::stop() {
   lease_keeper_ = {};
 }
 
-void WorkerPool::work(const std::stop_token& stop, const std::string& name, repository::Lane lane) {
+void WorkerPool::work(sqlite::Connection& db, const std::string& name, repository::Lane lane,
+                      const std::stop_token& stop) {
   lower_priority();
-  auto db = open_store_();
   while (!stop.stop_requested()) {
     const auto seen = board_.submissions();
     try {
       const auto job = JobRepository{db}.claim(name, now(), lease, lane);
       if (job) {
-        run(db, *job, name, stop);
+        run(db, *job, name, lane, stop);
         continue;
       }
     } catch (const std::exception& error) {
@@ -118,7 +137,7 @@ void WorkerPool::work(const std::stop_token& stop, const std::string& name, repo
 }
 
 void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::string& worker,
-                     const std::stop_token& pool_stop) {
+                     repository::Lane lane, const std::stop_token& pool_stop) {
   const std::stop_source job_stop = board_.begin(job.id, worker);
   const std::stop_callback stop_with_pool{pool_stop,
                                           [source = job_stop]() mutable { source.request_stop(); }};
@@ -127,6 +146,7 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
 
   const auto begin = std::chrono::steady_clock::now();
   tl::expected<std::string, std::string> result;
+  bool put_off = false;
   try {
     result = run_process(
         db, job, place_, workers_, kept_, job_stop.get_token(),
@@ -134,13 +154,18 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   } catch (const std::bad_alloc&) {
     spdlog::error("job={} broke off: no memory", job.id.value);
     result = tl::unexpected(std::string{no_memory});
+  } catch (const sqlite::Failure& failure) {
+    // A file that is too large for the disk would fill it again and again, so whoever sent it is told at once.
+    put_off = lane == repository::Lane::planning && may_pass(failure);
+    spdlog::error("job={} {}: {}", job.id.value, put_off ? "is put off" : "broke off", failure.what());
+    result = tl::unexpected(std::string{"the work broke off: "} + failure.what());
   } catch (const std::exception& error) {
     spdlog::error("job={} broke off: {}", job.id.value, error.what());
     result = tl::unexpected(std::string{"the work broke off: "} + error.what());
   }
   const bool stopped = job_stop.stop_requested();
   const auto write_end = [&](JobRepository& jobs) {
-    if (stopped) {
+    if (stopped || put_off) {
       jobs.hand_back(worker, now());  // does nothing for a job that was dismissed
     } else if (result) {
       jobs.succeed(job.id, worker, *result, now());
@@ -152,12 +177,12 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   board_.end(job.id);
   board_.announce(job.id);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  const char* outcome = stopped ? "stopped" : result ? "successful" : "failed";
+  const char* outcome = stopped ? "stopped" : put_off ? "put off" : result ? "successful" : "failed";
   spdlog::info("job={} outcome={} seconds={:.3f}", job.id.value, outcome, taken.count());
+  if (put_off) pause(before_next_try, pool_stop);
 }
 
-void WorkerPool::keep_leases(const std::stop_token& stop) {
-  auto db = open_store_();
+void WorkerPool::keep_leases(sqlite::Connection& db, const std::stop_token& stop) {
   std::map<repository::JobId, core::UtcTime> renewed;
   while (!stop.stop_requested()) {
     const auto running = board_.running();

@@ -13,7 +13,7 @@
 
 namespace floeplan::jobs {
 
-/// Opens a connection to the store; called once by each thread.
+/// Opens a connection to the store, for one thread.
 using OpenStore = std::function<sqlite::Connection()>;
 
 /// Threads that take jobs from the queue and do them, at lower priority than the rest of the process, and one
@@ -23,11 +23,12 @@ using OpenStore = std::function<sqlite::Connection()>;
 /// at most 256 MiB, and the seas that routes were judged in, in at most 128 MiB.
 /// Start    jobs that a killed process left running become free at once Stop stop() or the destructor:
 ///          running work is asked to stop and goes back into the queue
-/// Errors   what a job throws fails that job; what the store throws while looking for work is logged and
-///          tried again
+/// Errors   what `open_store` throws while the pool is made; what a job throws fails that job, except that a plan which
+///          the store cannot serve for a while, because the disk is full or another holds it, goes back into the
+///          queue; what the store throws while looking for work is logged and tried again
 class WorkerPool {
  public:
-  WorkerPool(OpenStore open_store, JobBoard& board, std::size_t workers, IngestPlace place = {});
+  WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers, IngestPlace place = {});
   ~WorkerPool();
   WorkerPool(const WorkerPool&) = delete;
   WorkerPool& operator=(const WorkerPool&) = delete;
@@ -35,12 +36,12 @@ class WorkerPool {
   void stop();
 
  private:
-  void work(const std::stop_token& stop, const std::string& name, repository::Lane lane);
+  void work(sqlite::Connection& db, const std::string& name, repository::Lane lane,
+            const std::stop_token& stop);
   void run(sqlite::Connection& db, const repository::JobRecord& job, const std::string& worker,
-           const std::stop_token& pool_stop);
-  void keep_leases(const std::stop_token& stop);
+           repository::Lane lane, const std::stop_token& pool_stop);
+  void keep_leases(sqlite::Connection& db, const std::stop_token& stop);
 
-  OpenStore open_store_;
   JobBoard& board_;  // borrowed
   std::size_t workers_;
   IngestPlace place_;

@@ -4,6 +4,8 @@
 
 #include <atomic>
 #include <ctime>
+#include <memory>
+#include <stdexcept>
 
 #include "storage/repository/migrations.hpp"
 #include "storage/sqlite/statement.hpp"
@@ -21,6 +23,8 @@ constexpr const char* short_plan =
     R"({"from":[-53,69],"to":[-52.9,69.05],"depart":"2026-11-20T06:00:00Z","method":"direct"})";
 constexpr const char* long_plan =
     R"({"from":[-53,69],"to":[-50,67],"depart":"2026-11-20T06:00:00Z","spacing_m":250,"sectors":5})";
+constexpr const char* plan_of_many_legs =  // its document needs pages of its own
+    R"({"from":[-53,69],"to":[-52.9,69.05],"depart":"2026-11-20T06:00:00Z","method":"direct","max_leg_m":100})";
 constexpr core::UtcTime some_time{core::Seconds{1.8e9}};
 
 class WorkerPoolTest : public testing::Test {
@@ -57,6 +61,39 @@ TEST_F(WorkerPoolTest, FailsAJobThatCannotBeDoneWithTheReason) {
 
   ASSERT_TRUE(wait_for(job.id, JobStatus::failed));
   EXPECT_NE(JobRepository{db_}.find(job.id)->message.find("no-such-process"), std::string::npos);
+}
+
+TEST_F(WorkerPoolTest, KeepsAPlanForWhichTheDiskHasNoRoomUntilThereIs) {
+  sqlite::execute(
+      db_,
+      "CREATE TABLE filler AS WITH RECURSIVE n(i) AS (SELECT 1 UNION ALL SELECT i + 1 FROM n WHERE i < "
+      "100) SELECT i, randomblob(8000) FROM n");
+  const auto job = submit("plan-route", plan_of_many_legs);
+  const OpenStore open_full_store = [open = open_store()] {
+    sqlite::Connection db = open();
+    sqlite::execute(db, "PRAGMA max_page_count = 1");  // no more pages than there are
+    return db;
+  };
+  WorkerPool pool{open_full_store, board_, 1};
+  ASSERT_TRUE(wait_until([&] {
+    const auto found = JobRepository{db_}.find(job.id);
+    return found->status == JobStatus::accepted && found->updated != job.updated;
+  }));
+
+  sqlite::execute(db_, "DROP TABLE filler");  // its pages are free for whoever needs them
+
+  EXPECT_TRUE(wait_for(job.id, JobStatus::successful)) << JobRepository{db_}.find(job.id)->message;
+}
+
+TEST_F(WorkerPoolTest, DoesNotStartWhileTheStoreCannotBeOpenedForEachThread) {
+  for (int opened = 0; opened < 4;
+       ++opened) {  // its own, the keeper of leases, one worker, the one that ingests
+    const OpenStore open_so_often = [open = open_store(), left = std::make_shared<int>(opened)] {
+      if ((*left)-- == 0) throw std::runtime_error{"damaged meanwhile"};
+      return open();
+    };
+    EXPECT_THROW((WorkerPool{open_so_often, board_, 1}), std::runtime_error) << opened;
+  }
 }
 
 TEST_F(WorkerPoolTest, StopsADismissedJobWithinASecondOfWork) {
