@@ -91,7 +91,9 @@ test('a loaded desk stays quick', async ({ page, request }) => {
     await settled(page);
   }
 
+  const prepared = page.waitForResponse('**/processes/evaluate-route/execution');
   await page.getByRole('button', { name: 'Edit copy' }).click();
+  await prepared;
   await mapAtRest(page);
   const at = await pixelOf(page, goal);
   const trips: number[] = [];

@@ -6,7 +6,7 @@ import { deliver, discardEdit, routeEdit, whyNotSaved, type RouteEdit, type Verd
 import { announce } from '../model/screen';
 import { duration } from '../model/time';
 import * as api from './client';
-import type { PlanInputs } from './types';
+import type { Plan, PlanInputs } from './types';
 
 /** A single change is asked about at once; held keys and quick clicks are answered once, when they pause this long. */
 const pause_ms = 80;
@@ -20,8 +20,11 @@ export function followRouteEdit(): void {
   let question: AbortController | undefined;
   let timer: ReturnType<typeof setTimeout> | undefined;
   let changed_ms = -Infinity;
+  let prepared: Plan | undefined;
   effect(() => {
     const edit = routeEdit.value;
+    if (edit && edit.origin !== prepared) prepare(edit);
+    prepared = edit?.origin;
     const wanted = edit?.verdict.state === 'pending' ? `${edit.origin.plan_id} ${edit.number}` : undefined;
     if (wanted === asked) return;
     asked = wanted;
@@ -35,6 +38,12 @@ export function followRouteEdit(): void {
     if (isQuick) timer = setTimeout(() => void evaluate(edit, signal), pause_ms);
     else untracked(() => void evaluate(edit, signal));
   });
+}
+
+/** The server lays out the sea round the route before it is changed: the first change is then judged as quickly as the
+ * next. What it answers is known, and what fails will be told of that change. */
+function prepare({ conditions, route }: RouteEdit): void {
+  api.evaluateRoute({ ...conditions, route: route.now }, new AbortController().signal).catch(() => undefined);
 }
 
 async function evaluate(edit: RouteEdit, signal: AbortSignal): Promise<void> {
