@@ -287,13 +287,17 @@ TEST_F(TideFile, ThatWasCutShortIsRefused) {
   }
 }
 
+/// In the process that is made for foreign files: the library of HDF5 may crash on a damaged one.
 TEST_F(TideFile, WithFlippedBytesIsRefusedOrHoldsPlausibleConstants) {
   write_tpxo_transport(path("u_k1_tpxo.nc"), true);
   const std::string whole = bytes_of(path("u_k1_tpxo.nc"));
-  support::for_each_seed(100, [&](std::mt19937_64& rng) {
+  const Guard guard{.program = FLOEPLAN_BINARY_DIR "/ingest_reader", .staging = path("incoming")};
+  support::for_each_seed(10, [&](std::mt19937_64& rng) {
     std::string flipped = whole;
     for (int i = 0; i < 3; ++i) flipped[rng() % flipped.size()] ^= static_cast<char>(1U << (rng() % 8));
-    for (const IngestReport& report : ingest_all(write_file("k1.nc", flipped))) {
+    const auto file = write_file("k1.nc", flipped);
+    for (const IngestReport& report :
+         guarded_ingest(db_, guard, {file}, {}, core::from_unix_seconds(1.8e9), {}, {}, {})) {
       if (report.status != IngestStatus::stored) continue;
       const auto model =
           repository::TideRepository{db_}.load(report.dataset->id, {-180.0, -90.0, 180.0, 90.0});
