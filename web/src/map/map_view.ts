@@ -130,9 +130,9 @@ function cornersOf([west, south, east, north]: Box): Position[] {
   return places;
 }
 
-/** The legend covers the right edge of a wide map; what is fitted stays clear of it. */
-function roomForLegend_px(map: Map): number {
-  return (map.getSize()?.[0] ?? 0) > 600 ? 220 : 60;
+/** What lies over the map's edges, clockwise from the top: tools on the left and, where the map is wide, the legend on the right. */
+function coveredEdges_px(map: Map): [number, number, number, number] {
+  return (map.getSize()?.[0] ?? 0) > 600 ? [70, 220, 80, 100] : [70, 20, 60, 60];
 }
 
 function fit(map: Map, places: Position[], time_ms: number): void {
@@ -140,7 +140,7 @@ function fit(map: Map, places: Position[], time_ms: number): void {
   const code = projection.peek();
   const south_deg = projections[code].polar ? 40 : -84;
   const drawn = toMap(code, places.map(([lon, lat]) => [lon, Math.max(lat, south_deg)]));
-  map.getView().fit(boundingExtent(drawn), { padding: [70, roomForLegend_px(map), 80, 100], minResolution: 15, duration: time_ms });
+  map.getView().fit(boundingExtent(drawn), { padding: coveredEdges_px(map), minResolution: 15, duration: time_ms });
 }
 
 function followCommands(map: Map): void {
