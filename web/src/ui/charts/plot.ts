@@ -78,7 +78,7 @@ function optionsOf(box: HTMLElement, spec: PlotSpec, colours: Palette): uPlot.Op
         ...axis, size: 22, space: 52,
         values: (_plot, times) => times.map((time_s, i) => tickText(time_s, times[i - 1])),
       },
-      { ...axis, size: 44, space: 22, values: (_plot, values) => values.map((value) => String(Number(value.toPrecision(6)))) },
+      { ...axis, size: 44, space: 16, values: (_plot, values) => values.map((value) => String(Number(value.toPrecision(6)))) },
     ],
     series: [
       {},

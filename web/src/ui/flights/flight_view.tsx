@@ -75,7 +75,7 @@ function Charts({ plan, flight }: { plan: Plan; flight: Flight }): VNode {
     <>
       <Chart {...common} times_s={times_s} title="Cross-track error" unit="m" lines={errors} height_px={104} fromZero description="How far the vehicle is from the planned way, positive to its right, and one sigma of where it believes to be." />
       <Chart {...common} times_s={times_s} title="Depth" unit="m" lines={depths} height_px={90} downward fromZero description="Depth of the vehicle." />
-      {sonar_s.length > 0 && <Chart {...common} times_s={sonar_s} title="Sonar" unit="m" lines={echoes} height_px={90} fromZero description="Distance of the nearest return of each ping that had one." />}
+      {sonar_s.length > 0 && <Chart {...common} times_s={sonar_s} title="Sonar, nearest return" unit="m" lines={echoes} height_px={90} fromZero description="Distance of the nearest return of each ping that had one." />}
     </>
   );
 }
