@@ -13,7 +13,6 @@
 namespace floeplan::mission {
 namespace {
 
-constexpr int last_free_number = 97;  // the firmware writes goto_l99, its recovery under ice uses goto_l98
 constexpr int documented_max_waypoints = 8;
 constexpr double max_latitude_deg = 89.0;   // closer to a pole the vehicle's UTM-based metres mean nothing
 constexpr double utm_north_end_deg = 84.0;  // UTM is defined between these parallels

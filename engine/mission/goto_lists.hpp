@@ -11,6 +11,9 @@
 
 namespace floeplan::mission {
 
+/// The firmware writes goto_l99, and its recovery under ice uses goto_l98.
+inline constexpr int last_free_number = 97;
+
 /// How a plan becomes lists. What is named here and not in the plan goes into the comments of each file.
 struct GotoListOptions {
   int first_number{10};                  // NN of the first goto_lNN.ma, 0 to 97

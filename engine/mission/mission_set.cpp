@@ -13,8 +13,7 @@
 namespace floeplan::mission {
 namespace {
 
-constexpr int last_free_number = 97;  // the firmware's recovery under ice owns 98 and 99
-constexpr Firmware oldest{7, 0};      // older documents describe other behaviors
+constexpr Firmware oldest{7, 0};  // older documents describe other behaviors
 constexpr Firmware newest{11, 99};
 constexpr double room_for_detours = 1.5;  // of max_wpt_distance over the longest leg
 

@@ -8,6 +8,7 @@
 
 #include "engine/mission/argument_rules.hpp"
 #include "engine/mission/behavior_table.hpp"
+#include "engine/mission/goto_lists.hpp"
 
 namespace floeplan::simulation {
 namespace {
@@ -140,6 +141,18 @@ class Reader {
         }
       }
       read_behavior(behavior, Arguments{behavior, file, where}, file != nullptr ? *file : mission);
+      if (file != nullptr && behavior.name == "goto_list") read_lists_after(whole(number->value));
+    }
+  }
+
+  /// A mission names one list; the pilot sends those numbered after it, each when the one before is flown.
+  void read_lists_after(int number) {
+    for (int next = number + 1; next <= mission::last_free_number; ++next) {
+      const std::string where = file_name("goto_list", next);
+      const Document* file = document(where);
+      if (file == nullptr || file->behaviors.empty()) return;
+      read_list(Arguments{file->behaviors.front(), file, where}, *file);
+      note("Further goto lists are flown as if each were sent when the one before it ends.");
     }
   }
 

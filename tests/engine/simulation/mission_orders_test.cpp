@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "engine/mission/mission_set.hpp"
 #include "engine/mission/read_document.hpp"
 #include "tests/engine/mission/random_plan.hpp"
@@ -12,6 +14,7 @@ namespace {
 
 using support::plan_of;
 using testing::Contains;
+using testing::ElementsAre;
 using testing::Field;
 using testing::HasSubstr;
 using testing::SizeIs;
@@ -67,6 +70,26 @@ TEST(MissionOrders, FlyToTheLastWaypointOfTheExportedFiles) {
   const Vector goal = world.to_frame({-51.93, 47.52});
   const Vector end = record.track.back().position;
   EXPECT_LT(std::hypot(goal.east - end.east, goal.north - end.north), 1000.0);
+}
+
+TEST(MissionOrders, FlyEveryListOfAPlanThatIsLongerThanOne) {
+  std::vector<geo::LonLat> places;
+  for (int i = 0; i <= 18; ++i) places.push_back({-52.0 + 0.02 * i, 47.5});
+  const auto vehicle = *vehicle::find_profile("slocum-g3-200");
+  const auto files = exported("slocum-g3-200", places);
+  auto documents = documents_of(files);
+  const auto last = std::ranges::find(files.files, "goto_l12.ma", &mission::MissionFile::name);
+  ASSERT_NE(last, files.files.end());
+  documents.push_back(mission::read_document("goto_l14.ma", last->text));  // none is numbered 13
+
+  const auto orders = read_orders(documents, vehicle);
+
+  ASSERT_TRUE(orders.has_value());
+  EXPECT_THAT(orders->lists,
+              ElementsAre(Field(&GotoOrders::waypoints, SizeIs(8)), Field(&GotoOrders::waypoints, SizeIs(8)),
+                          Field(&GotoOrders::waypoints, SizeIs(2))));
+  EXPECT_NEAR(orders->lists.back().waypoints.back().lon_deg, places.back().lon_deg, 1e-4);
+  EXPECT_THAT(orders->notes, Contains(HasSubstr("sent when the one before it ends")));
 }
 
 TEST(MissionOrders, RefuseFilesForADeeperVehicle) {
