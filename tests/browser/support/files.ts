@@ -50,3 +50,24 @@ export function crowdOfBergs([lon, lat]: LonLat, count: number): Chosen {
 export function routeFile(name: string, places: LonLat[]): Chosen {
   return chosen(name, ['lat,lon', ...places.map(([lon, lat]) => `${lat},${lon}`), ''].join('\n'));
 }
+
+/** The log of a Slocum that went from one place to another in two hours of 2014: two fixes, and the current it met between. */
+export function trackLog([[lon, lat], [lon2, lat2]]: [LonLat, LonLat]): Chosen {
+  const written = (deg: number): string => {
+    const whole = Math.trunc(deg);
+    return (whole * 100 + (deg - whole) * 60).toFixed(4);
+  };
+  const fix = (time_s: number, at: LonLat, current: string): string =>
+    [time_s, written(at[1]), written(at[0]), written(at[1]), written(at[0]), 0, 0, current].join(',');
+  const start_s = Date.UTC(2014, 6, 24, 17) / 1000;
+  const rows = [
+    '# mission_name=FIXED.MI',
+    'm_present_time,m_lat,m_lon,m_gps_lat,m_gps_lon,m_gps_status,m_depth,m_final_water_vx,m_final_water_vy',
+    'timestamp,lat,lon,lat,lon,enum,m,m/s,m/s',
+    fix(start_s, [lon, lat], ','),
+    [start_s + 3600, written((lat + lat2) / 2), written((lon + lon2) / 2), '', '', '', 120, '', ''].join(','),
+    fix(start_s + 7200, [lon2, lat2], '0.1,0'),
+    '',
+  ];
+  return chosen('went_here_nav.csv', rows.join('\n'));
+}

@@ -1,4 +1,4 @@
-import { effect, untracked } from '@preact/signals';
+import { computed, effect, untracked } from '@preact/signals';
 import { range, setSpan, setTime } from '../model/clock';
 import { coveredDatasets } from '../model/coverage';
 import { connectionFault, chosenBathymetry, chosenCurrents, currentTimes_ms, datasets, forgetMissing, homeBox, vehicles } from '../model/datasets';
@@ -8,6 +8,7 @@ import { dataArea } from '../model/position';
 import type { Link } from '../model/link';
 import { opening } from '../model/shared_view';
 import { shownFlight } from '../model/simulations';
+import { chosenTrack, gliderTracks } from '../model/tracks';
 import { announce, probed, tell } from '../model/screen';
 import { fieldOf, hour_ms, isoOf } from '../model/time';
 import { time_ms } from '../model/clock';
@@ -76,8 +77,32 @@ export function followSpans(): void {
 
   followSpansOf(() => model.shownPlans.value.map(({ plan }) => ({ id: plan.plan_id, from: plan.departure, to: plan.arrival })));
   followSpansOf(() => (shownFlight.value ? [{ id: 'flight', from: shownFlight.value.departure, to: shownFlight.value.finished }] : []));
+  followTrackSpans();
   followSpansOf(() => coveredDatasets.value.map(({ id, time_start, time_end }) => ({ id, from: time_start, to: time_end })));
 }
+
+/** Tracks may be years older than all else: the clock covers them where nothing else needs it, and the one that was chosen. */
+function followTrackSpans(): void {
+  const wanted = computed(() => {
+    if (!chosenCurrents.value && model.shownPlans.value.length === 0) return gliderTracks.value;
+    return chosenTrack.value ? [chosenTrack.value] : [];
+  });
+  followSpansOf(() => wanted.value.map(({ id, properties: { start, end } }) => ({ id: `track ${id}`, from: start, to: end })));
+
+  let opened = false;
+  effect(() => {
+    const [first] = wanted.value;
+    if (opened || !first) return;
+    opened = true;
+    untracked(() => setTime(opening.time_ms ?? firstHourOf(first.properties.start)));
+  });
+  effect(() => {
+    const track = chosenTrack.value;
+    if (track) untracked(() => setTime(firstHourOf(track.properties.start)));
+  });
+}
+
+const firstHourOf = (time: string): number => Math.ceil(Date.parse(time) / hour_ms) * hour_ms;
 
 /** Keeps the clock over what is listed now; what has no times asks for nothing. */
 function followSpansOf(listed: () => { id: string; from: string | null; to: string | null }[]): void {

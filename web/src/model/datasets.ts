@@ -67,12 +67,12 @@ export const lastSighted = computed<Dataset | undefined>(() =>
 );
 export const chosenCoastline = computed(() => chosen('coastline'));
 
-/** The part of the Earth to open on: where currents and depths are both known, else whichever is. */
+/** The part of the Earth to open on: where currents and depths are both known, else whichever is; else where there is ice, or a glider was. */
 export const homeBox = computed<Box>(() => {
   const currents = chosenCurrents.value?.bbox;
   const bathymetry = chosenBathymetry.value?.bbox;
   const both = currents && bathymetry ? intersection(currents, bathymetry) : undefined;
-  return both ?? currents ?? bathymetry ?? chosenIcebergs.value[0]?.bbox ?? [-75, 58, -15, 84];
+  return both ?? currents ?? bathymetry ?? chosenIcebergs.value[0]?.bbox ?? ofKind('glider-tracks')[0]?.bbox ?? [-75, 58, -15, 84];
 });
 
 /** Moments for which currents are stored, ascending; whole hours where the server keeps its list to itself. */

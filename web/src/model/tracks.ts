@@ -1,9 +1,13 @@
-import { signal } from '@preact/signals';
+import { computed, signal } from '@preact/signals';
 import type { GliderTrackFeature, Position } from '../api/types';
 import { destination, inverse } from '../geo/geodesic';
 
 /** Where gliders have been, as far as it is stored. */
 export const gliderTracks = signal<GliderTrackFeature[]>([]);
+
+/** The track that a person asked to see, which the clock then covers however long ago it was. */
+export const chosenTrackId = signal<GliderTrackFeature['id'] | undefined>(undefined);
+export const chosenTrack = computed(() => gliderTracks.value.find(({ id }) => id === chosenTrackId.value));
 
 /** The track whose glider or way the pointer is at. */
 export const hoveredTrack = signal<GliderTrackFeature | undefined>(undefined);

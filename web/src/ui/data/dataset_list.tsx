@@ -11,6 +11,7 @@ import { fileSize } from '../../model/units';
 import { ask } from '../../model/view';
 import { borderOf } from '../../geo/boxes';
 import { Icon, IconButton } from '../common/icon';
+import { TrackList } from './track_list';
 
 /** Every dataset of the store with its times, sizes and warnings. */
 export function DatasetList(): VNode {
@@ -52,6 +53,7 @@ function Row({ dataset }: { dataset: Dataset }): VNode {
         {isByHand(dataset) ? null : <span>{file_name}, {fileSize(file_size_bytes)}</span>}
         <span>{isByHand(dataset) ? 'changed' : 'in since'} {shortTime(Date.parse(ingested))}</span>
       </p>
+      {kind === 'glider-tracks' && <TrackList dataset={id} name={name} />}
       {warnings.length > 0 && (
         <details class="dataset-warnings">
           <summary><Icon name="warning" size={12} /> {warnings.length === 1 ? '1 warning' : `${warnings.length} warnings`}</summary>

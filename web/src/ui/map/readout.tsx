@@ -8,6 +8,7 @@ import { shortTime } from '../../model/time';
 import { course, depth, distance, none, speed } from '../../model/units';
 import { hoveredTrack } from '../../model/tracks';
 import { hoveredBerg, pointer } from '../../model/view';
+import { TrackFigures } from '../common/track_figures';
 
 /** Position, depth and current under the pointer; a berg's sighting or a glider's track when it points at one. */
 export function Readout(): VNode | null {
@@ -24,15 +25,12 @@ export function Readout(): VNode | null {
       </div>
     );
   }
-  const track = hoveredTrack.value?.properties;
+  const track = hoveredTrack.value;
   if (track) {
-    const [east, north] = [track.mean_east_m_s, track.mean_north_m_s];
     return (
       <div class="readout">
-        <b>{track.glider}</b>
-        <span>{shortTime(Date.parse(track.start))} – {shortTime(Date.parse(track.end))}</span>
-        {track.deepest_m !== null && <span>to {depth(track.deepest_m)}</span>}
-        {east !== null && north !== null && <span>mean current {speed(Math.hypot(east, north))} to {course(directionTowards_deg(east, north))}</span>}
+        <b>{track.properties.glider}</b>
+        <TrackFigures track={track} />
       </div>
     );
   }
