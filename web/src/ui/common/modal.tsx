@@ -20,8 +20,16 @@ export function Modal({ title, wide, children }: { title: string; wide?: boolean
   const close = (): void => {
     if (isOpen.current) dialog.value = undefined; // the element tells of its end only after another may have taken its place
   };
+  // Left to itself, the element vanishes at once but tells of it later: keys pressed in between would be lost.
+  const closeAtOnce = (event: Event): void => {
+    event.preventDefault();
+    close();
+  };
   return (
-    <dialog ref={box} class={wide ? 'modal wide' : 'modal'} aria-labelledby="modal-title" onClose={close}>
+    <dialog
+      ref={box} class={wide ? 'modal wide' : 'modal'} aria-labelledby="modal-title"
+      onCancel={closeAtOnce} onClose={close}
+    >
       <div class="modal-head">
         <h2 id="modal-title">{title}</h2>
         <IconButton icon="x" label="Close" onClick={close} />
