@@ -47,6 +47,17 @@ class ConnectionPool {
   std::vector<sqlite::Connection> free_;
 };
 
+/// What `work` gives, or what a client is told when the store does not do its part.
+template <class Result, class Work>
+Result or_store_trouble(const routes::Request& request, const Work& work) {
+  try {
+    return work();
+  } catch (const sqlite::Failure& failure) {
+    spdlog::error("method={} path={} failed: {}", request.method, request.path, failure.what());
+    return routes::store_trouble_reply(request, failure);
+  }
+}
+
 }  // namespace
 
 Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway& jobs,
@@ -61,18 +72,17 @@ Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway&
   };
   return {.answer =
               [doorkeeper, with_context](const routes::Request& request) {
-                try {
+                return or_store_trouble<routes::Response>(request, [&] {
                   return with_context(
                       [&](const routes::Context& context) { return doorkeeper->answer(context, request); });
-                } catch (const sqlite::Failure& failure) {
-                  spdlog::error("method={} path={} failed: {}", request.method, request.path, failure.what());
-                  return routes::store_trouble_reply(request, failure);
-                }
+                });
               },
           .refuse =
               [doorkeeper, with_context](const routes::Request& request) {
-                return with_context(
-                    [&](const routes::Context& context) { return doorkeeper->refuse(context, request); });
+                return or_store_trouble<std::optional<routes::Response>>(request, [&] {
+                  return with_context(
+                      [&](const routes::Context& context) { return doorkeeper->refuse(context, request); });
+                });
               }};
 }
 

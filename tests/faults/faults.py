@@ -227,6 +227,9 @@ def damaged(program, folder):
         status, answer = server.ask("GET", path)
         answers[path] = status
         expect(status in (200, 503), f"{path} of a damaged store is answered by {status}: {answer}")
+    status, answer = server.ask("POST", "/uploads?name=bed.asc", grid(1))
+    answers["upload"] = status
+    expect(status in (201, 503), f"an upload to a damaged store is answered by {status}: {answer}")
     expect(server.process.poll() is None, "the server has ended")
     server.end(signal.SIGKILL)
     print(f"page damaged below a server: {answers}", flush=True)
