@@ -94,6 +94,7 @@ main() {
     step "damaged files, 1000 of each format" env FLOEPLAN_DAMAGED_FILES=1000 \
       "$root/build/release/ingest_test" --gtest_filter='*HostileF*'
     step "200 kills" "$root/tests/faults/faults.py" "$root/build/release/floeplan" --kills 200
+    step "attacks on a server" "$root/tests/attack/attack.py" "$root/build/release/floeplan"
     step "C++ tests, dev" all_of_preset dev
     step "C++ tests, ci" all_of_preset ci
     step "C++ tests, asan" all_of_preset asan

@@ -26,7 +26,7 @@ struct Limits {
   std::chrono::seconds idle_time{60};           // between requests
   std::chrono::seconds write_time{60};
   std::chrono::seconds stop_time{8};  // for open requests, when the server stops
-  std::size_t connections{4096};
+  std::size_t connections{12'000};    // 10,000 that say nothing, each 10 KB as measured, and those at work
   std::size_t connections_per_address{1024};
   std::size_t streams{200};  // of events, each on a connection of its own
 };
