@@ -15,8 +15,11 @@ const drift_deg = 0.9;
 /** Sightings older than this at departure do not count, by whole days, unless the set-up says otherwise. */
 export const sighting_days = 3;
 
-/** Whether a plan that leaves then heeds sightings of this dataset: none of them too old, or later than the departure. */
+/** Whether a plan of that time heeds this dataset: sightings neither too old nor later than its departure, currents of its hours. */
 function speaksThen({ kind, time_start, time_end }: Dataset, plan: Plan): boolean {
+  if (kind === 'currents') {
+    return (!time_start || Date.parse(time_start) <= Date.parse(plan.arrival)) && (!time_end || Date.parse(time_end) >= Date.parse(plan.departure));
+  }
   if (kind !== 'icebergs') return true;
   const [oldest_ms, newest_ms] = sightingsFor(plan);
   return (!time_start || Date.parse(time_start) <= newest_ms) && (!time_end || Date.parse(time_end) >= oldest_ms);

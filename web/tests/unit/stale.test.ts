@@ -24,6 +24,14 @@ describe('a plan is stale', () => {
     expect(newerThan(plan, [dataset({ bbox: [-10, 68, 0, 70] })])).toEqual([]);
   });
 
+  it('when currents of its hours came in, and not for those of another year', () => {
+    const sailed = { ...plan, datasets: [{ id: 'old', kind: 'currents' as const, name: '', sha256: '' }] };
+    const of = (time_start: string, time_end: string): Dataset => dataset({ kind: 'currents', time_start, time_end });
+    expect(newerThan(sailed, [of(sailed.departure, sailed.arrival)])).toHaveLength(1);
+    expect(newerThan(sailed, [of('2019-02-23T00:00:00Z', '2019-02-23T00:00:00Z')])).toEqual([]);
+    expect(newerThan(sailed, [of('2030-01-01T00:00:00Z', '2030-01-05T00:00:00Z')])).toEqual([]);
+  });
+
   it('when icebergs may drift into its way from beside it, or are the first that are known', () => {
     expect(newerThan(plan, [dataset({ bbox: [-50, 69, -49, 69.2] })])).toHaveLength(1);
     expect(newerThan({ ...plan, datasets: [] }, [dataset({})])).toHaveLength(1);
