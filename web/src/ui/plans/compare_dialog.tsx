@@ -14,28 +14,31 @@ interface Column {
   difference: (value: number) => string;
 }
 
-const signed = (value: number, text: string): string => (value === 0 ? '±0' : `${value < 0 ? '−' : '+'}${text}`);
+/** A difference in words; ±0 also where it is too small for its figures. */
+const signed = (value: number, text: (size: number) => string): string =>
+  text(Math.abs(value)) === text(0) ? '±0' : `${value < 0 ? '−' : '+'}${text(Math.abs(value))}`;
 const metres: Pick<Column, 'text' | 'difference'> = {
   text: (value) => distance(value),
-  difference: (value) => signed(value, distance(Math.abs(value))),
+  difference: (value) => signed(value, distance),
 };
+const percent = (share: number): string => `${(100 * share).toFixed(1)} %`;
 const shares: Pick<Column, 'text' | 'difference'> = {
-  text: (value) => `${(100 * (value ?? 0)).toFixed(1)} %`,
-  difference: (value) => signed(value, `${Math.abs(100 * value).toFixed(1)} %`),
+  text: (value) => percent(value ?? 0),
+  difference: (value) => signed(value, percent),
 };
 
 const columns: Column[] = [
-  { title: 'Arrival', value: (plan) => Date.parse(plan.arrival), text: (value) => shortTime(value ?? 0), difference: (value) => signed(value, duration(Math.abs(value) / 1000)) },
-  { title: 'Travel time', value: (plan) => plan.travel_time_s, text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration(Math.abs(value))) },
+  { title: 'Arrival', value: (plan) => Date.parse(plan.arrival), text: (value) => shortTime(value ?? 0), difference: (value) => signed(value / 1000, duration) },
+  { title: 'Travel time', value: (plan) => plan.travel_time_s, text: (value) => duration(value ?? 0), difference: (value) => signed(value, duration) },
   { title: 'Distance', value: (plan) => plan.distance_m, ...metres },
-  { title: 'Energy', value: (plan) => plan.energy_j, text: energy, difference: (value) => signed(value, energy(Math.abs(value))) },
+  { title: 'Energy', value: (plan) => plan.energy_j, text: energy, difference: (value) => signed(value, energy) },
   { title: 'Battery used', value: ({ energy: battery, energy_j }) => (battery && energy_j !== null ? energy_j / battery.usable_j : null), ...shares },
-  { title: 'Waypoints', value: (plan) => plan.waypoints.length, text: String, difference: (value) => signed(value, String(Math.abs(value))) },
+  { title: 'Waypoints', value: (plan) => plan.waypoints.length, text: String, difference: (value) => signed(value, String) },
   { title: 'Nearest ice', value: (plan) => plan.clearances.iceberg_m, ...metres },
   { title: 'Nearest land', value: (plan) => plan.clearances.land_m, ...metres },
   { title: 'Above sea bed', value: (plan) => plan.clearances.bottom_m, ...metres },
   { title: 'Optimality gap', value: (plan) => plan.optimality_gap, ...shares },
-  { title: 'Warnings', value: (plan) => plan.warnings.length, text: String, difference: (value) => signed(value, String(Math.abs(value))) },
+  { title: 'Warnings', value: (plan) => plan.warnings.length, text: String, difference: (value) => signed(value, String) },
 ];
 
 const order = signal<{ column: number; descending: boolean } | undefined>(undefined);
