@@ -11,6 +11,9 @@ const others: [ExportFormat, string][] = [
   ['gpx', 'GPX'], ['kml', 'KML'], ['geojson', 'GeoJSON'], ['csv', 'CSV'], ['pdf', 'Brief (PDF)'],
 ];
 
+/** The numbers above it belong to the vehicle's firmware. */
+const last_list = 97;
+
 /** The mission files as the server would write them, and the downloads. */
 export function ExportDialog(): VNode | null {
   const plan = selectedPlan.value;
@@ -20,7 +23,7 @@ export function ExportDialog(): VNode | null {
 function Export({ plan }: { plan: Plan }): VNode {
   const [numberText, setNumberText] = useState('10');
   const number = Number(numberText);
-  const valid = Number.isInteger(number) && number >= 0 && number <= 99;
+  const valid = Number.isInteger(number) && number >= 0 && number <= last_list;
   const [preview, setPreview] = useState<MissionPreview | undefined>(undefined);
   const [fault, setFault] = useState<string | undefined>(undefined);
   const [file, setFile] = useState(0);
@@ -48,7 +51,7 @@ function Export({ plan }: { plan: Plan }): VNode {
     <Modal title={`Export ${titleOf(plan)}`} wide>
       <div class="export-controls">
         <div class={valid ? 'field' : 'field faulty'}>
-          <label for="list-number">Number of the waypoint list <span class="unit">0–99</span></label>
+          <label for="list-number">Number of the waypoint list <span class="unit">0–{last_list}</span></label>
           <input
             id="list-number" type="text" inputMode="numeric" value={numberText} aria-invalid={valid ? undefined : true}
             onInput={(event) => setNumberText(event.currentTarget.value)}
