@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import { inPageWords } from '../../src/model/page_words';
+import { asSentence, inPageWords } from '../../src/model/page_words';
 
 it('flags of the command line become the fields of the page, whole ones only', () => {
   expect(inPageWords('let the vehicle wait (--max-loiter), or depart later')).toBe('let the vehicle wait (“Longest wait”), or depart later');
@@ -8,4 +8,9 @@ it('flags of the command line become the fields of the page, whole ones only', (
   expect(inPageWords('move it into the water; longitude comes first')).toBe('move it into the water');
   expect(inPageWords('closed until 2026-11-22T19:24:33Z')).toBe('closed until 22 Nov 19:24Z');
   expect(inPageWords('a well-known --thing -- and more')).toBe('a well-known --thing -- and more');
+});
+
+it('begins what stands alone as a sentence', () => {
+  expect(asSentence('the way comes too close at 2026-11-22T23:51:00Z')).toMatch(/^The way comes too close at 22 Nov/);
+  expect(asSentence('')).toBe('');
 });

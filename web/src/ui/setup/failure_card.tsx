@@ -6,7 +6,7 @@ import { formatPosition } from '../../geo/coordinates';
 import { draft } from '../../model/draft';
 import { editFor } from '../../model/draft_answer';
 import { failure, reasonTitle, running } from '../../model/job';
-import { inPageWords } from '../../model/page_words';
+import { asSentence, inPageWords } from '../../model/page_words';
 import { settings } from '../../model/settings';
 import { shortTime } from '../../model/time';
 import { ask } from '../../model/view';
@@ -58,7 +58,7 @@ export function FailureCard(): VNode | null {
   return (
     <section class="failure" role="alert" aria-label="No plan is possible" ref={card}>
       <h3><Icon name="warning" /> {reasonTitle(answer.reason)}</h3>
-      <p>{inPageWords(answer.explanation)}</p>
+      <p>{asSentence(answer.explanation)}</p>
       <p class="failure-place">
         <button type="button" class="link" onClick={() => ask({ do: 'centre', place: [answer.at.lon, answer.at.lat] })}>
           {formatPosition([answer.at.lon, answer.at.lat], settings.value.coordinates)}

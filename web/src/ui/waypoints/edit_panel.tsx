@@ -3,6 +3,7 @@ import { useState } from 'preact/hooks';
 import { editedName, saveEdit } from '../../api/evaluating';
 import { formatPosition } from '../../geo/coordinates';
 import { reasonTitle } from '../../model/job';
+import { asSentence } from '../../model/page_words';
 import type { ShownPlan } from '../../model/plans';
 import { discardEdit, redoEdit, undoEdit, whyNotSaved, type RouteEdit } from '../../model/route_edit';
 import { dialog } from '../../model/screen';
@@ -63,7 +64,7 @@ function State({ edit: { verdict, number } }: { edit: RouteEdit }): VNode {
       return (
         <section class="failure" aria-label="The route cannot be flown">
           <h3><Icon name="warning" /> {reasonTitle(answer.reason)}</h3>
-          <p>{answer.explanation}</p>
+          <p>{asSentence(answer.explanation)}</p>
           <p class="failure-place">
             <button type="button" class="link" onClick={() => ask({ do: 'centre', place: [answer.at.lon, answer.at.lat] })}>
               {formatPosition([answer.at.lon, answer.at.lat], settings.value.coordinates)}

@@ -1,8 +1,9 @@
 import type { VNode } from 'preact';
 import { recheck } from '../../api/rechecking';
 import type { Plan } from '../../api/types';
-import { may } from '../../model/login';
 import { reasonTitle } from '../../model/job';
+import { may } from '../../model/login';
+import { asSentence } from '../../model/page_words';
 import { rechecks, staleness, type Recheck } from '../../model/stale';
 import { duration, shortTime } from '../../model/time';
 import { distance } from '../../model/units';
@@ -45,7 +46,7 @@ function Result({ verdict, plan }: { verdict: Recheck; plan: Plan }): VNode | nu
       const { at, explanation, reason } = verdict.answer;
       return (
         <p class="fault" role="alert">
-          <b>{reasonTitle(reason)}.</b> {explanation}{' '}
+          <b>{reasonTitle(reason)}.</b> {asSentence(explanation)}{' '}
           <button type="button" class="link" onClick={() => ask({ do: 'centre', place: [at.lon, at.lat] })}>Show the place</button>
         </p>
       );
