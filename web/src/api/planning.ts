@@ -5,7 +5,7 @@ import { failure, reasonTitle, running } from '../model/job';
 import { forbids } from '../model/login';
 import { add, nextName, routeOf } from '../model/plans';
 import { conditionsOf, rememberRequest, requestOf, withDeparture } from '../model/requests';
-import { announce, leftTab, rightTab } from '../model/screen';
+import { announce, drawer, leftTab, rightTab } from '../model/screen';
 import { duration } from '../model/time';
 import { keepUnfinished, unfinished } from '../model/unfinished';
 import { ask } from '../model/view';
@@ -111,6 +111,7 @@ async function carryOut(begun: JobStatus, inputs: PlanInputs, started_ms: number
 function showPlan(answer: Plan): void {
   if (answer.departures) rightTab.value = 'departures';
   add({ ...answer, created: answer.created ?? new Date().toISOString() });
+  drawer.value = undefined; // on a narrow screen it lies over the map
   ask({ do: 'fit', places: routeOf(answer) });
   const warned = answer.warnings.length > 0 ? ` ${answer.warnings.length} warnings.` : '';
   announce(`Plan ready: ${duration(answer.travel_time_s)}, ${answer.waypoints.length} waypoints.${warned}`);

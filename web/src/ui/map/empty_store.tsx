@@ -32,6 +32,7 @@ export function EmptyStore(): VNode | null {
       </section>
     );
   }
+  if (datasets.value === undefined) return <p class="map-note only-narrow" role="status">Waiting for the server …</p>;
   if (!isEmptyStore.value) return null;
   return (
     <section class="empty-store" aria-label="Empty store">
