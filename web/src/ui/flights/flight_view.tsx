@@ -107,8 +107,8 @@ const titles: Partial<Record<Flight['events'][number]['kind'], string>> = {
   surfacing: 'Surfaced', waypoint: 'Waypoint reached', contact: 'Contact', end: 'End',
 };
 
-/** Surfacings, waypoints, contacts and each manoeuvre, in the order of time. */
-function happeningsOf({ track, events, departure }: Flight): Happening[] {
+/** Surfacings, waypoints, contacts, the closest approaches and each manoeuvre, in the order of time. */
+function happeningsOf({ approaches, track, events, departure }: Flight): Happening[] {
   const told = events.flatMap(({ kind, text, time, lon, lat }): Happening[] => {
     const title = titles[kind];
     return title ? [{ at_ms: Date.parse(time), text: text ? `${title}: ${text}` : title, lon, lat }] : [];
@@ -120,5 +120,8 @@ function happeningsOf({ track, events, departure }: Flight): Happening[] {
       lon: track.lon[first] ?? 0, lat: track.lat[first] ?? 0,
     };
   });
-  return [...told, ...manoeuvres].sort((a, b) => a.at_ms - b.at_ms);
+  const closest = approaches.map(({ distance_m, to, time, lon, lat }): Happening => (
+    { at_ms: Date.parse(time), text: `Closest to ${to}: ${distance(distance_m)}`, lon, lat }
+  ));
+  return [...told, ...closest, ...manoeuvres].sort((a, b) => a.at_ms - b.at_ms);
 }
