@@ -48,7 +48,7 @@ export function WaypointTable({ plan, at_ms }: { plan: Plan; at_ms: number }): V
                 <td>{distanceFigure(waypoint.leg_m)}</td>
                 <td>{course(waypoint.course_deg)}</td>
                 <td>{speedFigure(waypoint.speed_over_ground_m_s)}</td>
-                <td class="time">{shortTime(Date.parse(waypoint.eta)).replace(/ (?=\d\d:)/, '\n')}</td>
+                <td class="time">{shortTime(Date.parse(waypoint.eta), Date.parse(plan.departure)).replace(/ (?=\d\d:)/, '\n')}</td>
                 <td>{depth(waypoint.depth_m)}</td>
               </tr>
             );
