@@ -1,3 +1,4 @@
+import { drop } from '../support/dropping';
 import { expect, open, planByTyping, test } from '../support/page';
 import { bergFile, signlessDepths, zoneFile } from '../support/files';
 import { findPlaces } from '../support/places';
@@ -6,19 +7,6 @@ import type { Page } from '@playwright/test';
 const card = (page: Page, name: string) => page.getByRole('region', { name: `Import of ${name}` });
 const choose = (page: Page) => page.getByLabel('Files to add');
 const data = (page: Page) => page.getByRole('button', { name: 'Data', exact: true });
-
-/** Drops files on the page as a browser does. */
-async function drop(page: Page, files: { name: string; text: string }[]): Promise<void> {
-  const transfer = await page.evaluateHandle((given) => {
-    const held = new DataTransfer();
-    for (const { name, text } of given) held.items.add(new File([text], name));
-    return held;
-  }, files);
-  await page.dispatchEvent('#map', 'dragover', { dataTransfer: transfer });
-  await expect(page.getByText('Drop the files to add them to the store')).toBeVisible();
-  await page.dispatchEvent('#map', 'drop', { dataTransfer: transfer });
-  await expect(page.getByText('Drop the files to add them to the store')).toBeHidden();
-}
 
 /** Takes the newest dataset that carries a name out of the store again, so that the next test finds the store as it was. */
 async function remove(page: Page, name: string): Promise<void> {

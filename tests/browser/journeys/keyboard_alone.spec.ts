@@ -77,3 +77,48 @@ test('the view is handed over and a draft taken up again with the keyboard alone
   await expect(theirs.getByRole('slider', { name: 'Time' })).toHaveValue(time);
   await expect(theirs.getByLabel('Start', { exact: true })).toHaveValue(typed(start));
 });
+
+test('a plan that fails is explained, and a change that helps taken, with the keyboard alone', async ({ page, request }) => {
+  const { start, land } = await findPlaces(request);
+  await open(page);
+  await typeInto(page, page.getByLabel('Start', { exact: true }), typed(start));
+  const goal = page.getByLabel('Goal', { exact: true });
+  await typeInto(page, goal, typed(land));
+  await page.keyboard.press('Enter');
+  const failure = page.getByRole('alert', { name: 'No plan is possible' });
+  await expect(failure).toContainText(/goal/i);
+  const view = await page.locator('#map').getAttribute('data-view');
+  await press(page, failure.locator('.failure-place').getByRole('button'));
+  await expect(page.locator('#map')).not.toHaveAttribute('data-view', view ?? '');
+  await press(page, page.getByRole('group', { name: 'Changes that help' }).getByRole('button').first());
+  await expect(goal).not.toHaveValue(typed(land));
+});
+
+test('a plan is flown and its flight played back with the keyboard alone', async ({ page, request }) => {
+  const { start } = await findPlaces(request);
+  await open(page);
+  await press(page, page.getByText('Data', { exact: true }).last());
+  const ice = page.getByLabel('Sea ice');
+  await ice.focus();
+  await page.keyboard.type('None');
+  await expect(ice).toHaveValue('none');
+  await planByKeyboard(page, start, [start[0] + 0.06, start[1] + 0.02]);
+  await press(page, page.getByRole('button', { name: 'Flights', exact: true }));
+  await page.getByRole('form', { name: 'Simulate' }).getByLabel('Seed').focus();
+  await page.keyboard.press('Enter');
+  await expect(page.locator('#map')).toHaveAttribute('data-flight', '0', { timeout: 120_000 });
+
+  const flight = page.getByRole('region', { name: 'Flight 1', exact: true });
+  const depth = flight.locator('.flight-now div', { hasText: 'Depth' }).locator('dd');
+  await page.locator('#map').focus();
+  await page.keyboard.press('.'); // an hour after the departure, where the clock stands
+  await expect(depth).toHaveText(/m$|surface/);
+  await press(page, flight.getByText('What happened'));
+  const surfaced = flight.getByRole('listitem').filter({ hasText: /Surfaced/ }).first();
+  await press(page, surfaced.getByRole('button'));
+  await expect(depth).toHaveText(/^(surface|\d m)$/); // rows of the track are a minute apart
+
+  page.once('dialog', (dialog) => void dialog.accept());
+  await press(page, page.getByRole('button', { name: 'Remove this simulation' }));
+  await expect(page.locator('#map')).toHaveAttribute('data-flight', 'none');
+});
