@@ -11,7 +11,7 @@ import type { Position } from '../api/types';
 import { circle } from '../geo/geodesic';
 import { project, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';
-import { momentOf, sonarAt, sonarShown_s, stretchesOf } from '../model/flight';
+import { isEcho, momentOf, sonarAt, sonarShown_s, stretchesOf } from '../model/flight';
 import { visible } from '../model/layers';
 import { projection } from '../model/settings';
 import { shownFlight } from '../model/simulations';
@@ -85,7 +85,7 @@ export function flownVehicleLayer(): VectorLayer<VectorSource> {
     };
     ring(now.believed, Math.max(1, now.sigma_m), new Style({ stroke: new Stroke({ color: colours.label, width: 1.2, lineDash: [3, 3] }) }));
     const echo = sonarAt(flight, time_ms.value, sonarShown_s);
-    if (echo) ring(now.place, echo.nearest_m, new Style({ stroke: new Stroke({ color: colours.danger, width: 1.5, lineDash: [2, 4] }) }));
+    if (echo && isEcho(echo.returns)) ring(now.place, echo.nearest_m, new Style({ stroke: new Stroke({ color: colours.danger, width: 1.5, lineDash: [2, 4] }) }));
     const evading = now.mode !== 'mission';
     const vehicle = new Feature(new Point(project(code, now.place)));
     vehicle.setStyle(

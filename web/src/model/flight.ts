@@ -116,6 +116,19 @@ export function sonarAt(flight: Flight, at_ms: number, window_s: number): { near
   return { nearest_m: nearest, returns: count };
 }
 
+/**
+ * So many returns in one ping are an echo: of its sonar's false alarms, one in fifty pings unless asked otherwise, three fall
+ * into one ping once in a million.
+ */
+const sure_returns = 3;
+export const isEcho = (returns: number): boolean => returns >= sure_returns;
+
+/** The nearest returns of pings, those of echoes apart from lone ones that may be false alarms. */
+export function returnsOf({ sensors: { sonar } }: Flight): { echoes: (number | null)[]; lone: (number | null)[] } {
+  const kept = (wanted: boolean): (number | null)[] => sonar.nearest_m.map((nearest_m, i) => (isEcho(sonar.returns[i] ?? 0) === wanted ? nearest_m : null));
+  return { echoes: kept(true), lone: kept(false) };
+}
+
 export const modeTitles: Record<FlightMode, string> = {
   mission: 'on its mission', path: 'around an obstacle', reactive: 'evading', 'given up': 'given up',
 };

@@ -2,7 +2,7 @@ import { describe, expect, it } from 'vitest';
 import type { Flight } from '../../src/api/simulation_types';
 import type { Position } from '../../src/api/types';
 import { destination } from '../../src/geo/geodesic';
-import { crossTrackOf, momentOf, sonarAt, stretchesOf } from '../../src/model/flight';
+import { crossTrackOf, momentOf, returnsOf, sonarAt, stretchesOf } from '../../src/model/flight';
 
 const start: Position = [-52, 69];
 const north_m = (metres: number): Position => destination(start, 0, metres);
@@ -41,6 +41,10 @@ describe('a flight at a moment', () => {
     expect(sonarAt(straightFlight(), departure_ms + 200_000, 60)).toEqual({ nearest_m: 50, returns: 3 });
     expect(sonarAt(straightFlight(), departure_ms + 300_000, 60)).toBeUndefined();
   });
+});
+
+it('a sonar tells echoes from lone returns', () => {
+  expect(returnsOf(straightFlight())).toEqual({ lone: [80, null], echoes: [null, 50] });
 });
 
 describe('the cross-track error', () => {

@@ -3,7 +3,7 @@ import { useMemo } from 'preact/hooks';
 import type { Flight } from '../../api/simulation_types';
 import type { Plan } from '../../api/types';
 import { setTime, time_ms } from '../../model/clock';
-import { crossTrackErrors_m, crossTrackOf, endTitles, modeTitles, momentOf, sonarAt, sonarShown_s, stretchesOf } from '../../model/flight';
+import { crossTrackErrors_m, crossTrackOf, endTitles, isEcho, modeTitles, momentOf, returnsOf, sonarAt, sonarShown_s, stretchesOf } from '../../model/flight';
 import { routeOf } from '../../model/plans';
 import { duration, shortTime } from '../../model/time';
 import { depth, distance, none } from '../../model/units';
@@ -48,7 +48,7 @@ function Now({ plan, flight }: { plan: Plan; flight: Flight }): VNode {
     ['Off the way', now ? signed(crossTrack(now.place)) : none],
     ['Depth', now ? (now.atSurface ? 'surface' : depth(now.depth_m)) : none],
     ['Believed within', now ? distance(now.sigma_m) : none],
-    ['Sonar, nearest', echo ? distance(echo.nearest_m) : none],
+    ['Sonar, nearest', echo ? `${distance(echo.nearest_m)}${isEcho(echo.returns) ? '' : ', lone'}` : none],
     ['Guidance', now ? modeTitles[now.mode] : none],
   ];
   return (
@@ -69,13 +69,16 @@ function Charts({ plan, flight }: { plan: Plan; flight: Flight }): VNode {
     { label: 'believed within', values: track.sigma_m, colour: colours.label, dash: [4, 4] },
   ], [flight, plan, colours]);
   const depths = useMemo((): Line[] => [{ label: 'depth', values: track.depth_m, colour: colours.currents[1], width: 1.2 }], [flight, colours]);
-  const echoes = useMemo((): Line[] => [{ label: 'nearest return', values: sensors.sonar.nearest_m, colour: colours.danger, dots: 3 }], [flight, colours]);
+  const pings = useMemo((): Line[] => {
+    const { echoes, lone } = returnsOf(flight);
+    return [{ label: 'lone return', values: lone, colour: colours.graticule, dots: 2 }, { label: 'echo', values: echoes, colour: colours.danger, dots: 3 }];
+  }, [flight, colours]);
   const common = { mark_ms: time_ms.value, onPick: (time_s: number) => setTime(1000 * time_s) };
   return (
     <>
       <Chart {...common} times_s={times_s} title="Cross-track error" unit="m" lines={errors} height_px={104} fromZero description="How far the vehicle is from the planned way, positive to its right, and one sigma of where it believes to be." />
       <Chart {...common} times_s={times_s} title="Depth" unit="m" lines={depths} height_px={90} downward fromZero description="Depth of the vehicle." />
-      {sonar_s.length > 0 && <Chart {...common} times_s={sonar_s} title="Sonar, nearest return" unit="m" lines={echoes} height_px={90} fromZero description="Distance of the nearest return of each ping that had one." />}
+      {sonar_s.length > 0 && <Chart {...common} times_s={sonar_s} title="Sonar, nearest return" unit="m" lines={pings} height_px={90} fromZero description="Distance of the nearest return of each ping that had one; a lone return may be a false alarm." />}
     </>
   );
 }
