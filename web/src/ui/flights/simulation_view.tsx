@@ -10,7 +10,9 @@ import { Icon } from '../common/icon';
 import { Warnings } from '../waypoints/warnings';
 
 const percent = (share: number): string => `${(100 * share).toFixed(share > 0 && share < 0.1 ? 1 : 0)} %`;
-const between = ([low, high]: Interval, text: (value: number) => string): string => `${text(low)} – ${text(high)}`;
+/** A figure that is not torn from its unit at the end of a line. */
+const whole = (text: string): string => text.replaceAll(' ', '\u00a0');
+const between = ([low, high]: Interval, text: (value: number) => string): string => `${whole(text(low))} – ${whole(text(high))}`;
 
 /** A simulation as a whole: how its flights ended, with intervals of 95 %, and each of them. */
 export function SimulationView({ simulation }: { simulation: Simulation }): VNode {
@@ -62,8 +64,8 @@ function Spread({ title, of, text }: { title: string; of: Distribution | null; t
   return (
     <tr>
       <th scope="row">{title}</th>
-      <td>{text(of.mean)}{of.mean_interval_95 && <span class="difference">{between(of.mean_interval_95, text)}</span>}</td>
-      <td>{median ? text(median.value) : none}{median?.interval_95 && <span class="difference">{between(median.interval_95, text)}</span>}</td>
+      <td>{whole(text(of.mean))}{of.mean_interval_95 && <span class="difference">{between(of.mean_interval_95, text)}</span>}</td>
+      <td>{median ? whole(text(median.value)) : none}{median?.interval_95 && <span class="difference">{between(median.interval_95, text)}</span>}</td>
       <td>{low && high ? between([low.value, high.value], text) : none}</td>
     </tr>
   );
