@@ -29,7 +29,7 @@ export function EditTable({ edit }: { edit: RouteEdit }): VNode {
         </thead>
         <tbody>
           {route.map((place, i) => (
-            <Row key={i} index={i} place={place} figures={figures[i]} removable={route.length > 2} />
+            <Row key={i} index={i} place={place} figures={figures[i]} depart_ms={Date.parse(edit.origin.departure)} removable={route.length > 2} />
           ))}
         </tbody>
       </table>
@@ -41,10 +41,11 @@ interface RowProps {
   index: number;
   place: Position;
   figures: Waypoint | undefined;
+  depart_ms: number; // whose year the times need not repeat
   removable: boolean;
 }
 
-function Row({ index, place, figures, removable }: RowProps): VNode {
+function Row({ index, place, figures, depart_ms, removable }: RowProps): VNode {
   const chosen = selectedWaypoint.value === index;
   const choose = (): void => {
     selectedWaypoint.value = index;
@@ -57,7 +58,7 @@ function Row({ index, place, figures, removable }: RowProps): VNode {
       </td>
       <td class="position"><PositionInput index={index} place={place} /></td>
       <td>{distanceFigure(figures?.leg_m)}</td>
-      <td class="time">{figures ? shortTime(Date.parse(figures.eta)).replace(/ (?=\d\d:)/, '\n') : none}</td>
+      <td class="time">{figures ? shortTime(Date.parse(figures.eta), depart_ms).replace(/ (?=\d\d:)/, '\n') : none}</td>
       <td class="row-tools">
         <IconButton icon="plus" label={`Insert a waypoint after ${index + 1}`} onClick={() => insertAfter(index)} />
         <IconButton icon="x" label={`Remove waypoint ${index + 1}`} disabled={!removable} onClick={() => removeWaypoint(index)} />
