@@ -24,7 +24,7 @@ sys.path.insert(0, str(pathlib.Path(__file__).resolve().parent.parent / "faults"
 from served import Gone, Served  # noqa: E402
 
 DEPART = "2026-11-22T06:00:00Z"
-PLANS_AT_ONCE = threading.BoundedSemaphore(4)  # a sanitizer makes a plan take half a minute: more would only wait
+WORKS_AT_ONCE = threading.BoundedSemaphore(4)  # a sanitizer makes a plan take half a minute: more would only wait
 
 
 class Pilot(threading.Thread):
@@ -51,7 +51,10 @@ class Pilot(threading.Thread):
 
     def expect(self, statuses, method, path, body=None, headers=None):
         self.asked += 1
-        status, answer = self.server.ask(method, path, body, headers, timeout_s=300)
+        try:
+            status, answer = self.server.ask(method, path, body, headers, timeout_s=300)
+        except Gone as broken:
+            raise Gone(f"{method} {path}: {broken}") from None
         if status not in statuses:
             self.faults.append(f"{method} {path}: {status}, not one of {statuses}: {str(answer)[:300]}")
         return answer if status in statuses else None
@@ -69,21 +72,24 @@ class Pilot(threading.Thread):
     def plan(self):
         goal = [round(self.random.uniform(-53.2, -52.8), 2), round(self.random.uniform(68.95, 69.05), 2)]
         inputs = {"from": [-53, 69], "to": goal, "depart": DEPART, "spacing_m": 2000, "refine": False}
-        if not PLANS_AT_ONCE.acquire(blocking=False):
-            self.look()
-            return
-        try:
-            answer = self.expect((200, 400), "POST", "/processes/plan-route/execution", {"inputs": inputs}, {"Prefer": "respond-sync"})
-        finally:
-            PLANS_AT_ONCE.release()
+        answer = self.work("plan-route", inputs)
         if answer and answer.get("plan", {}).get("plan_id"):
             self.plans.append(answer["plan"]["plan_id"])
+
+    def work(self, process, inputs):
+        """Waits for what comes of it, unless enough others do."""
+        if not WORKS_AT_ONCE.acquire(blocking=False):
+            self.look()
+            return None
+        try:
+            return self.expect((200, 400), "POST", f"/processes/{process}/execution", {"inputs": inputs}, {"Prefer": "respond-sync"})
+        finally:
+            WORKS_AT_ONCE.release()
 
     def evaluate(self):
         if self.plans:
             depart = f"2026-11-22T{self.random.randint(6, 12):02}:00:00Z"
-            self.expect((200, 400), "POST", "/processes/evaluate-route/execution",
-                        {"inputs": {"plan_id": self.random.choice(self.plans), "depart": depart}}, {"Prefer": "respond-sync"})
+            self.work("evaluate-route", {"plan_id": self.random.choice(self.plans), "depart": depart})
 
     def cancel(self):
         """A plan that is given up while it is made, or before it is begun."""
@@ -211,6 +217,8 @@ def main():
         samples, end = [], time.monotonic() + 60 * given.minutes
         while time.monotonic() < end and server.process.poll() is None:
             over.wait(5)
+            if server.process.poll() is not None:
+                break
             samples.append(taken(server.process))
             if len(samples) % 12 == 0:
                 print(f"{sum(pilot.asked for pilot in pilots)} requests, {samples[-1]}, "
@@ -218,7 +226,7 @@ def main():
         over.set()
         for pilot in pilots:
             pilot.join(timeout=300)
-        code = server.end()
+        code = server.process.poll() if server.process.poll() is not None else server.end()
         faults = [fault for pilot in pilots for fault in pilot.faults]
         reports = [line for line in server.said().splitlines() if "Sanitizer" in line or "runtime error" in line]
         print(f"{sum(pilot.asked for pilot in pilots)} requests in all")
@@ -228,7 +236,7 @@ def main():
             faults += [f"{what} grew" for what in grown]
         if code != 0 or reports:
             faults += [f"the server ended by {code}"] + reports[:20]
-            print(server.said()[-20000:] if reports else "")
+            print(server.said()[-20000:])
     print("\n".join(faults[:30]) if faults else "no fault")
     return 1 if faults else 0
 
