@@ -8,6 +8,7 @@
 #include <string>
 
 #include "api/routes/job_gateway.hpp"
+#include "api/routes/remembered.hpp"
 #include "api/routes/request_counts.hpp"
 #include "storage/sqlite/connection.hpp"
 
@@ -29,6 +30,7 @@ struct Context {
   sqlite::Connection& db;  // of this thread
   JobGateway& jobs;
   const ServiceInfo& service;
+  Remembered* remembered{nullptr};  // of the connection, refreshed for this request; null: nothing is kept
 };
 
 /// The parts of the path that stand for the pattern's names.

@@ -130,10 +130,20 @@ Response without_operation(const Request& request, const std::vector<std::string
   return response;
 }
 
+Response answer_from_store(const Route& route, const Context& context, const Request& request,
+                           const PathParameters& path) {
+  if (const Response* known = context.remembered->find(request)) return *known;
+  Response response = route.answer(context, request, path);
+  context.remembered->keep(request, response);
+  return response;
+}
+
 Response answer_by(const Route& route, const Context& context, const Request& request,
                    const PathParameters& path) {
   if (auto refusal = refuse_caller(route, request)) return std::move(*refusal);
   if (const auto fault = query_fault(route, request)) return invalid(request, {*fault});
+  if (context.remembered != nullptr && follows_from_store(request))
+    return answer_from_store(route, context, request, path);
   if (route.method != "POST" || route.keeps_own_keys) return route.answer(context, request, path);
   const auto key = idempotency_key(request);
   if (!key) return key.error();

@@ -11,40 +11,48 @@
 namespace floeplan::cli {
 namespace {
 
-/// Connections that are lent to one call at a time and kept for the next.
+/// A connection, and what it knows.
+struct Reader {
+  sqlite::Connection db;
+  routes::Remembered remembered{};
+};
+
+/// Connections that are lent to one call at a time and kept for the next: the one that was lent last goes first, for it
+/// knows most.
 class ConnectionPool {
  public:
   explicit ConnectionPool(std::function<sqlite::Connection()> open) : open_{std::move(open)} {}
 
   template <class Use>
-  auto with_connection(const Use& use) {
-    auto connection = take();
-    auto result = use(connection);
-    give_back(std::move(connection));  // not after an exception: then its state is not known
+  auto with_reader(const Use& use) {
+    std::unique_ptr<Reader> reader = take();
+    reader->remembered.refresh(reader->db);
+    auto result = use(*reader);
+    give_back(std::move(reader));  // not after an exception: then its state is not known
     return result;
   }
 
  private:
-  sqlite::Connection take() {
+  std::unique_ptr<Reader> take() {
     {
       const std::lock_guard lock{mutex_};
       if (!free_.empty()) {
-        auto connection = std::move(free_.back());
+        auto reader = std::move(free_.back());
         free_.pop_back();
-        return connection;
+        return reader;
       }
     }
-    return open_();
+    return std::make_unique<Reader>(Reader{open_()});
   }
 
-  void give_back(sqlite::Connection connection) {
+  void give_back(std::unique_ptr<Reader> reader) {
     const std::lock_guard lock{mutex_};
-    free_.push_back(std::move(connection));
+    free_.push_back(std::move(reader));
   }
 
   std::function<sqlite::Connection()> open_;
   std::mutex mutex_;
-  std::vector<sqlite::Connection> free_;
+  std::vector<std::unique_ptr<Reader>> free_;
 };
 
 /// What `work` gives, or what a client is told when the store does not do its part.
@@ -67,8 +75,8 @@ Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway&
   auto pool = std::make_shared<ConnectionPool>(std::move(open_store));
   auto info = std::make_shared<const routes::ServiceInfo>(std::move(service));
   const auto with_context = [pool, info, &jobs](const auto& use) {
-    return pool->with_connection(
-        [&](sqlite::Connection& db) { return use(routes::Context{db, jobs, *info}); });
+    return pool->with_reader(
+        [&](Reader& reader) { return use(routes::Context{reader.db, jobs, *info, &reader.remembered}); });
   };
   return {.answer =
               [doorkeeper, with_context](const routes::Request& request) {
@@ -77,6 +85,17 @@ Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway&
                       [&](const routes::Context& context) { return doorkeeper->answer(context, request); });
                 });
               },
+          .at_once = [doorkeeper,
+                      with_context](const routes::Request& request) -> std::optional<routes::Response> {
+            const bool is_small = routes::asks_for_job_status(request);
+            if (!is_small && !routes::follows_from_store(request)) return std::nullopt;
+            return or_store_trouble<std::optional<routes::Response>>(request, [&] {
+              return with_context([&](const routes::Context& context) -> std::optional<routes::Response> {
+                if (!is_small && context.remembered->find(request) == nullptr) return std::nullopt;
+                return doorkeeper->answer(context, request);
+              });
+            });
+          },
           .refuse =
               [doorkeeper, with_context](const routes::Request& request) {
                 return or_store_trouble<std::optional<routes::Response>>(request, [&] {

@@ -14,6 +14,8 @@ namespace floeplan::cli {
 /// What a server asks of the API.
 struct Api {
   routes::Handler answer;
+  /// What is answered as soon as it is read, or was answered before and has not changed; nothing: ask `answer`.
+  std::function<std::optional<routes::Response>(const routes::Request&)> at_once;
   /// Before a large body is taken in: the refusal of whoever may not send it.
   std::function<std::optional<routes::Response>(const routes::Request&)> refuse;
 };

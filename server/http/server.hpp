@@ -45,9 +45,9 @@ struct Equipment {
   Streaming streaming{};
   std::optional<TlsFiles> tls{};                   // none: in the clear
   std::function<void(const Exchange&)> observe{};  // called on the I/O thread after every answer
-  /// Requests so small that to hand them to another thread takes as long as to answer them: these are answered on the
-  /// I/O thread, and everybody else waits meanwhile.
-  std::function<bool(const routes::Request&)> at_once{};
+  /// Answers requests so small that to hand them to another thread takes as long as to answer them. It is called on the
+  /// I/O thread, and everybody else waits meanwhile; nothing: the handler is asked.
+  std::function<std::optional<routes::Response>(const routes::Request&)> at_once{};
 };
 
 /// HTTP/1.1 listener. One thread (the caller of run) does all input and output; handlers run on threads of

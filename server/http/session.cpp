@@ -53,6 +53,20 @@ Response too_many_streams() {
   return response;
 }
 
+/// What `work` gives, or what a client is told when it throws.
+template <class Result, class Work>
+Result or_problem(const Request& request, const Work& work) {
+  try {
+    return work();
+  } catch (const std::bad_alloc&) {
+    spdlog::error("method={} path={} failed: no memory", request.method, request.path);
+    return busy();
+  } catch (const std::exception& error) {
+    spdlog::error("method={} path={} failed: {}", request.method, request.path, error.what());
+  }
+  return internal_error();
+}
+
 }  // namespace
 
 SessionShare::SessionShare(routes::Handler answer, Limits bounds, Equipment tools, std::size_t threads)
@@ -180,15 +194,8 @@ net::awaitable<std::optional<Response>> Session::ask_doors(Request& request) {
   request.now = now();
   request.peer = peer_;
   const auto ask = [&]() -> net::awaitable<std::optional<Response>> {
-    try {
-      co_return share_.equipment.streaming.refuse(request);
-    } catch (const std::bad_alloc&) {
-      spdlog::error("method={} path={} failed: no memory", request.method, request.path);
-      co_return busy();
-    } catch (const std::exception& error) {
-      spdlog::error("method={} path={} failed: {}", request.method, request.path, error.what());
-    }
-    co_return internal_error();
+    co_return or_problem<std::optional<Response>>(request,
+                                                  [&] { return share_.equipment.streaming.refuse(request); });
   };
   auto refusal = co_await net::co_spawn(share_.pool.get_executor(), ask, net::use_awaitable);
   if (refusal) refusal = finish_response(request, std::move(*refusal));
@@ -197,8 +204,8 @@ net::awaitable<std::optional<Response>> Session::ask_doors(Request& request) {
 
 net::awaitable<Response> Session::answer(Request& request) {
   Response response;
-  if (share_.equipment.at_once && share_.equipment.at_once(request)) {
-    response = ask_handler(request);
+  if (auto known = ask_at_once(request)) {
+    response = std::move(*known);
   } else {
     response =
         co_await net::co_spawn(share_.pool.get_executor(), answer_on_pool(request), net::use_awaitable);
@@ -213,15 +220,16 @@ net::awaitable<Response> Session::answer(Request& request) {
 net::awaitable<Response> Session::answer_on_pool(const Request& request) { co_return ask_handler(request); }
 
 Response Session::ask_handler(const Request& request) {
-  try {
-    return finish_response(request, share_.handler(request));
-  } catch (const std::bad_alloc&) {
-    spdlog::error("method={} path={} failed: no memory", request.method, request.path);
-    return busy();
-  } catch (const std::exception& error) {
-    spdlog::error("method={} path={} failed: {}", request.method, request.path, error.what());
-  }
-  return internal_error();
+  return or_problem<Response>(request, [&] { return finish_response(request, share_.handler(request)); });
+}
+
+std::optional<Response> Session::ask_at_once(const Request& request) {
+  if (!share_.equipment.at_once) return std::nullopt;
+  return or_problem<std::optional<Response>>(request, [&] {
+    auto known = share_.equipment.at_once(request);
+    if (known) known = finish_response(request, std::move(*known));
+    return known;
+  });
 }
 
 /// Asks the handler again after every wake-up until it has an answer; at the end of its time it must have

@@ -67,6 +67,7 @@ class Session {
   boost::asio::awaitable<routes::Response> answer(routes::Request& request);
   boost::asio::awaitable<routes::Response> answer_on_pool(const routes::Request& request);
   [[nodiscard]] routes::Response ask_handler(const routes::Request& request);
+  [[nodiscard]] std::optional<routes::Response> ask_at_once(const routes::Request& request);
   boost::asio::awaitable<routes::Response> wait_and_answer(routes::Request& request, routes::Wait wait);
   boost::asio::awaitable<std::size_t> stream(routes::Request& request, routes::Response piece);
   boost::asio::awaitable<bool> write_chunk(std::string_view piece);

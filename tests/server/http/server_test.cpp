@@ -74,7 +74,8 @@ TEST(Server, AnswersAtOnceWhatItIsToldTo) {
   std::string io_thread;
   RunningServer server{thread_of_handler, {}, {.at_once = [&](const routes::Request& request) {
                          io_thread = std::to_string(std::hash<std::thread::id>{}(std::this_thread::get_id()));
-                         return request.path == "/quick";
+                         return request.path == "/quick" ? std::optional{thread_of_handler(request)}
+                                                         : std::nullopt;
                        }}};
   EXPECT_TRUE(server.exchange(get("/quick")).ends_with("\r\n" + io_thread));
   EXPECT_FALSE(server.exchange(get("/slow")).ends_with("\r\n" + io_thread));

@@ -1,0 +1,40 @@
+#pragma once
+
+#include <cstddef>
+#include <map>
+#include <optional>
+#include <string>
+
+#include "api/routes/message.hpp"
+#include "storage/sqlite/connection.hpp"
+#include "storage/sqlite/version.hpp"
+
+namespace floeplan::routes {
+
+/// Answers that one connection has found in the store and would find again. All are forgotten with the first change of
+/// anything in the store, whoever made it, so none is ever out of date.
+/// Threads  as the connection: one thread at a time
+class Remembered {
+ public:
+  /// Before each request: forgets what may have changed since the last one.
+  /// Errors   sqlite::Failure when the store cannot be read
+  void refresh(sqlite::Connection& db);
+
+  /// Null when there is none.
+  [[nodiscard]] const Response* find(const Request& request) const;
+  /// Small answers of status 200 alone, up to a bound in all. The answer gets its tag, if it has none.
+  void keep(const Request& request, Response& response);
+
+  std::optional<bool> any_tokens{};  // whether the store holds one; nothing: not looked yet
+
+ private:
+  std::optional<sqlite::Version> version_;
+  std::map<std::string, Response> answers_;  // by path and query
+  std::size_t bytes_{0};
+};
+
+/// Whether the answer to a request follows from its path, its query and the store alone: a job's status or one feature,
+/// without a wait.
+[[nodiscard]] bool follows_from_store(const Request& request);
+
+}  // namespace floeplan::routes
