@@ -22,15 +22,20 @@ const kinds: PlanningKind[] = ['bathymetry', 'currents', 'ice', 'icebergs', 'coa
 /** The id of what people made by hand of a kind: a dataset of its own, which plans obey beside those of files. */
 export const byHand = (kind: 'icebergs' | 'zones'): string => `${kind}-by-hand`;
 
+/** Nodes in a square degree: what tells a fine grid from a coarse one. */
+export const nodesPerDegree2 = ({ bbox: [west, south, east, north], rows_accepted }: Dataset): number =>
+  rows_accepted / (Math.max(1e-9, east >= west ? east - west : east - west + 360) * Math.max(1e-9, north - south));
+
 /**
  * The datasets of a kind that the draft asks for, in their rank: the newest unless others were chosen; of icebergs, which plans
- * join, every one.
+ * join, every one, and of depths, too, the finest first.
  */
 export function chosenAll(kind: PlanningKind): Dataset[] {
   const wish = draft.value[kind];
   const candidates = ofKind(kind);
   if (wish === 'none') return [];
   if (wish === 'all') return candidates;
+  if (wish === 'newest' && kind === 'bathymetry') return [...candidates].sort((a, b) => nodesPerDegree2(b) - nodesPerDegree2(a));
   if (wish === 'newest') return kind === 'icebergs' ? candidates : candidates.slice(0, 1);
   const ids = severalIn(wish) ?? [wish];
   return ids.flatMap((id) => candidates.find((dataset) => dataset.id === id) ?? []);

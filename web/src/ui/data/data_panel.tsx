@@ -21,7 +21,7 @@ export function DataPanel(): VNode {
       </div>
       <RoleNote role="admin" what="Removing a dataset" />
       <DatasetList />
-      <p class="hint">The newest of each kind is used unless the set-up names another under <b>Data</b>.</p>
+      <p class="hint">The newest of each kind is used, of depths the finest, unless the set-up names another under <b>Data</b>.</p>
     </div>
   );
 }

@@ -56,6 +56,7 @@ function usualOf(kind: PlanningKind, stored: Choice[], all: boolean): Choice {
   if (all) return { value: 'all', title: stored.length === 1 ? 'The stored one' : `All ${stored.length} stored` };
   const [first] = stored;
   if (!first) return { value: 'newest', title: 'Newest (none stored)' };
+  if (kind === 'bathymetry' && stored.length > 1) return { value: 'newest', title: `Finest at each place (${stored.length} stored)` };
   const isJoined = kind === 'icebergs' && stored.length > 1;
   return { value: 'newest', title: isJoined ? `Newest of each berg (${stored.length} stored)` : `Newest (${first.title})` };
 }
