@@ -149,6 +149,29 @@ def execute(process, inputs, status=200):
                  {"Prefer": "respond-sync"})
 
 
+def resolved(schema):
+    while "$ref" in schema:
+        target = DOCUMENT
+        for step in schema["$ref"][2:].split("/"):
+            target = target[step]
+        schema = target
+    return schema
+
+
+def wrong_inputs(right):
+    """Every input of every process once with a value that it cannot have: each is refused by its name. `right` are inputs
+    that would do; echo gives back whatever it is sent."""
+    for process, inputs in right.items():
+        path = f"/processes/{process}/execution"
+        body = resolved(resolved(DOCUMENT["paths"][path]["post"]["requestBody"])["content"]["application/json"]["schema"])
+        for name in [*resolved(body["properties"]["inputs"])["properties"], "no_such_input"]:
+            for value in ({"no_such_member": 1}, [[["wrong"]]]):
+                found, _, content = ask("POST", path, {"inputs": {**inputs, name: value}}, {"Prefer": "respond-sync"})
+                errors = json.loads(content).get("errors", []) if found == 400 else []
+                if not any(name in entry["pointer"] + entry["detail"] for entry in errors):
+                    faults.append(f"POST {path}, {name} {value}: status {found}, not 400 for {name}: {content[:300]!r}")
+
+
 def plans():
     """Results with everything that they can hold, and the first plan's id."""
     plan = execute("plan-route", PLAIN)
@@ -413,6 +436,10 @@ try:
     closed_answers()
     rest()
     plan = plans()
+    wrong_inputs({"plan-route": PLAIN, "evaluate-route": {"plan_id": plan, "depart": DEPART},
+                  "reach": {"from": FROM, "depart": DEPART, "hours": [1]}, "simulate-plan": {"plan_id": plan},
+                  "fly-scenario": {"scenario": "random-icebergs", "runs": 1}, "compare-flight": {"files": []},
+                  "ingest": {"uploads": []}})
     simulations(plan)
     collections(plan)
     judged_routes()
