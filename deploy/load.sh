@@ -103,7 +103,7 @@ main() {
   local program=${1-$root/build/release/floeplan}
   bare_server=${2-$root/build/release/floeplan_bare_server}
   if (($# == 0)); then build; fi
-  command -v wrk >/dev/null || fail "wrk is not installed" "apt-get install wrk"
+  command -v wrk >/dev/null || fail "wrk is not installed" "run deploy/install-deps --with-load"
   work=$(mktemp -d)
   trap 'xargs -r kill <"$work/pids" 2>/dev/null || true; rm -rf "$work"' EXIT
   "$program" demo "$work/demo" >/dev/null
