@@ -37,6 +37,13 @@ GridGraph::GridGraph(int nx, int ny, int sectors, std::vector<std::uint8_t> open
   for (const Offset o : offsets_) strides_.push_back(static_cast<Vertex>(o.dy * nx_ + o.dx));
 }
 
+GridGraph GridGraph::keeping(const std::vector<bool>& kept) const {
+  GridGraph graph = *this;
+  graph.open_.resize(size());
+  for (Vertex v = 0; v < size(); ++v) graph.open_[v] = is_open(v) && kept[v] ? 1 : 0;
+  return graph;
+}
+
 std::int64_t GridGraph::count_open_vertices() const {
   if (open_.empty()) return static_cast<std::int64_t>(size());
   return std::ranges::count_if(open_, [](std::uint8_t flag) { return flag != 0; });

@@ -54,6 +54,9 @@ class GridGraph {
     return vertex(column(head) - offsets_[step].dx, row(head) - offsets_[step].dy);
   }
 
+  /// The same graph with only those of its open vertices that are kept, `size()` flags.
+  [[nodiscard]] GridGraph keeping(const std::vector<bool>& kept) const;
+
   [[nodiscard]] std::int64_t count_open_vertices() const;
   /// Directed edges between open vertices.
   [[nodiscard]] std::int64_t count_edges() const;

@@ -75,6 +75,26 @@ core::Metres IceCover::least_way_to_opening(geo::PlanePoint point) const {
   return cell ? to_openings_.from(cell->first) : core::Metres{0.0};
 }
 
+std::vector<core::Metres> IceCover::least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
+                                                          core::Seconds from, core::Seconds until) const {
+  const auto after = std::ranges::upper_bound(times_s_, from.count());
+  const auto end = std::ranges::lower_bound(times_s_, until.count());
+  const auto first = static_cast<std::size_t>(std::max<std::ptrdiff_t>(after - times_s_.begin() - 1, 0));
+  const auto last = std::min(static_cast<std::size_t>(end - times_s_.begin()), times_s_.size() - 1);
+  std::vector<bool> opens(grid_.size(), false);
+  for (std::size_t i = first * grid_.size(); i < (last + 1) * grid_.size(); ++i) {
+    if (static_cast<double>(nodes_[i].concentration) <= limit_) opens[i % grid_.size()] = true;
+  }
+  const CellDistances distances = distances_to(opens);
+  std::vector<core::Metres> ways;
+  ways.reserve(points.size());
+  for (const geo::PlanePoint point : points) {
+    const auto cell = grid_.corner(point);
+    ways.push_back(cell ? distances.from(cell->first) : core::Metres{0.0});
+  }
+  return ways;
+}
+
 core::Metres IceCover::least_way_to_dense_ice(geo::PlanePoint point) const {
   const auto cell = grid_.corner(point);
   return cell ? to_dense_ice_.from(cell->first) : core::Metres{0.0};

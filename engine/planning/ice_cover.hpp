@@ -38,8 +38,14 @@ class IceCover {
   /// Never more than the way in the plane to where the vehicle may surface, at whatever time; zero beyond the nodes.
   /// Infinite where that is nowhere.
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
-  /// The same to ice through which it may not surface.
+  /// The same for each point, to where it may surface at some time between these two.
+  [[nodiscard]] std::vector<core::Metres> least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
+                                                                core::Seconds from,
+                                                                core::Seconds until) const;
+  /// The same as the first to ice through which it may not surface.
   [[nodiscard]] core::Metres least_way_to_dense_ice(geo::PlanePoint point) const;
+  /// Last step of the data.
+  [[nodiscard]] core::Seconds last_step() const { return core::Seconds{times_s_.back()}; }
   /// Distance between the data's nodes.
   [[nodiscard]] core::Metres spacing() const { return spacing_; }
 

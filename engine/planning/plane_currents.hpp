@@ -57,6 +57,7 @@ class PlaneCurrents {
   [[nodiscard]] std::optional<core::Seconds> end() const;
 
  private:
+  friend class CurrentEnvelope;
   friend class CurrentLine;
   friend class NearbyCurrents;
 

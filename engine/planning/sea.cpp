@@ -65,10 +65,10 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
   }
   largest_scale_ = std::ranges::max(scales_);
   steepest_scale_ = steepest_scale(scales_, area);
-  core::MetresPerSecond fastest{currents_ ? currents_->strongest().value : 0.0};
-  fastest = fastest + std::max(speed(drives_.front()), speed(drives_.back()));
+  fastest_through_water_ = std::max(speed(drives_.front()), speed(drives_.back()));
+  const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
   // A hair below the bound, because integrated times carry the tolerance as an error.
-  least_slowness_s_m_ = (1.0 - request.edge_tolerance) / fastest.value;
+  least_slowness_s_m_ = (1.0 - request.edge_tolerance) / (fastest_through_water_ + astern).value;
 }
 
 double Sea::scale_at(geo::PlanePoint point) const {
@@ -266,6 +266,16 @@ core::Seconds Sea::least_time_to_opening(geo::PlanePoint point) const {
   return core::Seconds{least_slowness_s_m_ * way.value / largest_scale_};
 }
 
+std::vector<double> Sea::least_times_to_opening_s(const std::vector<geo::PlanePoint>& points,
+                                                  core::Seconds from, core::Seconds until) const {
+  std::vector<double> times_s(points.size(), 0.0);
+  if (!ice_) return times_s;
+  const std::vector<core::Metres> ways = ice_->least_ways_to_opening(points, from, until);
+  for (std::size_t i = 0; i < ways.size(); ++i)
+    times_s[i] = least_slowness_s_m_ * ways[i].value / largest_scale_;
+  return times_s;
+}
+
 std::vector<Sea::Passage> Sea::passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                         core::Metres step) const {
   std::vector<Passage> result;
@@ -289,6 +299,12 @@ core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b, vehicle::Dri
   const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
   const core::Metres least_length{std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / largest_scale_};
   return (1.0 - edge_tolerance_) * (least_length / (speed(drive) + astern));
+}
+
+core::Seconds Sea::least_time(core::Metres length, core::MetresPerSecond astern) const {
+  const core::MetresPerSecond fastest = fastest_through_water_ + std::min(astern, currents_->strongest());
+  if (fastest.value <= 0.0) return core::Seconds{INFINITY};
+  return (1.0 - edge_tolerance_) * ((1.0 / largest_scale_) * length / fastest);
 }
 
 bool Sea::is_steady() const { return !has_timed_closures() && (!currents_ || !currents_->end()); }

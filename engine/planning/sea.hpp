@@ -105,6 +105,9 @@ class Sea {
   /// Never more than the time to where the vehicle may surface, at whatever time it is there; infinite where that is
   /// nowhere.
   [[nodiscard]] core::Seconds least_time_to_opening(geo::PlanePoint point) const;
+  /// The same for each point, to where it may surface at some time between these two; in seconds.
+  [[nodiscard]] std::vector<double> least_times_to_opening_s(const std::vector<geo::PlanePoint>& points,
+                                                             core::Seconds from, core::Seconds until) const;
   /// How deep the dives must turn there and then, below ice or an iceberg's keel; zero where nothing is above.
   [[nodiscard]] core::Metres least_upper_turn(geo::PlanePoint point, core::Seconds time) const {
     const core::Metres of_ice = ice_ ? ice_->least_upper_turn(point, time) : core::Metres{0.0};
@@ -134,6 +137,9 @@ class Sea {
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b) const;
   /// The same on one drive.
   [[nodiscard]] core::Seconds least_time(geo::PlanePoint a, geo::PlanePoint b, vehicle::Drive drive) const;
+  /// Never more than the time of a straight way so long in the plane on which no current is stronger than `astern` in
+  /// its direction.
+  [[nodiscard]] core::Seconds least_time(core::Metres length, core::MetresPerSecond astern) const;
   /// Whether nothing here changes with time: no matter when a leg is travelled.
   [[nodiscard]] bool is_steady() const;
 
@@ -189,7 +195,8 @@ class Sea {
   EnergyMap energy_;
   std::vector<double> scales_;  // of the projection, [y][x] on a coarse lattice over the area
   double largest_scale_{1.0};
-  double steepest_scale_{};    // change of the scale over a metre of the plane at most
+  double steepest_scale_{};  // change of the scale over a metre of the plane at most
+  core::MetresPerSecond fastest_through_water_;
   double least_slowness_s_m_;  // for each metre on the ground, with the strongest current astern
 };
 

@@ -18,12 +18,17 @@ using graph::Edge;
 /// waits, which is looked for too, does not have to wait long.
 constexpr std::size_t most_waiting_labels = 20'000;
 
-/// Of the bound on the time without surfacing: how finely last surfacings are told apart. First coarsely, which takes
-/// few labels and finds a way that is all but the best, then among what may be better than that.
+/// Of the bound on the time without surfacing: how finely last surfacings are told apart, first for any way, then for one
+/// that is all but the best, then among what may be better than that.
+constexpr double any_share = 1.0 / 4.0;
 constexpr double coarse_share = 1.0 / 6.0;
 constexpr double fine_share = 1.0 / 100.0;
-/// Of the travel time: the first way need not be nearer to the best of its kind than that.
+/// Of the travel time: the coarse way need not be nearer to the best of its kind than that.
 constexpr double coarse_slack = 0.02;
+
+/// Where no way keeps the bound: with so many arrivals, of which those towards the goal come first, it shows where ways
+/// end.
+constexpr std::size_t most_futile_labels = 10'000;
 
 using Labels = graph::LabelSearch<SurfacingVoyage::State>;
 
@@ -64,57 +69,78 @@ class Searches {
   Searches(const Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds since_surfacing,
            const std::stop_token& stop, const std::function<void(double)>& report_fraction)
       : sea_{sea},
-        open_{open},
         depart_{depart},
         since_surfacing_{since_surfacing},
         stop_{stop},
         report_fraction_{report_fraction},
         closures_{sea, open.grid},
-        foresight_{sea, open} {
+        reach_{sea, open, depart, since_surfacing, stop},
+        foresight_{sea, reach_.grid()},
+        has_hope_{reach_.has_hope()} {
     const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
-    if (end) look_ahead(*end);
+    if (end && has_hope_) look_ahead(*end);
   }
 
-  /// Whether any way at all may be at the goal in time.
-  [[nodiscard]] bool has_hope() const { return !ladder_ || ladder_->has_hope(); }
+  /// Whether any way at all may keep the bound and be at the goal in time.
+  [[nodiscard]] bool has_hope() const { return has_hope_; }
 
   /// The bounds for ways that are at the goal by then.
   void look_ahead(core::Seconds last) {
     if (!foresight_.is_useful()) return;
-    ladder_ = std::make_unique<ArrivalLadder>(foresight_, closures_, open_, depart_, last, stop_);
+    ladder_ = std::make_unique<ArrivalLadder>(foresight_, closures_, reach_.grid(), depart_, last, stop_);
+    if (ladder_->has_hope()) return;
+    ladder_.reset();
+    has_hope_ = false;
   }
 
-  /// `slack`: of the least time that the way takes.
-  [[nodiscard]] Labels operator()(double share_of_bound, double slack, core::Seconds before,
-                                  std::size_t most_labels) {
-    const core::Seconds resolution = share_of_bound * *sea_.longest_without_surfacing();
+  /// A way that is found soon, at the price of time; what opens near a place later is not waited for.
+  [[nodiscard]] Labels find_any(std::size_t most_labels) {
+    return find({.share_of_bound = any_share, .aim = SurfacingVoyage::Aim::any_way}, Openings{}, most_labels);
+  }
+  /// The best one that is at the goal before then, near enough. `slack`: of the least time that the way takes.
+  [[nodiscard]] Labels find_best(double share_of_bound, double slack, core::Seconds before,
+                                 std::size_t most_labels) {
     const Openings openings = sea_.has_timed_closures()
-                                  ? Openings{sea_, open_, before, stop_, &closures_, ladder_.get()}
+                                  ? Openings{sea_, reach_.grid(), before, stop_, &closures_, ladder_.get()}
                                   : Openings{};
-    SurfacingVoyage voyage{sea_, open_, {closures_, openings, ladder_.get()}, resolution, before};
+    return find({.share_of_bound = share_of_bound, .slack = slack, .before = before}, openings, most_labels);
+  }
+
+ private:
+  struct Wanted {
+    double share_of_bound;
+    double slack{0.0};
+    core::Seconds before{INFINITY};
+    SurfacingVoyage::Aim aim{SurfacingVoyage::Aim::best_way};
+  };
+  [[nodiscard]] Labels find(const Wanted& wanted, const Openings& openings, std::size_t most_labels) {
+    const core::Seconds resolution = wanted.share_of_bound * *sea_.longest_without_surfacing();
+    const OpenGrid& open = reach_.grid();
+    SurfacingVoyage voyage{sea_,       open,          {closures_, openings, reach_, ladder_.get()},
+                           resolution, wanted.before, wanted.aim};
     const auto report = [&](std::int64_t expansions) {
-      const auto vertices = static_cast<double>(std::max<std::int64_t>(1, open_.vertices));
+      const auto vertices = static_cast<double>(std::max<std::int64_t>(1, open.vertices));
       report_fraction_(std::min(1.0, static_cast<double>(expansions) / vertices));
     };
     const std::size_t affordable =
         voyage.may_wait() ? std::min(most_labels, most_waiting_labels) : most_labels;
-    const RouteGrid& grid = open_.grid;
+    const RouteGrid& grid = open.grid;
     const double least_s = sea_.least_time(grid.point(grid.start), grid.point(grid.goal)).count();
     const SurfacingVoyage::State start{.surfaced_s = (depart_ - since_surfacing_).count()};
-    return graph::find_best_labels(open_.graph, grid.start, grid.goal, depart_.count(), start, voyage,
+    return graph::find_best_labels(open.graph, grid.start, grid.goal, depart_.count(), start, voyage,
                                    affordable, stop_, report,
-                                   {.slack = slack * least_s, .latest_first = true});
+                                   {.slack = wanted.slack * least_s, .latest_first = true});
   }
 
- private:
   const Sea& sea_;
-  const OpenGrid& open_;
   core::Seconds depart_;
   core::Seconds since_surfacing_;
   const std::stop_token& stop_;
   const std::function<void(double)>& report_fraction_;
   VertexClosures closures_;
+  SurfacingReach reach_;
   Foresight foresight_;
+  bool has_hope_;
   std::unique_ptr<ArrivalLadder> ladder_;  // null: a straight line's bounds
 };
 
@@ -128,7 +154,7 @@ void add(SearchStatistics& statistics, const graph::LabelCounters& counters) {
 RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::Seconds depart,
                                    core::Seconds since_surfacing, const std::stop_token& stop,
                                    const std::function<void(double)>& report_fraction,
-                                   std::size_t most_labels) {
+                                   SurfacingBudget budget) {
   RouteSearch result;
   result.statistics.vertices = open.vertices;
   result.statistics.edges = open.edges;
@@ -144,21 +170,29 @@ RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::S
     result.since_surfacing = result.arrival - core::Seconds{found.labels[*found.goal].state.surfaced_s};
   };
 
-  const std::size_t affordable = std::max<std::size_t>(1, most_labels / 2);
-  const Labels coarse = search(coarse_share, coarse_slack, core::Seconds{INFINITY}, affordable);
-  adopt(coarse);
-  if (result.cancelled || !search.has_hope()) return result;
-  if (coarse.full &&
-      !coarse.goal) {  // a finer search keeps more labels for each place and would not come as far
-    result.statistics.cut_short = true;
-    describe_end(result, sea, open, coarse);
+  if (!search.has_hope()) {
+    const Labels futile = search.find_any(std::min(budget.any_way, most_futile_labels));
+    adopt(futile);
+    if (!result.cancelled) describe_end(result, sea, open, futile);
     return result;
   }
-  if (coarse.goal) search.look_ahead(result.arrival);
-  const Labels fine = search(fine_share, sea.edge_tolerance(), result.arrival, affordable);
-  adopt(fine);
-  result.statistics.cut_short = fine.full;
-  if (result.path.empty() && !result.cancelled) describe_end(result, sea, open, fine);
+  adopt(search.find_any(budget.any_way));
+  if (result.cancelled) return result;
+  core::Seconds before{INFINITY};
+  const auto look_for_better = [&](double share_of_bound, double slack) {
+    if (!result.path.empty()) {
+      before = result.arrival;
+      search.look_ahead(before);
+      if (!search.has_hope()) return false;
+    }
+    const Labels found = search.find_best(share_of_bound, slack, before, budget.best_way);
+    adopt(found);
+    result.statistics.cut_short = found.full;
+    if (result.path.empty() && !result.cancelled) describe_end(result, sea, open, found);
+    // A finer search keeps more labels for each place and would not come as far.
+    return !result.cancelled && !found.full;
+  };
+  if (look_for_better(coarse_share, coarse_slack)) look_for_better(fine_share, sea.edge_tolerance());
   return result;
 }
 

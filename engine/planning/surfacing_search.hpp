@@ -9,8 +9,12 @@
 
 namespace floeplan::planning {
 
-/// How many arrivals a search with a bound on the time without surfacing keeps at most: some seconds, 20 MB.
-inline constexpr std::size_t most_surfacing_labels = 100'000;
+/// How many arrivals the searches with a bound on the time without surfacing keep at most, each of them: some seconds and
+/// some ten megabytes. Any way at all is worth more of them than a better one.
+struct SurfacingBudget {
+  std::size_t any_way{100'000};
+  std::size_t best_way{50'000};
+};
 
 /// The earliest arrival at the goal of a grid along ways on which the time without a possible surfacing stays within
 /// the request's bound, everywhere on the way: a search over arrivals that also carries that time, because a way that
@@ -22,11 +26,13 @@ inline constexpr std::size_t most_surfacing_labels = 100'000;
 /// Waits    where the request allows them, the least before a leg that lets the vehicle through what is closed for a
 ///          while; time spent so below ice counts as time without a surfacing. The search is then
 ///          cut short much earlier
-/// Stops    early and says so once `stop` is requested or beyond `most_labels` arrivals, then with the best way it
-///          knows, if any
+/// Method   first any way that keeps the bound, over what SurfacingReach leaves of the grid and by weighted A*; then what
+///          may be better than it
+/// Stops    early and says so once `stop` is requested or beyond the budget, then with the best way it knows, if any
+/// Source   Pohl 1970, Heuristic search viewed as path finding in a graph, doi:10.1016/0004-3702(70)90007-X (weighted A*)
 [[nodiscard]] RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::Seconds depart,
                                                  core::Seconds since_surfacing, const std::stop_token& stop,
                                                  const std::function<void(double)>& report_fraction,
-                                                 std::size_t most_labels = most_surfacing_labels);
+                                                 SurfacingBudget budget = {});
 
 }  // namespace floeplan::planning

@@ -26,28 +26,32 @@ void SurfacingFronts::add(graph::Vertex v, double arrival_s, std::int64_t span) 
 }
 
 SurfacingVoyage::SurfacingVoyage(const Sea& sea, const OpenGrid& open, const Known& known,
-                                 core::Seconds resolution, core::Seconds before)
+                                 core::Seconds resolution, core::Seconds before, Aim aim)
     : sea_{sea},
       grid_{open.grid},
       goal_{open.grid.point(open.grid.goal)},
       closures_{known.closures},
       openings_{known.openings},
+      reach_{known.reach},
       ladder_{known.ladder},
       step_s_{step_time(open.grid, sea.through_water()).count()},
       longest_s_{sea.longest_without_surfacing()->count()},
       resolution_s_{resolution.count()},
       before_s_{before.count()},
+      aim_{aim},
       may_wait_{sea.longest_wait().count() > 0.0 && sea.has_timed_closures()},
+      indifferent_s_{aim == Aim::any_way && !may_wait_ ? step_s_ : 0.0},
       fronts_{open.graph.size()} {}
 
-double SurfacingVoyage::key(graph::Vertex v, double arrival_s, const State&) const {
+double SurfacingVoyage::earliest_at_goal_s(graph::Vertex v, double arrival_s) const {
   const double straight_s = arrival_s + sea_.least_time(grid_.point(v), goal_).count();
   if (ladder_ == nullptr || v == grid_.goal) return straight_s;
   return std::max(straight_s, ladder_->earliest_s(v, arrival_s));
 }
 
-std::int64_t SurfacingVoyage::span_of(double surfaced_s) const {
-  return static_cast<std::int64_t>(std::floor(surfaced_s / resolution_s_));
+std::int64_t SurfacingVoyage::span_of(double surfaced_s, double arrival_s) const {
+  const double moment_s = aim_ == Aim::any_way ? surfaced_s - arrival_s : surfaced_s;
+  return static_cast<std::int64_t>(std::floor(moment_s / resolution_s_));
 }
 
 double SurfacingVoyage::least_arrival_s(const graph::Edge& edge, double depart_s) const {
@@ -57,16 +61,15 @@ double SurfacingVoyage::least_arrival_s(const graph::Edge& edge, double depart_s
 
 bool SurfacingVoyage::is_of_use(graph::Vertex v, double arrival_s) const {
   if (ladder_ != nullptr && arrival_s > ladder_->latest_use_s(v)) return false;
-  return key(v, arrival_s, {}) < before_s_;
+  return earliest_at_goal_s(v, arrival_s) < before_s_;
 }
 
 bool SurfacingVoyage::may_surface_along(geo::PlanePoint tail, geo::PlanePoint head) const {
   return sea_.least_time_to_opening(tail) <= sea_.least_time(tail, head);
 }
 
-bool SurfacingVoyage::can_surface_in_time(geo::PlanePoint place, double since_surfacing_s) const {
-  const core::Seconds more = std::min(sea_.least_time_to_opening(place), sea_.least_time(place, goal_));
-  return since_surfacing_s + more.count() <= longest_s_;
+bool SurfacingVoyage::can_surface_in_time(graph::Vertex v, double since_surfacing_s) const {
+  return since_surfacing_s + reach_.least_until_opening_s(v) <= longest_s_;
 }
 
 bool SurfacingVoyage::may_wait_for(graph::Vertex v, const Label& first, const Label& other) const {

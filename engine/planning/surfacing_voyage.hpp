@@ -12,6 +12,7 @@
 #include "engine/planning/open_grid.hpp"
 #include "engine/planning/openings.hpp"
 #include "engine/planning/sea.hpp"
+#include "engine/planning/surfacing_reach.hpp"
 #include "engine/planning/surfacing_wait.hpp"
 #include "engine/planning/vertex_closures.hpp"
 
@@ -52,11 +53,17 @@ class SurfacingVoyage {
   struct Known {
     VertexClosures& closures;
     const Openings& openings;
+    const SurfacingReach& reach;
     ArrivalLadder* ladder;  // bounds that change no result; null: a straight line's
+  };
+  enum class Aim {
+    best_way,
+    any_way  // soon: the straight rest of the way counts double (weighted A*), an arrival earlier by less than a
+             // step of the grid is no better, and how long ago a surfacing lies stands for when it was
   };
   /// `resolution`: width of the spans of surfacings. `before`: what is not at the goal by then is of no use.
   SurfacingVoyage(const Sea& sea, const OpenGrid& open, const Known& known, core::Seconds resolution,
-                  core::Seconds before);
+                  core::Seconds before, Aim aim = Aim::best_way);
 
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) {
     const geo::PlanePoint tail = grid_.point(edge.tail);
@@ -64,9 +71,9 @@ class SurfacingVoyage {
     const double least_s = least_arrival_s(edge, arrival_s);
     if (!is_of_use(edge.head, least_s)) return;
     const bool stays_below = !may_surface_along(tail, head);
-    if (stays_below && !can_surface_in_time(head, least_s - state.surfaced_s)) return;
+    if (stays_below && !can_surface_in_time(edge.head, least_s - state.surfaced_s)) return;
     if (may_wait_) return extend_with_waits(edge, arrival_s, state, emit);
-    if (stays_below && is_beaten(edge.head, least_s, span_of(state.surfaced_s))) return;
+    if (stays_below && is_beaten(edge.head, least_s, span_of(state.surfaced_s, least_s))) return;
 
     const core::Seconds since{arrival_s - state.surfaced_s};
     const auto leg = sea_.leg(tail, head, core::Seconds{arrival_s}, since);
@@ -75,7 +82,7 @@ class SurfacingVoyage {
     const double surfaced_s = stays_below ? state.surfaced_s : head_s - leg->since_surfacing.count();
     if (!is_of_use(edge.head, head_s)) return;
     const bool at_surface = leg->since_surfacing.count() == 0.0;
-    const std::int64_t span = at_surface ? latest_span : span_of(surfaced_s);
+    const std::int64_t span = at_surface ? latest_span : span_of(surfaced_s, head_s);
     if (is_beaten(edge.head, head_s, span)) return;
     fronts_.add(edge.head, head_s, span);
     emit(head_s, State{.surfaced_s = surfaced_s}, 0U);
@@ -84,32 +91,40 @@ class SurfacingVoyage {
   void wait(graph::Vertex, double, const State&, auto&&) const {}
 
   [[nodiscard]] bool may_wait() const { return may_wait_; }
-  [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State&) const;
+  [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State&) const {
+    if (aim_ == Aim::best_way) return earliest_at_goal_s(v, arrival_s);
+    return arrival_s + any_weight * sea_.least_time(grid_.point(v), goal_).count();
+  }
 
   /// In currents that change, the later of two vehicles under ice gains on the earlier one; it has been there for
   /// longer only if its last surfacing lies further back, not if the time since then is greater now.
   [[nodiscard]] bool dominates(graph::Vertex v, const Label& a, const Label& b) const {
-    if (a.arrival_s > b.arrival_s) return false;
+    if (a.arrival_s > b.arrival_s + indifferent_s_) return false;
     if (may_wait_) return may_wait_for(v, a, b);
     if (openings_.matter(v, b.arrival_s) && step_of(a.arrival_s) != step_of(b.arrival_s)) return false;
-    return a.state.surfaced_s == a.arrival_s || span_of(a.state.surfaced_s) >= span_of(b.state.surfaced_s);
+    return a.state.surfaced_s == a.arrival_s ||
+           span_of(a.state.surfaced_s, a.arrival_s) >= span_of(b.state.surfaced_s, b.arrival_s);
   }
 
  private:
   static constexpr std::int64_t latest_span = std::numeric_limits<std::int64_t>::max();
+  /// Round the demonstration data's ice 2 took fewer labels than 1.5; 3 took still fewer there, but more where there is
+  /// no way.
+  static constexpr double any_weight = 2.0;
 
-  [[nodiscard]] std::int64_t span_of(double surfaced_s) const;
+  [[nodiscard]] double earliest_at_goal_s(graph::Vertex v, double arrival_s) const;
+  [[nodiscard]] std::int64_t span_of(double surfaced_s, double arrival_s) const;
   [[nodiscard]] double step_of(double arrival_s) const { return std::floor(arrival_s / step_s_); }
   /// Whether another arrival so far is the better one wherever it goes from here.
   [[nodiscard]] bool is_beaten(graph::Vertex v, double arrival_s, std::int64_t span) const {
-    return !openings_.matter(v, arrival_s) && fronts_.holds_better(v, arrival_s, span);
+    return !openings_.matter(v, arrival_s) && fronts_.holds_better(v, arrival_s + indifferent_s_, span);
   }
   /// At the edge's head, for who leaves its tail then.
   [[nodiscard]] double least_arrival_s(const graph::Edge& edge, double depart_s) const;
   [[nodiscard]] bool is_of_use(graph::Vertex v, double arrival_s) const;
   [[nodiscard]] bool may_surface_along(geo::PlanePoint tail, geo::PlanePoint head) const;
   /// Or be at the goal.
-  [[nodiscard]] bool can_surface_in_time(geo::PlanePoint place, double since_surfacing_s) const;
+  [[nodiscard]] bool can_surface_in_time(graph::Vertex v, double since_surfacing_s) const;
   /// Whether who comes first can stay until the other one is there, and be no worse off then.
   [[nodiscard]] bool may_wait_for(graph::Vertex v, const Label& first, const Label& other) const;
   /// At once, and after the least wait for each of the head's times between closures.
@@ -120,12 +135,15 @@ class SurfacingVoyage {
   geo::PlanePoint goal_;
   VertexClosures& closures_;
   const Openings& openings_;
+  const SurfacingReach& reach_;
   ArrivalLadder* ladder_;
   double step_s_;
   double longest_s_;
   double resolution_s_;
   double before_s_;
+  Aim aim_;
   bool may_wait_;
+  double indifferent_s_;  // by so much a later arrival is as good
   SurfacingFronts fronts_;
 };
 

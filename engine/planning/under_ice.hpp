@@ -50,6 +50,14 @@ class UnderIce {
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const {
     return cover_.least_way_to_opening(point);
   }
+  /// The same for each point, to where it may surface at some time between these two.
+  [[nodiscard]] std::vector<core::Metres> least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
+                                                                core::Seconds from,
+                                                                core::Seconds until) const {
+    return cover_.least_ways_to_opening(points, from, until);
+  }
+  /// Of the data of the ice.
+  [[nodiscard]] core::Seconds last_step() const { return cover_.last_step(); }
   /// Whether there may be ice on a line that the vehicle would have to pass below.
   [[nodiscard]] bool may_be_dense_along(geo::PlanePoint a, geo::PlanePoint b) const {
     return cover_.has_dense_ice() &&

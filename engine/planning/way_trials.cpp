@@ -106,8 +106,9 @@ class GridTrial {
   }
 
   Reached with_surfacings(core::Seconds depart, core::Seconds since_surfacing) {
-    RouteSearch found = search_with_surfacings(
-        sea_, open_, depart, since_surfacing, stop_, [](double) {}, affordable_labels());
+    const std::size_t affordable = std::max<std::size_t>(1, affordable_labels() / 2);
+    RouteSearch found = search_with_surfacings(sea_, open_, depart, since_surfacing, stop_, [](double) {},
+                                               {affordable, affordable});
     left_ -= work_of_a_leg * found.statistics.edge_evaluations;
     if (found.statistics.cut_short) left_ = std::min<std::int64_t>(left_, 0);
     if (circles_too_long(sea_, open_, found.path, depart, std::nullopt, stop_)) return {};

@@ -10,6 +10,7 @@
 #include "engine/planning/chart.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/route_search.hpp"
+#include "engine/planning/surfacing_reach.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
@@ -239,8 +240,8 @@ TEST(SurfacingSearch, ReturnsTheBestWayItKnowsWhenItIsCutShort) {
   const Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{1000.0}};
   const OpenGrid open = open_grid(sea, grid, 2, {});
   const auto search_among = [&](std::size_t labels) {
-    return search_with_surfacings(
-        sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}, [](double) {}, labels);
+    return search_with_surfacings(sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}, [](double) {},
+                                  {labels, labels});
   };
 
   const RouteSearch whole = search_among(100'000);
@@ -255,6 +256,69 @@ TEST(SurfacingSearch, ReturnsTheBestWayItKnowsWhenItIsCutShort) {
     EXPECT_GE(part.arrival.count(), whole.arrival.count() - 1e-6);
   }
   EXPECT_GT(with_a_way, 2);
+}
+
+TEST(SurfacingSearch, FindsAnyWayBeforeItLooksForABetterOne) {
+  // A block of ice on the straight way, too wide for the bound, with bergs that drift about it: the way leads round.
+  ocean::Environment environment{
+      .ice = support::ice_from(
+          [](geo::LonLat p, double) {
+            return std::abs(p.lon_deg + 53.0) < 0.3 && std::abs(p.lat_deg - 69.0) < 0.15 ? 0.9 : 0.0;
+          },
+          {0.0, 240.0}, 1.0)};
+  for (const double lat_deg : {68.82, 69.18})
+    environment.icebergs.push_back(drifting_berg({-53.0, lat_deg}, 100.0, 0.05, 90.0));
+  const PlanRequest request = bounded_request(6.0);
+  RouteGrid grid = small_grid(41, 31);
+  grid.along.x_m /= 4.0;
+  grid.across.y_m /= 4.0;
+  grid.origin = {-1000.0 * 40, -1000.0 * 30};
+  const Sea sea{environment, request, projection, grid.bounds().grown(5000.0), core::Metres{1000.0}};
+  const OpenGrid open = open_grid(sea, grid, 2, {});
+  ASSERT_TRUE(sea.has_timed_closures());
+  const auto search_with = [&](SurfacingBudget budget) {
+    return search_with_surfacings(
+        sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}, [](double) {}, budget);
+  };
+
+  const RouteSearch any = search_with({.any_way = 20'000, .best_way = 10});
+
+  ASSERT_FALSE(any.path.empty());
+  EXPECT_TRUE(any.statistics.cut_short) << "a better way was looked for with ten labels only";
+  const auto arrivals = arrivals_along(sea, any.path, core::Seconds{0.0});
+  ASSERT_TRUE(arrivals) << "the bound holds along the whole way";
+  EXPECT_NEAR(any.arrival.count(), arrivals->back().count(), 1e-3);
+  const RouteSearch best = search_with({.any_way = 20'000, .best_way = 200'000});
+  EXPECT_LE(best.arrival.count(), any.arrival.count());
+  EXPECT_GT(best.arrival.count(), 0.8 * any.arrival.count());
+}
+
+TEST(SurfacingSearch, ProvesThatNoWayKeepsTheBound) {
+  // A belt of ice from north to south that takes more than a day to cross.
+  const ocean::Environment environment{
+      .ice = support::ice_from(
+          [](geo::LonLat p, double) { return std::abs(p.lon_deg + 53.0) < 0.5 ? 0.9 : 0.0; }, {0.0, 240.0},
+          1.0)};
+  RouteGrid grid = small_grid(41, 31);
+  grid.along.x_m /= 4.0;
+  grid.across.y_m /= 4.0;
+  grid.origin = {-1000.0 * 40, -1000.0 * 30};
+  for (const double bound_h : {3.0, 60.0}) {
+    const PlanRequest request = bounded_request(bound_h);
+    const Sea sea{environment, request, projection, grid.bounds().grown(2000.0), core::Metres{1000.0}};
+    const OpenGrid open = open_grid(sea, grid, 2, {});
+    const SurfacingReach reach{sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}};
+    EXPECT_EQ(reach.has_hope(), bound_h > 20.0);
+
+    const RouteSearch search =
+        search_with_surfacings(sea, open, core::Seconds{0.0}, core::Seconds{0.0}, {}, [](double) {});
+
+    EXPECT_EQ(search.path.empty(), bound_h < 20.0);
+    EXPECT_FALSE(search.statistics.cut_short) << "a proof, not the end of the memory";
+    if (!search.path.empty()) continue;
+    EXPECT_TRUE(std::ranges::count(search.closed_at_nearest, motion::EdgeClosed::no_surfacing) > 0);
+    EXPECT_GT(search.nearest.x_m, -30'000.0) << "it shows the edge of the belt, not the start";
+  }
 }
 
 }  // namespace

@@ -1,0 +1,27 @@
+#pragma once
+
+#include <stop_token>
+#include <vector>
+
+#include "engine/planning/favourable_grid.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// Where a bound on the time without surfacing may let a vehicle come.
+struct HourlyReach {
+  bool reaches_goal{false};
+  std::vector<bool> reached;  // of each vertex; not complete where the goal is among them
+};
+
+/// Divides the time from the departure on into spans and asks of one after the other where a vehicle may surface within
+/// it, where it may come from there before it has to surface again, and in which spans it may do so. So ice that has
+/// closed is of no use any more, and what opens only later is of none yet.
+/// Law      whoever keeps the bound is at no vertex that is not reached
+/// Accuracy a span is half the bound wide, more where the period would have too many of them: openings count as there
+///          for a span, and surfacings as possible until the bound after its end
+/// Stops    early once `stop` is requested; the result must then not be used
+[[nodiscard]] HourlyReach reach_hour_by_hour(const Sea& sea, const FavourableGrid& grid, core::Seconds depart,
+                                             core::Seconds since_surfacing, const std::stop_token& stop);
+
+}  // namespace floeplan::planning
