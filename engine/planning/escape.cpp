@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/graph/nearest_goal_search.hpp"
@@ -46,6 +47,36 @@ EscapeWay describe(const Sea& sea, const std::vector<geo::PlanePoint>& points,
   return escape;
 }
 
+/// Points of a way and when the vehicle is there.
+struct TimedWay {
+  std::vector<geo::PlanePoint> points;
+  std::vector<core::Seconds> arrivals;
+};
+
+/// Along the route from one of its points to where the vehicle may first surface, by `latest`; empty where it may not, or
+/// where the route is not driven at once.
+std::optional<TimedWay> way_onwards(const Sea& sea, const std::vector<geo::PlanePoint>& route,
+                                    const std::vector<core::Seconds>& arrivals, std::size_t from,
+                                    core::Seconds latest) {
+  constexpr core::Seconds rounding{1.0};  // of legs timed whole and in pieces
+  TimedWay way{{route[from]}, {arrivals[from]}};
+  for (std::size_t i = from; i + 1 < route.size(); ++i) {
+    const auto time = sea.leg_time(route[i], route[i + 1], arrivals[i]);
+    if (!time || arrivals[i] + *time + rounding < arrivals[i + 1]) return std::nullopt;
+    for (const Sea::Passage& passage :
+         sea.passages(route[i], route[i + 1], arrivals[i], sea.surfacing_look())) {
+      if (passage.time > latest) return std::nullopt;
+      if (!sea.may_surface(passage.point, passage.time)) continue;
+      way.points.push_back(passage.point);
+      way.arrivals.push_back(passage.time);
+      return way;
+    }
+    way.points.push_back(route[i + 1]);
+    way.arrivals.push_back(arrivals[i + 1]);
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 Result<std::vector<EscapeWay>> plan_escapes(const Sea& sea, const Layout& layout, const PlanRequest& request,
@@ -74,14 +105,16 @@ Result<std::vector<EscapeWay>> plan_escapes(const Sea& sea, const Layout& layout
 
     const auto found = graph::find_nearest_goal(graph, grid.start, depart, latest, travel_time, open, stop);
     if (found.tree.stopped) return tl::unexpected(explain_cancelled(request));
-    if (!found.goal) return tl::unexpected(explain_no_escape(sea, request, route[i], depart));
-    std::vector<geo::PlanePoint> points;
-    std::vector<core::Seconds> times;
-    for (const graph::Vertex v : graph::path_to(graph, found.tree, *found.goal)) {
-      points.push_back(grid.point(v));
-      times.emplace_back(found.tree.arrival_s(v));
+    std::optional<TimedWay> way = way_onwards(sea, route, arrivals, i, latest);
+    if (found.goal && (!way || found.tree.arrival_s(*found.goal) < way->arrivals.back().count())) {
+      way.emplace();
+      for (const graph::Vertex v : graph::path_to(graph, found.tree, *found.goal)) {
+        way->points.push_back(grid.point(v));
+        way->arrivals.emplace_back(found.tree.arrival_s(v));
+      }
     }
-    escapes.push_back(describe(sea, points, times));
+    if (!way) return tl::unexpected(explain_no_escape(sea, request, route[i], depart));
+    escapes.push_back(describe(sea, way->points, way->arrivals));
   }
   return escapes;
 }

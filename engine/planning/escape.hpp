@@ -12,8 +12,8 @@
 namespace floeplan::planning {
 
 /// The fastest way from each point of a route to a place where the vehicle may surface when it gets there, by a
-/// search of its own on the grid's steps around the point, at most 200 of them in every direction. Where the time
-/// without surfacing is bounded, the way keeps what is left of it.
+/// search of its own on the grid's steps around the point, at most 200 of them in every direction; going on along the
+/// route where that is no slower. Where the time without surfacing is bounded, the way keeps what is left of it.
 /// Precondition  `arrivals` and `waypoints` are those of the route
 /// Errors   Reason::no_escape at the first point without such a way; Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<std::vector<EscapeWay>> plan_escapes(const Sea& sea, const Layout& layout,

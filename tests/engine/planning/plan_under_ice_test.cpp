@@ -158,6 +158,30 @@ TEST(PlanUnderIce, EveryWaypointHasAWayToOpenWater) {
               from_goal.distance.value, 200.0);
 }
 
+TEST(PlanUnderIce, GoingOnIsAnEscapeWhereNothingElseIsInTime) {
+  int on_the_way = 0;
+  for (const double lon_deg : {-52.95, -52.93, -52.91, -52.89, -52.87, -52.85}) {
+    PlanRequest request = support::eastward_request();
+    request.via = {{lon_deg, 69.01}};
+    const Plan unbounded = planned(band_of_ice(), request);
+    // The way keeps this bound to the second; the vertices of a grid do not lie where the ice ends.
+    request.under_ice.max_time_without_surfacing = unbounded.surfacing->longest_without + core::Seconds{1.0};
+    request.under_ice.escape_plan = true;
+
+    const Plan plan = planned(band_of_ice(), request);
+
+    ASSERT_EQ(plan.surfacing->escapes.size(), plan.waypoints.size());
+    for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+      const SurfacingState& state = plan.surfacing->waypoints[i];
+      if (state.may_surface) continue;
+      ++on_the_way;
+      EXPECT_LE((state.since_surfacing + plan.surfacing->escapes[i].time).count(),
+                request.under_ice.max_time_without_surfacing->count());
+    }
+  }
+  EXPECT_GT(on_the_way, 3);
+}
+
 TEST(PlanUnderIce, TheWayToOpenWaterMustLieWithinWhatIsLeftOfTheBattery) {
   PlanRequest request = support::eastward_request();
   request.to = {-53.0, 69.0};
