@@ -62,7 +62,7 @@ class Bystander:
         self.process.join()
 
     def _ask(self):
-        while not self.over.is_set():
+        while not self.times or not self.over.is_set():
             begin = time.monotonic()
             try:
                 connection = http.client.HTTPConnection("127.0.0.1", PORT, timeout=10)
