@@ -9,6 +9,23 @@ const evaluated = async (page: Page): Promise<void> => {
 const figures = (page: Page): Promise<string> => page.locator('.figures-grid').innerText();
 const save = (page: Page) => page.getByRole('button', { name: 'Store as a plan' });
 
+const evaluations = '**/processes/evaluate-route/execution';
+
+/** Keeps the server's verdicts back until the function that is returned is called: else they may come before a look at
+ * what is shown meanwhile. */
+async function holdVerdicts(page: Page): Promise<() => Promise<void>> {
+  let release = (): void => undefined;
+  const released = new Promise<void>((resolve) => (release = resolve));
+  await page.route(evaluations, async (route) => {
+    await released;
+    await route.continue().catch(() => undefined); // taken back meanwhile by a later change
+  });
+  return async () => {
+    release();
+    await page.unroute(evaluations);
+  };
+}
+
 test('a copy of a plan is changed with the mouse, judged anew, taken back and stored', async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
@@ -26,21 +43,25 @@ test('a copy of a plan is changed with the mouse, judged anew, taken back and st
   await expect(map).toHaveAttribute('data-handles', String(Math.max(3, handles)));
   await page.getByRole('button', { name: 'Waypoint 2', exact: true }).click();
   const typed = await page.getByLabel('Position of waypoint 2').inputValue();
+  const judgeTyped = await holdVerdicts(page);
   await page.getByLabel('Position of waypoint 2').fill(`${middle[1].toFixed(5)}, ${middle[0].toFixed(5)}`);
   await page.keyboard.press('Enter');
   await expect(save(page)).toBeDisabled();
+  await judgeTyped();
   await evaluated(page);
   await expect(page.getByLabel('Position of waypoint 2')).not.toHaveValue(typed);
 
   const before = await figures(page);
   await mapAtRest(page);
   const from = await pixelOf(page, middle);
+  const judgeDragged = await holdVerdicts(page);
   await page.mouse.move(from.x, from.y);
   await page.mouse.down();
   await page.mouse.move(from.x + 12, from.y + 20, { steps: 4 });
   await page.mouse.up();
   await expect(page.locator('.figures-grid')).toHaveAttribute('aria-busy', 'true');
   await expect(save(page)).toBeDisabled();
+  await judgeDragged();
   await expect(page.locator('.figures-grid')).toHaveAttribute('aria-busy', 'false');
   expect(await figures(page)).not.toBe(before);
 
@@ -101,10 +122,10 @@ test('a route that cannot be flown or judged cannot be stored', async ({ page, r
   await expect(page.getByRole('region', { name: 'The route cannot be flown' })).toBeVisible({ timeout: 30_000 });
   await expect(save(page)).toBeDisabled();
 
-  await page.route('**/processes/evaluate-route/execution', (route) => route.abort());
+  await page.route(evaluations, (route) => route.abort());
   await last.fill(`${goal[1].toFixed(5)}, ${goal[0].toFixed(5)}`);
   await page.keyboard.press('Enter');
   await expect(page.getByRole('region', { name: 'The route could not be evaluated' })).toBeVisible();
   await expect(save(page)).toBeDisabled();
-  await page.unroute('**/processes/evaluate-route/execution');
+  await page.unroute(evaluations);
 });
