@@ -9,6 +9,7 @@
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/plan_assembly.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/published_plan.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -44,8 +45,10 @@ DrivenRoute improve(const Sea& sea, const DrivenRoute& route, const PlanRequest&
   return improved;
 }
 
-Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, const PlanRequest& request,
-                     const DrivenRoute& route, const CostWay& way) {
+Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, const PlanRequest& request,
+                     const DrivenRoute& route, const SearchStatistics& statistics,
+                     const std::stop_token& stop) {
+  const Sea& sea = chart.sea;
   const auto times = drive_along(sea, route, at_departure);
   if (!times) {
     const RouteClosed closed{.reason = times.error(), .at = route.points.front()};
@@ -53,9 +56,11 @@ Result<Plan> publish(const Sea& sea, const ocean::Environment& environment, cons
   }
   const Schedule schedule{times->arrivals, std::vector<core::Seconds>(times->arrivals.size())};
   Plan plan = assemble_plan(sea, environment, request, route.points, schedule, route.drives);
-  plan.search = way.statistics;
+  plan.search = statistics;
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
-  if (way.statistics.cut_short) {
+  if (auto none = add_escapes(plan, chart, request, route.points, times->arrivals, stop))
+    return tl::unexpected(std::move(*none));
+  if (statistics.cut_short) {
     plan.warnings.push_back(
         "the search met its bound on memory before it was done; a plan that costs less may exist");
   }
@@ -89,7 +94,7 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   progress("refinement", 0.7);
   const DrivenRoute route = improve(sea, way.route, request, stop);
   if (stop.stop_requested()) return {tl::unexpected(explain_cancelled(request))};
-  return {publish(sea, environment, request, route, way), way.touches_rim};
+  return {publish(*chart, environment, request, route, way.statistics, stop), way.touches_rim};
 }
 
 /// The same request for the fastest plan, on each drive by itself.

@@ -16,7 +16,7 @@
 namespace floeplan::planning {
 namespace {
 
-constexpr std::size_t most_labels = 1'000'000;  // about 100 MB with their lists and the queue
+constexpr std::size_t most_labels = 200'000;  // some seconds, and about 20 MB with their lists and the queue
 
 using Way = std::vector<graph::Label<CostVoyage::State>>;
 
@@ -51,35 +51,38 @@ Result<CostWay> earliest_way(const Sea& sea, const std::vector<OpenGrid>& grids,
                  .touches_rim = found->touches_rim};
 }
 
+/// When a search begins, and how long ago the vehicle might have surfaced then.
+struct Beginning {
+  core::Seconds depart;
+  core::Seconds since_surfacing{};
+};
+
 /// What the way costs at once and without waits; infinite where it is closed then.
 double cost_along(const Sea& sea, const std::vector<geo::PlanePoint>& path, const Objective& objective,
-                  core::Seconds depart, vehicle::Drive drive) {
-  double cost = path.empty() ? INFINITY : 0.0;
-  for (std::size_t i = 1; i < path.size() && std::isfinite(cost); ++i) {
-    const auto time = sea.leg_time(path[i - 1], path[i], depart, core::Seconds{INFINITY}, drive);
-    if (!time) return INFINITY;
-    const core::Joules energy = sea.energy().use(path[i - 1], path[i], *time, drive).total();
-    cost += objective.cost(*time, energy, sea.encounters(path[i - 1], path[i], depart, *time));
-    depart += *time;
-  }
-  return cost;
+                  const Beginning& beginning, vehicle::Drive drive) {
+  if (path.empty()) return INFINITY;
+  const DrivenRoute route{.points = path, .fixed = {}, .drives = std::vector(path.size() - 1, drive)};
+  const auto times = drive_along(sea, route, beginning.depart, beginning.since_surfacing);
+  return times ? times->cost(objective) : INFINITY;
 }
 
 /// What the fastest way over a grid tells a search for the cheapest: no more than its cost need be spent, and no more
 /// time than so much can buy.
 class KnownLimit {
  public:
-  KnownLimit(const Sea& sea, const OpenGrid& open, const PlanRequest& request, core::Seconds depart,
+  KnownLimit(const Sea& sea, const OpenGrid& open, const PlanRequest& request, const Beginning& beginning,
              const std::stop_token& stop)
       : closures_{sea, open.grid}, foresight_{sea, open} {
     constexpr double rounding = 1e-9;  // of sums of costs
     if (!foresight_.is_useful()) return;
     PlanRequest by_time = request;
     by_time.method = Method::astar;
-    const RouteSearch fastest = search_route(sea, open, by_time, depart, stop, [](double) {});
+    const core::Seconds depart = beginning.depart;
+    const RouteSearch fastest = search_route(
+        sea, open, by_time, depart, stop, [](double) {}, core::Seconds{INFINITY}, beginning.since_surfacing);
     double cost = INFINITY;
     for (const vehicle::Drive drive : sea.drives()) {
-      cost = std::min(cost, cost_along(sea, fastest.path, request.objective(), depart, drive));
+      cost = std::min(cost, cost_along(sea, fastest.path, request.objective(), beginning, drive));
     }
     if (!std::isfinite(cost) || stop.stop_requested()) return;
     const core::Seconds last =
@@ -117,11 +120,11 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
   CostWay found;
   found.route.points.push_back(grids.front().grid.point(grids.front().grid.start));
   found.route.fixed.push_back(true);
-  double now_s = depart.count();
+  Beginning beginning{depart};
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const OpenGrid& open = grids[i];
     std::optional<Openings> openings;
-    KnownLimit known{sea, open, request, core::Seconds{now_s}, stop};
+    KnownLimit known{sea, open, request, beginning, stop};
     if (sea.has_timed_closures())
       openings.emplace(sea, open, core::Seconds{INFINITY}, stop, &known.closures(), known.ladder());
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
@@ -130,18 +133,21 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
       const double share = static_cast<double>(expansions) / static_cast<double>(most_labels);
       report_fraction((static_cast<double>(i) + std::min(share, 1.0)) / static_cast<double>(grids.size()));
     };
-    const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, now_s,
-                                                CostVoyage::State{}, voyage, most_labels, stop, report);
+    const double now_s = beginning.depart.count();
+    const CostVoyage::State state{.surfaced_s = now_s - beginning.since_surfacing.count()};
+    const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, now_s, state,
+                                                voyage, most_labels, stop, report);
     if (search.stopped) return tl::unexpected(explain_cancelled(request));
     const auto way = search.goal ? graph::way_to(search, *search.goal) : Way{};
     if (way.empty() ||
-        circles_too_long(sea, open, points_of(open.grid, way), core::Seconds{now_s}, std::nullopt, stop)) {
+        circles_too_long(sea, open, points_of(open.grid, way), beginning.depart, std::nullopt, stop)) {
       auto earliest = earliest_way(sea, grids, request, depart, stop, report_fraction);
       if (earliest) earliest->statistics.cut_short = search.full;
       return earliest;
     }
     found.statistics.cut_short = found.statistics.cut_short || search.full;
-    now_s = way.back().arrival_s;
+    beginning.depart = core::Seconds{way.back().arrival_s};
+    beginning.since_surfacing = beginning.depart - core::Seconds{way.back().state.surfaced_s};
     if (append(found.route, sea, open.grid, way)) found.touches_rim = true;
     found.statistics.vertices += open.vertices;
     found.statistics.edges += open.edges;

@@ -1,9 +1,17 @@
 #include "engine/planning/cost_voyage.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 namespace floeplan::planning {
+namespace {
+
+/// Parts of the bound on the time without surfacing that arrivals are told apart by: a way loses no more than one of them
+/// from one surfacing to the next.
+constexpr double parts_of_bound = 6.0;
+
+}  // namespace
 
 CostVoyage::CostVoyage(const Sea& sea, const RouteGrid& grid, const Objective& objective,
                        const Openings* openings, const std::optional<Limit>& limit)
@@ -14,6 +22,7 @@ CostVoyage::CostVoyage(const Sea& sea, const RouteGrid& grid, const Objective& o
       limit_{limit},
       least_rate_{least_rate(sea, objective)},
       goal_{grid.point(grid.goal)},
+      longest_without_surfacing_{sea.bounds_surfacing() ? sea.longest_without_surfacing() : std::nullopt},
       steady_{sea.is_steady()},
       closures_{sea.has_timed_closures()} {}
 
@@ -34,6 +43,28 @@ double CostVoyage::rest(graph::Vertex v, double arrival_s) const {
   }
   if (!limit_ || v == grid_.goal) return straight;
   return std::max(straight, least_rate_ * (limit_->ladder->earliest_s(v, arrival_s) - arrival_s));
+}
+
+tl::expected<Sea::Leg, motion::EdgeClosed> CostVoyage::travel(geo::PlanePoint tail, geo::PlanePoint head,
+                                                              double arrival_s, double surfaced_s,
+                                                              double latest_s, vehicle::Drive drive) const {
+  const core::Seconds now{arrival_s};
+  if (longest_without_surfacing_)
+    return sea_.leg(tail, head, now, core::Seconds{arrival_s - surfaced_s}, drive);
+  return sea_.leg_time(tail, head, now, core::Seconds{latest_s}, drive).map([](core::Seconds time) {
+    return Sea::Leg{time, core::Seconds{0.0}};
+  });
+}
+
+bool CostVoyage::can_surface_in_time(graph::Vertex v, core::Seconds since_surfacing) const {
+  if (!longest_without_surfacing_ || v == grid_.goal) return true;
+  return since_surfacing + sea_.least_time_to_opening(grid_.point(v)) <= *longest_without_surfacing_;
+}
+
+bool CostVoyage::surfaced_as_late(const graph::Label<State>& a, const graph::Label<State>& b) const {
+  if (!longest_without_surfacing_ || a.state.surfaced_s == a.arrival_s) return true;
+  const double part_s = longest_without_surfacing_->count() / parts_of_bound;
+  return std::floor(a.state.surfaced_s / part_s) >= std::floor(b.state.surfaced_s / part_s);
 }
 
 double CostVoyage::key(graph::Vertex v, double arrival_s, const State& state) const {

@@ -18,12 +18,14 @@ namespace floeplan::planning {
 /// Accuracy  in steady waters exact on the grid. In waters that change, an arrival gives way to another that
 ///           costs no more and is not in a later span of ten minutes: the cheapest way may be missed where
 ///           leaving a place later makes the rest of the way cheaper by more than was lost until then. Where
-///           something near is closed for a while, only within the same span
+///           something near is closed for a while, only within the same span. Where the time without a possible
+///           surfacing is bounded, only to one whose last one lies in the same part of that bound or a later one
 /// Threads   const members may be called from several threads at once
 class CostVoyage {
  public:
   struct State {
-    double cost{};  // by the objective, since the departure
+    double cost{};        // by the objective, since the departure
+    double surfaced_s{};  // when the vehicle might have surfaced last, where that is bounded
   };
 
   /// What is known beforehand of the voyage; changes no result.
@@ -51,13 +53,14 @@ class CostVoyage {
     }
     for (std::uint32_t choice = 0; choice < sea_.drives().size(); ++choice) {
       const vehicle::Drive drive = sea_.drives()[choice];
-      const auto time = sea_.leg_time(tail, head, core::Seconds{arrival_s}, core::Seconds{latest_s}, drive);
-      if (!time) continue;
-      const core::Joules energy = sea_.energy().use(tail, head, *time, drive).total();
-      const double encounters = sea_.encounters(tail, head, core::Seconds{arrival_s}, *time);
-      const double cost = state.cost + objective_.cost(*time, energy, encounters);
-      if (limit_ && !is_worthwhile(edge.head, arrival_s + time->count(), cost)) continue;
-      emit(arrival_s + time->count(), State{cost}, choice);
+      const auto leg = travel(tail, head, arrival_s, state.surfaced_s, latest_s, drive);
+      if (!leg || !can_surface_in_time(edge.head, leg->since_surfacing)) continue;
+      const core::Joules energy = sea_.energy().use(tail, head, leg->time, drive).total();
+      const double encounters = sea_.encounters(tail, head, core::Seconds{arrival_s}, leg->time);
+      const double cost = state.cost + objective_.cost(leg->time, energy, encounters);
+      const double head_s = arrival_s + leg->time.count();
+      if (limit_ && !is_worthwhile(edge.head, head_s, cost)) continue;
+      emit(head_s, State{.cost = cost, .surfaced_s = head_s - leg->since_surfacing.count()}, choice);
     }
   }
 
@@ -67,7 +70,7 @@ class CostVoyage {
 
   [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
                                const graph::Label<State>& b) const {
-    if (a.state.cost > b.state.cost) return false;
+    if (a.state.cost > b.state.cost || !surfaced_as_late(a, b)) return false;
     const bool may_open = closures_ && (openings_ == nullptr || openings_->matter(v, b.arrival_s));
     if (may_open) return span(a.arrival_s) == span(b.arrival_s);
     return steady_ || span(a.arrival_s) <= span(b.arrival_s);
@@ -81,6 +84,14 @@ class CostVoyage {
   }
   static double span(double arrival_s) { return std::floor(arrival_s / 600.0); }
 
+  [[nodiscard]] tl::expected<Sea::Leg, motion::EdgeClosed> travel(geo::PlanePoint tail, geo::PlanePoint head,
+                                                                  double arrival_s, double surfaced_s,
+                                                                  double latest_s,
+                                                                  vehicle::Drive drive) const;
+  /// Or be at the goal.
+  [[nodiscard]] bool can_surface_in_time(graph::Vertex v, core::Seconds since_surfacing) const;
+  [[nodiscard]] bool surfaced_as_late(const graph::Label<State>& a, const graph::Label<State>& b) const;
+
   const Sea& sea_;
   const RouteGrid& grid_;
   Objective objective_;
@@ -88,7 +99,8 @@ class CostVoyage {
   std::optional<Limit> limit_;
   double least_rate_;
   geo::PlanePoint goal_;
-  bool steady_;    // nothing in these waters changes with time
+  std::optional<core::Seconds> longest_without_surfacing_;  // where it matters
+  bool steady_;                                             // nothing in these waters changes with time
   bool closures_;  // something opens again, so that arriving later can be the only way through
 };
 

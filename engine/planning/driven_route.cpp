@@ -41,17 +41,19 @@ std::optional<Shorter> without(const Sea& sea, const DrivenRoute& route, std::si
 }  // namespace
 
 tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea, const DrivenRoute& route,
-                                                          core::Seconds depart) {
+                                                          core::Seconds depart,
+                                                          core::Seconds since_surfacing) {
   DrivenTimes times{.arrivals = {depart}, .energy = {}, .encounters = 0.0};
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     const geo::PlanePoint from = route.points[i - 1];
     const geo::PlanePoint to = route.points[i];
     const vehicle::Drive drive = route.drives[i - 1];
-    const auto time = sea.leg_time(from, to, times.arrivals.back(), core::Seconds{INFINITY}, drive);
-    if (!time) return tl::unexpected(time.error());
-    times.encounters += sea.encounters(from, to, times.arrivals.back(), *time);
-    times.arrivals.push_back(times.arrivals.back() + *time);
-    times.energy += sea.energy().use(from, to, *time, drive);
+    const auto leg = sea.leg(from, to, times.arrivals.back(), since_surfacing, drive);
+    if (!leg) return tl::unexpected(leg.error());
+    since_surfacing = leg->since_surfacing;
+    times.encounters += sea.encounters(from, to, times.arrivals.back(), leg->time);
+    times.arrivals.push_back(times.arrivals.back() + leg->time);
+    times.energy += sea.energy().use(from, to, leg->time, drive);
   }
   return times;
 }

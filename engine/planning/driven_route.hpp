@@ -30,10 +30,11 @@ struct DrivenTimes {
   }
 };
 
-/// Errors   where the route is closed
-[[nodiscard]] tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea,
-                                                                        const DrivenRoute& route,
-                                                                        core::Seconds depart);
+/// Without waits; the time without a possible surfacing keeps the request's bound.
+/// Errors   why the route is closed
+[[nodiscard]] tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(
+    const Sea& sea, const DrivenRoute& route, core::Seconds depart,
+    core::Seconds since_surfacing = core::Seconds{0.0});
 
 /// Takes out points, each merged leg on the drive that suits it best, as long as the whole costs no more than at first
 /// and a step no more than by rounding, or until `stop` is requested.

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <stop_token>
+#include <vector>
 
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/chart.hpp"
@@ -18,6 +20,15 @@ namespace floeplan::planning {
 [[nodiscard]] Result<Plan> publish(const Chart& chart, const ocean::Environment& environment,
                                    const PlanRequest& request, const Improved& improved,
                                    const SearchStatistics& statistics, const std::stop_token& stop);
+
+/// Adds the ways to where the vehicle may surface, where they were asked for; `arrivals` are those at the `points` of the
+/// plan's waypoints. Answers why there are none, or that the battery does not carry the vehicle along one; empty: all is
+/// well.
+[[nodiscard]] std::optional<Infeasible> add_escapes(Plan& plan, const Chart& chart,
+                                                    const PlanRequest& request,
+                                                    const std::vector<geo::PlanePoint>& points,
+                                                    const std::vector<core::Seconds>& arrivals,
+                                                    const std::stop_token& stop);
 
 /// Tells of the plan how near the best possible its route is, where that was asked for.
 void rate(Plan& plan, const Sea& sea, const PlanRequest& request, const Route& route,

@@ -234,14 +234,23 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoi
 tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::PlanePoint b,
                                                     core::Seconds depart,
                                                     core::Seconds since_surfacing) const {
+  return leg(a, b, depart, since_surfacing, drives_.front());
+}
+
+tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::PlanePoint b,
+                                                    core::Seconds depart, core::Seconds since_surfacing,
+                                                    vehicle::Drive drive) const {
+  constexpr core::Seconds never{INFINITY};
   if (!ice_ && !bounds_surfacing()) {
-    return leg_time(a, b, depart).map([](core::Seconds time) { return Leg{time, core::Seconds{0.0}}; });
+    return leg_time(a, b, depart, never, drive).map([](core::Seconds time) {
+      return Leg{time, core::Seconds{0.0}};
+    });
   }
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   SurfacingWatch watch{*this, edge, since_surfacing};
   const double error_m = edge_tolerance_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
-  const auto time = drive_time(edge, depart, core::Seconds{INFINITY}, through_water(),
+  const auto time = drive_time(edge, depart, never, speed(drive),
                                [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                                  if (const auto closed = closed_then(edge, piece, error_m)) return closed;
                                  return watch(piece);

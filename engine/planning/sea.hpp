@@ -86,6 +86,10 @@ class Sea {
   [[nodiscard]] tl::expected<Leg, motion::EdgeClosed> leg(geo::PlanePoint a, geo::PlanePoint b,
                                                           core::Seconds depart,
                                                           core::Seconds since_surfacing) const;
+  /// The same on one of the request's drives; without it, on the first of them.
+  [[nodiscard]] tl::expected<Leg, motion::EdgeClosed> leg(geo::PlanePoint a, geo::PlanePoint b,
+                                                          core::Seconds depart, core::Seconds since_surfacing,
+                                                          vehicle::Drive drive) const;
   /// Where a vehicle is, and when.
   struct Passage {
     geo::PlanePoint point;

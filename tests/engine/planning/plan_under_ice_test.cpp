@@ -96,6 +96,34 @@ TEST(PlanUnderIce, TheStraightWayIsHeldToTheSameBound) {
   EXPECT_EQ(plan.error().reason, Reason::no_surfacing);
 }
 
+TEST(PlanUnderIce, EveryObjectiveKeepsTheBoundAndHasItsEscapes) {
+  ocean::Environment environment = band_of_ice();
+  // Pumping is dearer over the bank in the north: energy is not even, and draws the way through the ice.
+  environment.bathymetry =
+      support::bathymetry_from([](geo::LonLat p) { return p.lat_deg > 69.1 ? 60.0 : 400.0; });
+  environment.icebergs = {support::iceberg_at({-53.0, 69.2}, 200.0)};
+  PlanRequest request = support::eastward_request();
+  request.under_ice.escape_plan = true;
+  const auto longest_without = [&](const PlanRequest& asked) {
+    const Plan plan = planned(environment, asked);
+    EXPECT_EQ(plan.surfacing->escapes.size(), plan.waypoints.size());
+    return plan.surfacing->longest_without.count();
+  };
+  std::vector<PlanRequest> requests(4, request);
+  requests[0].energy.objective = energy_objective;
+  requests[1].energy.objective = {1.0, 0.01};
+  requests[2].energy.objective = energy_objective;
+  requests[2].vehicle = vehicle::find_profile("slocum-g3-200-thruster").value();
+  requests[3].icebergs.encounter_weight = core::Seconds{3600.0};
+
+  for (PlanRequest& each : requests) {
+    const double bound_s = 3600.0 * 6.0;
+    EXPECT_GT(longest_without(each), bound_s);
+    each.under_ice.max_time_without_surfacing = core::Seconds{bound_s};
+    EXPECT_LE(longest_without(each), bound_s);
+  }
+}
+
 TEST(PlanUnderIce, TheErrorOfThePositionGrowsUntilTheVehicleMaySurfaceAgain) {
   PlanRequest request = support::eastward_request();
   request.to = {-53.0, 69.0};  // in the ice
