@@ -1,5 +1,7 @@
 #include "engine/planning/cost_plan.hpp"
 
+#include <cmath>
+#include <string_view>
 #include <utility>
 #include <vector>
 
@@ -7,25 +9,41 @@
 #include "engine/planning/chart.hpp"
 #include "engine/planning/cost_search.hpp"
 #include "engine/planning/explanation.hpp"
+#include "engine/planning/fastest_plan.hpp"
 #include "engine/planning/plan_assembly.hpp"
-#include "engine/planning/plan_route.hpp"
 #include "engine/planning/published_plan.hpp"
 
 namespace floeplan::planning {
 namespace {
 
 constexpr core::Seconds at_departure{0.0};
+constexpr const char* no_gap = "only plans for the least time are compared with the best way";
 
 double cost_of(const Plan& plan, const Objective& objective) {
   return objective.cost(plan.travel_time(), plan.energy->use.total(), plan.iceberg_encounters.value_or(0.0));
 }
 
-CostWay straight_way(const Sea& sea, const Layout& layout) {
-  CostWay way;
-  way.route.points = layout.points;
-  way.route.fixed.assign(layout.points.size(), true);
-  way.route.drives.assign(layout.points.size() - 1, sea.drives().front());
-  return way;
+DrivenRoute straight_way(const Layout& layout, vehicle::Drive drive) {
+  const std::size_t points = layout.points.size();
+  return {.points = layout.points,
+          .fixed = std::vector<bool>(points, true),
+          .drives = std::vector<vehicle::Drive>(points - 1, drive)};
+}
+
+/// The straight way on the drives that make the whole cost least, begun from each drive on all legs: on one of them alone
+/// it may be closed.
+DrivenRoute best_straight_way(const Sea& sea, const Layout& layout, const Objective& objective,
+                              const std::stop_token& stop) {
+  DrivenRoute best = straight_way(layout, sea.drives().front());
+  double least = INFINITY;
+  for (const vehicle::Drive drive : sea.drives()) {
+    DrivenRoute route = choose_drives(sea, straight_way(layout, drive), objective, at_departure, stop);
+    const auto times = drive_along(sea, route, at_departure);
+    if (!times || !(times->cost(objective) < least)) continue;
+    least = times->cost(objective);
+    best = std::move(route);
+  }
+  return best;
 }
 
 /// What is done to the way of the grid before it is published.
@@ -57,6 +75,7 @@ Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, 
   const Schedule schedule{times->arrivals, std::vector<core::Seconds>(times->arrivals.size())};
   Plan plan = assemble_plan(sea, environment, request, route.points, schedule, route.drives);
   plan.search = statistics;
+  if (request.optimality_gap) plan.optimality_gap_reason = no_gap;
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
   if (auto none = add_escapes(plan, chart, request, route.points, times->arrivals, stop))
     return tl::unexpected(std::move(*none));
@@ -80,8 +99,10 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   if (!chart) return {tl::unexpected(chart.error())};
   const Sea& sea = chart->sea;
 
-  CostWay way = straight_way(sea, chart->layout);
-  if (request.method != Method::direct) {
+  CostWay way;
+  if (request.method == Method::direct) {
+    way.route = best_straight_way(sea, chart->layout, request.objective(), stop);
+  } else {
     const auto report = [&](double fraction) { progress("search", 0.1 + 0.6 * fraction); };
     const std::vector<OpenGrid> grids = open_grids(sea, chart->layout.grids, request.sectors, stop);
     auto found = search_least_cost(sea, grids, request, at_departure, stop, report);
@@ -116,6 +137,13 @@ bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& o
 
 }  // namespace
 
+Result<Plan> publish_straight_way(const Chart& chart, const ocean::Environment& environment,
+                                  const PlanRequest& request, const std::stop_token& stop) {
+  DrivenRoute route = best_straight_way(chart.sea, chart.layout, request.objective(), stop);
+  if (request.max_leg) route = part_long_legs(chart.sea, route, *request.max_leg);
+  return publish(chart, environment, request, route, {}, stop);
+}
+
 Result<Plan> search_least_cost_plan(const ocean::Environment& environment, const PlanRequest& request,
                                     const std::stop_token& stop, const core::ProgressCallback& progress) {
   // Only the fastest plans wait.
@@ -136,9 +164,10 @@ Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRe
   progress("comparison", 0.8);
   for (const PlanRequest& fastest : fastest_requests(request)) {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    Result<Plan> other = try_to_plan(environment, fastest, stop, {}, clock);
+    Result<Plan> other = plan_fastest(environment, fastest, stop, [](std::string_view, double) {}, clock);
     if (costs_less(other, best, request.objective())) best = std::move(other);
   }
+  if (best && request.optimality_gap) best->optimality_gap_reason = no_gap;
   progress("done", 1.0);
   return best;
 }

@@ -5,6 +5,7 @@
 #include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/chart.hpp"
 #include "engine/planning/infeasible.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
@@ -24,5 +25,11 @@ namespace floeplan::planning {
 [[nodiscard]] Result<Plan> search_least_cost_plan(const ocean::Environment& environment,
                                                   const PlanRequest& request, const std::stop_token& stop,
                                                   const core::ProgressCallback& progress);
+
+/// The plan straight from stop to stop of the request, on the drives that make the whole cost least; without waits.
+/// Errors   why the way is closed, the battery does not carry the vehicle where it must, or there is no escape;
+///          Reason::cancelled once `stop` is requested
+[[nodiscard]] Result<Plan> publish_straight_way(const Chart& chart, const ocean::Environment& environment,
+                                                const PlanRequest& request, const std::stop_token& stop);
 
 }  // namespace floeplan::planning

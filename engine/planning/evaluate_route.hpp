@@ -12,7 +12,8 @@
 
 namespace floeplan::planning {
 
-/// Times a given route (at least two places): the same legs, the same edge integration, the same rules.
+/// Times a given route (at least two places): the same legs, the same edge integration, the same rules. Where legs may
+/// have different drives, on those that make the whole cost least by the request's objective.
 /// `request` gives departure, vehicle, margin and tolerance; its places and method are not used.
 /// Errors   as plan_route
 /// Stops    with Reason::cancelled once `stop` is requested

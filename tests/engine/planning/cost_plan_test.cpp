@@ -1,5 +1,6 @@
 #include <gtest/gtest.h>
 
+#include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
@@ -112,6 +113,27 @@ TEST(CostPlan, TurnsTheThrusterOnWhereTheBuoyancyDriveHardlyMakesWay) {
   EXPECT_EQ(stretches, (std::vector{buoyancy, thruster, buoyancy}));
   EXPECT_LT(energy_j(*cheapest), 0.9 * energy_j(*fastest));
   EXPECT_GT(cheapest->travel_time(), 1.1 * fastest->travel_time());
+}
+
+TEST(CostPlan, IsJudgedAsARouteOnTheDrivesThatItWasPlannedWith) {
+  const auto stream = [](geo::LonLat place, double) {
+    return geo::VelocityEn{{std::abs(place.lon_deg + 53.0) < 0.15 ? -0.4 : 0.0}, {0.0}};
+  };
+  const ocean::Environment environment{.currents = currents_from(stream, 400)};
+  PlanRequest request = hybrid_request();
+  request.energy.objective = energy_objective;
+  const auto planned = plan(environment, request, energy_objective);
+  ASSERT_TRUE(planned.has_value());
+  std::vector<geo::LonLat> route;
+  for (const Waypoint& waypoint : planned->waypoints) route.push_back(waypoint.place);
+
+  const auto judged = evaluate_route(environment, route, request);
+
+  ASSERT_TRUE(judged.has_value()) << judged.error().explanation;
+  EXPECT_NEAR(judged->travel_time().count(), planned->travel_time().count(), 1.0);
+  EXPECT_NEAR(energy_j(*judged), energy_j(*planned), 1e-4 * energy_j(*planned));
+  for (std::size_t i = 1; i < route.size(); ++i)
+    EXPECT_EQ(judged->waypoints[i].drive, planned->waypoints[i].drive);
 }
 
 TEST(CostPlan, OfWeightsLiesBetweenTheFastestAndTheMostSaving) {
