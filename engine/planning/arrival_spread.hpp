@@ -4,10 +4,11 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
+#include "engine/planning/member_spread.hpp"
 
 namespace floeplan::planning {
 
-/// How one route fares in each member of uncertain currents. A member in which the route is not possible never
+/// How long one route takes in each member of uncertain currents. A member in which the route is not possible never
 /// arrives: it counts as later than every other.
 class ArrivalSpread {
  public:
@@ -17,21 +18,19 @@ class ArrivalSpread {
   [[nodiscard]] const std::vector<std::optional<core::Seconds>>& travel_times() const {
     return travel_times_;
   }
-  [[nodiscard]] std::size_t arrived() const { return sorted_s_.size(); }
+  [[nodiscard]] std::size_t arrived() const { return spread_.known(); }
   /// Of the members that arrive; empty when none does.
   [[nodiscard]] std::optional<core::Seconds> mean() const;
-  /// Of the members that arrive, with one degree of freedom taken by the mean; empty for fewer than two.
+  /// Of the members that arrive; empty for fewer than two.
   [[nodiscard]] std::optional<core::Seconds> standard_deviation() const;
-  /// Time that this share of all members keeps, linear between the members' times; empty where it would take a member
-  /// that does not arrive.
-  /// Source  Hyndman and Fan 1996, Sample quantiles in statistical packages, The American Statistician 50, type 7
+  /// Time that this share of all members keeps; empty where it would take a member that does not arrive.
   [[nodiscard]] std::optional<core::Seconds> quantile(double share) const;
   /// Share of all members that arrive within the time.
   [[nodiscard]] double chance_within(core::Seconds time) const;
 
  private:
   std::vector<std::optional<core::Seconds>> travel_times_;
-  std::vector<double> sorted_s_;  // of those that arrive
+  MemberSpread spread_;  // of the seconds
 };
 
 }  // namespace floeplan::planning

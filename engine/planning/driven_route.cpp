@@ -58,6 +58,27 @@ tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea, const 
   return times;
 }
 
+tl::expected<DrivenTimes, motion::EdgeClosed> drive_in_time(const Sea& sea, const DrivenRoute& route,
+                                                            core::Seconds depart) {
+  const vehicle::Drive first = sea.drives().front();
+  const bool waits = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
+  if (!waits || std::ranges::any_of(route.drives, [&](vehicle::Drive drive) { return drive != first; }))
+    return drive_along(sea, route, depart);
+  const auto schedule = schedule_along(sea, route.points, depart);
+  if (!schedule) return tl::unexpected(schedule.error().reason);
+  DrivenTimes times{.arrivals = schedule->arrivals, .energy = {}, .encounters = 0.0};
+  const auto count = [&](geo::PlanePoint from, geo::PlanePoint to, core::Seconds leaves, core::Seconds time) {
+    times.encounters += sea.encounters(from, to, leaves, time);
+    times.energy += sea.energy().use(from, to, time, first);
+  };
+  for (std::size_t i = 1; i < route.points.size(); ++i) {
+    const geo::PlanePoint from = route.points[i - 1];
+    count(from, from, schedule->arrivals[i - 1], schedule->waits[i - 1]);
+    count(from, route.points[i], schedule->leaves(i - 1), schedule->arrivals[i] - schedule->leaves(i - 1));
+  }
+  return times;
+}
+
 DrivenRoute drop_costless_points(const Sea& sea, const DrivenRoute& route, const Objective& objective,
                                  core::Seconds depart, const std::stop_token& stop) {
   DrivenRoute result = route;

@@ -36,6 +36,12 @@ struct DrivenTimes {
     const Sea& sea, const DrivenRoute& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0});
 
+/// The same; where every leg is on the sea's first drive the vehicle waits where the request allows it and that brings it
+/// through.
+[[nodiscard]] tl::expected<DrivenTimes, motion::EdgeClosed> drive_in_time(const Sea& sea,
+                                                                          const DrivenRoute& route,
+                                                                          core::Seconds depart);
+
 /// Takes out points, each merged leg on the drive that suits it best, as long as the whole costs no more than at first
 /// and a step no more than by rounding, or until `stop` is requested.
 [[nodiscard]] DrivenRoute drop_costless_points(const Sea& sea, const DrivenRoute& route,

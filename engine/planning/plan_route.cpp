@@ -29,6 +29,19 @@ Result<Plan> plan_survey(const ocean::Environment& environment, const PlanReques
   return plan;
 }
 
+/// The best plan by the objective in the first currents of the environment.
+Result<Plan> plan_in_one_sea(const ocean::Environment& environment, const PlanRequest& request,
+                             const std::stop_token& stop, const core::ProgressCallback& progress,
+                             const core::SteadyClock& clock) {
+  const auto without_weight_on_encounters = [&](const PlanRequest& unweighted) {
+    return unweighted.energy.objective.is_time()
+               ? plan_fastest(environment, unweighted, stop, progress, clock)
+               : plan_least_cost(environment, unweighted, stop, progress, clock);
+  };
+  if (request.objective().of_encounters == 0.0) return without_weight_on_encounters(request);
+  return plan_with_fewer_encounters(environment, request, without_weight_on_encounters, stop, progress);
+}
+
 }  // namespace
 
 Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
@@ -36,24 +49,11 @@ Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanReques
                          const core::SteadyClock& clock) {
   throw_if_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
-  if (request.objective().of_encounters > 0.0) {
-    return plan_with_fewer_encounters(environment, request, stop, progress, clock);
-  }
-  if (!request.energy.objective.is_time()) {
-    Result<Plan> plan = plan_least_cost(environment, request, stop, progress, clock);
-    if (plan && has_uncertain_currents(environment, request)) {
-      plan->warnings.push_back("how uncertain the currents are counts only where the objective is time");
-    }
-    if (plan && request.optimality_gap) {
-      plan->optimality_gap_reason = "only plans for the least time are compared with the best way";
-    }
-    return plan;
-  }
   const bool is_uncertain = has_uncertain_currents(environment, request);
   PlanRequest in_one_sea = request;
   in_one_sea.optimality_gap = request.optimality_gap && !is_uncertain;
   const PlanIn plan_in = [&](const ocean::Environment& sea) {
-    return plan_fastest(sea, in_one_sea, stop, progress, clock);
+    return plan_in_one_sea(sea, in_one_sea, stop, progress, clock);
   };
   Result<Plan> plan =
       is_uncertain ? plan_uncertain(environment, in_one_sea, plan_in, stop, progress) : plan_in(environment);

@@ -4,7 +4,6 @@
 
 #include "engine/planning/cost_plan.hpp"
 #include "engine/planning/explanation.hpp"
-#include "engine/planning/plan_route.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -15,12 +14,13 @@ double cost_of(const Plan& plan, const Objective& objective) {
 
 }  // namespace
 
-Result<Plan> plan_with_fewer_encounters(const ocean::Environment& environment, const PlanRequest& request,
-                                        const std::stop_token& stop, const core::ProgressCallback& progress,
-                                        const core::SteadyClock& clock) {
+Result<Plan> plan_with_fewer_encounters(
+    const ocean::Environment& environment, const PlanRequest& request,
+    const std::function<Result<Plan>(const PlanRequest&)>& plan_unweighted, const std::stop_token& stop,
+    const core::ProgressCallback& progress) {
   PlanRequest unweighted = request;
   unweighted.icebergs.encounter_weight = core::Seconds{0.0};
-  Result<Plan> before = try_to_plan(environment, unweighted, stop, progress, clock);
+  Result<Plan> before = plan_unweighted(unweighted);
   if (!before) return before;
   const Objective objective = request.objective();
   EncounterTrade trade{.weight = request.icebergs.encounter_weight,

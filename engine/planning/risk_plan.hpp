@@ -1,8 +1,8 @@
 #pragma once
 
+#include <functional>
 #include <stop_token>
 
-#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/infeasible.hpp"
@@ -13,11 +13,12 @@ namespace floeplan::planning {
 
 /// Plans with the request's weight on expected encounters with icebergs: the plan without the weight, unless another
 /// one expects fewer of them and costs less with it. So the weight never makes a plan expect more encounters.
+/// `plan_unweighted` makes the plan without the weight, of the request without it.
 /// Errors   as plan_route
 /// Stops    as plan_route
-[[nodiscard]] Result<Plan> plan_with_fewer_encounters(const ocean::Environment& environment,
-                                                      const PlanRequest& request, const std::stop_token& stop,
-                                                      const core::ProgressCallback& progress,
-                                                      const core::SteadyClock& clock);
+[[nodiscard]] Result<Plan> plan_with_fewer_encounters(
+    const ocean::Environment& environment, const PlanRequest& request,
+    const std::function<Result<Plan>(const PlanRequest&)>& plan_unweighted, const std::stop_token& stop,
+    const core::ProgressCallback& progress);
 
 }  // namespace floeplan::planning

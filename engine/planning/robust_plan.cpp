@@ -10,9 +10,10 @@
 #include <vector>
 
 #include "engine/planning/chart.hpp"
+#include "engine/planning/driven_route.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/explanation.hpp"
-#include "engine/planning/route_cost.hpp"
+#include "engine/planning/member_spread.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -56,24 +57,48 @@ std::vector<geo::LonLat> places_of(const Plan& plan) {
   return places;
 }
 
-std::optional<core::Seconds> travel_time(const Chart& chart, const std::vector<geo::LonLat>& places) {
-  std::vector<geo::PlanePoint> points;
-  for (const geo::LonLat place : places) points.push_back(chart.layout.projection.to_plane(place));
-  const auto arrivals = arrivals_along(chart.sea, points, at_departure);
-  if (!arrivals) return std::nullopt;
-  return arrivals->back() - at_departure;
+/// The plan's legs on the drives that it has in the first currents: they are what is flown, whichever currents come true.
+DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& projection) {
+  DrivenRoute route;
+  for (const Waypoint& waypoint : plan.waypoints) {
+    route.points.push_back(projection.to_plane(waypoint.place));
+    route.fixed.push_back(true);
+    if (waypoint.drive) route.drives.push_back(*waypoint.drive);
+  }
+  return route;
 }
 
-/// What the objective counts of a spread, less is better.
-double criterion_s(const ArrivalSpread& spread, const UncertaintyRules& rules) {
-  const auto time =
-      rules.objective == RobustObjective::quantile ? spread.quantile(rules.quantile) : spread.mean();
-  return time ? time->count() : std::numeric_limits<double>::infinity();
+/// How a plan fares in each member.
+class Fares {
+ public:
+  void add(const Chart& chart, const DrivenRoute& route, const Objective& objective) {
+    const auto times = drive_in_time(chart.sea, route, at_departure);
+    times_.push_back(times ? std::optional{times->arrivals.back() - at_departure} : std::nullopt);
+    costs_.push_back(times ? std::optional{times->cost(objective)} : std::nullopt);
+  }
+  void add_closed() {
+    times_.emplace_back();
+    costs_.emplace_back();
+  }
+
+  [[nodiscard]] ArrivalSpread arrivals() const { return ArrivalSpread{times_}; }
+  [[nodiscard]] MemberSpread costs() const { return MemberSpread{costs_}; }
+
+ private:
+  std::vector<std::optional<core::Seconds>> times_;
+  std::vector<std::optional<double>> costs_;
+};
+
+/// What the objective counts of a plan's costs in the members, less is better.
+double criterion(const MemberSpread& costs, const UncertaintyRules& rules) {
+  const auto cost =
+      rules.objective == RobustObjective::quantile ? costs.quantile(rules.quantile) : costs.mean();
+  return cost.value_or(std::numeric_limits<double>::infinity());
 }
 
-bool is_better(const ArrivalSpread& a, const ArrivalSpread& b, const UncertaintyRules& rules) {
-  if (a.arrived() != b.arrived()) return a.arrived() > b.arrived();
-  return criterion_s(a, rules) < criterion_s(b, rules);
+bool is_better(const MemberSpread& a, const MemberSpread& b, const UncertaintyRules& rules) {
+  if (a.known() != b.known()) return a.known() > b.known();
+  return criterion(a, rules) < criterion(b, rules);
 }
 
 UncertaintyReport report_of(ArrivalSpread spread, const UncertaintyRules& rules, core::UtcTime depart,
@@ -102,7 +127,7 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
   Result<Plan> base = plan_in(environment);
   if (!base) return base;
 
-  std::vector<std::vector<geo::LonLat>> candidates{places_of(*base)};
+  std::vector<Plan> candidates{*base};
   const auto report = [&](double from, std::size_t member) {
     progress("members", from + 0.5 * static_cast<double>(member) / static_cast<double>(members.size()));
   };
@@ -112,38 +137,41 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
     report(0.0, member);
     const ocean::Environment sea = members.environment(member);
     const Result<Plan> plan = plan_in(sea);
+    if (!plan) continue;
     // A route that the first currents do not let through could not be published.
-    if (plan && evaluate_route(environment, places_of(*plan), request, stop))
-      candidates.push_back(places_of(*plan));
+    Result<Plan> in_first = evaluate_route(environment, places_of(*plan), request, stop);
+    if (in_first) candidates.push_back(std::move(*in_first));
   }
 
-  std::vector<std::vector<std::optional<core::Seconds>>> times(candidates.size());
+  const Objective objective = request.objective();
+  std::vector<Fares> fares(candidates.size());
   for (std::size_t member = 0; member < members.size(); ++member) {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
     report(0.5, member);
     const ocean::Environment sea = members.environment(member);
     const Result<Chart> chart = draw_chart(sea, request, second_reach, stop);
     for (std::size_t i = 0; i < candidates.size(); ++i) {
-      times[i].push_back(chart ? travel_time(*chart, candidates[i]) : std::nullopt);
+      if (chart) {
+        fares[i].add(*chart, route_of(candidates[i], chart->layout.projection), objective);
+      } else {
+        fares[i].add_closed();
+      }
     }
   }
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
 
-  std::vector<ArrivalSpread> spreads;
-  for (auto& each : times) spreads.emplace_back(std::move(each));
+  std::vector<MemberSpread> costs;
+  for (const Fares& each : fares) costs.push_back(each.costs());
   std::size_t best = 0;
-  for (std::size_t i = 1; i < spreads.size(); ++i) {
-    if (is_better(spreads[i], spreads[best], rules)) best = i;
+  for (std::size_t i = 1; i < costs.size(); ++i) {
+    if (is_better(costs[i], costs[best], rules)) best = i;
   }
-  if (best != 0) {
-    Result<Plan> chosen = evaluate_route(environment, candidates[best], request, stop);
-    if (!chosen) return chosen;
-    chosen->method = base->method;
-    chosen->search = base->search;
-    base = std::move(chosen);
-  }
-  base->uncertainty = report_of(spreads[best], rules, request.depart, candidates.size());
-  return base;
+  Plan& chosen = candidates[best];
+  chosen.method = base->method;
+  chosen.search = base->search;
+  chosen.encounter_trade = base->encounter_trade;
+  chosen.uncertainty = report_of(fares[best].arrivals(), rules, request.depart, candidates.size());
+  return std::move(chosen);
 }
 
 }  // namespace floeplan::planning

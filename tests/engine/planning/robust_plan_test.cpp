@@ -105,6 +105,48 @@ TEST(RobustPlan, CountsAMemberThatDoesNotLetTheRouteThrough) {
   EXPECT_FALSE(found->uncertainty->spread.travel_times()[1].has_value());
 }
 
+TEST(RobustPlan, SaysHowThePlanFaresWhateverItsObjective) {
+  ocean::Environment environment = ensemble({stream(69.0, -0.2), stream(69.0, 0.0), stream(69.05, 0.15)});
+  environment.icebergs = {support::iceberg_at({-53.0, 69.12}, 200.0)};
+  PlanRequest request = coarse_request();
+  std::vector<PlanRequest> requests(4, request);
+  requests[0].energy.objective = energy_objective;
+  requests[1].energy.objective = {1.0, 0.01};
+  requests[2].energy.objective = {1.0, 0.001};
+  requests[2].vehicle = vehicle::find_profile("slocum-g3-200-thruster").value();
+  requests[3].icebergs.encounter_weight = core::Seconds{36'000.0};
+
+  for (PlanRequest& each : requests) {
+    for (const RobustObjective objective : {RobustObjective::none, RobustObjective::mean}) {
+      each.uncertainty.objective = objective;
+
+      const auto found = plan(environment, each);
+
+      ASSERT_TRUE(found && found->uncertainty);
+      EXPECT_EQ(found->uncertainty->spread.arrived(), 3U);
+      EXPECT_NEAR(found->uncertainty->spread.travel_times()[0]->count(), found->travel_time().count(), 1.0)
+          << "the first member has the currents that the plan is timed in";
+      EXPECT_FALSE(found->optimality_gap.has_value());
+      EXPECT_EQ(found->optimality_gap_reason, "the currents are not certain, so that no one way is the best");
+    }
+  }
+}
+
+TEST(RobustPlan, OfEnergyTakesTheRouteThatDrawsLeastOnAverage) {
+  // As above: where power is the same everywhere, the least energy is the least time.
+  const ocean::Environment environment =
+      ensemble({stream(69.1, 0.25), stream(69.1, -0.3), stream(69.1, -0.3), stream(69.1, -0.3)});
+  PlanRequest request = coarse_request();
+  request.energy.objective = energy_objective;
+  const auto trusting = plan(environment, request);
+  request.uncertainty.objective = RobustObjective::mean;
+
+  const auto robust = plan(environment, request);
+
+  ASSERT_TRUE(trusting && robust);
+  EXPECT_LT(*robust->uncertainty->spread.mean(), *trusting->uncertainty->spread.mean());
+}
+
 TEST(RobustPlan, NamesEveryFaultOfItsRules) {
   PlanRequest request = eastward_request();
   request.uncertainty.drawn_members = 1;
