@@ -23,10 +23,14 @@ namespace {
 
 using nlohmann::json;
 
-/// The same inputs on the same data, planned by the same version, have the same id.
-std::string plan_id(const json& inputs, const ocean::Environment& environment) {
-  std::string text = std::string{FLOEPLAN_VERSION} + "\n" + inputs.dump();
+/// The same inputs on the same data have the same id as long as the same plan comes of them. Another program, or a machine
+/// that is too slow for the whole refinement, may come to another one, and nobody is to be given the old one for it.
+std::string plan_id(const json& inputs, const ocean::Environment& environment, const planning::Plan& plan) {
+  std::string text = inputs.dump();
   for (const auto& dataset : environment.datasets) text += "\n" + dataset.id + " " + dataset.sha256;
+  json told = codec::plan_document(plan, "", "");
+  told.erase("search");  // how long it took
+  text += "\n" + told.dump();
   return "p" + codec::sha256(text).substr(0, 12);
 }
 
@@ -106,7 +110,7 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
   std::ranges::copy(inputs.warnings, std::back_inserter(plan->warnings));
 
   const json request = codec::to_json(inputs);
-  const std::string id = plan_id(request, *environment);
+  const std::string id = plan_id(request, *environment, *plan);
   json document = codec::plan_document(*plan, id, inputs.name);
   add_departures(document, departures);
   repository::PlanRepository plans{db};

@@ -29,11 +29,11 @@ TEST(PlanService, AnswersWithThePlanThatIsStored) {
   const json first = plan_route_document(db, inputs, {}, {}, some_time).value();
   ASSERT_EQ(first.at("status"), "ok");
 
-  // As if an attempt that was killed after it had stored its plan had found another way.
-  sqlite::execute(db, "UPDATE plan SET document_json = json_set(document_json, '$.distance_m', 7)");
+  // As if an attempt that was killed after it had stored its plan had taken longer.
+  sqlite::execute(db, "UPDATE plan SET document_json = json_set(document_json, '$.search.seconds', 7)");
   const json second = plan_route_document(db, inputs, {}, {}, some_time).value();
   EXPECT_EQ(second.at("plan_id"), first.at("plan_id"));
-  EXPECT_EQ(second.at("distance_m"), 7);
+  EXPECT_EQ(second.at("search").at("seconds"), 7);
 }
 
 codec::EvaluateInputs route_past(double middle_lat_deg) {
@@ -63,6 +63,26 @@ void add_iceberg(sqlite::Connection& db, geo::LonLat place) {
   berg.length = core::Metres{100.0};
   berg.observed = core::parse_iso8601("2026-11-20T05:00:00Z").value();
   repository::IcebergRepository{db}.insert(dataset.id, {berg});
+}
+
+TEST(PlanService, AnotherPlanForTheSameInputsAndDataHasAnIdOfItsOwn) {
+  const support::TemporaryFolder store;
+  sqlite::Connection db{repository::open_store(store.path())};
+  add_iceberg(db, {-52.7, 69.2});
+  const auto inputs =
+      codec::parse_plan_inputs(
+          json{{"from", {-53, 69}}, {"to", {-52.4, 69.0}}, {"depart", "2026-11-20T06:00:00Z"}})
+          .value();
+  const json before = plan_route_document(db, inputs, {}, {}, some_time).value();
+  ASSERT_EQ(before.at("status"), "ok");
+
+  // As if another program read more from the same data.
+  sqlite::execute(db, "UPDATE sighting SET lat_deg = 69.02");
+  const json after = plan_route_document(db, inputs, {}, {}, some_time).value();
+
+  ASSERT_EQ(after.at("status"), "ok");
+  EXPECT_NE(after.at("plan_id"), before.at("plan_id"));
+  EXPECT_NE(after.at("waypoints"), before.at("waypoints"));
 }
 
 KeptWork room_for_work() {
