@@ -98,6 +98,12 @@ planning::Waypoint parse_waypoint(const json& object) {
   return waypoint;
 }
 
+/// Plans of older versions do not tell.
+std::optional<core::Seconds> parse_possible_gain(const json& search) {
+  const json gain = search.value("possible_gain_s", json());
+  return gain.is_null() ? std::nullopt : std::optional{core::Seconds{gain.get<double>()}};
+}
+
 json refinement_json(const std::optional<planning::RefinementReport>& refinement) {
   if (!refinement) return nullptr;
   return {{"before_s", refinement->before.count()},
@@ -168,6 +174,7 @@ planning::Plan parse_members(const json& document) {
                  .fifo_violations = search.value("fifo_violations", std::int64_t{0}),
                  .worst_fifo_violation = parse_late_opening(search),
                  .cut_short = search.value("cut_short", false),
+                 .possible_gain = parse_possible_gain(search),
                  .duration = core::Seconds{search.at("seconds").get<double>()}};
   plan.refinement = parse_refinement(document);
   const json& clearances = document.at("clearances");
@@ -221,44 +228,46 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
     add_surfacing_state(plan.surfacing, waypoints.size(), object);
     waypoints.push_back(std::move(object));
   }
-  return {{"plan_id", plan_id.empty() ? json() : json(plan_id)},
-          {"name", name},
-          {"status", "ok"},
-          {"method", planning::method_name(plan.method)},
-          {"vehicle", plan.vehicle},
-          {"departure", core::iso8601(plan.departure)},
-          {"arrival", core::iso8601(plan.arrival)},
-          {"travel_time_s", plan.travel_time().count()},
-          {"distance_m", plan.distance.value},
-          {"surfacing", surfacing_json(plan.surfacing)},
-          {"iceberg_encounters", optional_number(plan.iceberg_encounters)},
-          {"encounter_trade", encounter_trade_json(plan)},
-          {"passed_under", passed_under_json(plan.passed_under)},
-          {"energy_j", plan.energy ? json(plan.energy->use.total().value) : json()},
-          {"energy", energy_json(plan.energy)},
-          {"optimality_gap", optional_number(plan.optimality_gap)},
-          {"optimality_gap_reason", plan.optimality_gap_reason},
-          {"waypoints", std::move(waypoints)},
-          {"via_order", via_order_json(plan.via_order)},
-          {"uncertainty", plan.uncertainty ? uncertainty_document(*plan.uncertainty) : json()},
-          {"search",
-           {{"vertices", plan.search.vertices},
-            {"edges", plan.search.edges},
-            {"edge_evaluations", plan.search.edge_evaluations},
-            {"expansions", plan.search.expansions},
-            {"reinsertions", plan.search.reinsertions},
-            {"fifo_violations", plan.search.fifo_violations},
-            {"worst_fifo_violation", late_opening_json(plan.search.worst_fifo_violation)},
-            {"cut_short", plan.search.cut_short},
-            {"seconds", plan.search.duration.count()}}},
-          {"refinement", refinement_json(plan.refinement)},
-          {"leg_trade", leg_trade_json(plan.refinement)},
-          {"clearances",
-           {{"iceberg_m", optional_value(plan.clearances.iceberg)},
-            {"land_m", optional_value(plan.clearances.land)},
-            {"bottom_m", optional_value(plan.clearances.bottom)}}},
-          {"datasets", dataset_refs_json(plan.datasets)},
-          {"warnings", plan.warnings}};
+  return {
+      {"plan_id", plan_id.empty() ? json() : json(plan_id)},
+      {"name", name},
+      {"status", "ok"},
+      {"method", planning::method_name(plan.method)},
+      {"vehicle", plan.vehicle},
+      {"departure", core::iso8601(plan.departure)},
+      {"arrival", core::iso8601(plan.arrival)},
+      {"travel_time_s", plan.travel_time().count()},
+      {"distance_m", plan.distance.value},
+      {"surfacing", surfacing_json(plan.surfacing)},
+      {"iceberg_encounters", optional_number(plan.iceberg_encounters)},
+      {"encounter_trade", encounter_trade_json(plan)},
+      {"passed_under", passed_under_json(plan.passed_under)},
+      {"energy_j", plan.energy ? json(plan.energy->use.total().value) : json()},
+      {"energy", energy_json(plan.energy)},
+      {"optimality_gap", optional_number(plan.optimality_gap)},
+      {"optimality_gap_reason", plan.optimality_gap_reason},
+      {"waypoints", std::move(waypoints)},
+      {"via_order", via_order_json(plan.via_order)},
+      {"uncertainty", plan.uncertainty ? uncertainty_document(*plan.uncertainty) : json()},
+      {"search",
+       {{"vertices", plan.search.vertices},
+        {"edges", plan.search.edges},
+        {"edge_evaluations", plan.search.edge_evaluations},
+        {"expansions", plan.search.expansions},
+        {"reinsertions", plan.search.reinsertions},
+        {"fifo_violations", plan.search.fifo_violations},
+        {"worst_fifo_violation", late_opening_json(plan.search.worst_fifo_violation)},
+        {"cut_short", plan.search.cut_short},
+        {"possible_gain_s", plan.search.possible_gain ? json(plan.search.possible_gain->count()) : json()},
+        {"seconds", plan.search.duration.count()}}},
+      {"refinement", refinement_json(plan.refinement)},
+      {"leg_trade", leg_trade_json(plan.refinement)},
+      {"clearances",
+       {{"iceberg_m", optional_value(plan.clearances.iceberg)},
+        {"land_m", optional_value(plan.clearances.land)},
+        {"bottom_m", optional_value(plan.clearances.bottom)}}},
+      {"datasets", dataset_refs_json(plan.datasets)},
+      {"warnings", plan.warnings}};
 }
 
 json infeasible_document(const planning::Infeasible& infeasible, const ocean::Environment& environment) {

@@ -62,6 +62,7 @@ struct LabelSearch {
   std::vector<Label<State>> labels;   // in the order they were made, so a parent comes before its children
   std::optional<std::uint32_t> goal;  // index of the best label at the goal; empty: no way found
   LabelCounters counters;
+  double least_key{};   // no way that was not found costs less
   bool stopped{false};  // the caller asked for it: what is here is not complete
   bool full{false};     // the bound on labels was met: a way may exist that was not found
 };
@@ -150,6 +151,7 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
       if (report && search.counters.expansions % 1024 == 0) report(search.counters.expansions);
     }
     if (best && best->key <= queue.top().key + haste.slack) break;
+    search.least_key = queue.top().key;
     const std::uint32_t parent = queue.top().label;
     queue.pop();
     if (dominated[parent]) continue;

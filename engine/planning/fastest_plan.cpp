@@ -1,6 +1,9 @@
 #include "engine/planning/fastest_plan.hpp"
 
+#include <cmath>
+#include <cstdio>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -23,6 +26,17 @@ struct Attempt {
   Route route{};                 // likewise
   bool wider_may_help{false};
 };
+
+/// Of a plan whose search was cut short.
+std::string what_may_be_better(const Plan& plan) {
+  std::string text = "the search for better ways was cut short at its bound on memory: there may be one";
+  const auto gain = plan.search.possible_gain;
+  if (!gain) return text;
+  char most[80];
+  std::snprintf(most, sizeof most, ", by %.0f min (%.1f %%) at most before refinement",
+                std::ceil(gain->count() / 60.0), 100.0 * (*gain / plan.travel_time()));
+  return text + most;
+}
 
 /// The way that the grids give, and what became of it.
 struct RefinedWay {
@@ -88,8 +102,7 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
   if (stop.stop_requested()) return {.plan = tl::unexpected(explain_cancelled(request))};
   Result<Plan> plan = publish(*chart, environment, request, way->improved, way->found.statistics, stop);
   if (plan && way->found.statistics.cut_short) {
-    plan->warnings.push_back(
-        "the search for better ways was cut short at its bound on memory: there may be one");
+    plan->warnings.push_back(what_may_be_better(*plan));
   }
   return {.plan = std::move(plan),
           .chart = std::move(*chart),

@@ -40,6 +40,7 @@ LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds d
   result.counters = search.counters;
   result.cancelled = search.stopped;
   result.cut_short = search.full;
+  result.none_before = core::Seconds{search.least_key};
   if (!search.goal) return result;
   result.arrival = core::Seconds{search.labels[*search.goal].arrival_s};
   for (const auto& label : graph::way_to(search, *search.goal))

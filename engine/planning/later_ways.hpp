@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <cstddef>
 #include <stop_token>
 #include <vector>
@@ -16,7 +17,8 @@ struct LaterWay {
   core::Seconds arrival{};            // at its end
   graph::LabelCounters counters;
   bool cancelled{false};
-  bool cut_short{false};  // the bound on labels was met: a better way may exist
+  bool cut_short{false};                 // the bound on labels was met: a better way may exist
+  core::Seconds none_before{-INFINITY};  // no way that was not found arrives earlier
 };
 
 /// Searches a grid for the earliest arrival at its goal before `latest` among all ways, also those that arrive

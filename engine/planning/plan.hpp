@@ -54,6 +54,8 @@ struct SearchStatistics {
   std::optional<LateOpening> worst_fifo_violation{};
   /// It ended at its bound on arrivals kept: a better way, or where none was found a way, may exist.
   bool cut_short{false};
+  /// By how much the better way, on the grid and before refinement, might arrive earlier at most, where that is known.
+  std::optional<core::Seconds> possible_gain{};
   core::Seconds duration{};  // filled by the caller that owns a clock
 };
 

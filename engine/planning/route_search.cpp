@@ -157,11 +157,15 @@ bool look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& op
   result.statistics.edge_evaluations += later.counters.edge_evaluations;
   result.cancelled = later.cancelled;
   result.statistics.cut_short = later.cut_short;
-  if (later.path.empty()) return false;
-  if (is_refused_for_circling(result, sea, open, later.path, at_once, depart, stop)) return false;
-  result.path = std::move(later.path);
-  result.arrival = later.arrival;
-  return true;
+  const bool comes_later =
+      !later.path.empty() && !is_refused_for_circling(result, sea, open, later.path, at_once, depart, stop);
+  if (comes_later) {
+    result.path = std::move(later.path);
+    result.arrival = later.arrival;
+  }
+  if (later.cut_short && !result.path.empty())
+    result.statistics.possible_gain = std::max(core::Seconds{0.0}, result.arrival - later.none_before);
+  return comes_later;
 }
 
 /// The search as if the time without surfacing were not bounded.

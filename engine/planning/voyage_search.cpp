@@ -18,6 +18,7 @@ void add(SearchStatistics& sum, const SearchStatistics& part) {
   sum.expansions += part.expansions;
   sum.reinsertions += part.reinsertions;
   sum.fifo_violations += part.fifo_violations;
+  sum.possible_gain = part.possible_gain;
   sum.cut_short = sum.cut_short || part.cut_short;
   sum.worst_fifo_violation = worse_of(sum.worst_fifo_violation, part.worst_fifo_violation);
 }
@@ -99,6 +100,8 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grid
     }
   }
   found.arrival = depart;
+  // What is gained to one stop may be lost, or doubled, to the next.
+  if (grids.size() > 1) found.statistics.possible_gain.reset();
   return found;
 }
 

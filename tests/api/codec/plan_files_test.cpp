@@ -58,12 +58,16 @@ TEST(PlanDocument, KeepsWhatTheSearchSawOpenTooLate) {
 TEST(PlanDocument, TellsWhetherTheSearchWasCutShort) {
   planning::Plan plan = two_legs();
   EXPECT_EQ(plan_document(plan, "p-01", "").at("search").at("cut_short"), false);
+  EXPECT_TRUE(plan_document(plan, "p-01", "").at("search").at("possible_gain_s").is_null());
   plan.search.cut_short = true;
+  plan.search.possible_gain = core::Seconds{90.0};
 
   const json document = plan_document(plan, "p-01", "");
 
   EXPECT_EQ(document.at("search").at("cut_short"), true);
+  EXPECT_EQ(document.at("search").at("possible_gain_s"), 90.0);
   EXPECT_TRUE(parse_plan_document(document).search.cut_short);
+  EXPECT_EQ(parse_plan_document(document).search.possible_gain, core::Seconds{90.0});
 }
 
 TEST(PlanDocument, KeepsWaitsAndWhatIsPassedUnderAndTraded) {
@@ -105,6 +109,7 @@ TEST(PlanDocument, IsReadBackFromAnOlderVersionThatDidNotLookForThem) {
   document.at("search").erase("fifo_violations");
   document.at("search").erase("worst_fifo_violation");
   document.at("search").erase("cut_short");
+  document.at("search").erase("possible_gain_s");
 
   EXPECT_EQ(parse_plan_document(document).search.fifo_violations, 0);
 }

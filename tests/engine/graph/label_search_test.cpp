@@ -182,6 +182,24 @@ TEST(LabelSearch, StopsAtTheBoundOnLabelsAndSaysSo) {
   EXPECT_EQ(search.labels.size(), 100U);
 }
 
+TEST(LabelSearch, KnowsWhatNoWayThatItDidNotFindCostsLessThan) {
+  int more_than_nothing = 0;
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    const GridGraph graph = random_grid(rng);
+    const SwingingTimes times{graph, rng};
+    const auto goal = static_cast<Vertex>(graph.size() - 1);
+    const PlainVoyage voyage{times};
+    const auto whole = find_best_labels(graph, 0, goal, 50.0, {}, voyage, plenty, {});
+    if (!whole.goal) return;
+
+    const auto part = find_best_labels(graph, 0, goal, 50.0, {}, voyage, whole.labels.size() / 2, {});
+
+    EXPECT_LE(part.least_key, whole.labels[*whole.goal].arrival_s);
+    more_than_nothing += part.least_key > 51.0 ? 1 : 0;
+  });
+  EXPECT_GT(more_than_nothing, 30);
+}
+
 TEST(LabelSearch, ReturnsTheBestWaySoFarAtTheBoundOnLabels) {
   int before_the_end = 0;
   support::for_each_seed(60, [&](std::mt19937_64& rng) {

@@ -364,6 +364,7 @@ export interface Plan {
     fifo_violations: number;
     worst_fifo_violation: { lon: number; lat: number; refused: string; opens: string; gain_s: number | null } | null;
     cut_short?: boolean; // absent in plans of older versions
+    possible_gain_s?: number | null; // likewise
     seconds: number;
   };
   refinement?: {
