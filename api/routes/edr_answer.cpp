@@ -6,6 +6,7 @@
 #include <numbers>
 
 #include "api/routes/reply.hpp"
+#include "storage/sqlite/snapshot.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -95,6 +96,7 @@ Response grid_reply(const EdrCollection& collection, const Context& context, con
   const auto columns = query.reader().number("resolution-x", 1.0, most_nodes);
   const auto rows = query.reader().number("resolution-y", 1.0, most_nodes);
   if (!query.violations().empty()) return invalid(request, query.violations());
+  const sqlite::Snapshot one_moment{context.db};
   const auto shape = find_edr_data(context.db, collection, box, wanted.span);
   if (!shape) return no_data(request);
 

@@ -5,6 +5,7 @@
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "storage/sqlite/snapshot.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -17,6 +18,7 @@ tl::expected<json, Response> coverage_at(const EdrCollection& collection, const 
                                          const Wanted& wanted, const codec::WktPlace& at,
                                          std::size_t places) {
   const geo::BoundingBox box{at.place.lon_deg, at.place.lat_deg, at.place.lon_deg, at.place.lat_deg};
+  const sqlite::Snapshot one_moment{context.db};
   const auto shape = find_edr_data(context.db, collection, box, wanted.span);
   if (!shape) return tl::unexpected(no_data(request));
   codec::CoverageGrid coverage = empty_coverage(collection, wanted);
@@ -115,6 +117,7 @@ Response query_trajectory(const EdrCollection& collection, const Context& contex
     wanted.span.to = std::max(wanted.span.to.value_or(*place.time), *place.time);
   }
   const geo::BoundingBox box = geo::bounding_box(way);
+  const sqlite::Snapshot one_moment{context.db};
   const auto shape = find_edr_data(context.db, collection, box, wanted.span);
   if (!shape) return no_data(request);
   const auto times = times_of(*shape, wanted.span);

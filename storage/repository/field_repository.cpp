@@ -8,6 +8,7 @@
 #include "storage/repository/dataset_row.hpp"
 #include "storage/repository/field_chunks.hpp"
 #include "storage/repository/grid_window.hpp"
+#include "storage/sqlite/snapshot.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "storage/sqlite/transaction.hpp"
 
@@ -180,6 +181,7 @@ std::optional<FieldShape> FieldRepository::shape(const DatasetId& id) const {
 std::optional<ocean::CurrentGrid> FieldRepository::load_currents(
     const DatasetId& id, const geo::BoundingBox& area, std::optional<Period> period,
     std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest) const {
+  const sqlite::Snapshot one_moment{db_};
   const auto layout = find_layout(db_, id);
   const auto stored = shape(id);
   if (!layout || !stored) return std::nullopt;
@@ -201,6 +203,7 @@ std::optional<ocean::CurrentGrid> FieldRepository::load_currents(
 
 std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetId& id,
                                                                   const geo::BoundingBox& area) const {
+  const sqlite::Snapshot one_moment{db_};
   const auto layout = find_layout(db_, id);
   const auto stored = shape(id);
   if (!layout || !stored) return std::nullopt;
@@ -219,6 +222,7 @@ std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetI
 
 std::optional<ocean::IceField> FieldRepository::load_ice(const DatasetId& id, const geo::BoundingBox& area,
                                                          std::optional<Period> period) const {
+  const sqlite::Snapshot one_moment{db_};
   const auto layout = find_layout(db_, id);
   const auto stored = shape(id);
   if (!layout || !stored || !stored->times_s) return std::nullopt;
@@ -251,6 +255,7 @@ std::vector<std::string> FieldRepository::variables(const DatasetId& id) const {
 
 std::optional<FieldRepository::Planes> FieldRepository::load_planes(
     const DatasetId& id, const geo::BoundingBox& area, std::span<const std::string> variables) const {
+  const sqlite::Snapshot one_moment{db_};
   const auto layout = find_layout(db_, id);
   const auto stored = shape(id);
   if (!layout || !stored) return std::nullopt;
