@@ -73,7 +73,8 @@ Response finish_response(const Request& request, Response response) {
   const bool compressed = compressible && accepts_gzip(request.header("accept-encoding"));
   if (compressible) routes::vary_by(response, "Accept-Encoding");
   if (tagged) {
-    const std::string tag = take_tag(response).value_or(entity_tag(response.body));  // before compression
+    const auto own = take_tag(response);
+    const std::string tag = own ? *own : entity_tag(response.body);  // before compression
     response.headers.emplace_back("ETag", '"' + tag + (compressed ? "-gzip\"" : "\""));
     if (!has_header(response, "Cache-Control")) response.headers.emplace_back("Cache-Control", "no-cache");
     if (matches(request.header("if-none-match"), tag)) {
