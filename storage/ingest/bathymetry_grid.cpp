@@ -226,7 +226,7 @@ Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::option
                         {static_cast<double>(range->first.value), static_cast<double>(range->second.value),
                          covers_the_globe(raw.grid)});
   if (!finding) return refuse(finding.error());
-  if (finding->warning) data.warnings.push_back(*finding->warning);
+  if (const auto& warning = finding->warning) data.warnings.push_back(*warning);
   if (const auto fault = fault_of_depths(raw, finding->sense, *range, survey.shoalest_cell(finding->sense)))
     return refuse(*fault);
 

@@ -96,6 +96,7 @@ std::optional<std::vector<IngestReport>> ingest_one_group(sqlite::Connection& db
   if (std::ranges::any_of(told.reports, is_stored))
     taken_over = repository::take_over_datasets(db, staging.path());
   std::vector<IngestReport> reports;
+  reports.reserve(told.reports.size());
   for (IngestReport& report : told.reports) reports.push_back(completed(db, std::move(report), taken_over));
   return reports;
 }
@@ -117,14 +118,14 @@ class Arrivals {
                    {.task = ReaderRequest::Task::unpack, .options = {}, .now = {}, .limits = {}}, stop, {});
     if (told.stopped) return std::nullopt;
     if (told.breakdown.empty() && told.reports.size() == 1) return std::move(told.reports.front());
-    if (told.breakdown.empty() && (!told.unpacked || !are_inside(told.unpacked->data)))
-      told.breakdown = unexplained_end();
     if (!told.breakdown.empty()) return refused({file}, {}, told.breakdown);
-    for (const std::string& name : told.unpacked->data) {
+    const auto& unpacked = told.unpacked;
+    if (!unpacked || !are_inside(unpacked->data)) return refused({file}, {}, unexplained_end());
+    for (const std::string& name : unpacked->data) {
       files_.push_back(staging / unpacked_folder / name);
       archive_of_[files_.back()] = file;
     }
-    left_out_[file] = told.unpacked->left_out;
+    left_out_[file] = unpacked->left_out;
     return std::nullopt;
   }
 

@@ -9,7 +9,7 @@ namespace floeplan::ingest {
 /// `follows_bed`  whether levels that are no depths can be placed above the sea bed
 [[nodiscard]] inline SourceShape shape_in_time_and_depth(const NetcdfLayout& layout, bool follows_bed) {
   SourceShape shape;
-  shape.times_s = layout.times_s->nodes;
+  if (layout.times_s) shape.times_s = layout.times_s->nodes;
   if (layout.depths_m) {
     shape.depths_m = layout.depths_m->nodes;
     shape.levels = shape.depths_m->size();
