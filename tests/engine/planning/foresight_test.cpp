@@ -28,7 +28,9 @@ TEST(Foresight, LeastTimeIsNeverMoreThanTheLegTakes) {
       waters.open.graph.for_each_edge(random_vertex(rng, waters.open), [&](const Edge& edge) {
         const auto time =
             waters.sea.leg_time(waters.grid.point(edge.tail), waters.grid.point(edge.head), depart);
-        if (time) EXPECT_LE(foresight.least_time(edge, depart).count(), time->count());
+        if (time) {
+          EXPECT_LE(foresight.least_time(edge, depart).count(), time->count());
+        }
       });
     }
   });
@@ -52,7 +54,9 @@ TEST(Foresight, SaysOfNoVertexThatItIsOfNoUseFromWhichTheGoalIsReachedInTime) {
       if (!std::isfinite(later_s)) continue;
       const SearchTree onward = graph::find_earliest_arrivals(
           waters.open.graph, graph::Query{v, waters.grid.goal, core::Seconds{later_s}}, exact, {});
-      if (v != waters.grid.goal) EXPECT_GT(onward.arrival_s(waters.grid.goal), arrive.count());
+      if (v != waters.grid.goal) {
+        EXPECT_GT(onward.arrival_s(waters.grid.goal), arrive.count());
+      }
     }
   });
 }
