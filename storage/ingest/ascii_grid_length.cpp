@@ -1,11 +1,21 @@
 #include "storage/ingest/ascii_grid_length.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <string>
 
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
+namespace {
+
+/// Some locales write decimals with a comma, which GDAL reads as the point that it stands for.
+bool is_number(std::string word) {
+  std::ranges::replace(word, ',', '.');
+  return parse_number(word).has_value();
+}
+
+}  // namespace
 
 Checked<std::uint64_t> ascii_grid_length(const std::filesystem::path& file) {
   constexpr double max_side = 1e6;
@@ -15,7 +25,7 @@ Checked<std::uint64_t> ascii_grid_length(const std::filesystem::path& file) {
   std::uint64_t values = 0;
   std::string word;
   while (in >> word) {
-    if (values > 0 || parse_number(word)) {
+    if (values > 0 || is_number(word)) {
       ++values;
       continue;
     }

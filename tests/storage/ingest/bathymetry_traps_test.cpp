@@ -221,6 +221,19 @@ TEST_F(BathymetryTraps, AnAsciiGridThatWasCutShortIsRefused) {
   expect_refused(write_file("cut.asc", "ncols 2\nnro"), "no usable ncols and nrows", positive_up);
 }
 
+TEST_F(BathymetryTraps, AnAsciiGridMayWriteItsDecimalsWithAComma) {
+  const auto sea = stored(
+      write_file("comma.asc",
+                 "ncols 2\nnrows 2\nxllcorner 9,75\nyllcorner 19,75\ncellsize 0,5\nNODATA_value -9999\n"
+                 "-1,5 -2,5\n-3,5 -9999,0\n"),
+      IngestOptions{.name = {}, .kind = {}, .crs = "EPSG:4326", .positive = "up"});
+
+  EXPECT_DOUBLE_EQ(sea.depth({10.0, 20.5})->value, 1.5);
+  EXPECT_DOUBLE_EQ(sea.depth({10.5, 20.5})->value, 2.5);
+  EXPECT_DOUBLE_EQ(sea.depth({10.0, 20.0})->value, 3.5);
+  EXPECT_TRUE(std::isnan(sea.depth_m()[1]));
+}
+
 TEST_F(BathymetryTraps, ReasonsDoNotTellWhereTheFileLies) {
   const auto file = write_file("sea.tif", std::string{"II*\0\xff\xff\0\0", 8});
   EXPECT_THAT(words(ingest(file)), testing::Not(HasSubstr(file.parent_path().string())));
