@@ -135,6 +135,7 @@ Response download_zip(const Context& context, const Request& request, const Path
                    [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
                      return with_files(request, plan, warnings, [&](const mission::MissionFiles& set) {
                        std::vector<codec::ArchivedFile> files;
+                       files.reserve(set.files.size());
                        for (const auto& file : set.files) files.push_back({*folder + file.name, file.text});
                        return download(download_stem(plan) + ".zip", "application/zip",
                                        codec::zip_archive(files, request.now));

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <stop_token>
 #include <unordered_map>
 #include <vector>
@@ -40,8 +41,8 @@ class Openings {
 
  private:
   struct Window {
-    double from_s{INFINITY};
-    double until_s{-INFINITY};
+    double from_s{std::numeric_limits<double>::infinity()};
+    double until_s{-std::numeric_limits<double>::infinity()};
 
     void include(const Window& other) {
       from_s = std::min(from_s, other.from_s);

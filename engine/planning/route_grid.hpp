@@ -25,8 +25,10 @@ struct RouteGrid {
   graph::Vertex goal{};
 
   [[nodiscard]] geo::PlanePoint point(graph::Vertex v) const {
-    const auto column = static_cast<double>(v % static_cast<graph::Vertex>(nx));
-    const auto row = static_cast<double>(v / static_cast<graph::Vertex>(nx));
+    const auto width = static_cast<graph::Vertex>(nx);
+    const graph::Vertex whole_rows = v / width;
+    const auto column = static_cast<double>(v % width);
+    const auto row = static_cast<double>(whole_rows);
     return {origin.x_m + column * along.x_m + row * across.x_m,
             origin.y_m + column * along.y_m + row * across.y_m};
   }

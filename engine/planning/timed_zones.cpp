@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <utility>
 
 namespace floeplan::planning {
@@ -92,9 +93,10 @@ std::vector<TimeSpan> TimedZones::closed_times(geo::PlanePoint point) const {
   for (const Area& area : no_go_) {
     if (area.polygon.contains(point)) closed.push_back(area.in_force);
   }
-  std::vector<double> ends{-INFINITY};
+  constexpr double never = std::numeric_limits<double>::infinity();
+  std::vector<double> ends{-never};
   ends.insert(ends.end(), changes_s_.begin(), changes_s_.end());
-  ends.push_back(INFINITY);
+  ends.push_back(never);
   for (std::size_t i = 1; i < ends.size() && !stay_in_.empty(); ++i) {
     const TimeSpan span{core::Seconds{ends[i - 1]}, core::Seconds{ends[i]}};
     bool confined = false;

@@ -36,6 +36,7 @@ std::string plan_id(const json& inputs, const ocean::Environment& environment, c
 
 geo::BoundingBox bounds(const planning::Plan& plan) {
   std::vector<geo::LonLat> places;
+  places.reserve(plan.waypoints.size());
   for (const auto& waypoint : plan.waypoints) places.push_back(waypoint.place);
   return geo::bounding_box(places);
 }

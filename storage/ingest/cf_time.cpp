@@ -65,7 +65,8 @@ class Scanner {
     std::size_t n = 0;
     while (n < rest_.size() && n < max_digits && rest_[n] >= '0' && rest_[n] <= '9') ++n;
     int value{};
-    if (n == 0 || std::from_chars(rest_.data(), rest_.data() + n, value).ec != std::errc{})
+    const std::string_view digits = rest_.substr(0, n);
+    if (digits.empty() || std::from_chars(digits.begin(), digits.end(), value).ec != std::errc{})
       return std::nullopt;
     rest_.remove_prefix(n);
     return value;

@@ -2,14 +2,15 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 namespace floeplan::ingest {
 namespace {
 
 struct Range {
-  double least{INFINITY};
-  double most{-INFINITY};
+  double least{std::numeric_limits<double>::infinity()};
+  double most{-std::numeric_limits<double>::infinity()};
 
   void add(double value) {
     least = std::min(least, value);

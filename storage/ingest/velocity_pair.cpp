@@ -81,9 +81,14 @@ VelocityPair pair_by(const NetcdfFiles& files, const Find& find, std::string_vie
                      std::string_view second) {
   VelocityPair pair;
   for (const auto& file : files) {
-    if (pair.first == nullptr && (pair.first = find(*file, first)) != nullptr) pair.first_file = file.get();
-    if (pair.second == nullptr && (pair.second = find(*file, second)) != nullptr)
-      pair.second_file = file.get();
+    if (pair.first == nullptr) {
+      pair.first = find(*file, first);
+      if (pair.first != nullptr) pair.first_file = file.get();
+    }
+    if (pair.second == nullptr) {
+      pair.second = find(*file, second);
+      if (pair.second != nullptr) pair.second_file = file.get();
+    }
   }
   return pair;
 }
