@@ -31,7 +31,7 @@ export function Departures({ plan, departures }: { plan: Plan; departures: Depar
   return (
     <section class="departures" aria-label="Departure window">
       <Chart
-        title="Travel time by departure" unit="h" height_px={130} times_s={times_s} lines={lines}
+        title={plan.refinement ? 'Travel time by departure, before refinement' : 'Travel time by departure'} unit="h" height_px={130} times_s={times_s} lines={lines}
         description={describe(departures)} mark_ms={shown && Date.parse(shown.departure)}
         onPick={(time_s) => choose(nearest(departures, 1000 * time_s))}
       />
@@ -66,7 +66,7 @@ function Choice({ plan, shown, isPlanned }: { plan: Plan; shown: Departure; isPl
         <b>{when}</b>
         {shown.travel_time_s !== null && <> · {duration(shown.travel_time_s)}</>}
         {shown.arrival !== null && <> · arrives {shortTime(Date.parse(shown.arrival))}</>}
-        {isPlanned && ' · this plan'}
+        {isPlanned && ` · this plan${refinedTo(plan, shown)}`}
         {shown.status !== 'ok' && <span class="fault"> {shown.explanation}</span>}
       </p>
       {!isPlanned && (
@@ -76,6 +76,12 @@ function Choice({ plan, shown, isPlanned }: { plan: Plan; shown: Departure; isPl
       )}
     </div>
   );
+}
+
+/** The ways of a window are compared as the grid gives them; only the plan itself is refined. */
+function refinedTo(plan: Plan, shown: Departure): string {
+  const isShorter = shown.travel_time_s !== null && duration(plan.travel_time_s) !== duration(shown.travel_time_s);
+  return plan.refinement && isShorter ? `, refined to ${duration(plan.travel_time_s)}` : '';
 }
 
 function nearest(departures: Departure[], at_ms: number): Departure | undefined {
