@@ -1,4 +1,4 @@
-import { expect, open, planByTyping, test } from '../support/page';
+import { expect, open, planByTyping, settled, test } from '../support/page';
 import { findPlaces } from '../support/places';
 
 test('the clock plays with the mouse, and the table marks the leg under way', async ({ page, request }) => {
@@ -30,4 +30,43 @@ test('where motion is not wanted the clock plays in whole hours', async ({ page 
   await expect.poll(async () => Number(await slider.inputValue())).toBeGreaterThan(first);
   await page.keyboard.press('Space');
   expect((Number(await slider.inputValue()) - first) % 3_600_000).toBe(0);
+});
+
+test('the vehicles of two plans follow the clock, by mouse and by keyboard', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await planByTyping(page, start, goal);
+  await planByTyping(page, goal, start);
+  const map = page.locator('#map');
+  const vehicles = async (): Promise<string[]> => {
+    await settled(page);
+    return ((await map.getAttribute('data-vehicles')) ?? '').split(' ');
+  };
+  const slider = page.getByRole('slider', { name: 'Time' });
+  const move = async (step: () => Promise<void>): Promise<void> => {
+    const before = await vehicles();
+    expect(before).toHaveLength(2);
+    await step();
+    await expect.poll(async () => (await vehicles()).filter((place, i) => place !== before[i]).length).toBe(2);
+  };
+  await move(() => page.getByRole('button', { name: 'One hour on (.)' }).click());
+  await move(async () => {
+    const box = await slider.boundingBox();
+    const [now, first, last] = [Number(await slider.inputValue()), Number(await slider.getAttribute('min')), Number(await slider.getAttribute('max'))];
+    if (!box) throw new Error('The clock has no place on the screen.');
+    const x = box.x + (box.width * (now + 2 * 3_600_000 - first)) / (last - first);
+    await page.mouse.click(x, box.y + box.height / 2);
+  });
+  await move(async () => {
+    await slider.focus();
+    await page.keyboard.press('ArrowRight');
+    await page.keyboard.press('ArrowRight');
+  });
+});
+
+test('what is drawn over what follows the rule', async ({ page }) => {
+  await open(page);
+  const drawn = ((await page.locator('#map').getAttribute('data-layers')) ?? '').split(' ');
+  const rule = ['bathymetry', 'currents', 'coast', 'graticule', 'areas', 'safety', 'plans', 'icebergs', 'vehicles', 'edit'];
+  expect(drawn.filter((name) => rule.includes(name))).toEqual(rule);
 });

@@ -3,8 +3,10 @@ import Map from 'ol/Map.js';
 import type MapBrowserEvent from 'ol/MapBrowserEvent.js';
 import View from 'ol/View.js';
 import type BaseLayer from 'ol/layer/Base.js';
+import type VectorLayer from 'ol/layer/Vector.js';
 import { noModifierKeys } from 'ol/events/condition.js';
 import { boundingExtent } from 'ol/extent.js';
+import type VectorSource from 'ol/source/Vector.js';
 import { DoubleClickZoom, DragPan, DragRotate, DragZoom, KeyboardPan, MouseWheelZoom, PinchZoom } from 'ol/interaction.js';
 import type { Box, GliderTrackFeature, IcebergFeature, Position } from '../api/types';
 import { boxAround } from '../geo/boxes';
@@ -55,6 +57,8 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
   const bergs = icebergLayer();
   const route = editLayer();
   const areas = areaLayer();
+  const vehicles = vehicleLayer();
+  const flown = flownVehicleLayer();
   const map = new Map({
     target,
     controls: [],
@@ -63,17 +67,22 @@ export function createMap(target: HTMLElement, probe: (place: Position) => void)
       new PinchZoom(), new MouseWheelZoom(),
       new KeyboardPan({ condition: (event) => noModifierKeys(event) && !holdsWaypoint() }), route.drag, areas.draw,
     ],
-    layers: [
-      bathymetryLayer(), currentsLayer(), coastLayer(), graticuleLayer(), coverageLayer(), reachLayer(), areas.layer, safetyLayer(), driftLayer(), ghostLayer(), trackLayer(), planLayer(), flightLayer(), bergs,
-      waypointLayer(), trackedGliderLayer(), vehicleLayer(), flownVehicleLayer(), route.layer, markerLayer(),
-    ],
+    layers: Object.entries({
+      bathymetry: bathymetryLayer(), currents: currentsLayer(), coast: coastLayer(), graticule: graticuleLayer(), coverage: coverageLayer(),
+      reach: reachLayer(), areas: areas.layer, safety: safetyLayer(), drift: driftLayer(), ghosts: ghostLayer(), tracks: trackLayer(),
+      plans: planLayer(), flight: flightLayer(), icebergs: bergs, waypoints: waypointLayer(), trackedGliders: trackedGliderLayer(),
+      vehicles, flown, edit: route.layer, markers: markerLayer(),
+    }).map(([name, layer]) => {
+      layer.set('name', name);
+      return layer;
+    }),
   });
   followProjection(map);
   followCommands(map);
   map.on('moveend', () => publishView(map, target));
   map.on('change:size', () => publishView(map, target));
   followPointer(map, target, bergs, probe);
-  publishState(map, target);
+  publishState(map, target, [vehicles, flown]);
 }
 
 /** Whether the arrow keys move a waypoint rather than the map. */
@@ -288,7 +297,9 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
 }
 
 /** Counts and readiness as attributes of the map's element, for tests and for the curious. */
-function publishState(map: Map, target: HTMLElement): void {
+function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<VectorSource>[]): void {
+  const inDrawingOrder = map.getAllLayers().sort((a, b) => (a.getZIndex() ?? 0) - (b.getZIndex() ?? 0));
+  target.dataset['layers'] = inDrawingOrder.map((layer) => layer.get('name') as string).join(' ');
   effect(() => {
     target.dataset['icebergs'] = String(icebergs.value.length);
     target.dataset['drifts'] = String(drifts.value.length);
@@ -306,6 +317,8 @@ function publishState(map: Map, target: HTMLElement): void {
   });
   const settle = (): void => {
     target.dataset['ready'] = String(opened.value && !isLoading.value);
+    const drawn = vehicles.flatMap((layer) => layer.getSource()?.getFeatures() ?? []);
+    target.dataset['vehicles'] = drawn.map((vehicle) => vehicle.getGeometry()?.getExtent().slice(0, 2).map(Math.round).join(',')).join(' ');
   };
   map.on('rendercomplete', settle);
   effect(() => {

@@ -41,7 +41,8 @@ const figures: Figure[] = [
     title: 'Arrival, p10–p90',
     text: ({ uncertainty }) => {
       const [p10, p90] = [uncertainty?.quantiles_s.p10 ?? null, uncertainty?.quantiles_s.p90 ?? null];
-      return p10 === null || p90 === null ? none : `${duration(p10)} – ${duration(p90)}`;
+      if (!uncertainty) return none;
+      return p10 === null || p90 === null ? `${uncertainty.arrived} of ${uncertainty.members} arrive` : `${duration(p10)} – ${duration(p90)}`;
     },
     why: ({ uncertainty }) => (uncertainty ? `${uncertainty.arrived} of ${uncertainty.members} members arrive` : ''),
   },
