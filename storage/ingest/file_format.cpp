@@ -13,6 +13,7 @@
 #include "storage/ingest/iceberg_own_table.hpp"
 #include "storage/ingest/iceberg_table_reader.hpp"
 #include "storage/ingest/netcdf3_length.hpp"
+#include "storage/ingest/slocum_bytes.hpp"
 #include "storage/ingest/slocum_header.hpp"
 #include "storage/ingest/slocum_log.hpp"
 #include "storage/ingest/text.hpp"
@@ -65,9 +66,6 @@ std::string refusal_of_foreign(std::string_view head) {
   if (is_sensor_cache(head))
     return "this is the list of the sensors of a Slocum glider's logs, which holds no data by itself; "
            "give it together with the logs that name it";
-  if (is_compressed_slocum(head))
-    return "this is a compressed binary log of a Slocum glider (dcd, scd, ... or its list of sensors, ccc); "
-           "decompress it with the vendor's compexp and give what comes out";
   if (is_otis_binary(head))
     return "this is a tide model in the binary format of OTIS (TPXO's h, u and grid files), which this "
            "program does not read; give what OTPS's extract_HC writes for your places, or the model as "
@@ -173,6 +171,13 @@ Checked<FileFormat> format_of_classic_netcdf(const std::filesystem::path& file) 
   return FileFormat::netcdf_classic;
 }
 
+Checked<FileFormat> format_of_compressed_slocum(const std::filesystem::path& file) {
+  const std::string head = slocum_bytes(file, head_bytes).bytes;
+  if (is_slocum_binary(head)) return FileFormat::slocum_binary;
+  if (auto foreign = refusal_of_foreign(head); !foreign.empty()) return refuse(std::move(foreign));
+  return refuse(damaged_slocum_log("its first compressed block cannot be unpacked"));
+}
+
 }  // namespace
 
 Checked<FileFormat> format_of(const std::filesystem::path& file) {
@@ -200,6 +205,7 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
   // The leader of ISO 8211 with interchange level 3, as S-57 has it.
   if (bytes.size() > 24 && bytes.substr(5, 3) == "3LE") return FileFormat::s57;
   if (is_slocum_binary(bytes)) return FileFormat::slocum_binary;
+  if (is_compressed_slocum(bytes)) return format_of_compressed_slocum(file);
   if (auto foreign = refusal_of_foreign(bytes); !foreign.empty()) return refuse(std::move(foreign));
   if (is_text(bytes)) {
     const auto format = format_of_text(bytes, lower(file.extension().string()));

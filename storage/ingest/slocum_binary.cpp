@@ -5,7 +5,7 @@
 #include <cstring>
 #include <vector>
 
-#include "storage/ingest/first_bytes.hpp"
+#include "storage/ingest/slocum_bytes.hpp"
 #include "storage/ingest/slocum_header.hpp"
 
 namespace floeplan::ingest {
@@ -100,7 +100,11 @@ Checked<SlocumLog> read_slocum_binary(const std::filesystem::path& file, const F
   if (std::filesystem::file_size(file) > most_bytes)
     return refuse(
         "the binary log is longer than 200 MB; no glider writes such; give the segments one by one");
-  const std::string bytes = first_bytes(file, most_bytes);
+  const auto [bytes, damaged] = slocum_bytes(file, most_bytes + 1);
+  if (bytes.size() > most_bytes)
+    return refuse(
+        "the binary log unpacks to more than 200 MB; no glider writes such; copy it from the glider again");
+  if (damaged) return refuse(damaged_slocum_log("a compressed block of it cannot be unpacked"));
   auto header = slocum_header_of(file, bytes, given);
   if (!header) return refuse(header.error());
   std::size_t at = header->size;

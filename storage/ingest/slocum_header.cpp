@@ -5,7 +5,7 @@
 #include <iterator>
 #include <sstream>
 
-#include "storage/ingest/first_bytes.hpp"
+#include "storage/ingest/slocum_bytes.hpp"
 #include "storage/ingest/slocum_log.hpp"
 #include "storage/ingest/text.hpp"
 
@@ -110,18 +110,25 @@ Checked<std::vector<LoggedSensor>> sensors_in(std::string_view bytes, std::size_
   return sensors;
 }
 
+/// Compressed or not.
+bool is_cache_name(const std::filesystem::path& file, const std::string& crc) {
+  const std::string name = lower(file.filename().string());
+  return name == crc + ".cac" || name == crc + ".ccc";
+}
+
 std::optional<std::filesystem::path> cache_beside(const std::filesystem::path& log, const std::string& crc,
                                                   const FileGroup& given) {
-  const auto is_it = [&](const std::filesystem::path& file) {
-    return lower(file.filename().string()) == crc + ".cac";
-  };
+  const auto is_it = [&](const std::filesystem::path& file) { return is_cache_name(file, crc); };
   const auto found = std::ranges::find_if(given, is_it);
   if (found != given.end()) return *found;
   std::string upper = crc;
   for (char& c : upper) c = c >= 'a' && c <= 'f' ? static_cast<char>(c - 'a' + 'A') : c;
-  for (const std::string& name : {crc + ".cac", crc + ".CAC", upper + ".CAC", upper + ".cac"}) {
-    std::error_code ignored;
-    if (std::filesystem::is_regular_file(log.parent_path() / name, ignored)) return log.parent_path() / name;
+  for (const std::string& stem : {crc, upper}) {
+    for (const char* extension : {".cac", ".CAC", ".ccc", ".CCC"}) {
+      const std::filesystem::path beside = log.parent_path() / (stem + extension);
+      std::error_code ignored;
+      if (std::filesystem::is_regular_file(beside, ignored)) return beside;
+    }
   }
   return std::nullopt;
 }
@@ -131,7 +138,7 @@ bool is_crc(const std::string& text) {
   return !text.empty() && text.size() <= 8 && text.find_first_not_of("0123456789abcdef") == std::string::npos;
 }
 
-std::string head_of(const std::filesystem::path& file) { return first_bytes(file, 16'384); }
+std::string head_of(const std::filesystem::path& file) { return slocum_bytes(file, 16'384).bytes; }
 
 }  // namespace
 
@@ -146,13 +153,6 @@ bool is_slocum_binary(std::string_view head) {
 
 bool holds_slocum_binary(const std::filesystem::path& file) { return is_slocum_binary(head_of(file)); }
 
-bool is_compressed_slocum(std::string_view head) {
-  constexpr std::size_t longest_lead =
-      8;  // the length of the block, and that of its first run of plain bytes
-  const std::size_t lead = std::min(head.substr(0, 32).find("dbd_label:"), head.substr(0, 32).find("s: T"));
-  return lead >= 3 && lead <= longest_lead;
-}
-
 bool is_sensor_cache(std::string_view head) { return head.starts_with("s: T") || head.starts_with("s: F"); }
 
 bool holds_sensor_cache(const std::filesystem::path& file) {
@@ -163,7 +163,7 @@ bool holds_sensor_cache(const std::filesystem::path& file) {
 bool is_cache_of(const std::filesystem::path& cache, const std::filesystem::path& log) {
   const std::string head = head_of(log);
   const auto tags = is_slocum_binary(head) ? tags_of(head) : refuse("");
-  return tags && tags->listed == 0 && lower(cache.filename().string()) == tags->cache_crc + ".cac";
+  return tags && tags->listed == 0 && is_cache_name(cache, tags->cache_crc);
 }
 
 FileGroup without_sensor_caches(const FileGroup& files) {
@@ -190,7 +190,7 @@ Checked<SlocumHeader> slocum_header_of(const std::filesystem::path& log, std::st
     return refuse("the binary log does not list its sensors itself; their list is the file " +
                   tags->cache_crc +
                   ".cac, which the glider keeps in state/cache; give it together with the log");
-  const std::string text = first_bytes(*cache, most_cache_bytes);
+  const std::string text = slocum_bytes(*cache, most_cache_bytes).bytes;
   std::size_t in_cache = 0;
   auto sensors = sensors_in(text, in_cache, static_cast<int>(std::ranges::count(text, '\n')), tags->sensors);
   if (!sensors) return refuse(sensors.error());

@@ -12,14 +12,9 @@
 
 namespace floeplan::ingest {
 
-/// Whether the first bytes of a file are those of a Slocum's binary log (dbd, sbd, mbd and the like, not compressed).
+/// Whether the first bytes of a file are those of a Slocum's binary log (dbd, sbd, mbd and the like), unpacked where it was compressed.
 [[nodiscard]] bool is_slocum_binary(std::string_view head);
 [[nodiscard]] bool holds_slocum_binary(const std::filesystem::path& file);
-
-/// Whether they are those of a log, or a list of sensors, in blocks compressed by LZ4, each after its length in two bytes:
-/// the first block begins with the first tag as it is.
-/// Source  dbdreader, decompress.py (github.com/smerckel/dbdreader)
-[[nodiscard]] bool is_compressed_slocum(std::string_view head);
 
 /// Whether they are those of a cache: the list of sensors that logs refer to by its checksum, "1f35be3b.cac".
 [[nodiscard]] bool is_sensor_cache(std::string_view head);

@@ -7,6 +7,7 @@
 #include "engine/simulation/log_table.hpp"
 #include "storage/ingest/fault_report.hpp"
 #include "storage/ingest/first_bytes.hpp"
+#include "storage/ingest/slocum_bytes.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -37,7 +38,7 @@ std::string reasons_of(const core::Violations& violations) {
 
 SlocumName slocum_name_of(const std::filesystem::path& file) {
   static const std::regex form{R"((.+)-(\d{4}-\d{1,3}-\d{1,4})-(\d{1,5}))"};
-  const std::string head = first_bytes(file, most_tag_bytes);
+  const std::string head = slocum_bytes(file, most_tag_bytes).bytes;
   const std::string full = tag(head, "full_filename");
   std::smatch parts;
   if (!std::regex_match(full, parts, form)) return {};

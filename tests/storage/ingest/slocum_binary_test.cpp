@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <lz4.h>
 
 #include <algorithm>
 #include <bit>
@@ -81,6 +82,21 @@ struct LogWriter {
   std::string log() const { return head() + cycles() + "X"; }
 };
 
+/// In blocks of so many bytes, as the gliders of newer firmware send them.
+std::string compressed(const std::string& bytes, std::size_t block) {
+  std::string packed;
+  for (std::size_t at = 0; at < bytes.size(); at += block) {
+    const std::string part = bytes.substr(at, block);
+    std::string room(static_cast<std::size_t>(LZ4_compressBound(static_cast<int>(part.size()))), '\0');
+    const int size = LZ4_compress_default(part.data(), room.data(), static_cast<int>(part.size()),
+                                          static_cast<int>(room.size()));
+    packed += static_cast<char>(size >> 8);
+    packed += static_cast<char>(size & 0xff);
+    packed.append(room, 0, static_cast<std::size_t>(size));
+  }
+  return packed;
+}
+
 class SlocumBinary : public StoreFixture {
  protected:
   ocean::GliderTrack stored() {
@@ -152,6 +168,43 @@ TEST_F(SlocumBinary, FindsTheListOfItsSensorsAmongWhatIsGivenAndBesideIt) {
   EXPECT_EQ(together.status, IngestStatus::stored) << words(together);
   EXPECT_EQ(stored().points.size(), 3U);
   EXPECT_EQ(ingest(log).status, IngestStatus::unchanged);
+}
+
+TEST_F(SlocumBinary, ThatIsCompressedGivesTheSame) {
+  const std::string whole = LogWriter{}.log();
+  const auto plain = track_of(whole);
+  for (const std::size_t block : {64U, 1000U, 32'768U}) {
+    db_ = repository::open_store_in_memory();
+    const auto report = ingest(write_file("log.dcd", compressed(whole, block)));
+    EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
+    EXPECT_EQ(stored().points, plain.points) << block;
+  }
+}
+
+TEST_F(SlocumBinary, ThatIsCompressedFindsItsCompressedList) {
+  const auto log = write_file("log.scd", compressed(LogWriter{.factored = true}.log(), 32'768));
+  expect_refused(log, "0a1b2c3d.cac");
+  const auto list = write_file("0a1b2c3d.ccc", compressed(LogWriter::list(), 32'768));
+
+  const auto report = ingest(log);
+  EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_EQ(stored().points.size(), 3U);
+  expect_refused(list, "give it together with the logs");
+}
+
+TEST_F(SlocumBinary, ThatIsCompressedAndDamagedIsRefusedOrLacksOnlyItsEnd) {
+  const std::string packed = compressed(LogWriter{}.log(), 200);
+  const auto all = track_of(LogWriter{}.log());
+  for (std::size_t length = 0; length < packed.size(); length += 3) {
+    db_ = repository::open_store_in_memory();
+    const auto report = ingest(write_file("log.dcd", packed.substr(0, length)));
+    if (report.status == IngestStatus::refused) continue;
+    EXPECT_THAT(words(report), HasSubstr("before its end mark")) << length;
+    ASSERT_LE(stored().points.size(), all.points.size());
+  }
+  std::string broken = packed;
+  std::fill(broken.end() - 40, broken.end(), '\xff');
+  expect_refused(write_file("log.dcd", broken), "cannot be unpacked");
 }
 
 TEST_F(SlocumBinary, RefusesTheListOfAnotherLog) {
