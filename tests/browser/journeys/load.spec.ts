@@ -2,6 +2,7 @@ import { expect, mapAtRest, pixelOf, settled, test as base } from '../support/pa
 import { currentFile } from '../support/current_file';
 import { crowdOfBergs } from '../support/files';
 import { findPlaces } from '../support/places';
+import { now } from '../support/now';
 import { startServer, type Server } from '../support/server';
 
 /** Ten days of hourly currents on a grid of 1/12 degree, 300 icebergs, 20 plans. */
@@ -28,7 +29,7 @@ const median = (values: number[]): number => [...values].sort((a, b) => a - b)[M
 test.skip(!process.env['FLOEPLAN_LOAD'], 'measured on request only');
 test('a loaded desk stays quick', async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
-  const midnight = new Date(Math.floor(Date.now() / 86_400_000) * 86_400_000);
+  const midnight = new Date(Math.floor(now() / 86_400_000) * 86_400_000);
   await page.goto('/');
   await settled(page);
   await page.getByRole('button', { name: 'Data', exact: true }).click();

@@ -1,4 +1,5 @@
 import { expectAccessible } from '../support/accessible';
+import { now } from '../support/now';
 import { expect, mapAtRest, open, pixelOf, planByTyping, settled, test, typed, typeInto, type LonLat } from '../support/page';
 import { findPlaces } from '../support/places';
 import type { APIRequestContext, Page } from '@playwright/test';
@@ -170,7 +171,7 @@ test('a zone is drawn into the store, obeyed by plans, changed and retired, by d
 test('what another changed meanwhile gives way when a person says so', async ({ page, request }) => {
   const { start } = await findPlaces(request);
   const items = '/collections/icebergs/items';
-  const properties = { berg_id: 'watched', observed: new Date(Date.now() - 3_600_000).toISOString(), length_m: 100 };
+  const properties = { berg_id: 'watched', observed: new Date(now() - 3_600_000).toISOString(), length_m: 100 };
   const made = await request.post(items, { data: { type: 'Feature', geometry: { type: 'Point', coordinates: start }, properties } });
   expect(made.status(), await made.text()).toBe(201);
   const id = made.headers()['location']?.split('/').at(-1) ?? '';

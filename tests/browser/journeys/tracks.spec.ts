@@ -76,3 +76,20 @@ test('what the map tells of a track is read, and the clock brought to it, with t
   await page.keyboard.press('Enter');
   await expect(page.locator('#map')).toHaveAttribute('data-tracks', '0');
 });
+
+test('a track south of where the polar projections end is shown in Mercator', async ({ page }) => {
+  await open(page);
+  await page.getByRole('button', { name: 'Data', exact: true }).click();
+  await page.getByLabel('Files to add').setInputFiles([trackLog([[-70.2, 35.0], [-70.0, 35.1]])]);
+  await expect(page.locator('#map')).toHaveAttribute('data-tracks', '1');
+  await tracks(page).getByRole('button').click();
+  await mapAtRest(page);
+  const view = JSON.parse((await page.locator('#map').getAttribute('data-view')) ?? '{}') as { projection: string; centre: [number, number] };
+  expect(view.projection).toBe('EPSG:3857');
+  const metres_per_degree = (Math.PI * 6_378_137) / 180;
+  expect(Math.abs(view.centre[0] / metres_per_degree + 70.1)).toBeLessThan(0.5);
+
+  page.once('dialog', (dialog) => void dialog.accept());
+  await page.getByRole('button', { name: 'Remove went_here_nav', exact: true }).click();
+  await expect(page.locator('#map')).toHaveAttribute('data-tracks', '0');
+});

@@ -1,3 +1,4 @@
+import { now } from './now';
 import type { LonLat } from './page';
 
 interface Dropped {
@@ -14,7 +15,7 @@ const chosen = (name: string, text: string): Chosen => ({ name, mimeType: 'appli
 
 /** Two sightings of now near a place, and one whose latitude is none. */
 export function bergFile([lon, lat]: LonLat): Dropped {
-  const observed = new Date(Date.now() - 3_600_000).toISOString();
+  const observed = new Date(now() - 3_600_000).toISOString();
   const berg = (id: string, place: LonLat): object => ({
     type: 'Feature', properties: { id, observed, length_m: 90 }, geometry: { type: 'Point', coordinates: place },
   });
@@ -38,7 +39,7 @@ export function zoneFile(): Chosen {
 
 /** Sightings of now, spread over a degree each way around a place. */
 export function crowdOfBergs([lon, lat]: LonLat, count: number): Chosen {
-  const observed = new Date(Date.now() - 3_600_000).toISOString();
+  const observed = new Date(now() - 3_600_000).toISOString();
   const features = Array.from({ length: count }, (_, i) => ({
     type: 'Feature', properties: { id: `crowd-${i}`, observed, length_m: 20 + (i % 200) },
     geometry: { type: 'Point', coordinates: [lon + 0.9 * Math.cos(i), lat + 0.5 * Math.sin(1.7 * i)] },

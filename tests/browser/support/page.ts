@@ -1,5 +1,6 @@
 import { expect, test as base, type Locator, type Page } from '@playwright/test';
 import proj4 from 'proj4';
+import { setClock } from './now';
 import { startServer, type Server } from './server';
 
 proj4.defs('EPSG:3413', '+proj=stere +lat_0=90 +lat_ts=70 +lon_0=-45 +datum=WGS84 +units=m');
@@ -20,6 +21,7 @@ export const test = base.extend<{ guarded: undefined }, { server: Server }>({
   baseURL: async ({ server }, use) => use(server.url),
   guarded: [
     async ({ page, baseURL }, use) => {
+      await setClock(page.context());
       const faults: string[] = [];
       page.on('console', (message) => {
         if (message.type() === 'error') faults.push(`console: ${message.text()}`);

@@ -22,7 +22,7 @@ import { changeBerg, zones } from '../model/hand_made';
 import { select, selectedWaypoint, shownPlans } from '../model/plans';
 import { reach } from '../model/reach';
 import { openEdit } from '../model/route_edit';
-import { projection } from '../model/settings';
+import { change, projection } from '../model/settings';
 import { announce } from '../model/screen';
 import { opening } from '../model/shared_view';
 import { shownFlight } from '../model/simulations';
@@ -144,10 +144,22 @@ function coveredEdges_px(map: Map): [number, number, number, number] {
   return (map.getSize()?.[0] ?? 0) > 600 ? [70, 220, 80, 100] : [70, 20, 60, 60];
 }
 
+/** How far south the map is fitted to: in a polar projection to where its shapes are still told apart. */
+const southEnd_deg = (code: ProjectionCode): number => (projections[code].polar ? 40 : -84);
+
+/** What lies beyond the end of a polar projection is shown in the one that has it. Whether the map changes to that. */
+function leavesPolesFor(places: Position[]): boolean {
+  const end_deg = southEnd_deg(projection.peek());
+  if (!projections[projection.peek()].polar || places.length === 0 || places.some(([, lat]) => lat >= end_deg)) return false;
+  change({ projection: 'EPSG:3857' });
+  announce(`That lies south of ${end_deg}° N, where the polar projections end: the map changed to Mercator.`);
+  return true;
+}
+
 function fit(map: Map, places: Position[], time_ms: number): void {
   if (places.length === 0) return;
   const code = projection.peek();
-  const south_deg = projections[code].polar ? 40 : -84;
+  const south_deg = southEnd_deg(code);
   const drawn = toMap(code, places.map(([lon, lat]) => [lon, Math.max(lat, south_deg)]));
   map.getView().fit(boundingExtent(drawn), { padding: coveredEdges_px(map), minResolution: 15, duration: time_ms });
 }
@@ -160,6 +172,11 @@ function followCommands(map: Map): void {
 }
 
 function carryOut(map: Map, wish: Command): void {
+  const places = wish.do === 'fit' ? wish.places : wish.do === 'centre' ? [wish.place] : [];
+  if (leavesPolesFor(places)) {
+    queueMicrotask(() => carryOut(map, wish)); // on the view of the new projection, which is not there yet
+    return;
+  }
   const current = map.getView();
   switch (wish.do) {
     case 'fit':
