@@ -8,6 +8,7 @@
 #include <limits>
 #include <type_traits>
 
+#include "storage/ingest/first_bytes.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/hdf5_references.hpp"
 #include "storage/ingest/in_blocks.hpp"
@@ -28,6 +29,12 @@ template <>
 constexpr GDALDataType gdal_type<std::int16_t> = GDT_Int16;
 template <>
 constexpr GDALDataType gdal_type<std::int32_t> = GDT_Int32;
+
+/// GDAL 3.6 takes the classic format with 64-bit numbers (CDF-5) for NetCDF only when it is told so.
+std::string name_for_gdal(const std::filesystem::path& file) {
+  const std::string path = std::filesystem::absolute(file).string();
+  return first_bytes(file, 4) == "CDF\x05" ? "NETCDF:\"" + path + "\"" : path;
+}
 
 }  // namespace
 
@@ -186,7 +193,8 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
     if (const auto checked = check_hdf5_references(file); !checked) return refuse(checked.error());
   const char* const drivers[] = {is_zarr ? "Zarr" : "netCDF", nullptr};
   const std::string path =
-      is_zarr && is_zarr3(file) ? zarr3_view(file) : std::filesystem::absolute(file).string();
+      is_zarr ? (is_zarr3(file) ? zarr3_view(file) : std::filesystem::absolute(file).string())
+              : name_for_gdal(file);
   NetcdfFile result;
   result.dataset_.reset(
       GDALDataset::Open(path.c_str(), GDAL_OF_MULTIDIM_RASTER | GDAL_OF_VERBOSE_ERROR, drivers));

@@ -5,6 +5,7 @@
 
 #include <string>
 
+#include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
 namespace floeplan::ingest {
@@ -33,7 +34,50 @@ std::string small_file(std::uint32_t records) {
          variable("x", 0, 5, 12, header_bytes) + variable("r", 1, 3, 4, header_bytes + 12);
 }
 
+std::string wide(std::uint64_t value) {
+  return word(static_cast<std::uint32_t>(value >> 32U)) + word(static_cast<std::uint32_t>(value));
+}
+
+std::string padded(std::string text) {
+  text.resize((text.size() + 3) / 4 * 4);
+  return text;
+}
+
+/// The same in the format with 64-bit numbers (CDF-5): depths(latitude, longitude) of two bytes each, 2 x 2.
+std::string small_bathymetry_of_64_bits() {
+  const auto name = [](const std::string& text) { return wide(text.size()) + padded(text); };
+  const auto variable = [&](const std::string& called, const std::string& dimensions, const std::string& unit,
+                            std::uint32_t type, std::uint64_t size, std::uint64_t begin) {
+    return name(called) + wide(dimensions.size() / 8) + dimensions + word(12) + wide(1) + name("units") +
+           word(2) + name(unit) + word(type) + wide(size) + wide(begin);
+  };
+  const auto header = [&](std::uint64_t end) {
+    return "CDF\x05" + wide(0) + word(10) + wide(2) + name("lat") + wide(2) + name("lon") + wide(2) +
+           word(0) + wide(0) + word(11) + wide(3) + variable("lat", wide(0), "degrees_north", 3, 4, end) +
+           variable("lon", wide(1), "degrees_east", 3, 4, end + 4) +
+           variable("elevation", wide(0) + wide(1), "m", 3, 8, end + 8);
+  };
+  const std::string latitudes = word(60U << 16U | 61U);
+  const std::string longitudes = word(5U << 16U | 6U);
+  const std::string elevations = word(0xFFF6FFECU) + word(0xFFE2FFD8U);  // -10 -20 -30 -40
+  return header(header(0).size()) + latitudes + longitudes + elevations;
+}
+
 class Netcdf3Length : public StoreFixture {};
+
+TEST_F(Netcdf3Length, OfAFileWith64BitNumbersEndsWithItsValues) {
+  const std::string bytes = small_bathymetry_of_64_bits();
+  const auto file = write_file("wide.nc", bytes);
+  EXPECT_EQ(netcdf3_length(file), bytes.size());
+
+  const auto report = ingest(file);
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  const auto sea =
+      repository::FieldRepository{db_}.load_bathymetry(report.dataset->id, {-180.0, -90.0, 180.0, 90.0});
+  ASSERT_TRUE(sea);
+  EXPECT_EQ(sea->depth_m(), (std::vector{10.0F, 20.0F, 30.0F, 40.0F}));
+}
 
 TEST_F(Netcdf3Length, AddsUpFixedValuesAndUnpaddedRecords) {
   const std::string header = small_file(5);
