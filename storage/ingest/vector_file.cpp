@@ -25,6 +25,11 @@ Checked<void> every_feature_can_be_read(GDALDataset& dataset) {
   return {};
 }
 
+bool is_raster(const std::string& path, const char* const* drivers) {
+  const GdalMessages messages;
+  return GDALDatasetUniquePtr{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER, drivers)} != nullptr;
+}
+
 }  // namespace
 
 Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::path& file,
@@ -35,6 +40,11 @@ Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::pa
   const std::string path = std::filesystem::absolute(file).string();
   std::shared_ptr<GDALDataset> dataset{
       GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers)};
+  if (!dataset && is_raster(path, drivers))
+    return refuse(
+        "the file holds a raster in tiles, but neither points nor polygons; of this format this program "
+        "reads only "
+        "these; convert a raster of depths with gdal_translate IN.gpkg OUT.tif, and give that");
   if (!dataset)
     return refuse(
         "the file cannot be read (" + messages.first_error() +

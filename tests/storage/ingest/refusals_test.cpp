@@ -1,9 +1,13 @@
+#include <gdal_priv.h>
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
+#include <ogr_spatialref.h>
 
+#include <array>
 #include <fstream>
 #include <iterator>
 
+#include "storage/ingest/gdal_guard.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
@@ -67,6 +71,24 @@ TEST_F(Refusals, AGridOfAnOldGmt) {
                  .fill = {}});
 
   expect_refused(path("old.grd"), "gmt grdconvert");
+}
+
+TEST_F(Refusals, ARasterInAGeoPackage) {
+  register_drivers();
+  {
+    const GDALDatasetUniquePtr raster{GetGDALDriverManager()->GetDriverByName("GPKG")->Create(
+        path("bed.gpkg").c_str(), 4, 3, 1, GDT_Float32, nullptr)};
+    OGRSpatialReference wgs84;
+    wgs84.importFromEPSG(4326);
+    raster->SetSpatialRef(&wgs84);
+    std::array transform{10.0, 1.0, 0.0, 60.0, 0.0, -1.0};
+    raster->SetGeoTransform(transform.data());
+    std::vector<float> values(12, -100.0F);
+    EXPECT_EQ(
+        raster->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 4, 3, values.data(), 4, 3, GDT_Float32, 0, 0),
+        CE_None);
+  }
+  expect_refused(path("bed.gpkg"), "gdal_translate");
 }
 
 TEST_F(Refusals, AGribFile) { expect_refused(write_file("gfs.nc", std::string{"GRIB\0\0\0\2", 8}), "GRIB"); }
