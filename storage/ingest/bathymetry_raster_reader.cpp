@@ -1,5 +1,6 @@
 #include "storage/ingest/bathymetry_raster_reader.hpp"
 
+#include <cpl_minixml.h>
 #include <gdal_priv.h>
 #include <gdal_utils.h>
 #include <ogr_spatialref.h>
@@ -69,6 +70,25 @@ bool looks_like_degrees(const Transform& t, int columns, int rows) {
   return on_the_globe && whole_arc_seconds(t[1]) && whole_arc_seconds(t[5]);
 }
 
+/// The horizontal reference system that the description of a BAG names by its code alone; GDAL knows full texts only.
+std::optional<OGRSpatialReference> crs_named_in_bag(GDALDataset& dataset) {
+  char** const description = dataset.GetMetadata("xml:BAG");
+  if (description == nullptr || *description == nullptr) return std::nullopt;
+  const GdalMessages messages;
+  const CPLXMLTreeCloser root{CPLParseXMLString(*description)};
+  if (root.get() == nullptr) return std::nullopt;
+  CPLStripXMLNamespace(root.get(), nullptr, TRUE);
+  const CPLXMLNode* const system = CPLSearchXMLNode(root.get(), "=referenceSystemInfo");
+  const std::string identifier = "MD_ReferenceSystem.referenceSystemIdentifier.RS_Identifier.";
+  const std::string space = CPLGetXMLValue(system, (identifier + "codeSpace.CharacterString").c_str(), "");
+  const auto code = parse_number(CPLGetXMLValue(system, (identifier + "code.CharacterString").c_str(), ""));
+  OGRSpatialReference crs;
+  if (lower(trimmed(space)) != "epsg" || !code || !(*code >= 1.0 && *code <= 1e6)) return std::nullopt;
+  if (crs.importFromEPSG(static_cast<int>(*code)) != OGRERR_NONE) return std::nullopt;
+  if (crs.IsProjected() == 0 && crs.IsGeographic() == 0) return std::nullopt;
+  return crs;
+}
+
 Checked<OGRSpatialReference> crs_of(GDALDataset& dataset, std::string_view driver, const Transform& transform,
                                     const IngestOptions& options, std::vector<std::string>& warnings) {
   OGRSpatialReference crs;
@@ -81,6 +101,11 @@ Checked<OGRSpatialReference> crs_of(GDALDataset& dataset, std::string_view drive
           "the BAG file counts its vertical axis downwards although the format holds elevations; land and "
           "sea must not be mixed up; say --positive up or --positive down");
     if (crs.IsCompound() != 0) crs.StripVertical();
+    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return crs;
+  }
+  if (const auto named = driver == "BAG" ? crs_named_in_bag(dataset) : std::nullopt) {
+    crs = *named;
     crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
     return crs;
   }

@@ -122,6 +122,16 @@ TEST_F(BathymetryTraps, ASurveyMayBeAsShoalAsItsUncertaintyAllows) {
   EXPECT_NEAR(sea.shoalest_m()[node], 59.3783569F - 0.4645371F, 1e-4F);
 }
 
+/// Its description says EPSG 6339, UTM of zone 10 north; the south-west corner was brought to degrees with gdaltransform.
+TEST_F(BathymetryTraps, ABagThatNamesItsReferenceSystemByItsCodeIsPlacedByIt) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+  const auto sea = stored(sample_folder() / "bathymetry/Sample_VR_BAG-gzip.bag");
+
+  const geo::LonLat corner = sea.grid().place(0, 0);
+  EXPECT_NEAR(corner.lon_deg, -122.4261764, 1e-7);
+  EXPECT_NEAR(corner.lat_deg, 47.6715405, 1e-7);
+}
+
 /// gdalinfo -stats: on the finest grid the elevations of the highest measurements reach up to -20.0436 m, in the plain
 /// view, whose cells are 50 m wide, up to -20.3850 m only.
 TEST_F(BathymetryTraps, ABagOfVariableResolutionIsReadAtItsFinest) {
