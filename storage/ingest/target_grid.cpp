@@ -71,7 +71,20 @@ ocean::HorizontalGrid polar_grid(const std::vector<geo::LonLat>& points, double 
           ocean::Axis{nodes_between(start_before(least_y, step), most_y, step)}};
 }
 
-ocean::HorizontalGrid geographic_grid(const std::vector<geo::LonLat>& points, double spacing_m) {
+/// Whether cells lie across the meridians on which there is no point: such a mesh goes all the way round.
+bool closes_round(const SourceMesh& mesh, const geo::BoundingBox& box) {
+  const auto east_of_west = [&](std::uint32_t corner) {
+    const double turn = std::fmod(mesh.points[corner].lon_deg - box.west_deg, 360.0);
+    return turn < 0.0 ? turn + 360.0 : turn;
+  };
+  return std::ranges::any_of(mesh.cells, [&](const SourceMesh::Cell& cell) {
+    const auto [least, most] = std::ranges::minmax(cell, {}, east_of_west);
+    return east_of_west(most) - east_of_west(least) > 180.0;
+  });
+}
+
+ocean::HorizontalGrid geographic_grid(const SourceMesh& mesh, const std::vector<geo::LonLat>& points,
+                                      double spacing_m) {
   const geo::BoundingBox box = geo::bounding_box(points);
   const double height_deg = box.north_deg - box.south_deg;
   const double least_abs_lat =
@@ -85,7 +98,7 @@ ocean::HorizontalGrid geographic_grid(const std::vector<geo::LonLat>& points, do
   const double south = std::max(-90.0, start_before(box.south_deg, lat_step));
   std::vector<double> lats = nodes_between(south, box.north_deg, lat_step);
   if (lats.back() > 90.0) lats.back() = 90.0;
-  if (width + 2.0 * lon_step < 360.0) {
+  if (width + 2.0 * lon_step < 360.0 && !closes_round(mesh, box)) {
     const double west = start_before(box.west_deg, lon_step);
     return {geo::GeographicFrame{}, ocean::Axis{nodes_between(west, box.west_deg + width, lon_step)},
             ocean::Axis{std::move(lats)}};
@@ -114,7 +127,7 @@ Checked<ocean::HorizontalGrid> target_grid_for(const SourceMesh& mesh) {
   }
   const bool polar = (least_lat > polar_above_lat_deg && most_lat > polar_from_lat_deg) ||
                      (most_lat < -polar_above_lat_deg && least_lat < -polar_from_lat_deg);
-  return polar ? polar_grid(points, spacing_m) : geographic_grid(points, spacing_m);
+  return polar ? polar_grid(points, spacing_m) : geographic_grid(mesh, points, spacing_m);
 }
 
 std::string spacing_in_words(const ocean::HorizontalGrid& grid) {
