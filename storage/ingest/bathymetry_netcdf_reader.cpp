@@ -9,7 +9,6 @@
 #include "storage/ingest/bathymetry_grid.hpp"
 #include "storage/ingest/bent_plane.hpp"
 #include "storage/ingest/cf_units.hpp"
-#include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/text.hpp"
 
@@ -79,18 +78,9 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
     return refuse(
         "the file holds no depths or elevations that this program recognises; there is no bathymetry to "
         "store; give a file with, for example, a variable called elevation or deptho");
-  auto layout = layout_of(*file, *variable);
-  std::optional<BentPlane> bent;
-  if (!layout) {
-    auto plane = bent_plane_of(file, *variable);
-    if (!plane) return refuse(plane.error());
-    if (!*plane) return refuse(layout.error());
-    layout = (*plane)->layout;
-    bent = std::move(*plane);
-  }
-  auto grid =
-      bent ? Checked<ocean::HorizontalGrid>{bent->grid} : grid_of(*file, *variable, *layout, options.crs);
-  if (!grid) return refuse(grid.error());
+  auto place = place_of(file, *variable, options.crs);
+  if (!place) return refuse(place.error());
+  const std::optional<BentPlane>& bent = place->bent;
 
   const std::string unit = variable->attribute("units");
   const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
@@ -98,12 +88,12 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
     return refuse("the variable \"" + variable->name() + "\" has the unit \"" + unit +
                   "\", which is no length that this program knows; ask for a file in metres");
 
-  RawBathymetry raw{.grid = std::move(*grid),
+  RawBathymetry raw{.grid = std::move(place->grid),
                     .description = {.name = variable->name(),
                                     .standard_name = variable->attribute("standard_name"),
                                     .long_name = variable->attribute("long_name"),
                                     .positive = variable->attribute("positive")},
-                    .warnings = layout->warnings,
+                    .warnings = place->layout.warnings,
                     .read = {}};
   if (unit.empty()) raw.warnings.push_back("\"" + variable->name() + "\" states no unit; taken as metres");
   if (bent) {
@@ -113,7 +103,7 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
     raw.read = rows_in_memory(std::move(*rows), raw.grid.x().size());
     return prepare_bathymetry(std::move(raw), options.positive);
   }
-  raw.read = [file = std::move(file), variable, layout = std::move(*layout), factor = *factor](
+  raw.read = [file = std::move(file), variable, layout = std::move(place->layout), factor = *factor](
                  std::size_t first_row, std::size_t count) -> Checked<RawRows> {
     const auto values = read_rows(*variable, layout, 0, 0, first_row, count);
     if (!values) return refuse(values.error());

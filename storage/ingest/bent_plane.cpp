@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/position_tables.hpp"
 #include "storage/ingest/source_mesh.hpp"
 #include "storage/ingest/target_grid.hpp"
@@ -27,7 +28,7 @@ void for_each_node_around(const ocean::HorizontalGrid& grid, geo::LonLat place, 
 Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const NetcdfFile>& file,
                                                 const NetcdfVariable& variable) {
   const auto plane = plane_of(*file, variable);
-  if (!plane || !has_position_tables({file}, *file, variable, *plane)) return std::nullopt;
+  if (!plane || !has_positions({file}, *file, variable, *plane)) return std::nullopt;
   auto layout = layout_over(*file, variable, plane->y, plane->x);
   if (!layout) return refuse(layout.error());
   auto positions = positions_of({file}, *file, variable, *plane, GridPoints::centres);
@@ -47,6 +48,19 @@ Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const Netc
                         " points to a regular grid of " + spacing_in_words(*grid);
   return BentPlane{std::move(*layout),     std::move(points), std::move(*grid),
                    std::move(*resampling), std::move(*water), std::move(account)};
+}
+
+Checked<PlacedVariable> place_of(const std::shared_ptr<const NetcdfFile>& file,
+                                 const NetcdfVariable& variable,
+                                 const std::optional<std::string>& stated_crs) {
+  auto layout = layout_of(*file, variable);
+  auto grid = layout ? grid_of(*file, variable, *layout, stated_crs)
+                     : Checked<ocean::HorizontalGrid>{refuse(layout.error())};
+  if (grid) return PlacedVariable{std::move(*layout), std::move(*grid), std::nullopt};
+  auto bent = bent_plane_of(file, variable);
+  if (!bent) return refuse(bent.error());
+  if (!*bent) return refuse(grid.error());
+  return PlacedVariable{(*bent)->layout, (*bent)->grid, std::move(*bent)};
 }
 
 RawRows resampled_with_range(const BentPlane& plane, std::span<const float> values) {

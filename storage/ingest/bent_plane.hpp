@@ -31,6 +31,20 @@ struct BentPlane {
 [[nodiscard]] Checked<std::optional<BentPlane>> bent_plane_of(const std::shared_ptr<const NetcdfFile>& file,
                                                               const NetcdfVariable& variable);
 
+/// A variable and the grid on which it is stored: that of its own nodes, or one onto which it is resampled.
+struct PlacedVariable {
+  NetcdfLayout layout;
+  ocean::HorizontalGrid grid;
+  std::optional<BentPlane> bent;  // empty: the layout's points are the grid's nodes
+};
+
+/// On its own axes where they are a grid of the store, else resampled from its tables of positions or its projection.
+/// `stated_crs`  the projection of a file that states none
+/// Errors        as layout_of and grid_of
+[[nodiscard]] Checked<PlacedVariable> place_of(const std::shared_ptr<const NetcdfFile>& file,
+                                               const NetcdfVariable& variable,
+                                               const std::optional<std::string>& stated_crs);
+
 /// The values at the nodes and, around each, the lowest and the highest of its neighbouring points, also of those that
 /// lie closer together than the nodes.
 /// Shape  of the points in, of the grid [y][x] out

@@ -102,23 +102,24 @@ Checked<double> deepest_m(const VelocitySource& source) {
 }
 
 /// "resampled from ...": what was done to the currents and how far they differ now.
-Checked<std::string> account_of_resampling(const StoredCurrents& currents, const SourceMesh& mesh,
-                                           const std::string& layout) {
+Checked<std::string> account_of_resampling(const StoredCurrents& currents, const CurrentInput& input) {
+  const std::string what = input.what == Moving::sea ? "current" : "wind";
   ResamplingError error;
   const auto compared = for_each_level(
       currents, 0,
       [&](std::size_t /*level*/, const VelocitySlice& source, const VelocitySlice& stored) -> Checked<bool> {
-        error.add(mesh, source, currents.grid, stored);
+        error.add(input.mesh, source, currents.grid, stored);
         return true;
       });
   if (!compared) return refuse(compared.error());
   if (error.points() == 0)
-    return refuse("no current is left after resampling from " + layout +
+    return refuse("no " + what + " is left after resampling from " + input.layout +
                   "; the area is smaller than a few cells of the model; give a larger part of its grid");
   const double speed = error.rms_speed_m_s();
-  return "resampled from " + layout + " to a regular grid of " + spacing_in_words(currents.grid) +
-         "; at the model's own points (first time, all depths) the stored currents differ by " +
-         number(error.rms_m_s(), 2) + " m/s RMS, " + number(error.largest_m_s(), 2) + " m/s at most" +
+  return "resampled from " + input.layout + " to a regular grid of " + spacing_in_words(currents.grid) +
+         "; at the model's own points (first time, all depths) the stored " + what +
+         (input.what == Moving::sea ? "s differ" : " differs") + " by " + number(error.rms_m_s(), 2) +
+         " m/s RMS, " + number(error.largest_m_s(), 2) + " m/s at most" +
          (speed > 0.0 ? " (RMS speed " + number(speed, 2) + " m/s)" : "");
 }
 
@@ -189,7 +190,7 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
                             std::to_string(currents->levels()) + " depths below the surface, from 0 to " +
                             number(currents->depths_m->back()) + " m");
   if (currents->resampling) {
-    auto account = account_of_resampling(*currents, input.mesh, input.layout);
+    auto account = account_of_resampling(*currents, input);
     if (!account) return refuse(account.error());
     data.warnings.push_back(std::move(*account));
   }

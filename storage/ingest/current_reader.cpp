@@ -1,103 +1,16 @@
 #include "storage/ingest/current_reader.hpp"
 
-#include <algorithm>
-
-#include "storage/ingest/current_dataset.hpp"
-#include "storage/ingest/curvilinear_source.hpp"
-#include "storage/ingest/mesh_source.hpp"
-#include "storage/ingest/mesh_topology.hpp"
-#include "storage/ingest/netcdf_coordinates.hpp"
-#include "storage/ingest/netcdf_grid.hpp"
-#include "storage/ingest/netcdf_layout.hpp"
-#include "storage/ingest/position_tables.hpp"
-#include "storage/ingest/rectilinear_source.hpp"
-#include "storage/ingest/text.hpp"
+#include "storage/ingest/velocity_input.hpp"
 
 namespace floeplan::ingest {
-namespace {
-
-/// Whether each of the two dimensions of the plane has an axis of its own, geographic or projected.
-bool has_plain_axes(const NetcdfFile& file, const NetcdfVariable& variable) {
-  const auto plane = plane_of(file, variable);
-  if (!plane) return false;
-  for (const std::size_t dimension : {plane->y, plane->x}) {
-    const NetcdfVariable* coordinate = coordinate_of(file, variable.dimensions()[dimension]);
-    const AxisRole role = coordinate == nullptr ? AxisRole::unknown : role_of(*coordinate);
-    if (role != AxisRole::longitude && role != AxisRole::latitude && role != AxisRole::projected_x &&
-        role != AxisRole::projected_y)
-      return false;
-  }
-  return true;
-}
-
-bool have_tables(const NetcdfFiles& files, const VelocityPair& pair) {
-  const auto plane = plane_of(*pair.first_file, *pair.first);
-  return plane && has_position_tables(files, *pair.first_file, *pair.first, *plane);
-}
-
-/// Whether the dimensions are called as ROMS and CROCO do: their tables of positions may be in a file of their own.
-bool is_roms(const VelocityPair& pair) {
-  return std::ranges::any_of(pair.first->dimensions(), [](const NetcdfDimension& dimension) {
-    return lower(dimension.name).starts_with("xi_");
-  });
-}
-
-/// Whether the components lie on different points: then plain axes do not tell them apart enough to be stored.
-bool are_staggered(const VelocityPair& pair) {
-  const auto first = plane_of(*pair.first_file, *pair.first);
-  const auto second = plane_of(*pair.second_file, *pair.second);
-  if (!first || !second) return false;
-  const auto& a = pair.first->dimensions();
-  const auto& b = pair.second->dimensions();
-  return a[first->y].name != b[second->y].name || a[first->x].name != b[second->x].name;
-}
-
-/// Whether the currents are stored on the axes of their file. Not when plain axes are only nominal beside tables of the
-/// true positions, or those of a projection that contradicts such tables; nor when the components are staggered.
-bool lie_on_axes(const NetcdfFiles& files, const VelocityPair& pair,
-                 const std::optional<std::string>& stated_crs) {
-  if (!has_plain_axes(*pair.first_file, *pair.first)) return false;
-  const bool tables = have_tables(files, pair);
-  const auto layout = layout_of(*pair.first_file, *pair.first);
-  if (!layout) return true;  // what is wrong with the axes is said when they are read
-  if (layout->projected && tables)
-    return grid_of(*pair.first_file, *pair.first, *layout, stated_crs).has_value();
-  return !are_staggered(pair) && !(tables && pair.axes == VelocityAxes::grid);
-}
-
-}  // namespace
 
 Checked<PreparedDataset> read_currents(const NetcdfFiles& files, const std::optional<std::string>& stated_crs,
                                        const core::ProgressCallback& progress) {
-  auto pair = find_velocity_pair(files);
+  const auto pair = find_velocity_pair(files);
   if (!pair) return refuse(pair.error());
-  CurrentInput input;
-  input.warnings = pair->warnings;
-  input.variables = {pair->first->name(), pair->second->name()};
-  input.states_unit = !pair->first->attribute("units").empty();
-
-  if (lies_on_mesh(*pair->first_file, *pair->first)) {
-    auto mesh = mesh_currents(files, *pair, input.warnings);
-    if (!mesh) return refuse(mesh.error());
-    input.source = std::move(mesh->source);
-    input.mesh = std::move(mesh->mesh);
-    input.layout = std::move(mesh->layout);
-    return prepare_currents(std::move(input), progress);
-  }
-  const bool bent_grid = have_tables(files, *pair) || are_staggered(*pair) || is_roms(*pair);
-  if (lie_on_axes(files, *pair, stated_crs) || !bent_grid) {
-    auto regular = rectilinear_currents(files, *pair, stated_crs, input.warnings);
-    if (!regular) return refuse(regular.error());
-    input.source = std::move(regular->source);
-    input.grid = std::move(regular->grid);
-  } else {
-    auto bent = curvilinear_currents(files, *pair, input.warnings);
-    if (!bent) return refuse(bent.error());
-    input.source = std::move(bent->source);
-    input.mesh = std::move(bent->mesh);
-    input.layout = std::move(bent->layout);
-  }
-  return prepare_currents(std::move(input), progress);
+  auto input = velocity_input(files, *pair, stated_crs);
+  if (!input) return refuse(input.error());
+  return prepare_currents(std::move(*input), progress);
 }
 
 }  // namespace floeplan::ingest

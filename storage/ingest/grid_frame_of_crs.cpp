@@ -33,6 +33,12 @@ bool on_world_datum(const OGRSpatialReference& crs) {
   return true;
 }
 
+/// The radii that models take for a sphere lie between the half axes of WGS84, or are the longer one of Hughes 1980.
+bool is_sphere(const OGRSpatialReference& crs) {
+  const double radius_m = crs.GetSemiMajor();
+  return crs.GetInvFlattening() == 0.0 && radius_m >= 6'356'752.0 && radius_m <= 6'378'273.0;
+}
+
 }  // namespace
 
 std::optional<geo::GridFrame> grid_frame_of(const OGRSpatialReference& crs) {
@@ -68,6 +74,10 @@ std::optional<geo::GridFrame> grid_frame_of(const OGRSpatialReference& crs) {
                                         .false_easting_m = false_easting_m,
                                         .false_northing_m = false_northing_m};
   return std::nullopt;
+}
+
+bool has_latitudes_of_the_earth(const OGRSpatialReference& crs) {
+  return on_world_datum(crs) && (ellipsoid_of(crs) || is_sphere(crs));
 }
 
 }  // namespace floeplan::ingest

@@ -14,4 +14,8 @@ namespace floeplan::ingest {
 /// Outside  nullopt for every other CRS: resample first
 [[nodiscard]] std::optional<geo::GridFrame> grid_frame_of(const OGRSpatialReference& crs);
 
+/// Whether longitude and latitude of the CRS can be used as those of WGS84: they differ by metres, or they are those of
+/// a sphere, which models that compute on one mean for the Earth's.
+[[nodiscard]] bool has_latitudes_of_the_earth(const OGRSpatialReference& crs);
+
 }  // namespace floeplan::ingest

@@ -7,7 +7,6 @@
 #include "storage/ingest/bent_plane.hpp"
 #include "storage/ingest/ice_units.hpp"
 #include "storage/ingest/ice_variables.hpp"
-#include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/repository/field_repository.hpp"
@@ -172,24 +171,15 @@ Checked<IceSource> open_source(const std::shared_ptr<const NetcdfFile>& file, co
   const auto ice = find_ice(*file, options.variable);
   if (!ice) return refuse(ice.error());
   const NetcdfVariable& first = *ice->concentrations.front();
-  auto layout = layout_of(*file, first);
-  std::optional<BentPlane> bent;
-  if (!layout) {
-    auto plane = bent_plane_of(file, first);
-    if (!plane) return refuse(plane.error());
-    if (!*plane) return refuse(layout.error());
-    layout = (*plane)->layout;
-    bent = std::move(*plane);
-    warnings.push_back(bent->account);
-  }
-  layout = layout_of_ice(std::move(*layout), first, options.time);
+  auto place = place_of(file, first, options.crs);
+  if (!place) return refuse(place.error());
+  if (place->bent) warnings.push_back(place->bent->account);
+  auto layout = layout_of_ice(std::move(place->layout), first, options.time);
   if (!layout) return refuse(layout.error());
-  auto grid = bent ? Checked<ocean::HorizontalGrid>{bent->grid} : grid_of(*file, first, *layout, options.crs);
-  if (!grid) return refuse(grid.error());
 
   warnings.insert(warnings.end(), ice->warnings.begin(), ice->warnings.end());
   warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
-  IceSource source{file, {}, {}, std::move(*layout), std::move(*grid), std::move(bent)};
+  IceSource source{file, {}, {}, std::move(*layout), std::move(place->grid), std::move(place->bent)};
   for (const NetcdfVariable* variable : ice->concentrations) {
     auto quantity = concentration_of(*variable, source.layout, warnings);
     if (!quantity) return refuse(quantity.error());

@@ -4,6 +4,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "storage/ingest/grid_frame_of_crs.hpp"
+#include "storage/ingest/netcdf_projection.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -53,7 +54,7 @@ Checked<ocean::HorizontalGrid> grid_of(const NetcdfFile& file, const NetcdfVaria
   if (!layout.projected) return ocean::HorizontalGrid{geo::GeographicFrame{}, std::move(x), std::move(y)};
 
   OGRSpatialReference crs;
-  if (const auto stated = variable.crs()) {
+  if (const auto stated = projection_of(file, variable)) {
     crs = *stated;
   } else if (!stated_crs || crs.SetFromUserInput(stated_crs->c_str()) != OGRERR_NONE) {
     return refuse("the grid of \"" + variable.name() +

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "storage/ingest/netcdf_coordinates.hpp"
+#include "storage/ingest/netcdf_projection.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -194,7 +195,13 @@ Checked<std::optional<Positions>> positions_of(const NetcdfFiles& files, const N
     auto positions = read_table(table);
     if (!positions || *positions) return positions;
   }
-  return positions_of_axes(file, variable, plane);
+  auto of_axes = positions_of_axes(file, variable, plane);
+  if (!of_axes || *of_axes || !is_placed_by_projection(file, variable, plane.y, plane.x)) return of_axes;
+  auto places = places_by_projection(file, variable, plane.y, plane.x);
+  if (!places) return refuse(places.error());
+  return std::optional{Positions{std::move(*places),
+                                 static_cast<std::size_t>(variable.dimensions()[plane.y].size),
+                                 static_cast<std::size_t>(variable.dimensions()[plane.x].size), false}};
 }
 
 Checked<std::optional<Positions>> centre_positions(const NetcdfFiles& files) {
@@ -210,9 +217,10 @@ Checked<std::optional<Positions>> centre_positions(const NetcdfFiles& files) {
   return std::optional<Positions>{};
 }
 
-bool has_position_tables(const NetcdfFiles& files, const NetcdfFile& file, const NetcdfVariable& variable,
-                         PlaneDimensions plane) {
-  return !tables_over(files, file, variable, plane, GridPoints::first_component).empty() ||
+bool has_positions(const NetcdfFiles& files, const NetcdfFile& file, const NetcdfVariable& variable,
+                   PlaneDimensions plane) {
+  return is_placed_by_projection(file, variable, plane.y, plane.x) ||
+         !tables_over(files, file, variable, plane, GridPoints::first_component).empty() ||
          !tables_over(files, file, variable, plane, GridPoints::second_component).empty();
 }
 

@@ -33,7 +33,7 @@ struct PlaneDimensions {
 
 /// Positions from two-dimensional tables of longitude and latitude, which the variable names ("coordinates"), or which
 /// lie on its own dimensions and are called as its points are in NEMO, ROMS, MOM and POP; else from plain axes of
-/// longitude and latitude. Tables that hold one value everywhere do not count: some producers leave them empty.
+/// longitude and latitude, or from a projection on which no grid of the store lies. Tables that hold one value everywhere do not count: some producers leave them empty.
 /// Returns  nullopt when there are none
 /// Errors   tables of more points than this program accepts, or that are damaged
 [[nodiscard]] Checked<std::optional<Positions>> positions_of(const NetcdfFiles& files, const NetcdfFile& file,
@@ -43,9 +43,9 @@ struct PlaneDimensions {
 /// Positions of the centres between staggered points, from tables of their own ("lon_rho").
 [[nodiscard]] Checked<std::optional<Positions>> centre_positions(const NetcdfFiles& files);
 
-/// Whether tables of two dimensions say where the variable lies.
-[[nodiscard]] bool has_position_tables(const NetcdfFiles& files, const NetcdfFile& file,
-                                       const NetcdfVariable& variable, PlaneDimensions plane);
+/// Whether tables of two dimensions, or a projection on which no grid of the store lies, say where the variable lies.
+[[nodiscard]] bool has_positions(const NetcdfFiles& files, const NetcdfFile& file,
+                                 const NetcdfVariable& variable, PlaneDimensions plane);
 
 /// Whether a file holds tables of positions at all.
 [[nodiscard]] bool holds_position_tables(const NetcdfFile& file);

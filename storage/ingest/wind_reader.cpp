@@ -6,9 +6,8 @@
 #include <string_view>
 #include <utility>
 
-#include "storage/ingest/current_dataset.hpp"
-#include "storage/ingest/rectilinear_source.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/ingest/velocity_input.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -145,16 +144,12 @@ Checked<CurrentInput> open_wind(const std::shared_ptr<const NetcdfFile>& file,
                                 const std::optional<std::string>& stated_crs) {
   auto pair = find_pair(*file);
   if (!pair) return refuse(pair.error());
-  CurrentInput input;
-  input.what = Moving::air;
-  input.variables = {pair->first->name(), pair->second->name()};
-  input.states_unit = !pair->first->attribute("units").empty();
-  auto regular = rectilinear_currents({file}, *pair, stated_crs, input.warnings);
-  if (!regular) return refuse(regular.error());
-  const auto level = level_at_10_m(regular->source->shape());
+  auto input = velocity_input({file}, *pair, stated_crs);
+  if (!input) return refuse(input.error());
+  input->what = Moving::air;
+  const auto level = level_at_10_m(input->source->shape());
   if (!level) return refuse(level.error());
-  input.source = std::make_shared<const OneLevel>(std::move(regular->source), *level);
-  input.grid = std::move(regular->grid);
+  input->source = std::make_shared<const OneLevel>(std::move(input->source), *level);
   return input;
 }
 

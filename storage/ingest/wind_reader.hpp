@@ -13,10 +13,10 @@ namespace floeplan::ingest {
 /// Whether any variable claims to be a component of the wind near the sea, whether or not it can be used.
 [[nodiscard]] bool holds_wind(const NetcdfFile& file);
 
-/// The wind 10 m above the sea from a NetCDF file on a regular grid, geographic or projected, towards true east and
-/// true north. Of wind at several heights the one at 10 m is taken.
+/// The wind 10 m above the sea from a NetCDF file, towards true east and true north. Of wind at several heights the one
+/// at 10 m is taken. Grids that are neither geographic nor polar stereographic are resampled.
 /// `stated_crs`  the projection of a file that states none
-/// Errors   one component alone; other heights only; no time; see rectilinear_currents and prepare_currents
+/// Errors   one component alone; other heights only; no time; see velocity_input and prepare_currents
 [[nodiscard]] Checked<PreparedDataset> read_wind(const std::shared_ptr<const NetcdfFile>& file,
                                                  const std::optional<std::string>& stated_crs,
                                                  const core::ProgressCallback& progress);

@@ -348,9 +348,29 @@ TEST_F(ProjectedIceTest, IsStoredOnItsOwnGridRowsAscending) {
 }
 
 TEST_F(ProjectedIceTest, OnAnEllipsoidThatIsNotKnownItIsRefused) {
-  write_projected({{"semi_major_axis", 6371000.0}, {"inverse_flattening", 0.0}}, "m");
+  write_projected({{"semi_major_axis", 6378206.4}, {"semi_minor_axis", 6356583.8}}, "m");
 
   expect_refused(path("polar.nc"), "projection that this program cannot use");
+}
+
+/// The nodes' latitudes on a sphere: tan((90 - latitude) / 2) = distance / (radius (1 + sin 70)).
+TEST_F(ProjectedIceTest, OnASphereItIsResampledByItsLatitudesOnTheSphere) {
+  write_projected({{"earth_radius", 6371000.0}}, "m");
+
+  const auto report = ingest(path("polar.nc"));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(words(report), HasSubstr("resampled"));
+  const auto ice = repository::FieldRepository{db_}
+                       .load_ice(report.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt)
+                       .value();
+  constexpr double radians = 3.14159265358979323846 / 180.0;
+  const double from_pole_deg =
+      2.0 / radians * std::atan(std::hypot(25e3, 275e3) / (6371000.0 * (1.0 + std::sin(70.0 * radians))));
+  const double lon_deg = -45.0 + std::atan(25.0 / 275.0) / radians;
+  const auto seen = ice.at({lon_deg, 90.0 - from_pole_deg}, *report.dataset->time_start);
+  ASSERT_TRUE(seen);
+  EXPECT_NEAR(seen->concentration, 0.5, 0.01) << "the middle node of the second row";
 }
 
 /// One node of the real sample, read with a reader of the classic NetCDF format of our own (struct and numpy on the

@@ -1,0 +1,17 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "storage/ingest/current_dataset.hpp"
+#include "storage/ingest/velocity_pair.hpp"
+
+namespace floeplan::ingest {
+
+/// Two components on whatever layout they have: regular grids are to be stored as they are, every other one resampled.
+/// `stated_crs`  the projection of a file that states none
+/// Errors   see rectilinear_currents, curvilinear_currents and mesh_currents
+[[nodiscard]] Checked<CurrentInput> velocity_input(const NetcdfFiles& files, const VelocityPair& pair,
+                                                   const std::optional<std::string>& stated_crs);
+
+}  // namespace floeplan::ingest
