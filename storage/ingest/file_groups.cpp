@@ -13,6 +13,7 @@
 #include "storage/ingest/sidecar.hpp"
 #include "storage/ingest/slocum_header.hpp"
 #include "storage/ingest/slocum_log.hpp"
+#include "storage/ingest/tide_layout.hpp"
 #include "storage/ingest/tide_variables.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 
@@ -33,6 +34,8 @@ struct Member {
   bool sensor_cache{false};            // the list of sensors of binary logs
   bool transports{false};              // of a tide, without depths
   bool tide_depths{false};             // the grid file of such tides
+  std::optional<ocean::TideQuantity> tide_component;  // of a tidal current, without the other
+  std::optional<tide::Constituent> constituent;       // that the file is named after
   bool taken{false};
 };
 
@@ -70,9 +73,12 @@ Member member_of(const std::filesystem::path& path) {
   }
   member.netcdf = std::make_shared<const NetcdfFile>(std::move(*file));
   member.parts = velocity_parts(*member.netcdf);
-  member.tables_alone = member.parts == VelocityParts::none && holds_position_tables(*member.netcdf);
+  member.tables_alone = member.parts == VelocityParts::none && !holds_tides(*member.netcdf) &&
+                        holds_position_tables(*member.netcdf);
   member.transports = needs_tide_depths(*member.netcdf);
   member.tide_depths = holds_tide_depths_alone(*member.netcdf);
+  member.tide_component = lone_tide_component(*member.netcdf);
+  member.constituent = constituent_named_in(path.stem().string());
   if (member.parts != VelocityParts::none) describe_velocity(member);
   return member;
 }
@@ -147,6 +153,18 @@ void add_sensor_caches(std::vector<Member>& members, FileGroup& group) {
   }
 }
 
+/// FES has the components of the tidal current of each constituent in two files, in folders of their own.
+void add_other_tide_component(const Member& member, std::vector<Member>& members, FileGroup& group) {
+  const auto other = std::ranges::find_if(members, [&](const Member& candidate) {
+    return !candidate.taken && candidate.tide_component &&
+           candidate.tide_component != member.tide_component && candidate.constituent &&
+           candidate.constituent == member.constituent;
+  });
+  if (other == members.end()) return;
+  other->taken = true;
+  group.push_back(other->path);
+}
+
 /// The grid files of a tide's model, which the files of all its constituents need.
 void add_tide_depths(std::vector<Member>& members, FileGroup& group) {
   for (Member& depths : members) {
@@ -190,6 +208,7 @@ std::vector<FileGroup> group_files(const std::vector<std::filesystem::path>& fil
     if (member.chart) take_updates(member, members, group);
     take_rest_of_track(member, members, group);
     add_sensor_caches(members, group);
+    if (member.tide_component) add_other_tide_component(member, members, group);
     if (member.transports) add_tide_depths(members, group);
     if (member.parts != VelocityParts::none)
       for (Member& tables : members)

@@ -27,6 +27,17 @@ std::string suffix_of(TideQuantity quantity) {
   return "z";
 }
 
+std::vector<std::string> split(const std::string& text, std::string_view separators) {
+  std::vector<std::string> parts;
+  std::size_t begin = 0;
+  while ((begin = text.find_first_not_of(separators, begin)) != std::string::npos) {
+    const std::size_t end = text.find_first_of(separators, begin);
+    parts.push_back(text.substr(begin, end - begin));
+    begin = end;
+  }
+  return parts;
+}
+
 const NetcdfVariable* find_any(const NetcdfFile& file, const std::vector<std::string>& lower_names) {
   for (const std::string& name : lower_names)
     for (const NetcdfVariable& variable : file.variables())
@@ -212,18 +223,14 @@ Checked<TideLayout> tide_layout_of(const NetcdfFile& file, const TideVariables& 
   return layout;
 }
 
+std::optional<tide::Constituent> constituent_named_in(const std::string& file_stem) {
+  for (const std::string& part : split(file_stem, "_.- "))
+    if (const auto constituent = tide::find_constituent(part)) return constituent;
+  return std::nullopt;
+}
+
 Checked<std::vector<std::string>> tide_names(const NetcdfFile& file, const std::string& file_stem,
                                              std::size_t wanted) {
-  const auto split = [](const std::string& text, std::string_view separators) {
-    std::vector<std::string> parts;
-    std::size_t begin = 0;
-    while ((begin = text.find_first_not_of(separators, begin)) != std::string::npos) {
-      const std::size_t end = text.find_first_of(separators, begin);
-      parts.push_back(text.substr(begin, end - begin));
-      begin = end;
-    }
-    return parts;
-  };
   for (const NetcdfVariable& variable : file.variables()) {
     const std::string order = variable.attribute("constituent_order");
     if (!order.empty() && split(order, " ,").size() == wanted) return split(order, " ,");
@@ -232,8 +239,8 @@ Checked<std::vector<std::string>> tide_names(const NetcdfFile& file, const std::
     if (const NetcdfVariable* variable = file.find(name))
       if (auto texts = variable->texts(); texts.size() == wanted) return texts;
   if (wanted == 1)
-    for (const std::string& part : split(file_stem, "_.- "))
-      if (tide::find_constituent(part)) return std::vector{part};
+    if (const auto named = constituent_named_in(file_stem))
+      return std::vector{tide::constituent_name(*named)};
   return refuse(
       wanted == 1
           ? "the file says neither inside nor in its name of which constituent its tide is; it could be any; "

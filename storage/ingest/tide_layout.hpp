@@ -29,6 +29,9 @@ struct TideLayout {
 [[nodiscard]] Checked<TideLayout> tide_layout_of(const NetcdfFile& file, const TideVariables& tide,
                                                  const std::optional<std::string>& stated_crs);
 
+/// The first part of a file's name that is a constituent: "m2" of "h_m2_tpxo9_atlas_30_v4", "2n2_fes2014c".
+[[nodiscard]] std::optional<tide::Constituent> constituent_named_in(const std::string& file_stem);
+
 /// The names of the constituents of a file, one for each step of their dimension. Named by the attribute
 /// constituent_order, by the variable con, or (for a single one) by the first part of the file's name that is one.
 /// Errors   none of them; as many names as there are fields are needed

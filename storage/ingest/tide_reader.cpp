@@ -27,7 +27,7 @@ struct Part {
 
 /// Everything needed to read fields of one file, now or later.
 struct TideSource {
-  std::shared_ptr<const NetcdfFile> file;
+  NetcdfFiles files;  // kept open
   std::vector<Part> parts;
   std::vector<std::optional<tide::Constituent>> lines;  // empty: one that this program does not know
   ocean::HorizontalGrid grid;                           // of the store
@@ -110,14 +110,39 @@ Checked<std::vector<std::optional<tide::Constituent>>> lines_of(const NetcdfFile
   return lines;
 }
 
+struct TideInFile {
+  std::shared_ptr<const NetcdfFile> file;
+  TideVariables variables;
+};
+
+/// The tides of the first file, and of the others the component that it lacks.
+Checked<std::vector<TideInFile>> find_in_all(const NetcdfFiles& files) {
+  std::vector<TideInFile> all;
+  const auto has = [&](TideQuantity quantity) {
+    return std::ranges::any_of(all, [&](const TideInFile& t) { return t.variables.quantity == quantity; });
+  };
+  for (const auto& file : files) {
+    if (file != files.front() && !holds_tides(*file)) continue;
+    const auto found = find_tides(*file);
+    if (!found) return refuse(found.error());
+    for (const TideVariables& variables : *found)
+      if (!has(variables.quantity)) all.push_back({file, variables});
+  }
+  if (has(TideQuantity::east) != has(TideQuantity::north))
+    return refuse("the file holds only the " +
+                  std::string{has(TideQuantity::east) ? "eastward" : "northward"} +
+                  " component of the tidal current; both are needed; give the file of the other component of "
+                  "the same constituent, named after it, in the same command");
+  return all;
+}
+
 Checked<TideSource> open_source(const NetcdfFiles& files, const std::string& stem,
                                 const IngestOptions& options, std::vector<std::string>& warnings) {
-  const auto& file = files.front();
-  const auto found = find_tides(*file);
+  const auto found = find_in_all(files);
   if (!found) return refuse(found.error());
   std::vector<Part> parts;
   std::optional<std::size_t> lines;
-  for (const TideVariables& variables : *found) {
+  for (const auto& [file, variables] : *found) {
     auto layout = tide_layout_of(*file, variables, options.crs);
     if (!layout) return refuse(layout.error());
     const std::size_t count =
@@ -141,10 +166,10 @@ Checked<TideSource> open_source(const NetcdfFiles& files, const std::string& ste
     }
     parts.push_back({variables, std::move(*layout), std::move(depths_m)});
   }
-  auto names = lines_of(*file, stem, *lines, warnings);
+  auto names = lines_of(*files.front(), stem, *lines, warnings);
   if (!names) return refuse(names.error());
   const ocean::HorizontalGrid grid = grid_of_store(parts);
-  return TideSource{file, std::move(parts), std::move(*names), grid};
+  return TideSource{files, std::move(parts), std::move(*names), grid};
 }
 
 /// Reads every field once. Returns how many nodes have a value.

@@ -126,6 +126,17 @@ bool needs_tide_depths(const NetcdfFile& file) {
   return tides && std::ranges::any_of(*tides, &TideVariables::transport);
 }
 
+std::optional<TideQuantity> lone_tide_component(const NetcdfFile& file) {
+  const auto holds = [&](TideQuantity quantity) {
+    return std::ranges::any_of(known_pairs, [&](const KnownPair& pair) {
+      return pair.quantity == quantity && has_pair(file, pair);
+    });
+  };
+  const bool east = holds(TideQuantity::east);
+  if (east == holds(TideQuantity::north)) return std::nullopt;
+  return east ? TideQuantity::east : TideQuantity::north;
+}
+
 bool holds_tide_depths_alone(const NetcdfFile& file) { return has_depths(file) && !holds_tides(file); }
 
 Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file) {
@@ -152,11 +163,6 @@ Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file) {
       if (const auto phase = check_phase(*second); !phase) return refuse(phase.error());
     tides.push_back(found);
   }
-  if (has(TideQuantity::east) != has(TideQuantity::north))
-    return refuse(
-        "the file holds only the " + std::string{has(TideQuantity::east) ? "eastward" : "northward"} +
-        " component of the tidal current; both are needed; join the two files first, for example with "
-        "ncks -A v.nc u.nc");
   return tides;
 }
 

@@ -164,6 +164,39 @@ TEST_F(TideFile, OfTransportsTakesTheDepthsOfTheGridFileThatIsGivenWithAllConsti
   }
 }
 
+/// TPXO before the atlas has its nodes in tables of two dimensions, which are no model's grid for want of a current.
+TEST_F(TideFile, OfTransportsTakesTheDepthsWhereNodesAreInTables) {
+  for (const bool is_grid : {false, true}) {
+    NetcdfWriter writer{path(is_grid ? "grid_tpxo9.nc" : "u_k1_tpxo9.nc")};
+    writer.dimension("nx", 3);
+    writer.dimension("ny", 2);
+    for (const char* const nodes : {"u", "v"}) {
+      const double west = *nodes == 'u' ? 305.75 : 306.0;
+      const double south = *nodes == 'u' ? 69.0 : 68.75;
+      writer.variable(field("lon_" + std::string{nodes}, {"nx", "ny"},
+                            {west, west, west + 0.5, west + 0.5, west + 1.0, west + 1.0}, "degree_east"));
+      writer.variable(field("lat_" + std::string{nodes}, {"nx", "ny"},
+                            {south, south + 0.5, south, south + 0.5, south, south + 0.5}, "degree_north"));
+      for (const char* const part : {"Re", "Im"})
+        if (!is_grid)
+          writer.variable(
+              field(nodes + std::string{part}, {"nx", "ny"}, {20, 20, 20, 20, 20, 20}, "meter^2/s"));
+      if (is_grid)
+        writer.variable(
+            field("h" + std::string{nodes}, {"nx", "ny"}, {100, 100, 100, 100, 100, 100}, "meter"));
+    }
+  }
+
+  const IngestReport report = ingest_together({path("u_k1_tpxo9.nc"), path("grid_tpxo9.nc")});
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  for (const TideQuantity quantity : {TideQuantity::east, TideQuantity::north}) {
+    const auto value = constants(report, quantity, {-54.0, 69.0});
+    ASSERT_TRUE(value);
+    EXPECT_LT(std::abs(value->front().value - std::complex<double>{0.2, 0.2}), 1e-6);
+  }
+}
+
 TEST_F(TideFile, OfTransportsIsRefusedBesideTheGridFileOfAnotherModel) {
   write_tpxo_transport(path("u_k1_tpxo.nc"), false);
   write_tpxo_grid(path("grid_tpxo.nc"), 305.5);
@@ -177,6 +210,7 @@ TEST_F(TideFile, OfTransportsIsRefusedBesideTheGridFileOfAnotherModel) {
 /// As FES: amplitude and phase, latitude and longitude, one constituent a file.
 void write_fes(const std::filesystem::path& file, const std::vector<std::string>& names) {
   NetcdfWriter writer{file};
+  writer.attribute("title", file.stem().string());  // without it files of two constituents would be the same
   writer.axis("lat", {70.0, 69.0}, {{"units", "degrees_north"}});
   writer.axis("lon", {350.0, 351.0, 352.0}, {{"units", "degrees_east"}});
   for (std::size_t i = 0; i < names.size(); i += 2) {
@@ -206,6 +240,39 @@ TEST_F(TideFile, OfFesHoldsAmplitudesAndPhases) {
 TEST_F(TideFile, OfOneComponentOfTheCurrentIsRefused) {
   write_fes(path("m2.nc"), {"Ua", "Ug"});
   expect_refused(path("m2.nc"), "only the eastward component");
+}
+
+TEST_F(TideFile, OfOneComponentTakesTheOtherFromTheFileOfTheSameConstituent) {
+  for (const char* const folder : {"eastward_velocity", "northward_velocity"})
+    std::filesystem::create_directories(path(folder));
+  for (const char* const name : {"k1.nc", "m2.nc"}) {
+    write_fes(path("eastward_velocity") / name, {"Ua", "Ug"});
+    write_fes(path("northward_velocity") / name, {"Va", "Vg"});
+  }
+
+  const auto reports =
+      ingest_all_together({path("eastward_velocity") / "k1.nc", path("eastward_velocity") / "m2.nc",
+                           path("northward_velocity") / "k1.nc", path("northward_velocity") / "m2.nc"});
+
+  ASSERT_EQ(reports.size(), 2U);
+  for (const IngestReport& report : reports) {
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    for (const TideQuantity quantity : {TideQuantity::east, TideQuantity::north}) {
+      const auto lag_of_90 = constants(report, quantity, {-9.0, 70.0});
+      ASSERT_TRUE(lag_of_90);
+      EXPECT_LT(std::abs(lag_of_90->front().value - std::complex<double>{0.0, -0.6}), 1e-6);
+    }
+  }
+  EXPECT_THAT(reports[0].dataset->variables, ElementsAre("K1"));
+  EXPECT_THAT(reports[1].dataset->variables, ElementsAre("M2"));
+}
+
+TEST_F(TideFile, OfOneComponentIsRefusedBesideTheOtherOfAnotherConstituent) {
+  write_fes(path("k1.nc"), {"Ua", "Ug"});
+  write_fes(path("m2.nc"), {"Va", "Vg"});
+
+  for (const IngestReport& report : ingest_all_together({path("k1.nc"), path("m2.nc")}))
+    EXPECT_THAT(words(report), HasSubstr("the other component of the same constituent"));
 }
 
 TEST_F(TideFile, IsNoneWhereOnlyTheNamesAreAlike) {
