@@ -168,13 +168,37 @@ std::string text_in(const json& object, const char* key) {
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string{};
 }
 
+/// From which time phases count.
+enum class PhaseTime { unstated, greenwich, local };
+
+/// What a text in lower case says of it.
+PhaseTime phase_time_of(std::string_view text) {
+  PhaseTime stated = PhaseTime::unstated;
+  for (const std::string& line : split(text, "\r\n")) {
+    const bool of_time = contains_any(line, {"time", "phase", "g_deg"});
+    for (const std::string& word : split(line, " \t,;:()[]\"#_=/"))
+      if ((word == "local" && of_time) || word == "lst" || word == "lmt") return PhaseTime::local;
+    const std::size_t at = std::min(line.find("time zone"), line.find("timezone"));
+    if (at != std::string::npos) {
+      const auto zone = split(line.substr(line.find("zone", at) + 4), " \t,;:\"=");
+      const bool at_greenwich = zone.empty() || zone[0] == "utc" || zone[0] == "gmt" || zone[0] == "z" ||
+                                parse_number(zone[0]) == 0.0;
+      if (!at_greenwich) return PhaseTime::local;
+      if (!zone.empty()) stated = PhaseTime::greenwich;
+    }
+    if (contains_any(line, {"gmt", "utc", "greenwich"})) stated = PhaseTime::greenwich;
+  }
+  return stated;
+}
+
 /// Positions of the columns of a table.
 struct TableColumns {
   std::size_t name{};
   std::size_t amplitude{};
   std::size_t phase{};
   std::optional<std::size_t> speed;
-  std::string unit;  // "m", out of "A_m"; empty: not stated
+  std::string unit;        // "m", out of "A_m"; empty: not stated
+  std::string phase_name;  // lower case
   char separator{','};
 };
 
@@ -195,9 +219,13 @@ std::optional<TableColumns> table_columns(const std::string& line) {
         if (mark != std::string::npos)
           columns.unit = trimmed(field.substr(mark + 1, field.find(')') - mark - 1));
       }
-      if (field.starts_with("phase") || field.starts_with("g_deg")) phase = i;
+      const bool of_phase = field.starts_with("phase") || field.starts_with("g_deg");
+      // Of phases in two times those that count from Greenwich are used.
+      if (of_phase && (!phase || phase_time_of(columns.phase_name) != PhaseTime::greenwich)) {
+        phase = i;
+        columns.phase_name = field;
+      }
       if (field == "speed") columns.speed = i;
-      if (field.find("local") != std::string::npos) return std::nullopt;
     }
     if (!name || !amplitude || !phase) continue;
     columns.name = *name;
@@ -273,9 +301,17 @@ Checked<PreparedDataset> read_tide_table(const std::filesystem::path& file, cons
   const auto text = text_of(file);
   if (!text) return refuse(text.error());
   std::size_t rest = 0;
-  const auto columns = table_columns(header_of(*text, rest));
+  const std::string header_line = header_of(*text, rest);
+  const auto columns = table_columns(header_line);
   if (!columns)
     return refuse("the table has no columns of names, amplitudes and phases; check its first line");
+  const std::size_t header = text->rfind(header_line, rest);
+  const PhaseTime phase_time = phase_time_of(lower(text->substr(0, header)) + "\n" + columns->phase_name);
+  if (phase_time == PhaseTime::local)
+    return refuse(
+        "the phases of the table count from local time; its tides would come hours early or late; make them "
+        "degrees behind Greenwich first: add the speed of each constituent times the hours by which the zone "
+        "lies west of Greenwich");
   const auto metres = unit_of(metres_of(columns->unit) ? columns->unit : "", options);
   if (!metres) return refuse(metres.error());
   const auto place = place_of(std::nullopt, std::nullopt, options);
@@ -300,8 +336,9 @@ Checked<PreparedDataset> read_tide_table(const std::filesystem::path& file, cons
   }
   std::vector<std::string> warnings;
   rows.warn(warnings);
-  warnings.push_back(
-      "the phases are taken as degrees behind Greenwich, because the file does not say otherwise");
+  if (phase_time == PhaseTime::unstated)
+    warnings.emplace_back(
+        "the phases are taken as degrees behind Greenwich, because the file does not say otherwise");
   return prepared({{"", *place, ocean::TideQuantity::elevation, std::move(rows).constants()}},
                   std::move(warnings));
 }

@@ -457,5 +457,34 @@ TEST_F(TideStations, OfTheRealSamplesAreReadWhole) {
   expect_refused(sample_folder() / "tides/roms_tidal_forcing_v3.zarr", "forcing of a ROMS model");
 }
 
+const std::string m2_row = "M2,1.0,120,28.9841042\n";
+
+TEST_F(TideStations, WhosePhasesCountFromLocalTimeIsRefused) {
+  const IngestOptions at_nuuk{.at = geo::LonLat{-51.7, 64.2}, .unit = "m"};
+  for (const char* const head :
+       {"name,amplitude_m,phase local (deg),speed\n", "name,amplitude_m,phase (LST),speed\n",
+        "# Local standard time\nname,amplitude_m,phase,speed\n",
+        "# time zone: UTC-3\nname,amplitude_m,phase,speed\n",
+        "# Timezone=-5\nname,amplitude_m,phase,speed\n"})
+    expect_refused(write_file("station.csv", head + m2_row), "count from local time", at_nuuk);
+}
+
+TEST_F(TideStations, AreNotDoubtedWhereTheyNameGreenwich) {
+  const IngestOptions at_nuuk{.at = geo::LonLat{-51.7, 64.2}, .unit = "m"};
+  for (const std::string& table :
+       std::vector<std::string>{"name,amplitude_m,phase_GMT,speed\n" + m2_row,
+                                "# time zone: UTC\nname,amplitude_m,phase,speed\n" + m2_row,
+                                "# local datum\n# time zone: "
+                                "0\nname,amplitude_m,phase_UTC,speed,phase_local\nM2,1.0,120,28.9841042,30\n",
+                                "name,amplitude_m,phase_local,phase_GMT\nM2,1.0,30,120\n"}) {
+    const IngestReport report = ingest(write_file("station.csv", table), at_nuuk);
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << table << words(report);
+    EXPECT_THAT(words(report), testing::Not(HasSubstr("Greenwich"))) << table;
+    const std::complex<double> value = stations(report).at(0).constants.at(0).value;
+    EXPECT_LT(std::abs(value - std::polar(1.0, -120.0 * 3.14159265358979323846 / 180.0)), 1e-9) << table;
+  }
+}
+
 }  // namespace
 }  // namespace floeplan::ingest
