@@ -13,13 +13,15 @@ using Ring = std::vector<LonLat>;
 
 /// Area inside `outer` and outside every hole. Edges are straight in longitude and latitude, as charts draw
 /// them.
-/// Edges    a ring may cross the antimeridian (its longitudes jump there); it may not contain a pole
+/// Edges    a ring may cross the antimeridian (its longitudes jump there); it may not lead round a pole. An area round
+///          a pole is cut along a meridian, down to the pole, round it and back
 struct Polygon {
   Ring outer;
   std::vector<Ring> holes;
 };
 
 [[nodiscard]] bool contains(const Polygon& polygon, LonLat place);
+/// The smallest box round the outline with all its edges; the whole circle where they lead all the way round.
 [[nodiscard]] BoundingBox bounding_box(const Polygon& polygon);
 
 }  // namespace floeplan::geo

@@ -172,7 +172,7 @@ void add_coastline(EnvironmentDraft& draft) {
 void warn_of_icebergs_on_land(EnvironmentDraft& draft) {
   std::vector<bool> on_land(draft.environment.icebergs.size(), false);
   for (const geo::Polygon& polygon : draft.environment.land) {
-    const geo::BoundingBox bounds = geo::bounding_box(polygon.outer);
+    const geo::BoundingBox bounds = geo::bounding_box(polygon);
     for (std::size_t i = 0; i < on_land.size(); ++i) {
       const geo::LonLat place = draft.environment.icebergs[i].place;
       on_land[i] = on_land[i] || (geo::contains(bounds, place) && geo::contains(polygon, place));

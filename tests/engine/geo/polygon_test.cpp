@@ -34,6 +34,24 @@ TEST(Polygon, CrossesTheAntimeridian) {
   EXPECT_EQ(bounding_box(island), (BoundingBox{178.0, 70.0, -177.0, 72.0}));
 }
 
+/// Between corners as far apart as those of a band there is no gap.
+TEST(Polygon, ThatLeadsAllTheWayRoundHasABoxThatDoes) {
+  Polygon band;
+  for (int lon_deg = -180; lon_deg <= 180; lon_deg += 60) band.outer.push_back({1.0 * lon_deg, 60.0});
+  for (int lon_deg = 180; lon_deg >= -180; lon_deg -= 60) band.outer.push_back({1.0 * lon_deg, 80.0});
+
+  EXPECT_EQ(bounding_box(band), (BoundingBox{-180.0, 60.0, 180.0, 80.0}));
+  EXPECT_TRUE(contains(band, {150.0, 70.0}));
+}
+
+TEST(Polygon, ThatIsWideHasABoxAcrossItsWidestEdge) {
+  const Polygon wide{
+      .outer = {{-100.0, 60.0}, {20.0, 60.0}, {100.0, 60.0}, {100.0, 80.0}, {20.0, 80.0}, {-100.0, 80.0}},
+      .holes = {}};
+
+  EXPECT_EQ(bounding_box(wide), (BoundingBox{-100.0, 60.0, 100.0, 80.0}));
+}
+
 TEST(Polygon, IsNotMisreadOnTheMeridianOfACorner) {
   for (int step = 0; step <= 1000; ++step) {
     const double lon_deg = -54.0 + step * 0.004;
