@@ -3,6 +3,10 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "engine/geo/polygon.hpp"
 #include "storage/ingest/feature_kind.hpp"
 #include "storage/ingest/polygon_shapes.hpp"
@@ -16,6 +20,17 @@ struct Gathering {
   bool shelves{false};
   bool others{false};
 };
+
+/// Land round a pole in longitude and latitude is Antarctica, or ice round the north pole: its inside holds the pole.
+/// Returns what is not clear of the outline; empty: nothing
+std::string close_over_pole(geo::Polygon& polygon) {
+  constexpr double polar_lat_deg = 60.0;
+  const bool polar = std::ranges::all_of(
+      polygon.outer, [](geo::LonLat corner) { return std::abs(corner.lat_deg) >= polar_lat_deg; });
+  if (polar)
+    if (auto closed = closed_over_pole(polygon.outer)) polygon.outer = std::move(*closed);
+  return doubt_in_turns(polygon);
+}
 
 Checked<void> gather(Gathering& all, OGRLayer& layer, const IngestOptions& options) {
   const auto crs = crs_of(layer, options.crs);
@@ -31,7 +46,12 @@ Checked<void> gather(Gathering& all, OGRLayer& layer, const IngestOptions& optio
       return refuse("feature " + std::to_string(number_of_feature) +
                     " cannot be used as land: " + polygons.error() +
                     "; land must not go missing, so nothing was stored; correct the file and try again");
-    all.land.insert(all.land.end(), polygons->begin(), polygons->end());
+    for (geo::Polygon& polygon : *polygons) {
+      if (const std::string doubt = close_over_pole(polygon); !doubt.empty())
+        return refuse("feature " + std::to_string(number_of_feature) + " cannot be used as land: it " +
+                      doubt + "; nothing was stored, because land must not go missing");
+      all.land.push_back(std::move(polygon));
+    }
     (meaning_of(*feature) == PolygonMeaning::ice_shelf ? all.shelves : all.others) = true;
   }
   return {};
@@ -55,6 +75,8 @@ Checked<PreparedDataset> read_coastline(GDALDataset& dataset, const IngestOption
   if (all.shelves) data.variables.emplace_back(repository::ice_shelves_alone);
   if (all.shelves) data.warnings.emplace_back("ice shelves are stored as land: nothing passes below them");
   data.bounds = geo::bounding_box(corners);
+  for (const geo::Polygon& polygon : all.land)
+    data.bounds = geo::united(data.bounds, geo::bounding_box(polygon));
   data.rows_accepted = static_cast<std::int64_t>(all.land.size());
   data.write = [land = std::move(all.land)](
                    sqlite::Connection& db,

@@ -4,7 +4,9 @@
 #include <ogr_spatialref.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/geo/geodesic.hpp"
 #include "storage/ingest/text.hpp"
@@ -14,10 +16,42 @@ namespace {
 
 constexpr double most_deviation_m = 10.0;  // far below the margins that anybody draws an area with
 constexpr int most_divisions = 12;         // of an edge: 4096 parts
+constexpr double widest_edge_deg = 90.0;
+constexpr double pole_step_deg = 60.0;  // between corners at a pole, which has all longitudes
 
 geo::LonLat middle(geo::LonLat a, geo::LonLat b) {
   return {geo::wrap_longitude(a.lon_deg + 0.5 * geo::longitude_difference(a.lon_deg, b.lon_deg)),
           0.5 * (a.lat_deg + b.lat_deg)};
+}
+
+bool is_pole(double lat_deg) { return std::abs(lat_deg) == 90.0; }
+
+/// How far round the Earth a ring leads: 0, or a turn east or west round a pole.
+double turn_of(const geo::Ring& ring) {
+  double turn_deg = 0.0;
+  for (std::size_t i = 0; i < ring.size(); ++i)
+    turn_deg += geo::longitude_difference(ring[i].lon_deg, ring[(i + 1) % ring.size()].lon_deg);
+  return 360.0 * std::round(turn_deg / 360.0);
+}
+
+/// Corners on the way from one longitude to another, without its ends.
+void add_way(geo::Ring& ring, geo::LonLat from, geo::LonLat to) {
+  const double steps = std::ceil(std::abs(to.lon_deg - from.lon_deg) / pole_step_deg - 1e-9);
+  for (double i = 1.0; i < steps; ++i)
+    ring.push_back({from.lon_deg + (to.lon_deg - from.lon_deg) * i / steps,
+                    from.lat_deg + (to.lat_deg - from.lat_deg) * i / steps});
+}
+
+/// Whether all corners lie on one meridian, counted from -180 and from 180 or from 0 and from 360: the ring encloses
+/// nothing unless its edges lead round the Earth.
+bool spans_the_globe(const OGRLinearRing& line) {
+  bool leads_round = false;
+  for (int i = 0; i < line.getNumPoints(); ++i) {
+    const double apart_deg = std::abs(line.getX(i) - line.getX(0));
+    if (apart_deg != 0.0 && apart_deg != 360.0) return false;
+    leads_round = leads_round || apart_deg == 360.0;
+  }
+  return leads_round;
 }
 
 }  // namespace
@@ -75,6 +109,7 @@ Checked<bool> PolygonShapes::divide(double x0, double y0, geo::LonLat from, doub
 
 Checked<geo::Ring> PolygonShapes::ring(const OGRLinearRing& line) const {
   geo::Ring ring;
+  const bool global = straight_ && spans_the_globe(line);
   for (int i = 0; i < line.getNumPoints(); ++i) {
     const auto corner = place(line.getX(i), line.getY(i));
     if (!corner) return refuse(corner.error());
@@ -84,10 +119,15 @@ Checked<geo::Ring> PolygonShapes::ring(const OGRLinearRing& line) const {
                                   *corner, most_divisions, ring);
       if (!divided) return refuse(divided.error());
     }
+    // The short way between the ends of such an edge is none at all.
+    if (!ring.empty() && straight_ &&
+        (global || (is_pole(ring.back().lat_deg) && ring.back().lat_deg == corner->lat_deg)))
+      add_way(ring, ring.back(), *corner);
     ring.push_back(*corner);
   }
   if (ring.size() > 1 && ring.front() == ring.back()) ring.pop_back();
   if (ring.size() < 3) return refuse("a ring has fewer than three corners");
+  if (!straight_) return closed_over_pole(std::move(ring));
   return ring;
 }
 
@@ -127,6 +167,57 @@ Checked<std::vector<geo::Polygon>> PolygonShapes::polygons(const OGRGeometry* ge
     return refuse(std::string{"it is no polygon but a "} + OGRGeometryTypeToName(type));
   }
   return result;
+}
+
+Checked<geo::Ring> closed_over_pole(geo::Ring ring) {
+  const double turn_deg = turn_of(ring);
+  if (turn_deg == 0.0) return ring;
+  const bool north = ring.front().lat_deg > 0.0;
+  for (const geo::LonLat corner : ring)
+    if (corner.lat_deg == 0.0 || (corner.lat_deg > 0.0) != north)
+      return refuse(
+          "an outline leads round the Earth on both sides of the equator; which side is inside is unknown");
+
+  const double pole_deg = north ? 90.0 : -90.0;
+  const double end_deg = std::copysign(180.0, turn_deg);
+  geo::Ring result;
+  bool cut = false;
+  for (std::size_t i = 0; i < ring.size(); ++i) {
+    const geo::LonLat from = ring[i];
+    const geo::LonLat to = ring[(i + 1) % ring.size()];
+    result.push_back(from);
+    const double lon_deg = geo::wrap_longitude(from.lon_deg);
+    const double step_deg = geo::longitude_difference(from.lon_deg, to.lon_deg);
+    const bool crosses = end_deg > 0.0 ? lon_deg + step_deg >= end_deg && step_deg > 0.0
+                                       : lon_deg + step_deg < end_deg && step_deg < 0.0;
+    if (cut || !crosses) continue;
+    cut = true;
+    const double lat_deg = from.lat_deg + (to.lat_deg - from.lat_deg) * (end_deg - lon_deg) / step_deg;
+    result.push_back({end_deg, lat_deg});
+    result.push_back({end_deg, pole_deg});
+    add_way(result, {end_deg, pole_deg}, {-end_deg, pole_deg});
+    result.push_back({-end_deg, pole_deg});
+    result.push_back({-end_deg, lat_deg});
+  }
+  return result;
+}
+
+std::string doubt_in_turns(const geo::Polygon& polygon) {
+  std::vector<const geo::Ring*> rings{&polygon.outer};
+  for (const geo::Ring& hole : polygon.holes) rings.push_back(&hole);
+  for (const geo::Ring* const ring : rings) {
+    if (turn_of(*ring) != 0.0)
+      return "leads round a pole, which outlines in longitude and latitude cannot; divide it along meridians";
+    double widest_deg = 0.0;
+    for (std::size_t i = 0; i < ring->size(); ++i)
+      widest_deg = std::max(widest_deg, std::abs(geo::longitude_difference(
+                                            (*ring)[i].lon_deg, (*ring)[(i + 1) % ring->size()].lon_deg)));
+    if (widest_deg >= widest_edge_deg)
+      return "has an edge of " + number(widest_deg, 4) +
+             " degrees of longitude, which could lead round the Earth either way; put corners between its "
+             "ends";
+  }
+  return "";
 }
 
 Checked<OGRSpatialReference> crs_of(OGRLayer& layer, const std::optional<std::string>& stated) {

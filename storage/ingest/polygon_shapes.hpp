@@ -20,7 +20,8 @@ namespace floeplan::ingest {
 
 /// Polygons of a file as places on WGS84.
 /// Edges    straight where the file has them straight: those of a projection are divided until they keep within
-///          10 m of it between corners that are straight in longitude and latitude
+///          10 m of it between corners that are straight in longitude and latitude; on a projection an outline round a
+///          pole is cut open along the antimeridian
 class PolygonShapes {
  public:
   /// Of coordinates that are longitude and latitude on WGS84 already.
@@ -47,6 +48,14 @@ class PolygonShapes {
   std::unique_ptr<OGRCoordinateTransformation, Release> to_wgs84_;  // null: they are on it
   bool straight_{true};  // edges are straight in longitude and latitude
 };
+
+/// A ring that leads round a pole, cut open along the antimeridian and closed round that pole; else as it is.
+/// Errors   a ring round the Earth on both sides of the equator: which side is its inside is not known
+[[nodiscard]] Checked<geo::Ring> closed_over_pole(geo::Ring ring);
+
+/// Why an outline in longitude and latitude is not clear: it leads round a pole, or it has edges so long that they could
+/// lead round the Earth either way; empty when it is clear.
+[[nodiscard]] std::string doubt_in_turns(const geo::Polygon& polygon);
 
 /// The reference system of a layer, or the one stated for layers without one, longitudes and eastings first.
 /// Errors   none of both; one that is not known

@@ -16,13 +16,9 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double widest_edge_deg = 90.0;
-
-/// A ring with longitudes that do not jump, as GEOS wants it, and how far round the Earth it leads.
+/// A ring with longitudes that do not jump, as GEOS wants it.
 struct Unrolled {
   OGRLinearRing ring;
-  double round_deg{};
-  double widest_edge_deg{};
   bool jumps{};
 };
 
@@ -33,10 +29,7 @@ Unrolled unrolled(const geo::Ring& ring) {
     const geo::LonLat corner = ring[i % ring.size()];
     if (i > 0) {
       const geo::LonLat last = ring[i - 1];
-      const double edge_deg = geo::longitude_difference(last.lon_deg, corner.lon_deg);
-      lon_deg += edge_deg;
-      result.round_deg += edge_deg;
-      result.widest_edge_deg = std::max(result.widest_edge_deg, std::abs(edge_deg));
+      lon_deg += geo::longitude_difference(last.lon_deg, corner.lon_deg);
       if (std::abs(corner.lon_deg - last.lon_deg) > 180.0) result.jumps = true;
     }
     result.ring.addPoint(lon_deg, corner.lat_deg);
@@ -46,17 +39,12 @@ Unrolled unrolled(const geo::Ring& ring) {
 
 /// What is wrong with the outline of a zone; empty: nothing.
 std::string fault_of(const geo::Polygon& polygon) {
+  if (std::string doubt = doubt_in_turns(polygon); !doubt.empty()) return doubt;
   std::vector<const geo::Ring*> rings{&polygon.outer};
   for (const geo::Ring& hole : polygon.holes) rings.push_back(&hole);
   OGRPolygon shape;
   for (const geo::Ring* const ring : rings) {
     Unrolled line = unrolled(*ring);
-    if (std::abs(line.round_deg) > 180.0)
-      return "leads round a pole, which outlines in longitude and latitude cannot; divide it along meridians";
-    if (line.widest_edge_deg >= widest_edge_deg)
-      return "has an edge of " + number(line.widest_edge_deg, 4) +
-             " degrees of longitude, which could lead round the Earth either way; put corners between its "
-             "ends";
     const double shift_deg =
         shape.IsEmpty() != 0
             ? 0.0
@@ -171,6 +159,8 @@ Checked<PreparedDataset> read_zones(GDALDataset& dataset, const IngestOptions& o
     if (std::ranges::find(all.zones, kind, &ocean::Zone::kind) != all.zones.end())
       data.variables.push_back(ocean::zone_kind_name(kind));
   data.bounds = geo::bounding_box(corners);
+  for (const ocean::Zone& zone : all.zones)
+    data.bounds = geo::united(data.bounds, geo::bounding_box(zone.area));
   set_period(data, all.zones);
   data.rows_accepted = static_cast<std::int64_t>(all.zones.size());
   data.warnings = std::move(all.warnings);

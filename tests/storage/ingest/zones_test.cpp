@@ -3,12 +3,14 @@
 #include <gtest/gtest.h>
 #include <ogrsf_frmts.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <fstream>
 
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/gdal_guard.hpp"
+#include "storage/repository/coastline_repository.hpp"
 #include "storage/repository/zone_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 #include "tests/support/property.hpp"
@@ -242,6 +244,91 @@ TEST_F(Zones, MayCrossTheAntimeridian) {
   EXPECT_FALSE(geo::contains(zones.front().area, {0.0, 60.5}));
   EXPECT_THAT(repository::ZoneRepository{db_}.at(report.dataset->id, {-179.5, 60.5}), SizeIs(1));
   EXPECT_THAT(repository::ZoneRepository{db_}.at(report.dataset->id, {178.5, 60.5}), SizeIs(0));
+}
+
+/// Between the corners of such a zone there is no gap, however far apart they are.
+TEST_F(Zones, MayLeadAllTheWayRound) {
+  const Feature of_corners{"POLYGON ((-180 60,180 60,180 80,-180 80,-180 60))", {{"kind", "no_go"}}};
+  const Feature of_pieces{
+      "POLYGON ((0 60,60 60,120 60,180 60,240 60,300 60,360 60,360 80,300 80,240 80,180 80,120 80,60 80,0 "
+      "80,0 "
+      "60))",
+      {{"kind", "no_go"}}};
+  const Feature cap{"POLYGON ((-180 60,-120 60,-60 60,0 60,60 60,120 60,180 60,180 90,-180 90,-180 60))",
+                    {{"kind", "no_go"}}};
+  for (const Feature& band : {of_corners, of_pieces, cap}) {
+    const auto report = ingest(write(formats[2], {band}));
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    EXPECT_EQ(geo::width_deg(report.dataset->bounds), 360.0);
+    const repository::ZoneRepository zones{db_};
+    for (double lon = -179.0; lon < 180.0; lon += 17.0) {
+      EXPECT_THAT(zones.at(report.dataset->id, {lon, 70.0}), SizeIs(1)) << lon;
+      EXPECT_THAT(zones.at(report.dataset->id, {lon, 59.0}), SizeIs(0)) << lon;
+    }
+    std::filesystem::remove(path(formats[2].file));
+  }
+}
+
+/// On the polar stereographic plane, whose outlines have no seam. EPSG:3413 has 86.4 N at 395 km from the pole.
+TEST_F(Zones, MayHoldAPoleOnAProjection) {
+  const Feature round_the_pole{
+      "POLYGON ((-400000 -400000,400000 -400000,400000 400000,-400000 400000,-400000 -400000))",
+      {{"kind", "no_go"}}};
+  const auto report = ingest(write(formats[2], {round_the_pole}, 3413));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  const repository::ZoneRepository zones{db_};
+  for (double lon = -179.5; lon < 180.0; lon += 23.0) {
+    EXPECT_THAT(zones.at(report.dataset->id, {lon, 86.5}), SizeIs(1)) << lon;
+    EXPECT_THAT(zones.at(report.dataset->id, {lon, 89.9}), SizeIs(1)) << lon;
+    EXPECT_THAT(zones.at(report.dataset->id, {lon, 84.5}), SizeIs(0)) << lon;
+  }
+}
+
+class Coastlines : public Zones {
+ protected:
+  [[nodiscard]] bool is_land(const IngestReport& report, geo::LonLat place) {
+    const auto land = repository::CoastlineRepository{db_}.load(
+        report.dataset->id, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg});
+    return geo::contains(report.dataset->bounds, place) &&
+           std::ranges::any_of(land,
+                               [&](const geo::Polygon& polygon) { return geo::contains(polygon, place); });
+  }
+};
+
+/// As the Antarctic Digital Database has it (EPSG:3031), with the seam that files in longitude and latitude have, and
+/// without.
+TEST_F(Coastlines, HoldAntarcticaDownToThePole) {
+  const Feature on_a_plane{
+      "POLYGON ((-1500000 -1500000,1500000 -1500000,1500000 1500000,-1500000 1500000,-1500000 -1500000))",
+      {{"kind", "land"}}};
+  std::string seam = "-180 -90,-180 -72";
+  std::string round;
+  for (int lon = -179; lon < 180; lon += 2) {
+    seam += "," + std::to_string(lon) + " -72";
+    round += (round.empty() ? "" : ",") + std::to_string(lon) + " -72";
+  }
+  const Feature with_seam{"POLYGON ((" + seam + ",180 -72,180 -90,-180 -90))", {{"kind", "land"}}};
+  const Feature without_seam{"POLYGON ((" + round + ",-179 -72))", {{"kind", "land"}}};
+  for (const auto& [land, epsg] :
+       {std::pair{on_a_plane, 3031}, std::pair{with_seam, 4326}, std::pair{without_seam, 4326}}) {
+    const auto report = ingest(write(formats[2], {land}, epsg));
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    for (double lon = -179.9; lon < 180.0; lon += 13.0) {
+      EXPECT_TRUE(is_land(report, {lon, -76.5})) << lon;
+      EXPECT_TRUE(is_land(report, {lon, -89.0})) << lon;
+      EXPECT_FALSE(is_land(report, {lon, -69.0})) << lon;
+    }
+    std::filesystem::remove(path(formats[2].file));
+  }
+}
+
+TEST_F(Coastlines, WhoseEdgesCouldLeadEitherWayRoundAreRefused) {
+  expect_refused(
+      write(formats[0], {{"POLYGON ((-100 50,100 50,100 60,-100 60,-100 50))", {{"kind", "land"}}}}),
+      "either way");
 }
 
 TEST_F(Zones, WhoseOutlineIsNotClearAreRefused) {
