@@ -1,6 +1,7 @@
 #include "api/codec/ingest_inputs.hpp"
 
 #include <algorithm>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "api/codec/input_reader.hpp"
@@ -50,6 +51,7 @@ std::optional<std::string> choice(InputReader& reader, const std::string& key,
 tl::expected<IngestInputs, core::Violations> parse_ingest_inputs(const json& document) {
   InputReader reader{document};
   IngestInputs inputs;
+  constexpr double largest = std::numeric_limits<double>::max();
   inputs.uploads = read_uploads(reader);
   inputs.name = reader.text("name");
   const auto kind = choice(reader, "kind",
@@ -59,6 +61,7 @@ tl::expected<IngestInputs, core::Violations> parse_ingest_inputs(const json& doc
   inputs.crs = reader.text("crs");
   inputs.positive = choice(reader, "positive", {"up", "down"});
   inputs.variable = reader.text("variable");
+  inputs.missing = reader.number("missing", {-largest, largest});
   inputs.time = reader.time("time");
   inputs.at = reader.place("at");
   inputs.unit = choice(reader, "unit", {"m", "cm", "mm", "ft"});
@@ -75,6 +78,7 @@ json to_json(const IngestInputs& inputs) {
   if (inputs.crs) document["crs"] = *inputs.crs;
   if (inputs.positive) document["positive"] = *inputs.positive;
   if (inputs.variable) document["variable"] = *inputs.variable;
+  if (inputs.missing) document["missing"] = *inputs.missing;
   if (inputs.time) document["time"] = core::iso8601(*inputs.time);
   if (inputs.at) document["at"] = {inputs.at->lon_deg, inputs.at->lat_deg};
   if (inputs.unit) document["unit"] = *inputs.unit;

@@ -20,6 +20,7 @@ struct IngestInputs {
   std::optional<std::string> crs;               // "EPSG:4326"
   std::optional<std::string> positive;          // "up" or "down"
   std::optional<std::string> variable;
+  std::optional<double> missing;      // marks missing values beside what the files declare
   std::optional<core::UtcTime> time;  // for which an ice chart holds that does not say it
   std::optional<geo::LonLat> at;
   std::optional<std::string> unit;       // "m", "cm", "mm" or "ft"

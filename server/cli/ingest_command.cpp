@@ -19,6 +19,7 @@ struct Flags {
   std::optional<std::string> crs;
   std::optional<std::string> positive;
   std::optional<std::string> variable;
+  std::optional<double> missing;
   std::optional<std::string> time;
   std::optional<std::string> at;
   std::optional<std::string> unit;
@@ -42,6 +43,7 @@ void print(const ingest::IngestReport& report) {
 int run(const Flags& flags, const Program& program) {
   ingest::IngestOptions options{
       .name = flags.name, .crs = flags.crs, .positive = flags.positive, .variable = flags.variable};
+  options.missing = flags.missing;
   options.unit = flags.unit;
   options.zone_kind = flags.zone_kind;
   if (flags.time) {
@@ -98,6 +100,8 @@ void add_ingest(CLI::App& app, Program& program) {
       ->check(CLI::IsMember({"up", "down"}));
   command->add_option("--variable", flags->variable,
                       "Concentration of sea ice to use when a file holds several; default: the greatest");
+  command->add_option("--missing", flags->missing,
+                      "Number that marks missing values in NetCDF that does not declare it, as -99.99");
   command->add_option("--time", flags->time, "For when sea ice holds whose file does not say it");
   command->add_option("--at", flags->at,
                       "Where a station of the tide is whose file does not say it, LON,LAT");

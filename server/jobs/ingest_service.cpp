@@ -22,6 +22,7 @@ ingest::IngestOptions options_of(const codec::IngestInputs& inputs) {
   options.unit = inputs.unit;
   options.zone_kind = inputs.zone_kind;
   options.variable = inputs.variable;
+  options.missing = inputs.missing;
   options.time = inputs.time;
   return options;
 }

@@ -145,7 +145,8 @@ std::optional<std::string> fault_of_depths(const RawBathymetry& raw, VerticalSen
     return "\"" + raw.description.name + "\" has " + what + " at longitude " + number(at.lon_deg) +
            ", latitude " + number(at.lat_deg) +
            "; there is none on Earth; the unit is wrong, or a marker for missing values is not " +
-           "declared; ask the producer";
+           "declared; ask the producer, or name the marker of a NetCDF file with --missing, for example "
+           "--missing -9999";
   }
   return std::nullopt;
 }

@@ -44,6 +44,8 @@ SpeedCount count_speeds(const VelocitySlice& slice, double most_m_s) {
 /// Why a slice is refused in which a speed is beyond `most_m_s`.
 std::string too_fast(const VelocitySource& source, Moving what, bool states_unit, const VelocitySlice& slice,
                      double most_m_s) {
+  const std::string way_out =
+      "; ask the producer, or name the number that marks them with --missing, for example --missing -99.99";
   std::size_t point = 0;
   while (!(squared_speed(slice, point) > most_m_s * most_m_s)) ++point;
   const double speed = std::sqrt(squared_speed(slice, point));
@@ -52,16 +54,18 @@ std::string too_fast(const VelocitySource& source, Moving what, bool states_unit
   if (what == Moving::air)
     return "the wind reaches " + number(speed, 4) + (states_unit ? " m/s at " : " at ") + where +
            "; no wind is that strong; " +
-           (states_unit ? "the unit is wrong or the file marks missing values without declaring them"
-                        : "the file states no unit, and it is probably not m/s") +
-           "; ask the producer";
+           (states_unit ? "the unit is wrong or the file marks missing values without declaring "
+                          "them" +
+                              way_out
+                        : "the file states no unit, and it is probably not m/s; ask the producer");
   if (!states_unit)
     return "the current reaches " + number(speed, 4) + " at " + where +
            " and the file states no unit; in m/s no ocean is that fast, so the unit is probably cm/s; ask "
            "the producer, or add the units attribute";
   return "the current reaches " + number(speed, 4) + " m/s at " + where +
          "; no ocean is that fast; the unit is wrong or the file marks missing values without declaring "
-         "them; ask the producer";
+         "them" +
+         way_out;
 }
 
 }  // namespace

@@ -61,10 +61,12 @@ Checked<IceUnit> settled_unit_of_concentration(const NetcdfVariable& variable, I
   const double greatest = found.extent.greatest;
   if (stated.factor > 0.0) {
     if (!stated.possible.contains(found.extent.least) || !stated.possible.contains(greatest))
-      return refuse(name + " states the unit \"" + variable.attribute("units") + "\" but runs from " +
-                    extent_text(found) +
-                    "; either the unit is wrong or markers for land and missing values are not declared; ask "
-                    "the producer, or correct the attributes (units, _FillValue, valid_range)");
+      return refuse(
+          name + " states the unit \"" + variable.attribute("units") + "\" but runs from " +
+          extent_text(found) +
+          "; either the unit is wrong or markers for land and missing values are not declared; ask "
+          "the producer, correct the attributes (units, _FillValue, valid_range), or name the marker with "
+          "--missing");
     const bool looks_like_shares =
         stated.factor < 1.0 && greatest > 0.0 && greatest <= 1.0 && !found.whole_numbers;
     if (looks_like_shares)
@@ -108,7 +110,9 @@ Checked<bool> check_thickness(const NetcdfVariable& variable, const IceUnit& uni
     return true;
   return refuse("the thickness \"" + variable.name() + "\" runs from " + extent_text(found) + " " +
                 variable.attribute("units") +
-                "; no sea ice does; the unit is wrong or missing values are not declared; ask the producer");
+                "; no sea ice does; the unit is wrong or missing values are not declared; ask the producer, "
+                "or name what marks "
+                "them with --missing");
 }
 
 }  // namespace floeplan::ingest

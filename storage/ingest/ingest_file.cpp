@@ -210,10 +210,10 @@ void refuse_the_rest(std::vector<Candidate>& candidates, const FileGroup& files,
 }
 
 /// Opens the files that were given with the first one.
-Checked<NetcdfFiles> open_companions(const FileGroup& files) {
+Checked<NetcdfFiles> open_companions(const FileGroup& files, const IngestOptions& options) {
   NetcdfFiles companions;
   for (std::size_t i = 1; i < files.size(); ++i) {
-    auto file = NetcdfFile::open(files[i]);
+    auto file = NetcdfFile::open(files[i], options.missing);
     if (!file) return refuse(file.error());
     companions.push_back(std::make_shared<const NetcdfFile>(std::move(*file)));
   }
@@ -244,12 +244,13 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
                                        const IngestOptions& options, core::UtcTime now,
                                        const core::ProgressCallback& progress) {
   const GdalMessages quiet;
-  auto recognised =
-      recognise(files.front(), {.kind = options.kind, .zone_kind_stated = options.zone_kind.has_value()});
+  auto recognised = recognise(
+      files.front(),
+      {.kind = options.kind, .zone_kind_stated = options.zone_kind.has_value(), .missing = options.missing});
   if (!recognised) return {refused(files, options, recognised.error())};
   const bool tracks = recognised->kinds.front() == DatasetKind::glider_tracks;
   if (recognised->netcdf && !tracks) {  // the parts of others are found beside them, or read one by one
-    auto companions = open_companions(files);
+    auto companions = open_companions(files, options);
     if (!companions) return {refused(files, options, companions.error())};
     recognised->companions = std::move(*companions);
   }

@@ -25,6 +25,7 @@ struct IngestOptions {
   std::optional<std::string> unit{};       // "m" or "ft", of its amplitudes where the file does not say it
   std::optional<std::string> zone_kind{};  // "no_go" or "stay_in", for zones that do not say
   std::optional<std::string> variable{};   // of ice: the concentration to use when a file holds several
+  std::optional<double> missing{};         // what marks missing values in NetCDF that does not declare it
   std::optional<core::UtcTime> time{};     // for which sea ice holds that does not say it
   std::optional<std::string> archive{};    // name of the one that the files were unpacked from
 };

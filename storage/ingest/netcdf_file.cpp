@@ -12,6 +12,7 @@
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/hdf5_references.hpp"
 #include "storage/ingest/in_blocks.hpp"
+#include "storage/ingest/netcdf_axis.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/zarr3_view.hpp"
 #include "storage/ingest/zarr_store.hpp"
@@ -182,10 +183,15 @@ void NetcdfVariable::unpack(std::span<double> values) const {
       const double whole = some[i] * scale + offset;
       some[i] = std::abs(some[i]) <= largest ? whole : missing;
     }
+    for (const double mark : also_missing_) {
+      const double rounding = 1e-6 * std::abs(mark);  // of single precision, and of scaling
+      for (std::size_t i = 0; i < count; ++i)
+        some[i] = std::abs(some[i] - mark) <= rounding ? missing : some[i];
+    }
   });
 }
 
-Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
+Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file, std::optional<double> also_missing) {
   register_drivers();
   const GdalMessages messages;
   const bool is_zarr = std::filesystem::is_directory(file);
@@ -210,6 +216,11 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file) {
   const char* const scalars_too[] = {"SHOW_ZERO_DIM=YES", nullptr};
   for (const std::string& name : root->GetMDArrayNames(const_cast<char**>(scalars_too)))
     if (auto array = root->OpenMDArray(name)) result.variables_.emplace_back(name, std::move(array), is_zarr);
+  for (NetcdfVariable& variable : result.variables_) {
+    const AxisRole role = role_of(variable);
+    const bool position = role == AxisRole::longitude || role == AxisRole::latitude;
+    if (also_missing && variable.dimensions().size() >= 2 && !position) variable.also_missing(*also_missing);
+  }
   return result;
 }
 

@@ -53,6 +53,8 @@ class NetcdfVariable {
   [[nodiscard]] double unpacked(double packed) const;
   /// The same of many.
   void unpack(std::span<double> values) const;
+  /// Takes a value that the file does not declare, unpacked, for a mark of what is missing.
+  void also_missing(double value) { also_missing_.push_back(value); }
   [[nodiscard]] double scale() const { return scale_; }
   [[nodiscard]] double offset() const { return offset_; }
 
@@ -67,6 +69,7 @@ class NetcdfVariable {
   std::map<std::string, std::string> attributes_;
   std::map<std::string, std::vector<double>> numbers_;
   std::vector<double> fills_;
+  std::vector<double> also_missing_;  // unpacked
   double scale_{1.0};
   double offset_{0.0};
 };
@@ -76,8 +79,10 @@ class NetcdfVariable {
 /// Threads  one thread at a time
 class NetcdfFile {
  public:
-  /// Errors  GDAL's own words when it cannot open the file
-  [[nodiscard]] static Checked<NetcdfFile> open(const std::filesystem::path& file);
+  /// `also_missing`  a value that marks what is missing in fields, though not in axes and tables of positions
+  /// Errors          GDAL's own words when it cannot open the file
+  [[nodiscard]] static Checked<NetcdfFile> open(const std::filesystem::path& file,
+                                                std::optional<double> also_missing = std::nullopt);
 
   [[nodiscard]] const std::vector<NetcdfVariable>& variables() const { return variables_; }
   /// Names of the groups below the root, which are not looked into.

@@ -29,6 +29,7 @@ json to_json(const IngestOptions& options) {
           {"unit", optional_json(options.unit)},
           {"zone_kind", optional_json(options.zone_kind)},
           {"variable", optional_json(options.variable)},
+          {"missing", options.missing ? json(*options.missing) : json()},
           {"time_s", options.time ? json(core::unix_seconds(*options.time)) : json()},
           {"archive", optional_json(options.archive)}};
 }
@@ -42,6 +43,7 @@ IngestOptions options_of(const json& object) {
                         .variable = optional_text(object, "variable"),
                         .archive = optional_text(object, "archive")};
   if (const auto kind = optional_text(object, "kind")) options.kind = repository::parse_kind(*kind);
+  if (const json& missing = object.at("missing"); !missing.is_null()) options.missing = missing.get<double>();
   if (const json& time_s = object.at("time_s"); !time_s.is_null())
     options.time = core::from_unix_seconds(time_s.get<double>());
   if (const json& at = object.at("at"); !at.is_null())

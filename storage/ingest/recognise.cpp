@@ -89,7 +89,7 @@ Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
     case FileFormat::netcdf_classic:
     case FileFormat::netcdf4:
     case FileFormat::zarr: {
-      auto netcdf = NetcdfFile::open(file.path);
+      auto netcdf = NetcdfFile::open(file.path, expected.missing);
       if (!netcdf) return refuse(netcdf.error());
       file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
       if (is_glider_track(*file.netcdf)) {

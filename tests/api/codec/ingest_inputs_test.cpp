@@ -15,7 +15,8 @@ TEST(IngestInputs, ComeBackAsTheyWereWritten) {
                       {"kind", "tides"},       {"crs", "EPSG:3413"},
                       {"positive", "up"},      {"variable", "sic"},
                       {"at", {-53.2, 69.2}},   {"unit", "ft"},
-                      {"zone_kind", "no_go"},  {"time", "2026-11-20T18:00:00Z"}};
+                      {"zone_kind", "no_go"},  {"time", "2026-11-20T18:00:00Z"},
+                      {"missing", -99.99}};
   const auto inputs = parse_ingest_inputs(document);
   ASSERT_TRUE(inputs.has_value());
   EXPECT_EQ(inputs->kind, repository::DatasetKind::tides);

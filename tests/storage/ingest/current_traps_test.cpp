@@ -251,6 +251,39 @@ TEST_F(CurrentTraps, TheDatesOfAModelsCalendarAreKeptWithAWarning) {
   EXPECT_THAT(words(report_), HasSubstr("calendar"));
 }
 
+/// In the file's own unit, as a reader sees it who unpacks the numbers.
+TEST_F(CurrentTraps, AMarkOfMissingValuesThatTheUserNamesIsNoCurrent) {
+  for (const bool packed : {false, true}) {
+    CurrentFile file;
+    file.u_texts["units"] = file.v_texts["units"] = "cm s-1";
+    file.type = packed ? NetcdfWriter::Type::int16 : NetcdfWriter::Type::float32;
+    if (packed) file.numbers = {{"scale_factor", 0.01}};
+    file.value = [&](char, std::size_t, std::size_t, std::size_t, std::size_t x) {
+      return (x == 2 ? -99.99 : 25.0) * (packed ? 100.0 : 1.0);
+    };
+    file.write(path("sea.nc"));
+
+    const auto report = ingest(path("sea.nc"), {.missing = -99.99});
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const auto currents = repository::FieldRepository{db_}.load_currents(
+        report.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt);
+    EXPECT_FLOAT_EQ(currents->samples().u[1], 0.25F);
+    EXPECT_TRUE(std::isnan(currents->samples().u[2]));
+    std::filesystem::remove(path("sea.nc"));
+  }
+}
+
+TEST_F(CurrentTraps, AMarkThatIsNamedSparesTheAxes) {
+  CurrentFile file;
+  file.lons = {-1.0, 0.0, 1.0, 2.0};
+  file.write(path("sea.nc"));
+
+  const auto report = ingest(path("sea.nc"), {.missing = 0.0});
+
+  EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
+}
+
 TEST_F(CurrentTraps, LandWrittenAsStillWaterBecomesMissing) {
   CurrentFile file;
   file.lons = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0};

@@ -43,6 +43,7 @@ export interface IngestOptions {
   crs?: string;
   positive?: 'up' | 'down';
   variable?: string;
+  missing?: number;
   time?: string;
   at?: Position;
   unit?: 'm' | 'cm' | 'mm' | 'ft';

@@ -23,6 +23,7 @@ export const ingestOptions: Record<OptionName, Option> = {
   positive: { title: 'Positive', choices: [['up', 'up: elevations'], ['down', 'down: depths']] },
   crs: { title: 'Reference system', placeholder: 'EPSG:4326' },
   variable: { title: 'Variable', placeholder: 'its name in the file' },
+  missing: { title: 'Mark of missing values', placeholder: '-99.99' },
   time: { title: 'Holds at', placeholder: '2026-11-20T18:00:00Z' },
   at: { title: 'Station at', placeholder: '69°13.2′N 51°06.0′W' },
   unit: { title: 'Unit of amplitudes', choices: [['m', 'metres'], ['cm', 'centimetres'], ['mm', 'millimetres'], ['ft', 'feet']] },
@@ -50,8 +51,13 @@ export const inWords = (error: string): string =>
 
 /** The options as the request states them, or what is wrong with them. */
 export function optionsOf(form: IngestForm): { options: IngestOptions } | { fault: string } {
-  const stated = optionNames.filter((name) => name !== 'at' && form[name].trim() !== '').map((name) => [name, form[name].trim()]);
+  const isText = (name: OptionName) => name !== 'at' && name !== 'missing';
+  const stated = optionNames.filter((name) => isText(name) && form[name].trim() !== '').map((name) => [name, form[name].trim()]);
   const options = Object.fromEntries(stated) as IngestOptions;
+  if (form.missing.trim() !== '') {
+    options.missing = Number(form.missing);
+    if (!Number.isFinite(options.missing)) return { fault: `${ingestOptions.missing.title}: a number is needed, such as -99.99` };
+  }
   if (form.at.trim() === '') return { options };
   const place = parsePosition(form.at);
   if (!place.ok) return { fault: `${ingestOptions.at.title}: ${place.fault}` };

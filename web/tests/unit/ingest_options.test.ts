@@ -20,5 +20,7 @@ describe('what a refused file leaves open', () => {
     expect(optionsOf({ ...emptyForm, positive: 'down', crs: ' EPSG:3413 ' })).toEqual({ options: { positive: 'down', crs: 'EPSG:3413' } });
     expect(optionsOf({ ...emptyForm, at: '69.5, -51' })).toEqual({ options: { at: [-51, 69.5] } });
     expect(optionsOf({ ...emptyForm, at: 'somewhere' })).toHaveProperty('fault');
+    expect(optionsOf({ ...emptyForm, missing: ' -99.99' })).toEqual({ options: { missing: -99.99 } });
+    expect(optionsOf({ ...emptyForm, missing: 'none' })).toHaveProperty('fault');
   });
 });
