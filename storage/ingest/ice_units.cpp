@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 #include "storage/ingest/cf_units.hpp"
 #include "storage/ingest/text.hpp"
@@ -37,6 +38,13 @@ std::string extent_text(const Found& found) {
   return number(found.extent.least) + " to " + number(found.extent.greatest);
 }
 
+/// Whether the greatest value that the variable declares valid is a share of 1. NOAA's OISST says percent beside it.
+bool declares_shares(const NetcdfVariable& variable) {
+  const auto range = variable.numbers("valid_range");
+  const auto packed = range.size() == 2 ? std::optional{range[1]} : variable.numeric_attribute("valid_max");
+  return packed && std::abs(variable.unpacked(*packed) - 1.0) <= share_rounding;
+}
+
 }  // namespace
 
 Checked<IceUnit> stated_unit_of_concentration(const NetcdfVariable& variable) {
@@ -46,7 +54,7 @@ Checked<IceUnit> stated_unit_of_concentration(const NetcdfVariable& variable) {
     open.factor = 0.0;
     return open;
   }
-  if (is_one_of(unit, {"1", "1.0", "fraction", "(0-1)", "0-1", "m2/m2", "m2 m-2"}))
+  if (is_one_of(unit, {"1", "1.0", "fraction", "(0-1)", "(0 - 1)", "0-1", "0 - 1", "m2/m2", "m2 m-2"}))
     return with_declared_overshoot(unit_with(1.0), variable);
   if (is_one_of(unit, {"%", "percent", "per cent", "pct", "1e-2", "0.01"})) return unit_with(0.01);
   if (is_one_of(unit, {"tenths", "1/10", "0.1"})) return unit_with(0.1);
@@ -69,6 +77,11 @@ Checked<IceUnit> settled_unit_of_concentration(const NetcdfVariable& variable, I
           "--missing");
     const bool looks_like_shares =
         stated.factor < 1.0 && greatest > 0.0 && greatest <= 1.0 && !found.whole_numbers;
+    if (looks_like_shares && declares_shares(variable)) {
+      warnings.push_back(name + " states the unit \"" + variable.attribute("units") +
+                         "\", but its greatest valid value is 1: taken as shares of 1");
+      return unit_with(1.0);
+    }
     if (looks_like_shares)
       return refuse(name + " states the unit \"" + variable.attribute("units") + "\" but reaches only " +
                     number(greatest) +

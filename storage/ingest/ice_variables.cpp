@@ -18,10 +18,26 @@ std::string description(const NetcdfVariable& variable) {
 /// Statements about an estimate, other stages of it, other ice.
 bool is_something_else(const NetcdfVariable& variable) {
   return !variable.is_numeric() || variable.dimensions().size() < 2 ||
-         contains_any(description(variable),
-                      {"error", "uncertain", "stdev", "standard deviation", "standard_deviation", "status",
-                       "flag", "quality", "confidence", "anomal", "raw", "unfiltered", "climatolog", "lake",
-                       "velocity", "drift", "number_of_observations", "threshold", "spatial_interp"});
+         contains_any(description(variable), {"error",
+                                              "uncertain",
+                                              "stdev",
+                                              "standard deviation",
+                                              "standard_deviation",
+                                              "status",
+                                              "flag",
+                                              "quality",
+                                              "confidence",
+                                              "anomal",
+                                              "raw",
+                                              "unfiltered",
+                                              "climatolog",
+                                              "background",
+                                              "lake",
+                                              "velocity",
+                                              "drift",
+                                              "number_of_observations",
+                                              "threshold",
+                                              "spatial_interp"});
 }
 
 bool has_standard_name(const NetcdfVariable& variable, std::string_view wanted) {
@@ -85,6 +101,12 @@ void add_thickness(const NetcdfFile& file, IceVariables& ice) {
 }  // namespace
 
 bool holds_ice(const NetcdfFile& file) { return !concentrations_of(file).empty(); }
+
+bool holds_ice_thickness(const NetcdfFile& file) {
+  return !all_that(file, [](const NetcdfVariable& variable) {
+            return has_standard_name(variable, "sea_ice_thickness") || is_called_thickness(variable);
+          }).empty();
+}
 
 Checked<IceVariables> find_ice(const NetcdfFile& file, const std::optional<std::string>& wanted) {
   IceVariables ice;

@@ -21,6 +21,9 @@ struct IceVariables {
 /// Whether any variable claims to be a concentration of sea ice.
 [[nodiscard]] bool holds_ice(const NetcdfFile& file);
 
+/// Whether any variable claims to be a thickness of sea ice.
+[[nodiscard]] bool holds_ice_thickness(const NetcdfFile& file);
+
 /// Chooses by standard name, then by well-known names. Uncertainties, flags, raw and unfiltered estimates and ice of
 /// lakes are never taken. `wanted` names one concentration to use alone.
 /// Errors   no concentration, or none of the wanted name; a grid that this program does not read

@@ -244,9 +244,10 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
                                        const IngestOptions& options, core::UtcTime now,
                                        const core::ProgressCallback& progress) {
   const GdalMessages quiet;
-  auto recognised = recognise(
-      files.front(),
-      {.kind = options.kind, .zone_kind_stated = options.zone_kind.has_value(), .missing = options.missing});
+  auto recognised = recognise(files.front(), {.kind = options.kind,
+                                              .zone_kind_stated = options.zone_kind.has_value(),
+                                              .variable = options.variable,
+                                              .missing = options.missing});
   if (!recognised) return {refused(files, options, recognised.error())};
   const bool tracks = recognised->kinds.front() == DatasetKind::glider_tracks;
   if (recognised->netcdf && !tracks) {  // the parts of others are found beside them, or read one by one

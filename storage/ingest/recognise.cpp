@@ -37,8 +37,9 @@ bool ice_is_readable(const NetcdfFile& file) {
 }
 
 std::vector<DatasetKind> kinds_of_netcdf(const std::shared_ptr<const NetcdfFile>& opened,
-                                         std::optional<DatasetKind> wanted) {
+                                         const Expectation& expected) {
   const NetcdfFile& file = *opened;
+  const std::optional<DatasetKind> wanted = expected.kind;
   if (holds_tides(file)) return {DatasetKind::tides};
   std::vector<DatasetKind> kinds;
   const bool bathymetry_wanted = wanted == DatasetKind::bathymetry;
@@ -48,8 +49,10 @@ std::vector<DatasetKind> kinds_of_netcdf(const std::shared_ptr<const NetcdfFile>
   const bool worth_reading = bathymetry != nullptr && (!velocity || bathymetry_wanted ||
                                                        lies_on_regular_grid(file, *bathymetry, std::nullopt));
   if (worth_reading) kinds.push_back(DatasetKind::bathymetry);
+  const bool named_ice = wanted == DatasetKind::ice && expected.variable;
   const bool lone_ice = wanted == DatasetKind::ice || !velocity;
-  if (holds_ice(file) && (lone_ice || (velocity_parts(file) == VelocityParts::both && ice_is_readable(file))))
+  if (named_ice || (holds_ice(file) &&
+                    (lone_ice || (velocity_parts(file) == VelocityParts::both && ice_is_readable(file)))))
     kinds.push_back(DatasetKind::ice);
   // Wind that cannot be read is no reason to refuse what else the file holds.
   const bool lone_wind = wanted == DatasetKind::wind || kinds.empty();
@@ -61,6 +64,12 @@ std::string nothing_known(const NetcdfFile& file) {
   if (file.find("x_range") != nullptr && file.find("y_range") != nullptr && file.find("spacing") != nullptr)
     return "this is a grid of GMT 3 or before, whose rows and columns have no axes of their own; convert it "
            "with GMT: gmt grdconvert IN.grd OUT.nc=nf";
+  if (holds_ice_thickness(file))
+    return "the file holds a thickness of sea ice but no concentration; how much of the sea is covered is "
+           "not known from "
+           "it; put the concentration of the same grid and time into the same file, as siconc, for example "
+           "with "
+           "ncks -A";
   if (!file.groups().empty())
     return "nothing at the top level of the file is known, and its groups (" + enumeration(file.groups()) +
            ") are not looked into; bring them to the top level, for example with ncks -G : IN.nc OUT.nc";
@@ -96,7 +105,7 @@ Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
         file.kinds = {DatasetKind::glider_tracks};
         return true;
       }
-      file.kinds = kinds_of_netcdf(file.netcdf, expected.kind);
+      file.kinds = kinds_of_netcdf(file.netcdf, expected);
       if (file.kinds.empty() && file.format != FileFormat::zarr && is_gshhg(file.path))
         file.kinds = {DatasetKind::coastline};
       if (file.kinds.empty()) return refuse(nothing_known(*file.netcdf));

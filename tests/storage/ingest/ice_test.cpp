@@ -114,6 +114,59 @@ TEST_F(IceTest, PercentAndTenthsBecomeSharesOfOne) {
   EXPECT_FLOAT_EQ(stored(tenths).concentration[4], 0.4F);
 }
 
+/// ERA5 writes its unit so.
+TEST_F(IceTest, SharesMayBeStatedAsARange) {
+  IceFile file;
+  file.texts["units"] = "(0 - 1)";
+  EXPECT_FLOAT_EQ(stored(file).concentration[4], 0.4F);
+}
+
+/// NOAA's OISST: hundredths that are scaled to shares, and "%".
+TEST_F(IceTest, PercentWhoseGreatestValidValueIsOneAreShares) {
+  IceFile file;
+  file.values = times(file.values, 100.0);
+  file.values[5] = file.values[11] = 96.0;
+  file.texts["units"] = "%";
+  file.type = NetcdfWriter::Type::int16;
+  file.numbers = {{"scale_factor", 0.01}, {"valid_min", 0.0}, {"valid_max", 100.0}};
+  EXPECT_FLOAT_EQ(stored(file).concentration[4], 0.4F);
+  EXPECT_THAT(words(report_), HasSubstr("taken as shares of 1"));
+
+  file.numbers["valid_max"] = 10000.0;
+  expect_refused_ice(file, "open water and closed ice");
+}
+
+/// As GMT writes the maps of Bremen: a z of no meaning.
+TEST_F(IceTest, AVariableThatTheUserNamesIsIceWhereIceIsAskedFor) {
+  IceFile file;
+  file.name = "z";
+  file.texts = {};
+  file.values = times(file.values, 100.0);
+  file.write(path("ice.nc"));
+
+  const auto samples = stored(path("ice.nc"), {.kind = repository::DatasetKind::ice, .variable = "z"});
+
+  EXPECT_FLOAT_EQ(samples.concentration[4], 0.4F);
+}
+
+TEST_F(IceTest, AThicknessAloneIsRefusedAsSuch) {
+  IceFile file;
+  file.name = "sea_ice_thickness";
+  file.texts = {{"standard_name", "sea_ice_thickness"}, {"units", "m"}};
+  expect_refused_ice(file, "thickness of sea ice but no concentration");
+}
+
+/// CryoSat-2 and SMOS merged: the analysis and the first guess that it began with.
+TEST_F(IceTest, TheThicknessIsNeverTheFirstGuess) {
+  IceFile file;
+  file.others = {
+      another("background_sea_ice_thickness", {{"standard_name", "sea_ice_thickness"}, {"units", "m"}},
+              std::vector<double>(12, 9.0)),
+      another("analysis_sea_ice_thickness", {{"standard_name", "sea_ice_thickness"}, {"units", "m"}},
+              std::vector<double>(12, 2.0))};
+  EXPECT_FLOAT_EQ(stored(file).thickness_m[3], 2.0F);
+}
+
 TEST_F(IceTest, WithoutAUnitOnlyValuesAbove1Point5TellPercent) {
   IceFile file;
   file.texts.erase("units");
