@@ -12,6 +12,7 @@
 
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/grid_frame_of_crs.hpp"
+#include "storage/ingest/polygon_shapes.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -139,6 +140,7 @@ Checked<bool> prepare(std::vector<IcePolygon>& polygons) {
   for (IcePolygon& polygon : polygons) {
     if (polygon.area->getSpatialReference() == nullptr) polygon.area->assignSpatialReference(wgs84.get());
     const OGRSpatialReference& crs = *polygon.area->getSpatialReference();
+    if (crs.IsGeographic() != 0) remove_jumps(*polygon.area);
     polygon.area->segmentize(crs.IsGeographic() != 0 ? longest_edge_deg : 10'000.0 / crs.GetLinearUnits());
     const std::unique_ptr<OGRGeometry> degrees{polygon.area->clone()};
     OGREnvelope box;

@@ -44,7 +44,7 @@ void add_way(geo::Ring& ring, geo::LonLat from, geo::LonLat to) {
 
 /// Whether all corners lie on one meridian, counted from -180 and from 180 or from 0 and from 360: the ring encloses
 /// nothing unless its edges lead round the Earth.
-bool spans_the_globe(const OGRLinearRing& line) {
+bool spans_the_globe(const OGRLineString& line) {
   bool leads_round = false;
   for (int i = 0; i < line.getNumPoints(); ++i) {
     const double apart_deg = std::abs(line.getX(i) - line.getX(0));
@@ -167,6 +167,28 @@ Checked<std::vector<geo::Polygon>> PolygonShapes::polygons(const OGRGeometry* ge
     return refuse(std::string{"it is no polygon but a "} + OGRGeometryTypeToName(type));
   }
   return result;
+}
+
+void remove_jumps(OGRGeometry& geometry) {
+  class Unrolling : public OGRDefaultGeometryVisitor {
+   public:
+    using OGRDefaultGeometryVisitor::visit;
+    void visit(OGRLinearRing* ring) override {
+      if (spans_the_globe(*ring)) return;
+      double shift_deg = 0.0;
+      for (int i = 1; i < ring->getNumPoints(); ++i) {
+        const double x_deg = ring->getX(i) + shift_deg;
+        const double step_deg = x_deg - ring->getX(i - 1);
+        const bool along_pole = is_pole(ring->getY(i)) && ring->getY(i) == ring->getY(i - 1);
+        const double turn_deg =
+            std::abs(step_deg) > 180.0 && !along_pole ? std::copysign(360.0, -step_deg) : 0.0;
+        shift_deg += turn_deg;
+        ring->setPoint(i, x_deg + turn_deg, ring->getY(i));
+      }
+    }
+  };
+  Unrolling unrolling;
+  geometry.accept(&unrolling);
 }
 
 Checked<geo::Ring> closed_over_pole(geo::Ring ring) {

@@ -114,6 +114,49 @@ TEST_F(IceCharts, NeverTellLessIceThanThePolygonsRoundAPlaceHold) {
   });
 }
 
+/// Longitudes that jump from 180 to -180 lead across the antimeridian, not round the Earth.
+TEST_F(IceCharts, MayLieAcrossTheAntimeridian) {
+  const std::vector<std::pair<std::string, std::string>> closed{
+      {"POLY_TYPE", "I"}, {"CT", "92"}, {"SA", "93"}};
+  for (const char* const wkt :
+       {"POLYGON ((178 70,-178 70,-178 71,178 71,178 70))", "POLYGON ((178 70,182 70,182 71,178 71,178 70))",
+        "MULTIPOLYGON (((178 70,180 70,180 71,178 71,178 70)),"
+        "((-180 70,-178 70,-178 71,-180 71,-180 70)))"}) {
+    SCOPED_TRACE(wkt);
+    const auto report = ingest(write("chart_20261120.gpkg", {{wkt, closed}}, 4326, "GPKG"));
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const auto ice = repository::FieldRepository{db_}
+                         .load_ice(report.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt)
+                         .value();
+    const core::UtcTime time = report.dataset->time_start.value();
+    EXPECT_EQ(ice.at({179.0, 70.5}, time)->concentration, 1.0);
+    EXPECT_EQ(ice.at({-179.0, 70.5}, time)->concentration, 1.0);
+    for (const double lon : {-170.0, -90.0, 0.0, 90.0, 170.0}) EXPECT_FALSE(ice.at({lon, 70.5}, time)) << lon;
+    std::filesystem::remove(path("chart_20261120.gpkg"));
+  }
+}
+
+TEST_F(IceCharts, MayLieRoundAPole) {
+  std::string round;
+  for (int lon = -180; lon < 180; lon += 10) round += std::to_string(lon) + " 85,";
+  const Part cap{"POLYGON ((" + round + "-180 85))", {{"POLY_TYPE", "I"}, {"CT", "92"}, {"SA", "93"}}};
+  const auto report = ingest(write("chart_20261120.shp", {cap}));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  const auto ice = repository::FieldRepository{db_}
+                       .load_ice(report.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt)
+                       .value();
+  for (double lon = -179.9; lon < 180.0; lon += 11.0) {
+    for (const double lat : {86.0, 89.9}) {
+      const auto seen = ice.at({lon, lat}, report.dataset->time_start.value());
+      ASSERT_TRUE(seen) << lon;
+      EXPECT_EQ(seen->concentration, 1.0) << lon;
+    }
+    EXPECT_FALSE(ice.at({lon, 84.5}, report.dataset->time_start.value())) << lon;
+  }
+}
+
 TEST_F(IceCharts, InAProjectionLieWhereTheirProjectionSays) {
   // 200 km a side about 62 W, 77.5 N in the projection of the NSIDC.
   const Part projected{
