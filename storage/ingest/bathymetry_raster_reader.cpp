@@ -15,6 +15,7 @@
 #include <string_view>
 #include <utility>
 
+#include "engine/geo/bounding_box.hpp"
 #include "storage/ingest/bathymetry_grid.hpp"
 #include "storage/ingest/cf_units.hpp"
 #include "storage/ingest/depth_table.hpp"
@@ -131,9 +132,39 @@ Checked<OGRSpatialReference> crs_of(GDALDataset& dataset, std::string_view drive
 
 using DatasetPtr = std::unique_ptr<GDALDataset>;
 
-Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& crs, const char* method) {
+/// Longitude and latitude; a polar plane for what lies round a pole or across the antimeridian, where degrees have a seam
+/// and grow too narrow. Only of what lies in high latitudes, so that the plane stays true.
+const char* target_crs_for(GDALDataset& dataset, const OGRSpatialReference& crs) {
+  constexpr double least_lat_deg = 45.0;
+  constexpr int parts = 32;  // of each side
+  Transform t{};
+  dataset.GetGeoTransform(t.data());
+  OGRSpatialReference wgs84;
+  wgs84.SetWellKnownGeogCS("WGS84");
+  wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const GdalMessages messages;
+  const std::unique_ptr<OGRCoordinateTransformation> way{OGRCreateCoordinateTransformation(&crs, &wgs84)};
+  std::vector<geo::LonLat> border;
+  for (int i = 0; way && i <= parts; ++i) {
+    const double share = static_cast<double>(i) / parts;
+    for (const auto& [across, down] :
+         {std::pair{share, 0.0}, std::pair{share, 1.0}, std::pair{0.0, share}, std::pair{1.0, share}}) {
+      double x = t[0] + t[1] * across * dataset.GetRasterXSize();
+      double y = t[3] + t[5] * down * dataset.GetRasterYSize();
+      if (way->Transform(1, &x, &y) != 0 && std::abs(y) <= 90.0) border.push_back({x, y});
+    }
+  }
+  if (border.empty()) return "EPSG:4326";
+  const geo::BoundingBox box = geo::bounding_box(std::span<const geo::LonLat>{border});
+  const bool plain = box.west_deg <= box.east_deg && geo::width_deg(box) < 180.0;
+  if (plain || (box.south_deg < least_lat_deg && box.north_deg > -least_lat_deg)) return "EPSG:4326";
+  return box.south_deg > 0.0 ? "EPSG:3413" : "EPSG:3031";
+}
+
+Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& crs, const char* target_crs,
+                              const char* method) {
   const std::string source_crs = wkt_of(crs);
-  const char* const arguments[] = {"-of",  "MEM", "-s_srs",  source_crs.c_str(), "-t_srs", "EPSG:4326", "-r",
+  const char* const arguments[] = {"-of",  "MEM", "-s_srs",  source_crs.c_str(), "-t_srs", target_crs, "-r",
                                    method, "-ot", "Float32", "-dstnodata",       "nan",    nullptr};
   GDALWarpAppOptions* options = GDALWarpAppOptionsNew(const_cast<char**>(arguments), nullptr);
   const GdalMessages messages;
@@ -261,17 +292,17 @@ Checked<Views> open_views(const std::filesystem::path& file, const char* driver)
   return views;
 }
 
-/// In longitude and latitude. Between nodes the value is a mean, so the extremes are those of all that it is taken from.
-Checked<Views> resampled(const Views& views, const OGRSpatialReference& crs) {
+/// On a grid of the store. Between nodes the value is a mean, so the extremes are those of all that it is taken from.
+Checked<Views> resampled(const Views& views, const OGRSpatialReference& crs, const char* target_crs) {
   const auto from = [](const DatasetPtr& own, const DatasetPtr& otherwise) -> GDALDataset& {
     return own ? *own : *otherwise;
   };
   Views result;
-  auto middle = resampled(*views.middle, crs, "bilinear");
+  auto middle = resampled(*views.middle, crs, target_crs, "bilinear");
   if (!middle) return refuse(middle.error());
-  auto lowest = resampled(from(views.lowest, views.middle), crs, "min");
+  auto lowest = resampled(from(views.lowest, views.middle), crs, target_crs, "min");
   if (!lowest) return refuse(lowest.error());
-  auto highest = resampled(from(views.highest, views.middle), crs, "max");
+  auto highest = resampled(from(views.highest, views.middle), crs, target_crs, "max");
   if (!highest) return refuse(highest.error());
   return Views{std::move(*middle), std::move(*lowest), std::move(*highest)};
 }
@@ -370,12 +401,17 @@ Checked<PreparedDataset> prepared(Views views, std::string_view driver, const In
   if (!frame) {
     if (const auto many = too_many_nodes(*views.middle, max_resampled))
       return refuse(*many + ", or convert it to longitude and latitude with gdalwarp -t_srs EPSG:4326");
-    auto geographic = resampled(views, *crs);
-    if (!geographic) return refuse(geographic.error());
-    warnings.push_back("the grid was resampled from \"" + std::string{crs->GetName()} +
-                       "\" to longitude and latitude; the least depth of each cell was kept beside its mean");
-    views = std::move(*geographic);
-    frame = geo::GeographicFrame{};
+    const std::string target_name = target_crs_for(*views.middle, *crs);
+    OGRSpatialReference target;
+    target.SetFromUserInput(target_name.c_str());
+    auto converted = resampled(views, *crs, target_name.c_str());
+    if (!converted) return refuse(converted.error());
+    frame = grid_frame_of(target).value();
+    const bool geographic = std::holds_alternative<geo::GeographicFrame>(*frame);
+    warnings.push_back("the grid was resampled from \"" + std::string{crs->GetName()} + "\" to " +
+                       (geographic ? "longitude and latitude" : "a polar stereographic projection") +
+                       "; the least depth of each cell was kept beside its mean");
+    views = std::move(*converted);
   }
 
   const auto planes = planes_of(std::move(views), *frame);

@@ -104,6 +104,17 @@ TEST_F(BathymetryTraps, AnotherProjectionIsResampledWithAWarning) {
   EXPECT_TRUE(sea.depth({10.2, 52.05}).has_value());
 }
 
+/// Alaska's Albers plane: the middle of this grid is 180 E, 54 N, by gdaltransform. In degrees the grid would have a
+/// seam, and the raster of a turn round the Earth would take the place of its nodes.
+TEST_F(BathymetryTraps, AGridAcrossTheAntimeridianIsResampledOnAPolarPlane) {
+  const auto sea = stored(write_tiff("EPSG:3338", {-1704000.0, 20000.0, 0.0, 803000.0, 0.0, -20000.0}));
+
+  EXPECT_TRUE(std::holds_alternative<geo::PolarStereographicFrame>(sea.grid().frame()));
+  EXPECT_LT(geo::width_deg(sea.grid().bounds()), 5.0);
+  EXPECT_TRUE(sea.depth({179.9, 54.0}).has_value());
+  EXPECT_TRUE(sea.depth({-179.9, 54.0}).has_value());
+}
+
 TEST_F(BathymetryTraps, ResamplingKeepsTheLeastDepthOfEachCell) {
   const auto sea = stored(write_tiff("EPSG:3035", {4321000.0, 10000.0, 0.0, 3230000.0, 0.0, -10000.0}));
 
