@@ -60,7 +60,31 @@ std::vector<DatasetKind> kinds_of_netcdf(const std::shared_ptr<const NetcdfFile>
   return kinds;
 }
 
+/// "the wind" or "the current" where a file has it as a speed and a direction; empty where it has not.
+std::string known_by_direction(const NetcdfFile& file) {
+  for (const NetcdfVariable& variable : file.variables()) {
+    const std::string words = lower(variable.name() + " " + variable.attribute("standard_name") + " " +
+                                    variable.attribute("long_name"));
+    if (!variable.is_numeric() || variable.dimensions().size() < 2 ||
+        !contains_any(words, {"direction", "_dir"}))
+      continue;
+    if (contains_any(words, {"wave", "swell", "ice"})) continue;
+    if (contains_any(words, {"wind"})) return "the wind";
+    if (contains_any(words, {"sea_water", "current"})) return "the current";
+  }
+  return "";
+}
+
 std::string nothing_known(const NetcdfFile& file) {
+  if (const std::string what = known_by_direction(file); !what.empty())
+    return "the file holds " + what +
+           " as a speed and a direction, which this program does not read: one taken for where it comes from "
+           "instead of "
+           "where it goes would turn it round; ask for components, or compute them: of a direction towards "
+           "which it "
+           "goes u = speed * sin(direction) and v = speed * cos(direction), of one from which it comes the "
+           "negative of "
+           "both";
   if (file.find("x_range") != nullptr && file.find("y_range") != nullptr && file.find("spacing") != nullptr)
     return "this is a grid of GMT 3 or before, whose rows and columns have no axes of their own; convert it "
            "with GMT: gmt grdconvert IN.grd OUT.nc=nf";

@@ -63,6 +63,23 @@ TEST_F(Wind, IsBroughtToMetresASecond) {
   EXPECT_NEAR(wind.value().east.value, 5.0 * 1852.0 / 3600.0, 1e-5);
 }
 
+TEST_F(Wind, AsSpeedAndDirectionIsRefusedAsSuch) {
+  CurrentFile file = wind_file();
+  file.u_name = "wind_speed";
+  file.v_name = "wind_dir";
+  file.u_texts = {{"units", "m s-1"}, {"standard_name", "wind_speed"}};
+  file.v_texts = {{"units", "degree"}, {"standard_name", "wind_from_direction"}};
+  file.write(path("wind.nc"));
+  expect_refused(path("wind.nc"), "the wind as a speed and a direction");
+
+  file.u_name = "speed";
+  file.v_name = "direction";
+  file.u_texts = {{"units", "m s-1"}, {"standard_name", "sea_water_speed"}};
+  file.v_texts = {{"units", "degree"}, {"standard_name", "sea_water_to_direction"}};
+  file.write(path("current.nc"));
+  expect_refused(path("current.nc"), "the current as a speed and a direction");
+}
+
 TEST_F(Wind, IsNeverFasterThanAnyWind) {
   CurrentFile file = wind_file();
   file.value = [](char, std::size_t, std::size_t, std::size_t, std::size_t) { return 75.0; };
