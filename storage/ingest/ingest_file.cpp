@@ -17,6 +17,7 @@
 #include "storage/ingest/gshhg_coastline.hpp"
 #include "storage/ingest/ice_chart_reader.hpp"
 #include "storage/ingest/ice_reader.hpp"
+#include "storage/ingest/ice_variables.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/iceberg_geojson_reader.hpp"
 #include "storage/ingest/iceberg_own_table.hpp"
@@ -157,6 +158,18 @@ struct Candidate {
   std::optional<PreparedDataset> data;  // empty: refused or already there
 };
 
+/// Sea ice and depths beside currents that are on a bent grid are not taken along: nobody should believe them stored.
+void warn_of_what_is_left(const RecognisedFile& file, std::vector<std::string>& warnings) {
+  const auto left = [&](DatasetKind kind, bool held, const std::string& what) {
+    if (!held || std::ranges::find(file.kinds, kind) != file.kinds.end()) return;
+    warnings.push_back("the file also holds " + what +
+                       ", which were not stored with its currents; store them with --kind " +
+                       repository::kind_name(kind) + " in a second command");
+  };
+  left(DatasetKind::ice, holds_ice(*file.netcdf), "concentrations of sea ice");
+  left(DatasetKind::bathymetry, find_bathymetry(*file.netcdf, false) != nullptr, "depths of the sea bed");
+}
+
 /// Reads and checks one kind of data. Nothing is written yet: the store stays open for others meanwhile.
 Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const FileGroup& files,
                      DatasetKind kind, const std::string& sha256, const IngestOptions& options,
@@ -177,6 +190,8 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
   auto data = prepare(file, files, kind, options, progress);
   if (!data) return {refused(files, options, data.error()), std::nullopt};
   if (file.netcdf && repository::has_steps(kind)) data->run = model_run_of(*file.netcdf);
+  if (file.netcdf && kind == DatasetKind::currents && !options.kind)
+    warn_of_what_is_left(file, data->warnings);
   if (auto warning = warning_of_open_end(file.path, file.format))
     data->warnings.push_back(std::move(*warning));
   return {{}, std::move(*data)};

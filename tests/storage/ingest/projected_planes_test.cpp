@@ -210,6 +210,23 @@ TEST_F(ProjectedPlanes, WindRoundATurnedPoleIsPlacedByItAndTurned) {
   expect_turning_sea(stored_velocity(DatasetKind::wind), 2e-3);
 }
 
+/// As the Arctic models of Copernicus write them.
+TEST_F(ProjectedPlanes, IceBesideCurrentsIsStoredWhenItIsAskedFor) {
+  write(path("plane.nc"), azimuthal_plane(1000.0),
+        {{called("u", "sea_water_x_velocity", "m s-1"), along_first},
+         {called("v", "sea_water_y_velocity", "m s-1"), along_second},
+         {called("siconc", "sea_ice_area_fraction", "%"),
+          [&](const Spot& spot) { return 100.0 * share_of_ice(spot.place); }}});
+
+  const auto currents = ingest(path("plane.nc"));
+  const auto ice = ingest(path("plane.nc"), {.kind = DatasetKind::ice});
+
+  EXPECT_EQ(currents.dataset->kind, DatasetKind::currents) << words(currents);
+  EXPECT_THAT(words(currents), HasSubstr("also holds concentrations of sea ice"));
+  ASSERT_EQ(ice.status, IngestStatus::stored) << words(ice);
+  EXPECT_EQ(ice.dataset->kind, DatasetKind::ice);
+}
+
 TEST_F(ProjectedPlanes, IceOnAnAzimuthalPlaneIsKnownAllRoundThePole) {
   for (const double half_width_km :
        {2500.0, 5000.0}) {  // the larger one does not fit a polar plane of the store
