@@ -181,6 +181,7 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
                             " values are markers for \"missing\" that the file does not declare, or lie "
                             "outside its valid range; they were "
                             "left out");
+  if (!found->doubt.empty()) data.warnings.push_back(found->doubt);
   if (found->land)
     data.warnings.push_back("the file marks no land, but " + number(100.0 * found->land->share(), 3) +
                             " % of its nodes are exactly zero at all times and lie together; taken as land");

@@ -1,5 +1,6 @@
 #include "storage/ingest/current_survey.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "storage/ingest/in_blocks.hpp"
@@ -68,6 +69,34 @@ std::string too_fast(const VelocitySource& source, Moving what, bool states_unit
          way_out;
 }
 
+/// A number that both components have at many points and that none exceeds: water does not move so, but a mark within
+/// the range of possible speeds looks so, as -99.99 among cm/s.
+std::string doubt_in_marks(const VelocitySlice& slice) {
+  constexpr std::size_t fewest_points = 9;
+  constexpr double smallest_share = 0.01;
+  float least = INFINITY;
+  float greatest = -INFINITY;
+  for (const float east : slice.east) {
+    if (east < least) least = east;
+    if (east > greatest) greatest = east;
+  }
+  const auto enough = static_cast<std::size_t>(smallest_share * static_cast<double>(slice.east.size()));
+  if (least == greatest) return "";
+  for (const float extreme : {least, greatest}) {
+    std::size_t count = 0;
+    for (std::size_t i = 0; i < slice.east.size(); ++i)
+      count += slice.east[i] == extreme && slice.north[i] == extreme ? 1U : 0U;
+    if (extreme == 0.0F || count < std::max(fewest_points, enough)) continue;
+    return "at " + std::to_string(count) + " points both components are exactly " +
+           number(static_cast<double>(extreme)) + " m/s and none is " +
+           (extreme == least ? "less" : "greater") +
+           "; this looks like a mark of missing values that the file does not declare; if it is one, remove "
+           "the dataset "
+           "and ingest the file again with --missing and the number as the file has it";
+  }
+  return "";
+}
+
 }  // namespace
 
 Checked<CurrentSurvey> survey(const VelocitySource& source, Moving what, bool states_unit,
@@ -86,6 +115,7 @@ Checked<CurrentSurvey> survey(const VelocitySource& source, Moving what, bool st
       result.valid += speeds.known;
       if (speeds.moving > 0) result.everything_is_zero = false;
       result.undeclared_fill += slice->undeclared_fill;
+      if (time == 0 && level == 0) result.doubt = doubt_in_marks(*slice);
       if (land) land->add(level, slice->east, slice->north);
     }
     if (progress)

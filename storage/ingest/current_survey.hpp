@@ -15,6 +15,7 @@ struct CurrentSurvey {
   std::int64_t undeclared_fill{};
   bool everything_is_zero{true};
   std::shared_ptr<const ZeroLand> land;  // null: no land that was written as still water
+  std::string doubt;                     // about a number that may mark missing values; empty: none
 };
 
 /// Errors  a current that no ocean has, or a wind that never blows; the file cannot be read to its end

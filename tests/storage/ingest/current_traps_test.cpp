@@ -274,6 +274,24 @@ TEST_F(CurrentTraps, AMarkOfMissingValuesThatTheUserNamesIsNoCurrent) {
   }
 }
 
+TEST_F(CurrentTraps, AMarkThatCouldBeASpeedIsDoubted) {
+  CurrentFile file;
+  file.u_texts["units"] = file.v_texts["units"] = "cm s-1";
+  file.lons = {0.0, 1.0, 2.0, 3.0, 4.0, 5.0};
+  bool marked = true;
+  file.value = [&](char component, std::size_t, std::size_t, std::size_t y, std::size_t x) {
+    if (marked && x < 3) return -99.99;
+    return (component == 'u' ? 10.0 : -4.0) + static_cast<double>(x + y);
+  };
+  file.write(path("marked.nc"));
+  EXPECT_THAT(words(ingest(path("marked.nc"))),
+              HasSubstr("at 9 points both components are exactly -0.9999 m/s"));
+
+  marked = false;
+  file.write(path("sea.nc"));
+  EXPECT_THAT(words(ingest(path("sea.nc"))), testing::Not(HasSubstr("--missing")));
+}
+
 TEST_F(CurrentTraps, AMarkThatIsNamedSparesTheAxes) {
   CurrentFile file;
   file.lons = {-1.0, 0.0, 1.0, 2.0};
