@@ -89,7 +89,7 @@ Checked<geo::LonLat> PolygonShapes::place(double x, double y) const {
                   " lies outside its coordinate reference system");
   if (!std::isfinite(x) || !std::isfinite(y)) return refuse("a corner has no position");
   if (std::abs(y) > 90.0) return refuse("the latitude " + number(y) + " lies beyond a pole");
-  if (x < -180.0 || x > 360.0) return refuse("the longitude " + number(x) + " is not within -180 and 360");
+  if (std::abs(x) > 360.0) return refuse("the longitude " + number(x) + " is not within -360 and 360");
   return geo::LonLat{x, y};
 }
 

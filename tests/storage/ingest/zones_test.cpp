@@ -246,6 +246,21 @@ TEST_F(Zones, MayCrossTheAntimeridian) {
   EXPECT_THAT(repository::ZoneRepository{db_}.at(report.dataset->id, {178.5, 60.5}), SizeIs(0));
 }
 
+/// However a chart counts its longitudes on beyond 180 degrees.
+TEST_F(Zones, MayCountTheirLongitudesOn) {
+  for (const char* const wkt : {"POLYGON ((178 70,182 70,182 71,178 71,178 70))",
+                                "POLYGON ((-182 70,-178 70,-178 71,-182 71,-182 70))"}) {
+    const auto report = ingest(write(formats[2], {{wkt, {{"kind", "no_go"}}}}));
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const repository::ZoneRepository zones{db_};
+    EXPECT_THAT(zones.at(report.dataset->id, {179.0, 70.5}), SizeIs(1));
+    EXPECT_THAT(zones.at(report.dataset->id, {-179.0, 70.5}), SizeIs(1));
+    EXPECT_THAT(zones.at(report.dataset->id, {0.0, 70.5}), SizeIs(0));
+    std::filesystem::remove(path(formats[2].file));
+  }
+}
+
 /// Between the corners of such a zone there is no gap, however far apart they are.
 TEST_F(Zones, MayLeadAllTheWayRound) {
   const Feature of_corners{"POLYGON ((-180 60,180 60,180 80,-180 80,-180 60))", {{"kind", "no_go"}}};
