@@ -170,6 +170,10 @@ Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
   return true;
 }
 
+bool is_raster_of_depths(FileFormat format) {
+  return format == FileFormat::geotiff || format == FileFormat::ascii_grid || format == FileFormat::xyz;
+}
+
 }  // namespace
 
 Checked<RecognisedFile> recognise(const std::filesystem::path& file, const Expectation& expected) {
@@ -181,7 +185,13 @@ Checked<RecognisedFile> recognise(const std::filesystem::path& file, const Expec
   if (!looked) return refuse(looked.error());
   if (!expected.kind) return result;
 
-  if (std::find(result.kinds.begin(), result.kinds.end(), *expected.kind) == result.kinds.end())
+  const bool held = std::ranges::find(result.kinds, *expected.kind) != result.kinds.end();
+  if (!held && *expected.kind == DatasetKind::ice && is_raster_of_depths(result.format))
+    return refuse(
+        "of such a raster this program reads depths only; of sea ice it reads NetCDF; convert it with "
+        "gdal_translate -of "
+        "netCDF IN.tif OUT.nc and give that with --kind ice --variable Band1 and --time");
+  if (!held)
     return refuse("the file holds " + repository::kind_name(result.kinds.front()) + ", not " +
                   repository::kind_name(*expected.kind) + "; leave out --kind, or give another file");
   result.kinds = {*expected.kind};

@@ -91,6 +91,12 @@ TEST_F(Refusals, ARasterInAGeoPackage) {
   expect_refused(path("bed.gpkg"), "gdal_translate");
 }
 
+TEST_F(Refusals, SeaIceInARasterThatHoldsNoNames) {
+  const auto file =
+      write_file("asi.asc", "ncols 2\nnrows 2\nxllcorner 0\nyllcorner 80\ncellsize 1\n100 90\n20 120\n");
+  expect_refused(file, "gdal_translate -of netCDF", {.kind = repository::DatasetKind::ice});
+}
+
 TEST_F(Refusals, AGribFile) { expect_refused(write_file("gfs.nc", std::string{"GRIB\0\0\0\2", 8}), "GRIB"); }
 
 TEST_F(Refusals, BytesWithoutMeaning) {
