@@ -29,6 +29,7 @@ void widen(std::optional<core::UtcTime>& from, std::optional<core::UtcTime>& to,
 struct Contents {
   std::string text;
   std::vector<geo::LonLat> places;
+  std::vector<geo::BoundingBox> areas;  // which their edges may fill beyond those
   std::int64_t rows{};
   std::optional<core::UtcTime> from;
   std::optional<core::UtcTime> to;
@@ -53,6 +54,7 @@ Contents contents_of(sqlite::Connection& db, const DatasetId& id, DatasetKind ki
     contents.text += codec::zone_feature(stored).dump() + '\n';
     const auto& outline = stored.zone.area.outer;
     contents.places.insert(contents.places.end(), outline.begin(), outline.end());
+    contents.areas.push_back(geo::bounding_box(stored.zone.area));
     ++contents.rows;
   }
   return contents;
@@ -86,6 +88,7 @@ void refresh_hand_made(sqlite::Connection& db, DatasetKind kind, core::UtcTime n
     return;
   }
   dataset->bounds = geo::bounding_box(contents.places);
+  for (const geo::BoundingBox& area : contents.areas) dataset->bounds = geo::united(dataset->bounds, area);
   dataset->time_start = contents.from;
   dataset->time_end = contents.to;
   dataset->rows_accepted = contents.rows;

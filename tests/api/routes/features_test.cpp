@@ -1,5 +1,6 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/glider_track_repository.hpp"
+#include "storage/repository/hand_made_id.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
@@ -90,6 +91,24 @@ TEST_F(FeaturesTest, EveryCollectionIsDescribedAndAnswers) {
     EXPECT_EQ(header_of(items, "Content-Crs"), crs84);
     EXPECT_TRUE(json_of(ask("GET", base + "/schema")).at("properties").contains("geometry"));
   }
+}
+
+/// Else a plan between two of its corners would not look into the zones that were drawn by hand.
+TEST_F(FeaturesTest, AZoneAllRoundTheEarthWidensWhatIsKnownOfItsDataset) {
+  json ring = json::array();
+  for (int lon = -180; lon <= 180; lon += 60) ring.push_back({lon, 60});
+  for (int lon = 180; lon >= -180; lon -= 60) ring.push_back({lon, 80});
+  ring.push_back({-180, 60});
+  const json band{{"type", "Feature"},
+                  {"properties", {{"kind", "no_go"}, {"name", "Band"}}},
+                  {"geometry", {{"type", "Polygon"}, {"coordinates", json::array({ring})}}}};
+
+  ASSERT_EQ(ask("POST", zones, band.dump()).status, 201);
+
+  const auto dataset =
+      repository::DatasetRepository{db_}.find(repository::hand_made_id(repository::DatasetKind::zones));
+  ASSERT_TRUE(dataset);
+  EXPECT_EQ(geo::width_deg(dataset->bounds), 360.0);
 }
 
 TEST_F(FeaturesTest, GeometriesAndBoxesComeInTheReferenceSystemThatIsAskedFor) {
