@@ -76,6 +76,27 @@ std::optional<std::string> fault_of_size(const NetcdfDimension& dimension, bool 
   return std::nullopt;
 }
 
+/// Why a variable is refused along one of whose dimensions it is not known what varies.
+std::string unknown_dimension(const std::string& dimension, const std::string& variable) {
+  const std::string name = lower(dimension);
+  const auto is_any = [&](std::initializer_list<std::string_view> names) {
+    return std::ranges::find(names, name) != names.end();
+  };
+  if (is_any({"expver"}))
+    return "\"" + variable +
+           "\" holds final and preliminary data (ERA5 and ERA5T) side by side along \"expver\"; each time is "
+           "in one of "
+           "them; ask for the final data alone, or join both first";
+  if (is_any({"number", "member", "members", "ens", "ensemble", "ensemble_member", "realization"}))
+    return "\"" + variable + "\" holds the members of an ensemble along \"" + dimension +
+           "\"; one of them has to be chosen; take it out first, for example with ncks -d " + dimension +
+           ",0 IN.nc OUT.nc";
+  return "the dimension \"" + dimension + "\" of \"" + variable +
+         "\" has no coordinates that say what it is; the data cannot be placed; ask for a file with "
+         "longitude, "
+         "latitude, depth and time coordinates";
+}
+
 /// Of a dimension without a coordinate variable. The levels of terrain-following models often have tables alone.
 AxisRole role_of_dimension_name(const NetcdfDimension& dimension) {
   const std::string name = lower(dimension.name);
@@ -156,9 +177,7 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
                     "\" follow the sea bed (a sigma or s coordinate); this layout is not yet supported; "
                     "interpolate the data to depths in metres first");
     if (roles.back().role == AxisRole::unknown && dimension.size > 1)
-      return refuse("the dimension \"" + dimension.name + "\" of \"" + variable.name() +
-                    "\" has no coordinates that say what it is; the data cannot be placed; ask for a file "
-                    "with longitude, latitude, depth and time coordinates");
+      return refuse(unknown_dimension(dimension.name, variable.name()));
   }
 
   const auto has = [&](AxisRole role) {
@@ -200,10 +219,7 @@ Checked<NetcdfLayout> layout_over(const NetcdfFile& file, const NetcdfVariable& 
       const auto added = add_dimension(layout, i, {role, coordinate});
       if (!added) return refuse(added.error());
     } else if (dimensions[i].size > 1) {
-      return refuse(
-          "the dimension \"" + dimensions[i].name + "\" of \"" + variable.name() +
-          "\" has no coordinates that say what it is; the data cannot be placed; ask for a file with "
-          "depth and time coordinates");
+      return refuse(unknown_dimension(dimensions[i].name, variable.name()));
     }
   }
   layout.x = indices(dimensions[x_dimension].size);

@@ -97,6 +97,29 @@ TEST_F(Refusals, SeaIceInARasterThatHoldsNoNames) {
   expect_refused(file, "gdal_translate -of netCDF", {.kind = repository::DatasetKind::ice});
 }
 
+/// The wind of ERA5 where its latest months are in it, and any forecast of many members.
+TEST_F(Refusals, SeveralStatesOfTheSameTime) {
+  for (const auto& [dimension, reason] :
+       {std::pair{"expver", "ERA5T"}, std::pair{"number", "ncks -d number,0"}}) {
+    {
+      NetcdfWriter writer{path("wind.nc")};
+      writer.axis("time", {0.0}, {{"units", "hours since 2026-11-20 00:00:00"}});
+      writer.axis(dimension, {1.0, 5.0}, {{"long_name", dimension}});
+      writer.axis("lat", {60.0, 61.0}, {{"units", "degrees_north"}});
+      writer.axis("lon", {5.0, 6.0}, {{"units", "degrees_east"}});
+      for (const char* const name : {"u10", "v10"})
+        writer.variable({.name = name,
+                         .dimensions = {"time", dimension, "lat", "lon"},
+                         .values = {1, 2, 3, 4, 5, 6, 7, 8},
+                         .texts = {{"units", "m s-1"}},
+                         .numbers = {},
+                         .fill = {}});
+    }
+    expect_refused(path("wind.nc"), reason);
+    std::filesystem::remove(path("wind.nc"));
+  }
+}
+
 TEST_F(Refusals, AGribFile) { expect_refused(write_file("gfs.nc", std::string{"GRIB\0\0\0\2", 8}), "GRIB"); }
 
 TEST_F(Refusals, BytesWithoutMeaning) {
