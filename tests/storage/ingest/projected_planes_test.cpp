@@ -6,6 +6,7 @@
 #include <functional>
 #include <numbers>
 
+#include "storage/ingest/netcdf_projection.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/model_grid_writer.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
@@ -246,6 +247,24 @@ TEST_F(ProjectedPlanes, IceOnAnAzimuthalPlaneIsKnownAllRoundThePole) {
     }
     std::filesystem::remove(path("plane.nc"));
   }
+}
+
+/// GDAL would assume WGS84, on which the corner lies some ten kilometres elsewhere.
+TEST_F(ProjectedPlanes, AFigureOfTheEarthThatOnlyAProjStringStatesIsUsed) {
+  Plane plane = azimuthal_plane(2500.0);
+  plane.mapping_numbers.erase("earth_radius");
+  plane.mapping_texts["proj4_string"] = "+proj=laea +lat_0=90 +lon_0=0 +R=6371000 +units=km";
+  write(path("plane.nc"), plane,
+        {{called("ice_conc", "sea_ice_area_fraction", "1"), [](const Spot&) { return 0.5; }}});
+  const auto file = NetcdfFile::open(path("plane.nc"));
+  ASSERT_TRUE(file) << file.error();
+
+  const auto places = places_by_projection(*file, *file->find("ice_conc"), 1, 2);
+
+  ASSERT_TRUE(places) << places.error();
+  const geo::LonLat corner = on_azimuthal_plane(1e3 * plane.x[0], 1e3 * plane.y[0]).place;
+  EXPECT_NEAR(places->front().lat_deg, corner.lat_deg, 1e-6);
+  EXPECT_NEAR(places->front().lon_deg, corner.lon_deg, 1e-6);
 }
 
 /// NSIDC's files of the south: text of an old GDAL, which PROJ does not take as it stands, beside a meridian that
