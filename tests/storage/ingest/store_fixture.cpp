@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <unistd.h>
 
+#include <cstdlib>
 #include <fstream>
 
 #include "storage/repository/dataset_repository.hpp"
@@ -72,6 +73,11 @@ void StoreFixture::expect_refused(const std::filesystem::path& file, const std::
 std::filesystem::path sample_folder() {
   const auto folder = std::filesystem::path{FLOEPLAN_SOURCE_DIR} / "../shared/data/env";
   return std::filesystem::is_directory(folder) ? folder : std::filesystem::path{};
+}
+
+std::uint64_t damaged_variants(std::uint64_t in_every_run) {
+  const char* wanted = std::getenv("FLOEPLAN_DAMAGED_FILES");
+  return wanted != nullptr ? std::strtoull(wanted, nullptr, 10) : in_every_run;
 }
 
 std::string words(const IngestReport& report) {
