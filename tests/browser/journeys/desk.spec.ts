@@ -1,5 +1,6 @@
 import AxeBuilder from '@axe-core/playwright';
 import { expect, mapAtRest, open, planByTyping, settled, test, typed } from '../support/page';
+import { setClock } from '../support/now';
 import { findPlaces } from '../support/places';
 
 test('a colleague opens the same view from the address', async ({ page, request }) => {
@@ -17,8 +18,9 @@ test('a colleague opens the same view from the address', async ({ page, request 
   const before = page.url();
 
   const other = await page.context().browser()?.newContext();
-  const theirs = await other?.newPage();
-  if (!theirs) throw new Error('no second browser');
+  if (!other) throw new Error('no second browser');
+  await setClock(other);
+  const theirs = await other.newPage();
   await theirs.goto(before);
   await settled(theirs);
   await expect(theirs.getByLabel('Projection')).toHaveValue('EPSG:3995');
@@ -36,7 +38,7 @@ test('a colleague opens the same view from the address', async ({ page, request 
   await theirs.goto(page_url.href);
   await expect(theirs.getByLabel('Projection')).toHaveValue('EPSG:3857');
   await settled(theirs);
-  await other?.close();
+  await other.close();
 });
 
 test('how far the vehicle comes is drawn and taken off again, with the keyboard alone', async ({ page, request }) => {

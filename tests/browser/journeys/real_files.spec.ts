@@ -12,16 +12,8 @@ const sightings = 'icebergs/IIP_2014IcebergSeason_a.csv';
 const beacon = 'icebergs/cis_beacon_1997_12995.csv';
 const files = [...sea, sightings];
 
-/** A server whose store holds nothing yet, and one that knows the sea but no icebergs. */
-const test = base.extend<object, { emptyServer: Server; stockedServer: Server }>({
-  emptyServer: [
-    async ({}, use) => {
-      const server = await startServer({ empty: true });
-      await use(server);
-      await server.stop();
-    },
-    { scope: 'worker' },
-  ],
+/** A server whose store knows the sea but no icebergs. */
+const test = base.extend<object, { stockedServer: Server }>({
   stockedServer: [
     async ({}, use) => {
       const server = await startServer({ empty: true });

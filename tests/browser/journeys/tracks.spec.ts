@@ -1,20 +1,7 @@
 import { expectAccessible } from '../support/accessible';
 import { trackLog } from '../support/files';
-import { expect, mapAtRest, open, pixelOf, settled, test as base, type LonLat } from '../support/page';
-import { startServer, type Server } from '../support/server';
+import { expect, mapAtRest, open, pixelOf, settled, test, type LonLat } from '../support/page';
 import type { Locator, Page } from '@playwright/test';
-
-/** A server whose store holds nothing yet. */
-const test = base.extend<object, { emptyServer: Server }>({
-  emptyServer: [
-    async ({}, use) => {
-      const server = await startServer({ empty: true });
-      await use(server);
-      await server.stop();
-    },
-    { scope: 'worker' },
-  ],
-});
 
 const from: LonLat = [-52.5, 69];
 const to: LonLat = [-52.4, 69.02];

@@ -8,11 +8,20 @@ proj4.defs('EPSG:3413', '+proj=stere +lat_0=90 +lat_ts=70 +lon_0=-45 +datum=WGS8
 export type LonLat = [lon: number, lat: number];
 
 /** Every test fails on an error in the console, on an error of the page and on a request to a foreign host. */
-export const test = base.extend<{ guarded: undefined }, { server: Server }>({
+export const test = base.extend<{ guarded: undefined }, { server: Server; emptyServer: Server }>({
   /** One for all tests of a worker; whoever changes its store puts back what was there. */
   server: [
     async ({}, use) => {
       const server = await startServer();
+      await use(server);
+      await server.stop();
+    },
+    { scope: 'worker' },
+  ],
+  /** One whose store holds nothing yet. */
+  emptyServer: [
+    async ({}, use) => {
+      const server = await startServer({ empty: true });
       await use(server);
       await server.stop();
     },
