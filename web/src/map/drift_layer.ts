@@ -5,7 +5,7 @@ import LineString from 'ol/geom/LineString.js';
 import MultiPoint from 'ol/geom/MultiPoint.js';
 import Point from 'ol/geom/Point.js';
 import Polygon from 'ol/geom/Polygon.js';
-import VectorLayer from 'ol/layer/Vector.js';
+import VectorImageLayer from 'ol/layer/VectorImage.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Circle, Fill, RegularShape, Stroke, Style } from 'ol/style.js';
 import { circle } from '../geo/geodesic';
@@ -26,13 +26,19 @@ const ticks_m = 60;
 /** Rings of many bergs overlap: each lets the plans and the others shine through. */
 const half = '80';
 
+/**
+ * Dashes along hundreds of long lines take a processor without a graphics card a tenth of a second, so what does not change is
+ * painted once as a picture this much wider and higher than the map, not again in each frame.
+ */
+const painted = 1.2;
+
 const isShown = (): boolean => visible.value.drift && visible.value.icebergs;
 const ringsAreShown = computed(() => (view.value?.metresPerPixel ?? Infinity) < rings_m);
 
 /** Where each berg is expected to go: a thin line with a tick every six hours. */
-export function driftLayer(): VectorLayer<VectorSource> {
+export function driftLayer(): VectorImageLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 5 });
+  const layer = new VectorImageLayer({ source, zIndex: 5, imageRatio: painted });
   effect(() => {
     const code = projection.value;
     source.clear(true);
@@ -55,9 +61,9 @@ export function driftLayer(): VectorLayer<VectorSource> {
 }
 
 /** Where each berg is expected at the clock's time, within a ring of the error that may have grown till then. */
-export function ghostLayer(): VectorLayer<VectorSource> {
+export function ghostLayer(): VectorImageLayer<VectorSource> {
   const source = new VectorSource();
-  const layer = new VectorLayer({ source, zIndex: 5 });
+  const layer = new VectorImageLayer({ source, zIndex: 5, imageRatio: painted });
   effect(() => {
     if (!isShown() || drifts.value.length > crowd) {
       source.clear(true);
