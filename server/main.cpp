@@ -6,6 +6,7 @@
 #include "server/cli/operator_commands.hpp"
 #include "server/cli/plan_commands.hpp"
 
+// NOLINTNEXTLINE(bugprone-exception-escape): with no memory even to build the commands there is nothing to say it with
 int main(int argc, char** argv) {
   using namespace floeplan;
   std::signal(SIGXFSZ,

@@ -12,6 +12,7 @@ using nlohmann::json;
 
 json geometry_of(const std::vector<ocean::TrackPoint>& points) {
   std::vector<geo::LonLat> way;
+  way.reserve(points.size());
   for (const ocean::TrackPoint& point : points) way.push_back(point.place);
   std::vector<double> heights_m = ocean::depths_along(points);
   for (double& depth_m : heights_m) depth_m = -depth_m;

@@ -38,7 +38,7 @@ std::vector<std::string> read_uploads(InputReader& reader) {
 /// A text that is one of a few; noted when it is another one.
 std::optional<std::string> choice(InputReader& reader, const std::string& key,
                                   const std::vector<std::string>& values) {
-  const auto text = reader.text(key);
+  auto text = reader.text(key);
   if (!text || std::ranges::find(values, *text) != values.end()) return text;
   std::string all;
   for (const std::string& value : values) all += (all.empty() ? "" : ", ") + value;

@@ -63,6 +63,7 @@ std::string list(const std::string& title, const std::vector<std::string>& sente
 
 std::vector<std::vector<std::string>> brief_rows(const planning::Plan& plan) {
   std::vector<std::vector<std::string>> rows;
+  rows.reserve(plan.waypoints.size());
   for (const planning::Waypoint& waypoint : plan.waypoints) {
     rows.push_back({std::to_string(rows.size()), degrees_minutes(waypoint.place.lat_deg, 'N', 'S'),
                     degrees_minutes(geo::wrap_longitude(waypoint.place.lon_deg), 'E', 'W'),
@@ -105,6 +106,7 @@ std::string plan_brief_html(const planning::Plan& plan, const MapPicture& pictur
   warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
   text += list("Warnings", warnings, "warn");
   std::vector<std::string> data;
+  data.reserve(plan.datasets.size());
   for (const auto& dataset : plan.datasets)
     data.push_back(dataset.kind + ": " + dataset.name + " (" + dataset.id + "), sha256 " + dataset.sha256);
   text += list("Data", data, "hash");

@@ -12,7 +12,8 @@ namespace {
 
 using repository::JobStatus;
 
-constexpr std::uintmax_t least_free_bytes = 64 * 1024 * 1024;  // a plan, its log, and time to see the warning
+constexpr std::uintmax_t least_free_bytes =
+    64UL * 1024 * 1024;  // a plan, its log, and time to see the warning
 
 /// Resident memory of this process; nothing where the system does not tell.
 std::optional<std::uint64_t> resident_bytes() {

@@ -8,8 +8,8 @@
 namespace floeplan::routes {
 namespace {
 
-constexpr std::size_t largest = 32 * 1024;           // chosen: to compress it holds up nobody noticeably
-constexpr std::size_t most_bytes = 4 * 1024 * 1024;  // chosen: of each connection
+constexpr std::size_t largest = 32UL * 1024;           // chosen: to compress it holds up nobody noticeably
+constexpr std::size_t most_bytes = 4UL * 1024 * 1024;  // chosen: of each connection
 
 std::string key_of(const Request& request) {
   std::string key = request.path;

@@ -41,8 +41,9 @@ class Reader {
       ++length;
     }
     double value = 0.0;
-    const auto [end, error] = std::from_chars(rest_.data(), rest_.data() + length, value);
-    if (length == 0 || error != std::errc{} || end != rest_.data() + length || value > 999'999'999.0) {
+    const char* const begin = rest_.data();
+    const auto [end, error] = std::from_chars(begin, begin + length, value);
+    if (length == 0 || error != std::errc{} || end != begin + length || value > 999'999'999.0) {
       return std::nullopt;
     }
     rest_.remove_prefix(length);

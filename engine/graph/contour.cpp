@@ -24,7 +24,7 @@ class FramedGrid {
   [[nodiscard]] Vertex vertex(int x, int y) const { return static_cast<Vertex>(y * nx_ + x); }
 
   [[nodiscard]] std::size_t line(int x, int y, bool upwards) const {
-    const auto width = static_cast<std::size_t>(nx_ + 2);
+    const auto width = static_cast<std::size_t>(nx_) + 2;
     return 2 * (static_cast<std::size_t>(y + 1) * width + static_cast<std::size_t>(x + 1)) +
            (upwards ? 1 : 0);
   }

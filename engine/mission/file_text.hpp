@@ -10,7 +10,7 @@
 namespace floeplan::mission {
 
 /// The largest file that is read; the longest real one seen has 12 KiB.
-inline constexpr std::size_t max_file_bytes = 64 * 1024;
+inline constexpr std::size_t max_file_bytes = 64UL * 1024;
 
 /// The lines of a file, decoded to UTF-8, without line ends and byte order mark.
 struct FileText {

@@ -146,6 +146,7 @@ void check_sea(std::vector<Document>& documents, const ocean::Environment& envir
 
 std::vector<geo::LonLat> FlightRoute::places() const {
   std::vector<geo::LonLat> places;
+  places.reserve(stops.size());
   for (const Stop& stop : stops) places.push_back(stop.place);
   return places;
 }

@@ -86,6 +86,7 @@ RouteCheck check_route(const ocean::Environment& environment, const std::vector<
 
   while (rest.places.size() >= 2 && check.findings.size() < most_findings) {
     std::vector<geo::LonLat> places;
+    places.reserve(rest.places.size());
     for (const std::size_t place : rest.places) places.push_back(route[place]);
     for (std::size_t i = 1; i < places.size(); ++i) {
       if (length_m(places[i - 1], places[i]) <= longest_leg_m) continue;

@@ -20,10 +20,7 @@ bool goes_all_the_way_round(const geo::GridFrame& frame, const Axis& x) {
 }  // namespace
 
 HorizontalGrid::HorizontalGrid(geo::GridFrame frame, Axis x, Axis y)
-    : frame_{std::move(frame)},
-      x_{std::move(x)},
-      y_{std::move(y)},
-      wraps_{goes_all_the_way_round(frame_, x_)} {}
+    : frame_{frame}, x_{std::move(x)}, y_{std::move(y)}, wraps_{goes_all_the_way_round(frame_, x_)} {}
 
 geo::LonLat HorizontalGrid::place(std::size_t ix, std::size_t iy) const {
   return geo::to_lon_lat(frame_, {x_[ix], y_[iy]});

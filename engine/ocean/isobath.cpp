@@ -26,6 +26,7 @@ class Pieces {
     for (const auto& [from, to] : next_)
       if (!ends_.contains(from)) beginnings.push_back(from);
     std::vector<std::vector<Side>> lines;
+    lines.reserve(beginnings.size());
     for (const Side from : beginnings) lines.push_back(take_line(from));
     while (!next_.empty()) lines.push_back(take_line(next_.begin()->first));
     return lines;

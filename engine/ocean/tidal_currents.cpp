@@ -13,6 +13,7 @@ Axis axis_of(const TidalCurrents::Times& times) {
   if (times.count == 0 || !(times.step.count() > 0.0))
     throw std::invalid_argument{"tidal currents need times and a step above zero"};
   std::vector<double> nodes;
+  nodes.reserve(times.count);
   for (std::size_t i = 0; i < times.count; ++i)
     nodes.push_back(core::unix_seconds(times.from + static_cast<double>(i) * times.step));
   return Axis{std::move(nodes)};
@@ -21,6 +22,7 @@ Axis axis_of(const TidalCurrents::Times& times) {
 /// The lines that the constants of any node can be of: with the same models they are the same everywhere.
 std::vector<tide::Constituent> lines_of(const std::vector<tide::HarmonicConstant>& constants) {
   std::vector<tide::Constituent> lines;
+  lines.reserve(constants.size());
   for (const tide::HarmonicConstant& constant : constants) lines.push_back(constant.constituent);
   return lines;
 }

@@ -7,6 +7,7 @@ namespace {
 
 MemberSpread spread_of(const std::vector<std::optional<core::Seconds>>& travel_times) {
   std::vector<std::optional<double>> seconds;
+  seconds.reserve(travel_times.size());
   for (const auto& time : travel_times) seconds.push_back(time ? std::optional{time->count()} : std::nullopt);
   return MemberSpread{seconds};
 }

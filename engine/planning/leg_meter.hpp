@@ -34,7 +34,7 @@ class LegMeter {
     ++evaluations_;
     const auto time = leg_time_(a, b, depart);
     if (!time.has_value()) return std::nullopt;
-    return *time;
+    return *time;  // NOLINT(bugprone-optional-value-conversion): other timers say why a leg is closed
   }
 
   /// The route with its times; empty when a leg is closed.

@@ -33,8 +33,8 @@ void minimise(const SmoothFunction& function, std::size_t dimension, double rela
   double value{};
   try {
     method.optimize(x, value);
+    // NOLINTNEXTLINE(bugprone-empty-catch): the line search found no way on, and the best point was seen before
   } catch (const std::runtime_error&) {
-    // The line search found no way on: the best point was seen before.
   }
 }
 

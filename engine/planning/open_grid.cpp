@@ -45,6 +45,7 @@ OpenGrid open_grid(const Sea& sea, const RouteGrid& grid, int sectors, const std
 std::vector<OpenGrid> open_grids(const Sea& sea, const std::vector<RouteGrid>& grids, int sectors,
                                  const std::stop_token& stop) {
   std::vector<OpenGrid> result;
+  result.reserve(grids.size());
   for (const RouteGrid& grid : grids) result.push_back(open_grid(sea, grid, sectors, stop));
   return result;
 }

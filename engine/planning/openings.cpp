@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace floeplan::planning {
 namespace {
@@ -21,7 +22,8 @@ Openings::Openings(const Sea& sea, const OpenGrid& grid, core::Seconds latest, c
   for (graph::Vertex v = 0; v < windows.size(); ++v) {
     if (v % vertices_between_looks == 0 && stop.stop_requested()) return;
     if (!grid.graph.is_open(v)) continue;
-    const core::Seconds of_use{ladder != nullptr ? ladder->latest_use_s(v) : INFINITY};
+    const core::Seconds of_use{ladder != nullptr ? ladder->latest_use_s(v)
+                                                 : std::numeric_limits<double>::infinity()};
     if (of_use.count() == -INFINITY) continue;
     std::vector<TimeSpan> spans =
         closures != nullptr ? closures->at(v) : sea.closed_times(grid.grid.point(v));

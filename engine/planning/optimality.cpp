@@ -88,8 +88,7 @@ tl::expected<FreeWay, NoFreeWay> fastest_way(const std::vector<geo::PlanePoint>&
     const auto start = time_way(points, depart, timer);
     if (!start) continue;
     auto way = find_free_way(*start, timer, stop);
-    if (way && (!best || way->duration < best->duration)) best = std::move(way);
-    if (!way && !best) best = std::move(way);
+    if (!best || (way && way->duration < best->duration)) best = std::move(way);
   }
   return best;
 }

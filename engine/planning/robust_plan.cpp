@@ -53,6 +53,7 @@ class Members {
 
 std::vector<geo::LonLat> places_of(const Plan& plan) {
   std::vector<geo::LonLat> places;
+  places.reserve(plan.waypoints.size());
   for (const Waypoint& waypoint : plan.waypoints) places.push_back(waypoint.place);
   return places;
 }
@@ -161,6 +162,7 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
 
   std::vector<MemberSpread> costs;
+  costs.reserve(fares.size());
   for (const Fares& each : fares) costs.push_back(each.costs());
   std::size_t best = 0;
   for (std::size_t i = 1; i < costs.size(); ++i) {

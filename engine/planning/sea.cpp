@@ -78,7 +78,7 @@ double Sea::scale_at(geo::PlanePoint point) const {
   const int iy = std::min(static_cast<int>(y), scale_cells - 1);
   const double fx = x - ix;
   const double fy = y - iy;
-  const double* row = scales_.data() + iy * (scale_cells + 1) + ix;
+  const double* row = scales_.data() + static_cast<std::ptrdiff_t>(iy) * (scale_cells + 1) + ix;
   const double south = row[0] + fx * (row[1] - row[0]);
   const double north = row[scale_cells + 1] + fx * (row[scale_cells + 2] - row[scale_cells + 1]);
   return south + fy * (north - south);

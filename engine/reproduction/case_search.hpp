@@ -64,6 +64,7 @@ class CaseSearch {
   }
   [[nodiscard]] std::vector<geo::PlanePoint> points_of(const std::vector<graph::Vertex>& path) const {
     std::vector<geo::PlanePoint> points;
+    points.reserve(path.size());
     for (const graph::Vertex v : path) points.push_back(point(v));
     return points;
   }

@@ -182,13 +182,14 @@ std::string figure_svg(const Figure& figure) {
   svg += "<title>" + figure.title + "</title>\n<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n";
   svg += text_at(left, 26.0, "start", figure.title, " font-size=\"17\" font-weight=\"bold\"");
   for (int i = 0; i < static_cast<int>(figure.panels.size()); ++i) {
-    const Frame frame{figure, (i % in_a_row) * panel_width + left,
-                      title_height + (i / in_a_row) * panel_height + above};
+    const int row = i / in_a_row;
+    const Frame frame{figure, (i % in_a_row) * panel_width + left, title_height + row * panel_height + above};
     svg += panel_svg(frame, figure.panels[static_cast<std::size_t>(i)], i);
   }
   for (int i = 0; i < static_cast<int>(entries.size()); ++i) {
+    const int row = i / entries_in_a_row;
     svg += format("<g transform=\"translate(%.1f %.1f)\">", left + (i % entries_in_a_row) * legend_width,
-                  legend_top + (i / entries_in_a_row) * legend_line) +
+                  legend_top + row * legend_line) +
            entries[static_cast<std::size_t>(i)] + "</g>\n";
   }
   return svg + "</svg>\n";

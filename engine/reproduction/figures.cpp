@@ -60,6 +60,7 @@ struct Water {
 
   [[nodiscard]] std::vector<FigurePath> paths(const std::vector<Shown>& rows) const {
     std::vector<FigurePath> result;
+    result.reserve(rows.size());
     for (const Shown& row : rows) result.push_back(path(row));
     return result;
   }

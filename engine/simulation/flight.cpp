@@ -22,6 +22,7 @@ std::vector<std::vector<Vector>> in_frame(const World& world, const MissionOrder
   std::vector<std::vector<Vector>> lists;
   for (const GotoOrders& list : orders.lists) {
     std::vector<Vector> places;
+    places.reserve(list.waypoints.size());
     for (const geo::LonLat place : list.waypoints) places.push_back(world.to_frame(place));
     lists.push_back(std::move(places));
   }

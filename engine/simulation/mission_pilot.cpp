@@ -241,15 +241,16 @@ bool MissionPilot::is_held_at_one_depth(const Known& known) {
 void MissionPilot::keep_below_ice(const Known& known, const avoidance::Guidance& guidance) {
   if (!guidance.shallowest) {
     below_ice_since_.reset();
-  } else if (!below_ice_since_) {
+    held_down_ = false;
+    return;
+  }
+  if (!below_ice_since_) {
     below_ice_since_ = known.time;
   } else if (known.time - *below_ice_since_ >= looks_for_a_lead && !turns_back_) {
     turns_back_ = true;
     reason_ += " Ice lay above; the vehicle went back to where it had last been at the surface.";
   }
-  if (!guidance.shallowest) {
-    held_down_ = false;
-  } else if (known.place.down <= guidance.shallowest->value) {
+  if (known.place.down <= guidance.shallowest->value) {
     held_down_ = true;
   } else if (known.place.down >= guidance.shallowest->value + held_tooth_m) {
     held_down_ = false;

@@ -29,6 +29,7 @@ std::vector<core::Metres> depths_of(const YoOrders& yo) {
   const double top_m = yo.climb.depth.value;
   const double bottom_m = std::max(yo.dive.depth.value, top_m + 3.0);
   std::vector<core::Metres> depths;
+  depths.reserve(4);
   for (int i = 0; i < 4; ++i) depths.push_back({top_m + (bottom_m - top_m) * i / 3.0});
   return depths;
 }

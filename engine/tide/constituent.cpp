@@ -213,6 +213,7 @@ Entry entry_of(const Compound& compound) {
 const std::vector<Entry>& catalogue() {
   static const std::vector<Entry> entries = [] {
     std::vector<Entry> result;
+    result.reserve(lines.size() + compounds.size());
     for (const Line& line : lines) result.push_back(entry_of(line));
     for (const Compound& compound : compounds) result.push_back(entry_of(compound));
     return result;
@@ -245,6 +246,7 @@ const std::string& constituent_name(Constituent constituent) { return entry(cons
 
 std::vector<Constituent> all_constituents() {
   std::vector<Constituent> result;
+  result.reserve(catalogue().size());
   for (std::size_t i = 0; i < catalogue().size(); ++i) result.push_back({static_cast<std::uint16_t>(i)});
   return result;
 }

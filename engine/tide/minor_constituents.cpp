@@ -56,6 +56,7 @@ std::vector<MinorConstituent> inferable_minors(std::span<const Constituent> majo
 
 std::vector<HarmonicConstant> with_minors(std::vector<HarmonicConstant> constants) {
   std::vector<Constituent> majors;
+  majors.reserve(constants.size());
   for (const HarmonicConstant& constant : constants) majors.push_back(constant.constituent);
   for (const MinorConstituent& minor : inferable_minors(majors))
     constants.push_back({minor.constituent, minor.weights[0] * constants[minor.majors[0]].value +

@@ -66,6 +66,7 @@ void print(const mission::Document& document, const std::string& file) {
 tl::expected<std::vector<mission::Document>, core::Violations> judged(const Flags& flags,
                                                                       const Program& program) {
   std::vector<mission::Document> documents;
+  documents.reserve(flags.files.size());
   for (const std::string& file : flags.files) documents.push_back(document_of(file));
   const json inputs = flags.sea.inputs();
   if (inputs.empty() && !flags.from) return documents;

@@ -32,7 +32,7 @@ void set_robust(json& uncertainty, const std::string& text) {
 }
 
 /// Sixteen times what the server takes by default: a longer text takes seconds to read before its content is refused.
-constexpr std::size_t most_bytes = 16 * 1024 * 1024;
+constexpr std::size_t most_bytes = 16UL * 1024 * 1024;
 
 /// `what` names the file in a message.
 json read_object(const std::string& file, const std::string& what) {

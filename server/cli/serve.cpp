@@ -174,7 +174,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
   jobs::WorkerPool workers{open_store, board, options.workers, place};
   std::optional<jobs::WatchedFolder> watched;
   if (options.watch) watched.emplace(*options.watch, open_store, place.guard);
-  std::cerr << "floeplan: serving " << local << std::endl;
+  std::cerr << "floeplan: serving " << local << '\n' << std::flush;
   server.run();
   workers.stop();
 }

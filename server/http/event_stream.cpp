@@ -24,7 +24,7 @@ using routes::Response;
 /// Threads  the executor's alone, which has one
 class WakeUp {
  public:
-  explicit WakeUp(net::any_io_executor executor) : timer_{executor} {}
+  explicit WakeUp(const net::any_io_executor& executor) : timer_{executor} {}
 
   void wake() {
     woken_ = true;

@@ -47,7 +47,7 @@ std::optional<std::string> take_tag(Response& response) {
   const auto found = std::find_if(response.headers.begin(), response.headers.end(),
                                   [](const auto& header) { return header.first == "ETag"; });
   if (found == response.headers.end()) return std::nullopt;
-  const std::string tag = found->second.substr(1, found->second.size() - 2);
+  std::string tag = found->second.substr(1, found->second.size() - 2);
   response.headers.erase(found);
   return tag;
 }

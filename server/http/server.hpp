@@ -18,12 +18,12 @@ namespace floeplan::http {
 /// Limits that keep one client from taking what all need.
 struct Limits {
   std::uint32_t header_bytes{16 * 1024};
-  std::uint64_t body_bytes{1024 * 1024};
-  std::uint64_t held_bytes{256 * 1024 * 1024};  // of bodies and answers of all connections together
-  std::chrono::seconds first_byte_time{15};     // of a new connection, TLS included
-  std::chrono::seconds header_time{10};         // from the first byte of a request to the end of its header
-  std::chrono::seconds body_time{30};           // of one that goes to disk: for each 64 KiB
-  std::chrono::seconds idle_time{60};           // between requests
+  std::uint64_t body_bytes{1024UL * 1024};
+  std::uint64_t held_bytes{256UL * 1024 * 1024};  // of bodies and answers of all connections together
+  std::chrono::seconds first_byte_time{15};       // of a new connection, TLS included
+  std::chrono::seconds header_time{10};           // from the first byte of a request to the end of its header
+  std::chrono::seconds body_time{30};             // of one that goes to disk: for each 64 KiB
+  std::chrono::seconds idle_time{60};             // between requests
   std::chrono::seconds write_time{60};
   std::chrono::seconds stop_time{8};  // for open requests, when the server stops
   std::size_t connections{12'000};    // 10,000 that say nothing, each 10 KB as measured, and those at work

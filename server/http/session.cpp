@@ -296,7 +296,7 @@ net::awaitable<void> Session::linger() {
   error_code error;
   wait_for_client();
   stream_.stop_sending();
-  constexpr std::size_t most = 8 * 1024 * 1024;
+  constexpr std::size_t most = 8UL * 1024 * 1024;
   std::size_t total = 0;
   stream_.expires_after(std::chrono::seconds{2});
   while (!error && total < most) {

@@ -83,7 +83,7 @@ class Session {
 
   Transport stream_;
   static constexpr std::size_t most_buffered =
-      256 * 1024;  // a line of any length would stay in memory until it ends
+      256UL * 1024;  // a line of any length would stay in memory until it ends
   boost::beast::flat_buffer buffer_{most_buffered};
   SessionShare& share_;  // borrowed
   std::string peer_;

@@ -83,7 +83,7 @@ tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sqlite::Connection& 
   repository::JobRepository jobs{db};
   const auto shared = find_shared(db, submission);
   if (!shared && !has_room(jobs, submission.owner)) return tl::unexpected(SubmissionRefused::queue_full);
-  const JobRecord job = shared.value_or(new_job(submission, now));
+  JobRecord job = shared.value_or(new_job(submission, now));
   if (!shared) jobs.submit(job);
   if (submission.key) repository::KeptAnswers{db}.insert(*submission.key, job.id, std::nullopt, now);
   transaction.commit();

@@ -93,6 +93,7 @@ tl::expected<std::vector<codec::SimulatedFile>, core::Violations> files_of(const
 tl::expected<simulation::MissionOrders, core::Violations> orders_of(
     const std::vector<codec::SimulatedFile>& files, const vehicle::GliderProfile& vehicle) {
   std::vector<mission::Document> documents;
+  documents.reserve(files.size());
   for (const codec::SimulatedFile& file : files)
     documents.push_back(mission::read_document(file.name, file.text));
   auto orders = simulation::read_orders(documents, vehicle);
@@ -304,7 +305,7 @@ tl::expected<json, core::Violations> simulate_plan_document(sqlite::Connection& 
   const auto environment = repository::load_environment(db, flown->data, {stop});
   if (!environment) return tl::unexpected(environment.error());
 
-  const json cancelled{{"status", "cancelled"}, {"plan_id", inputs.plan_id}};
+  json cancelled{{"status", "cancelled"}, {"plan_id", inputs.plan_id}};
   const Batch batch{inputs, *flown, *orders, *environment, stop};
   if (stop.stop_requested()) return cancelled;
   if (auto violations = batch.violations(); !violations.empty()) return tl::unexpected(std::move(violations));

@@ -142,7 +142,7 @@ void pause(std::chrono::milliseconds time, const std::stop_token& stop) {
 
 }  // namespace
 
-WatchedFolder::WatchedFolder(fs::path folder, OpenStore open_store, ingest::Guard guard)
+WatchedFolder::WatchedFolder(const fs::path& folder, OpenStore open_store, ingest::Guard guard)
     : folder_{fs::absolute(folder)}, open_store_{std::move(open_store)}, guard_{std::move(guard)} {
   fs::create_directories(folder_);
   thread_ = std::jthread{[this](const std::stop_token& stop) { watch(stop); }};

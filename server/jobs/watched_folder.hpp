@@ -19,7 +19,7 @@ namespace floeplan::jobs {
 ///          folder is looked at again
 class WatchedFolder {
  public:
-  WatchedFolder(std::filesystem::path folder, OpenStore open_store, ingest::Guard guard);
+  WatchedFolder(const std::filesystem::path& folder, OpenStore open_store, ingest::Guard guard);
   WatchedFolder(const WatchedFolder&) = delete;
   WatchedFolder& operator=(const WatchedFolder&) = delete;
   ~WatchedFolder() = default;  // stops within a second

@@ -56,6 +56,7 @@ std::shared_ptr<GDALDimension> add_axis(GDALGroup& group, const std::string& nam
 
 std::shared_ptr<GDALDimension> add_time_axis(GDALGroup& group, const std::vector<core::UtcTime>& times) {
   std::vector<double> seconds;
+  seconds.reserve(times.size());
   for (const core::UtcTime time : times) seconds.push_back(core::unix_seconds(time));
   return add_axis(group, "time", seconds,
                   {{"standard_name", "time"},
@@ -66,6 +67,7 @@ std::shared_ptr<GDALDimension> add_time_axis(GDALGroup& group, const std::vector
 
 std::shared_ptr<GDALDimension> add_latitudes(GDALGroup& group, const RasterFrame& frame) {
   std::vector<double> lat_deg;
+  lat_deg.reserve(frame.rows);
   for (std::size_t r = 0; r < frame.rows; ++r) lat_deg.push_back(frame.lat_deg(r));
   return add_axis(group, "latitude", lat_deg,
                   {{"standard_name", "latitude"}, {"units", "degrees_north"}, {"axis", "Y"}});
@@ -73,6 +75,7 @@ std::shared_ptr<GDALDimension> add_latitudes(GDALGroup& group, const RasterFrame
 
 std::shared_ptr<GDALDimension> add_longitudes(GDALGroup& group, const RasterFrame& frame) {
   std::vector<double> lon_deg;
+  lon_deg.reserve(frame.columns);
   for (std::size_t c = 0; c < frame.columns; ++c) lon_deg.push_back(frame.lon_deg(c));
   return add_axis(group, "longitude", lon_deg,
                   {{"standard_name", "longitude"}, {"units", "degrees_east"}, {"axis", "X"}});

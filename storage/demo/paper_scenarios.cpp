@@ -53,8 +53,9 @@ CurrentLayer sampled(const PaperField& field, const Placement& placement, const 
   CurrentLayer layer{{std::vector<double>(frame.size()), std::vector<double>(frame.size())},
                      std::vector<bool>(frame.size())};
   for (std::size_t i = 0; i < frame.size(); ++i) {
+    const std::size_t row = i / frame.columns;
     const double x = box.west + static_cast<double>(i % frame.columns) * box.step;
-    const double y = box.south + static_cast<double>(i / frame.columns) * box.step;
+    const double y = box.south + static_cast<double>(row) * box.step;
     const PaperVelocity velocity = field(x, y, elapsed.count() / placement.time_s());
     layer.flow.east[i] = velocity.x * placement.speed_m_s;
     layer.flow.north[i] = velocity.y * placement.speed_m_s;

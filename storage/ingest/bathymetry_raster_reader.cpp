@@ -217,6 +217,7 @@ Checked<std::vector<float>> read_plane(const Plane& plane, std::size_t first_row
 
 std::vector<double> centres(double origin, double step, int count) {
   std::vector<double> values;
+  values.reserve(count);
   for (int i = 0; i < count; ++i) values.push_back(origin + step * (i + 0.5));
   return values;
 }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace floeplan::ingest {
 namespace {
@@ -23,8 +24,9 @@ UnitVector centre_of(const SourceMesh& mesh, const SourceMesh::Cell& cell) {
 
 CellWeights::CellWeights(const SourceMesh& mesh, const SourceMesh::Cell& cell)
     : plane_{centre_of(mesh, cell)}, triangle_{cell[2] == cell[3]} {
-  least_ = {INFINITY, INFINITY};
-  most_ = {-INFINITY, -INFINITY};
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  least_ = {infinite, infinite};
+  most_ = {-infinite, -infinite};
   for (std::size_t i = 0; i < cell.size(); ++i) {
     corners_[i] = plane_.project(unit_vector(mesh.points[cell[i]]));
     least_ = {std::min(least_.x, corners_[i].x), std::min(least_.y, corners_[i].y)};

@@ -208,7 +208,7 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
   if (is_compressed_slocum(bytes)) return format_of_compressed_slocum(file);
   if (auto foreign = refusal_of_foreign(bytes); !foreign.empty()) return refuse(std::move(foreign));
   if (is_text(bytes)) {
-    const auto format = format_of_text(bytes, lower(file.extension().string()));
+    auto format = format_of_text(bytes, lower(file.extension().string()));
     if (format && *format == FileFormat::ascii_grid)
       if (const auto length = ascii_grid_length(file); !length) return refuse(length.error());
     return format;

@@ -55,7 +55,7 @@ Checked<std::vector<double>> values_of(const NetcdfFile& file, const NetcdfVaria
 /// Values that stand beside those of the currents; NaN throughout where the file has none of the same number.
 Checked<std::vector<double>> values_beside(const NetcdfFile& file, const NetcdfVariable* variable,
                                            std::size_t count) {
-  const std::vector<double> none(count, std::nan(""));
+  std::vector<double> none(count, std::nan(""));
   if (variable == nullptr) return none;
   auto values = values_of(file, *variable);
   if (values && values->size() != count) return none;

@@ -136,6 +136,7 @@ geo::BoundingBox box_of(const geo::Ring& ring) {
 
 void cut_lakes(const ShoreBin& bin, std::vector<geo::Polygon>& land) {
   std::vector<geo::BoundingBox> boxes;
+  boxes.reserve(land.size());
   for (const geo::Polygon& piece : land) boxes.push_back(box_of(piece.outer));
   for (const ShoreSegment& segment : bin.segments) {
     if (!is_closed(segment) || segment.level % 2 != 0) continue;

@@ -45,7 +45,7 @@ Checked<std::optional<IceOfPolygon>> plain_ice(const OGRFeature& feature) {
   const auto thickness_m = parse_number(*text);
   if (!thickness_m || *thickness_m < 0.0 || *thickness_m > thickest_m)
     return refuse("its thickness is \"" + *text + "\", not a number of metres from 0 to 20");
-  return IceOfPolygon{1.0, *thickness_m};
+  return IceOfPolygon{1.0, thickness_m};
 }
 
 /// Polygons as they are gathered, and everything that is wrong with them.

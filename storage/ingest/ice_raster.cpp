@@ -111,13 +111,17 @@ std::vector<float> burn(const std::vector<IcePolygon>& polygons, const std::vect
 /// The greatest of each cell and its eight neighbours; zeros do not spread to where nothing is known.
 std::vector<float> spread(const std::vector<float>& values, const Cells& cells) {
   const int columns = cells.columns;
+  const auto place = [columns](int row, int column) {
+    return static_cast<std::size_t>(row) * static_cast<std::size_t>(columns) +
+           static_cast<std::size_t>(column);
+  };
   std::vector<float> result = values;
   for (int row = 0; row < cells.rows; ++row) {
     for (int column = 0; column < columns; ++column) {
-      float& value = result[static_cast<std::size_t>(row * columns + column)];
+      float& value = result[place(row, column)];
       for (int y = std::max(row - 1, 0); y <= std::min(row + 1, cells.rows - 1); ++y) {
         for (int x = std::max(column - 1, 0); x <= std::min(column + 1, columns - 1); ++x) {
-          const float near = values[static_cast<std::size_t>(y * columns + x)];
+          const float near = values[place(y, x)];
           if (near > 0.0F && !(value >= near)) value = near;
         }
       }
@@ -128,6 +132,7 @@ std::vector<float> spread(const std::vector<float>& values, const Cells& cells) 
 
 ocean::Axis nodes(double first, double step, int count) {
   std::vector<double> all;
+  all.reserve(static_cast<std::size_t>(count));
   for (int i = 0; i < count; ++i) all.push_back(first + step * i);
   return ocean::Axis{std::move(all)};
 }

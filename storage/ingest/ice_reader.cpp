@@ -42,7 +42,8 @@ struct IceSource {
 
 /// Reads every value of a variable once.
 Checked<Found> look_through(const Quantity& quantity, const NetcdfLayout& layout) {
-  Found found{.extent = {INFINITY, -INFINITY}, .whole_numbers = true, .values = 0, .undeclared = 0};
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Found found{.extent = {infinite, -infinite}, .whole_numbers = true, .values = 0, .undeclared = 0};
   for (std::size_t time = 0; time < layout.times_s->nodes.size(); ++time) {
     const auto slice = read_slice(*quantity.variable, layout, time, 0);
     if (!slice) return refuse(slice.error());

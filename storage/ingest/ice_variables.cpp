@@ -112,6 +112,7 @@ Checked<IceVariables> find_ice(const NetcdfFile& file, const std::optional<std::
   IceVariables ice;
   ice.concentrations = concentrations_of(file);
   std::vector<std::string> names;
+  names.reserve(ice.concentrations.size());
   for (const NetcdfVariable* variable : ice.concentrations) names.push_back(variable->name());
   if (wanted) {
     const NetcdfVariable* named = file.find(*wanted);

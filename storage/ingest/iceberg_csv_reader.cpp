@@ -65,7 +65,9 @@ std::optional<core::UtcTime> time_of(const std::string& date_text, const std::st
                                     : date_text.size() == std::string_view{"2021-03-04"}.size();
   if (!date || !four_digits || !clock) return std::nullopt;
   if (time_text.size() > 4 || *clock < 0 || *clock / 100 > 23 || *clock % 100 > 59) return std::nullopt;
-  return *date + core::Seconds{*clock / 100 * 3600.0 + *clock % 100 * 60.0};
+  const int hour = *clock / 100;
+  const int minute = *clock % 100;
+  return *date + core::Seconds{hour * 3600.0 + minute * 60.0};
 }
 
 /// The sighting of one row, or why it has none.

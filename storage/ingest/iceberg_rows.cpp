@@ -65,6 +65,7 @@ Checked<PreparedDataset> IcebergRows::prepared(std::vector<std::string> variable
     data.warnings.push_back(std::move(warning));
 
   std::vector<geo::LonLat> places;
+  places.reserve(icebergs_.size());
   for (const ocean::Iceberg& iceberg : icebergs_) places.push_back(iceberg.place);
   data.bounds = geo::bounding_box(places);
   const auto [first, last] =

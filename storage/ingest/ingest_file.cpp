@@ -289,6 +289,7 @@ std::vector<IngestReport> ingest_group(sqlite::Connection& db, const FileGroup& 
   if (std::any_of(candidates.begin(), candidates.end(), failed)) refuse_the_rest(candidates, files, options);
 
   std::vector<IngestReport> reports;
+  reports.reserve(candidates.size());
   for (Candidate& candidate : candidates) reports.push_back(std::move(candidate.report));
   return reports;
 }

@@ -156,7 +156,7 @@ std::vector<std::string> NetcdfVariable::texts() const {
   std::vector<char*> raw(static_cast<std::size_t>(size), nullptr);
   const GdalMessages messages;
   const bool read = array_->Read(start.data(), count.data(), nullptr, nullptr,
-                                 GDALExtendedDataType::CreateString(), raw.data());
+                                 GDALExtendedDataType::CreateString(), static_cast<void*>(raw.data()));
   std::vector<std::string> result;
   for (char* text : raw) {
     if (read && text != nullptr) result.push_back(trimmed(text));

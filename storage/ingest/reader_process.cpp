@@ -34,6 +34,7 @@ std::vector<std::string> environment() {
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
   std::vector<char*> result;
+  result.reserve(words.size() + 1);
   for (std::string& word : words) result.push_back(word.data());
   result.push_back(nullptr);
   return result;
@@ -105,7 +106,10 @@ ReaderProcess::ReaderProcess(const std::filesystem::path& program,
 }
 
 ReaderProcess::~ReaderProcess() {
-  if (pid_ > 0) kill();
+  if (pid_ > 0) {
+    ::kill(pid_, SIGKILL);
+    collect();
+  }
   close(output_);
 }
 

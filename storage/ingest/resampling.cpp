@@ -23,7 +23,7 @@ constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 Checked<std::shared_ptr<const Resampling>> Resampling::of(const SourceMesh& mesh,
                                                           const ocean::HorizontalGrid& grid) {
-  const std::shared_ptr<Resampling> result{new Resampling{grid.size()}};
+  std::shared_ptr<Resampling> result{new Resampling{grid.size()}};
   const std::size_t affordable = fair_candidates + candidates_per_node * (grid.size() + mesh.cells.size());
   std::size_t candidates = 0;
   for (const SourceMesh::Cell& cell : mesh.cells) {

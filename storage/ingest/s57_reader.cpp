@@ -38,7 +38,9 @@ struct Frame {
   [[nodiscard]] ocean::HorizontalGrid grid() const {
     std::vector<double> x;
     std::vector<double> y;
+    x.reserve(static_cast<std::size_t>(columns));
     for (int i = 0; i < columns; ++i) x.push_back(west_deg + dx_deg * (i + 0.5));
+    y.reserve(static_cast<std::size_t>(rows));
     for (int i = 0; i < rows; ++i) y.push_back(south_deg + dy_deg * (i + 0.5));
     return {geo::GeographicFrame{}, ocean::Axis{std::move(x)}, ocean::Axis{std::move(y)}};
   }

@@ -107,7 +107,7 @@ Checked<std::optional<IceOfPolygon>> read_ice_codes(const OGRFeature& feature) {
   const std::string type = plain_word(text_of_feature(feature, polygon_names).value_or(""));
   if (type == "l" || type == "n") return std::nullopt;
   if (type == "s") return IceOfPolygon{1.0, ice_shelf_thickness_m};
-  if (type != "" && type != "i" && type != "w")
+  if (!type.empty() && type != "i" && type != "w")
     return refuse("its POLY_TYPE is \"" + type + "\", not I, W, L, N or S");
   const std::string total = code_of(feature, "ct");
   const bool undetermined = total.empty() || total == "98" || total == "99";

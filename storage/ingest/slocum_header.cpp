@@ -125,7 +125,7 @@ std::optional<std::filesystem::path> cache_beside(const std::filesystem::path& l
   for (char& c : upper) c = c >= 'a' && c <= 'f' ? static_cast<char>(c - 'a' + 'A') : c;
   for (const std::string& stem : {crc, upper}) {
     for (const char* extension : {".cac", ".CAC", ".ccc", ".CCC"}) {
-      const std::filesystem::path beside = log.parent_path() / (stem + extension);
+      std::filesystem::path beside = log.parent_path() / (stem + extension);
       std::error_code ignored;
       if (std::filesystem::is_regular_file(beside, ignored)) return beside;
     }

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "storage/ingest/text.hpp"
@@ -55,10 +56,11 @@ ocean::HorizontalGrid polar_grid(const std::vector<geo::LonLat>& points, double 
       .north = north,
       .lat_ts_deg = north ? 70.0 : -70.0,
       .lon_0_deg = std::round(geo::wrap_longitude(box.west_deg + 0.5 * geo::width_deg(box)))};
-  double least_x = INFINITY;
-  double most_x = -INFINITY;
-  double least_y = INFINITY;
-  double most_y = -INFINITY;
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double least_x = infinite;
+  double most_x = -infinite;
+  double least_y = infinite;
+  double most_y = -infinite;
   for (const geo::LonLat place : points) {
     const geo::GridPoint at = geo::to_grid(frame, place);
     least_x = std::min(least_x, at.x);

@@ -357,7 +357,7 @@ Checked<PreparedDataset> read_otps_extract(const std::filesystem::path& file) {
         if (field.ends_with("_amp")) names.push_back(field.substr(0, field.size() - 4));
       continue;
     }
-    if (line.find("*") != std::string::npos || line.find("Site is out") != std::string::npos) {
+    if (line.find('*') != std::string::npos || line.find("Site is out") != std::string::npos) {
       ++outside;
       continue;
     }

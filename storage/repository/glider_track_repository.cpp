@@ -116,6 +116,7 @@ std::vector<ocean::DepthAveragedCurrent> chosen(const std::vector<ocean::DepthAv
                                                 std::size_t most) {
   if (currents.size() <= most) return currents;
   std::vector<ocean::DepthAveragedCurrent> some;
+  some.reserve(most);
   for (std::size_t i = 0; i < most; ++i) some.push_back(currents[currents.size() * i / most]);
   return some;
 }
@@ -140,6 +141,7 @@ class TrackWriter {
                     codec_.pack(flattened(track.points)));
     track_.run();
     std::vector<geo::LonLat> places;
+    places.reserve(track.points.size());
     for (const ocean::TrackPoint& point : track.points) places.push_back(point.place);
     const geo::BoundingBox box = geo::bounding_box(places);
     const UnrolledBox width = unrolled(box);

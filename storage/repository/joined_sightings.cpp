@@ -86,6 +86,7 @@ std::vector<ocean::IcebergFix> track_of(const IcebergRepository& repository, con
         fixes.try_emplace(fix.time, fix.place);
   }
   std::vector<ocean::IcebergFix> track;
+  track.reserve(fixes.size());
   for (const auto& [time, place] : fixes) track.push_back({place, time});
   return track;
 }
@@ -97,6 +98,7 @@ std::vector<StoredSighting> joined_sightings(sqlite::Connection& db, const std::
                                              core::Seconds max_age, core::Seconds track_age) {
   const IcebergRepository repository{db};
   std::vector<Part> parts;
+  parts.reserve(datasets.size());
   for (const Dataset& dataset : datasets)
     parts.push_back(part_of(dataset, repository.latest(dataset.id, whole_world, as_of, max_age)));
 
