@@ -17,6 +17,7 @@
 #include "server/http/server.hpp"
 #include "server/jobs/watched_folder.hpp"
 #include "server/jobs/worker_pool.hpp"
+#include "storage/ingest/staging_folder.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/store_lock.hpp"
 #include "storage/repository/token_repository.hpp"
@@ -171,6 +172,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                   .behind_proxy = options.behind_proxy,
                   .origins = options.allow_origins});
   repository::UploadRepository{uploads}.remove_expired(now());
+  ingest::StagingFolder::remove_abandoned(place.guard.staging);
   jobs::WorkerPool workers{open_store, board, options.workers, place};
   std::optional<jobs::WatchedFolder> watched;
   if (options.watch) watched.emplace(*options.watch, open_store, place.guard);

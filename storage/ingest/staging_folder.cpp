@@ -18,18 +18,6 @@ int open_folder(const fs::path& folder) {
   return open(folder.c_str(), O_RDONLY | O_DIRECTORY | O_NOFOLLOW | O_CLOEXEC);
 }
 
-/// A folder between its creation and its lock could be taken for one that was left behind; the creator then tries again.
-void remove_abandoned(const fs::path& parent) {
-  std::error_code error;
-  for (fs::directory_iterator entry{parent, error}, end; !error && entry != end; entry.increment(error)) {
-    const int folder = open_folder(entry->path());
-    if (folder < 0) continue;
-    std::error_code ignored;
-    if (flock(folder, LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry->path(), ignored);
-    close(folder);
-  }
-}
-
 }  // namespace
 
 StagingFolder::StagingFolder(const fs::path& parent) {
@@ -51,6 +39,18 @@ StagingFolder::~StagingFolder() {
   std::error_code ignored;
   fs::remove_all(path_, ignored);
   close(lock_);
+}
+
+// A folder between its creation and its lock could be taken for one that was left behind; the creator then tries again.
+void StagingFolder::remove_abandoned(const fs::path& parent) {
+  std::error_code error;
+  for (fs::directory_iterator entry{parent, error}, end; !error && entry != end; entry.increment(error)) {
+    const int folder = open_folder(entry->path());
+    if (folder < 0) continue;
+    std::error_code ignored;
+    if (flock(folder, LOCK_EX | LOCK_NB) == 0) fs::remove_all(entry->path(), ignored);
+    close(folder);
+  }
 }
 
 }  // namespace floeplan::ingest

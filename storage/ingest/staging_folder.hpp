@@ -14,6 +14,9 @@ class StagingFolder {
   StagingFolder& operator=(const StagingFolder&) = delete;
   ~StagingFolder();
 
+  /// Removes those below `parent` whose process was killed; does nothing where there is no such folder.
+  static void remove_abandoned(const std::filesystem::path& parent);
+
   [[nodiscard]] const std::filesystem::path& path() const { return path_; }
 
  private:

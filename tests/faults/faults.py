@@ -114,6 +114,15 @@ def kills(program, folder, count, generator):
     print(f"{count} kills: every promised job was kept, {given_up} given up after three attempts", flush=True)
 
 
+def all_have_ended(server):
+    """Those, too, whose acceptance was stored but did not reach the client before the kill."""
+    def of(state):
+        return server.ask("GET", f"/jobs?status={state}")[1]["jobs"]
+
+    while left := of("accepted") + of("running"):
+        ended(server, left[0]["jobID"])
+
+
 def settle(program, store, promised):
     """Everything promised ends; what was asked for twice is the same; what is stored is whole."""
     server = Served(program, store)
@@ -140,6 +149,7 @@ def settle(program, store, promised):
         west, south = entry["bbox"][:2]
         status, place = server.ask("GET", f"/probe?lon={west + 0.3}&lat={south + 0.3}&dataset={entry['id']}")
         expect(status == 200 and place["depth_m"] is not None, f"{entry['id']} has no depth: {place}")
+    all_have_ended(server)
     expect(not os.listdir(store / "incoming") if (store / "incoming").exists() else True, "files of a killed worker are left")
     expect(server.end() == 0, "the server did not end well")
     return given_up
