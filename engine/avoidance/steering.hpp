@@ -9,13 +9,6 @@
 
 namespace floeplan::avoidance {
 
-[[nodiscard]] inline double distance_m(geo::PlanePoint a, geo::PlanePoint b) {
-  // Not std::hypot: it guards against numbers that no sea has, and took a quarter of the time of a flight over a bank.
-  const double x_m = a.x_m - b.x_m;
-  const double y_m = a.y_m - b.y_m;
-  return std::sqrt(x_m * x_m + y_m * y_m);
-}
-
 /// Direction from one place to another, clockwise from north.
 [[nodiscard]] inline double direction_rad(geo::PlanePoint from, geo::PlanePoint to) {
   return std::atan2(to.x_m - from.x_m, to.y_m - from.y_m);

@@ -269,9 +269,7 @@ geo::PlanePoint TrackedObject::centre() const {
   return {state_[0] + 0.5 * (low_.x_m + high_.x_m), state_[1] + 0.5 * (low_.y_m + high_.y_m)};
 }
 
-double TrackedObject::half_extent_m() const {
-  return 0.5 * std::hypot(high_.x_m - low_.x_m, high_.y_m - low_.y_m);
-}
+double TrackedObject::half_extent_m() const { return 0.5 * geo::distance_m(low_, high_); }
 
 void TrackedObject::look_below(double lowest_look_m) {
   if (lowest_look_m > keel_m_ + 2.0 * SurfaceCell::size_m) ++looks_below_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <memory>
 
 #include "engine/core/units.hpp"
@@ -15,6 +16,13 @@ struct PlanePoint {
 
   friend bool operator==(PlanePoint, PlanePoint) = default;
 };
+
+/// Metres of the plane. Without std::hypot, which takes longer to guard against squares that no sea's coordinates overflow.
+[[nodiscard]] inline double distance_m(PlanePoint a, PlanePoint b) {
+  const double dx_m = b.x_m - a.x_m;
+  const double dy_m = b.y_m - a.y_m;
+  return std::sqrt(dx_m * dx_m + dy_m * dy_m);
+}
 
 /// How the plane lies on the ground at one place.
 struct PlaneScale {

@@ -21,6 +21,13 @@ struct StepCubic {
     const double to = h * k_end;
     return share * (from + share * (3.0 * gain - 2.0 * from - to + share * (from + to - 2.0 * gain)));
   }
+
+  /// Its derivative, for each whole step.
+  [[nodiscard]] double slope_at(double share) const {
+    const double from = h * k_start;
+    const double to = h * k_end;
+    return from + share * (2.0 * (3.0 * gain - 2.0 * from - to) + share * 3.0 * (from + to - 2.0 * gain));
+  }
 };
 
 /// The share of a step at which the gain of t is `wanted`. Precondition: 0 <= wanted <= gain.
@@ -31,9 +38,7 @@ inline double share_with_gain(const StepCubic& step, double wanted) {
   for (int i = 0; i < 60; ++i) {
     const double miss = wanted - step.gain_at(share);
     (miss > 0.0 ? low : high) = share;
-    // The slopes at both ends tell those between them roughly: a digit or two a round, halving where not.
-    const double slope = step.h * (step.k_start + share * (step.k_end - step.k_start));
-    const double guess = share + miss / slope;
+    const double guess = share + miss / step.slope_at(share);  // Newton's, halving where it leads astray
     const double next = guess > low && guess < high ? guess : 0.5 * (low + high);
     if (std::abs(next - share) <= 1e-13) break;
     share = next;

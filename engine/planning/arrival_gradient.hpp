@@ -38,7 +38,7 @@ ArrivalGradient arrival_gradient(LegMeter<Timer>& legs, const Itinerary& timed) 
     const geo::PlanePoint b = points[i];
     const core::Seconds depart = timed.times[i - 1];
     const core::Seconds time = timed.times[i] - depart;
-    const double h = step_share * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+    const double h = step_share * geo::distance_m(a, b);
     if (h <= 0.0) continue;
     const auto along = [&](auto&& leg) { return derivative(time, leg(h), leg(-h), h); };
 

@@ -27,7 +27,7 @@ motion::WayQuadratic rate(const motion::WayQuadratic& before, const motion::WayQ
 
 CurrentLine::CurrentLine(const PlaneCurrents& currents, const motion::PlaneEdge& edge)
     : currents_{currents}, edge_{edge}, direction_{edge} {
-  const double plane_length = std::hypot(edge.to.x_m - edge.from.x_m, edge.to.y_m - edge.from.y_m);
+  const double plane_length = geo::distance_m(edge.from, edge.to);
   const double parts = std::ceil(plane_length * currents.straight_parts_per_metre_);
   parts_ = static_cast<std::size_t>(std::max(1.0, parts));
 }

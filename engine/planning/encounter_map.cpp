@@ -72,7 +72,7 @@ double EncounterMap::rate(geo::PlanePoint point, double t_s) const {
 
 double EncounterMap::along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                            core::Seconds time) const {
-  const double length_m = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+  const double length_m = geo::distance_m(a, b);
   const int steps = std::clamp(static_cast<int>(std::ceil(length_m / longest_step_m)), 1, most_steps);
   double sum = 0.0;
   for (int i = 0; i < steps; ++i) {

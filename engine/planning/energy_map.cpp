@@ -68,7 +68,7 @@ EnergyUse EnergyMap::use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds tim
                          vehicle::Drive drive) const {
   double pump_j = 0.0;
   double inflections = 0.0;
-  const double cells = std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / raster_.cell_m();
+  const double cells = geo::distance_m(a, b) / raster_.cell_m();
   const double wanted = std::clamp(std::ceil(samples_a_cell * cells), 1.0, most_samples);
   const int samples = is_even_ ? 1 : static_cast<int>(wanted);
   for (int i = 0; i < samples; ++i) {

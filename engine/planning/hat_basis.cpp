@@ -13,7 +13,7 @@ std::vector<double> give_along(const Itinerary& timed) {
   const auto& points = timed.route.points;
   std::vector<double> give{0.0};
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const double leg_m = std::hypot(points[i].x_m - points[i - 1].x_m, points[i].y_m - points[i - 1].y_m);
+    const double leg_m = geo::distance_m(points[i - 1], points[i]);
     const double time_s = (timed.times[i] - timed.times[i - 1]).count();
     give.push_back(give.back() + trifle_m2_s + (time_s > 0.0 ? leg_m * leg_m / time_s : 0.0));
   }

@@ -115,7 +115,7 @@ const IcebergDiscs::Berg* IcebergDiscs::met_by(const motion::EvenMove& move, dou
 bool IcebergDiscs::has_room_under(const Berg& berg, const motion::EvenMove& move, double slack_m) const {
   if (!berg.keel) return false;
   constexpr double step_m = 100.0;  // about the finest bathymetry in use
-  const double length_m = std::hypot(move.to.x_m - move.from.x_m, move.to.y_m - move.from.y_m);
+  const double length_m = geo::distance_m(move.from, move.to);
   const int steps = std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
   for (int i = 0; i <= steps; ++i) {
     const double t_s = move.t0_s + (move.t1_s - move.t0_s) * i / steps;

@@ -68,7 +68,7 @@ Layout lay_out(const PlanRequest& request, GridReach reach, const geo::LocalProj
   for (std::size_t i = 1; i < layout.points.size(); ++i) {
     const geo::PlanePoint from = layout.points[i - 1];
     const geo::PlanePoint to = layout.points[i];
-    const core::Metres distance{std::hypot(to.x_m - from.x_m, to.y_m - from.y_m)};
+    const core::Metres distance{geo::distance_m(from, to)};
     layout.grids.push_back(lay_grid(from, to, spacing_for(request, distance), reach));
   }
   return layout;

@@ -16,7 +16,7 @@ LegTimer legs_in(const Current& current, core::MetresPerSecond through_water) {
   constexpr double tolerance = 1e-6;
   return [&current, through_water](geo::PlanePoint from, geo::PlanePoint to,
                                    core::Seconds depart) -> std::optional<core::Seconds> {
-    const core::Metres length{std::hypot(to.x_m - from.x_m, to.y_m - from.y_m)};
+    const core::Metres length{geo::distance_m(from, to)};
     const auto time = motion::edge_time({from, to, length}, depart, through_water, current,
                                         {.relative_tolerance = tolerance});
     return time ? std::optional{*time} : std::nullopt;

@@ -25,8 +25,7 @@ void for_each_sample(const std::vector<geo::PlanePoint>& route, Visit&& visit) {
   for (std::size_t i = 1; i < route.size(); ++i) {
     const geo::PlanePoint a = route[i - 1];
     const geo::PlanePoint b = route[i];
-    const int pieces =
-        std::max(1, static_cast<int>(std::ceil(std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / sample_step_m)));
+    const int pieces = std::max(1, static_cast<int>(std::ceil(geo::distance_m(a, b) / sample_step_m)));
     for (int piece = 1; piece <= pieces; ++piece) {
       const double share = static_cast<double>(piece) / pieces;
       visit(geo::PlanePoint{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)});

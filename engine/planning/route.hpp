@@ -38,8 +38,7 @@ struct Itinerary {
   Route result;
   for (std::size_t i = 0; i < route.points.size(); ++i) {
     const geo::PlanePoint point = route.points[i];
-    const bool repeats = i > 0 && std::hypot(point.x_m - result.points.back().x_m,
-                                             point.y_m - result.points.back().y_m) <= nearby.value;
+    const bool repeats = i > 0 && geo::distance_m(result.points.back(), point) <= nearby.value;
     if (repeats && !route.fixed[i]) continue;
     if (repeats && !result.fixed.back()) {
       result.points.back() = point;

@@ -76,7 +76,7 @@ void describe_end(RouteSearch& result, const Sea& sea, const RouteGrid& grid, co
   for (Vertex v = 0; v < graph.size(); ++v) {
     if (!tree.is_reached(v)) continue;
     const geo::PlanePoint point = grid.point(v);
-    const double distance = std::hypot(point.x_m - goal.x_m, point.y_m - goal.y_m);
+    const double distance = geo::distance_m(point, goal);
     if (distance < least) {
       least = distance;
       nearest = v;

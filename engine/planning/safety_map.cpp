@@ -139,8 +139,7 @@ std::vector<std::size_t> SafetyMap::closed_cells_between(geo::PlanePoint a, geo:
 
 bool SafetyMap::closed_within(const std::vector<std::size_t>& cells, geo::PlanePoint a, geo::PlanePoint b,
                               const geo::LocalProjection& projection) const {
-  const int pieces =
-      std::max(1, static_cast<int>(std::ceil(std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / look_up_step_m)));
+  const int pieces = std::max(1, static_cast<int>(std::ceil(geo::distance_m(a, b) / look_up_step_m)));
   for (int piece = 0; piece <= pieces; ++piece) {
     const double share = static_cast<double>(piece) / pieces;
     const geo::PlanePoint point{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};

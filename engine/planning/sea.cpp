@@ -88,7 +88,7 @@ core::Metres Sea::ground_length(geo::PlanePoint a, geo::PlanePoint b) const {
   // Simpson's rule for the mean of 1/scale along the line.
   const geo::PlanePoint middle{0.5 * (a.x_m + b.x_m), 0.5 * (a.y_m + b.y_m)};
   const double mean = (1.0 / scale_at(a) + 4.0 / scale_at(middle) + 1.0 / scale_at(b)) / 6.0;
-  return core::Metres{mean * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m)};
+  return core::Metres{mean * geo::distance_m(a, b)};
 }
 
 double Sea::least_ground_per_plane(geo::PlanePoint from, core::Metres length) const {
@@ -126,7 +126,7 @@ tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time(geo::PlanePoint a,
     return drive_time({a, b, ground_length(a, b)}, depart, latest, speed(drive), motion::VisitNoPiece{});
   }
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
-  const double error_m = edge_tolerance_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+  const double error_m = edge_tolerance_ * geo::distance_m(a, b);
   return drive_time(edge, depart, latest, speed(drive),
                     [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                       if (const auto closed = closed_then(edge, piece, error_m)) return closed;
@@ -249,7 +249,7 @@ tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::Plan
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   SurfacingWatch watch{*this, edge, since_surfacing};
-  const double error_m = edge_tolerance_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+  const double error_m = edge_tolerance_ * geo::distance_m(a, b);
   const auto time = drive_time(edge, depart, never, speed(drive),
                                [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                                  if (const auto closed = closed_then(edge, piece, error_m)) return closed;
@@ -306,7 +306,7 @@ bool Sea::currents_known(geo::PlanePoint point, core::Seconds time) const {
 
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b, vehicle::Drive drive) const {
   const core::MetresPerSecond astern{currents_ ? currents_->strongest().value : 0.0};
-  const core::Metres least_length{std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / largest_scale_};
+  const core::Metres least_length{geo::distance_m(a, b) / largest_scale_};
   return (1.0 - edge_tolerance_) * (least_length / (speed(drive) + astern));
 }
 
@@ -319,7 +319,7 @@ core::Seconds Sea::least_time(core::Metres length, core::MetresPerSecond astern)
 bool Sea::is_steady() const { return !has_timed_closures() && (!currents_ || !currents_->end()); }
 
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b) const {
-  return core::Seconds{least_slowness_s_m_ * std::hypot(b.x_m - a.x_m, b.y_m - a.y_m) / largest_scale_};
+  return core::Seconds{least_slowness_s_m_ * geo::distance_m(a, b) / largest_scale_};
 }
 
 }  // namespace floeplan::planning

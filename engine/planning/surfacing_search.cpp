@@ -39,7 +39,7 @@ const SurfacingVoyage::Label* nearest_to_goal(const RouteGrid& grid, const Label
   double least = std::numeric_limits<double>::infinity();
   for (const auto& label : search.labels) {
     const geo::PlanePoint point = grid.point(label.vertex);
-    const double distance = std::hypot(point.x_m - goal.x_m, point.y_m - goal.y_m);
+    const double distance = geo::distance_m(point, goal);
     if (distance >= least) continue;
     least = distance;
     nearest = &label;

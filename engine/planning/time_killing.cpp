@@ -27,8 +27,6 @@ constexpr double most_share_circling = 0.5;
 constexpr core::Seconds just_as_good{60.0};
 constexpr double just_as_good_share = 1e-3;
 
-double distance_m(geo::PlanePoint a, geo::PlanePoint b) { return std::hypot(b.x_m - a.x_m, b.y_m - a.y_m); }
-
 /// Whether the way leads where the vehicle could not have been at some time since its departure.
 bool passes_what_has_opened(const Sea& sea, const std::vector<geo::PlanePoint>& way,
                             const std::vector<core::Seconds>& arrivals) {
@@ -49,14 +47,14 @@ std::optional<TimeKilled> longest_killing_of_time(const Sea& sea, const std::vec
   if (!sea.has_timed_closures()) return std::nullopt;
   std::vector<double> way_m{0.0};
   for (std::size_t i = 1; i < route.size(); ++i)
-    way_m.push_back(way_m.back() + distance_m(route[i - 1], route[i]));
+    way_m.push_back(way_m.back() + geo::distance_m(route[i - 1], route[i]));
   std::optional<TimeKilled> longest;
   for (std::size_t from = 0; from + 2 < route.size(); ++from) {
     for (std::size_t to = from + 2; to < route.size() && to <= from + most_points_between; ++to) {
       const core::Seconds leaves = schedule.leaves(from);
       const core::Seconds arrives = schedule.arrivals[to];
       const core::Seconds worth = longest ? longest->time : worth_telling;
-      const double detour_m = way_m[to] - way_m[from] - distance_m(route[from], route[to]);
+      const double detour_m = way_m[to] - way_m[from] - geo::distance_m(route[from], route[to]);
       if (detour_m < least_share_of_way * sea.through_water().value * worth.count()) continue;
       const auto straight = sea.leg_time_back(route[from], route[to], arrives, leaves + worth);
       if (!straight || arrives - *straight - leaves <= worth) continue;

@@ -25,7 +25,7 @@ TourLegs::Leg& TourLegs::leg(Pair pair) {
   if (known != legs_.end()) return known->second;
   const geo::PlanePoint from = layout_.points[pair.first];
   const geo::PlanePoint to = layout_.points[pair.second];
-  const core::Metres step{std::hypot(to.x_m - from.x_m, to.y_m - from.y_m) / steps_per_leg};
+  const core::Metres step{geo::distance_m(from, to) / steps_per_leg};
   const RouteGrid grid = lay_grid(from, to, {step, step}, reach);
   return legs_.emplace(pair, Leg{open_grid(sea_, grid, request_.sectors, stop_), {}}).first->second;
 }

@@ -60,8 +60,7 @@ class UnderIce {
   [[nodiscard]] core::Seconds last_step() const { return cover_.last_step(); }
   /// Whether there may be ice on a line that the vehicle would have to pass below.
   [[nodiscard]] bool may_be_dense_along(geo::PlanePoint a, geo::PlanePoint b) const {
-    return cover_.has_dense_ice() &&
-           cover_.least_way_to_dense_ice(a).value <= std::hypot(b.x_m - a.x_m, b.y_m - a.y_m);
+    return cover_.has_dense_ice() && cover_.least_way_to_dense_ice(a).value <= geo::distance_m(a, b);
   }
   /// Whether there is room below the ice all along a piece of a drive.
   [[nodiscard]] bool may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const;

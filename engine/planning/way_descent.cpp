@@ -41,7 +41,7 @@ struct Policies {
 };
 
 geo::PlanePoint unit_across(geo::PlanePoint from, geo::PlanePoint to) {
-  const double length = std::hypot(to.x_m - from.x_m, to.y_m - from.y_m);
+  const double length = geo::distance_m(from, to);
   if (!(length > 0.0)) return {0.0, 1.0};
   return {-(to.y_m - from.y_m) / length, (to.x_m - from.x_m) / length};
 }
@@ -63,8 +63,7 @@ class Neighbourhood {
             way_.points[point].y_m + offset * across_[point].y_m};
   }
   [[nodiscard]] double length(std::size_t leg) const {
-    return std::hypot(way_.points[leg + 1].x_m - way_.points[leg].x_m,
-                      way_.points[leg + 1].y_m - way_.points[leg].y_m);
+    return geo::distance_m(way_.points[leg], way_.points[leg + 1]);
   }
   [[nodiscard]] double duration(std::size_t leg) const {
     return (way_.times[leg + 1] - way_.times[leg]).count();

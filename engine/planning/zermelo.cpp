@@ -25,7 +25,7 @@ class Shooting {
       : crossing_{crossing},
         flow_{flow},
         pieces_{static_cast<Eigen::Index>(guess.points.size()) - 1},
-        length_m_{std::hypot(crossing.to.x_m - crossing.from.x_m, crossing.to.y_m - crossing.from.y_m)},
+        length_m_{geo::distance_m(crossing.from, crossing.to)},
         time_s_{guess.duration.count()} {}
 
   [[nodiscard]] Vector pack(const ExtremalGuess& guess) const {

@@ -84,7 +84,7 @@ class CaseSearch {
                                                                          core::Seconds depart,
                                                                          core::Seconds latest) const {
     if (!case_.is_open(from, to)) return tl::unexpected(motion::EdgeClosed::obstacle);
-    const core::Metres length{std::hypot(to.x_m - from.x_m, to.y_m - from.y_m)};
+    const core::Metres length{geo::distance_m(from, to)};
     return motion::edge_time({from, to, length}, depart, through_water_, current_,
                              {.relative_tolerance = tolerance_}, latest);
   }

@@ -48,7 +48,7 @@ std::optional<double> slowly(const std::vector<Obstacle>& field, const LookAhead
 TEST(DiscSet, FindsTheTouchThatEachObstacleByItselfWouldTell) {
   support::for_each_seed(100, [](std::mt19937_64& rng) {
     std::vector<Obstacle> field = any_field(rng);
-    std::erase_if(field, [](const Obstacle& o) { return distance_m({}, o.centre) < 60.0; });
+    std::erase_if(field, [](const Obstacle& o) { return geo::distance_m({}, o.centre) < 60.0; });
     const LookAhead look{.from = {},
                          .now_s = 0.0,
                          .until_s = horizon_s,

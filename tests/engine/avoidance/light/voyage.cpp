@@ -102,11 +102,11 @@ class LightFlight {
   /// As the vehicle believes: it cannot know better before its next fix.
   bool arrived() {
     while (next_ < flight_.waypoints.size() &&
-           avoidance::distance_m(believed_, flight_.waypoints[next_]) < arrived_m) {
+           geo::distance_m(believed_, flight_.waypoints[next_]) < arrived_m) {
       ++next_;
     }
     return next_ == flight_.waypoints.size() ||
-           avoidance::distance_m(believed_, flight_.waypoints.back()) < arrived_m;
+           geo::distance_m(believed_, flight_.waypoints.back()) < arrived_m;
   }
 
   avoidance::OwnState own_state() const {
