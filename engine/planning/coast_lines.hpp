@@ -13,12 +13,13 @@ namespace floeplan::planning {
 template <class Visit>
 void for_each_coast_line(const geo::Ring& ring, const geo::LocalProjection& projection, Visit&& visit) {
   constexpr double longest_piece_deg = 0.1;  // bends by about a metre at 70 degrees
+  if (ring.empty()) return;
+  geo::PlanePoint last = projection.to_plane(ring.back());
   for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
     const double dlon = geo::longitude_difference(ring[j].lon_deg, ring[i].lon_deg);
     const double dlat = ring[i].lat_deg - ring[j].lat_deg;
     const double longest_deg = std::max(std::abs(dlon), std::abs(dlat));
     const int pieces = std::max(1, static_cast<int>(std::ceil(longest_deg / longest_piece_deg)));
-    geo::PlanePoint last = projection.to_plane(ring[j]);
     for (int piece = 1; piece <= pieces; ++piece) {
       const double share = static_cast<double>(piece) / pieces;
       const geo::LonLat place{ring[j].lon_deg + share * dlon, ring[j].lat_deg + share * dlat};

@@ -13,19 +13,34 @@ constexpr double settled = 1e-3;
 /// The limit of durations whose error falls to a quarter with each doubling.
 core::Seconds limit(core::Seconds coarse, core::Seconds fine) { return fine - (coarse - fine) / 3.0; }
 
+constexpr std::size_t coarsest = 64;
+
+tl::expected<TimedWay, NoFreeWay> with_legs(const TimedWay& start, std::size_t legs,
+                                            const LegTimer& leg_timer, const std::stop_token& stop) {
+  WayDescent descent = descend_with_legs(start, legs, leg_timer, stop);
+  if (stop.stop_requested()) return tl::unexpected(NoFreeWay::cancelled);
+  if (descent.closed) return tl::unexpected(NoFreeWay::closed);
+  if (!descent.converged) return tl::unexpected(NoFreeWay::not_settled);
+  return std::move(descent.way);
+}
+
 }  // namespace
+
+tl::expected<TimedWay, NoFreeWay> find_coarse_free_way(const TimedWay& start, const LegTimer& leg_timer,
+                                                       const std::stop_token& stop) {
+  // Far steps are taken with few legs, which are soon timed; where those do not settle the finer ones may.
+  WayDescent rough = descend_with_legs(start, coarsest / 4, leg_timer, stop);
+  return with_legs(rough.closed ? start : rough.way, coarsest, leg_timer, stop);
+}
 
 tl::expected<FreeWay, NoFreeWay> find_free_way(const TimedWay& start, const LegTimer& leg_timer,
                                                const std::stop_token& stop) {
   TimedWay way = start;
   std::array<core::Seconds, 3> durations{};
   for (std::size_t level = 0; level < durations.size(); ++level) {
-    constexpr std::size_t coarsest = 64;
-    WayDescent descent = descend_with_legs(way, coarsest << level, leg_timer, stop);
-    if (stop.stop_requested()) return tl::unexpected(NoFreeWay::cancelled);
-    if (descent.closed) return tl::unexpected(NoFreeWay::closed);
-    if (!descent.converged) return tl::unexpected(NoFreeWay::not_settled);
-    way = std::move(descent.way);
+    auto finer = with_legs(way, coarsest << level, leg_timer, stop);
+    if (!finer) return tl::unexpected(finer.error());
+    way = std::move(*finer);
     durations[level] = way.duration();
   }
   const core::Seconds before = limit(durations[0], durations[1]);

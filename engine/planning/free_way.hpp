@@ -21,6 +21,13 @@ enum class NoFreeWay {
   cancelled
 };
 
+/// The fastest way near the start of the 64 legs that `find_free_way` begins with: it tells where that will lead, and is a
+/// good start for it.
+/// Stops    with NoFreeWay::cancelled once `stop` is requested
+[[nodiscard]] tl::expected<TimedWay, NoFreeWay> find_coarse_free_way(const TimedWay& start,
+                                                                     const LegTimer& leg_timer,
+                                                                     const std::stop_token& stop = {});
+
 /// The fastest way near the start when its points are free and as many as one likes: `descend` with 64, 128
 /// and 256 legs, whose durations err with the square of a leg's length; the limit by Richardson's
 /// extrapolation. Needs no derivatives of the current, so that data with kinks between their nodes will do.

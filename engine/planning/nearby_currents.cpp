@@ -93,7 +93,7 @@ NearbyCurrents::Box NearbyCurrents::box_of(std::size_t ix, std::size_t iy, std::
   return box;
 }
 
-std::vector<NearbyCurrents::Box> NearbyCurrents::boxes_of(std::size_t slice) const {
+std::vector<NearbyCurrents::Box> NearbyCurrents::boxes_of(std::size_t slice) {
   const auto include = [](Box& box, const Box& more) {
     for (std::size_t i = 0; i < 4; ++i) {
       box.low[i] = std::min(box.low[i], more.low[i]);
@@ -101,24 +101,25 @@ std::vector<NearbyCurrents::Box> NearbyCurrents::boxes_of(std::size_t slice) con
     }
   };
   const auto first = [](std::size_t at, std::size_t reach) { return at < reach ? 0 : at - reach; };
-  std::vector<Box> own;
-  own.reserve(covers_.size());
+  own_.clear();
+  own_.reserve(covers_.size());
   for (std::size_t iy = 0; iy < cells_y_; ++iy) {
-    for (std::size_t ix = 0; ix < cells_x_; ++ix) own.push_back(box_of(ix, iy, slice));
+    for (std::size_t ix = 0; ix < cells_x_; ++ix) own_.push_back(box_of(ix, iy, slice));
   }
-  std::vector<Box> rows = own;
+  rows_ = own_;
   for (std::size_t iy = 0; iy < cells_y_; ++iy) {
     for (std::size_t ix = 0; ix < cells_x_; ++ix) {
       const std::size_t last = std::min(ix + reach_x_, cells_x_ - 1);
       for (std::size_t i = first(ix, reach_x_); i <= last; ++i)
-        include(rows[iy * cells_x_ + ix], own[iy * cells_x_ + i]);
+        include(rows_[iy * cells_x_ + ix], own_[iy * cells_x_ + i]);
     }
   }
-  std::vector<Box> all = rows;
+  std::vector<Box> all = rows_;
   for (std::size_t iy = 0; iy < cells_y_; ++iy) {
     const std::size_t last = std::min(iy + reach_y_, cells_y_ - 1);
     for (std::size_t i = first(iy, reach_y_); i <= last; ++i) {
-      for (std::size_t ix = 0; ix < cells_x_; ++ix) include(all[iy * cells_x_ + ix], rows[i * cells_x_ + ix]);
+      for (std::size_t ix = 0; ix < cells_x_; ++ix)
+        include(all[iy * cells_x_ + ix], rows_[i * cells_x_ + ix]);
     }
   }
   return all;

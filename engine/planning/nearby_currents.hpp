@@ -56,7 +56,7 @@ class NearbyCurrents {
   [[nodiscard]] motion::CurrentXy at(const Place& place, std::size_t slice) const;
   void judge_cells();
   [[nodiscard]] const std::vector<Box>& boxes(std::size_t slice);
-  [[nodiscard]] std::vector<Box> boxes_of(std::size_t slice) const;
+  [[nodiscard]] std::vector<Box> boxes_of(std::size_t slice);
   [[nodiscard]] Box box_of(std::size_t ix, std::size_t iy, std::size_t slice) const;
   /// Adds what slices `first` to `last` enclose; false where nothing can be said.
   bool enclose(motion::NearbyCurrent& near, const Place& place, std::size_t first, std::size_t last,
@@ -71,6 +71,10 @@ class NearbyCurrents {
   std::size_t reach_y_{};
   geo::GridPoint off_line_;    // how far an edge may lie beside a straight line in the data's coordinates
   std::vector<Cover> covers_;  // [y][x]
+  // Of one slice, kept for the next because memory fresh from the system takes longer than the work: each cell's own boxes,
+  // and those of its neighbours in the row added.
+  std::vector<Box> own_;
+  std::vector<Box> rows_;
   std::vector<std::vector<Box>> boxes_;  // of each slice, [y][x]; empty before they are needed
 };
 

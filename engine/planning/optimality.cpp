@@ -13,6 +13,7 @@ constexpr double tolerance = 1e-6;  // of a leg's time: the descent compares way
 /// Of legs, for all sections together: about two seconds. A count, not a clock: the same on every machine.
 constexpr std::int64_t most_evaluations = 1'000'000;
 
+constexpr const char* took_too_long = "the search for the best possible way took too long";
 constexpr const char* would_be_closed = "obstacles shape the route: without them the fastest way would lead ";
 
 std::string describe(motion::EdgeClosed closed) {
@@ -77,20 +78,39 @@ std::vector<std::vector<geo::PlanePoint>> sections_of(const Route& route) {
   return sections;
 }
 
-/// The fastest way of a section, from its own points and from the straight way.
-tl::expected<FreeWay, NoFreeWay> fastest_way(const std::vector<geo::PlanePoint>& section,
-                                             core::Seconds depart, const LegTimer& timer,
-                                             const std::stop_token& stop) {
-  tl::expected<FreeWay, NoFreeWay> best = tl::unexpected(NoFreeWay::closed);
+/// Fastest ways of a section, from its own points and from the straight way, of the legs that a search begins with; the
+/// fastest first.
+tl::expected<std::vector<TimedWay>, NoFreeWay> coarse_ways(const std::vector<geo::PlanePoint>& section,
+                                                           core::Seconds depart, const LegTimer& timer,
+                                                           const std::stop_token& stop) {
   std::vector<std::vector<geo::PlanePoint>> starts{section};
   if (section.size() > 2) starts.push_back({section.front(), section.back()});
+  std::vector<TimedWay> ways;
+  NoFreeWay none = NoFreeWay::closed;
   for (const auto& points : starts) {
     const auto start = time_way(points, depart, timer);
     if (!start) continue;
-    auto way = find_free_way(*start, timer, stop);
-    if (!best || (way && way->duration < best->duration)) best = std::move(way);
+    auto way = find_coarse_free_way(*start, timer, stop);
+    if (way) {
+      ways.push_back(std::move(*way));
+    } else {
+      none = way.error();
+    }
   }
-  return best;
+  if (ways.empty()) return tl::unexpected(none);
+  std::ranges::sort(ways, {}, &TimedWay::duration);
+  return ways;
+}
+
+/// The fastest that settles.
+tl::expected<FreeWay, NoFreeWay> settled_way(const std::vector<TimedWay>& starts, const LegTimer& timer,
+                                             const std::stop_token& stop) {
+  tl::expected<FreeWay, NoFreeWay> way = tl::unexpected(NoFreeWay::closed);
+  for (const TimedWay& start : starts) {
+    way = find_free_way(start, timer, stop);
+    if (way) break;
+  }
+  return way;
 }
 
 /// What of the sea closes the way, if anything does. `since_surfacing`: at its start, and then at its end.
@@ -116,8 +136,15 @@ Optimality rate_route(const Sea& sea, const Route& route, const std::stop_token&
   core::Seconds since_surfacing{0.0};
   double accuracy = 0.0;
   for (const auto& section : sections_of(route)) {
-    const auto way = fastest_way(section, least, timer, stop);
-    if (water.is_exhausted()) return {std::nullopt, "the search for the best possible way took too long"};
+    const auto starts = coarse_ways(section, least, timer, stop);
+    if (water.is_exhausted()) return {std::nullopt, took_too_long};
+    if (!starts) return {std::nullopt, describe(starts.error())};
+    // Where few legs lead over land or ice, so would more of them: what they cut off is far less than such obstacles measure.
+    core::Seconds till_there = since_surfacing;
+    if (const auto closed = closure(sea, starts->front(), till_there))
+      return {std::nullopt, describe(*closed)};
+    const auto way = settled_way(*starts, timer, stop);
+    if (water.is_exhausted()) return {std::nullopt, took_too_long};
     if (!way) return {std::nullopt, describe(way.error())};
     if (const auto closed = closure(sea, way->way, since_surfacing)) return {std::nullopt, describe(*closed)};
     least += way->duration;
