@@ -31,6 +31,8 @@ test('a plan is flown many times, and a flight is played back by the clock', asy
   await page.getByRole('button', { name: 'To the start (Home)' }).click();
   await flight.locator('.u-over').first().click({ position: { x: 60, y: 20 } });
   await expect(depth).toContainText(/m$/);
+  // Where the plan has the vehicle at the clock's time, where it believed to be on this flight, and where it was.
+  await expect(map).toHaveAttribute('data-vehicles', /^(-?\d+,-?\d+ ){2}-?\d+,-?\d+$/);
   await expect(flight.locator('.flight-now div', { hasText: 'Off the way' }).locator('dd')).toContainText(/left|right/);
   await flight.getByText('What happened').click();
   await expect(flight.getByText(/^Surfaced|Waypoint reached/).first()).toBeVisible();
@@ -46,6 +48,7 @@ test('a plan is flown many times, and a flight is played back by the clock', asy
   page.once('dialog', (dialog) => void dialog.accept());
   await page.getByRole('button', { name: 'Remove this simulation' }).click();
   await expect(map).toHaveAttribute('data-flight', 'none');
+  await expect(map).toHaveAttribute('data-vehicles', /^-?\d+,-?\d+$/);
   await expect(page.getByText('Not flown yet.')).toBeVisible();
 });
 
