@@ -2,6 +2,7 @@ import type { VNode } from 'preact';
 import { useMemo, useState } from 'preact/hooks';
 import { planAt } from '../../api/planning';
 import type { Departure, Plan } from '../../api/types';
+import { afterCurve } from '../../model/departures';
 import { running } from '../../model/job';
 import { may } from '../../model/login';
 import { duration, shortTime } from '../../model/time';
@@ -60,13 +61,14 @@ export function Departures({ plan, departures }: { plan: Plan; departures: Depar
 
 function Choice({ plan, shown, isPlanned }: { plan: Plan; shown: Departure; isPlanned: boolean }): VNode {
   const when = shortTime(Date.parse(shown.departure));
+  const after = afterCurve(plan, shown);
   return (
     <div class="departure-choice" role="status">
       <p>
         <b>{when}</b>
         {shown.travel_time_s !== null && <> · {duration(shown.travel_time_s)}</>}
         {shown.arrival !== null && <> · arrives {shortTime(Date.parse(shown.arrival))}</>}
-        {isPlanned && ` · this plan${refinedTo(plan, shown)}`}
+        {isPlanned && ` · this plan${after && `, ${after}`}`}
         {shown.status !== 'ok' && <span class="fault"> {shown.explanation}</span>}
       </p>
       {!isPlanned && (
@@ -76,12 +78,6 @@ function Choice({ plan, shown, isPlanned }: { plan: Plan; shown: Departure; isPl
       )}
     </div>
   );
-}
-
-/** The ways of a window are compared as the grid gives them; only the plan itself is refined. */
-function refinedTo(plan: Plan, shown: Departure): string {
-  const isShorter = shown.travel_time_s !== null && duration(plan.travel_time_s) !== duration(shown.travel_time_s);
-  return plan.refinement && isShorter ? `, refined to ${duration(plan.travel_time_s)}` : '';
 }
 
 function nearest(departures: Departure[], at_ms: number): Departure | undefined {
