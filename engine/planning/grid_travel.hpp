@@ -48,7 +48,21 @@ struct GridTravelTime {
   }
 };
 
-/// The same on the film run backwards, whose clock shows -t: an edge from tail to head there is the leg that ends
+/// The same as if nothing closed and opened in time.
+struct UntimedTravelTime {
+  const Sea& sea;
+  const RouteGrid& grid;
+  RefusedEdges* refused{nullptr};
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const graph::Edge& edge, core::Seconds depart,
+                                                             core::Seconds latest) const {
+    return note_refusal(
+        refused, edge, depart,
+        sea.leg_time_without_timed_closures(grid.point(edge.tail), grid.point(edge.head), depart, latest));
+  }
+};
+
+/// GridTravelTime on the film run backwards, whose clock shows -t: an edge from tail to head there is the leg that ends
 /// at the tail at the time -depart.
 struct GridTravelTimeBack {
   const Sea& sea;

@@ -28,20 +28,6 @@ constexpr std::size_t most_labels_for_a_better_way = 20'000;
 /// Of the travel time: a better way past what opens later is not looked for where it could gain less.
 constexpr double least_gain = 1e-3;
 
-/// The same travel times as if nothing closed and opened in time.
-struct UntimedTravelTime {
-  const Sea& sea;
-  const RouteGrid& grid;
-  RefusedEdges* refused;
-
-  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const Edge& edge, core::Seconds depart,
-                                                             core::Seconds latest) const {
-    return note_refusal(
-        refused, edge, depart,
-        sea.leg_time_without_timed_closures(grid.point(edge.tail), grid.point(edge.head), depart, latest));
-  }
-};
-
 /// The paper's left column: every weight as it is at departure.
 struct FrozenTravelTime {
   GridTravelTime now;

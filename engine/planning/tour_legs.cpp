@@ -2,13 +2,15 @@
 
 #include <cmath>
 
+#include "engine/graph/label_setting_search.hpp"
+#include "engine/planning/grid_travel.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/route_search.hpp"
 
 namespace floeplan::planning {
 namespace {
 
-constexpr double steps_per_leg = 32.0;               // of the grid: a few milliseconds a search
+constexpr double steps_per_leg = 16.0;               // of the grid: a few milliseconds a search
 constexpr core::Seconds between_departures{7200.0};  // a sixth of a half-day tide
 constexpr GridReach reach{0.5, 0.25};
 
@@ -18,6 +20,7 @@ TourLegs::TourLegs(const Sea& sea, const Layout& layout, const PlanRequest& requ
                    const std::stop_token& stop)
     : sea_{sea}, layout_{layout}, request_{request}, stop_{stop} {
   request_.method = Method::astar;
+  for (const geo::PlanePoint point : layout.points) closed_.push_back(sea.closed_times(point));
 }
 
 TourLegs::Leg& TourLegs::leg(Pair pair) {
@@ -34,15 +37,33 @@ std::optional<core::Seconds> TourLegs::searched(Leg& leg, long departure) {
   const auto known = leg.times.find(departure);
   if (known != leg.times.end()) return known->second;
   const core::Seconds depart = static_cast<double>(departure) * between_departures;
-  const RouteSearch search = search_route(sea_, leg.open, request_, depart, stop_, [](double) {});
-  if (search.cancelled) return std::nullopt;
-  std::optional<core::Seconds> time;
-  if (!search.path.empty()) {
-    const auto arrivals = arrivals_along(sea_, search.path, depart);
-    if (arrivals) time = arrivals->back() - depart;
-  }
+  const auto time = sea_.bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg.open, depart);
+  if (stop_.stop_requested()) return std::nullopt;
   leg.times.emplace(departure, time);
   return time;
+}
+
+std::optional<core::Seconds> TourLegs::bounded(const OpenGrid& open, core::Seconds depart) const {
+  const RouteSearch search = search_route(sea_, open, request_, depart, stop_, [](double) {});
+  if (search.path.empty()) return std::nullopt;
+  const auto arrivals = arrivals_along(sea_, search.path, depart);
+  return arrivals ? std::optional{arrivals->back() - depart} : std::nullopt;
+}
+
+std::optional<core::Seconds> TourLegs::unbounded(const OpenGrid& open, core::Seconds depart) const {
+  const graph::Query query{
+      .source = open.grid.start, .goal = open.grid.goal, .depart = depart, .latest = core::Seconds{INFINITY}};
+  const StraightBound straight{sea_, open.grid, open.graph, open.grid.goal};
+  const auto search = [&](const auto& travel_time) {
+    return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, straight);
+  };
+  // Only the search that minds the time minds what ice leaves no room; yet icebergs then close places, too.
+  std::optional<graph::SearchTree> tree;
+  if (sea_.ice()) tree = search(GridTravelTime{sea_, open.grid});
+  if (!tree || (sea_.has_timed_closures() && !tree->is_reached(open.grid.goal)))
+    tree = search(UntimedTravelTime{sea_, open.grid});
+  if (!tree->is_reached(open.grid.goal)) return std::nullopt;
+  return core::Seconds{tree->arrival_s(open.grid.goal)} - depart;
 }
 
 std::optional<core::Seconds> TourLegs::time(std::size_t from, std::size_t to, core::Seconds depart) {
@@ -56,8 +77,16 @@ std::optional<core::Seconds> TourLegs::time(std::size_t from, std::size_t to, co
   const auto early = searched(on_grid, before);
   const auto late = searched(on_grid, before + 1);
   // Where only one of the two departures has a way, at the end of the data for instance, it stands for both.
-  if (!early || !late) return early ? early : late;
-  return *early + (position - static_cast<double>(before)) * (*late - *early);
+  if (!early && !late) return std::nullopt;
+  const core::Seconds first = early ? *early : *late;
+  const core::Seconds last = late ? *late : *early;
+  return when_open(to, depart + first + (position - static_cast<double>(before)) * (last - first)) - depart;
+}
+
+core::Seconds TourLegs::when_open(std::size_t place, core::Seconds arrival) const {
+  for (const TimeSpan& closed : closed_[place])
+    if (closed.from <= arrival && arrival < closed.until) arrival = closed.until;
+  return arrival;
 }
 
 }  // namespace floeplan::planning

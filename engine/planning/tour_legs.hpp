@@ -15,7 +15,8 @@ namespace floeplan::planning {
 
 /// Travel times between the stops of a layout, for comparing orders of visits: each pair is searched on a coarse grid
 /// of its own, at departures a fixed time apart, when first asked for; between two departures arrivals are linear,
-/// which keeps FIFO.
+/// which keeps FIFO. Who comes to a place that is closed then, by an iceberg for instance, has to wait until it opens;
+/// what else comes and goes on the way is left out.
 /// Accuracy  some percent: a plan is searched on its own grid once the order is known
 /// Threads   one thread at a time; answers are remembered
 class TourLegs {
@@ -34,11 +35,18 @@ class TourLegs {
   };
   [[nodiscard]] Leg& leg(Pair pair);
   [[nodiscard]] std::optional<core::Seconds> searched(Leg& leg, long departure);
+  /// Keeps the bound on the time without surfacing, from a surfacing at its start.
+  [[nodiscard]] std::optional<core::Seconds> bounded(const OpenGrid& open, core::Seconds depart) const;
+  [[nodiscard]] std::optional<core::Seconds> unbounded(const OpenGrid& open, core::Seconds depart) const;
+
+  /// Infinite where the place stays closed.
+  [[nodiscard]] core::Seconds when_open(std::size_t place, core::Seconds arrival) const;
 
   const Sea& sea_;
   const Layout& layout_;
   PlanRequest request_;
   std::stop_token stop_;
+  std::vector<std::vector<TimeSpan>> closed_;  // times at which each point of the layout is
   std::map<Pair, Leg> legs_;
 };
 

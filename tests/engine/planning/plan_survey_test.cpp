@@ -48,6 +48,26 @@ TEST(PlanSurvey, IsAsFastAsTheFastestOfAllOrdersPlannedOneByOne) {
   EXPECT_TRUE(found->via_order->exact);
 }
 
+TEST(PlanSurvey, VisitsAPlaceBesideAnIcebergOnceItHasDriftedAway) {
+  const auto northwards = [](geo::LonLat, double) { return geo::VelocityEn{{0.0}, {0.03}}; };
+  const ocean::Environment environment{.currents = currents_from(northwards, 240),
+                                       .icebergs = {support::iceberg_at({-53.42, 69.0}, 100.0)}};
+  PlanRequest request = survey();
+  request.from = {-53.5, 69.0};
+  request.to = {-53.5, 69.01};
+  request.via = {{-53.42, 69.0}, {-53.1, 69.0}, {-53.2, 69.05}};
+  request.icebergs.max_inflation = core::Metres{500.0};
+
+  const auto found = plan_route(environment, request, {}, {});
+
+  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  ASSERT_TRUE(found->via_order.has_value());
+  EXPECT_NE(found->via_order->vias.front(), 0U);
+  EXPECT_TRUE(std::ranges::none_of(found->warnings, [](const std::string& warning) {
+    return warning.find("longer than it need be") != std::string::npos;
+  })) << "it comes back to its start because it has places to visit";
+}
+
 TEST(PlanSurvey, VisitsEveryPlaceInTheOrderThatItNames) {
   const ocean::Environment environment{.currents = currents_from(tide, 240)};
   const PlanRequest request = survey();
