@@ -1,6 +1,5 @@
 #include "engine/planning/improvement.hpp"
 
-#include <algorithm>
 #include <cmath>
 #include <utility>
 
@@ -72,12 +71,10 @@ Route thinned(const Sea& sea, const Route& route, std::size_t most, const std::s
 Route waiting_instead(const Sea& sea, Route route, const std::stop_token& stop) {
   auto schedule = schedule_along(sea, route.points, at_departure);
   while (schedule && !stop.stop_requested()) {
-    const auto killed = longest_killing_of_time(sea, route.points, *schedule);
+    const auto killed = longest_killing_of_time(sea, route, *schedule);
     if (!killed) break;
     const auto from = static_cast<std::ptrdiff_t>(killed->from) + 1;
     const auto to = static_cast<std::ptrdiff_t>(killed->to);
-    if (std::any_of(route.fixed.begin() + from, route.fixed.begin() + to, [](bool fixed) { return fixed; }))
-      break;
     Route shorter = route;
     shorter.points.erase(shorter.points.begin() + from, shorter.points.begin() + to);
     shorter.fixed.erase(shorter.fixed.begin() + from, shorter.fixed.begin() + to);

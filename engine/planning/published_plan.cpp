@@ -59,7 +59,7 @@ Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, 
   if (auto none = add_escapes(plan, chart, request, points, schedule->arrivals, stop))
     return tl::unexpected(std::move(*none));
   if (request.max_loiter.count() == 0.0) {
-    if (const auto killed = longest_killing_of_time(sea, points, *schedule))
+    if (const auto killed = longest_killing_of_time(sea, improved.route, *schedule))
       plan.warnings.push_back(describe(*killed));
   }
   add_warnings(plan, request);

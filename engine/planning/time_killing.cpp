@@ -42,15 +42,17 @@ bool passes_what_has_opened(const Sea& sea, const std::vector<geo::PlanePoint>& 
 
 }  // namespace
 
-std::optional<TimeKilled> longest_killing_of_time(const Sea& sea, const std::vector<geo::PlanePoint>& route,
+std::optional<TimeKilled> longest_killing_of_time(const Sea& sea, const Route& planned,
                                                   const Schedule& schedule) {
   if (!sea.has_timed_closures()) return std::nullopt;
+  const std::vector<geo::PlanePoint>& route = planned.points;
   std::vector<double> way_m{0.0};
   for (std::size_t i = 1; i < route.size(); ++i)
     way_m.push_back(way_m.back() + geo::distance_m(route[i - 1], route[i]));
   std::optional<TimeKilled> longest;
   for (std::size_t from = 0; from + 2 < route.size(); ++from) {
     for (std::size_t to = from + 2; to < route.size() && to <= from + most_points_between; ++to) {
+      if (planned.fixed[to - 1]) break;
       const core::Seconds leaves = schedule.leaves(from);
       const core::Seconds arrives = schedule.arrivals[to];
       const core::Seconds worth = longest ? longest->time : worth_telling;

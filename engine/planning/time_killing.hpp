@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/planning/open_grid.hpp"
+#include "engine/planning/route.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/sea.hpp"
 
@@ -21,9 +22,9 @@ struct TimeKilled {
 };
 
 /// The part that kills most time, where that is ten minutes at least; empty without one, and where nothing opens later.
-/// A way round something that stays closed is no such part, nor is one at whose beginning the vehicle cannot stay.
-[[nodiscard]] std::optional<TimeKilled> longest_killing_of_time(const Sea& sea,
-                                                                const std::vector<geo::PlanePoint>& route,
+/// A part leads past no fixed point, which is visited for its own sake. A way round something that stays closed is none,
+/// nor is one at whose beginning the vehicle cannot stay.
+[[nodiscard]] std::optional<TimeKilled> longest_killing_of_time(const Sea& sea, const Route& route,
                                                                 const Schedule& schedule);
 
 /// What stops a vehicle that goes on at once, and for how long it would have to turn in circles until that opens.
