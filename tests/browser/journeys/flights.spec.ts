@@ -33,6 +33,12 @@ test('a plan is flown many times, and a flight is played back by the clock', asy
   await expect(depth).toContainText(/m$/);
   // Where the plan has the vehicle at the clock's time, where it believed to be on this flight, and where it was.
   await expect(map).toHaveAttribute('data-vehicles', /^(-?\d+,-?\d+ ){2}-?\d+,-?\d+$/);
+  // The planned and the flown one move with the clock.
+  const [planned, , flown] = ((await map.getAttribute('data-vehicles')) ?? '').split(' ');
+  await flight.locator('.u-over').first().click({ position: { x: 120, y: 20 } });
+  await expect(map).not.toHaveAttribute('data-vehicles', new RegExp(`^${planned} `));
+  await expect(map).not.toHaveAttribute('data-vehicles', new RegExp(` ${flown}$`));
+  await expect(map).toHaveAttribute('data-vehicles', /^(-?\d+,-?\d+ ){2}-?\d+,-?\d+$/);
   await expect(flight.locator('.flight-now div', { hasText: 'Off the way' }).locator('dd')).toContainText(/left|right/);
   await flight.getByText('What happened').click();
   await expect(flight.getByText(/^Surfaced|Waypoint reached/).first()).toBeVisible();

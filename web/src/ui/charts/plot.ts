@@ -75,7 +75,7 @@ function optionsOf(box: HTMLElement, spec: PlotSpec, colours: Palette): uPlot.Op
     },
     axes: [
       {
-        ...axis, size: 22, space: 52,
+        ...axis, size: 22, space: 68,
         values: (_plot, times) => times.map((time_s, i) => tickText(time_s, times[i - 1])),
       },
       { ...axis, size: 44, space: 16, values: (_plot, values) => values.map((value) => String(Number(value.toPrecision(6)))) },
@@ -109,7 +109,9 @@ const months = ['Jan', 'Feb', 'Mar', 'Apr', 'May', 'Jun', 'Jul', 'Aug', 'Sep', '
 function tickText(time_s: number, before_s: number | undefined): string {
   const date = new Date(1000 * time_s);
   const newDay = before_s === undefined || new Date(1000 * before_s).getUTCDate() !== date.getUTCDate();
-  if (newDay) return `${date.getUTCDate()} ${months[date.getUTCMonth()] ?? ''}`;
   const minutes = date.getUTCMinutes();
-  return `${String(date.getUTCHours()).padStart(2, '0')}${minutes ? `:${String(minutes).padStart(2, '0')}` : ''}Z`;
+  const clock = `${String(date.getUTCHours()).padStart(2, '0')}${minutes ? `:${String(minutes).padStart(2, '0')}` : ''}Z`;
+  if (!newDay) return clock;
+  const day = `${date.getUTCDate()} ${months[date.getUTCMonth()] ?? ''}`;
+  return clock === '00Z' ? day : `${day} ${clock}`;
 }
