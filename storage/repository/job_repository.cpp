@@ -207,7 +207,7 @@ bool JobRepository::succeed(const JobId& id, const std::string& worker, const st
                             core::UtcTime now) {
   sqlite::Statement update{
       db_,
-      "UPDATE job SET status = 'successful', result_json = ?3, progress = 1.0, worker = NULL, "
+      "UPDATE job SET status = 'successful', result_json = ?3, stage = '', progress = 1.0, worker = NULL, "
       "lease_until_s = NULL, finished_s = ?4, updated_s = ?4 WHERE id = ?1 AND worker = ?2 AND "
       "status = 'running'"};
   update.bind_all(id.value, worker, result_json, now);

@@ -109,6 +109,7 @@ TEST_F(JobRepositoryTest, ReportsProgressAndKeepsTheLease) {
 TEST_F(JobRepositoryTest, EndsWithItsResult) {
   jobs_.submit(job("a"));
   ASSERT_TRUE(jobs_.claim("w1", start, lease));
+  ASSERT_TRUE(jobs_.renew({"a"}, "w1", "search", 0.5, start, lease));
 
   EXPECT_TRUE(jobs_.succeed({"a"}, "w1", R"({"status":"ok"})", start + seconds{9}));
 
@@ -116,6 +117,7 @@ TEST_F(JobRepositoryTest, EndsWithItsResult) {
   EXPECT_EQ(found("a").result_json, R"({"status":"ok"})");
   EXPECT_EQ(found("a").finished, start + seconds{9});
   EXPECT_EQ(found("a").progress, 1.0);
+  EXPECT_EQ(found("a").stage, "") << "which would be of work that is over";
   EXPECT_FALSE(jobs_.fail({"a"}, "w1", "too late", start + seconds{10}));
 }
 
