@@ -70,9 +70,9 @@ test('a track south of where the polar projections end is shown in Mercator', as
   await page.getByLabel('Files to add').setInputFiles([trackLog([[-70.2, 35.0], [-70.0, 35.1]])]);
   await expect(page.locator('#map')).toHaveAttribute('data-tracks', '1');
   await tracks(page).getByRole('button').click();
+  await expect(page.locator('#map')).toHaveAttribute('data-view', /"projection":"EPSG:3857"/);
   await mapAtRest(page);
-  const view = JSON.parse((await page.locator('#map').getAttribute('data-view')) ?? '{}') as { projection: string; centre: [number, number] };
-  expect(view.projection).toBe('EPSG:3857');
+  const view = JSON.parse((await page.locator('#map').getAttribute('data-view')) ?? '{}') as { centre: [number, number] };
   const metres_per_degree = (Math.PI * 6_378_137) / 180;
   expect(Math.abs(view.centre[0] / metres_per_degree + 70.1)).toBeLessThan(0.5);
 
