@@ -252,7 +252,7 @@ def out_of_memory(program, folder):
     """A plan that needs more memory than there is fails by itself and says so; the server goes on."""
     store = folder / "memory"
     resting = Served(program, store, ["--workers", "1"])
-    limit = address_space(resting.process.pid) + 250_000_000
+    limit = address_space(resting.process.pid) + 120_000_000
     resting.end()
     server = Served(program, store, ["--workers", "1"], limits=[(resource.RLIMIT_AS, limit)])
     expect(server.address is not None, f"the server does not start: {server.said()}")
