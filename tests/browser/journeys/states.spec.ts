@@ -24,10 +24,14 @@ test('a page that still waits, and a server that is gone, are plain to everyone'
   });
   await page.goto('/');
   await expect(page.getByText('Reading the store …')).toBeVisible();
+  await expect(page.getByRole('button', { name: 'Plan route' })).toBeDisabled();
   await expectAccessible(page);
   answer?.();
   await expect(page.getByText('The server does not answer')).toBeVisible();
+  await expect(page.getByLabel('Vehicle')).toContainText('Not known');
   await expectAccessible(page);
+  await page.getByRole('button', { name: 'Data', exact: true }).click();
+  await expect(page.getByText('What the store holds is not known')).toBeVisible();
 });
 
 test('without a connection planning says so and what was typed stays', async ({ page, context, request }) => {

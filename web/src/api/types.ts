@@ -389,6 +389,7 @@ export interface Infeasible {
   explanation: string;
   suggestion: string;
   changes?: Change[];
+  changes_cut_short?: boolean; // not every change was tried
   departures?: Departure[];
   warnings: string[];
   datasets: DatasetRef[];

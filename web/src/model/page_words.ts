@@ -14,10 +14,11 @@ const instant = /\d{4}-\d\d-\d\dT\d\d:\d\d:\d\dZ/g;
 /** The order of the request's numbers; on this page latitude comes first, and letters may say which is which. */
 const orderOfNumbers = /; longitude comes first$/;
 
-/** Words of the server that follow on from nothing, begun as a sentence. */
+/** Words of the server that follow on from nothing, as a sentence. */
 export const asSentence = (text: string): string => {
   const words = inPageWords(text);
-  return words.charAt(0).toUpperCase() + words.slice(1);
+  const isOpen = words !== '' && !/[.!?…]$/.test(words);
+  return words.charAt(0).toUpperCase() + words.slice(1) + (isOpen ? '.' : '');
 };
 
 /** A sentence of the server in the words of this page: “Longest wait” where it says --max-loiter. */

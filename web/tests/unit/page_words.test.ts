@@ -10,7 +10,8 @@ it('flags of the command line become the fields of the page, whole ones only', (
   expect(inPageWords('a well-known --thing -- and more')).toBe('a well-known --thing -- and more');
 });
 
-it('begins what stands alone as a sentence', () => {
-  expect(asSentence('the way comes too close at 2026-11-22T23:51:00Z')).toMatch(/^The way comes too close at 22 Nov/);
+it('makes what stands alone a sentence', () => {
+  expect(asSentence('the way comes too close at 2026-11-22T23:51:00Z')).toMatch(/^The way comes too close at 22 Nov.*\.$/);
+  expect(asSentence('Depart later.')).toBe('Depart later.');
   expect(asSentence('')).toBe('');
 });

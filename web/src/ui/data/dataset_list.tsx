@@ -3,7 +3,7 @@ import { useState } from 'preact/hooks';
 import { deleteDataset } from '../../api/session';
 import type { Dataset } from '../../api/types';
 import { covered, toggleCoverage } from '../../model/coverage';
-import { byHand, datasets, isInUse } from '../../model/datasets';
+import { byHand, connectionFault, datasets, isInUse } from '../../model/datasets';
 import { may } from '../../model/login';
 import { plans } from '../../model/plans';
 import { shortTime } from '../../model/time';
@@ -15,7 +15,9 @@ import { TrackList } from './track_list';
 
 /** Every dataset of the store with its times, sizes and warnings. */
 export function DatasetList(): VNode {
-  if (datasets.value === undefined) return <p class="quiet">Reading the store …</p>;
+  if (datasets.value === undefined) {
+    return <p class="quiet">{connectionFault.value ? 'What the store holds is not known: the server does not answer.' : 'Reading the store …'}</p>;
+  }
   if (datasets.value.length === 0) return <p class="quiet">Nothing yet.</p>;
   return (
     <ul class="dataset-list" aria-label="Datasets">

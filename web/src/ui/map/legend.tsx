@@ -11,8 +11,12 @@ import { gliderTracks } from '../../model/tracks';
 import { speedFigure, speedUnit } from '../../model/units';
 import { currentLimits_m_s, depthLimits_m, palette } from '../../theme/palette';
 
-/** Folded at first where the map is small. */
-const open = signal(window.innerWidth >= 1100 && window.innerHeight >= 780);
+/** Folded where the map is small, until a person unfolds it. */
+const roomy = window.matchMedia('(min-width: 1100px) and (min-height: 780px)');
+const open = signal(roomy.matches);
+roomy.addEventListener('change', ({ matches }) => {
+  open.value = matches;
+});
 
 /** What the colours and signs mean, with units. */
 export function Legend(): VNode | null {

@@ -12,10 +12,8 @@ import { shortTime } from '../../model/time';
 import { ask } from '../../model/view';
 import { Icon, IconButton } from '../common/icon';
 
-/** Changes that the server found to help, each alone, as buttons that make them and plan again. */
-function Changes({ changes }: { changes: Change[] }): VNode | null {
-  const possible = changes.filter((change) => editFor(change, draft.value));
-  if (possible.length === 0) return null;
+/** Changes, each of which helps alone, as buttons that make them and plan again. */
+function Changes({ possible }: { possible: Change[] }): VNode {
   return (
     <div class="changes" role="group" aria-label="Changes that help">
       <b>{possible.length === 1 ? 'This change helps:' : 'Any one of these changes helps:'}</b>
@@ -55,6 +53,8 @@ export function FailureCard(): VNode | null {
     );
   }
   const { answer } = fault;
+  const possible = (answer.changes ?? []).filter((change) => editFor(change, draft.value));
+  const needsAdvice = possible.length === 0 || answer.changes_cut_short;
   return (
     <section class="failure" role="alert" aria-label="No plan is possible" ref={card}>
       <h3><Icon name="warning" /> {reasonTitle(answer.reason)}</h3>
@@ -65,10 +65,10 @@ export function FailureCard(): VNode | null {
         </button>
         {answer.when && <span> at {shortTime(Date.parse(answer.when))}</span>}
       </p>
-      <Changes changes={answer.changes ?? []} />
-      {answer.suggestion && (
+      {possible.length > 0 && <Changes possible={possible} />}
+      {needsAdvice && answer.suggestion && (
         <p class="suggestion">
-          <b>Try this:</b> {inPageWords(answer.suggestion)}
+          <b>{possible.length > 0 ? 'Or try this:' : 'Try this:'}</b> {asSentence(answer.suggestion)}
         </p>
       )}
       {answer.warnings.length > 0 && (

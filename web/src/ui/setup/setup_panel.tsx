@@ -1,8 +1,9 @@
+import { computed } from '@preact/signals';
 import { useEffect, useRef } from 'preact/hooks';
 import type { VNode } from 'preact';
 import { plan } from '../../api/planning';
 import { time_ms } from '../../model/clock';
-import { isEmptyStore, vehicles } from '../../model/datasets';
+import { connectionFault, datasets, isEmptyStore, vehicles } from '../../model/datasets';
 import {
   canRedoDraft, canUndoDraft, draft, edit, emptyDraft, faultyAttempts, generalFaults, redoDraft, undoDraft,
 } from '../../model/draft';
@@ -13,10 +14,19 @@ import { Icon, IconButton } from '../common/icon';
 import { RoleNote } from '../common/role_note';
 import { Advanced } from './advanced';
 import { FailureCard } from './failure_card';
-import { SelectField, TextField } from './field';
+import { SelectField, TextField, type Choice } from './field';
 import { GoalField } from './goal_field';
 import { JobRow } from './job_row';
 import { PickButton } from './pick_button';
+
+/** The server's profiles; until they are known, the one that was chosen on an earlier visit. */
+const vehicleChoices = computed<Choice[]>(() => {
+  if (vehicles.value.length > 0) return vehicles.value.map(({ name, title }) => ({ value: name, title: title || name }));
+  const { vehicle } = draft.value;
+  return [{ value: vehicle, title: vehicle || (connectionFault.value ? 'Not known' : 'Reading …') }];
+});
+
+const canPlan = computed(() => datasets.value !== undefined && !isEmptyStore.value && may('pilot'));
 
 /** What is asked for: start, goal, departure, vehicle, margin, and the button that plans. */
 export function SetupPanel(): VNode {
@@ -46,10 +56,7 @@ export function SetupPanel(): VNode {
         <IconButton icon="clock" label="Depart at the clock's time" onClick={() => edit({ depart: fieldOf(time_ms.value) })} />
       </TextField>
       <div class="field-pair wide-first">
-        <SelectField
-          name="vehicle" label="Vehicle"
-          choices={vehicles.value.map(({ name, title }) => ({ value: name, title: title || name }))}
-        />
+        <SelectField name="vehicle" label="Vehicle" choices={vehicleChoices.value} />
         <TextField name="margin_m" label="Ice margin" unit="m" inputMode="decimal" />
       </div>
       <Advanced />
@@ -60,7 +67,7 @@ export function SetupPanel(): VNode {
       {running.value ? (
         <JobRow job={running.value} />
       ) : (
-        <button type="submit" class="primary" disabled={isEmptyStore.value || !may('pilot')} aria-describedby={may('pilot') ? undefined : 'plan-role'}>
+        <button type="submit" class="primary" disabled={!canPlan.value} aria-describedby={may('pilot') ? undefined : 'plan-role'}>
           <Icon name="route" /> {draft.value.name ? `Plan “${draft.value.name}”` : 'Plan route'}
         </button>
       )}
