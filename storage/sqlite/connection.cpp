@@ -47,8 +47,10 @@ void use_write_ahead_log(SQLite::Database& database) {
 
 }  // namespace
 
-Connection::Connection(std::unique_ptr<SQLite::Database> database)
-    : database_{std::move(database)}, statements_{std::make_unique<PreparedStatements>()} {
+Connection::Connection(std::unique_ptr<SQLite::Database> database, bool has_write_ahead_log)
+    : database_{std::move(database)},
+      statements_{std::make_unique<PreparedStatements>()},
+      has_write_ahead_log_{has_write_ahead_log} {
   database_->exec("PRAGMA foreign_keys = ON");
   database_->exec("PRAGMA synchronous = FULL");
   database_->exec("PRAGMA journal_size_limit = 67108864");  // bytes: an ingestion's log shrinks again
@@ -58,6 +60,7 @@ Connection::Connection(Connection&&) noexcept = default;
 Connection& Connection::operator=(Connection&& other) noexcept {
   std::swap(statements_, other.statements_);  // what this one had ends with `other`, in the right order
   std::swap(database_, other.database_);
+  std::swap(has_write_ahead_log_, other.has_write_ahead_log_);
   return *this;
 }
 Connection::~Connection() = default;
@@ -72,7 +75,7 @@ Connection Connection::open(const std::filesystem::path& store) {
     auto database = std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms);
     refuse_foreign_file(*database);
     use_write_ahead_log(*database);
-    return Connection{std::move(database)};
+    return Connection{std::move(database), true};
   } catch (const SQLite::Exception& cause) {
     throw failure_of(cause, file);
   }
@@ -81,7 +84,7 @@ Connection Connection::open(const std::filesystem::path& store) {
 Connection Connection::open_scratch(const std::filesystem::path& folder) {
   const std::string file = (folder / "floeplan.sqlite").string();
   try {
-    Connection scratch{std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms)};
+    Connection scratch{std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms), false};
     scratch.handle().exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF");
     return scratch;
   } catch (const SQLite::Exception& cause) {
@@ -90,7 +93,7 @@ Connection Connection::open_scratch(const std::filesystem::path& folder) {
 }
 
 Connection Connection::in_memory() {
-  return Connection{std::make_unique<SQLite::Database>(":memory:", open_flags, busy_timeout_ms)};
+  return Connection{std::make_unique<SQLite::Database>(":memory:", open_flags, busy_timeout_ms), false};
 }
 
 }  // namespace floeplan::sqlite

@@ -37,12 +37,15 @@ class Connection {
 
   [[nodiscard]] SQLite::Database& handle() { return *database_; }
   [[nodiscard]] PreparedStatements& statements() { return *statements_; }
+  /// False where nobody else has the database: it is in memory, or data to be thrown away.
+  [[nodiscard]] bool has_write_ahead_log() const { return has_write_ahead_log_; }
 
  private:
-  explicit Connection(std::unique_ptr<SQLite::Database> database);
+  Connection(std::unique_ptr<SQLite::Database> database, bool has_write_ahead_log);
 
   std::unique_ptr<SQLite::Database> database_;
   std::unique_ptr<PreparedStatements> statements_;  // of database_
+  bool has_write_ahead_log_;
 };
 
 }  // namespace floeplan::sqlite
