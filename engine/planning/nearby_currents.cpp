@@ -7,7 +7,10 @@
 namespace floeplan::planning {
 namespace {
 
-constexpr std::size_t most_reach = 8;          // in cells
+constexpr std::size_t most_reach = 8;  // in cells
+// In cells, chosen: a search meets a few per cent of the data, and a smaller tile would look at more of its neighbours' cells
+// than of its own.
+constexpr std::size_t tile_side = 16;
 constexpr std::size_t most_nodes = 1U << 23U;  // 256 MB of boxes for a voyage as long as the data
 constexpr double beside_chord = 2.5e-4;  // of a cell: how far CurrentLine strays from the data's coordinates
 constexpr float infinite = std::numeric_limits<float>::infinity();
@@ -44,7 +47,9 @@ NearbyCurrents::NearbyCurrents(const PlaneCurrents& currents, core::Metres longe
   reach_x_ = static_cast<std::size_t>(std::ceil(cells_along_x));
   reach_y_ = static_cast<std::size_t>(std::ceil(cells_along_y));
   judge_cells();
-  boxes_.resize(currents.times_s_ ? currents.times_s_->size() : 1);
+  tiles_x_ = (cells_x_ + tile_side - 1) / tile_side;
+  tiles_y_ = (cells_y_ + tile_side - 1) / tile_side;
+  tiles_.resize((currents.times_s_ ? currents.times_s_->size() : 1) * tiles_y_ * tiles_x_);
   useful_ = true;
 }
 
@@ -67,7 +72,8 @@ void NearbyCurrents::judge_cells() {
   }
 }
 
-NearbyCurrents::Box NearbyCurrents::box_of(std::size_t ix, std::size_t iy, std::size_t slice) const {
+NearbyCurrents::Box NearbyCurrents::box_of(Cell cell, std::size_t slice) const {
+  const auto [ix, iy] = cell;
   const Cover cover = covers_[iy * cells_x_ + ix];
   if (cover == Cover::never)
     return {{infinite, infinite, infinite, infinite}, {-infinite, -infinite, -infinite, -infinite}};
@@ -93,41 +99,53 @@ NearbyCurrents::Box NearbyCurrents::box_of(std::size_t ix, std::size_t iy, std::
   return box;
 }
 
-std::vector<NearbyCurrents::Box> NearbyCurrents::boxes_of(std::size_t slice) {
+std::vector<NearbyCurrents::Box> NearbyCurrents::boxes_of_tile(Cell first, std::size_t slice) {
   const auto include = [](Box& box, const Box& more) {
     for (std::size_t i = 0; i < 4; ++i) {
       box.low[i] = std::min(box.low[i], more.low[i]);
       box.high[i] = std::max(box.high[i], more.high[i]);
     }
   };
-  const auto first = [](std::size_t at, std::size_t reach) { return at < reach ? 0 : at - reach; };
+  const auto before = [](std::size_t at, std::size_t reach) { return at < reach ? 0 : at - reach; };
+  const Cell end{std::min(first.x + tile_side, cells_x_), std::min(first.y + tile_side, cells_y_)};
+  const Cell seen_first{before(first.x, reach_x_), before(first.y, reach_y_)};
+  const Cell seen_end{std::min(end.x + reach_x_, cells_x_), std::min(end.y + reach_y_, cells_y_)};
+
   own_.clear();
-  own_.reserve(covers_.size());
-  for (std::size_t iy = 0; iy < cells_y_; ++iy) {
-    for (std::size_t ix = 0; ix < cells_x_; ++ix) own_.push_back(box_of(ix, iy, slice));
-  }
-  rows_ = own_;
-  for (std::size_t iy = 0; iy < cells_y_; ++iy) {
-    for (std::size_t ix = 0; ix < cells_x_; ++ix) {
-      const std::size_t last = std::min(ix + reach_x_, cells_x_ - 1);
-      for (std::size_t i = first(ix, reach_x_); i <= last; ++i)
-        include(rows_[iy * cells_x_ + ix], own_[iy * cells_x_ + i]);
+  rows_.clear();
+  for (std::size_t y = seen_first.y; y < seen_end.y; ++y) {
+    const std::size_t row = own_.size();
+    for (std::size_t x = seen_first.x; x < seen_end.x; ++x) own_.push_back(box_of({x, y}, slice));
+    for (std::size_t x = first.x; x < end.x; ++x) {
+      const std::size_t from = before(x, reach_x_);
+      const std::size_t to = std::min(x + reach_x_, cells_x_ - 1);
+      Box box = own_[row + from - seen_first.x];
+      for (std::size_t i = from + 1; i <= to; ++i) include(box, own_[row + i - seen_first.x]);
+      rows_.push_back(box);
     }
   }
-  std::vector<Box> all = rows_;
-  for (std::size_t iy = 0; iy < cells_y_; ++iy) {
-    const std::size_t last = std::min(iy + reach_y_, cells_y_ - 1);
-    for (std::size_t i = first(iy, reach_y_); i <= last; ++i) {
-      for (std::size_t ix = 0; ix < cells_x_; ++ix)
-        include(all[iy * cells_x_ + ix], rows_[i * cells_x_ + ix]);
+  const std::size_t width = end.x - first.x;
+  std::vector<Box> all;
+  all.reserve(width * (end.y - first.y));
+  for (std::size_t y = first.y; y < end.y; ++y) {
+    const std::size_t from = before(y, reach_y_);
+    const std::size_t to = std::min(y + reach_y_, cells_y_ - 1);
+    for (std::size_t x = 0; x < width; ++x) {
+      Box box = rows_[(from - seen_first.y) * width + x];
+      for (std::size_t i = from + 1; i <= to; ++i) include(box, rows_[(i - seen_first.y) * width + x]);
+      all.push_back(box);
     }
   }
   return all;
 }
 
-const std::vector<NearbyCurrents::Box>& NearbyCurrents::boxes(std::size_t slice) {
-  if (boxes_[slice].empty()) boxes_[slice] = boxes_of(slice);
-  return boxes_[slice];
+const NearbyCurrents::Box& NearbyCurrents::box_about(Cell cell, std::size_t slice) {
+  const Cell tile{cell.x / tile_side, cell.y / tile_side};
+  const Cell first{tile.x * tile_side, tile.y * tile_side};
+  std::vector<Box>& boxes = tiles_[(slice * tiles_y_ + tile.y) * tiles_x_ + tile.x];
+  if (boxes.empty()) boxes = boxes_of_tile(first, slice);
+  const std::size_t width = std::min(tile_side, cells_x_ - first.x);
+  return boxes[(cell.y - first.y) * width + cell.x - first.x];
 }
 
 std::optional<NearbyCurrents::Place> NearbyCurrents::place(geo::PlanePoint point) const {
@@ -135,9 +153,8 @@ std::optional<NearbyCurrents::Place> NearbyCurrents::place(geo::PlanePoint point
   const auto x = currents_.x_.locate(around.at.x);
   const auto y = currents_.y_.locate(around.at.y);
   if (!x || !y) return std::nullopt;
-  const std::size_t cell = y->cell * cells_x_ + x->cell;
-  if (covers_[cell] != Cover::always) return std::nullopt;
-  return Place{around, cell, y->cell * currents_.x_.size() + x->cell, x->share, y->share};
+  if (covers_[y->cell * cells_x_ + x->cell] != Cover::always) return std::nullopt;
+  return Place{around, {x->cell, y->cell}, y->cell * currents_.x_.size() + x->cell, x->share, y->share};
 }
 
 motion::CurrentXy NearbyCurrents::at(const Place& place, std::size_t slice) const {
@@ -155,9 +172,9 @@ motion::CurrentXy NearbyCurrents::at(const Place& place, std::size_t slice) cons
 
 bool NearbyCurrents::enclose(motion::NearbyCurrent& near, const Place& place, std::size_t first,
                              std::size_t last, float sign) {
-  Box box = boxes(first)[place.cell];
+  Box box = box_about(place.cell, first);
   for (std::size_t slice = first + 1; slice <= last; ++slice) {
-    const Box& more = boxes(slice)[place.cell];
+    const Box& more = box_about(place.cell, slice);
     for (std::size_t i = 0; i < 4; ++i) {
       box.low[i] = std::min(box.low[i], more.low[i]);
       box.high[i] = std::max(box.high[i], more.high[i]);

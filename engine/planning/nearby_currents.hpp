@@ -45,9 +45,13 @@ class NearbyCurrents {
     std::array<float, 4> low;
     std::array<float, 4> high;
   };
+  struct Cell {
+    std::size_t x;
+    std::size_t y;
+  };
   struct Place {
     GridLookup::Surroundings around;
-    std::size_t cell;
+    Cell cell;
     std::size_t first;  // index of the south-western node
     double fx;
     double fy;
@@ -55,9 +59,12 @@ class NearbyCurrents {
   [[nodiscard]] std::optional<Place> place(geo::PlanePoint point) const;
   [[nodiscard]] motion::CurrentXy at(const Place& place, std::size_t slice) const;
   void judge_cells();
-  [[nodiscard]] const std::vector<Box>& boxes(std::size_t slice);
-  [[nodiscard]] std::vector<Box> boxes_of(std::size_t slice);
-  [[nodiscard]] Box box_of(std::size_t ix, std::size_t iy, std::size_t slice) const;
+  /// What an edge that begins in the cell can meet in a slice.
+  [[nodiscard]] const Box& box_about(Cell cell, std::size_t slice);
+  /// The same of all cells of a tile, [y][x]; `first`: the south-western one.
+  [[nodiscard]] std::vector<Box> boxes_of_tile(Cell first, std::size_t slice);
+  /// Of one cell alone.
+  [[nodiscard]] Box box_of(Cell cell, std::size_t slice) const;
   /// Adds what slices `first` to `last` enclose; false where nothing can be said.
   bool enclose(motion::NearbyCurrent& near, const Place& place, std::size_t first, std::size_t last,
                float sign);
@@ -71,11 +78,12 @@ class NearbyCurrents {
   std::size_t reach_y_{};
   geo::GridPoint off_line_;    // how far an edge may lie beside a straight line in the data's coordinates
   std::vector<Cover> covers_;  // [y][x]
-  // Of one slice, kept for the next because memory fresh from the system takes longer than the work: each cell's own boxes,
-  // and those of its neighbours in the row added.
+  // Of one tile, kept for the next: each cell's own boxes, and those of its neighbours in the row added.
   std::vector<Box> own_;
   std::vector<Box> rows_;
-  std::vector<std::vector<Box>> boxes_;  // of each slice, [y][x]; empty before they are needed
+  std::size_t tiles_x_{};
+  std::size_t tiles_y_{};
+  std::vector<std::vector<Box>> tiles_;  // [slice][y][x]; empty before they are needed
 };
 
 }  // namespace floeplan::planning
