@@ -7,23 +7,59 @@
 
 namespace floeplan::planning {
 
+namespace {
+
+/// Columns of a window that lie side by side in the data, too.
+struct Stretch {
+  std::size_t first;  // of the window
+  std::size_t end;
+  std::size_t data_first;
+};
+
+/// One, or two where the window lies over the seam of the data's longitudes.
+std::vector<Stretch> stretches_of(const std::vector<std::size_t>& columns) {
+  std::vector<Stretch> stretches;
+  for (std::size_t ix = 0; ix < columns.size(); ++ix) {
+    if (ix == 0 || columns[ix] != columns[ix - 1] + 1) stretches.push_back({ix, ix, columns[ix]});
+    stretches.back().end = ix + 1;
+  }
+  return stretches;
+}
+
+/// Counts a level in for the columns that have water in it and in all above. Returns how many.
+std::uint32_t count_wet(std::uint32_t level, const float* u, const float* v, std::uint32_t* counts,
+                        std::size_t columns) {
+  std::uint32_t wet = 0;
+  // Without a branch, and in numbers as wide as the samples: the compiler takes several columns at once.
+  const auto count = [&](std::size_t i) {
+    const float sum = u[i] + v[i];
+    const auto is_known = static_cast<std::uint32_t>(sum == sum);
+    const std::uint32_t here = static_cast<std::uint32_t>(counts[i] == level) & is_known;
+    counts[i] += here;
+    wet += here;
+  };
+  constexpr std::size_t together = 8;
+  std::size_t i = 0;
+  for (; i + together <= columns; i += together)
+    for (std::size_t k = 0; k < together; ++k) count(i + k);
+  for (; i < columns; ++i) count(i);
+  return wet;
+}
+
+}  // namespace
+
 WetLevels::WetLevels(const NodeWindow& window, std::size_t first_row, std::size_t rows,
                      const ocean::CurrentRows& water)
     : first_row_{first_row}, columns_{window.x.size()}, counts_(rows * window.x.size(), 0) {
+  const std::vector<Stretch> stretches = stretches_of(window.columns);
   for (std::size_t iy = 0; iy < rows; ++iy) {
     for (std::size_t level = 0; level < water.levels(); ++level) {
       const std::size_t row = level * water.level_stride() + iy * water.columns();
-      const float* const u = water.u().data() + row;
-      const float* const v = water.v().data() + row;
-      std::uint16_t* const counts = counts_.data() + iy * columns_;
-      unsigned wet = 0;
-      for (std::size_t ix = 0; ix < columns_; ++ix) {
-        const std::size_t i = window.columns[ix];
-        // Without a branch: on a coast nobody foresees which node is next to be dry.
-        const unsigned here =
-            static_cast<unsigned>(counts[ix] == level) & static_cast<unsigned>(!std::isnan(u[i] + v[i]));
-        counts[ix] = static_cast<std::uint16_t>(counts[ix] + here);
-        wet += here;
+      std::uint32_t wet = 0;
+      for (const auto& [first, end, data_first] : stretches) {
+        wet += count_wet(static_cast<std::uint32_t>(level), water.u().data() + row + data_first,
+                         water.v().data() + row + data_first, counts_.data() + iy * columns_ + first,
+                         end - first);
       }
       if (wet == 0) break;
     }

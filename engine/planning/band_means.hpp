@@ -37,7 +37,7 @@ class WetLevels {
  private:
   std::size_t first_row_;
   std::size_t columns_;
-  std::vector<std::uint16_t> counts_;  // [y][x]
+  std::vector<std::uint32_t> counts_;  // [y][x]
 };
 
 /// Mean currents over the depths flown at places, each a weighted sum of samples: each node's column by itself, bilinear
