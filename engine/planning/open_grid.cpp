@@ -1,5 +1,7 @@
 #include "engine/planning/open_grid.hpp"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 namespace floeplan::planning {
@@ -20,14 +22,27 @@ std::vector<std::uint8_t> open_vertices(const Sea& sea, const RouteGrid& grid, c
   return open;
 }
 
+/// How far an edge goes along either axis of the plane.
+core::Metres reach_of(const RouteGrid& grid, const graph::GridGraph& graph) {
+  double furthest = 0.0;
+  for (const graph::Offset offset : graph.offsets()) {
+    const double x_m = offset.dx * grid.along.x_m + offset.dy * grid.across.x_m;
+    const double y_m = offset.dx * grid.along.y_m + offset.dy * grid.across.y_m;
+    furthest = std::max({furthest, std::abs(x_m), std::abs(y_m)});
+  }
+  return core::Metres{furthest};
+}
+
 std::int64_t count_open_edges(const Sea& sea, const RouteGrid& grid, const graph::GridGraph& graph,
                               const std::stop_token& stop) {
+  const core::Metres reach = reach_of(grid, graph);
   std::int64_t count = 0;
   for (Vertex v = 0; v < graph.size(); ++v) {
     if (v % vertices_between_looks == 0 && stop.stop_requested()) break;
     if (!graph.is_open(v)) continue;
+    const bool all_open = sea.open_about(grid.point(v), reach);
     graph.for_each_edge(v, [&](const Edge& edge) {
-      if (!sea.closed_between(grid.point(edge.tail), grid.point(edge.head))) ++count;
+      if (all_open || !sea.closed_between(grid.point(edge.tail), grid.point(edge.head))) ++count;
     });
   }
   return count;

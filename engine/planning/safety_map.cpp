@@ -117,6 +117,12 @@ std::optional<motion::EdgeClosed> SafetyMap::closed_between(geo::PlanePoint a, g
   return closed;
 }
 
+bool SafetyMap::open_about(geo::PlanePoint point, core::Metres reach) const {
+  const auto cell = raster_.index(point);
+  // A clearance of n leaves at least n - 1 whole open cells around the point's own.
+  return cell && reach.value <= (clearance_[*cell] - 1) * raster_.cell_m();
+}
+
 std::optional<motion::EdgeClosed> SafetyMap::closed_at(geo::LonLat place) const {
   const auto holds = [&](const geo::Polygon& polygon) { return geo::contains(polygon, place); };
   if (std::ranges::any_of(environment_->land, holds)) return motion::EdgeClosed::on_land;

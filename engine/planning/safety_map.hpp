@@ -37,6 +37,9 @@ class SafetyMap {
 
   /// Why the straight line from a to b is closed, by the first closed cell on it; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
+  /// Whether every straight line from a point of the map that goes no further than `reach` along either axis is open: certainly
+  /// so when true.
+  [[nodiscard]] bool open_about(geo::PlanePoint point, core::Metres reach) const;
   /// Why a place is closed by the data themselves, not by its cell; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_at(geo::LonLat place) const;
   [[nodiscard]] core::Metres cell() const { return core::Metres{raster_.cell_m()}; }

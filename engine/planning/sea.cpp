@@ -103,6 +103,11 @@ std::optional<motion::EdgeClosed> Sea::closed_between(geo::PlanePoint a, geo::Pl
   return std::nullopt;
 }
 
+bool Sea::open_about(geo::PlanePoint point, core::Metres reach) const {
+  const bool may_stand = icebergs_.standing() && !icebergs_.empty();
+  return !may_stand && safety_.open_about(point, reach);
+}
+
 template <class VisitPiece>
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time(const motion::PlaneEdge& edge,
                                                                 core::Seconds depart, core::Seconds latest,

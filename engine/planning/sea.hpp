@@ -36,6 +36,8 @@ class Sea {
   /// Why the straight leg is closed at any time, by depth, land, standing zones or standing
   /// icebergs; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
+  /// Whether no leg from a point that goes no further than `reach` along either axis is closed so: certainly when true.
+  [[nodiscard]] bool open_about(geo::PlanePoint point, core::Metres reach) const;
   /// Travel time of a straight leg, or why it is closed; too_late when it would certainly end after `latest`.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time(geo::PlanePoint a, geo::PlanePoint b,
                                                                          core::Seconds depart,
