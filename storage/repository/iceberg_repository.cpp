@@ -162,13 +162,13 @@ std::vector<StoredSighting> IcebergRepository::latest(const DatasetId& dataset, 
                                                       core::UtcTime as_of, core::Seconds max_age) const {
   // The area comes last: a berg that has left it must not be found where it was before. A sighting without a
   // berg's name is a berg of its own.
-  sqlite::Statement query{db_,
-                          "SELECT " + columns +
-                              "FROM (SELECT *, row_number() OVER (PARTITION BY berg_id, iif(berg_id = '', "
-                              "row, 0) ORDER BY observed_s "
-                              "DESC, row DESC) AS newness FROM sighting WHERE dataset_row = (SELECT row FROM "
-                              "dataset WHERE id = ?1) "
-                              "AND observed_s <= ?2) WHERE newness = 1 AND observed_s >= ?3 ORDER BY row"};
+  sqlite::Statement query{
+      db_, "SELECT " + columns +
+               "FROM sighting AS own WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1) "
+               "AND observed_s BETWEEN ?3 AND ?2 AND (berg_id = '' OR row = (SELECT row FROM "
+               "sighting AS same WHERE same.dataset_row = own.dataset_row AND same.berg_id = "
+               "own.berg_id AND same.observed_s <= ?2 ORDER BY same.observed_s DESC, same.row DESC "
+               "LIMIT 1)) ORDER BY row"};
   query.bind_all(dataset.value, as_of, as_of - max_age);
   std::vector<StoredSighting> sightings;
   while (query.step()) {

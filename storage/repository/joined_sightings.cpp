@@ -97,10 +97,12 @@ std::vector<StoredSighting> joined_sightings(sqlite::Connection& db, const std::
                                              const geo::BoundingBox& area, core::UtcTime as_of,
                                              core::Seconds max_age, core::Seconds track_age) {
   const IcebergRepository repository{db};
+  // A berg that one dataset shows here may since have been seen elsewhere by another.
+  const geo::BoundingBox& searched = datasets.size() == 1 ? area : whole_world;
   std::vector<Part> parts;
   parts.reserve(datasets.size());
   for (const Dataset& dataset : datasets)
-    parts.push_back(part_of(dataset, repository.latest(dataset.id, whole_world, as_of, max_age)));
+    parts.push_back(part_of(dataset, repository.latest(dataset.id, searched, as_of, max_age)));
 
   std::vector<StoredSighting> joined;
   for (std::size_t i = 0; i < parts.size(); ++i) {

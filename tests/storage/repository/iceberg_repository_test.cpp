@@ -125,6 +125,39 @@ TEST_F(IcebergRepositoryTest, GivesTheNewestSightingOfEachBergByThen) {
   EXPECT_EQ(latest[0].iceberg.place.lon_deg, 2.0);
 }
 
+/// Longitudes number the sightings: equal moments are frequent, and the one stored last then counts.
+TEST_F(IcebergRepositoryTest, GivesWhatALookAtEverySightingGives) {
+  support::for_each_seed(50, [&](std::mt19937_64& rng) {
+    std::vector<ocean::Iceberg> all;
+    for (int i = 0; i < 60; ++i) {
+      const int berg = support::uniform_int(rng, 0, 6);
+      all.push_back(sample_berg(berg == 0 ? "" : std::to_string(berg), {static_cast<double>(i), 0.0},
+                                sample_time + support::uniform_int(rng, 0, 20) * hour));
+    }
+    DatasetRepository{db_}.remove(dataset_);
+    DatasetRepository{db_}.insert(sample_dataset(dataset_.value, DatasetKind::icebergs));
+    icebergs_.insert(dataset_, all);
+    icebergs_.insert({"ice-2"}, {sample_berg("1", {0.0, 0.0}, sample_time + 10 * hour)});
+
+    const core::UtcTime as_of = sample_time + support::uniform_int(rng, 0, 20) * hour;
+    const core::Seconds max_age = support::uniform_int(rng, 0, 20) * hour;
+    std::vector<double> expected;
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      const auto replaces = [&](std::size_t j) {
+        if (all[j].id != all[i].id || all[i].id.empty() || all[j].observed > as_of) return false;
+        return all[j].observed > all[i].observed || (all[j].observed == all[i].observed && j > i);
+      };
+      bool is_newest = all[i].observed <= as_of && all[i].observed >= as_of - max_age;
+      for (std::size_t j = 0; j < all.size(); ++j) is_newest = is_newest && !replaces(j);
+      if (is_newest) expected.push_back(all[i].place.lon_deg);
+    }
+    std::vector<double> found;
+    for (const StoredSighting& sighting : icebergs_.latest(dataset_, everywhere, as_of, max_age))
+      found.push_back(sighting.iceberg.place.lon_deg);
+    EXPECT_EQ(found, expected);
+  });
+}
+
 TEST_F(IcebergRepositoryTest, DoesNotFindABergWhereItWasBeforeItLeftTheArea) {
   icebergs_.insert(dataset_, {sample_berg("a", {0.0, 0.0}, sample_time - 2 * hour),
                               sample_berg("a", {9.0, 0.0}, sample_time - hour)});
