@@ -53,7 +53,7 @@ function Key({ line }: { line: Line }): VNode {
     <span>
       <svg width="16" height="8" aria-hidden="true" focusable="false">
         {line.dots
-          ? <circle cx="8" cy="4" r="3.5" fill={line.colour} />
+          ? <circle cx="8" cy="4" r="3" fill={line.hollow ? 'none' : line.colour} stroke={line.colour} />
           : <line x1="0" y1="4" x2="16" y2="4" stroke={line.colour} stroke-width={line.width ?? 2} stroke-dasharray={line.dash?.join(' ')} />}
       </svg>
       {line.label}

@@ -25,7 +25,7 @@ export function Departures({ plan, departures }: { plan: Plan; departures: Depar
     return [
       { label: '', values: hours, colour: colours.plans[0] },
       { label: closed ? 'way found' : '', values: hours, colour: colours.plans[0], dots: 8 },
-      ...(closed ? [{ label: 'no way', values: departures.map(({ status }) => (status === 'ok' ? null : low)), colour: colours.danger, dots: 8 }] : []),
+      ...(closed ? [{ label: 'no way', values: departures.map(({ status }) => (status === 'ok' ? null : low)), colour: colours.danger, dots: 8, hollow: true }] : []),
     ];
   }, [departures, colours]);
 

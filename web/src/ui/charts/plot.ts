@@ -12,6 +12,7 @@ export interface Line {
   fill?: string; // from the line to the lower edge
   stepped?: boolean; // each value holds since the one before
   dots?: number; // marks of this diameter in pixels, without a line
+  hollow?: boolean; // the marks are rings
 }
 
 export interface PlotSpec {
@@ -89,17 +90,19 @@ function optionsOf(box: HTMLElement, spec: PlotSpec, colours: Palette): uPlot.Op
         ...(line.dash ? { dash: line.dash } : {}),
         ...(line.fill ? { fill: line.fill, fillTo: (_plot, _index, low, high) => (spec.downward ? high : low) } : {}),
         ...(line.stepped && stepped ? { paths: stepped } : {}),
-        points: { show: line.dots !== undefined, size: line.dots ?? 0, stroke: line.colour, fill: line.colour },
+        points: { show: line.dots !== undefined, size: line.dots ?? 0, stroke: line.colour, fill: line.hollow ? 'transparent' : line.colour },
         spanGaps: false,
       })),
     ],
   };
 }
 
-function rangeOf(low: number | null, high: number | null, fromZero: boolean): [number, number] {
+/** The ends of an axis with a little room; figures that hardly differ are not drawn as if they did. */
+export function rangeOf(low: number | null, high: number | null, fromZero: boolean): [number, number] {
   if (low === null || high === null) return [0, 1];
   const start = fromZero ? Math.min(0, low) : low;
-  const room = 0.06 * Math.max(high - start, 1e-3);
+  const least = Math.max(0.02 * Math.abs(high), 1e-3);
+  const room = Math.max(0.06 * (high - start), 0.5 * (least - (high - start)));
   return [fromZero && low >= 0 ? 0 : start - room, high + room];
 }
 
