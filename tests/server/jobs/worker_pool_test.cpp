@@ -22,7 +22,8 @@ using support::wait_until;
 constexpr const char* short_plan =
     R"({"from":[-53,69],"to":[-52.9,69.05],"depart":"2026-11-20T06:00:00Z","method":"direct"})";
 constexpr const char* long_plan =
-    R"({"from":[-53,69],"to":[-50,67],"depart":"2026-11-20T06:00:00Z","spacing_m":250,"sectors":5})";
+    R"({"from":[-53,69],"to":[-50,67],"depart":"2026-11-20T06:00:00Z","depart_until":"2026-11-24T06:00:00Z",)"
+    R"("spacing_m":400,"sectors":5})";
 constexpr const char* plan_of_many_legs =  // its document needs pages of its own
     R"({"from":[-53,69],"to":[-52.9,69.05],"depart":"2026-11-20T06:00:00Z","method":"direct","max_leg_m":100})";
 constexpr core::UtcTime some_time{core::Seconds{1.8e9}};
