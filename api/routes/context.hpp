@@ -10,6 +10,7 @@
 #include "api/routes/job_gateway.hpp"
 #include "api/routes/remembered.hpp"
 #include "api/routes/request_counts.hpp"
+#include "storage/repository/current_blocks.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::routes {
@@ -23,6 +24,8 @@ struct ServiceInfo {
   std::filesystem::path store{};               // folder of the database, to tell its size
   std::shared_ptr<RequestCounts> counts{};     // empty: nobody counts
   std::function<std::size_t()> connections{};  // open now
+  /// What queries of places read last; empty: nothing is kept.
+  std::shared_ptr<repository::CurrentBlocks> current_blocks{};
 };
 
 /// What a resource answers from.

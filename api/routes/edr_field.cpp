@@ -22,10 +22,10 @@ double direction_deg(const geo::VelocityEn& velocity) {
 
 class CurrentsField : public EdrField {
  public:
-  explicit CurrentsField(ocean::CurrentGrid grid) : grid_{std::move(grid)} {}
+  explicit CurrentsField(std::shared_ptr<const ocean::CurrentGrid> grid) : grid_{std::move(grid)} {}
   void sample(geo::LonLat place, core::Metres depth, core::UtcTime time,
               std::span<std::optional<double>> values) const override {
-    const auto velocity = grid_.at(place, depth, time);
+    const auto velocity = grid_->at(place, depth, time);
     if (!velocity) return;
     values[0] = velocity->east.value;
     values[1] = velocity->north.value;
@@ -34,7 +34,7 @@ class CurrentsField : public EdrField {
   }
 
  private:
-  ocean::CurrentGrid grid_;
+  std::shared_ptr<const ocean::CurrentGrid> grid_;
 };
 
 class DepthField : public EdrField {
@@ -63,6 +63,23 @@ class SeaIceField : public EdrField {
  private:
   ocean::IceField ice_;
 };
+
+/// Empty for data without time.
+std::optional<repository::Period> period_of(const EdrShape& shape, core::UtcTime from, core::UtcTime to) {
+  if (shape.times.empty()) return std::nullopt;
+  return repository::Period{from, to};
+}
+
+/// Between which depths; empty: at all.
+struct DepthRange {
+  std::optional<core::Metres> shallowest;
+  std::optional<core::Metres> deepest;
+};
+
+DepthRange range_of(const std::vector<double>& depths_m) {
+  if (depths_m.empty()) return {};
+  return {core::Metres{std::ranges::min(depths_m)}, core::Metres{std::ranges::max(depths_m)}};
+}
 
 bool meets(const repository::Dataset& dataset, const TimeSpan& span) {
   return (!span.from || !dataset.time_end || *dataset.time_end >= *span.from) &&
@@ -118,25 +135,33 @@ std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape&
                                          const std::vector<double>& depths_m) {
   const FieldRepository fields{db};
   const auto& id = shape.dataset.id;
-  const std::optional<repository::Period> period =
-      shape.times.empty() ? std::nullopt : std::optional{repository::Period{from, to}};
   if (shape.dataset.kind == DatasetKind::bathymetry) {
     using repository::FieldOverviews;
     auto bathymetry = FieldOverviews{db}.bathymetry(id, area, FieldOverviews::plenty);
     return bathymetry ? std::make_unique<DepthField>(std::move(*bathymetry)) : nullptr;
   }
   if (shape.dataset.kind == DatasetKind::ice) {
-    auto ice = fields.load_ice(id, area, period);
+    auto ice = fields.load_ice(id, area, period_of(shape, from, to));
     return ice ? std::make_unique<SeaIceField>(std::move(*ice)) : nullptr;
   }
-  std::optional<core::Metres> shallowest;
-  std::optional<core::Metres> deepest;
-  if (!depths_m.empty()) {
-    shallowest = core::Metres{std::ranges::min(depths_m)};
-    deepest = core::Metres{std::ranges::max(depths_m)};
+  const auto [shallowest, deepest] = range_of(depths_m);
+  auto currents = fields.load_currents(id, area, period_of(shape, from, to), deepest, shallowest);
+  if (!currents) return nullptr;
+  return std::make_unique<CurrentsField>(std::make_shared<const ocean::CurrentGrid>(std::move(*currents)));
+}
+
+std::unique_ptr<EdrField> load_edr_field_at(sqlite::Connection& db, const EdrShape& shape, geo::LonLat place,
+                                            core::UtcTime from, core::UtcTime to,
+                                            const std::vector<double>& depths_m,
+                                            repository::CurrentBlocks* kept) {
+  if (shape.dataset.kind != DatasetKind::currents || kept == nullptr) {
+    const geo::BoundingBox at_place{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
+    return load_edr_field(db, shape, at_place, from, to, depths_m);
   }
-  auto currents = fields.load_currents(id, area, period, deepest, shallowest);
-  return currents ? std::make_unique<CurrentsField>(std::move(*currents)) : nullptr;
+  const auto [shallowest, deepest] = range_of(depths_m);
+  auto currents = FieldRepository{db}.load_currents_at(shape.dataset.id, place, period_of(shape, from, to),
+                                                       deepest, shallowest, *kept);
+  return currents ? std::make_unique<CurrentsField>(std::move(currents)) : nullptr;
 }
 
 }  // namespace floeplan::routes

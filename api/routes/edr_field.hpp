@@ -9,6 +9,7 @@
 #include "api/codec/coverage.hpp"
 #include "api/routes/parameters.hpp"
 #include "engine/geo/bounding_box.hpp"
+#include "storage/repository/current_blocks.hpp"
 #include "storage/repository/dataset.hpp"
 #include "storage/sqlite/connection.hpp"
 
@@ -52,5 +53,12 @@ struct EdrShape {
 [[nodiscard]] std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape& shape,
                                                        const geo::BoundingBox& area, core::UtcTime from,
                                                        core::UtcTime to, const std::vector<double>& depths_m);
+
+/// The same about one place. `kept`: blocks of currents that were read before; null: none.
+[[nodiscard]] std::unique_ptr<EdrField> load_edr_field_at(sqlite::Connection& db, const EdrShape& shape,
+                                                          geo::LonLat place, core::UtcTime from,
+                                                          core::UtcTime to,
+                                                          const std::vector<double>& depths_m,
+                                                          repository::CurrentBlocks* kept);
 
 }  // namespace floeplan::routes

@@ -32,7 +32,8 @@ tl::expected<json, Response> coverage_at(const EdrCollection& collection, const 
   coverage.y_deg = {at.place.lat_deg};
   const auto from = coverage.t.empty() ? core::UtcTime{} : coverage.t.front();
   const auto to = coverage.t.empty() ? core::UtcTime{} : coverage.t.back();
-  const auto field = load_edr_field(context.db, *shape, box, from, to, coverage.z_m);
+  const auto field = load_edr_field_at(context.db, *shape, at.place, from, to, coverage.z_m,
+                                       context.service.current_blocks.get());
   fill(coverage, field.get(), collection, wanted, [](geo::LonLat) { return true; });
   return codec::coverage_json(coverage);
 }

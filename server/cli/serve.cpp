@@ -28,6 +28,8 @@ namespace floeplan::cli {
 namespace {
 
 constexpr std::size_t handler_threads = 4;
+/// Of currents about places: ten days of hourly ones of a model, 64 by 64 nodes at one depth, are a sixteenth of it.
+constexpr std::size_t most_kept_blocks = std::size_t{128} << 20;
 
 /// Structured lines on stderr; stdout is for answers to people and scripts.
 void log_to_stderr(const std::string& level) {
@@ -166,7 +168,8 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                   .secure = secure,
                   .store = options.store,
                   .counts = counts,
-                  .connections = [&server] { return server.connections(); }},
+                  .connections = [&server] { return server.connections(); },
+                  .current_blocks = std::make_shared<repository::CurrentBlocks>(most_kept_blocks)},
                  {.open_without_tokens = address.loopback && !options.behind_proxy,
                   .secure = secure,
                   .behind_proxy = options.behind_proxy,

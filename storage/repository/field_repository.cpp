@@ -63,13 +63,13 @@ std::int64_t stored_size(const std::optional<ocean::Axis>& axis) {
   return axis ? static_cast<std::int64_t>(axis->size()) : 0;
 }
 
-/// Levels between which both depths can be interpolated, and one more below; no depths: all levels.
+/// Levels between which both depths can be interpolated; no depths: all levels.
 AxisWindow levels_between(const ocean::Axis& depths_m, std::optional<core::Metres> shallowest,
                           std::optional<core::Metres> deepest) {
   const auto& nodes = depths_m.nodes();
   std::ptrdiff_t first = 0;
   auto last = std::ssize(nodes) - 1;
-  if (deepest) last = std::min(std::ranges::upper_bound(nodes, deepest->value) - nodes.begin(), last);
+  if (deepest) last = std::min(std::ranges::lower_bound(nodes, deepest->value) - nodes.begin(), last);
   if (shallowest)
     first = std::clamp<std::ptrdiff_t>(std::ranges::upper_bound(nodes, shallowest->value) - nodes.begin() - 1,
                                        0, last);
@@ -113,6 +113,63 @@ std::vector<float> read_block(ChunkReader& reader, const std::string& variable, 
     }
   }
   return samples;
+}
+
+/// Which of a dataset's currents are to be read.
+struct StoredCurrents {
+  ChunkLayout chunks;
+  ocean::HorizontalGrid grid;  // whole
+  GridWindow window;
+  bool has_depths{};
+  AxisWindow depths;
+  AxisWindow times;
+
+  [[nodiscard]] std::size_t bytes() const {
+    const std::size_t nodes = window.x.nodes.size() * window.y.nodes.size();
+    return 2 * sizeof(float) * nodes * depths.nodes.size() * times.nodes.size();
+  }
+  [[nodiscard]] CurrentBlock key() const {
+    return {chunks.dataset_row, window.x.runs, window.y.runs, depths.runs.front(), times.runs.front()};
+  }
+};
+
+struct DepthRange {
+  std::optional<core::Metres> shallowest;
+  std::optional<core::Metres> deepest;
+};
+
+std::optional<StoredCurrents> find_currents(sqlite::Connection& db, const DatasetId& id,
+                                            const geo::BoundingBox& area, const std::optional<Period>& period,
+                                            const DepthRange& range) {
+  const auto layout = find_layout(db, id);
+  const auto stored = FieldRepository{db}.shape(id);
+  if (!layout || !stored) return std::nullopt;
+  auto window = window_around(stored->grid, area);
+  if (!window) return std::nullopt;
+  auto times = stored->times_s ? steps_around(*stored->times_s, period) : whole(ocean::Axis{{0.0}});
+  if (!times) return std::nullopt;
+  AxisWindow depths = stored->depths_m ? levels_between(*stored->depths_m, range.shallowest, range.deepest)
+                                       : whole(ocean::Axis{{0.0}});
+  return StoredCurrents{.chunks = layout->chunks,
+                        .grid = stored->grid,
+                        .window = std::move(*window),
+                        .has_depths = stored->depths_m.has_value(),
+                        .depths = std::move(depths),
+                        .times = std::move(*times)};
+}
+
+ocean::CurrentGrid read_currents(sqlite::Connection& db, const StoredCurrents& part,
+                                 const std::stop_token& stop) {
+  ChunkReader reader{db, part.chunks};
+  const auto read = [&](const std::string& variable) {
+    return read_block(reader, variable, part.times.runs.front(), part.depths.runs.front(), part.window, stop);
+  };
+  return ocean::CurrentGrid{
+      {.grid = ocean::HorizontalGrid{part.grid.frame(), part.window.x.nodes, part.window.y.nodes},
+       .depths_m = part.has_depths ? std::optional{part.depths.nodes} : std::nullopt,
+       .times_s = part.times.nodes,
+       .u = read("u_m_s"),
+       .v = read("v_m_s")}};
 }
 
 }  // namespace
@@ -182,23 +239,27 @@ std::optional<ocean::CurrentGrid> FieldRepository::load_currents(
     const DatasetId& id, const geo::BoundingBox& area, std::optional<Period> period,
     std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest) const {
   const sqlite::Snapshot one_moment{db_};
-  const auto layout = find_layout(db_, id);
-  const auto stored = shape(id);
-  if (!layout || !stored) return std::nullopt;
-  const auto window = window_around(stored->grid, area);
-  if (!window) return std::nullopt;
-  const auto times = stored->times_s ? steps_around(*stored->times_s, period) : whole(ocean::Axis{{0.0}});
-  if (!times) return std::nullopt;
-  const AxisWindow depths =
-      stored->depths_m ? levels_between(*stored->depths_m, shallowest, deepest) : whole(ocean::Axis{{0.0}});
+  const auto part = find_currents(db_, id, area, period, {shallowest, deepest});
+  if (!part) return std::nullopt;
+  return read_currents(db_, *part, stop_);
+}
 
-  ChunkReader reader{db_, layout->chunks};
-  return ocean::CurrentGrid{
-      {.grid = ocean::HorizontalGrid{stored->grid.frame(), window->x.nodes, window->y.nodes},
-       .depths_m = stored->depths_m ? std::optional{depths.nodes} : std::nullopt,
-       .times_s = times->nodes,
-       .u = read_block(reader, "u_m_s", times->runs.front(), depths.runs.front(), *window, stop_),
-       .v = read_block(reader, "v_m_s", times->runs.front(), depths.runs.front(), *window, stop_)}};
+std::shared_ptr<const ocean::CurrentGrid> FieldRepository::load_currents_at(
+    const DatasetId& id, geo::LonLat place, std::optional<Period> period, std::optional<core::Metres> deepest,
+    std::optional<core::Metres> shallowest, CurrentBlocks& kept) const {
+  const sqlite::Snapshot one_moment{db_};
+  const geo::BoundingBox at_place{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
+  auto part = find_currents(db_, id, at_place, period, {shallowest, deepest});
+  if (!part) return nullptr;
+  StoredCurrents block = *part;
+  block.window = in_whole_blocks(part->window, block.grid, block.chunks.side);
+  const bool is_kept_if_read = block.bytes() <= kept.most_bytes() / 4;
+  if (!is_kept_if_read) return std::make_shared<const ocean::CurrentGrid>(read_currents(db_, *part, stop_));
+  const CurrentBlock key = block.key();
+  if (auto known = kept.find(key)) return known;
+  auto read = std::make_shared<const ocean::CurrentGrid>(read_currents(db_, block, stop_));
+  if (!stop_.stop_requested()) kept.keep(key, read, block.bytes());
+  return read;
 }
 
 std::optional<ocean::Bathymetry> FieldRepository::load_bathymetry(const DatasetId& id,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <memory>
 #include <optional>
 #include <span>
 #include <stop_token>
@@ -12,6 +13,7 @@
 #include "engine/ocean/current_grid.hpp"
 #include "engine/ocean/horizontal_grid.hpp"
 #include "engine/ocean/ice_field.hpp"
+#include "storage/repository/current_blocks.hpp"
 #include "storage/repository/dataset.hpp"
 #include "storage/repository/sample_steps.hpp"
 #include "storage/sqlite/connection.hpp"
@@ -56,13 +58,18 @@ class FieldRepository {
 
   [[nodiscard]] std::optional<FieldShape> shape(const DatasetId& id) const;
 
-  /// The nodes around `area` (one more on each side), the times around `period` and the depths down to
-  /// `deepest` (one more below), from the last level at or above `shallowest` on. nullopt when the dataset is unknown or shares no node with the area, or no
+  /// The nodes around `area` (one more on each side), the times around `period` and the levels down to the first at or
+  /// below `deepest`, from the last level at or above `shallowest` on. nullopt when the dataset is unknown or shares no node with the area, or no
   /// time with the period. A dataset whose period ends before or begins after `period` yields nullopt;
   /// `period` empty means all times.
   [[nodiscard]] std::optional<ocean::CurrentGrid> load_currents(
       const DatasetId& id, const geo::BoundingBox& area, std::optional<Period> period,
       std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest = {}) const;
+  /// The same about a place, with all the nodes that are packed together with those around it: they are unpacked in any case,
+  /// and who asks for one place asks for those beside it next. null: as above.
+  [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> load_currents_at(
+      const DatasetId& id, geo::LonLat place, std::optional<Period> period,
+      std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest, CurrentBlocks& kept) const;
   [[nodiscard]] std::optional<ocean::Bathymetry> load_bathymetry(const DatasetId& id,
                                                                  const geo::BoundingBox& area) const;
   /// As load_currents, without depths. Thickness is there when a slice of it was ever written.

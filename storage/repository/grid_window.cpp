@@ -138,4 +138,15 @@ std::optional<GridWindow> window_around(const ocean::HorizontalGrid& grid, const
   return GridWindow{std::move(*x), std::move(*y)};
 }
 
+GridWindow in_whole_blocks(const GridWindow& window, const ocean::HorizontalGrid& grid, std::size_t side) {
+  const auto widened = [side](const AxisWindow& along, const ocean::Axis& axis) {
+    if (along.runs.size() > 1) return along;
+    const NodeRun run = along.runs.front();
+    const std::size_t first = run.first / side * side;
+    const std::size_t end = (run.first + run.count + side - 1) / side * side;
+    return part(axis, first, std::min(end, axis.size()) - 1);
+  };
+  return {widened(window.x, grid.x()), widened(window.y, grid.y())};
+}
+
 }  // namespace floeplan::repository

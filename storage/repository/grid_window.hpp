@@ -14,6 +14,8 @@ namespace floeplan::repository {
 struct NodeRun {
   std::size_t first{};
   std::size_t count{};
+
+  friend bool operator==(const NodeRun&, const NodeRun&) = default;
 };
 
 /// Part of a stored axis: runs to be joined in this order, and the joined axis. There are two runs only where
@@ -41,5 +43,10 @@ struct GridWindow {
 /// Outside  nullopt when the grid and the area do not meet
 [[nodiscard]] std::optional<GridWindow> window_around(const ocean::HorizontalGrid& grid,
                                                       const geo::BoundingBox& area);
+
+/// The window widened to the blocks of `side` nodes a side that it lies in, counted from the grid's first node; along an
+/// axis on which it crosses the seam of the globe it stays as it is.
+[[nodiscard]] GridWindow in_whole_blocks(const GridWindow& window, const ocean::HorizontalGrid& grid,
+                                         std::size_t side);
 
 }  // namespace floeplan::repository

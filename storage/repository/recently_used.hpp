@@ -18,6 +18,8 @@ class RecentlyUsed {
  public:
   explicit RecentlyUsed(std::size_t most_bytes) : most_bytes_{most_bytes} {}
 
+  [[nodiscard]] std::size_t most_bytes() const { return most_bytes_; }
+
   /// Null where it is not kept.
   [[nodiscard]] std::shared_ptr<const Value> find(const Key& key) {
     const std::scoped_lock lock{mutex_};

@@ -68,7 +68,10 @@ class ApiTest : public testing::Test {
 
   sqlite::Connection db_{repository::open_store_in_memory()};
   IdleJobs jobs_;
-  routes::ServiceInfo service_{"http://127.0.0.1:8080", {}, {}};
+  routes::ServiceInfo service_{.public_url = "http://127.0.0.1:8080",
+                               .web = {},
+                               .uploads = {},
+                               .current_blocks = std::make_shared<repository::CurrentBlocks>(1 << 20)};
   routes::Router router_{routes::all_routes()};
   routes::Request last_request_;
 };

@@ -127,6 +127,61 @@ TEST_F(FieldRepositoryTest, KeepsEverySampleToTheBit) {
   EXPECT_EQ(loaded->samples().grid.x().nodes(), grid.x().nodes());
 }
 
+/// Law: at its place and depth a block answers as the nodes around it do, to the bit, on a grid with an end and on one that
+/// goes round the globe.
+TEST_F(FieldRepositoryTest, ABlockAnswersAtAPlaceAsTheNodesAroundItDo) {
+  std::mt19937_64 rng{1};
+  for (const auto& x : {axis(-60.0, 0.1, 131), axis(-180.0, 4.0, 90)}) {
+    DatasetRepository{db_}.remove(id_);
+    DatasetRepository{db_}.insert(sample_dataset(id_.value, DatasetKind::currents));
+    const ocean::HorizontalGrid grid{geo::GeographicFrame{}, x, axis(60.0, 0.1, 67)};
+    fields_.create(id_, {grid, axis(0.0, 10.0, 3), axis(1.8e9, 3600.0, 2)});
+    for (std::size_t i = 0; i < 6; ++i) {
+      fields_.write_slice(id_, "u_m_s", i / 3, i % 3, noise(rng, grid.size()));
+      fields_.write_slice(id_, "v_m_s", i / 3, i % 3, noise(rng, grid.size()));
+    }
+    CurrentBlocks kept{std::size_t{4} << 20};
+    const geo::BoundingBox area{x.front() - 0.2, 59.9, x.back() + 0.2, 66.8};
+    for (int i = 0; i < 300; ++i) {
+      const geo::LonLat place = place_in(rng, area);
+      const core::Metres depth{support::uniform(rng, 0.0, 20.0)};
+      const auto around = fields_.load_currents(
+          id_, {place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg}, std::nullopt, depth, depth);
+      const auto block = fields_.load_currents_at(id_, place, std::nullopt, depth, depth, kept);
+      ASSERT_EQ(around.has_value(), block != nullptr) << place.lon_deg << ' ' << place.lat_deg;
+      if (!around) continue;
+      const core::UtcTime when = core::from_unix_seconds(1.8e9 + support::uniform(rng, 0.0, 3600.0));
+      const auto expected = around->at(place, depth, when);
+      const auto found = block->at(place, depth, when);
+      ASSERT_EQ(expected.has_value(), found.has_value()) << place.lon_deg << ' ' << place.lat_deg;
+      if (expected) {
+        ASSERT_EQ(found->east.value, expected->east.value);
+        ASSERT_EQ(found->north.value, expected->north.value);
+      }
+    }
+  }
+}
+
+TEST_F(FieldRepositoryTest, ABlockIsReadOnceForThePlacesInIt) {
+  DatasetRepository{db_}.insert(sample_dataset(id_.value, DatasetKind::currents));
+  const ocean::HorizontalGrid grid{geo::GeographicFrame{}, axis(-60.0, 0.1, 131), axis(60.0, 0.1, 67)};
+  fields_.create(id_, {grid, axis(0.0, 10.0, 2), axis(1.8e9, 3600.0, 2)});
+  CurrentBlocks kept{std::size_t{4} << 20};
+  const auto at = [&](geo::LonLat place, double depth_m, CurrentBlocks& blocks) {
+    return fields_.load_currents_at(id_, place, std::nullopt, core::Metres{depth_m}, core::Metres{depth_m},
+                                    blocks);
+  };
+
+  const auto first = at({-59.5, 60.5}, 0.0, kept);
+
+  EXPECT_EQ(at({-57.0, 63.0}, 0.0, kept), first);
+  EXPECT_EQ(first->samples().grid.size(), 64U * 64U);
+  EXPECT_NE(at({-50.0, 63.0}, 0.0, kept), first) << "in the next block";
+  EXPECT_NE(at({-59.5, 60.5}, 5.0, kept), first) << "between two levels";
+  CurrentBlocks too_small{1000};
+  EXPECT_LT(at({-59.5, 60.5}, 0.0, too_small)->samples().grid.size(), 64U);
+}
+
 TEST_F(FieldRepositoryTest, WritesASliceAgain) {
   std::mt19937_64 rng{1};
   const ocean::HorizontalGrid grid{geo::GeographicFrame{}, axis(0.0, 1.0, 70), axis(0.0, 1.0, 3)};
@@ -353,10 +408,10 @@ TEST_F(CurrentWindow, IsNothingOutsideTheStoredPeriod) {
   EXPECT_EQ(times(sample_time - day, sample_time).size(), 1U);
 }
 
-TEST_F(CurrentWindow, HoldsOneMoreLevelThanTheDeepest) {
+TEST_F(CurrentWindow, HoldsTheLevelsDownToTheFirstAtOrBelowTheDeepest) {
   EXPECT_THAT(depths(30.0), testing::ElementsAre(0.0, 10.0, 50.0));
-  EXPECT_THAT(depths(50.0), testing::ElementsAre(0.0, 10.0, 50.0, 100.0));
-  EXPECT_THAT(depths(0.0), testing::ElementsAre(0.0, 10.0));
+  EXPECT_THAT(depths(50.0), testing::ElementsAre(0.0, 10.0, 50.0));
+  EXPECT_THAT(depths(0.0), testing::ElementsAre(0.0));
   EXPECT_EQ(depths(1000.0).size(), 4U);
 }
 
