@@ -4,7 +4,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 make_package() {
-  run_or_fail "the package could not be made" "read the message above; dpkg-dev must be installed" \
+  run_or_fail "the package could not be made" "read the message above; dpkg-dev and file must be installed" \
     cpack --config "$root/build/release/CPackConfig.cmake" -B "$root/build/package" >&2
   find "$root/build/package" -maxdepth 1 -name 'floeplan_*.deb' -printf '%T@ %p\n' | sort -n | tail -n 1 | cut -d ' ' -f 2-
 }
