@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <stdexcept>
 
 namespace floeplan::geo {
 namespace {
@@ -32,25 +33,28 @@ bool contains(const Polygon& polygon, LonLat place) {
 
 BoundingBox bounding_box(const Polygon& polygon) {
   const Ring& ring = polygon.outer;
-  BoundingBox box = bounding_box(std::span<const LonLat>{ring});
+  if (ring.empty()) throw std::invalid_argument{"bounding_box needs at least one place"};
+  const double first_deg = wrap_longitude(ring.front().lon_deg);
+  BoundingBox box{first_deg, ring.front().lat_deg, first_deg, ring.front().lat_deg};
   double lon_deg = 0.0;  // counted from the first corner on, without a seam
   double west_deg = 0.0;
   double east_deg = 0.0;
   for (std::size_t i = 0; i < ring.size(); ++i) {
-    lon_deg += longitude_difference(ring[i].lon_deg, ring[(i + 1) % ring.size()].lon_deg);
+    const LonLat& next = ring[(i + 1) % ring.size()];
+    box.south_deg = std::min(box.south_deg, next.lat_deg);
+    box.north_deg = std::max(box.north_deg, next.lat_deg);
+    lon_deg += longitude_difference(ring[i].lon_deg, next.lon_deg);
     if (lon_deg < west_deg) {
       west_deg = lon_deg;
-      box.west_deg = wrap_longitude(ring[(i + 1) % ring.size()].lon_deg);
+      box.west_deg = wrap_longitude(next.lon_deg);
     }
     if (lon_deg > east_deg) {
       east_deg = lon_deg;
-      box.east_deg = wrap_longitude(ring[(i + 1) % ring.size()].lon_deg);
+      box.east_deg = wrap_longitude(next.lon_deg);
     }
   }
   constexpr double rounding_deg = 1e-9;
   if (east_deg - west_deg >= 360.0 - rounding_deg) return {-180.0, box.south_deg, 180.0, box.north_deg};
-  if (west_deg == 0.0) box.west_deg = wrap_longitude(ring.front().lon_deg);
-  if (east_deg == 0.0) box.east_deg = wrap_longitude(ring.front().lon_deg);
   return box;
 }
 

@@ -1,6 +1,7 @@
 #include "engine/ocean/current_grid.hpp"
 
 #include <cmath>
+#include <cstdint>
 #include <limits>
 #include <span>
 #include <stdexcept>
@@ -32,7 +33,7 @@ std::optional<AxisPosition> located(const Axis& levels_m, core::Metres depth) {
 CurrentGrid::CurrentGrid(Samples samples) : CurrentGrid{std::move(samples), nullptr} {}
 
 CurrentGrid::CurrentGrid(Samples samples, std::shared_ptr<const TidalCurrents> tide)
-    : samples_{std::move(samples)}, tide_{std::move(tide)} {
+    : samples_{std::move(samples)}, gaps_{std::make_shared<Gaps>()}, tide_{std::move(tide)} {
   const std::size_t wanted = samples_.grid.size() * depth_count(samples_) * samples_.times_s.size();
   if (samples_.u.size() != wanted || samples_.v.size() != wanted) {
     throw std::invalid_argument{"currents need one u and one v for each node, depth and time"};
@@ -142,6 +143,29 @@ std::optional<geo::VelocityEn> CurrentGrid::depth_average(geo::LonLat place, cor
   const auto water = column(*position, time_index);
   if (!water) return std::nullopt;
   return water->mean({0.0}, dive_depth);
+}
+
+bool CurrentGrid::has_steady_gaps() const {
+  std::call_once(gaps_->looked, [this] { gaps_->are_steady = look_for_steady_gaps(); });
+  return gaps_->are_steady;
+}
+
+bool CurrentGrid::look_for_steady_gaps() const {
+  if (tide_) return false;
+  const std::size_t slice = samples_.u.size() / samples_.times_s.size();
+  const auto changes = [&](std::size_t begin) {
+    // Without a branch: the compiler takes several samples at once.
+    std::uint32_t differ = 0;
+    for (std::size_t i = 0; i < slice; ++i) {
+      const float first = samples_.u[i] + samples_.v[i];
+      const float later = samples_.u[begin + i] + samples_.v[begin + i];
+      differ |= static_cast<std::uint32_t>(first == first) ^ static_cast<std::uint32_t>(later == later);
+    }
+    return differ != 0;
+  };
+  for (std::size_t begin = slice; begin < samples_.u.size(); begin += slice)
+    if (changes(begin)) return false;
+  return true;
 }
 
 CurrentGrid CurrentGrid::time_mean() const {

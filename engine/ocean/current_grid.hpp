@@ -1,6 +1,7 @@
 #pragma once
 
 #include <memory>
+#include <mutex>
 #include <optional>
 #include <vector>
 
@@ -19,6 +20,7 @@ namespace floeplan::ocean {
 ///          surface to the first level the current is that level's, as in a CurrentColumn. Data without a depth axis (`depths` empty) answer for every depth: they say nothing of depth
 /// Tide     where tidal currents are added, the steps of time are theirs: the data, linear between their own times
 ///          (steady when they have one), and the tide at each of its steps; nullopt also where the tide is missing
+/// Threads  const members may be called from several threads at once
 /// Errors   std::invalid_argument from the constructor when the sizes do not agree, or when the tide begins before or
 ///          ends after data of several times
 class CurrentGrid : public CurrentField {
@@ -49,6 +51,9 @@ class CurrentGrid : public CurrentField {
   /// The steps of time that a `time_index` counts.
   [[nodiscard]] const Axis& times_s() const { return tide_ ? tide_->times_s() : samples_.times_s; }
   [[nodiscard]] const std::shared_ptr<const TidalCurrents>& tide() const { return tide_; }
+  /// Whether the same samples are missing at every time; not told of grids with a tide. The first to ask has all samples
+  /// looked at.
+  [[nodiscard]] bool has_steady_gaps() const;
   /// The mean over all times, without the tide, as a field with a single time; a node is missing where it is missing
   /// at any time.
   [[nodiscard]] CurrentGrid time_mean() const;
@@ -62,7 +67,15 @@ class CurrentGrid : public CurrentField {
   [[nodiscard]] std::optional<geo::VelocityEn> tide_at(const GridPosition& at, std::size_t time_index) const;
   [[nodiscard]] std::optional<CurrentColumn> column(const GridPosition& at, std::size_t time_index) const;
 
+  [[nodiscard]] bool look_for_steady_gaps() const;
+
+  struct Gaps {
+    std::once_flag looked;
+    bool are_steady{};
+  };
+
   Samples samples_;
+  std::shared_ptr<Gaps> gaps_;  // of copies too: they have the same samples
   std::shared_ptr<const TidalCurrents> tide_;
   std::vector<AxisPosition> sample_times_;  // where each step of the tide lies among the samples' times
 };

@@ -29,7 +29,7 @@ tl::expected<TimedWay, NoFreeWay> with_legs(const TimedWay& start, std::size_t l
 tl::expected<TimedWay, NoFreeWay> find_coarse_free_way(const TimedWay& start, const LegTimer& leg_timer,
                                                        const std::stop_token& stop) {
   // Far steps are taken with few legs, which are soon timed; where those do not settle the finer ones may.
-  WayDescent rough = descend_with_legs(start, coarsest / 4, leg_timer, stop);
+  WayDescent rough = descend_roughly(start, coarsest / 4, leg_timer, stop);
   return with_legs(rough.closed ? start : rough.way, coarsest, leg_timer, stop);
 }
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "engine/planning/lon_lat_box.hpp"
+
 namespace floeplan::planning {
 namespace {
 
@@ -83,27 +85,7 @@ GridSpacing spacing_for(const PlanRequest& request, core::Metres distance) {
 
 geo::BoundingBox planning_area(const PlanRequest& request) {
   const Layout layout = lay_out(request, second_reach);
-  const PlaneBox box = layout.bounds();
-  std::vector<geo::LonLat> rim;
-  constexpr int samples = 32;
-  for (int i = 0; i <= samples; ++i) {
-    const double x = box.low.x_m + box.width_m() * i / samples;
-    const double y = box.low.y_m + box.height_m() * i / samples;
-    for (const geo::PlanePoint point : {geo::PlanePoint{x, box.low.y_m}, geo::PlanePoint{x, box.high.y_m},
-                                        geo::PlanePoint{box.low.x_m, y}, geo::PlanePoint{box.high.x_m, y}}) {
-      rim.push_back(layout.projection.to_lon_lat(point));
-    }
-  }
-  geo::BoundingBox area = geo::bounding_box(std::span<const geo::LonLat>{rim});
-  for (const double pole_deg : {90.0, -90.0}) {
-    const bool same_side = pole_deg * layout.projection.origin().lat_deg > 0.0;
-    if (same_side && box.contains(layout.projection.to_plane({0.0, pole_deg}))) {
-      (pole_deg > 0.0 ? area.north_deg : area.south_deg) = pole_deg;
-      area.west_deg = -180.0;
-      area.east_deg = 180.0;
-    }
-  }
-  return area;
+  return lon_lat_box(layout.bounds(), layout.projection);
 }
 
 }  // namespace floeplan::planning

@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/geo/coarse_outline.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/coast_lines.hpp"
 #include "engine/planning/plane_distance.hpp"
@@ -126,13 +127,23 @@ std::optional<core::Metres> bottom_clearance(const Sea& sea, const ocean::Enviro
   return least;
 }
 
-/// Least distance from the route to the lines of the coast.
+/// Least distance from the route to the lines of the coast. Looked for ever further out, so that what is far away is hardly
+/// looked at.
 std::optional<core::Metres> land_clearance(const Sea& sea, const ocean::Environment& environment,
                                            const std::vector<geo::PlanePoint>& route) {
+  constexpr core::Metres first_look{4000.0};
+  constexpr core::Metres round_the_globe{2.1e7};
+  // Of the plane's to the ground's distances: polar stereographic ones have 0.933 at the pole, the others at least 1.
+  constexpr double least_scale = 0.9;
   if (environment.land.empty()) return std::nullopt;
   std::vector<geo::PlanePoint> samples;
-  for_each_sample(route, [&](geo::PlanePoint point) { samples.push_back(point); });
+  std::vector<geo::LonLat> places;
+  for_each_sample(route, [&](geo::PlanePoint point) {
+    samples.push_back(point);
+    places.push_back(sea.projection().to_lon_lat(point));
+  });
   std::ranges::sort(samples, {}, &geo::PlanePoint::x_m);
+  const geo::BoundingBox along = geo::bounding_box(places);
 
   double least = std::numeric_limits<double>::infinity();
   const auto approach = [&](geo::PlanePoint a, geo::PlanePoint b) {
@@ -144,8 +155,12 @@ std::optional<core::Metres> land_clearance(const Sea& sea, const ocean::Environm
       least = std::min(least, distance_to_line(*sample, a, b));
     }
   };
-  for (const geo::Polygon& polygon : environment.land) {
-    for_each_coast_line(polygon.outer, sea.projection(), approach);
+  for (core::Metres within = first_look;; within = 8.0 * within) {
+    least = std::numeric_limits<double>::infinity();
+    const geo::BoundingBox near = geo::grown(along, within);
+    for (const geo::Polygon& polygon : environment.land)
+      for_each_coast_line(geo::coarse_beyond(near, {polygon.outer, {}}).outer, sea.projection(), approach);
+    if (least <= least_scale * within.value || within > round_the_globe) break;
   }
   if (!std::isfinite(least)) return std::nullopt;
   return core::Metres{least};

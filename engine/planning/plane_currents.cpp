@@ -155,10 +155,12 @@ void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& w
     for (std::size_t t = 0; t < slices; ++t) {
       if (stop.stop_requested()) return;
       const ocean::CurrentRows water{currents, t, window.first_row + block.first_needed, block.needed};
-      WetLevels wet_now{window, block.first_needed, block.needed, water};
-      if (wet != wet_now) {
-        means.emplace(places, currents.samples().depths_m, window, turns, wet_now, water);
-        wet = std::move(wet_now);
+      if (!means || !currents.has_steady_gaps()) {
+        WetLevels wet_now{window, block.first_needed, block.needed, water};
+        if (wet != wet_now) {
+          means.emplace(places, currents.samples().depths_m, window, turns, wet_now, water);
+          wet = std::move(wet_now);
+        }
       }
       for (std::size_t i = 0; i < places.size(); ++i) {
         const auto mean = means->at(i, water);

@@ -5,7 +5,9 @@
 #include <stdexcept>
 #include <utility>
 
+#include "engine/geo/coarse_outline.hpp"
 #include "engine/planning/depth_cells.hpp"
+#include "engine/planning/lon_lat_box.hpp"
 #include "engine/planning/polygon_cells.hpp"
 
 namespace floeplan::planning {
@@ -24,6 +26,13 @@ std::optional<motion::EdgeClosed> reason_of(CellState state) {
   throw std::logic_error{"CellState without a reason"};
 }
 
+/// The cells of the raster, and as much more as its outline may bend.
+geo::BoundingBox box_about(const PlaneRaster& raster, const geo::LocalProjection& projection) {
+  const PlaneBox& area = raster.area();
+  const double margin_m = 2.0 * raster.cell_m() + 1000.0 + 0.01 * std::max(area.width_m(), area.height_m());
+  return lon_lat_box(area.grown(margin_m), projection);
+}
+
 }  // namespace
 
 SafetyMap::SafetyMap(const ocean::Environment& environment, core::Metres least_depth, StandingZones zones,
@@ -33,16 +42,27 @@ SafetyMap::SafetyMap(const ocean::Environment& environment, core::Metres least_d
       least_depth_{least_depth},
       zones_{std::move(zones)},
       raster_{area, cell},
+      detailed_{box_about(raster_, projection)},
       cells_(raster_.size(), CellState::open) {
   if (environment.bathymetry) {
     cells_ = judge_depths(raster_, *environment.bathymetry, least_depth, projection, stop);
   }
   for (const geo::Polygon& polygon : environment.land) {
     if (stop.stop_requested()) return;
-    close_cells(polygon, CellState::on_land, projection);
+    land_.push_back(geo::coarse_beyond(detailed_, polygon));
+    close_cells(land_.back(), CellState::on_land, projection);
   }
   close_zones(projection, stop);
   measure_clearance(stop);
+}
+
+std::size_t SafetyMap::bytes() const {
+  std::size_t bytes = cells_.size() * sizeof(CellState) + clearance_.size();
+  for (const geo::Polygon& polygon : land_) {
+    bytes += polygon.outer.size() * sizeof(geo::LonLat);
+    for (const geo::Ring& hole : polygon.holes) bytes += hole.size() * sizeof(geo::LonLat);
+  }
+  return bytes;
 }
 
 void SafetyMap::close_cells(const geo::Polygon& polygon, CellState state,
@@ -123,9 +143,15 @@ bool SafetyMap::open_about(geo::PlanePoint point, core::Metres reach) const {
   return cell && reach.value <= (clearance_[*cell] - 1) * raster_.cell_m();
 }
 
+bool SafetyMap::is_on_land(geo::LonLat place) const {
+  const auto& land = geo::contains(detailed_, place) ? land_ : environment_->land;
+  return std::ranges::any_of(land,
+                             [&](const geo::Polygon& polygon) { return geo::contains(polygon, place); });
+}
+
 std::optional<motion::EdgeClosed> SafetyMap::closed_at(geo::LonLat place) const {
   const auto holds = [&](const geo::Polygon& polygon) { return geo::contains(polygon, place); };
-  if (std::ranges::any_of(environment_->land, holds)) return motion::EdgeClosed::on_land;
+  if (is_on_land(place)) return motion::EdgeClosed::on_land;
   if (std::ranges::any_of(zones_.no_go, holds)) return motion::EdgeClosed::in_zone;
   if (zones_.confined && std::ranges::none_of(zones_.stay_in, holds)) return motion::EdgeClosed::in_zone;
   if (!environment_->bathymetry) return std::nullopt;

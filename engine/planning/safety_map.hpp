@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
+#include "engine/geo/bounding_box.hpp"
 #include "engine/geo/local_projection.hpp"
 #include "engine/motion/edge_closed.hpp"
 #include "engine/ocean/environment.hpp"
@@ -43,7 +44,7 @@ class SafetyMap {
   /// Why a place is closed by the data themselves, not by its cell; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_at(geo::LonLat place) const;
   [[nodiscard]] core::Metres cell() const { return core::Metres{raster_.cell_m()}; }
-  [[nodiscard]] std::size_t bytes() const { return cells_.size() * sizeof(CellState) + clearance_.size(); }
+  [[nodiscard]] std::size_t bytes() const;
   /// Opens the cell of a place that is open itself, so that caution about the rest of the cell does not lock
   /// it in.
   void open_around(geo::PlanePoint point);
@@ -53,6 +54,7 @@ class SafetyMap {
   void open_along(const std::vector<geo::PlanePoint>& route, const geo::LocalProjection& projection);
 
  private:
+  [[nodiscard]] bool is_on_land(geo::LonLat place) const;
   void close_cells(const geo::Polygon& polygon, CellState state, const geo::LocalProjection& projection);
   void close_zones(const geo::LocalProjection& projection, const std::stop_token& stop);
   [[nodiscard]] std::vector<std::size_t> closed_cells_between(geo::PlanePoint a, geo::PlanePoint b) const;
@@ -65,6 +67,8 @@ class SafetyMap {
   core::Metres least_depth_;
   StandingZones zones_;
   PlaneRaster raster_;
+  geo::BoundingBox detailed_;       // the raster, and a little more
+  std::vector<geo::Polygon> land_;  // the environment's, as good as that in the box
   std::vector<CellState> cells_;
   std::vector<std::uint8_t>
       clearance_;  // cells in every direction that are open, 0 on a closed one, at most 255

@@ -8,6 +8,8 @@ namespace {
 constexpr int most_iterations = 40;
 /// Share of the duration: a smaller gain drowns in the errors of the legs' times.
 constexpr double least_gain = 1e-7;
+/// Where only a start for more legs is wanted, each step of which costs as much.
+constexpr double rough_gain = 1e-4;
 /// Of a leg, for difference quotients: small beside the bends of a way, large beside the errors of its time.
 constexpr double difference_step = 0.02;
 constexpr double least_step = 1e-3;  // share of Newton's step that is still tried
@@ -189,14 +191,14 @@ struct Step {
 };
 
 /// Raises the weight, which shortens the step, until the way does become shorter.
-Step step_down(const TimedWay& way, const LegTimer& leg_timer, double weight) {
+Step step_down(const TimedWay& way, const LegTimer& leg_timer, double weight, double worthwhile_gain) {
   const Neighbourhood near{way, leg_timer};
   Step step{.next = {}, .weight = weight};
   const auto slopes = all_slopes(near);
   step.closed = !slopes;
   if (!slopes) return step;
   const auto full_step = best_policies(near, *slopes, least_weight);
-  step.at_minimum = full_step && full_step->gain <= least_gain * way.duration().count();
+  step.at_minimum = full_step && full_step->gain <= worthwhile_gain * way.duration().count();
   for (; !step.at_minimum && step.weight <= most_weight; step.weight *= weight_factor) {
     const auto policies = best_policies(near, *slopes, step.weight);
     if (policies) step.next = shorter_way(near, *policies, way.duration());
@@ -205,13 +207,12 @@ Step step_down(const TimedWay& way, const LegTimer& leg_timer, double weight) {
   return step;
 }
 
-}  // namespace
-
-WayDescent descend(const TimedWay& start, const LegTimer& leg_timer, const std::stop_token& stop) {
+WayDescent descend_until(double worthwhile_gain, const TimedWay& start, const LegTimer& leg_timer,
+                         const std::stop_token& stop) {
   WayDescent descent{.way = start};
   double weight = least_weight;
   for (int i = 0; i < most_iterations && !stop.stop_requested(); ++i) {
-    Step step = step_down(descent.way, leg_timer, weight);
+    Step step = step_down(descent.way, leg_timer, weight, worthwhile_gain);
     if (!step.next) {
       descent.converged = step.at_minimum;
       descent.closed = step.closed;
@@ -221,6 +222,19 @@ WayDescent descend(const TimedWay& start, const LegTimer& leg_timer, const std::
     weight = std::max(least_weight, step.weight / weight_factor);
   }
   return descent;
+}
+
+}  // namespace
+
+WayDescent descend(const TimedWay& start, const LegTimer& leg_timer, const std::stop_token& stop) {
+  return descend_until(least_gain, start, leg_timer, stop);
+}
+
+WayDescent descend_roughly(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
+                           const std::stop_token& stop) {
+  const auto even = time_way(cut_evenly(start, legs), start.times.front(), leg_timer);
+  if (!even) return {.way = start, .converged = false, .closed = true};
+  return descend_until(rough_gain, *even, leg_timer, stop);
 }
 
 WayDescent descend_with_legs(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,

@@ -30,6 +30,21 @@ float linear(SampleIndex i) {
          0.04F * static_cast<float>(i.level) + 0.05F * static_cast<float>(i.time);
 }
 
+TEST(CurrentGrid, TellsWhetherItsGapsStayWhereTheyAre) {
+  const auto with_gap = [](std::size_t first_time, std::size_t level) {
+    return sample_currents(levels, 3, [=](SampleIndex i) {
+      return i.ix == 1 && i.level >= level && i.time >= first_time ? missing : linear(i);
+    });
+  };
+
+  EXPECT_TRUE(sample_currents(levels, 3, linear).has_steady_gaps());
+  EXPECT_TRUE(with_gap(0, 1).has_steady_gaps());
+  for (const std::size_t level : {0U, 2U}) {
+    EXPECT_FALSE(with_gap(1, level).has_steady_gaps());
+    EXPECT_FALSE(with_gap(2, level).has_steady_gaps());
+  }
+}
+
 TEST(CurrentGrid, GivesBackItsSamplesToTheLastBitOnItsNodes) {
   const CurrentGrid currents = sample_currents(levels, 2, scrambled);
 

@@ -3,9 +3,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/planning/coast_lines.hpp"
 #include "engine/planning/evaluate_route.hpp"
+#include "engine/planning/layout.hpp"
+#include "engine/planning/plane_distance.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning {
@@ -154,6 +158,35 @@ TEST(PlanRoute, MeasuresItsDistanceFromTheSidesOfAnIslandNotItsCorners) {
   ASSERT_TRUE(found.has_value());
   const double to_the_south_side_m = geo::geodesic_between({-53.5, 69.0}, {-53.5, 69.1}).length.value;
   EXPECT_NEAR(found->clearances.land.value().value, to_the_south_side_m, 0.02 * to_the_south_side_m);
+}
+
+TEST(PlanRoute, MeasuresItsDistanceFromACoastHoweverFarAway) {
+  for (const double south_deg : {69.02, 69.3, 72.0, 80.0, -60.0}) {
+    ocean::Environment environment;
+    environment.land = {
+        {.outer = {{-120.0, 84.0}, {-119.0, 84.0}, {-119.0, 85.0}}, .holes = {}},
+        {.outer = {{-54.0, south_deg}, {-52.0, south_deg}, {-53.0, south_deg + 2.0}}, .holes = {}}};
+    PlanRequest request = eastward_request();
+    request.method = Method::direct;
+
+    const auto found = plan(environment, request);
+
+    ASSERT_TRUE(found.has_value());
+    const geo::LocalProjection projection = lay_out(request, first_reach).projection;
+    const geo::PlanePoint from = projection.to_plane(request.from);
+    const geo::PlanePoint to = projection.to_plane(request.to);
+    double least_m = INFINITY;
+    for (const geo::Polygon& land : environment.land) {
+      for_each_coast_line(land.outer, projection, [&](geo::PlanePoint a, geo::PlanePoint b) {
+        for (double share = 0.0; share <= 1.0; share += 1.0 / 1024.0) {
+          const geo::PlanePoint at{from.x_m + share * (to.x_m - from.x_m),
+                                   from.y_m + share * (to.y_m - from.y_m)};
+          least_m = std::min(least_m, distance_to_line(at, a, b));
+        }
+      });
+    }
+    EXPECT_NEAR(found->clearances.land.value().value, least_m, 10.0 + 1e-4 * least_m) << south_deg;
+  }
 }
 
 TEST(PlanRoute, VisitsEveryViaInItsOrder) {

@@ -2,6 +2,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -57,6 +60,37 @@ TEST(SafetyMap, ClosesAnIslandSmallerThanACell) {
 
   EXPECT_EQ(map.closed_between({-5000.0, 10.0}, {5000.0, 10.0}), EdgeClosed::on_land);
   EXPECT_FALSE(map.closed_between({-5000.0, 3000.0}, {5000.0, 3000.0}).has_value());
+}
+
+/// Law: a coast that mostly lies beyond the map closes what it covers there and no place that it does not.
+TEST(SafetyMap, KnowsTheCoastOfAContinentWhereItLooks) {
+  support::for_each_seed(40, [](std::mt19937_64& rng) {
+    const double half_turn = std::numbers::pi;
+    const geo::LonLat middle{support::uniform(rng, -56.0, -50.0), support::uniform(rng, 67.0, 71.0)};
+    ocean::Environment environment;
+    environment.land.emplace_back();
+    for (int i = 0; i < 3000; ++i) {
+      const double angle = 2.0 * half_turn * i / 3000.0;
+      const double reach_deg = support::uniform(rng, 2.0, 2.05);
+      environment.land.front().outer.push_back(
+          {middle.lon_deg + 2.5 * reach_deg * std::cos(angle), middle.lat_deg + reach_deg * std::sin(angle)});
+    }
+    const SafetyMap map{environment, least_depth, {}, projection, area, cell};
+    for (int i = 0; i < 300; ++i) {
+      const geo::PlanePoint a{support::uniform(rng, -39e3, 39e3), support::uniform(rng, -39e3, 39e3)};
+      const geo::PlanePoint b{support::uniform(rng, -39e3, 39e3), support::uniform(rng, -39e3, 39e3)};
+      const geo::LonLat place = projection.to_lon_lat(a);
+      const bool on_land = geo::contains(environment.land.front(), place);
+      ASSERT_EQ(map.closed_at(place).has_value(), on_land);
+      if (map.closed_between(a, b)) continue;
+      for (double share = 0.0; share <= 1.0; share += 0.02) {
+        const geo::PlanePoint point{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
+        ASSERT_FALSE(geo::contains(environment.land.front(), projection.to_lon_lat(point)));
+      }
+    }
+    const geo::LonLat far_away{middle.lon_deg + 2.0, middle.lat_deg};
+    EXPECT_EQ(map.closed_at(far_away), EdgeClosed::on_land) << "also beyond the map";
+  });
 }
 
 TEST(SafetyMap, LeavesALakeInAnIslandOpen) {
