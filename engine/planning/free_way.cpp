@@ -3,6 +3,7 @@
 #include <array>
 #include <cmath>
 
+#include "engine/planning/plane_distance.hpp"
 #include "engine/planning/way_descent.hpp"
 
 namespace floeplan::planning {
@@ -14,6 +15,7 @@ constexpr double settled = 1e-3;
 core::Seconds limit(core::Seconds coarse, core::Seconds fine) { return fine - (coarse - fine) / 3.0; }
 
 constexpr std::size_t coarsest = 64;
+constexpr std::size_t rough_legs = coarsest / 4;
 
 tl::expected<TimedWay, NoFreeWay> with_legs(const TimedWay& start, std::size_t legs,
                                             const LegTimer& leg_timer, const std::stop_token& stop) {
@@ -26,11 +28,27 @@ tl::expected<TimedWay, NoFreeWay> with_legs(const TimedWay& start, std::size_t l
 
 }  // namespace
 
-tl::expected<TimedWay, NoFreeWay> find_coarse_free_way(const TimedWay& start, const LegTimer& leg_timer,
+TimedWay find_rough_free_way(const TimedWay& start, const LegTimer& leg_timer, const std::stop_token& stop) {
+  WayDescent rough = descend_roughly(start, rough_legs, leg_timer, stop);
+  return rough.closed ? start : std::move(rough.way);
+}
+
+bool lead_to_one_way(const TimedWay& a, const TimedWay& b) {
+  if (a.points.size() != rough_legs + 1 || b.points.size() != rough_legs + 1) return false;
+  // Beside each other: where along the way the points lie follows from where a descent began.
+  const auto is_near_b = [&](geo::PlanePoint point, double near_m) {
+    for (std::size_t i = 1; i < b.points.size(); ++i)
+      if (distance_to_line(point, b.points[i - 1], b.points[i]) <= near_m) return true;
+    return false;
+  };
+  for (std::size_t i = 1; i < rough_legs; ++i)
+    if (!is_near_b(a.points[i], 0.25 * geo::distance_m(a.points[i - 1], a.points[i]))) return false;
+  return true;
+}
+
+tl::expected<TimedWay, NoFreeWay> find_coarse_free_way(const TimedWay& rough, const LegTimer& leg_timer,
                                                        const std::stop_token& stop) {
-  // Far steps are taken with few legs, which are soon timed; where those do not settle the finer ones may.
-  WayDescent rough = descend_roughly(start, coarsest / 4, leg_timer, stop);
-  return with_legs(rough.closed ? start : rough.way, coarsest, leg_timer, stop);
+  return with_legs(rough, coarsest, leg_timer, stop);
 }
 
 tl::expected<FreeWay, NoFreeWay> find_free_way(const TimedWay& start, const LegTimer& leg_timer,

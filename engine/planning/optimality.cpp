@@ -85,12 +85,19 @@ tl::expected<std::vector<TimedWay>, NoFreeWay> coarse_ways(const std::vector<geo
                                                            const std::stop_token& stop) {
   std::vector<std::vector<geo::PlanePoint>> starts{section};
   if (section.size() > 2) starts.push_back({section.front(), section.back()});
-  std::vector<TimedWay> ways;
-  NoFreeWay none = NoFreeWay::closed;
+  std::vector<TimedWay> roughs;
   for (const auto& points : starts) {
     const auto start = time_way(points, depart, timer);
     if (!start) continue;
-    auto way = find_coarse_free_way(*start, timer, stop);
+    TimedWay rough = find_rough_free_way(*start, timer, stop);
+    const bool is_known =
+        std::ranges::any_of(roughs, [&](const TimedWay& other) { return lead_to_one_way(other, rough); });
+    if (!is_known) roughs.push_back(std::move(rough));
+  }
+  std::vector<TimedWay> ways;
+  NoFreeWay none = NoFreeWay::closed;
+  for (const TimedWay& rough : roughs) {
+    auto way = find_coarse_free_way(rough, timer, stop);
     if (way) {
       ways.push_back(std::move(*way));
     } else {

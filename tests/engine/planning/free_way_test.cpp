@@ -82,6 +82,29 @@ TEST(FreeWay, TakesTheTimeOfTheExtremalThroughTheJet) {
   }
 }
 
+/// Law: rough ways that lead to one way do so: what is found from either takes the same time.
+TEST(FreeWay, IsOneFromRoughWaysThatLieTogether) {
+  const RiverCurrent river;
+  const LegTimer timer = legs_in(river, over_the_river.through_water);
+  const geo::PlanePoint from = over_the_river.from;
+  const geo::PlanePoint to = over_the_river.to;
+  const double length = geo::distance_m(from, to);
+  const auto rough_way_past = [&](double across) {
+    const geo::PlanePoint past{0.5 * (from.x_m + to.x_m), 0.5 * (from.y_m + to.y_m) + across * length};
+    return find_rough_free_way(time_way({from, past, to}, core::Seconds{0.0}, timer).value(), timer);
+  };
+  const TimedWay straight = rough_way_past(0.0);
+  const TimedWay bent = rough_way_past(0.2);
+
+  ASSERT_TRUE(lead_to_one_way(straight, bent));
+  const double seconds = find_coarse_free_way(straight, timer).value().duration().count();
+  EXPECT_NEAR(find_coarse_free_way(bent, timer).value().duration().count(), seconds, 1e-5 * seconds);
+  TimedWay aside = straight;
+  for (std::size_t i = 1; i + 1 < aside.points.size(); ++i) aside.points[i].y_m += 0.05 * length;
+  EXPECT_FALSE(lead_to_one_way(straight, aside));
+  EXPECT_FALSE(lead_to_one_way(straight, time_way({from, to}, core::Seconds{0.0}, timer).value()));
+}
+
 TEST(FreeWay, NeedsNoSmoothCurrent) {
   const GriddedJet jet;
   const LegTimer timer = [&](geo::PlanePoint a, geo::PlanePoint b,
