@@ -7,28 +7,86 @@
 namespace floeplan::geo {
 namespace {
 
-/// Even-odd rule along the meridian through `place`; longitudes are taken relative to it, so the antimeridian
-/// is no seam.
+/// Whether the edge from a to b crosses the meridian of the place north of it. Longitudes are taken relative to the place,
+/// so the antimeridian is no seam.
 /// A corner's side of that meridian is the same for both of its edges: otherwise a corner on it would be
 /// crossed once.
+bool passes_north_of(LonLat place, LonLat a, LonLat b) {
+  const double a_deg = longitude_difference(place.lon_deg, a.lon_deg);
+  const double b_deg = longitude_difference(place.lon_deg, b.lon_deg);
+  const bool behind_the_globe = std::abs(a_deg - b_deg) > 180.0;
+  if ((a_deg > 0.0) == (b_deg > 0.0) || behind_the_globe) return false;
+  return a.lat_deg + (b.lat_deg - a.lat_deg) * a_deg / (a_deg - b_deg) > place.lat_deg;
+}
+
+/// Even-odd rule.
 bool inside(const Ring& ring, LonLat place) {
   bool is_inside = false;
-  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
-    const double a = longitude_difference(place.lon_deg, ring[j].lon_deg);
-    const double b = longitude_difference(place.lon_deg, ring[i].lon_deg);
-    const bool behind_the_globe = std::abs(a - b) > 180.0;
-    if ((a > 0.0) == (b > 0.0) || behind_the_globe) continue;
-    const double crossing_lat = ring[j].lat_deg + (ring[i].lat_deg - ring[j].lat_deg) * a / (a - b);
-    if (crossing_lat > place.lat_deg) is_inside = !is_inside;
-  }
+  for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++)
+    if (passes_north_of(place, ring[j], ring[i])) is_inside = !is_inside;
   return is_inside;
 }
+
+/// Places by their longitudes, so that an edge is compared with those between its ends only.
+class SortedPlaces {
+ public:
+  explicit SortedPlaces(std::span<const LonLat> places) {
+    for (std::size_t i = 0; i < places.size(); ++i)
+      sorted_.push_back({wrap_longitude(places[i].lon_deg), i, places[i]});
+    std::ranges::sort(sorted_, {}, &Entry::lon_deg);
+  }
+
+  /// Turns round whether each place is inside, for every edge that passes north of it.
+  void cross(const Ring& ring, std::vector<bool>& is_inside) const {
+    for (std::size_t i = 0, j = ring.size() - 1; i < ring.size(); j = i++) {
+      const auto [west_deg, east_deg] =
+          std::minmax({wrap_longitude(ring[j].lon_deg), wrap_longitude(ring[i].lon_deg)});
+      const bool crosses_the_seam = east_deg - west_deg > 180.0;
+      const auto compare = [&](double from_deg, double to_deg) {
+        auto entry = std::ranges::lower_bound(sorted_, from_deg - rounding_deg, {}, &Entry::lon_deg);
+        for (; entry != sorted_.end() && entry->lon_deg <= to_deg + rounding_deg; ++entry)
+          if (passes_north_of(entry->place, ring[j], ring[i])) is_inside[entry->number].flip();
+      };
+      if (!crosses_the_seam) compare(west_deg, east_deg);
+      if (crosses_the_seam) {
+        compare(-180.0, west_deg);
+        compare(east_deg, 180.0);
+      }
+    }
+  }
+
+ private:
+  static constexpr double rounding_deg = 1e-9;
+  struct Entry {
+    double lon_deg;
+    std::size_t number;
+    LonLat place;
+  };
+  std::vector<Entry> sorted_;
+};
 
 }  // namespace
 
 bool contains(const Polygon& polygon, LonLat place) {
   if (polygon.outer.empty() || !inside(polygon.outer, place)) return false;
   return std::ranges::none_of(polygon.holes, [&](const Ring& hole) { return inside(hole, place); });
+}
+
+std::vector<bool> contained_in_any(std::span<const Polygon> polygons, std::span<const LonLat> places) {
+  std::vector<bool> contained(places.size(), false);
+  if (places.empty()) return contained;
+  const SortedPlaces sorted{places};
+  for (const Polygon& polygon : polygons) {
+    std::vector<bool> in_this(places.size(), false);
+    sorted.cross(polygon.outer, in_this);
+    for (const Ring& hole : polygon.holes) {
+      std::vector<bool> in_hole(places.size(), false);
+      sorted.cross(hole, in_hole);
+      for (std::size_t i = 0; i < places.size(); ++i) in_this[i] = in_this[i] && !in_hole[i];
+    }
+    for (std::size_t i = 0; i < places.size(); ++i) contained[i] = contained[i] || in_this[i];
+  }
+  return contained;
 }
 
 BoundingBox bounding_box(const Polygon& polygon) {

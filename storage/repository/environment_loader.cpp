@@ -170,17 +170,13 @@ void add_coastline(EnvironmentDraft& draft) {
 
 /// An iceberg in a desert is avoided like any other, but somebody has to know that its place is wrong.
 void warn_of_icebergs_on_land(EnvironmentDraft& draft) {
-  std::vector<bool> on_land(draft.environment.icebergs.size(), false);
-  for (const geo::Polygon& polygon : draft.environment.land) {
-    const geo::BoundingBox bounds = geo::bounding_box(polygon);
-    for (std::size_t i = 0; i < on_land.size(); ++i) {
-      const geo::LonLat place = draft.environment.icebergs[i].place;
-      on_land[i] = on_land[i] || (geo::contains(bounds, place) && geo::contains(polygon, place));
-    }
-  }
+  const std::vector<ocean::Iceberg>& icebergs = draft.environment.icebergs;
+  std::vector<geo::LonLat> places;
+  for (const ocean::Iceberg& berg : icebergs) places.push_back(berg.place);
+  const std::vector<bool> on_land = geo::contained_in_any(draft.environment.land, places);
   std::vector<std::string> names;
   for (std::size_t i = 0; i < on_land.size(); ++i)
-    if (on_land[i]) names.push_back(draft.environment.icebergs[i].id);
+    if (on_land[i]) names.push_back(icebergs[i].id);
   if (names.empty()) return;
   draft.warn(std::to_string(names.size()) + " of the icebergs lie on land by the coastline (" +
              shortened_list(names) + "): their positions or the coastline are wrong there");

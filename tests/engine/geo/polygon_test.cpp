@@ -52,6 +52,33 @@ TEST(Polygon, ThatIsWideHasABoxAcrossItsWidestEdge) {
   EXPECT_EQ(bounding_box(wide), (BoundingBox{-100.0, 60.0, 100.0, 80.0}));
 }
 
+/// Law: of many places at once it says what it says of each; also on its corners' meridians and across the antimeridian.
+TEST(Polygon, HoldsOfManyPlacesThoseThatItHoldsOneByOne) {
+  support::for_each_seed(300, [](std::mt19937_64& rng) {
+    const double middle_deg = support::uniform(rng, -180.0, 180.0);
+    const auto near = [&](double reach_deg) {
+      return LonLat{wrap_longitude(middle_deg + support::uniform(rng, -reach_deg, reach_deg)),
+                    support::uniform(rng, 60.0, 80.0)};
+    };
+    Polygon land;
+    for (int i = 0; i < 40; ++i) land.outer.push_back(near(60.0));
+    land.holes.emplace_back();
+    for (int i = 0; i < 10; ++i) land.holes.front().push_back(near(20.0));
+    std::vector<LonLat> places{{.lon_deg = middle_deg + 180.0, .lat_deg = 70.0}};
+    for (const LonLat corner : land.outer)
+      places.push_back({corner.lon_deg, support::uniform(rng, 60.0, 80.0)});
+    for (int i = 0; i < 200; ++i) places.push_back(near(70.0));
+
+    const std::vector lands{land, Polygon{.outer = {near(60.0), near(60.0), near(60.0)}, .holes = {}}};
+
+    const std::vector<bool> contained = contained_in_any(lands, places);
+
+    for (std::size_t i = 0; i < places.size(); ++i)
+      ASSERT_EQ(contained[i], contains(lands[0], places[i]) || contains(lands[1], places[i])) << i;
+  });
+  EXPECT_TRUE(contained_in_any({}, {}).empty());
+}
+
 TEST(Polygon, IsNotMisreadOnTheMeridianOfACorner) {
   for (int step = 0; step <= 1000; ++step) {
     const double lon_deg = -54.0 + step * 0.004;
