@@ -25,12 +25,20 @@ struct Unrolled {
   double turn_deg{};  // how far round the globe the ring goes: 0, or a turn east or west round a pole
 };
 
+/// On the antimeridian, or a whole number of turns from it, where only rounding keeps it from there: slivers so narrow are
+/// more than cutting and joining can be trusted with.
+double snapped(double lon_deg) {
+  constexpr double rounding_deg = 1e-9;  // a tenth of a millimetre
+  const double nearest_deg = 180.0 + 360.0 * std::round((lon_deg - 180.0) / 360.0);
+  return std::abs(lon_deg - nearest_deg) < rounding_deg ? nearest_deg : lon_deg;
+}
+
 Unrolled unroll(const Ring& ring) {
   Unrolled result;
   double lon_deg = wrap_longitude(ring.front().lon_deg);
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (i > 0) lon_deg += longitude_difference(ring[i - 1].lon_deg, ring[i].lon_deg);
-    result.places.emplace_back(lon_deg, ring[i].lat_deg);
+    result.places.emplace_back(snapped(lon_deg), ring[i].lat_deg);
   }
   const double back_deg = lon_deg + longitude_difference(ring.back().lon_deg, ring.front().lon_deg);
   const double turns = std::round((back_deg - result.places.front().x()) / 360.0);
@@ -58,8 +66,8 @@ ChartRing closed_over_pole(const Unrolled& ring, double pole_deg) {
   }
   result.insert(result.end(), places.begin(), places.begin() + static_cast<std::ptrdiff_t>(after));
   result.emplace_back(end_deg, lat_deg);
-  result.emplace_back(end_deg, pole_deg);
-  result.emplace_back(-end_deg, pole_deg);
+  // Neighbours less than half a turn apart: who reads the ring takes the short way between them.
+  for (const double share : {1.0, 0.5, 0.0, -0.5, -1.0}) result.emplace_back(share * end_deg, pole_deg);
   return result;
 }
 
@@ -71,11 +79,21 @@ ChartPolygon inside_of(const Ring& ring) {
                        ? unrolled.places
                        : closed_over_pole(unrolled, std::copysign(90.0, unrolled.turn_deg));
   result.outer().push_back(result.outer().front());
+  bg::unique(result);
   return result;
+}
+
+bool fits_chart(const ChartRing& places) {
+  return std::ranges::all_of(
+      places, [](const ChartPoint& place) { return place.x() >= -180.0 && place.x() <= 180.0; });
 }
 
 ChartPolygons on_chart(const ChartPolygon& polygon) {
   ChartPolygons result;
+  if (fits_chart(polygon.outer())) {
+    result.push_back(polygon);
+    return result;
+  }
   for (const double turn_deg : {-360.0, 0.0, 360.0}) {
     const ChartBox chart{{turn_deg - 180.0, -90.0}, {turn_deg + 180.0, 90.0}};
     ChartPolygons pieces;
@@ -90,9 +108,7 @@ ChartPolygons on_chart(const ChartPolygon& polygon) {
 
 bool fits_chart(const Ring& ring) {
   const Unrolled unrolled = unroll(ring);
-  return unrolled.turn_deg == 0.0 && std::ranges::all_of(unrolled.places, [](const ChartPoint& place) {
-           return place.x() >= -180.0 && place.x() <= 180.0;
-         });
+  return unrolled.turn_deg == 0.0 && fits_chart(unrolled.places);
 }
 
 Ring to_ring(const ChartRing& ring) {

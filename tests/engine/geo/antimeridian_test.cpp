@@ -144,5 +144,25 @@ TEST(SplitAtAntimeridian, CoversTheSamePlaces) {
   });
 }
 
+/// Law: an area round a pole is one piece that holds the pole and its middle, also where corners lie on the antimeridian
+/// but for rounding.
+TEST(SplitAtAntimeridian, LeavesAnAreaRoundAPoleWhole) {
+  for (const double lat_deg : {90.0, 89.99, 89.95, -89.95, -89.99, -90.0}) {
+    for (const double lon_deg : {0.0, 180.0, -90.0, 37.0}) {
+      for (const int corners : {16, 64, 97, 100}) {
+        for (const double radius_m : {7560.0, 30'000.0}) {
+          const auto pieces = split_at_antimeridian({round({lon_deg, lat_deg}, radius_m, 0.0, corners), {}});
+          ASSERT_EQ(pieces.size(), 1U) << lon_deg << ' ' << lat_deg << ' ' << corners << ' ' << radius_m;
+          expect_valid(pieces);
+          const double towards_pole_deg = lat_deg > 0.0 ? 89.999 : -89.999;
+          for (const double there_deg : {-179.0, -60.0, 1.0, 120.0, 179.0})
+            EXPECT_TRUE(contains(pieces.front(), {there_deg, towards_pole_deg})) << there_deg;
+          EXPECT_FALSE(contains(pieces.front(), {1.0, lat_deg > 0.0 ? 89.0 : -89.0}));
+        }
+      }
+    }
+  }
+}
+
 }  // namespace
 }  // namespace floeplan::geo
