@@ -115,6 +115,12 @@ Improved improve(const Sea& sea, const Route& way, const PlanRequest& request, c
   if (stays_open(sea, improved.route)) return improved;
   const Route joined = join_collinear(way);
   const Route straightened = request.refine ? drop_needless_points(sea, joined, at_departure, stop) : joined;
+  if (request.max_leg) {
+    for (const Route& route : {straightened, way}) {
+      const Route parted = part_long_legs(sea, route, *request.max_leg);
+      if (stays_open(sea, parted)) return {parted, std::nullopt};
+    }
+  }
   return {stays_open(sea, straightened) ? straightened : way, std::nullopt};
 }
 
