@@ -24,6 +24,11 @@ json seconds_json(const std::optional<core::Seconds>& time) { return time ? json
 
 void read_error_model(InputReader& members, planning::UncertaintyRules& rules) {
   rules.drawn_members = members.integer("members", 2, 64).value_or(0);
+  const bool tells_errors = members.member("current_error_m_s") != nullptr ||
+                            members.member("length_scale_m") != nullptr ||
+                            members.member("time_scale_s") != nullptr || members.member("seed") != nullptr;
+  if (tells_errors && members.member("members") == nullptr)
+    members.refuse("/uncertainty/members", "is required with an error model: how many to draw, 2 to 64");
   if (members.member("members") != nullptr) {
     members.require("current_error_m_s",
                     "is required with \"members\": the standard deviation of each component's error, m/s");

@@ -60,6 +60,14 @@ Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanReques
   if (plan && is_uncertain && request.optimality_gap) {
     plan->optimality_gap_reason = "the currents are not certain, so that no one way is the best";
   }
+  const bool asks_for_chances =
+      request.uncertainty.objective != RobustObjective::none || request.uncertainty.arrive_before;
+  if (plan && asks_for_chances && !is_uncertain) {
+    plan->warnings.emplace_back(
+        "nothing was made of the uncertainty that was asked about: there is one set of currents and no model "
+        "of its "
+        "errors; name several currents, or say how many members to draw and how large the errors are");
+  }
   return plan;
 }
 
