@@ -55,7 +55,8 @@ class CostVoyage {
       const vehicle::Drive drive = sea_.drives()[choice];
       const auto leg = travel(tail, head, arrival_s, state.surfaced_s, latest_s, drive);
       if (!leg || !can_surface_in_time(edge.head, leg->since_surfacing)) continue;
-      const core::Joules energy = sea_.energy().use(tail, head, leg->time, drive).total();
+      const core::Joules energy =
+          sea_.energy_along(tail, head, core::Seconds{arrival_s}, leg->time, drive).total();
       const double encounters = sea_.encounters(tail, head, core::Seconds{arrival_s}, leg->time);
       const double cost = state.cost + objective_.cost(leg->time, energy, encounters);
       const double head_s = arrival_s + leg->time.count();

@@ -88,8 +88,8 @@ class DepartureSweep {
     if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request_));
     EnergyUse energy;
     for (std::size_t i = 1; i < points.size(); ++i) {
-      energy += sea.energy().use(points[i - 1], points[i], (*arrivals)[i] - (*arrivals)[i - 1],
-                                 sea.drives().front());
+      energy += sea.energy_along(points[i - 1], points[i], (*arrivals)[i - 1],
+                                 (*arrivals)[i] - (*arrivals)[i - 1], sea.drives().front());
     }
     return journey(*arrivals, energy, touches_rim);
   }

@@ -52,8 +52,8 @@ tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea, const 
     if (!leg) return tl::unexpected(leg.error());
     since_surfacing = leg->since_surfacing;
     times.encounters += sea.encounters(from, to, times.arrivals.back(), leg->time);
+    times.energy += sea.energy_along(from, to, times.arrivals.back(), leg->time, drive);
     times.arrivals.push_back(times.arrivals.back() + leg->time);
-    times.energy += sea.energy().use(from, to, leg->time, drive);
   }
   return times;
 }
@@ -69,7 +69,7 @@ tl::expected<DrivenTimes, motion::EdgeClosed> drive_in_time(const Sea& sea, cons
   DrivenTimes times{.arrivals = schedule->arrivals, .energy = {}, .encounters = 0.0};
   const auto count = [&](geo::PlanePoint from, geo::PlanePoint to, core::Seconds leaves, core::Seconds time) {
     times.encounters += sea.encounters(from, to, leaves, time);
-    times.energy += sea.energy().use(from, to, time, first);
+    times.energy += sea.energy_along(from, to, leaves, time, first);
   };
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     const geo::PlanePoint from = route.points[i - 1];

@@ -18,9 +18,10 @@ core::Metres cell_of(const FlownDepths& depths, const PlaneBox& area) {
 }
 
 /// Pump energy for each metre of depth climbed or dived.
-double pump_j_m(const vehicle::GliderProfile& profile, const vehicle::DiveBand& band) {
+double pump_j_m(const vehicle::EnergyModel& model, core::CubicMetres buoyancy,
+                const vehicle::DiveBand& band) {
   constexpr core::MetresPerSecond metre_a_second{1.0};
-  return vehicle::pump_power(profile.energy, profile.buoyancy, band, metre_a_second).value;
+  return vehicle::pump_power(model, buoyancy, band, metre_a_second).value;
 }
 
 }  // namespace
@@ -28,9 +29,12 @@ double pump_j_m(const vehicle::GliderProfile& profile, const vehicle::DiveBand& 
 EnergyMap::EnergyMap(const vehicle::GliderProfile& profile, const FlownDepths& depths,
                      const geo::LocalProjection& projection, const PlaneBox& area,
                      const std::stop_token& stop)
-    : raster_{area, cell_of(depths, area)},
+    : model_{profile.energy},
+      buoyancy_volume_{profile.buoyancy},
+      raster_{area, cell_of(depths, area)},
       // The deeper the band, the less is pumped for each metre: the fixed costs of a turn weigh less.
-      least_pump_j_m_{pump_j_m(profile, vehicle::flown_band(depths.limits(), std::nullopt))},
+      least_pump_j_m_{
+          pump_j_m(profile.energy, profile.buoyancy, vehicle::flown_band(depths.limits(), std::nullopt))},
       buoyancy_{.vertical = profile.vertical_speed(profile.speed_through_water),
                 .power = vehicle::steady_power(profile.energy),
                 .thruster = {}},
@@ -48,9 +52,10 @@ EnergyMap::EnergyMap(const vehicle::GliderProfile& profile, const FlownDepths& d
           raster_.area().low.y_m + (static_cast<double>(iy) + 0.5) * raster_.cell_m()};
       const vehicle::DiveBand band = depths.bathymetry() ? depths.at(projection.to_lon_lat(centre))
                                                          : vehicle::flown_band(depths.limits(), std::nullopt);
-      const double pump = pump_j_m(profile, band);
+      const double pump = pump_j_m(profile.energy, profile.buoyancy, band);
       is_even_ = is_even_ && pump == least_pump_j_m_;
-      places_.push_back({static_cast<float>(pump), static_cast<float>(1.0 / band.thickness().value)});
+      places_.push_back({static_cast<float>(pump), static_cast<float>(1.0 / band.thickness().value),
+                         static_cast<float>(band.top.value), static_cast<float>(band.bottom.value)});
     }
   }
 }
@@ -64,8 +69,17 @@ const EnergyMap::Place& EnergyMap::place(geo::PlanePoint point) const {
                                clamped(point.y_m - raster_.area().low.y_m, raster_.ny()))];
 }
 
-EnergyUse EnergyMap::use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds time,
-                         vehicle::Drive drive) const {
+EnergyMap::Place EnergyMap::below(const Place& place, core::Metres upper_turn) const {
+  if (upper_turn.value <= static_cast<double>(place.top_m)) return place;
+  const core::Metres bottom{static_cast<double>(place.bottom_m)};
+  const vehicle::DiveBand band{std::min(upper_turn, bottom - vehicle::lowest_tooth), bottom};
+  return {static_cast<float>(pump_j_m(model_, buoyancy_volume_, band)),
+          static_cast<float>(1.0 / band.thickness().value), static_cast<float>(band.top.value),
+          place.bottom_m};
+}
+
+EnergyUse EnergyMap::use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds time, vehicle::Drive drive,
+                         core::Metres upper_turn) const {
   double pump_j = 0.0;
   double inflections = 0.0;
   const double cells = geo::distance_m(a, b) / raster_.cell_m();
@@ -73,7 +87,8 @@ EnergyUse EnergyMap::use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds tim
   const int samples = is_even_ ? 1 : static_cast<int>(wanted);
   for (int i = 0; i < samples; ++i) {
     const double share = (i + 0.5) / samples;
-    const Place& here = place({a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)});
+    const Place here =
+        below(place({a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)}), upper_turn);
     pump_j += static_cast<double>(here.pump_j_m) / samples;
     inflections += static_cast<double>(here.inflections_m) / samples;
   }

@@ -22,9 +22,10 @@ class EnergyMap {
   EnergyMap(const vehicle::GliderProfile& profile, const FlownDepths& depths,
             const geo::LocalProjection& projection, const PlaneBox& area, const std::stop_token& stop);
 
-  /// Of the straight leg from a to b, travelled in this time.
-  [[nodiscard]] EnergyUse use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds time,
-                              vehicle::Drive drive) const;
+  /// Of the straight leg from a to b, travelled in this time. `upper_turn`: no dive turns above it; where that leaves less than
+  /// the lowest saw-tooth, as in that.
+  [[nodiscard]] EnergyUse use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds time, vehicle::Drive drive,
+                              core::Metres upper_turn = {}) const;
   /// No place costs less.
   [[nodiscard]] core::Watts least_power(vehicle::Drive drive) const;
   /// Whether every place costs the same, so that energy is power times time.
@@ -34,6 +35,8 @@ class EnergyMap {
   struct Place {
     float pump_j_m;       // for each metre of depth climbed or dived
     float inflections_m;  // likewise
+    float top_m;
+    float bottom_m;
   };
   struct DriveCost {
     core::MetresPerSecond vertical;
@@ -41,10 +44,14 @@ class EnergyMap {
     core::Watts thruster;
   };
   [[nodiscard]] const Place& place(geo::PlanePoint point) const;
+  /// The place where the dives turn no higher.
+  [[nodiscard]] Place below(const Place& place, core::Metres upper_turn) const;
   [[nodiscard]] const DriveCost& cost(vehicle::Drive drive) const {
     return drive == vehicle::Drive::thruster ? thruster_ : buoyancy_;
   }
 
+  vehicle::EnergyModel model_;
+  core::CubicMetres buoyancy_volume_;
   PlaneRaster raster_;
   std::vector<Place> places_;  // [y][x]
   double least_pump_j_m_;

@@ -32,8 +32,8 @@ EscapeWay describe(const Sea& sea, const std::vector<geo::PlanePoint>& points,
   EscapeWay escape;
   escape.time = arrivals.back() - arrivals.front();
   for (std::size_t i = 1; i < points.size(); ++i) {
-    const EnergyUse use =
-        sea.energy().use(points[i - 1], points[i], arrivals[i] - arrivals[i - 1], sea.drives().front());
+    const EnergyUse use = sea.energy_along(points[i - 1], points[i], arrivals[i - 1],
+                                           arrivals[i] - arrivals[i - 1], sea.drives().front());
     escape.energy = escape.energy + use.total();
   }
   const Route route{points, std::vector<bool>(points.size(), false)};

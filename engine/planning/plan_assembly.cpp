@@ -183,6 +183,31 @@ void warn_of_extended_currents(Plan& plan, const Sea& sea, const std::vector<geo
   plan.warnings.emplace_back(text);
 }
 
+/// Of those that are planned; a vehicle that has an interval of its own counts them already.
+void add_energy_of_surfacings(Plan& plan, const PlanRequest& request) {
+  if (request.vehicle.energy.surfacing_interval) return;
+  for (const PlannedSurfacing& surfacing : plan.surfacing->surfacings) {
+    plan.energy->use.hotel = plan.energy->use.hotel + request.vehicle.energy.surfacing;
+    for (Waypoint& waypoint : plan.waypoints)
+      if (waypoint.eta >= surfacing.time)
+        waypoint.energy = *waypoint.energy + request.vehicle.energy.surfacing;
+  }
+}
+
+void warn_of_deep_turns(Plan& plan, const PlanRequest& request) {
+  core::Metres deepest{0.0};
+  for (const SurfacingState& state : plan.surfacing->waypoints)
+    deepest = std::max(deepest, state.least_upper_turn);
+  if (deepest <= request.vehicle.climb_to) return;
+  char text[240];
+  std::snprintf(
+      text, sizeof text,
+      "below ice or icebergs the dives turn as deep as %.0f m, and the energy is reckoned so; the currents "
+      "are those of dives that turn at %.0f m: plan with --climb-to %.0f to see how much that matters",
+      std::ceil(deepest.value), request.vehicle.climb_to.value, std::ceil(deepest.value));
+  plan.warnings.emplace_back(text);
+}
+
 void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
                     const std::vector<geo::PlanePoint>& route, const Schedule& schedule) {
   const UnderIceRules& rules = request.under_ice;
@@ -197,6 +222,8 @@ void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
         plan.surfacing->unknown_ice.value / 1000.0);
     plan.warnings.emplace_back(text);
   }
+  add_energy_of_surfacings(plan, request);
+  warn_of_deep_turns(plan, request);
   if (!plan.surfacing->waypoints.back().may_surface)
     plan.warnings.emplace_back(
         "the vehicle may not surface at the goal: the ice there is too dense or unknown");
@@ -226,14 +253,14 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
       const core::Seconds duration = arrivals[i] - schedule.leaves(i - 1);
       waypoint.speed_over_ground = core::MetresPerSecond{leg.length.value / duration.count()};
       plan.distance = plan.distance + leg.length;
-      drawn += sea.energy().use(route[i - 1], route[i], duration, drives[i - 1]);
+      drawn += sea.energy_along(route[i - 1], route[i], schedule.leaves(i - 1), duration, drives[i - 1]);
       waypoint.drive = drives[i - 1];
       waypoint.speed_through_water = sea.speed(drives[i - 1]);
     }
     waypoint.energy = drawn.total();
     if (schedule.waits[i].count() > 0.0) {
       waypoint.wait = schedule.waits[i];
-      drawn += sea.energy().use(route[i], route[i], waypoint.wait, drives[i]);
+      drawn += sea.energy_along(route[i], route[i], arrivals[i], waypoint.wait, drives[i]);
     }
     plan.waypoints.push_back(waypoint);
   }

@@ -108,6 +108,25 @@ bool Sea::open_about(geo::PlanePoint point, core::Metres reach) const {
   return !may_stand && safety_.open_about(point, reach);
 }
 
+EnergyUse Sea::energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds time,
+                            vehicle::Drive drive) const {
+  constexpr double most_looks = 4096.0;
+  if (!ice_ && !icebergs_.may_pass_under()) return energy_.use(a, b, time, drive);
+  const double wanted = std::ceil(geo::distance_m(a, b) / surfacing_look().value);
+  const int pieces = static_cast<int>(std::clamp(wanted, 1.0, most_looks));
+  const auto at = [&](double share) {
+    return geo::PlanePoint{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
+  };
+  EnergyUse drawn;
+  for (int i = 0; i < pieces; ++i) {
+    const double middle = (i + 0.5) / pieces;
+    const core::Metres upper_turn = least_upper_turn(at(middle), depart + middle * time);
+    drawn += energy_.use(at(static_cast<double>(i) / pieces), at((i + 1.0) / pieces), (1.0 / pieces) * time,
+                         drive, upper_turn);
+  }
+  return drawn;
+}
+
 template <class VisitPiece>
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time(const motion::PlaneEdge& edge,
                                                                 core::Seconds depart, core::Seconds latest,

@@ -54,6 +54,11 @@ class Sea {
     return drive == vehicle::Drive::thruster ? thruster_speed_ : buoyancy_speed_;
   }
   [[nodiscard]] const EnergyMap& energy() const { return energy_; }
+  /// What the straight leg draws that is left then and takes so long: below ice and icebergs the dives turn as deep as they
+  /// have to, and so more often.
+  /// Accuracy  what is above is looked at every `surfacing_look()`, at most 4,096 times
+  [[nodiscard]] EnergyUse energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
+                                       core::Seconds time, vehicle::Drive drive) const;
   /// The same as if nothing closed and opened in time: never more than `leg_time`, for it drives the same way.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_without_timed_closures(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const;

@@ -12,6 +12,7 @@ namespace {
 
 using testing::Contains;
 using testing::HasSubstr;
+using testing::Not;
 
 const core::ProgressCallback quiet = [](std::string_view, double) {};
 
@@ -55,6 +56,53 @@ TEST(PlanUnderIce, GoesRoundTheIceWhenTheTimeBelowItWouldBeTooLong) {
     northernmost = std::max(northernmost, waypoint.place.lat_deg);
   EXPECT_GT(northernmost, 69.1);
   EXPECT_GT(plan.arrival, planned(band_of_ice(), support::eastward_request()).arrival);
+}
+
+/// Law: below ice everywhere the vehicle draws what it draws in open water when its dives turn as deep.
+TEST(PlanUnderIce, DrawsWhatDivesDrawThatTurnBelowTheIce) {
+  const ocean::Environment thick{.ice =
+                                     support::ice_from([](geo::LonLat, double) { return 1.0; }, {0.0}, 6.0)};
+  const PlanRequest request = support::eastward_request();
+  const Plan below = planned(thick, request);
+  PlanRequest deeper = request;
+  deeper.vehicle.climb_to = below.surfacing->waypoints.front().least_upper_turn;
+  ASSERT_GT(deeper.vehicle.climb_to.value, 40.0);
+
+  const EnergyUse drawn = below.energy->use;
+  const EnergyUse in_open_water = planned({}, deeper).energy->use;
+
+  EXPECT_NEAR(drawn.pump.value, in_open_water.pump.value, 1e-4 * in_open_water.pump.value);
+  EXPECT_NEAR(drawn.inflections, in_open_water.inflections, 1e-4 * in_open_water.inflections);
+  EXPECT_GT(drawn.pump.value, 1.2 * planned({}, request).energy->use.pump.value);
+  EXPECT_NEAR(below.waypoints.back().energy->value, drawn.total().value, 1e-6 * drawn.total().value);
+  EXPECT_THAT(below.warnings, Contains(HasSubstr("the currents are those of dives that turn at 5 m")));
+  EXPECT_THAT(planned({}, request).warnings, Not(Contains(HasSubstr("dives turn as deep"))));
+}
+
+TEST(PlanUnderIce, DrawsForEachPlannedSurfacing) {
+  PlanRequest request = support::eastward_request();
+  const Plan without = planned(band_of_ice(), request);
+  request.under_ice.surfacing_interval = core::Seconds{3600.0};
+
+  const Plan with = planned(band_of_ice(), request);
+
+  const auto count = static_cast<double>(with.surfacing->surfacings.size());
+  ASSERT_GT(count, 3.0);
+  EXPECT_NEAR(with.energy->use.total().value - without.energy->use.total().value,
+              count * request.vehicle.energy.surfacing.value, 1.0);
+  EXPECT_NEAR(with.waypoints.back().energy->value, with.energy->use.total().value, 1.0);
+}
+
+TEST(PlanUnderIce, KeepsLegsShortWhereTheTimeBelowTheIceIsBounded) {
+  PlanRequest request = support::eastward_request();
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 6.0};
+  request.max_leg = core::Metres{2000.0};
+
+  const Plan plan = planned(band_of_ice(), request);
+
+  EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * 6.0);
+  for (const Waypoint& waypoint : plan.waypoints)
+    if (waypoint.leg_length) EXPECT_LE(waypoint.leg_length->value, 2001.0);
 }
 
 TEST(PlanUnderIce, ABoundThatTheBestWayKeepsChangesNothing) {
@@ -216,9 +264,12 @@ TEST(PlanUnderIce, TheWayToOpenWaterMustLieWithinWhatIsLeftOfTheBattery) {
   request.under_ice.escape_plan = true;
   const Plan plan = planned(band_of_ice(), request);
   const EscapeWay& from_goal = plan.surfacing->escapes.back();
-  const double power_w = plan.energy->use.total().value / plan.travel_time().count();
-  EXPECT_NEAR(from_goal.energy.value, power_w * from_goal.time.count(), 1e-6 * from_goal.energy.value)
-      << "over an even sea bed every hour draws the same";
+  PlanRequest as_below = request;
+  as_below.vehicle.climb_to = plan.surfacing->waypoints.back().least_upper_turn;
+  const Plan in_open_water = planned({}, as_below);
+  const double power_w = in_open_water.energy->use.total().value / in_open_water.travel_time().count();
+  EXPECT_NEAR(from_goal.energy.value, power_w * from_goal.time.count(), 2e-3 * from_goal.energy.value)
+      << "over an even sea bed every hour below the ice draws the same";
 
   // Enough for the way, but not for the escape from its end.
   EnergyUse drawn = plan.energy->use;
