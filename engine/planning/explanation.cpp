@@ -219,7 +219,8 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
   // What closes most of the ways onward from the place nearest to the goal binds there; equal counts: the
   // first kind.
   using enum motion::EdgeClosed;
-  motion::EdgeClosed binding = on_land;
+  // Where each of them is open by itself, it is the time without a surfacing that ran out before their ends.
+  motion::EdgeClosed binding = sea.bounds_surfacing() ? no_surfacing : on_land;
   std::ptrdiff_t most = 0;
   for (const motion::EdgeClosed kind :
        {outside_data, current_too_strong, no_surfacing, under_ice, too_shallow, on_land, in_zone, obstacle}) {
@@ -235,12 +236,14 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
         " (the search was cut short at its bound on memory: there may be a way all the same)";
   const bool by_data = binding == outside_data || binding == current_too_strong || binding == under_ice ||
                        binding == no_surfacing;
-  return {by_data ? words.reason : Reason::goal_unreachable,
-          sea.projection().to_lon_lat(search.nearest),
-          clock(request, search.nearest_arrival),
-          "no way was found to the goal; the nearest place reached is marked, where " + words.explanation,
-          words.suggestion + "; a finer grid (--spacing) finds narrower passages",
-          constraint_of(binding, search.out_of_time)};
+  return {
+      by_data ? words.reason : Reason::goal_unreachable,
+      sea.projection().to_lon_lat(search.nearest),
+      clock(request, search.nearest_arrival),
+      "no way was found to the goal; the nearest place reached is marked, where " + words.explanation,
+      words.suggestion + (search.statistics.cut_short ? "; a coarser grid (--spacing) needs less memory"
+                                                      : "; a finer grid (--spacing) finds narrower passages"),
+      constraint_of(binding, search.out_of_time)};
 }
 
 Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::PlanePoint stop, const Sea& sea,

@@ -105,6 +105,21 @@ TEST(PlanUnderIce, KeepsLegsShortWhereTheTimeBelowTheIceIsBounded) {
     if (waypoint.leg_length) EXPECT_LE(waypoint.leg_length->value, 2001.0);
 }
 
+TEST(PlanUnderIce, BlamesTheIceWhereAPlaceToPassLeavesNoTimeToGoOn) {
+  const ocean::Environment closed{
+      .ice =
+          support::ice_from([](geo::LonLat p, double) { return p.lon_deg > -53.3 ? 0.9 : 0.0; }, {0.0}, 1.0)};
+  PlanRequest request = support::eastward_request();
+  request.via = {{-53.2, 69.0}};  // 3.2 h below the ice
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 3.6};
+
+  const auto plan = plan_route(closed, request, {}, quiet);
+
+  ASSERT_FALSE(plan);
+  EXPECT_EQ(plan.error().reason, Reason::no_surfacing);
+  EXPECT_EQ(plan.error().binding, Constraint::ice);
+}
+
 TEST(PlanUnderIce, ABoundThatTheBestWayKeepsChangesNothing) {
   const Plan free = planned(band_of_ice(), support::eastward_request());
   PlanRequest request = support::eastward_request();
