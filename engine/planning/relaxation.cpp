@@ -154,6 +154,43 @@ class Relaxation {
         written("allow %.2f h without a place to surface instead of %.2f h", *needed / 3600.0, now / 3600.0));
   }
 
+  void charge_the_battery() {
+    const double now = request_.vehicle.energy.battery_start_share;
+    const auto with = [&](double share) {
+      PlanRequest changed = request_;
+      changed.vehicle.energy.battery_start_share = share;
+      return changed;
+    };
+    const auto needed = nearest_that_helps(now, 1.0, 0.01, with);
+    if (!needed) return;
+    add("battery_start_share", now, *needed, *needed / now,
+        written("start with %.0f %% of the battery's charge instead of %.0f %%", 100.0 * *needed,
+                100.0 * now));
+  }
+
+  void take_a_larger_battery() {
+    const double now = request_.vehicle.energy.battery.value;
+    const auto with = [&](double battery_j) {
+      PlanRequest changed = request_;
+      changed.vehicle.energy.battery = {battery_j};
+      return changed;
+    };
+    const auto needed = nearest_that_helps(now, 8.0 * now, 1e5, with);
+    if (!needed) return;
+    add("battery_j", now, *needed, 1.0 + *needed / now,
+        written("take a battery of %.1f MJ instead of %.1f MJ", *needed / 1e6, now / 1e6));
+  }
+
+  void leave_the_thruster_off() {
+    begin_input();
+    if (!request_.vehicle.thruster || request_.energy.thruster == ThrusterUse::off) return;
+    PlanRequest changed = request_;
+    changed.energy.thruster = ThrusterUse::off;
+    if (is_over() || !works(changed)) return;
+    add("thruster", thruster_use_name(request_.energy.thruster), thruster_use_name(ThrusterUse::off), 2.0,
+        "leave the thruster off");
+  }
+
   void refine_the_grid() {
     begin_input();
     if (!request_.spacing_along) return;
@@ -285,8 +322,12 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
       break;
     case Constraint::depth:
     case Constraint::land: relaxation.refine_the_grid(); break;
-    case Constraint::data_area:
     case Constraint::battery:
+      relaxation.charge_the_battery();
+      relaxation.leave_the_thruster_off();
+      relaxation.take_a_larger_battery();
+      break;
+    case Constraint::data_area:
     case Constraint::memory:
     case Constraint::caller: break;
   }

@@ -179,5 +179,49 @@ TEST(Relaxation, TriesTheNextInputAfterOneWhoseTrialToldNothing) {
   EXPECT_EQ(found.changes.front().input, "max_inflation_m");
 }
 
+TEST(Relaxation, NamesTheBatteryThatIsJustEnough) {
+  PlanRequest request = eastward_request();
+  vehicle::EnergyModel& energy = request.vehicle.energy;
+  energy.battery_reserve_share = 0.0;
+  energy.battery_start_share = 0.5;
+  energy.battery = 1.6 * plan({}, request).value().energy->use.total();
+  request.energy.require_battery = true;
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().binding, Constraint::battery);
+  for (const char* input : {"battery_start_share", "battery_j"}) {
+    const Change* change = change_of(found.error(), input);
+    ASSERT_NE(change, nullptr) << input;
+    const auto with = [&](double value) {
+      PlanRequest changed = request;
+      vehicle::EnergyModel& other = changed.vehicle.energy;
+      (change->input == "battery_j" ? other.battery.value : other.battery_start_share) = value;
+      return plan({}, changed).has_value();
+    };
+    const auto needed = std::get<double>(change->to);
+    EXPECT_TRUE(with(needed)) << input << ": the change that is named is enough";
+    EXPECT_FALSE(with(0.9 * needed)) << input << ": and not much more than enough";
+  }
+}
+
+TEST(Relaxation, NamesTheThrusterThatDrawsTooMuch) {
+  PlanRequest request = eastward_request();
+  request.vehicle = vehicle::find_profile("slocum-g3-200-thruster").value();
+  request.vehicle.energy.battery_reserve_share = 0.0;
+  request.energy.require_battery = true;
+  const auto by_thruster = plan({}, request);
+  ASSERT_TRUE(by_thruster.has_value());
+  request.vehicle.energy.battery = {0.7 * by_thruster->energy->use.total().value};
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  const Change* off = change_of(found.error(), "thruster");
+  ASSERT_NE(off, nullptr);
+  EXPECT_EQ(std::get<std::string>(off->to), "off");
+}
+
 }  // namespace
 }  // namespace floeplan::planning
