@@ -142,7 +142,8 @@ TEST(BoundFan, IsNeverMoreThanTheTimeWhereNoCurrentStopsTheVehicle) {
     bound_fan(EdgeFan{edges}, water.model, unstopped, times);
     for (std::size_t i = 0; i < edges.size(); ++i) {
       const auto exact = exact_time(edges[i], water);
-      if (exact) EXPECT_LE(static_cast<double>(times.time_s[i]), exact->count() * (1.0 + 1e-6));
+      if (!exact) continue;
+      EXPECT_LE(static_cast<double>(times.time_s[i]), exact->count() * (1.0 + 1e-6));
     }
   });
 }

@@ -73,8 +73,11 @@ TEST(CurrentGridCache, ServesSeveralThreadsAtOnce) {
     for (std::int64_t i = 0; i < 500; ++i) {
       const std::int64_t row = (first + i) % 4;
       const auto found = cache.find(key(row));
-      if (found) EXPECT_EQ(found->samples().u.front(), static_cast<float>(row));
-      if (!found) cache.keep(key(row), grid(static_cast<float>(row)));
+      if (found) {
+        EXPECT_EQ(found->samples().u.front(), static_cast<float>(row));
+      } else {
+        cache.keep(key(row), grid(static_cast<float>(row)));
+      }
     }
   };
 
