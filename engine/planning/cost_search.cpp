@@ -128,7 +128,7 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
     if (sea.has_timed_closures())
       openings.emplace(sea, open, core::Seconds{INFINITY}, stop, &known.closures(), known.ladder());
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    CostVoyage voyage{sea, open.grid, request.objective(), openings ? &*openings : nullptr, known.limit()};
+    CostVoyage voyage{sea, open, request.objective(), openings ? &*openings : nullptr, known.limit()};
     const auto report = [&](std::int64_t expansions) {
       const double share = static_cast<double>(expansions) / static_cast<double>(most_labels);
       report_fraction((static_cast<double>(i) + std::min(share, 1.0)) / static_cast<double>(grids.size()));

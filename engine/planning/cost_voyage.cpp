@@ -13,15 +13,16 @@ constexpr double parts_of_bound = 6.0;
 
 }  // namespace
 
-CostVoyage::CostVoyage(const Sea& sea, const RouteGrid& grid, const Objective& objective,
+CostVoyage::CostVoyage(const Sea& sea, const OpenGrid& open, const Objective& objective,
                        const Openings* openings, const std::optional<Limit>& limit)
     : sea_{sea},
-      grid_{grid},
+      grid_{open.grid},
+      least_after_goal_{open.least_after_goal},
       objective_{objective},
       openings_{openings},
       limit_{limit},
       least_rate_{least_rate(sea, objective)},
-      goal_{grid.point(grid.goal)},
+      goal_{open.grid.point(open.grid.goal)},
       longest_without_surfacing_{sea.bounds_surfacing() ? sea.longest_without_surfacing() : std::nullopt},
       steady_{sea.is_steady()},
       closures_{sea.has_timed_closures()} {}
@@ -57,8 +58,10 @@ tl::expected<Sea::Leg, motion::EdgeClosed> CostVoyage::travel(geo::PlanePoint ta
 }
 
 bool CostVoyage::can_surface_in_time(graph::Vertex v, core::Seconds since_surfacing) const {
-  if (!longest_without_surfacing_ || v == grid_.goal) return true;
-  return since_surfacing + sea_.least_time_to_opening(grid_.point(v)) <= *longest_without_surfacing_;
+  if (!longest_without_surfacing_) return true;
+  const core::Seconds least =
+      v == grid_.goal ? least_after_goal_ : sea_.least_time_to_opening(grid_.point(v));
+  return since_surfacing + least <= *longest_without_surfacing_;
 }
 
 bool CostVoyage::surfaced_as_late(const graph::Label<State>& a, const graph::Label<State>& b) const {

@@ -7,8 +7,8 @@
 #include "engine/graph/label_search.hpp"
 #include "engine/planning/arrival_ladder.hpp"
 #include "engine/planning/objective.hpp"
+#include "engine/planning/open_grid.hpp"
 #include "engine/planning/openings.hpp"
-#include "engine/planning/route_grid.hpp"
 #include "engine/planning/sea.hpp"
 
 namespace floeplan::planning {
@@ -34,9 +34,9 @@ class CostVoyage {
     ArrivalLadder* ladder{};  // as far as that cost may last; borrowed
   };
 
-  /// `sea` and `grid` are borrowed and outlive the voyage.
+  /// `sea` and the grid are borrowed and outlive the voyage.
   /// `openings`: where and when it matters that something opens again, borrowed likewise; null: everywhere.
-  CostVoyage(const Sea& sea, const RouteGrid& grid, const Objective& objective,
+  CostVoyage(const Sea& sea, const OpenGrid& open, const Objective& objective,
              const Openings* openings = nullptr, const std::optional<Limit>& limit = std::nullopt);
 
   /// No second of any voyage costs less.
@@ -89,12 +89,13 @@ class CostVoyage {
                                                                   double arrival_s, double surfaced_s,
                                                                   double latest_s,
                                                                   vehicle::Drive drive) const;
-  /// Or be at the goal.
+  /// Or be at the last stop.
   [[nodiscard]] bool can_surface_in_time(graph::Vertex v, core::Seconds since_surfacing) const;
   [[nodiscard]] bool surfaced_as_late(const graph::Label<State>& a, const graph::Label<State>& b) const;
 
   const Sea& sea_;
   const RouteGrid& grid_;
+  core::Seconds least_after_goal_;
   Objective objective_;
   const Openings* openings_;
   std::optional<Limit> limit_;

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/planning/surfacing_reach.hpp"
+
 namespace floeplan::planning {
 namespace {
 
@@ -62,6 +64,11 @@ std::vector<OpenGrid> open_grids(const Sea& sea, const std::vector<RouteGrid>& g
   std::vector<OpenGrid> result;
   result.reserve(grids.size());
   for (const RouteGrid& grid : grids) result.push_back(open_grid(sea, grid, sectors, stop));
+  if (!sea.bounds_surfacing()) return result;
+  for (std::size_t i = result.size(); i-- > 1;) {
+    const OpenGrid& next = result[i];
+    result[i - 1].least_after_goal = core::Seconds{least_until_surfacing_s(sea, next, stop)[next.grid.start]};
+  }
   return result;
 }
 

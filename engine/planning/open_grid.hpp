@@ -16,13 +16,15 @@ struct OpenGrid {
   graph::GridGraph graph;
   std::int64_t vertices{};  // in deep enough water and clear of icebergs
   std::int64_t edges{};     // directed, between them
+  /// From the goal to where the vehicle may surface or has come to its last stop, at least; where that is bounded.
+  core::Seconds least_after_goal{};
 };
 
 /// Stops    early once `stop` is requested; the grid must then not be used
 [[nodiscard]] OpenGrid open_grid(const Sea& sea, const RouteGrid& grid, int sectors,
                                  const std::stop_token& stop);
 
-/// The same for each grid.
+/// The same for each grid of a voyage, one after the other.
 [[nodiscard]] std::vector<OpenGrid> open_grids(const Sea& sea, const std::vector<RouteGrid>& grids,
                                                int sectors, const std::stop_token& stop);
 

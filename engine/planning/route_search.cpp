@@ -284,7 +284,8 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
       search_unbounded(sea, open, request, depart, stop, report_fraction, latest, kept_foresight);
   if (!sea.bounds_surfacing() || found.cancelled || found.path.empty()) return found;
   // The best way of all is the best of those that keep the bound, if it does.
-  if (const auto since = since_surfacing_at_end(sea, found.path, depart, since_surfacing, found.arrival)) {
+  const auto since = since_surfacing_at_end(sea, found.path, depart, since_surfacing, found.arrival);
+  if (since && *since + open.least_after_goal <= *sea.longest_without_surfacing()) {
     found.since_surfacing = *since;
     return found;
   }

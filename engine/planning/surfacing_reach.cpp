@@ -33,11 +33,49 @@ std::vector<bool> reached_from(Vertex first, std::size_t vertices, const ForEach
   return reached;
 }
 
+/// How long it takes from each vertex straight to an opening, at least.
+struct TimesToOpening {
+  std::vector<double> straight_s;
+  std::vector<double> near_s;  // the same where that is an edge at most; infinite elsewhere
+};
+
+TimesToOpening times_to_opening(const Sea& sea, const FavourableGrid& grid) {
+  const OpenGrid& open = grid.open();
+  TimesToOpening times{std::vector<double>(open.graph.size()), std::vector<double>(open.graph.size(), never)};
+  for (Vertex v = 0; v < open.graph.size(); ++v) {
+    times.straight_s[v] = sea.least_time_to_opening(open.grid.point(v)).count();
+    if (open.graph.is_open(v) && times.straight_s[v] <= grid.longest_straight_s())
+      times.near_s[v] = times.straight_s[v];
+  }
+  return times;
+}
+
+/// Lowers times to the next opening, at first those of the places near one, to what `least_until_surfacing_s` says.
+void spread_backwards(std::vector<double>& until_s, const FavourableGrid& grid, double longest_s,
+                      const std::stop_token& stop) {
+  double& at_goal_s = until_s[grid.open().grid.goal];
+  at_goal_s = std::min(at_goal_s, grid.open().least_after_goal.count());
+  lower_times(until_s, longest_s, stop, [&](Vertex v, double time_s, const auto& visit) {
+    grid.for_each_edge_to(v, [&](const Edge& edge, double edge_s) { visit(edge.tail, time_s + edge_s); });
+  });
+}
+
+/// The bound, with room for rounding.
+double longest(const Sea& sea) { return sea.longest_without_surfacing()->count() + rounding_s; }
+
 }  // namespace
+
+std::vector<double> least_until_surfacing_s(const Sea& sea, const OpenGrid& open,
+                                            const std::stop_token& stop) {
+  const FavourableGrid grid{sea, open};
+  std::vector<double> until_s = times_to_opening(sea, grid).near_s;
+  spread_backwards(until_s, grid, longest(sea), stop);
+  return until_s;
+}
 
 SurfacingReach::SurfacingReach(const Sea& sea, const OpenGrid& open, core::Seconds depart,
                                core::Seconds since_surfacing, const std::stop_token& stop)
-    : grid_{open}, until_s_(open.graph.size(), never) {
+    : grid_{open} {
   grid_.graph = open.graph.keeping(find_ways(sea, open, depart, since_surfacing, stop));
   grid_.vertices = grid_.graph.count_open_vertices();
   grid_.edges = grid_.graph.count_edges();
@@ -46,21 +84,16 @@ SurfacingReach::SurfacingReach(const Sea& sea, const OpenGrid& open, core::Secon
 std::vector<bool> SurfacingReach::find_ways(const Sea& sea, const OpenGrid& open, core::Seconds depart,
                                             core::Seconds since_surfacing, const std::stop_token& stop) {
   const FavourableGrid grid{sea, open};
-  const double longest_s = sea.longest_without_surfacing()->count() + rounding_s;
-  std::vector<double> straight_s(open.graph.size());
-  for (Vertex v = 0; v < open.graph.size(); ++v) {
-    straight_s[v] = sea.least_time_to_opening(open.grid.point(v)).count();
-    if (open.graph.is_open(v) && straight_s[v] <= grid.longest_straight_s()) until_s_[v] = straight_s[v];
-  }
-  std::vector<double> since_s = until_s_;
+  const double longest_s = longest(sea);
+  const TimesToOpening times = times_to_opening(sea, grid);
+  const std::vector<double>& straight_s = times.straight_s;
+  until_s_ = times.near_s;
+  std::vector<double> since_s = times.near_s;
   since_s[open.grid.start] = std::min(since_s[open.grid.start], since_surfacing.count());
-  until_s_[open.grid.goal] = 0.0;
   lower_times(since_s, longest_s, stop, [&](Vertex v, double time_s, const auto& visit) {
     grid.for_each_edge_from(v, [&](const Edge& edge, double edge_s) { visit(edge.head, time_s + edge_s); });
   });
-  lower_times(until_s_, longest_s, stop, [&](Vertex v, double time_s, const auto& visit) {
-    grid.for_each_edge_to(v, [&](const Edge& edge, double edge_s) { visit(edge.tail, time_s + edge_s); });
-  });
+  spread_backwards(until_s_, grid, longest_s, stop);
 
   // Whoever surfaces on an edge needs to come to the opening only, and has come from nothing else.
   const auto is_usable = [&](const Edge& edge, double edge_s) {

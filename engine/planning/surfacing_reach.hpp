@@ -8,6 +8,13 @@
 
 namespace floeplan::planning {
 
+/// Never more than the time from each vertex to where the vehicle may surface or has come to its last stop, with the
+/// strongest current about each place astern; infinite where it is longer than the bound.
+/// Precondition: the sea bounds that time.
+/// Stops  early once `stop` is requested; the times must then not be used
+[[nodiscard]] std::vector<double> least_until_surfacing_s(const Sea& sea, const OpenGrid& open,
+                                                          const std::stop_token& stop);
+
 /// Where on a grid the bound on the time without surfacing leaves a way at all: how long ago the last possible surfacing
 /// lies at each vertex at least, and how long it takes to the next one, with the strongest current about each place
 /// astern, in the ice of the whole period; then hour by hour. What is closed to such a vehicle is closed to every one.
@@ -24,7 +31,7 @@ class SurfacingReach {
   /// What is left of the grid: where ways may lead that keep the bound, from the start to the goal or, without hope, to
   /// wherever they end.
   [[nodiscard]] const OpenGrid& grid() const { return grid_; }
-  /// Never more than the time from the vertex to where the vehicle may surface, or to the goal.
+  /// Never more than the time from the vertex to where the vehicle may surface, or to its last stop.
   [[nodiscard]] double least_until_opening_s(graph::Vertex v) const { return until_s_[v]; }
 
  private:

@@ -80,7 +80,7 @@ class SurfacingVoyage {
     if (!leg) return;
     const double head_s = arrival_s + leg->time.count();
     const double surfaced_s = stays_below ? state.surfaced_s : head_s - leg->since_surfacing.count();
-    if (!is_of_use(edge.head, head_s)) return;
+    if (!is_of_use(edge.head, head_s) || !can_surface_in_time(edge.head, head_s - surfaced_s)) return;
     const bool at_surface = leg->since_surfacing.count() == 0.0;
     const std::int64_t span = at_surface ? latest_span : span_of(surfaced_s, head_s);
     if (is_beaten(edge.head, head_s, span)) return;
@@ -123,7 +123,7 @@ class SurfacingVoyage {
   [[nodiscard]] double least_arrival_s(const graph::Edge& edge, double depart_s) const;
   [[nodiscard]] bool is_of_use(graph::Vertex v, double arrival_s) const;
   [[nodiscard]] bool may_surface_along(geo::PlanePoint tail, geo::PlanePoint head) const;
-  /// Or be at the goal.
+  /// Or be at the last stop.
   [[nodiscard]] bool can_surface_in_time(graph::Vertex v, double since_surfacing_s) const;
   /// Whether who comes first can stay until the other one is there, and be no worse off then.
   [[nodiscard]] bool may_wait_for(graph::Vertex v, const Label& first, const Label& other) const;
@@ -162,6 +162,7 @@ void SurfacingVoyage::extend_with_waits(const graph::Edge& edge, double arrival_
     if (!drive) return;
     const core::Seconds there = leaves + drive->time;
     if (!is_of_use(edge.head, there.count())) return;
+    if (!can_surface_in_time(edge.head, drive->since_surfacing.count())) return;
     emit(there.count(), State{(there - drive->since_surfacing).count(), interval_of(closed, there)}, 0U);
   });
 }

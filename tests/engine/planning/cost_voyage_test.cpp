@@ -86,7 +86,7 @@ void expect_least_cost(const ocean::Environment& environment, const Objective& o
   const geo::LocalProjection projection{{-53.0, 69.0}};
   const Sea sea{environment, request, projection, area, core::Metres{1000.0}};
   const OpenGrid open = open_grid(sea, small_grid, 1, {});
-  CostVoyage voyage{sea, open.grid, objective};
+  CostVoyage voyage{sea, open, objective};
   BruteForce brute_force{.sea = sea, .open = open, .objective = objective};
 
   const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, 0.0,
@@ -132,7 +132,7 @@ double share_of_plain_cost(const ocean::Environment& environment, const Objectiv
                 core::Metres{800.0}};
   std::vector<OpenGrid> grids;
   grids.push_back(open_grid(sea, grid, request.sectors, {}));
-  CostVoyage voyage{sea, grid, objective};
+  CostVoyage voyage{sea, grids[0], objective};
   const auto plain = graph::find_best_labels(grids[0].graph, grid.start, grid.goal, 0.0, CostVoyage::State{},
                                              voyage, 1'000'000, {});
   const auto found = search_least_cost(sea, grids, request, core::Seconds{0.0}, {}, [](double) {});

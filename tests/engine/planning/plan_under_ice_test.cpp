@@ -102,7 +102,7 @@ TEST(PlanUnderIce, KeepsLegsShortWhereTheTimeBelowTheIceIsBounded) {
 
   EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * 6.0);
   for (const Waypoint& waypoint : plan.waypoints)
-    if (waypoint.leg_length) EXPECT_LE(waypoint.leg_length->value, 2001.0);
+    EXPECT_LE(waypoint.leg_length.value_or(core::Metres{0.0}).value, 2001.0);
 }
 
 TEST(PlanUnderIce, BlamesTheIceWhereAPlaceToPassLeavesNoTimeToGoOn) {
@@ -118,6 +118,31 @@ TEST(PlanUnderIce, BlamesTheIceWhereAPlaceToPassLeavesNoTimeToGoOn) {
   ASSERT_FALSE(plan);
   EXPECT_EQ(plan.error().reason, Reason::no_surfacing);
   EXPECT_EQ(plan.error().binding, Constraint::ice);
+}
+
+/// The best way to the place to pass, straight on, comes there with too little time left for the rest of the voyage.
+TEST(PlanUnderIce, SurfacesBeforeAPlaceToPassWhereItMustGoOnBelowTheIce) {
+  const geo::LonLat hole{-53.25, 69.06};
+  ocean::Environment holed{.ice = support::ice_from(
+                               [&](geo::LonLat p, double) {
+                                 const double to_hole_m = geo::geodesic_between(p, hole).length.value;
+                                 return p.lon_deg < -53.4 || to_hole_m < 4000.0 ? 0.0 : 0.9;
+                               },
+                               {0.0}, 1.0)};
+  // Energy is not even, so that it has a search of its own.
+  holed.bathymetry = support::bathymetry_from([](geo::LonLat p) { return p.lat_deg > 69.02 ? 60.0 : 400.0; });
+  PlanRequest request = support::eastward_request();
+  request.via = {{-53.1, 69.0}};  // 11.6 h below the ice, and 8.8 h to go
+  request.to = {-52.85, 69.0};
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 18.0};
+  for (const Objective& objective : {time_objective, energy_objective}) {
+    request.energy.objective = objective;
+
+    const Plan plan = planned(holed, request);
+
+    ASSERT_TRUE(plan.surfacing);
+    EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * 18.0);
+  }
 }
 
 TEST(PlanUnderIce, ABoundThatTheBestWayKeepsChangesNothing) {
