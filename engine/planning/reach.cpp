@@ -180,6 +180,20 @@ bool touches_rim(const graph::SearchTree& tree, const RouteGrid& grid, double le
   return false;
 }
 
+/// Says so when the battery does not last as long as the longest span.
+std::optional<std::string> battery_warning(const Sea& sea, const ReachRequest& request) {
+  const core::Joules usable = request.vehicle.energy.usable();
+  const core::Watts power = sea.energy().least_power(sea.drives().front());
+  if (power * request.reach() <= usable) return std::nullopt;
+  char text[200];
+  std::snprintf(
+      text, sizeof text,
+      "the %.2f MJ that the battery gives above its reserve last %.1f h at most: what takes longer is "
+      "beyond it",
+      usable.value / 1e6, std::max(0.0, usable.value / power.value) / 3600.0);
+  return text;
+}
+
 }  // namespace
 
 Result<Reach> find_reach(const ocean::Environment& environment, const ReachRequest& request,
@@ -232,6 +246,7 @@ Result<Reach> find_reach(const ocean::Environment& environment, const ReachReque
     one.time = request.direction == Direction::from ? request.time + span : request.time - span;
     reach.areas.push_back(std::move(one));
   }
+  if (auto warning = battery_warning(sea, request)) reach.warnings.push_back(std::move(*warning));
   if (touches_rim(tree, open.grid, (begin + spans.back()).count())) {
     reach.warnings.push_back(
         "the area is cut where it leaves the data that were looked at: currents carry the vehicle further");

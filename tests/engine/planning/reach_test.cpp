@@ -1,5 +1,6 @@
 #include "engine/planning/reach.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -200,6 +201,17 @@ TEST(Reach, RefusesAGridThatWouldNotFitAndAnImpossibleRequest) {
 
   request.spans.clear();
   EXPECT_THROW((void)find_reach({}, request, {}, {}), std::invalid_argument);
+}
+
+TEST(Reach, WarnsWhereTheBatteryDoesNotLast) {
+  ReachRequest request = reach_request(Direction::from, {6.0, 24.0});
+  EXPECT_TRUE(reach({}, request).warnings.empty());
+  request.vehicle.energy.battery = {1e5};
+
+  const Reach found = reach({}, request);
+
+  EXPECT_EQ(found.areas.size(), 2U);
+  EXPECT_THAT(found.warnings, testing::Contains(testing::HasSubstr("0.09 MJ that the battery gives")));
 }
 
 TEST(Reach, StopsWhenAsked) {
