@@ -112,7 +112,9 @@ void add_check(CLI::App& app, Program& program) {
   command->add_option("FILE", flags->files, "Mission files, lists in the order in which they are flown")
       ->required();
   command->add_option("--from", flags->from, "Where the vehicle is, LON,LAT; default: the first waypoint");
-  flags->sea.add_common(*command);
+  flags->sea.add_request(*command, "the inputs of process evaluate-route, without a route");
+  flags->sea.add_voyage(*command);
+  flags->sea.add_route_rules(*command);
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run(*flags, program); });
 }

@@ -67,8 +67,10 @@ void add_evaluate(CLI::App& app, Program& program) {
                    "A plan's id or a file with a route: GeoJSON, .ma, .mi, GPX, KML, CSV, NMEA, Seaglider "
                    "targets or an IMC plan")
       ->required();
+  flags->add_request(*command, "the inputs of process evaluate-route");
   flags->add_start(*command);
-  flags->add_common(*command);
+  flags->add_voyage(*command);
+  flags->add_route_rules(*command);
   command->add_flag("--json", *json_out, "Answer with one JSON document");
   command->callback(
       [flags, route, json_out, &program] { program.exit_code = run(*route, *flags, *json_out, program); });

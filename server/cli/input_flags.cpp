@@ -79,7 +79,7 @@ json file_member(const std::string& file) {
   return {{"name", std::filesystem::path{file}.filename().string()}, {"text", std::move(text)}};
 }
 
-void InputFlags::add_common(CLI::App& command) {
+void InputFlags::add_voyage(CLI::App& command) {
   command.add_option("--depart", depart_, "Departure, ISO 8601 with zone, as 2026-11-20T06:00:00Z");
   command.add_option(
       "--vehicle", vehicle_,
@@ -92,10 +92,6 @@ void InputFlags::add_common(CLI::App& command) {
   command.add_option("--altimeter-margin", altimeter_margin_m_, "Kept above the sea bed, metres");
   command.add_option("--battery", battery_j_, "Energy of the full battery, joules");
   command.add_option("--battery-start", battery_start_share_, "Share of it at the departure, 0 to 1");
-  command.add_option("--objective", objective_,
-                     "time (default), energy, or weighted:W with W the seconds that a joule is worth");
-  command.add_option("--thruster", thruster_, "auto (default: as the objective has it), on or off");
-  command.add_flag("--require-battery", require_battery_, "No plan beyond what the battery gives");
   command.add_option("--currents", currents_,
                      "ID[,ID...] or none; default: the newest that cover area and departure");
   command.add_flag("--steady", steady_, "Use the one time step, or the mean of all, for every time");
@@ -128,15 +124,18 @@ void InputFlags::add_common(CLI::App& command) {
                      "Kept below the deepest keel when passing under, metres; default 20");
   command.add_option("--draft-uncertainty", draft_uncertainty_,
                      "Share added to every iceberg's draft when passing under, 0 to 2; default 0.25");
+  command.add_option("--name", name_, "Name of the plan");
+}
+
+void InputFlags::add_route_rules(CLI::App& command) {
+  command.add_option("--objective", objective_,
+                     "time (default), energy, or weighted:W with W the seconds that a joule is worth");
+  command.add_option("--thruster", thruster_, "auto (default: as the objective has it), on or off");
+  command.add_flag("--require-battery", require_battery_, "No plan beyond what the battery gives");
   command.add_option(
       "--max-loiter", max_loiter_s_,
       "Let the vehicle wait at a waypoint for what clears later, icebergs or timed areas, seconds "
       "at most; default 0");
-  command.add_option("--name", name_, "Name of the plan");
-  add_under_ice(command);
-}
-
-void InputFlags::add_under_ice(CLI::App& command) {
   command.add_option("--max-concentration-to-surface", max_concentration_to_surface_,
                      "Share of ice, 0 to 1, up to which the vehicle may surface; default 0.1");
   command.add_option("--margin-below-ice", margin_below_ice_m_,
@@ -162,12 +161,15 @@ void InputFlags::set_under_ice(json& inputs) const {
   if (stated.is_object()) stated.update(rules);
 }
 
+void InputFlags::add_request(CLI::App& command, const std::string& inputs) {
+  command.add_option("--request", request_file_, "JSON file with " + inputs);
+}
+
 void InputFlags::add_start(CLI::App& command) {
   command.add_option("--from", from_, "Where a route from a mission file starts, LON,LAT in degrees");
 }
 
 void InputFlags::add_planning(CLI::App& command) {
-  command.add_option("--request", request_file_, "JSON file with the inputs of process plan-route");
   command.add_option("--encounter-weight", encounter_weight_s_,
                      "Seconds of travel that one expected encounter with an iceberg counts as; default 0");
   command.add_option("--from", from_, "Start, LON,LAT in degrees");
@@ -208,7 +210,6 @@ void InputFlags::add_planning(CLI::App& command) {
 }
 
 void InputFlags::add_reach(CLI::App& command) {
-  command.add_option("--request", request_file_, "JSON file with the inputs of process reach");
   command.add_option("--from", from_, "Where the vehicle leaves at --depart, LON,LAT in degrees");
   command.add_option("--to", to_, "Where it is to be at --arrive-by, LON,LAT in degrees");
   command.add_option("--arrive-by", arrive_by_, "Latest arrival at --to, ISO 8601 with zone");

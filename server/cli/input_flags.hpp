@@ -8,12 +8,16 @@
 
 namespace floeplan::cli {
 
-/// The flags of `plan`, `evaluate` and `reach` that are members of a process's `inputs`, under the same names with
+/// The flags of `plan`, `evaluate`, `check` and `reach` that are members of a process's `inputs`, under the same names with
 /// underscores. Flags win over the members of a request file.
 class InputFlags {
  public:
-  /// Departure, vehicle, margin and data: what both commands take.
-  void add_common(CLI::App& command);
+  /// Departure, vehicle, margin and data: what all of them take.
+  void add_voyage(CLI::App& command);
+  /// Objective, waits, battery and ice: what a route has to obey.
+  void add_route_rules(CLI::App& command);
+  /// The file of which flags are members; `inputs` says whose inputs it holds.
+  void add_request(CLI::App& command, const std::string& inputs);
   /// Where a route from a file starts.
   void add_start(CLI::App& command);
   /// Places, grid, search and refinement: what only `plan` takes.
@@ -27,7 +31,6 @@ class InputFlags {
   [[nodiscard]] nlohmann::json inputs() const;
 
  private:
-  void add_under_ice(CLI::App& command);
   void set_under_ice(nlohmann::json& inputs) const;
 
   std::optional<std::string> request_file_;

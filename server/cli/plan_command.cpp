@@ -27,8 +27,10 @@ void add_plan(CLI::App& app, Program& program) {
   auto flags = std::make_shared<InputFlags>();
   auto json_out = std::make_shared<bool>(false);
   auto* command = app.add_subcommand("plan", "Plan the fastest route through the stored data");
+  flags->add_request(*command, "the inputs of process plan-route");
   flags->add_planning(*command);
-  flags->add_common(*command);
+  flags->add_voyage(*command);
+  flags->add_route_rules(*command);
   command->add_flag("--json", *json_out, "Answer with one JSON document");
   command->callback([flags, json_out, &program] { program.exit_code = run(*flags, *json_out, program); });
 }

@@ -52,8 +52,9 @@ void add_reach(CLI::App& app, Program& program) {
   auto json_out = std::make_shared<bool>(false);
   auto* command = app.add_subcommand(
       "reach", "Show what the vehicle can reach, or from where it can still come, in time");
+  flags->add_request(*command, "the inputs of process reach");
   flags->add_reach(*command);
-  flags->add_common(*command);
+  flags->add_voyage(*command);
   command->add_flag("--json", *json_out, "Answer with one GeoJSON document");
   command->callback([flags, json_out, &program] { program.exit_code = run(*flags, *json_out, program); });
 }

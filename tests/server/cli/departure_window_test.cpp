@@ -1,6 +1,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <fstream>
 #include <optional>
 
 #include "engine/core/utc_text.hpp"
@@ -13,6 +14,7 @@ namespace {
 using nlohmann::json;
 using support::Program;
 using ::testing::HasSubstr;
+using ::testing::Not;
 
 const char* const from = "-53.20,69.20";
 const char* const to = "-52.90,69.18";
@@ -111,6 +113,32 @@ TEST_F(DemoStore, DrawsWhatCanBeReachedAndFromWhere) {
   ASSERT_EQ(areas.size(), 2U);
   EXPECT_LT(areas[0]["properties"]["area_km2"], areas[1]["properties"]["area_km2"]);
   EXPECT_EQ(back.json()["features"][0]["properties"]["time"], time(6));
+}
+
+/// Law: what the help of a command offers, its process takes.
+TEST_F(DemoStore, OffersNoFlagForReachThatReachRefuses) {
+  const std::string help = program_->run({"reach", "--help"}).out;
+  for (const char* flag : {"--objective", "--thruster", "--require-battery", "--max-loiter",
+                           "--max-time-without-surfacing", "--escape-plan"}) {
+    EXPECT_THAT(help, Not(HasSubstr(flag)));
+    const auto refused =
+        program_->run({"reach", "--from", from, "--depart", time(0), "--hours", "3", flag, "1"});
+    EXPECT_EQ(refused.exit_code, 2) << flag;
+  }
+}
+
+TEST_F(DemoStore, TimesARouteForAVehicleOfItsOwn) {
+  const auto planned = plan({"--depart", time(0), "--no-refine"});
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  const std::string id = planned.json()["plan_id"];
+  const std::string request = (program_->folder() / "request.json").string();
+  std::ofstream{request} << R"({"vehicle": {"name": "mine", "speed_m_s": 0.5}})";
+
+  const auto usual = program_->run({"evaluate", id, "--depart", time(0), "--json"});
+  const auto own = program_->run({"evaluate", id, "--depart", time(0), "--request", request, "--json"});
+
+  ASSERT_EQ(own.exit_code, 0) << own.err << own.out;
+  EXPECT_LT(own.json()["travel_time_s"], usual.json()["travel_time_s"]);
 }
 
 TEST_F(DemoStore, AnswersTheSameOverHttp) {
