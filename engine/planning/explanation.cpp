@@ -236,14 +236,16 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
         " (the search was cut short at its bound on memory: there may be a way all the same)";
   const bool by_data = binding == outside_data || binding == current_too_strong || binding == under_ice ||
                        binding == no_surfacing;
-  return {
-      by_data ? words.reason : Reason::goal_unreachable,
-      sea.projection().to_lon_lat(search.nearest),
-      clock(request, search.nearest_arrival),
-      "no way was found to the goal; the nearest place reached is marked, where " + words.explanation,
-      words.suggestion + (search.statistics.cut_short ? "; a coarser grid (--spacing) needs less memory"
-                                                      : "; a finer grid (--spacing) finds narrower passages"),
-      constraint_of(binding, search.out_of_time)};
+  return {.reason = by_data ? words.reason : Reason::goal_unreachable,
+          .at = sea.projection().to_lon_lat(search.nearest),
+          .when = clock(request, search.nearest_arrival),
+          .explanation =
+              "no way was found to the goal; the nearest place reached is marked, where " + words.explanation,
+          .suggestion = words.suggestion + (search.statistics.cut_short
+                                                ? "; a coarser grid (--spacing) needs less memory"
+                                                : "; a finer grid (--spacing) finds narrower passages"),
+          .binding = constraint_of(binding, search.out_of_time),
+          .search_cut_short = search.statistics.cut_short};
 }
 
 Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::PlanePoint stop, const Sea& sea,

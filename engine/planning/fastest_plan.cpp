@@ -111,14 +111,46 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
 }
 
 /// On the nearer grids, and on the wider ones where they may do better.
-Result<Plan> plan_on_grids(const ocean::Environment& environment, const PlanRequest& request,
-                           const std::stop_token& stop, const core::ProgressCallback& progress,
-                           const core::SteadyClock& clock) {
+Attempt best_attempt(const ocean::Environment& environment, const PlanRequest& request,
+                     const std::stop_token& stop, const core::ProgressCallback& progress,
+                     const core::SteadyClock& clock) {
   Attempt best = plan_within(first_reach, environment, request, stop, progress, clock);
   if (best.wider_may_help) {
     Attempt wider = plan_within(second_reach, environment, request, stop, progress, clock);
     const bool nearer_will_do = best.plan && (!wider.plan || best.plan->arrival <= wider.plan->arrival);
     if (!nearer_will_do) best = std::move(wider);
+  }
+  return best;
+}
+
+/// Of the default steps of the grid, where searches with a bound on the time without surfacing run out of memory: across
+/// 75 km of ice with 8 to 40 holes, 1000 m instead of 400 gave ways that were earlier by 1 to 6 %.
+constexpr double coarser = 2.5;
+
+PlanRequest on_coarser_grids(const PlanRequest& request) {
+  const Layout layout = lay_out(request, first_reach);
+  double way_m = 0.0;
+  for (std::size_t i = 1; i < layout.points.size(); ++i)
+    way_m += geo::distance_m(layout.points[i - 1], layout.points[i]);
+  const core::Metres mean_leg{way_m / static_cast<double>(layout.grids.size())};
+  PlanRequest coarse = request;
+  coarse.spacing_along = coarser * spacing_for(request, mean_leg).along;
+  return coarse;
+}
+
+bool was_cut_short(const Attempt& attempt) {
+  return attempt.plan ? attempt.plan->search.cut_short : attempt.plan.error().search_cut_short;
+}
+
+/// On grids as fine as asked for. Where that was left open and a search with surfacings came to no end, on coarser ones,
+/// too, on which it comes further.
+Result<Plan> plan_on_grids(const ocean::Environment& environment, const PlanRequest& request,
+                           const std::stop_token& stop, const core::ProgressCallback& progress,
+                           const core::SteadyClock& clock) {
+  Attempt best = best_attempt(environment, request, stop, progress, clock);
+  if (request.under_ice.max_time_without_surfacing && !request.spacing_along && was_cut_short(best)) {
+    Attempt coarse = best_attempt(environment, on_coarser_grids(request), stop, progress, clock);
+    if (coarse.plan && (!best.plan || coarse.plan->arrival < best.plan->arrival)) best = std::move(coarse);
   }
   if (best.plan) rate(*best.plan, best.chart->sea, request, best.route, stop);
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));

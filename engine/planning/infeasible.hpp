@@ -79,6 +79,8 @@ struct Infeasible {
   std::string suggestion;   // what would help, one sentence
   Constraint binding{};
   std::vector<Change> changes{};  // found to make it possible, each alone; the smallest first
+  /// The search came to its bound on memory: there may be a way all the same.
+  bool search_cut_short{false};
   /// The work set aside for finding them was done before all were tried: smaller ones, or others, may help, too.
   bool changes_cut_short{false};
   std::optional<Postponed> postponed{};

@@ -18,13 +18,17 @@ using graph::Edge;
 /// waits, which is looked for too, does not have to wait long.
 constexpr std::size_t most_waiting_labels = 20'000;
 
-/// Of the bound on the time without surfacing: how finely last surfacings are told apart, first for any way, then for one
-/// that is all but the best, then among what may be better than that.
+/// Of the bound on the time without surfacing: how finely last surfacings are told apart when any way will do.
 constexpr double any_share = 1.0 / 4.0;
-constexpr double coarse_share = 1.0 / 6.0;
-constexpr double fine_share = 1.0 / 100.0;
-/// Of the travel time: the coarse way need not be nearer to the best of its kind than that.
-constexpr double coarse_slack = 0.02;
+
+/// A search for what is better than all that was found before.
+struct Pass {
+  double share_of_bound;  // as above
+  double weight;          // of the rest of the way, see SurfacingVoyage
+};
+/// Ever finer, each in haste but for the last. Among forty holes in 75 km of ice they found ways within 1 % of the best
+/// for bounds of 12 to 24 h, with half the labels of two passes without haste, which came to within 8 %.
+constexpr Pass passes[] = {{1.0 / 6.0, 1.2}, {1.0 / 24.0, 1.1}, {1.0 / 100.0, 1.0}};
 
 /// Where no way keeps the bound: with so many arrivals, of which those towards the goal come first, it shows where ways
 /// end.
@@ -95,29 +99,33 @@ class Searches {
 
   /// A way that is found soon, at the price of time; what opens near a place later is not waited for.
   [[nodiscard]] Labels find_any(std::size_t most_labels) {
-    return find({.share_of_bound = any_share, .aim = SurfacingVoyage::Aim::any_way}, Openings{}, most_labels);
+    return find({.pass = {any_share, 1.0}, .aim = SurfacingVoyage::Aim::any_way}, Openings{}, most_labels);
   }
-  /// The best one that is at the goal before then, near enough. `slack`: of the least time that the way takes.
-  [[nodiscard]] Labels find_best(double share_of_bound, double slack, core::Seconds before,
-                                 std::size_t most_labels) {
+  /// The best one that is at the goal before then, near enough.
+  [[nodiscard]] Labels find_best(Pass pass, core::Seconds before, std::size_t most_labels) {
     const Openings openings = sea_.has_timed_closures()
                                   ? Openings{sea_, reach_.grid(), before, stop_, &closures_, ladder_.get()}
                                   : Openings{};
-    return find({.share_of_bound = share_of_bound, .slack = slack, .before = before}, openings, most_labels);
+    return find({.pass = pass, .slack = sea_.edge_tolerance(), .before = before}, openings, most_labels);
   }
 
  private:
   struct Wanted {
-    double share_of_bound;
-    double slack{0.0};
+    Pass pass;
+    double slack{0.0};  // of the least time that the way takes
     core::Seconds before{INFINITY};
     SurfacingVoyage::Aim aim{SurfacingVoyage::Aim::best_way};
   };
   [[nodiscard]] Labels find(const Wanted& wanted, const Openings& openings, std::size_t most_labels) {
-    const core::Seconds resolution = wanted.share_of_bound * *sea_.longest_without_surfacing();
+    const core::Seconds resolution = wanted.pass.share_of_bound * *sea_.longest_without_surfacing();
     const OpenGrid& open = reach_.grid();
-    SurfacingVoyage voyage{sea_,       open,          {closures_, openings, reach_, ladder_.get()},
-                           resolution, wanted.before, wanted.aim};
+    SurfacingVoyage voyage{sea_,
+                           open,
+                           {closures_, openings, reach_, ladder_.get()},
+                           resolution,
+                           wanted.before,
+                           wanted.aim,
+                           wanted.pass.weight};
     const auto report = [&](std::int64_t expansions) {
       const auto vertices = static_cast<double>(std::max<std::int64_t>(1, open.vertices));
       report_fraction_(std::min(1.0, static_cast<double>(expansions) / vertices));
@@ -179,20 +187,19 @@ RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::S
   adopt(search.find_any(budget.any_way));
   if (result.cancelled) return result;
   core::Seconds before{INFINITY};
-  const auto look_for_better = [&](double share_of_bound, double slack) {
+  for (const Pass pass : passes) {
     if (!result.path.empty()) {
       before = result.arrival;
       search.look_ahead(before);
-      if (!search.has_hope()) return false;
+      if (!search.has_hope()) break;
     }
-    const Labels found = search.find_best(share_of_bound, slack, before, budget.best_way);
+    const Labels found = search.find_best(pass, before, budget.best_way);
     adopt(found);
     result.statistics.cut_short = found.full;
     if (result.path.empty() && !result.cancelled) describe_end(result, sea, open, found);
     // A finer search keeps more labels for each place and would not come as far.
-    return !result.cancelled && !found.full;
-  };
-  if (look_for_better(coarse_share, coarse_slack)) look_for_better(fine_share, sea.edge_tolerance());
+    if (result.cancelled || found.full) break;
+  }
   return result;
 }
 

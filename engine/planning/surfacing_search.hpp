@@ -10,10 +10,10 @@
 namespace floeplan::planning {
 
 /// How many arrivals the searches with a bound on the time without surfacing keep at most, each of them: some seconds and
-/// some ten megabytes. Any way at all is worth more of them than a better one.
+/// some ten megabytes.
 struct SurfacingBudget {
   std::size_t any_way{100'000};
-  std::size_t best_way{50'000};
+  std::size_t best_way{100'000};
 };
 
 /// The earliest arrival at the goal of a grid along ways on which the time without a possible surfacing stays within
@@ -27,7 +27,7 @@ struct SurfacingBudget {
 ///          while; time spent so below ice counts as time without a surfacing. The search is then
 ///          cut short much earlier
 /// Method   first any way that keeps the bound, over what SurfacingReach leaves of the grid and by weighted A*; then what
-///          may be better than it
+///          may be better than it, in ever less haste
 /// Stops    early and says so once `stop` is requested or beyond the budget, then with the best way it knows, if any
 /// Source   Pohl 1970, Heuristic search viewed as path finding in a graph, doi:10.1016/0004-3702(70)90007-X (weighted A*)
 [[nodiscard]] RouteSearch search_with_surfacings(const Sea& sea, const OpenGrid& open, core::Seconds depart,

@@ -26,7 +26,7 @@ void SurfacingFronts::add(graph::Vertex v, double arrival_s, std::int64_t span) 
 }
 
 SurfacingVoyage::SurfacingVoyage(const Sea& sea, const OpenGrid& open, const Known& known,
-                                 core::Seconds resolution, core::Seconds before, Aim aim)
+                                 core::Seconds resolution, core::Seconds before, Aim aim, double weight)
     : sea_{sea},
       grid_{open.grid},
       goal_{open.grid.point(open.grid.goal)},
@@ -39,6 +39,7 @@ SurfacingVoyage::SurfacingVoyage(const Sea& sea, const OpenGrid& open, const Kno
       resolution_s_{resolution.count()},
       before_s_{before.count()},
       aim_{aim},
+      weight_{weight},
       may_wait_{sea.longest_wait().count() > 0.0 && sea.has_timed_closures()},
       indifferent_s_{aim == Aim::any_way && !may_wait_ ? step_s_ : 0.0},
       fronts_{open.graph.size()} {}

@@ -62,8 +62,10 @@ class SurfacingVoyage {
              // step of the grid is no better, and how long ago a surfacing lies stands for when it was
   };
   /// `resolution`: width of the spans of surfacings. `before`: what is not at the goal by then is of no use.
+  /// `weight`: of the rest of the way, at least 1; by that factor at most, what is found is later than the best
+  /// (weighted A*).
   SurfacingVoyage(const Sea& sea, const OpenGrid& open, const Known& known, core::Seconds resolution,
-                  core::Seconds before, Aim aim = Aim::best_way);
+                  core::Seconds before, Aim aim = Aim::best_way, double weight = 1.0);
 
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) {
     const geo::PlanePoint tail = grid_.point(edge.tail);
@@ -92,7 +94,7 @@ class SurfacingVoyage {
 
   [[nodiscard]] bool may_wait() const { return may_wait_; }
   [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State&) const {
-    if (aim_ == Aim::best_way) return earliest_at_goal_s(v, arrival_s);
+    if (aim_ == Aim::best_way) return arrival_s + weight_ * (earliest_at_goal_s(v, arrival_s) - arrival_s);
     return arrival_s + any_weight * sea_.least_time(grid_.point(v), goal_).count();
   }
 
@@ -142,6 +144,7 @@ class SurfacingVoyage {
   double resolution_s_;
   double before_s_;
   Aim aim_;
+  double weight_;
   bool may_wait_;
   double indifferent_s_;  // by so much a later arrival is as good
   SurfacingFronts fronts_;

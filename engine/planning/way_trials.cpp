@@ -106,7 +106,7 @@ class GridTrial {
   }
 
   Reached with_surfacings(core::Seconds depart, core::Seconds since_surfacing) {
-    const std::size_t affordable = std::max<std::size_t>(1, affordable_labels() / 2);
+    const std::size_t affordable = std::max<std::size_t>(1, affordable_labels() / 3);
     RouteSearch found = search_with_surfacings(sea_, open_, depart, since_surfacing, stop_, [](double) {},
                                                {affordable, affordable});
     left_ -= work_of_a_leg * found.statistics.edge_evaluations;

@@ -1,10 +1,16 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
+#include <memory>
+#include <numbers>
+#include <random>
+#include <vector>
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning {
@@ -23,6 +29,36 @@ ocean::Environment band_of_ice() {
                 return std::abs(p.lon_deg + 53.0) < 0.26 && p.lat_deg < 69.15 ? 0.9 : 0.0;
               },
               {0.0}, 1.0)};
+}
+
+/// About 75 km of ice of 90 % eastwards, with holes of 5 km strewn over it, and a tide.
+ocean::Environment ice_with_holes(int seed, int count) {
+  std::mt19937_64 rng{static_cast<std::uint64_t>(seed)};
+  std::vector<geo::LonLat> holes;
+  for (int i = 0; i < count; ++i)
+    holes.push_back({support::uniform(rng, -54.2, -51.8), support::uniform(rng, 68.6, 69.4)});
+  const ocean::HorizontalGrid grid{geo::GeographicFrame{}, support::steps(-56.0, 0.03, 200),
+                                   support::steps(67.5, 0.015, 200)};
+  ocean::IceField::Samples samples{
+      .grid = grid, .times_s = ocean::Axis{{support::sea_start_s}}, .concentration = {}, .thickness_m = {}};
+  for (std::size_t iy = 0; iy < grid.y().size(); ++iy) {
+    for (std::size_t ix = 0; ix < grid.x().size(); ++ix) {
+      const geo::LonLat place = grid.place(ix, iy);
+      const bool is_open =
+          std::abs(place.lon_deg + 53.0) > 0.95 || std::ranges::any_of(holes, [&](geo::LonLat hole) {
+            return geo::geodesic_between(place, hole).length.value < 2500.0;
+          });
+      samples.concentration.push_back(is_open ? 0.0F : 0.9F);
+      samples.thickness_m.push_back(1.0F);
+    }
+  }
+  const auto tide = [](geo::LonLat place, double hour) {
+    const double phase = 2.0 * std::numbers::pi * hour / 12.42;
+    return geo::VelocityEn{{0.1 * std::cos(phase + 9.0 * place.lat_deg)},
+                           {0.1 * std::sin(phase + 5.0 * place.lon_deg)}};
+  };
+  return {.currents = support::currents_from(tide, 120),
+          .ice = std::make_shared<const ocean::IceField>(std::move(samples))};
 }
 
 Plan planned(const ocean::Environment& environment, const PlanRequest& request) {
@@ -143,6 +179,25 @@ TEST(PlanUnderIce, SurfacesBeforeAPlaceToPassWhereItMustGoOnBelowTheIce) {
     ASSERT_TRUE(plan.surfacing);
     EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * 18.0);
   }
+}
+
+/// On 400 m, the default there, the search runs out of memory long before it knows the best way.
+TEST(PlanUnderIce, SearchesACoarserGridWhereTheOneLeftOpenTakesTooMuchMemory) {
+  const ocean::Environment environment = ice_with_holes(3, 14);
+  PlanRequest request = support::eastward_request();
+  request.from = {-53.99, 69.0};
+  request.to = {-52.01, 69.0};
+  request.optimality_gap = false;
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 24.0};
+  request.spacing_along = core::Metres{400.0};
+  const Plan on_the_usual_grid = planned(environment, request);
+  ASSERT_TRUE(on_the_usual_grid.search.cut_short);
+  request.spacing_along.reset();
+
+  const Plan plan = planned(environment, request);
+
+  EXPECT_LT(plan.travel_time() / on_the_usual_grid.travel_time(), 0.995);
+  EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * 24.0);
 }
 
 TEST(PlanUnderIce, ABoundThatTheBestWayKeepsChangesNothing) {
