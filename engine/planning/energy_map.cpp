@@ -71,8 +71,9 @@ const EnergyMap::Place& EnergyMap::place(geo::PlanePoint point) const {
 
 EnergyMap::Place EnergyMap::below(const Place& place, core::Metres upper_turn) const {
   if (upper_turn.value <= static_cast<double>(place.top_m)) return place;
-  const core::Metres bottom{static_cast<double>(place.bottom_m)};
-  const vehicle::DiveBand band{std::min(upper_turn, bottom - vehicle::lowest_tooth), bottom};
+  const vehicle::DiveBand band = vehicle::band_below(
+      upper_turn,
+      {core::Metres{static_cast<double>(place.top_m)}, core::Metres{static_cast<double>(place.bottom_m)}});
   return {static_cast<float>(pump_j_m(model_, buoyancy_volume_, band)),
           static_cast<float>(1.0 / band.thickness().value), static_cast<float>(band.top.value),
           place.bottom_m};

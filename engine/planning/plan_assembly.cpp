@@ -194,15 +194,15 @@ void add_energy_of_surfacings(Plan& plan, const PlanRequest& request) {
   }
 }
 
+/// Under ice the currents are those of the dives flown there; under icebergs, which are small and drift, they are not.
 void warn_of_deep_turns(Plan& plan, const PlanRequest& request) {
   core::Metres deepest{0.0};
-  for (const SurfacingState& state : plan.surfacing->waypoints)
-    deepest = std::max(deepest, state.least_upper_turn);
+  for (const PassedUnder& passed : plan.passed_under) deepest = std::max(deepest, passed.keel.upper_turn);
   if (deepest <= request.vehicle.climb_to) return;
   char text[240];
   std::snprintf(
       text, sizeof text,
-      "below ice or icebergs the dives turn as deep as %.0f m, and the energy is reckoned so; the currents "
+      "below icebergs the dives turn as deep as %.0f m, and the energy is reckoned so; the currents "
       "are those of dives that turn at %.0f m: plan with --climb-to %.0f to see how much that matters",
       std::ceil(deepest.value), request.vehicle.climb_to.value, std::ceil(deepest.value));
   plan.warnings.emplace_back(text);

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/planning/band_means.hpp"
+#include "engine/planning/upper_turns.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -80,6 +81,16 @@ std::vector<NodeTurn> turns_of(const ocean::HorizontalGrid& grid, const NodeWind
   return turns;
 }
 
+std::vector<geo::PlanePoint> points_of(const ocean::HorizontalGrid& grid, const NodeWindow& window,
+                                       const geo::LocalProjection& projection) {
+  std::vector<geo::PlanePoint> points;
+  for (std::size_t iy = 0; iy < window.y.size(); ++iy) {
+    for (const std::size_t column : window.columns)
+      points.push_back(projection.to_plane(grid.place(column, window.first_row + iy)));
+  }
+  return points;
+}
+
 /// Some rows of the data's nodes, and those of the cut nodes that lie from the first of them up to the end.
 struct RowBlock {
   std::size_t first_cut{};
@@ -112,11 +123,53 @@ std::vector<BandMeans::Place> places_in(const RowBlock& block, std::size_t cut_c
   return places;
 }
 
+/// The same places below the ice of one time after the other.
+class PlacesBelowIce {
+ public:
+  /// Everything is borrowed and outlives this.
+  PlacesBelowIce(const std::vector<BandMeans::Place>& places, std::size_t columns, const UpperTurns& turns)
+      : places_{places}, turns_{turns}, deeper_{places} {
+    const auto nearest = [](const CellPosition& at) { return at.cell + (at.share > 0.5 ? 1 : 0); };
+    for (const BandMeans::Place& place : places) {
+      nodes_.push_back(nearest(place.y) * columns + nearest(place.x));
+      ever_ = ever_ || turns.ever_below(nodes_.back());
+    }
+  }
+
+  /// Whether any of them lies below ice at some time.
+  [[nodiscard]] bool ever() const { return ever_; }
+  /// Whether one of them lies below ice at that time.
+  [[nodiscard]] bool is_below(std::size_t time, std::size_t place) const {
+    return turns_.at(time, nodes_[place]) > places_[place].band.top;
+  }
+  /// Answers whether the dives turn elsewhere at one of those that lie below ice at that time than when they last did.
+  bool turn_at(std::size_t time) {
+    bool changed = false;
+    for (std::size_t i = 0; i < places_.size(); ++i) {
+      if (!is_below(time, i)) continue;
+      const vehicle::DiveBand band = vehicle::band_below(turns_.at(time, nodes_[i]), places_[i].band);
+      if (band == deeper_[i].band) continue;
+      deeper_[i].band = band;
+      changed = true;
+    }
+    return changed;
+  }
+  /// With the bands that they had when they last lay below ice.
+  [[nodiscard]] const std::vector<BandMeans::Place>& deeper() const { return deeper_; }
+
+ private:
+  const std::vector<BandMeans::Place>& places_;
+  const UpperTurns& turns_;
+  std::vector<BandMeans::Place> deeper_;
+  std::vector<std::size_t> nodes_;  // nearest to each place
+  bool ever_{false};
+};
+
 }  // namespace
 
 PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, const FlownDepths& depths,
                              const geo::LocalProjection& projection, const PlaneBox& area,
-                             core::UtcTime epoch, const std::stop_token& stop)
+                             core::UtcTime epoch, const std::stop_token& stop, const UnderIce* ice)
     : lookup_{currents.samples().grid.frame(), projection, area, stop}, x_{{0.0}}, y_{{0.0}} {
   const ocean::HorizontalGrid& grid = currents.samples().grid;
   const NodeWindow window = node_window(grid, lookup_, area);
@@ -135,12 +188,21 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
   // A chord of length h misses a curve by h^2 / 8 of its bend.
   straight_parts_per_metre_ =
       std::sqrt(std::max(bend.x / x_.mean_step(), bend.y / y_.mean_step()) / (8.0 * most_beside_chord));
-  fill(currents, window, parts, bands, turns_of(grid, window, projection), stop);
+  UpperTurns upper_turns;
+  if (ice != nullptr) {
+    std::vector<core::Seconds> times{core::Seconds{0.0}};
+    if (times_s_) {
+      times.clear();
+      for (const double time_s : times_s_->nodes()) times.emplace_back(time_s);
+    }
+    upper_turns = UpperTurns{*ice, points_of(grid, window, projection), times, stop};
+  }
+  fill(currents, window, parts, bands, upper_turns, turns_of(grid, window, projection), stop);
 }
 
 void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& window, int parts,
-                         const std::vector<vehicle::DiveBand>& bands, const std::vector<NodeTurn>& turns,
-                         const std::stop_token& stop) {
+                         const std::vector<vehicle::DiveBand>& bands, const UpperTurns& upper_turns,
+                         const std::vector<NodeTurn>& turns, const std::stop_token& stop) {
   constexpr float missing = std::numeric_limits<float>::quiet_NaN();
   const std::size_t slice = x_.size() * y_.size();
   const std::size_t slices = times_s_ ? times_s_->size() : 1;
@@ -150,8 +212,10 @@ void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& w
   for (std::size_t first = 0; first < window.y.size(); first += rows_together) {
     const RowBlock block = block_from(first, window, static_cast<std::size_t>(parts), y_.size());
     const std::vector<BandMeans::Place> places = places_in(block, x_.size(), parts, window, bands);
+    PlacesBelowIce below_ice{places, window.x.size(), upper_turns};
     std::optional<WetLevels> wet;
     std::optional<BandMeans> means;
+    std::optional<BandMeans> means_below_ice;
     for (std::size_t t = 0; t < slices; ++t) {
       if (stop.stop_requested()) return;
       const ocean::CurrentRows water{currents, t, window.first_row + block.first_needed, block.needed};
@@ -160,10 +224,14 @@ void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& w
         if (wet != wet_now) {
           means.emplace(places, currents.samples().depths_m, window, turns, wet_now, water);
           wet = std::move(wet_now);
+          means_below_ice.reset();
         }
       }
+      if (below_ice.ever() && (below_ice.turn_at(t) || !means_below_ice))
+        means_below_ice.emplace(below_ice.deeper(), currents.samples().depths_m, window, turns, *wet, water);
       for (std::size_t i = 0; i < places.size(); ++i) {
-        const auto mean = means->at(i, water);
+        const bool is_below = below_ice.ever() && below_ice.is_below(t, i);
+        const auto mean = (is_below ? *means_below_ice : *means).at(i, water);
         if (!mean) continue;
         const motion::CurrentXy c = mean->current;
         strongest2 = std::max(strongest2, c.x_m_s * c.x_m_s + c.y_m_s * c.y_m_s);

@@ -18,6 +18,8 @@
 namespace floeplan::planning {
 
 struct NodeTurn;
+class UnderIce;
+class UpperTurns;
 
 /// The currents of a planning area, averaged over the depths that the glider flies at each place, turned into
 /// the axes of the plane: what the inner loop asks. A steady saw-tooth spends the same time at every depth of
@@ -25,6 +27,8 @@ struct NodeTurn;
 /// Depths   each column of the data is averaged over the band that is flown at the place asked for, not at the
 ///          column, so that a bank inside a cell of the data changes the field. Where the bands differ, a cell
 ///          is cut into as many parts as the bathymetry has, up to four a side; in between, linear
+/// Ice      under ice through which the vehicle may not surface the band begins where the dives must turn there and then,
+///          as at the nearest node of the data; in currents that are steady, as at `epoch`
 /// Interpolation
 ///          the data's own: bilinear between its nodes, linear between its times
 /// Coast    a node without water takes the mean of its neighbours with water, one ring deep, because a model's
@@ -34,10 +38,10 @@ struct NodeTurn;
 /// Threads  const members may be called from several threads at once
 class PlaneCurrents {
  public:
-  /// Once `stop` is requested the currents stay incomplete and must not be used.
+  /// Once `stop` is requested the currents stay incomplete and must not be used. `ice`: null where it is open water.
   PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, const FlownDepths& depths,
                 const geo::LocalProjection& projection, const PlaneBox& area, core::UtcTime epoch,
-                const std::stop_token& stop = {});
+                const std::stop_token& stop = {}, const UnderIce* ice = nullptr);
 
   [[nodiscard]] std::optional<motion::CurrentXy> operator()(geo::PlanePoint point, core::Seconds time) const;
   /// The current along an edge, cell by cell. Precondition: `has_lines()`.
@@ -72,8 +76,8 @@ class PlaneCurrents {
   };
   [[nodiscard]] std::optional<Corner> corner(geo::PlanePoint point) const;
   void fill(const ocean::CurrentGrid& currents, const NodeWindow& window, int parts,
-            const std::vector<vehicle::DiveBand>& bands, const std::vector<NodeTurn>& turns,
-            const std::stop_token& stop);
+            const std::vector<vehicle::DiveBand>& bands, const UpperTurns& upper_turns,
+            const std::vector<NodeTurn>& turns, const std::stop_token& stop);
 
   GridLookup lookup_;
   FastAxis x_;  // of the data's window, cut; longitudes continuous, also across the data's seam

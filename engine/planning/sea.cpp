@@ -53,7 +53,8 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       encounters_{lay_out_encounters(icebergs_, environment, request, area, stop)},
       ice_{lay_out_ice(environment, request, projection, area, cell, stop)},
       depths_{request.vehicle.dive_limits(), environment.bathymetry},
-      currents_{lay_out_currents(environment, request, depths_, projection, area, stop)},
+      currents_{
+          lay_out_currents(environment, request, depths_, ice_ ? &*ice_ : nullptr, projection, area, stop)},
       energy_{request.vehicle, depths_, projection, area, stop} {
   accuracy_ = drive_accuracy(currents_.get(), request.edge_tolerance);
   for (int iy = 0; iy <= scale_cells; ++iy) {

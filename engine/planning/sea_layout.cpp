@@ -81,11 +81,12 @@ IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanR
 
 std::shared_ptr<const PlaneCurrents> lay_out_currents(const ocean::Environment& environment,
                                                       const PlanRequest& request, const FlownDepths& depths,
+                                                      const UnderIce* ice,
                                                       const geo::LocalProjection& projection,
                                                       const PlaneBox& area, const std::stop_token& stop) {
   if (!environment.currents) return nullptr;
   return std::make_shared<const PlaneCurrents>(*environment.currents, environment.steady_currents, depths,
-                                               projection, area, request.depart, stop);
+                                               projection, area, request.depart, stop, ice);
 }
 
 std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment, const PlanRequest& request,

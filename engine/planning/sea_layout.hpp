@@ -43,8 +43,10 @@ namespace floeplan::planning {
                                                   const PlaneBox& area, core::Metres step,
                                                   const std::stop_token& stop);
 
+/// `ice`: null where nothing is known of it.
 [[nodiscard]] std::shared_ptr<const PlaneCurrents> lay_out_currents(
     const ocean::Environment& environment, const PlanRequest& request, const FlownDepths& depths,
-    const geo::LocalProjection& projection, const PlaneBox& area, const std::stop_token& stop);
+    const UnderIce* ice, const geo::LocalProjection& projection, const PlaneBox& area,
+    const std::stop_token& stop);
 
 }  // namespace floeplan::planning

@@ -33,4 +33,7 @@ inline constexpr core::Metres lowest_tooth{2.0};
 /// asked.
 [[nodiscard]] DiveBand flown_band(const DiveLimits& limits, std::optional<core::Metres> sea_bed);
 
+/// The band where no dive turns above `upper_turn`; where that leaves less than the lowest saw-tooth, that one.
+[[nodiscard]] DiveBand band_below(core::Metres upper_turn, const DiveBand& band);
+
 }  // namespace floeplan::vehicle

@@ -2,6 +2,7 @@
 
 #include <cmath>
 #include <functional>
+#include <iterator>
 #include <limits>
 #include <memory>
 #include <vector>
@@ -56,6 +57,27 @@ inline std::shared_ptr<const ocean::Bathymetry> bathymetry_from(
     }
   }
   return std::make_shared<const ocean::Bathymetry>(grid, std::move(depths));
+}
+
+inline constexpr double shear_level_m[] = {0.0, 10.0, 30.0, 75.0, 150.0, 300.0};
+inline constexpr double shear_east_m_s[] = {0.5, 0.45, 0.2, -0.1, -0.2, -0.25};
+
+/// The same sheared eastward current everywhere and for `hours`: fast at the surface, turned round at depth.
+inline std::shared_ptr<const ocean::CurrentGrid> sheared_currents(int hours = 0) {
+  const ocean::HorizontalGrid grid = sea_grid();
+  ocean::CurrentGrid::Samples samples{
+      .grid = grid,
+      .depths_m = ocean::Axis{{std::begin(shear_level_m), std::end(shear_level_m)}},
+      .times_s = steps(sea_start_s, 3600.0, hours + 1),
+      .u = {},
+      .v = {}};
+  for (int hour = 0; hour <= hours; ++hour) {
+    for (const double east : shear_east_m_s) {
+      samples.u.insert(samples.u.end(), grid.size(), static_cast<float>(east));
+      samples.v.insert(samples.v.end(), grid.size(), 0.0F);
+    }
+  }
+  return std::make_shared<const ocean::CurrentGrid>(std::move(samples));
 }
 
 /// Ice at the given hours from sea_start_s by a function of place and hour; NaN: nothing is known.

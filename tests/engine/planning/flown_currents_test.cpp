@@ -3,44 +3,28 @@
 #include <cmath>
 
 #include "engine/planning/plane_currents.hpp"
+#include "engine/planning/under_ice.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning {
 namespace {
 
-using support::sea_grid;
 using support::sea_start_s;
+using support::shear_east_m_s;
+using support::shear_level_m;
 using support::steps;
 
 const geo::LocalProjection projection{{-53.0, 69.0}};
 const PlaneBox area{{-30'000.0, -30'000.0}, {30'000.0, 30'000.0}};
 constexpr vehicle::DiveLimits limits{.climb_to = {5.0}, .dive_to = {200.0}, .altimeter_margin = {10.0}};
-constexpr double level_m[] = {0.0, 10.0, 30.0, 75.0, 150.0, 300.0};
-constexpr double east_m_s[] = {0.5, 0.45, 0.2, -0.1, -0.2, -0.25};
-
-/// The same sheared eastward current everywhere: fast at the surface, turned round at depth.
-ocean::CurrentGrid sheared() {
-  const ocean::HorizontalGrid grid = sea_grid();
-  ocean::CurrentGrid::Samples samples{.grid = grid,
-                                      .depths_m = ocean::Axis{{std::begin(level_m), std::end(level_m)}},
-                                      .times_s = ocean::Axis{{sea_start_s}},
-                                      .u = {},
-                                      .v = {}};
-  for (const double east : east_m_s) {
-    samples.u.insert(samples.u.end(), grid.size(), static_cast<float>(east));
-    samples.v.insert(samples.v.end(), grid.size(), 0.0F);
-  }
-  return ocean::CurrentGrid{std::move(samples)};
-}
-
 double sheared_at(double depth_m) {
-  for (std::size_t i = 1; i < std::size(level_m); ++i) {
-    if (depth_m > level_m[i]) continue;
-    const double share = (depth_m - level_m[i - 1]) / (level_m[i] - level_m[i - 1]);
-    return east_m_s[i - 1] + share * (east_m_s[i] - east_m_s[i - 1]);
+  for (std::size_t i = 1; i < std::size(shear_level_m); ++i) {
+    if (depth_m > shear_level_m[i]) continue;
+    const double share = (depth_m - shear_level_m[i - 1]) / (shear_level_m[i] - shear_level_m[i - 1]);
+    return shear_east_m_s[i - 1] + share * (shear_east_m_s[i] - shear_east_m_s[i - 1]);
   }
-  return east_m_s[std::size(level_m) - 1];
+  return shear_east_m_s[std::size(shear_level_m) - 1];
 }
 
 /// A bank of 40 m in a sea of 400 m, hardly wider than a cell of the currents.
@@ -61,8 +45,8 @@ std::shared_ptr<const ocean::Bathymetry> fine_bathymetry() {
 }
 
 PlaneCurrents over_the_bank() {
-  return {sheared(),  true, {limits, fine_bathymetry()},
-          projection, area, core::from_unix_seconds(sea_start_s)};
+  return {*support::sheared_currents(),        true, {limits, fine_bathymetry()}, projection, area,
+          core::from_unix_seconds(sea_start_s)};
 }
 
 /// Mean of the current over the time of a saw-tooth that stays at one place.
@@ -120,23 +104,51 @@ TEST(FlownCurrents, CarryAGliderOverABankAsItsSimulatedYoDoes) {
 
 TEST(FlownCurrents, NeedNoFinerCellsWhereTheSeaBedIsOutOfReach) {
   const auto deep = support::bathymetry_from([](geo::LonLat) { return 500.0; });
-  const PlaneCurrents plain{sheared(),  true, {limits, nullptr},
-                            projection, area, core::from_unix_seconds(0.0)};
-  const PlaneCurrents over_deep{sheared(),  true, {limits, deep},
-                                projection, area, core::from_unix_seconds(0.0)};
+  const PlaneCurrents plain{*support::sheared_currents(), true, {limits, nullptr}, projection, area,
+                            core::from_unix_seconds(0.0)};
+  const PlaneCurrents over_deep{*support::sheared_currents(), true, {limits, deep}, projection, area,
+                                core::from_unix_seconds(0.0)};
 
   EXPECT_EQ(over_deep.spacing(), plain.spacing());
   EXPECT_LT(over_the_bank().spacing(), plain.spacing());
 }
 
 TEST(FlownCurrents, BeginAtTheTopOfTheSawTooth) {
-  const PlaneCurrents deeper{
-      sheared(),  true, {{.climb_to = {75.0}, .dive_to = {200.0}, .altimeter_margin = {10.0}}, nullptr},
-      projection, area, core::from_unix_seconds(0.0)};
+  const PlaneCurrents deeper{*support::sheared_currents(),
+                             true,
+                             {{.climb_to = {75.0}, .dive_to = {200.0}, .altimeter_margin = {10.0}}, nullptr},
+                             projection,
+                             area,
+                             core::from_unix_seconds(0.0)};
 
   const auto current = deeper({0.0, 0.0}, core::Seconds{0.0});
 
   EXPECT_LT(current->x_m_s, -0.1);
+}
+
+/// Law: while ice lies above, the band begins where the dives turn below it; before and beside it, at their usual top.
+TEST(FlownCurrents, BeginBelowTheIceWhileItIsThere) {
+  const auto ice = support::ice_from(
+      [](geo::LonLat p, double hour) { return p.lon_deg > -53.0 && hour > 10.5 ? 1.0 : 0.0; },
+      {0.0, 10.0, 11.0, 20.0}, 6.0);
+  const PlanRequest request = support::eastward_request();
+  const ocean::Environment environment{.ice = ice};
+  PlanRequest at_start = request;
+  at_start.depart = core::from_unix_seconds(sea_start_s);
+  const UnderIce below{environment, at_start, projection, area, core::Metres{500.0}};
+  const auto lasting = support::sheared_currents(20);
+  const PlaneCurrents currents{*lasting, false, {limits, nullptr}, projection, area, at_start.depart,
+                               {},       &below};
+  const geo::PlanePoint east{20'000.0, 0.0};
+  const geo::PlanePoint west{-20'000.0, 0.0};
+  const core::Seconds open{5.0 * 3600.0};
+  const core::Seconds closed{15.0 * 3600.0};
+  const double turn_m = std::ceil(below.least_upper_turn(east, closed).value);
+  ASSERT_GT(turn_m, 40.0);
+
+  EXPECT_NEAR(currents(east, closed)->x_m_s, mean_of_a_yo(turn_m, 200.0), 2e-3);
+  EXPECT_NEAR(currents(east, open)->x_m_s, mean_of_a_yo(5.0, 200.0), 2e-3);
+  EXPECT_NEAR(currents(west, closed)->x_m_s, mean_of_a_yo(5.0, 200.0), 2e-3);
 }
 
 }  // namespace

@@ -111,8 +111,26 @@ TEST(PlanUnderIce, DrawsWhatDivesDrawThatTurnBelowTheIce) {
   EXPECT_NEAR(drawn.inflections, in_open_water.inflections, 1e-4 * in_open_water.inflections);
   EXPECT_GT(drawn.pump.value, 1.2 * planned({}, request).energy->use.pump.value);
   EXPECT_NEAR(below.waypoints.back().energy->value, drawn.total().value, 1e-6 * drawn.total().value);
-  EXPECT_THAT(below.warnings, Contains(HasSubstr("the currents are those of dives that turn at 5 m")));
-  EXPECT_THAT(planned({}, request).warnings, Not(Contains(HasSubstr("dives turn as deep"))));
+  EXPECT_THAT(below.warnings, Not(Contains(HasSubstr("dives turn as deep"))));
+}
+
+/// Law: below ice everywhere it is carried as in open water when its dives turn as deep.
+TEST(PlanUnderIce, DriftsWithTheCurrentsOfDivesThatTurnBelowTheIce) {
+  ocean::Environment sheared{.currents = support::sheared_currents(), .steady_currents = true};
+  const PlanRequest request = support::eastward_request();
+  const auto in_open_water = [&](core::Metres climb_to) {
+    PlanRequest deeper = request;
+    deeper.vehicle.climb_to = climb_to;
+    return planned(sheared, deeper).travel_time();
+  };
+  ocean::Environment covered = sheared;
+  covered.ice = support::ice_from([](geo::LonLat, double) { return 1.0; }, {0.0}, 6.0);
+
+  const Plan below = planned(covered, request);
+
+  const core::Metres turn{std::ceil(below.surfacing->waypoints.front().least_upper_turn.value)};
+  EXPECT_NEAR(below.travel_time() / in_open_water(turn), 1.0, 1e-6);
+  EXPECT_GT(below.travel_time() / in_open_water(request.vehicle.climb_to), 1.1);
 }
 
 TEST(PlanUnderIce, DrawsForEachPlannedSurfacing) {
