@@ -113,7 +113,7 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
                                   const std::stop_token& stop,
                                   const std::function<void(double)>& report_fraction) {
   // One drive at one power: energy is power times time, and the earliest arrival costs least.
-  const bool is_by_time = request.objective().of_encounters == 0.0 && sea.energy().is_even();
+  const bool is_by_time = request.objective().of_encounters == 0.0 && sea.energy_is_even();
   if (sea.drives().size() == 1 && is_by_time) {
     return earliest_way(sea, grids, request, depart, stop, report_fraction);
   }

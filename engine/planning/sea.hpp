@@ -59,6 +59,10 @@ class Sea {
   /// Accuracy  what is above is looked at every `surfacing_look()`, at most 4,096 times
   [[nodiscard]] EnergyUse energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                        core::Seconds time, vehicle::Drive drive) const;
+  /// Whether every place costs the same at every time, so that energy is power times time.
+  [[nodiscard]] bool energy_is_even() const {
+    return energy_.is_even() && !(ice_ && ice_->has_dense_ice()) && !icebergs_.may_pass_under();
+  }
   /// The same as if nothing closed and opened in time: never more than `leg_time`, for it drives the same way.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> leg_time_without_timed_closures(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds latest) const;

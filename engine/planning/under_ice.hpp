@@ -56,6 +56,8 @@ class UnderIce {
                                                                 core::Seconds until) const {
     return cover_.least_ways_to_opening(points, from, until);
   }
+  /// Whether there is ice anywhere, at any time, that the vehicle would have to pass below.
+  [[nodiscard]] bool has_dense_ice() const { return cover_.has_dense_ice(); }
   /// Of the data of the ice.
   [[nodiscard]] core::Seconds last_step() const { return cover_.last_step(); }
   /// Whether there may be ice on a line that the vehicle would have to pass below.

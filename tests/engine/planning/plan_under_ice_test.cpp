@@ -133,6 +133,24 @@ TEST(PlanUnderIce, DriftsWithTheCurrentsOfDivesThatTurnBelowTheIce) {
   EXPECT_GT(below.travel_time() / in_open_water(request.vehicle.climb_to), 1.1);
 }
 
+/// Ice so thick that half of the dives is left lies on the straight way; beside it energy is as anywhere.
+TEST(PlanUnderIce, SavesEnergyByGoingRoundThickIce) {
+  const ocean::Environment thick{
+      .ice = support::ice_from(
+          [](geo::LonLat p, double) {
+            return std::abs(p.lon_deg + 53.0) < 0.3 && std::abs(p.lat_deg - 69.0) < 0.03 ? 1.0 : 0.0;
+          },
+          {0.0}, 12.0)};
+  PlanRequest request = support::eastward_request();
+  const Plan fastest = planned(thick, request);
+  request.energy.objective = energy_objective;
+
+  const Plan thriftiest = planned(thick, request);
+
+  EXPECT_LT(thriftiest.energy->use.total().value, 0.98 * fastest.energy->use.total().value);
+  EXPECT_GT(thriftiest.travel_time(), fastest.travel_time());
+}
+
 TEST(PlanUnderIce, DrawsForEachPlannedSurfacing) {
   PlanRequest request = support::eastward_request();
   const Plan without = planned(band_of_ice(), request);
