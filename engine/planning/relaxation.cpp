@@ -164,7 +164,7 @@ class Relaxation {
     const auto needed = nearest_that_helps(now, 1.0, 0.01, with);
     if (!needed) return;
     add("battery_start_share", now, *needed, *needed / now,
-        written("start with %.0f %% of the battery's charge instead of %.0f %%", 100.0 * *needed,
+        written("start with %.3g %% of the battery's charge instead of %.3g %%", 100.0 * *needed,
                 100.0 * now));
   }
 
