@@ -39,6 +39,7 @@ struct IgnoreArrival {
 /// wait       every later moment worth staying for at the vertex; none where the vehicle cannot stay
 /// key        cost so far and a bound on the rest. Law: never falls along a way, never more than the cost of
 ///            any way to the goal, and at the goal the cost itself
+/// order      if there is one: the labels likely to be nearest to the goal first, among those whose keys are equal
 /// dominates  whether whatever can be done from `b` can be done from `a`, at the same vertex, at no greater
 ///            cost. A label after a wait is compared too, also with the one it waited from
 template <class M>
@@ -71,17 +72,21 @@ struct LabelSearch {
 /// and past moving obstacles, some hundred microseconds in all.
 inline constexpr std::int64_t label_expansions_between_looks = 4;
 
-/// How a search over labels may come to its end sooner.
-struct LabelHaste {
-  double slack{0.0};  // in units of the key: a way that costs no more than the best by so much will do
-  bool latest_first{
-      false};  // of equal keys the latest arrival, likely to be nearest to the goal, goes first; not for
-               // models that may wait: they would kill time under way instead
-};
+/// Of labels with equal keys the one with the least `order` goes first, where a model has one.
+template <class M>
+double order_of(const M& model, Vertex v, double arrival_s) {
+  if constexpr (requires { model.order(v, arrival_s); }) {
+    return model.order(v, arrival_s);
+  } else {
+    return 0.0;
+  }
+}
 
 /// The best way from a source to a goal where more than the arrival time counts: several labels for each
-/// vertex, of which none dominates another, expanded by ascending key, of
-/// equal keys in the order the labels were made. Exact under the model's laws, as far as `haste` has no slack.
+/// vertex, of which none dominates another, expanded by ascending key, of equal keys by ascending order and then as the
+/// labels were made.
+/// `slack`: in units of the key, a way that costs no more than the best by so much will do; exact under the model's laws
+/// without it.
 /// Stops    early, and says so in the result, once `stop` is requested or `most_labels` have been made; in the second
 ///          case with the best way to the goal so far, if there is one
 /// Source   Martins 1984, On a multicriteria shortest path problem, doi:10.1016/0377-2217(84)90077-8 (label
@@ -93,7 +98,7 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
                                                     Model& model, std::size_t most_labels,
                                                     const std::stop_token& stop,
                                                     const ExpansionCallback& report = {},
-                                                    LabelHaste haste = {}) {
+                                                    double slack = 0.0) {
   using State = typename Model::State;
   constexpr std::uint32_t none = Label<State>::no_parent;
   struct Open {
@@ -136,7 +141,7 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
     dominated.push_back(false);
     newest[label.vertex] = index;
     const Open open{model.key(label.vertex, label.arrival_s, label.state),
-                    haste.latest_first ? -label.arrival_s : 0.0, index};
+                    order_of(model, label.vertex, label.arrival_s), index};
     if (label.vertex == goal && (!best || open.key < best->key)) best = open;
     queue.push(open);
   };
@@ -150,7 +155,7 @@ LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vert
       }
       if (report && search.counters.expansions % 1024 == 0) report(search.counters.expansions);
     }
-    if (best && best->key <= queue.top().key + haste.slack) break;
+    if (best && best->key <= queue.top().key + slack) break;
     search.least_key = queue.top().key;
     const std::uint32_t parent = queue.top().label;
     queue.pop();

@@ -6,10 +6,25 @@
 
 #include "engine/planning/arrival_ladder.hpp"
 #include "engine/planning/foresight.hpp"
+#include "engine/planning/loiter.hpp"
 #include "engine/planning/openings.hpp"
 #include "engine/planning/voyage.hpp"
 
 namespace floeplan::planning {
+namespace {
+
+/// Of the longest edges of a grid, each against a current of half the vehicle's speed.
+core::Seconds fineness_of_waits_on(const Sea& sea, const OpenGrid& open) {
+  double longest_m = 0.0;
+  for (const graph::Offset offset : open.graph.offsets()) {
+    longest_m =
+        std::max(longest_m, std::hypot(offset.dx * open.grid.along.x_m + offset.dy * open.grid.across.x_m,
+                                       offset.dx * open.grid.along.y_m + offset.dy * open.grid.across.y_m));
+  }
+  return fineness_of_waits(2.0 * (core::Metres{longest_m} / sea.through_water()));
+}
+
+}  // namespace
 
 LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds latest,
                            core::Seconds slack, std::size_t most_labels, const std::stop_token& stop) {
@@ -31,12 +46,10 @@ LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds d
   if (result.cancelled || openings.empty()) return result;
 
   const Voyage voyage{sea, open.grid, openings, latest, ladder ? &*ladder : nullptr};
-  // A way that kills time under way is as good, but for its slack, as one that waits; who may wait wants to wait.
-  const bool may_wait = sea.longest_wait().count() > 0.0;
-  const auto haste =
-      may_wait ? graph::LabelHaste{} : graph::LabelHaste{.slack = slack.count(), .latest_first = true};
+  const core::Seconds near_enough =
+      sea.longest_wait().count() > 0.0 ? std::max(slack, fineness_of_waits_on(sea, open)) : slack;
   const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, depart.count(), {},
-                                              voyage, most_labels, stop, {}, haste);
+                                              voyage, most_labels, stop, {}, near_enough.count());
   result.counters = search.counters;
   result.cancelled = search.stopped;
   result.cut_short = search.full;

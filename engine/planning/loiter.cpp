@@ -8,7 +8,8 @@ namespace {
 
 constexpr core::Seconds between_looks{900.0};
 constexpr int most_tries = 8;  // of a leg, each at a departure at which the straight and even way is clear
-constexpr core::Seconds least_delay{30.0};  // after a departure at which only the exact drive is closed
+constexpr core::Seconds least_delay{30.0};
+constexpr double least_delay_share = 0.02;  // of the leg's time
 
 bool opens_again(motion::EdgeClosed closed) {
   return closed == motion::EdgeClosed::obstacle || closed == motion::EdgeClosed::in_zone;
@@ -40,6 +41,10 @@ bool current_lets_stay(const Sea& sea, geo::PlanePoint place, core::Seconds from
   return held_until(sea, place, from, until) >= until;
 }
 
+core::Seconds fineness_of_waits(core::Seconds leg_time) {
+  return std::max(least_delay, least_delay_share * leg_time);
+}
+
 tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::PlanePoint a,
                                                           geo::PlanePoint b, core::Seconds arrive,
                                                           core::Seconds latest, core::Seconds not_before) {
@@ -63,7 +68,7 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::P
     const auto time = sea.leg_time(a, b, depart, latest);
     if (time) return WaitedLeg{depart - arrive, *time};
     if (!opens_again(time.error())) return closed;
-    depart += std::max(least_delay, 0.02 * *unhindered);
+    depart += fineness_of_waits(*unhindered);
   }
   return closed;
 }

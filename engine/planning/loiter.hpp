@@ -29,12 +29,15 @@ struct WaitedLeg {
 [[nodiscard]] bool current_lets_stay(const Sea& sea, geo::PlanePoint place, core::Seconds from,
                                      core::Seconds until);
 
+/// Between the departures that are tried when only the exact drive of a leg is closed, by the time that it takes.
+[[nodiscard]] core::Seconds fineness_of_waits(core::Seconds leg_time);
+
 /// The leg for a vehicle that is at its beginning at `arrive`: at once, or after the least wait, up to the request's
 /// longest, that lets it through what is closed for a while.
 /// `not_before`: an earliest departure beside the arrival.
 /// Errors    as Sea::leg_time, for the departure at once
-/// Accuracy  the wait may be some ten seconds longer than the least; a leg that is open for less than a quarter of an
-///           hour may be overlooked
+/// Accuracy  the wait may be longer than the least by `fineness_of_waits`; a leg that is open for less than a quarter of
+///           an hour may be overlooked
 [[nodiscard]] tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(
     const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
     core::Seconds latest = core::Seconds{INFINITY}, core::Seconds not_before = core::Seconds{0.0});

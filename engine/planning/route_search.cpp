@@ -128,6 +128,18 @@ std::optional<OpensLater> goal_opens_later(const Sea& sea, const OpenGrid& open,
   return OpensLater{*closed, *opens - at_once.arrival};
 }
 
+/// Whether the goal opens too late for any way there that may be flown; the result then says so.
+bool is_refused_for_late_goal(RouteSearch& result, const Sea& sea, const OpenGrid& open,
+                              const AtOnce& at_once, core::Seconds depart) {
+  const auto circling = end_opens_too_late(sea, open.grid.point(open.grid.goal), depart, at_once.arrival);
+  if (!circling) return false;
+  const auto closed = closed_at_once(sea, at_once.path, depart);
+  if (!closed) return false;
+  result.opens_later = OpensLater{*closed, *circling};
+  result.path.clear();
+  return true;
+}
+
 /// Replaces the way by one that arrives before `latest` although it arrives later somewhere, if there is one.
 /// `at_once`: the best way as if nothing closed and opened in time.
 /// Returns  whether it did
@@ -238,6 +250,7 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
   if (in_time && !result.path.empty() && !untimed_way.is_best) {
     const double least_s = tree.arrival_s(grid.goal);
     const AtOnce at_once{result.path, core::Seconds{least_s}};
+    if (is_refused_for_late_goal(result, sea, open, at_once, depart)) return result;
     refused.edges.clear();
     tree = search(GridTravelTime{sea, grid, &refused});
     adopt(tree);

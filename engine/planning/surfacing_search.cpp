@@ -136,8 +136,7 @@ class Searches {
     const double least_s = sea_.least_time(grid.point(grid.start), grid.point(grid.goal)).count();
     const SurfacingVoyage::State start{.surfaced_s = (depart_ - since_surfacing_).count()};
     return graph::find_best_labels(open.graph, grid.start, grid.goal, depart_.count(), start, voyage,
-                                   affordable, stop_, report,
-                                   {.slack = wanted.slack * least_s, .latest_first = true});
+                                   affordable, stop_, report, wanted.slack * least_s);
   }
 
   const Sea& sea_;

@@ -98,6 +98,8 @@ class SurfacingVoyage {
     return arrival_s + any_weight * sea_.least_time(grid_.point(v), goal_).count();
   }
 
+  [[nodiscard]] double order(graph::Vertex, double arrival_s) const { return -arrival_s; }
+
   /// In currents that change, the later of two vehicles under ice gains on the earlier one; it has been there for
   /// longer only if its last surfacing lies further back, not if the time since then is greater now.
   [[nodiscard]] bool dominates(graph::Vertex v, const Label& a, const Label& b) const {

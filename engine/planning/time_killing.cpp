@@ -23,6 +23,10 @@ constexpr double least_share_of_way = 0.5;
 constexpr core::Seconds most_circling{3600.0};
 constexpr double most_share_circling = 0.5;
 
+core::Seconds bearable_circling(core::Seconds travel_time) {
+  return std::max(most_circling, most_share_circling * travel_time);
+}
+
 /// Of an arrival that is no worse: the fineness of the searches.
 constexpr core::Seconds just_as_good{60.0};
 constexpr double just_as_good_share = 1e-3;
@@ -75,6 +79,14 @@ std::optional<core::Seconds> opens_at(const Sea& sea, geo::PlanePoint place, cor
   return std::nullopt;
 }
 
+std::optional<core::Seconds> end_opens_too_late(const Sea& sea, geo::PlanePoint end, core::Seconds depart,
+                                                core::Seconds at_once) {
+  if (sea.longest_wait().count() > 0.0) return std::nullopt;
+  const auto opens = opens_at(sea, end, at_once);
+  if (!opens || *opens - at_once <= bearable_circling(*opens - depart)) return std::nullopt;
+  return *opens - at_once;
+}
+
 std::optional<core::Seconds> circles_too_long(const Sea& sea, const OpenGrid& open,
                                               const std::vector<geo::PlanePoint>& way, core::Seconds depart,
                                               std::optional<core::Seconds> at_once,
@@ -83,7 +95,7 @@ std::optional<core::Seconds> circles_too_long(const Sea& sea, const OpenGrid& op
   const auto schedule = schedule_along(sea, way, depart);
   if (!schedule) return std::nullopt;
   const core::Seconds arrives = schedule->arrivals.back();
-  const core::Seconds most = std::max(most_circling, most_share_circling * (arrives - depart));
+  const core::Seconds most = bearable_circling(arrives - depart);
   const core::Seconds waits =
       std::accumulate(schedule->waits.begin(), schedule->waits.end(), core::Seconds{0.0});
   if (at_once && arrives - waits - *at_once <= most) return std::nullopt;

@@ -37,6 +37,12 @@ struct OpensLater {
 [[nodiscard]] std::optional<core::Seconds> opens_at(const Sea& sea, geo::PlanePoint place,
                                                     core::Seconds when);
 
+/// For how long a vehicle that may not wait would have to circle until the end of its way opens, if that is too long
+/// for any way there that a pilot would fly: then none need be looked for.
+/// `at_once`: when it could be there if nothing closed and opened
+[[nodiscard]] std::optional<core::Seconds> end_opens_too_late(const Sea& sea, geo::PlanePoint end,
+                                                              core::Seconds depart, core::Seconds at_once);
+
 /// For how long a way over a grid circles, if that makes it none that a pilot would fly: for more than an hour and more
 /// than half of its time. Either its end opens so much later than the vehicle could be there, or the way leads where
 /// something has opened since the departure and who leaves so much later is at its end at the same time. Waits at one

@@ -18,6 +18,13 @@ Voyage::Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, 
   span_s_ = (core::Metres{step_m} / sea.through_water()).count();
 }
 
+double Voyage::opens_s(double when_s) const {
+  for (const TimeSpan& closed : openings_.closed(grid_.goal)) {
+    if (closed.from.count() < when_s && when_s < closed.until.count()) return closed.until.count();
+  }
+  return when_s;
+}
+
 bool Voyage::dominates(graph::Vertex v, const graph::Label<State>& a, const graph::Label<State>& b) const {
   const bool no_worse = a.arrival_s <= b.arrival_s && a.state.energy_j <= b.state.energy_j &&
                         a.state.since_surfacing_s <= b.state.since_surfacing_s &&

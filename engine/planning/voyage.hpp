@@ -55,15 +55,25 @@ class Voyage {
   void wait(graph::Vertex, double, const State&, auto&&) const {}
 
   [[nodiscard]] double key(graph::Vertex v, double arrival_s, const State&) const {
-    const double straight_s = arrival_s + sea_.least_time(grid_.point(v), goal_).count();
-    if (ladder_ == nullptr || v == grid_.goal) return straight_s;
-    return std::max(straight_s, ladder_->earliest_s(v, arrival_s));
+    if (v == grid_.goal) return arrival_s;
+    const double straight_s = opens_s(arrival_s + sea_.least_time(grid_.point(v), goal_).count());
+    return ladder_ != nullptr ? std::max(straight_s, ladder_->earliest_s(v, arrival_s)) : straight_s;
+  }
+
+  /// Who may wait does so near the goal; who may not kills time under way, and the latest arrival is the one that came
+  /// nearest.
+  [[nodiscard]] double order(graph::Vertex v, double arrival_s) const {
+    if (sea_.longest_wait().count() <= 0.0) return -arrival_s;
+    return sea_.least_time(grid_.point(v), goal_).count();
   }
 
   [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
                                const graph::Label<State>& b) const;
 
  private:
+  /// The earliest arrival at the goal, as far as it is closed then.
+  [[nodiscard]] double opens_s(double when_s) const;
+
   const Sea& sea_;
   const RouteGrid& grid_;
   const Openings& openings_;

@@ -89,6 +89,7 @@ class GridTrial {
 
     Way way = likely_or_earliest_way(depart, untimed);
     if (way.path.empty() || schedule_along(sea_, way.path, depart)) return std::move(way.path);
+    if (end_opens_too_late(sea_, open_.grid.point(open_.grid.goal), depart, way.arrival)) return {};
     // Round what is in the way: seldom much farther, and what is out of reach in that time need not be looked at.
     constexpr double detour = 1.25;
     const core::Seconds soon = depart + detour * (way.arrival - depart);

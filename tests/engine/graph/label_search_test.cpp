@@ -94,8 +94,7 @@ TEST(LabelSearch, FindsTheBestOfAllWaysWhereLeavingLaterMayArriveEarlier) {
     EXPECT_EQ(world.key(goal, end.arrival_s, end.state), best);
 
     const double slack = support::uniform(rng, 0.0, 0.5 * best);
-    const auto rough =
-        find_best_labels(graph, 0, goal, depart_s, {}, world, plenty, {}, {}, {.slack = slack});
+    const auto rough = find_best_labels(graph, 0, goal, depart_s, {}, world, plenty, {}, {}, slack);
     ASSERT_TRUE(rough.goal);
     const auto& rough_end = rough.labels[*rough.goal];
     EXPECT_LE(world.key(goal, rough_end.arrival_s, rough_end.state), best + slack);
