@@ -5,6 +5,7 @@
 #include "api/codec/data_inputs.hpp"
 #include "api/codec/iceberg_inputs.hpp"
 #include "api/codec/input_reader.hpp"
+#include "api/codec/under_ice_inputs.hpp"
 #include "api/codec/vehicle_inputs.hpp"
 #include "api/codec/zone_inputs.hpp"
 #include "engine/core/utc_text.hpp"
@@ -80,6 +81,7 @@ tl::expected<ReachInputs, core::Violations> parse_reach_inputs(const json& input
   request.zones = read_areas(reader);
   read_data(reader, result.data);
   read_iceberg_rules(reader, request.icebergs, result.data);
+  read_passing_under_ice(reader, request.under_ice);
   result.name = reader.text("name").value_or("");
   reader.refuse_unknown();
   if (!reader.violations().empty()) return tl::unexpected(reader.violations());
@@ -108,6 +110,7 @@ json to_json(const ReachInputs& inputs) {
   write_vehicle(request.vehicle, result);
   write_data(inputs.data, result);
   write_iceberg_rules(request.icebergs, inputs.data, result);
+  write_passing_under_ice(request.under_ice, result);
   return result;
 }
 

@@ -12,4 +12,9 @@ void read_under_ice(InputReader& reader, planning::UnderIceRules& rules);
 /// Adds the member that `read_under_ice` reads, every default written out.
 void write_under_ice(const planning::UnderIceRules& rules, nlohmann::json& inputs);
 
+/// The same member where surfacings are not planned: what the ice lets pass, and for how long.
+void read_passing_under_ice(InputReader& reader, planning::UnderIceRules& rules);
+/// Adds the member that `read_passing_under_ice` reads, every default written out.
+void write_passing_under_ice(const planning::UnderIceRules& rules, nlohmann::json& inputs);
+
 }  // namespace floeplan::codec

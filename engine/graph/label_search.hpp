@@ -85,6 +85,7 @@ double order_of(const M& model, Vertex v, double arrival_s) {
 /// The best way from a source to a goal where more than the arrival time counts: several labels for each
 /// vertex, of which none dominates another, expanded by ascending key, of equal keys by ascending order and then as the
 /// labels were made.
+/// `goal`: empty: everywhere, as far as the model goes.
 /// `slack`: in units of the key, a way that costs no more than the best by so much will do; exact under the model's laws
 /// without it.
 /// Stops    early, and says so in the result, once `stop` is requested or `most_labels` have been made; in the second
@@ -93,10 +94,10 @@ double order_of(const M& model, Vertex v, double arrival_s) {
 ///          setting with several criteria); Phillips and Likhachev 2011, SIPP: Safe interval path planning
 ///          for dynamic environments, doi:10.1109/ICRA.2011.5980306 (a state that is a safe interval)
 template <VoyageModel Model>
-LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vertex source, Vertex goal,
-                                                    double depart_s, const typename Model::State& start,
-                                                    Model& model, std::size_t most_labels,
-                                                    const std::stop_token& stop,
+LabelSearch<typename Model::State> find_best_labels(const GridGraph& graph, Vertex source,
+                                                    std::optional<Vertex> goal, double depart_s,
+                                                    const typename Model::State& start, Model& model,
+                                                    std::size_t most_labels, const std::stop_token& stop,
                                                     const ExpansionCallback& report = {},
                                                     double slack = 0.0) {
   using State = typename Model::State;

@@ -7,10 +7,9 @@
 
 #include "engine/geo/antimeridian.hpp"
 #include "engine/graph/contour.hpp"
-#include "engine/graph/label_setting_search.hpp"
 #include "engine/planning/explanation.hpp"
-#include "engine/planning/grid_travel.hpp"
 #include "engine/planning/open_grid.hpp"
+#include "engine/planning/reach_search.hpp"
 #include "engine/planning/sea.hpp"
 
 namespace floeplan::planning {
@@ -53,41 +52,22 @@ core::Metres grid_radius(const Sea& sea, const ReachRequest& request) {
   return std::min(request.data_radius(), core::Metres{farthest_m});
 }
 
-/// The search and what its clock means: forwards it shows the time since the sea's epoch; backwards it is that of
-/// the film run backwards.
-class ReachSearch {
+/// What a search reached, within one span after the other.
+class ReachedAreas {
  public:
-  ReachSearch(const Sea& sea, const OpenGrid& open, const ReachRequest& request)
-      : sea_{sea},
-        open_{open},
-        direction_{request.direction},
-        begin_{direction_ == Direction::from ? core::Seconds{0.0} : -request.reach()} {
-    const double step_s = request.step().value / request.vehicle.speed_through_water.value;
-    latest_ = begin_ + request.reach() + core::Seconds{steps_beyond * step_s};
-  }
+  /// Everything is borrowed and outlives this.
+  ReachedAreas(const Sea& sea, const OpenGrid& open, Direction direction, const Reached& reached)
+      : sea_{sea}, open_{open}, direction_{direction}, reached_{reached} {}
 
-  graph::SearchTree run(const std::stop_token& stop, const graph::ExpansionCallback& report) const {
-    const graph::Query query{
-        .source = open_.grid.start, .goal = std::nullopt, .depart = begin_, .latest = latest_};
-    const StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.start};
-    const EdgeBound bound{straight};
-    if (direction_ == Direction::from) {
-      return graph::find_earliest_arrivals(open_.graph, query, GridTravelTime{sea_, open_.grid}, stop, bound,
-                                           report);
-    }
-    return graph::find_earliest_arrivals(open_.graph, query, GridTravelTimeBack{sea_, open_.grid}, stop,
-                                         bound, report);
-  }
-
-  /// Polygons of the vertices that the tree reaches within the span.
-  std::vector<graph::GridPolygon> within(core::Seconds span, const graph::SearchTree& tree) const {
-    const double level_s = (begin_ + span).count();
+  /// Polygons of the vertices reached until then, on the search's clock.
+  std::vector<graph::GridPolygon> until(core::Seconds level) const {
     std::vector<std::uint8_t> inside(open_.graph.size());
-    for (Vertex v = 0; v < inside.size(); ++v) inside[v] = tree.arrival_s(v) <= level_s ? 1 : 0;
+    for (Vertex v = 0; v < inside.size(); ++v) inside[v] = reached_.earliest_s(v) <= level.count() ? 1 : 0;
     return graph::contour(open_.grid.nx, open_.grid.ny, inside, [&](Vertex in, Vertex out) {
-      const bool open = tree.is_reached(out) && !closed_between(in, out);
-      if (!open) return share_travelled(tree, in, out, level_s);
-      return (level_s - tree.arrival_s(in)) / (tree.arrival_s(out) - tree.arrival_s(in));
+      const double in_s = reached_.earliest_s(in);
+      const double out_s = reached_.earliest_s(out);
+      if (std::isfinite(out_s) && !closed_between(in, out)) return (level.count() - in_s) / (out_s - in_s);
+      return share_travelled(in, out, level);
     });
   }
 
@@ -97,20 +77,23 @@ class ReachSearch {
   }
 
   /// How far the vehicle comes on the straight line towards a vertex that it does not reach that way.
-  double share_travelled(const graph::SearchTree& tree, Vertex in, Vertex out, double level_s) const {
+  double share_travelled(Vertex in, Vertex out, core::Seconds level) const {
     const geo::PlanePoint from = open_.grid.point(in);
     const geo::PlanePoint to = open_.grid.point(out);
-    const core::Seconds here{tree.arrival_s(in)};
-    const core::Seconds level{level_s};
+    const auto reaches = [&](double share) {
+      const geo::PlanePoint there{from.x_m + share * (to.x_m - from.x_m),
+                                  from.y_m + share * (to.y_m - from.y_m)};
+      return std::ranges::any_of(reached_.at(in), [&](const Presence& here) {
+        if (here.when > level) return false;
+        const auto end = go_on(sea_, direction_, from, there, here, level);
+        return end && end->when <= level;
+      });
+    };
     double reached = 0.0;
     double not_reached = 1.0;
     for (int i = 0; i < halvings; ++i) {
       const double share = 0.5 * (reached + not_reached);
-      const geo::PlanePoint there{from.x_m + share * (to.x_m - from.x_m),
-                                  from.y_m + share * (to.y_m - from.y_m)};
-      const auto time = direction_ == Direction::from ? sea_.leg_time(from, there, here, level)
-                                                      : sea_.leg_time_back(there, from, -here, -level);
-      (time && here + *time <= level ? reached : not_reached) = share;
+      (reaches(share) ? reached : not_reached) = share;
     }
     return reached;
   }
@@ -118,8 +101,7 @@ class ReachSearch {
   const Sea& sea_;
   const OpenGrid& open_;
   Direction direction_;
-  core::Seconds begin_;
-  core::Seconds latest_{};
+  const Reached& reached_;
 };
 
 double area_m2(const graph::GridRing& ring, double cell_m2) {
@@ -170,12 +152,12 @@ std::optional<motion::EdgeClosed> closed_place(const Sea& sea, geo::PlanePoint p
 }
 
 /// Whether the search came to the rim of its grid in time, beyond which the area goes on.
-bool touches_rim(const graph::SearchTree& tree, const RouteGrid& grid, double level_s) {
-  const auto reached = [&](int column, int row) {
-    return tree.arrival_s(static_cast<Vertex>(row * grid.nx + column)) <= level_s;
+bool touches_rim(const Reached& reached, const RouteGrid& grid, core::Seconds level) {
+  const auto is_in = [&](int column, int row) {
+    return reached.earliest_s(static_cast<Vertex>(row * grid.nx + column)) <= level.count();
   };
   for (int i = 0; i < grid.nx; ++i) {
-    if (reached(i, 0) || reached(i, grid.ny - 1) || reached(0, i) || reached(grid.nx - 1, i)) return true;
+    if (is_in(i, 0) || is_in(i, grid.ny - 1) || is_in(0, i) || is_in(grid.nx - 1, i)) return true;
   }
   return false;
 }
@@ -222,32 +204,39 @@ Result<Reach> find_reach(const ocean::Environment& environment, const ReachReque
 
   const OpenGrid open =
       open_grid(sea, grid_around(place, grid_radius(sea, request), request.step()), request.sectors, stop);
-  const ReachSearch search{sea, open, request};
-  const graph::SearchTree tree = search.run(stop, [&](std::int64_t expansions) {
-    progress("search", 0.1 + 0.8 * static_cast<double>(expansions) / static_cast<double>(open.vertices));
-  });
-  if (tree.stopped || stop.stop_requested()) return tl::unexpected(explain_cancelled(voyage));
+  const core::Seconds begin = request.direction == Direction::from ? core::Seconds{0.0} : -request.reach();
+  const core::Seconds beyond = steps_beyond * (request.step() / sea.through_water());
+  const Reached reached = search_reach(
+      sea, open, request.direction, begin, begin + request.reach() + beyond, stop,
+      [&](std::int64_t expansions) {
+        const auto vertices = static_cast<double>(open.vertices);
+        progress("search", 0.1 + 0.8 * std::min(1.0, static_cast<double>(expansions) / vertices));
+      });
+  if (reached.stopped || stop.stop_requested()) return tl::unexpected(explain_cancelled(voyage));
 
   Reach reach;
   reach.search.vertices = open.vertices;
   reach.search.edges = open.edges;
-  reach.search.edge_evaluations = tree.counters.edge_evaluations;
-  reach.search.expansions = tree.counters.expansions;
+  reach.search.edge_evaluations = reached.edge_evaluations;
+  reach.search.expansions = reached.expansions;
   reach.datasets = environment.datasets;
   reach.warnings = environment.warnings;
   std::vector<core::Seconds> spans = request.spans;
   std::ranges::sort(spans);
   spans.erase(std::ranges::unique(spans).begin(), spans.end());
-  const core::Seconds begin = request.direction == Direction::from ? core::Seconds{0.0} : -request.reach();
+  const ReachedAreas areas{sea, open, request.direction, reached};
   for (const core::Seconds span : spans) {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(voyage));
-    ReachArea one = to_area(search.within(span, tree), open.grid, sea);
+    ReachArea one = to_area(areas.until(begin + span), open.grid, sea);
     one.span = span;
     one.time = request.direction == Direction::from ? request.time + span : request.time - span;
     reach.areas.push_back(std::move(one));
   }
   if (auto warning = battery_warning(sea, request)) reach.warnings.push_back(std::move(*warning));
-  if (touches_rim(tree, open.grid, (begin + spans.back()).count())) {
+  if (reached.full) {
+    reach.warnings.push_back("the search was cut short: more may be within reach; a larger --spacing helps");
+  }
+  if (touches_rim(reached, open.grid, begin + spans.back())) {
     reach.warnings.push_back(
         "the area is cut where it leaves the data that were looked at: currents carry the vehicle further");
   }

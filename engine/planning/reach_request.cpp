@@ -54,6 +54,7 @@ core::Violations ReachRequest::violations() const {
   require(!spacing || (spacing->value >= 1.0 && spacing->value <= 100'000.0), "/spacing_m",
           "must be between 1 m and 100 km");
   std::ranges::move(icebergs.violations(), std::back_inserter(found));
+  std::ranges::move(under_ice.violations(), std::back_inserter(found));
   return found;
 }
 
@@ -71,6 +72,7 @@ PlanRequest voyage_of(const ReachRequest& request) {
   voyage.sectors = request.sectors;
   voyage.zones = request.zones;
   voyage.icebergs = request.icebergs;
+  voyage.under_ice = request.under_ice;
   voyage.edge_tolerance = request.edge_tolerance;
   return voyage;
 }

@@ -9,6 +9,7 @@
 #include "engine/geo/lon_lat.hpp"
 #include "engine/planning/iceberg_rules.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/under_ice_rules.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::planning {
@@ -32,6 +33,7 @@ struct ReachRequest {
   int sectors{3};
   std::vector<ocean::Zone> zones;  // obeyed beside those of the environment
   IcebergRules icebergs;
+  UnderIceRules under_ice;  // planned surfacings and escapes are of no account
   double edge_tolerance{1e-4};
 
   [[nodiscard]] core::Violations violations() const;

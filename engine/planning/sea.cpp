@@ -240,14 +240,18 @@ std::vector<TimeSpan> Sea::closed_times(geo::PlanePoint point) const {
   return joined(std::move(closed));
 }
 
+tl::expected<core::Seconds, motion::EdgeClosed> Sea::drive_time_back(const motion::PlaneEdge& edge,
+                                                                     core::Seconds arrive,
+                                                                     core::Seconds earliest) const {
+  if (!currents_) return edge.ground_length / through_water();
+  return motion::edge_time_back(edge, arrive, through_water(), *currents_, accuracy_, earliest);
+}
+
 tl::expected<core::Seconds, motion::EdgeClosed> Sea::leg_time_back(geo::PlanePoint a, geo::PlanePoint b,
                                                                    core::Seconds arrive,
                                                                    core::Seconds earliest) const {
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
-  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
-  const auto time =
-      currents_ ? motion::edge_time_back(edge, arrive, through_water(), *currents_, accuracy_, earliest)
-                : edge.ground_length / through_water();
+  const auto time = drive_time_back({a, b, ground_length(a, b)}, arrive, earliest);
   const bool below_ice = ice_ && ice_->may_be_dense_along(a, b);
   if (!time || !(has_timed_closures() || below_ice)) return time;
   // What closes for a while, and the room below the ice, is tested along the drive itself.
@@ -282,6 +286,28 @@ tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::Plan
                                });
   if (!time) return tl::unexpected(time.error());
   return Leg{*time, watch.since_surfacing()};
+}
+
+tl::expected<Sea::LegBack, motion::EdgeClosed> Sea::leg_back(geo::PlanePoint a, geo::PlanePoint b,
+                                                             core::Seconds arrive,
+                                                             core::Seconds until_surfacing,
+                                                             core::Seconds earliest) const {
+  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
+  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  const auto time = drive_time_back(edge, arrive, earliest);
+  if (!time) return tl::unexpected(time.error());
+  const core::Seconds depart = arrive - *time;
+  SurfacingOutlook outlook{*this, edge, depart};
+  const double error_m = edge_tolerance_ * geo::distance_m(a, b);
+  const auto forwards = drive_time(edge, depart, core::Seconds{INFINITY}, through_water(),
+                                   [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+                                     if (const auto closed = closed_then(edge, piece, error_m)) return closed;
+                                     return outlook(piece);
+                                   });
+  if (!forwards) return tl::unexpected(forwards.error());
+  return outlook.until_surfacing(until_surfacing).map([&](core::Seconds until) {
+    return LegBack{*time, until};
+  });
 }
 
 UnderIce::Leave Sea::leave(geo::PlanePoint point, core::Seconds time) const {

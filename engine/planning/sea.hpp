@@ -101,6 +101,16 @@ class Sea {
   [[nodiscard]] tl::expected<Leg, motion::EdgeClosed> leg(geo::PlanePoint a, geo::PlanePoint b,
                                                           core::Seconds depart, core::Seconds since_surfacing,
                                                           vehicle::Drive drive) const;
+  /// The same for a vehicle that is to be at the leg's end at `arrive` and may surface `until_surfacing` later; the time
+  /// until it may, at the leg's beginning. too_late when it would certainly have to leave before `earliest`.
+  struct LegBack {
+    core::Seconds time;
+    core::Seconds until_surfacing;
+  };
+  [[nodiscard]] tl::expected<LegBack, motion::EdgeClosed> leg_back(geo::PlanePoint a, geo::PlanePoint b,
+                                                                   core::Seconds arrive,
+                                                                   core::Seconds until_surfacing,
+                                                                   core::Seconds earliest) const;
   /// Where a vehicle is, and when.
   struct Passage {
     geo::PlanePoint point;
@@ -186,6 +196,10 @@ class Sea {
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_then(const motion::PlaneEdge& edge,
                                                               const motion::EdgePiece& piece,
                                                               double error_m) const;
+  /// Of an edge that nothing closes, for who is to be at its end then.
+  [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time_back(const motion::PlaneEdge& edge,
+                                                                                core::Seconds arrive,
+                                                                                core::Seconds earliest) const;
   template <class VisitPiece>
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time(
       const motion::PlaneEdge& edge, core::Seconds depart, core::Seconds latest,

@@ -127,6 +127,15 @@ void InputFlags::add_voyage(CLI::App& command) {
   command.add_option("--name", name_, "Name of the plan");
 }
 
+void InputFlags::add_passing_under_ice(CLI::App& command) {
+  command.add_option("--max-concentration-to-surface", max_concentration_to_surface_,
+                     "Share of ice, 0 to 1, up to which the vehicle may surface; default 0.1");
+  command.add_option("--margin-below-ice", margin_below_ice_m_,
+                     "Kept between the deepest keel and the upper turn of the dives, metres; default 10");
+  command.add_option("--max-time-without-surfacing", max_time_without_surfacing_s_,
+                     "Longest time between places where the vehicle may surface, seconds; default: any");
+}
+
 void InputFlags::add_route_rules(CLI::App& command) {
   command.add_option("--objective", objective_,
                      "time (default), energy, or weighted:W with W the seconds that a joule is worth");
@@ -136,12 +145,7 @@ void InputFlags::add_route_rules(CLI::App& command) {
       "--max-loiter", max_loiter_s_,
       "Let the vehicle wait at a waypoint for what clears later, icebergs or timed areas, seconds "
       "at most; default 0");
-  command.add_option("--max-concentration-to-surface", max_concentration_to_surface_,
-                     "Share of ice, 0 to 1, up to which the vehicle may surface; default 0.1");
-  command.add_option("--margin-below-ice", margin_below_ice_m_,
-                     "Kept between the deepest keel and the upper turn of the dives, metres; default 10");
-  command.add_option("--max-time-without-surfacing", max_time_without_surfacing_s_,
-                     "Longest time between places where the vehicle may surface, seconds; default: any");
+  add_passing_under_ice(command);
   command.add_option("--surfacing-interval", surfacing_interval_s_,
                      "Plan a surfacing about this often, seconds; default: none");
   command.add_flag("--escape-plan", escape_plan_,
@@ -217,6 +221,7 @@ void InputFlags::add_reach(CLI::App& command) {
   command.add_option("--spacing", spacing_m_,
                      "Grid step, metres; default a hundredth of the way in still water, 100 m to 5 km");
   command.add_option("--sectors", sectors_, "Reach of the grid's edges, 1 to 5; default 3");
+  add_passing_under_ice(command);
 }
 
 json InputFlags::inputs() const {

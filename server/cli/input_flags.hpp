@@ -23,7 +23,7 @@ class InputFlags {
   /// Places, grid, search and refinement: what only `plan` takes.
   void add_planning(CLI::App& command);
 
-  /// Place, times and grid: what only `reach` takes.
+  /// Place, times, grid and ice: what `reach` takes besides.
   void add_reach(CLI::App& command);
 
   /// The inputs. Throws CLI::ValidationError (wrong usage) for a flag whose text cannot be read, and
@@ -31,6 +31,8 @@ class InputFlags {
   [[nodiscard]] nlohmann::json inputs() const;
 
  private:
+  /// What the ice lets pass, and for how long.
+  void add_passing_under_ice(CLI::App& command);
   void set_under_ice(nlohmann::json& inputs) const;
 
   std::optional<std::string> request_file_;

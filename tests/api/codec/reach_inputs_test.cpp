@@ -51,8 +51,21 @@ TEST(ReachInputs, ReadAPlaceAndTheArrivalThere) {
   EXPECT_EQ(parsed->data.until->time, core::parse_iso8601("2026-11-22T06:00:00Z"));
 }
 
+TEST(ReachInputs, ReadWhatTheIceLetsPassAndNothingOfSurfacingsThatArePlanned) {
+  const json passing{{"margin_below_ice_m", 15}, {"max_time_without_surfacing_s", 21600}};
+
+  const auto parsed = parse_reach_inputs(with(from, {{"under_ice", passing}}));
+
+  ASSERT_TRUE(parsed.has_value());
+  EXPECT_EQ(parsed->request.under_ice.margin_below_ice.value, 15.0);
+  EXPECT_EQ(parsed->request.under_ice.max_time_without_surfacing, core::Seconds{21600.0});
+  EXPECT_THAT(faults(with(from, {{"under_ice", {{"escape_plan", true}, {"margin_below_ice_m", -1}}}})),
+              UnorderedElementsAre("/under_ice/escape_plan", "/under_ice/margin_below_ice_m"));
+}
+
 TEST(ReachInputs, ReadBackWhatTheyWrite) {
-  for (const json& given : {from, to}) {
+  const json below_ice = with(to, {{"under_ice", {{"max_time_without_surfacing_s", 21600}}}});
+  for (const json& given : {from, to, below_ice}) {
     const json canonical = to_json(parse_reach_inputs(given).value());
     EXPECT_EQ(to_json(parse_reach_inputs(canonical).value()), canonical);
   }

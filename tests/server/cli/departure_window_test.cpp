@@ -119,7 +119,7 @@ TEST_F(DemoStore, DrawsWhatCanBeReachedAndFromWhere) {
 TEST_F(DemoStore, OffersNoFlagForReachThatReachRefuses) {
   const std::string help = program_->run({"reach", "--help"}).out;
   for (const char* flag : {"--objective", "--thruster", "--require-battery", "--max-loiter",
-                           "--max-time-without-surfacing", "--escape-plan"}) {
+                           "--surfacing-interval", "--escape-plan"}) {
     EXPECT_THAT(help, Not(HasSubstr(flag)));
     const auto refused =
         program_->run({"reach", "--from", from, "--depart", time(0), "--hours", "3", flag, "1"});
