@@ -1,14 +1,12 @@
 import { draft, emptyDraft, refuse } from '../model/draft';
 import { inputsOf } from '../model/draft_request';
-import { hoursIn, reach, reachHours } from '../model/reach';
+import { conditionsOfReach, hoursIn, reach, reachHours } from '../model/reach';
 import { conditionsIn } from '../model/requests';
 import { announce } from '../model/screen';
 import { ask } from '../model/view';
 import * as api from './client';
 
 let question: AbortController | undefined;
-
-const notAsked = new Set(['under_ice', 'objective', 'thruster', 'require_battery']);
 
 /** Asks how far the vehicle of the set-up comes from its start in each of the hours, and shows it. */
 export async function showReach(): Promise<void> {
@@ -26,9 +24,8 @@ export async function showReach(): Promise<void> {
   const { signal } = (question = new AbortController());
   reach.value = { state: 'pending' };
   const { from = [0, 0] } = form.inputs;
-  const conditions = Object.entries(conditionsIn(form.inputs)).filter(([name]) => !notAsked.has(name));
   try {
-    const { reach: answer } = await api.reach({ ...Object.fromEntries(conditions), from, hours }, signal);
+    const { reach: answer } = await api.reach({ ...conditionsOfReach(conditionsIn(form.inputs)), from, hours }, signal);
     if (answer.status !== 'ok') {
       reach.value = { state: 'failed', detail: answer.explanation ?? 'Nothing can be reached from there.' };
       return;
