@@ -90,6 +90,7 @@ test('a copy of a plan is changed with the keyboard alone', async ({ page, reque
   await page.keyboard.press('Insert');
   await expect(map).toHaveAttribute('data-handles', String(handles + 1));
   await evaluated(page);
+  await mapAtRest(page); // picking a waypoint moves the map to it
   const view = await map.getAttribute('data-view');
   const position = page.getByLabel('Position of waypoint 2');
   const before = await position.inputValue();

@@ -1,4 +1,4 @@
-import { expect, open, planByKeyboard, settled, test, typed, typeInto } from '../support/page';
+import { expect, mapAtRest, open, planByKeyboard, settled, test, typed, typeInto } from '../support/page';
 import { bergFile } from '../support/files';
 import { findPlaces } from '../support/places';
 import type { Locator, Page } from '@playwright/test';
@@ -87,6 +87,7 @@ test('a plan that fails is explained, and a change that helps taken, with the ke
   await page.keyboard.press('Enter');
   const failure = page.getByRole('alert', { name: 'No plan is possible' });
   await expect(failure).toContainText(/goal/i);
+  await mapAtRest(page);
   const view = await page.locator('#map').getAttribute('data-view');
   await press(page, failure.locator('.failure-place').getByRole('button'));
   await expect(page.locator('#map')).not.toHaveAttribute('data-view', view ?? '');

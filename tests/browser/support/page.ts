@@ -62,15 +62,18 @@ export async function settled(page: Page): Promise<void> {
   await expect(page.locator('#map')).toHaveAttribute('data-ready', 'true');
 }
 
-/** Waits until the map has stopped moving. */
+/** Waits until the map has stopped moving. It publishes its view only at rest, so that one that stays the same may still be under
+ * way; and an answer to a key moves it only with a later frame. */
 export async function mapAtRest(page: Page): Promise<void> {
+  const map = page.locator('#map');
   let before: string | null = null;
   await expect
     .poll(async () => {
-      const now = await page.locator('#map').getAttribute('data-view');
-      const same = now === before;
+      await page.evaluate(() => new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done))));
+      const now = await map.getAttribute('data-view');
+      const rests = now === before && (await map.getAttribute('data-moving')) === 'false';
       before = now;
-      return same;
+      return rests;
     })
     .toBe(true);
 }

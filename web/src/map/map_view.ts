@@ -313,7 +313,7 @@ function use(map: Map, event: MapBrowserEvent, place: Position, probe: (place: P
   }
 }
 
-/** Counts and readiness as attributes of the map's element, for tests and for the curious. */
+/** Counts, motion and readiness as attributes of the map's element, for tests and for the curious. */
 function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<VectorSource>[]): void {
   const inDrawingOrder = map.getAllLayers().sort((a, b) => (a.getZIndex() ?? 0) - (b.getZIndex() ?? 0));
   target.dataset['layers'] = inDrawingOrder.map((layer) => layer.get('name') as string).join(' ');
@@ -338,6 +338,7 @@ function publishState(map: Map, target: HTMLElement, vehicles: VectorLayer<Vecto
     target.dataset['vehicles'] = drawn.map((vehicle) => vehicle.getGeometry()?.getExtent().slice(0, 2).map(Math.round).join(',')).join(' ');
   };
   map.on('rendercomplete', settle);
+  map.on('postrender', () => (target.dataset['moving'] = String(map.getView().getAnimating() || map.getView().getInteracting())));
   effect(() => {
     if (isLoading.value) settle();
     else map.render(); // what came may have changed nothing that is drawn
