@@ -81,15 +81,13 @@ Result<Chart> chart_on(Sea sea, Layout layout, const PlanRequest& request) {
 }
 
 Result<Chart> draw_chart(const ocean::Environment& environment, const PlanRequest& request, GridReach reach,
-                         const std::stop_token& stop) {
+                         const std::stop_token& stop, CurrentsShelf* shelf) {
   if (auto too_much = too_much_to_lay_out(environment, request)) return tl::unexpected(std::move(*too_much));
   Layout layout = lay_out(request, reach);
   if (request.method != Method::direct && layout.most_vertices() > most_vertices) {
     return tl::unexpected(explain_too_large(layout.most_vertices(), request));
   }
-  const core::Metres cell = layout.map_cell();
-  const PlaneBox area = layout.bounds().grown(2.0 * cell.value);
-  Sea sea{environment, request, layout.projection, area, cell, stop};
+  Sea sea{environment, request, layout.projection, layout.area(), layout.map_cell(), stop, shelf};
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
   return chart_on(std::move(sea), std::move(layout), request);
 }

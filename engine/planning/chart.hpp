@@ -20,9 +20,10 @@ struct Chart {
 
 /// Errors   Reason::too_large for a grid beyond bounded memory (a direct way needs none); why a stop cannot be
 ///          used; Reason::cancelled once `stop` is requested
-/// `environment` and `request` are borrowed and outlive the chart.
+/// `environment` and `request` are borrowed and outlive the chart; `shelf` as in `Sea`.
 [[nodiscard]] Result<Chart> draw_chart(const ocean::Environment& environment, const PlanRequest& request,
-                                       GridReach reach, const std::stop_token& stop);
+                                       GridReach reach, const std::stop_token& stop,
+                                       CurrentsShelf* shelf = nullptr);
 
 /// The chart of a request on a sea that was laid out for it or for one like it: opened where the request's stops lie and,
 /// for a direct way, along it.

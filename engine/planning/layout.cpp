@@ -53,6 +53,8 @@ core::Metres Layout::map_cell() const {
   return core::Metres{std::max(finest_step_m / map_cells_per_step, by_memory)};
 }
 
+PlaneBox Layout::area() const { return bounds().grown(2.0 * map_cell().value); }
+
 geo::LonLat middle_of_stops(const PlanRequest& request) {
   const std::vector<geo::LonLat> stops = stops_of(request);
   const geo::BoundingBox box = geo::bounding_box(std::span{stops});

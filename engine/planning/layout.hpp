@@ -25,6 +25,7 @@ struct Layout {
   [[nodiscard]] PlaneBox bounds() const;        // of all grids
   [[nodiscard]] double most_vertices() const;   // of the largest grid
   [[nodiscard]] core::Metres map_cell() const;  // step of the safety map
+  [[nodiscard]] PlaneBox area() const;          // of the sea: the grids and two cells of the map around them
 };
 
 /// In a plane round the middle of the stops.

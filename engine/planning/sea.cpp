@@ -32,12 +32,12 @@ double steepest_scale(const std::vector<double>& scales, const PlaneBox& area) {
 
 Sea::Sea(const ocean::Environment& environment, const PlanRequest& request,
          const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
-         const std::stop_token& stop)
-    : Sea{environment, request, lay_out_zones(environment, request), projection, area, cell, stop} {}
+         const std::stop_token& stop, CurrentsShelf* shelf)
+    : Sea{environment, request, lay_out_zones(environment, request), projection, area, cell, stop, shelf} {}
 
 Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, ZoneRules zones,
          const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
-         const std::stop_token& stop)
+         const std::stop_token& stop, CurrentsShelf* shelf)
     : projection_{projection},
       area_{area},
       drives_{planning::drives(request.energy, request.vehicle)},
@@ -53,8 +53,10 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       encounters_{lay_out_encounters(icebergs_, environment, request, area, stop)},
       ice_{lay_out_ice(environment, request, projection, area, cell, stop)},
       depths_{request.vehicle.dive_limits(), environment.bathymetry},
-      currents_{
-          lay_out_currents(environment, request, depths_, ice_ ? &*ice_ : nullptr, projection, area, stop)},
+      currents_{shelf != nullptr
+                    ? shelf->take(request, depths_, ice_ ? &*ice_ : nullptr, projection, area, stop)
+                    : lay_out_currents(environment, request, depths_, ice_ ? &*ice_ : nullptr, projection,
+                                       area, stop)},
       energy_{request.vehicle, depths_, projection, area, stop} {
   accuracy_ = drive_accuracy(currents_.get(), request.edge_tolerance);
   for (int iy = 0; iy <= scale_cells; ++iy) {

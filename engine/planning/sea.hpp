@@ -9,6 +9,7 @@
 
 #include "engine/motion/edge_time.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/currents_shelf.hpp"
 #include "engine/planning/encounter_map.hpp"
 #include "engine/planning/energy_map.hpp"
 #include "engine/planning/flown_depths.hpp"
@@ -29,9 +30,10 @@ namespace floeplan::planning {
 class Sea {
  public:
   /// `cell`: step of the safety map. Once `stop` is requested the sea stays incomplete and must not be used. `environment` and `request` are borrowed and outlive the sea.
+  /// `shelf`: where the currents are taken from, if not null; of the same environment, and not needed afterwards.
   Sea(const ocean::Environment& environment, const PlanRequest& request,
       const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
-      const std::stop_token& stop = {});
+      const std::stop_token& stop = {}, CurrentsShelf* shelf = nullptr);
 
   /// Why the straight leg is closed at any time, by depth, land, standing zones or standing
   /// icebergs; empty when it is open.
@@ -190,7 +192,7 @@ class Sea {
  private:
   Sea(const ocean::Environment& environment, const PlanRequest& request, ZoneRules zones,
       const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
-      const std::stop_token& stop);
+      const std::stop_token& stop, CurrentsShelf* shelf);
   [[nodiscard]] double scale_at(geo::PlanePoint point) const;
   /// Whether a timed zone or an iceberg that moves closes a piece of a drive.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_then(const motion::PlaneEdge& edge,

@@ -28,15 +28,6 @@ constexpr double work_of_a_vertex = 10.0;       // its part of the maps, and whi
 constexpr double work_of_a_value = 1.0 / 50.0;  // of the currents, to average them over the depths flown
 constexpr std::size_t most_labels_of_a_trial = 100'000;
 
-std::int64_t work_of_a_chart(const ocean::Environment& environment, const Layout& layout) {
-  double work = static_cast<double>(environment.icebergs.size()) * static_cast<double>(work_of_a_berg);
-  for (const RouteGrid& grid : layout.grids) work += work_of_a_vertex * grid.vertex_count();
-  if (environment.currents) {
-    work += work_of_a_value * static_cast<double>(environment.currents->samples().u.size());
-  }
-  return std::llround(std::min(work, 1e15));
-}
-
 /// Towards the goal by what no vehicle is faster than: the search finds the earliest way.
 struct TowardsEarliestWay {
   ForesightBound foresight;
@@ -232,7 +223,7 @@ TrialOutcome WayTrials::operator()(const PlanRequest& request) {
   plain.refine = false;
   plain.optimality_gap = false;
   plain.max_waypoints.reset();
-  const std::int64_t share = left_ / 2;
+  const std::int64_t share = left_ / 4;
   std::int64_t of_share = share;
   TrialOutcome outcome = TrialOutcome::impossible;
   for (const GridReach reach : {first_reach, second_reach}) {
@@ -243,11 +234,20 @@ TrialOutcome WayTrials::operator()(const PlanRequest& request) {
   return outcome;
 }
 
-TrialOutcome WayTrials::within(GridReach reach, const PlanRequest& request, std::int64_t& share) const {
-  const std::int64_t laid_out = work_of_a_chart(environment_, lay_out(request, reach));
+std::int64_t WayTrials::work_of_a_chart(const PlanRequest& request, const Layout& layout) const {
+  double work = static_cast<double>(environment_.icebergs.size()) * static_cast<double>(work_of_a_berg);
+  for (const RouteGrid& grid : layout.grids) work += work_of_a_vertex * grid.vertex_count();
+  if (environment_.currents && !shelf_.holds(request, layout.projection, layout.area())) {
+    work += work_of_a_value * static_cast<double>(environment_.currents->samples().u.size());
+  }
+  return std::llround(std::min(work, 1e15));
+}
+
+TrialOutcome WayTrials::within(GridReach reach, const PlanRequest& request, std::int64_t& share) {
+  const std::int64_t laid_out = work_of_a_chart(request, lay_out(request, reach));
   if (laid_out >= share) return TrialOutcome::not_known;
   share -= laid_out;
-  const Result<Chart> chart = draw_chart(environment_, request, reach, stop_);
+  const Result<Chart> chart = draw_chart(environment_, request, reach, stop_, &shelf_);
   if (stop_.stop_requested()) return TrialOutcome::not_known;
   if (!chart) return TrialOutcome::impossible;
 

@@ -4,6 +4,7 @@
 #include <stop_token>
 
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/currents_shelf.hpp"
 #include "engine/planning/layout.hpp"
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/relaxation.hpp"
@@ -11,7 +12,8 @@
 namespace floeplan::planning {
 
 /// Finds out of one request after the other in the same sea whether it has a plan at all, with a bounded amount of work
-/// for all of them together: each may take half of what is left.
+/// for all of them together: each may take a quarter of what is left, so that one that is hard to decide does not keep the
+/// others from being tried.
 /// Law      where the answer is `possible`, `plan_route` finds a plan, too
 /// Work     counted in timed legs and laid out data, half a microsecond a unit, and not by a clock: the same trials
 ///          give the same answers on every machine
@@ -23,7 +25,7 @@ class WayTrials {
   /// `environment` is borrowed and outlives the trials.
   WayTrials(const ocean::Environment& environment, const std::stop_token& stop,
             std::int64_t most_work = standard_work)
-      : environment_{environment}, stop_{stop}, left_{most_work} {}
+      : environment_{environment}, stop_{stop}, left_{most_work}, shelf_{environment} {}
 
   /// `not_known` also once `stop` is requested.
   [[nodiscard]] TrialOutcome operator()(const PlanRequest& request);
@@ -32,11 +34,13 @@ class WayTrials {
   [[nodiscard]] std::int64_t left() const { return left_; }
 
  private:
-  [[nodiscard]] TrialOutcome within(GridReach reach, const PlanRequest& request, std::int64_t& share) const;
+  [[nodiscard]] TrialOutcome within(GridReach reach, const PlanRequest& request, std::int64_t& share);
+  [[nodiscard]] std::int64_t work_of_a_chart(const PlanRequest& request, const Layout& layout) const;
 
   const ocean::Environment& environment_;
   std::stop_token stop_;
   std::int64_t left_;
+  CurrentsShelf shelf_;  // most trials ask for what is above and in the way to change, not for the water
 };
 
 }  // namespace floeplan::planning
