@@ -54,7 +54,7 @@ class Pilot(threading.Thread):
         try:
             status, answer = self.server.ask(method, path, body, headers, timeout_s=300)
         except Gone as broken:
-            raise Gone(f"{method} {path}: {broken}") from None
+            raise Gone(f"{method} {path} {str(body or '')[:300]}: {broken}") from None
         if status not in statuses:
             self.faults.append(f"{method} {path}: {status}, not one of {statuses}: {str(answer)[:300]}")
         return answer if status in statuses else None
