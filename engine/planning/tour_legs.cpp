@@ -6,6 +6,7 @@
 #include "engine/planning/grid_travel.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/route_search.hpp"
+#include "engine/planning/time_killing.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -66,7 +67,8 @@ std::optional<core::Seconds> TourLegs::unbounded(const OpenGrid& open, core::Sec
   return core::Seconds{tree->arrival_s(open.grid.goal)} - depart;
 }
 
-std::optional<core::Seconds> TourLegs::time(std::size_t from, std::size_t to, core::Seconds depart) {
+std::optional<core::Seconds> TourLegs::time_under_way(std::size_t from, std::size_t to,
+                                                      core::Seconds depart) {
   if (stop_.stop_requested()) return std::nullopt;
   const geo::PlanePoint a = layout_.points[from];
   const geo::PlanePoint b = layout_.points[to];
@@ -80,7 +82,20 @@ std::optional<core::Seconds> TourLegs::time(std::size_t from, std::size_t to, co
   if (!early && !late) return std::nullopt;
   const core::Seconds first = early ? *early : *late;
   const core::Seconds last = late ? *late : *early;
-  return when_open(to, depart + first + (position - static_cast<double>(before)) * (last - first)) - depart;
+  return first + (position - static_cast<double>(before)) * (last - first);
+}
+
+std::optional<core::Seconds> TourLegs::time(std::size_t from, std::size_t to, core::Seconds depart) {
+  const auto under_way = time_under_way(from, to, depart);
+  if (!under_way) return std::nullopt;
+  return when_open(to, depart + *under_way) - depart;
+}
+
+std::optional<core::Seconds> TourLegs::bearable_time(std::size_t from, std::size_t to, core::Seconds depart) {
+  const auto under_way = time_under_way(from, to, depart);
+  if (!under_way || end_opens_too_late(sea_, layout_.points[to], depart, depart + *under_way))
+    return std::nullopt;
+  return when_open(to, depart + *under_way) - depart;
 }
 
 core::Seconds TourLegs::when_open(std::size_t place, core::Seconds arrival) const {

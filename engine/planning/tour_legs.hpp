@@ -26,6 +26,10 @@ class TourLegs {
 
   /// Empty when there is no way then, or once it is to stop.
   [[nodiscard]] std::optional<core::Seconds> time(std::size_t from, std::size_t to, core::Seconds depart);
+  /// The same, and empty also where the vehicle would have to circle until the place opens for longer than any pilot would
+  /// let it. No FIFO: who leaves later may have less to circle.
+  [[nodiscard]] std::optional<core::Seconds> bearable_time(std::size_t from, std::size_t to,
+                                                           core::Seconds depart);
 
  private:
   using Pair = std::pair<std::size_t, std::size_t>;
@@ -33,6 +37,9 @@ class TourLegs {
     OpenGrid open;
     std::map<long, std::optional<core::Seconds>> times;  // by number of the departure
   };
+  /// Without a wait at its end.
+  [[nodiscard]] std::optional<core::Seconds> time_under_way(std::size_t from, std::size_t to,
+                                                            core::Seconds depart);
   [[nodiscard]] Leg& leg(Pair pair);
   [[nodiscard]] std::optional<core::Seconds> searched(Leg& leg, long departure);
   /// Keeps the bound on the time without surfacing, from a surfacing at its start.

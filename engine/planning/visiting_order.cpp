@@ -178,6 +178,45 @@ class Tour {
   double end_s_{never};
 };
 
+/// Every order of visits, one place after the other; a tour that is already later than the best one is not gone on with.
+class AllOrders {
+ public:
+  AllOrders(std::size_t places, const TourLegTime& leg_time, const std::stop_token& stop)
+      : leg_time_{leg_time}, stop_{stop}, left_(places) {
+    std::iota(left_.begin(), left_.end(), std::size_t{1});
+  }
+
+  std::optional<VisitingOrder> best(core::Seconds depart) && {
+    go_on_from(0, depart.count());
+    return std::move(best_);
+  }
+
+ private:
+  void go_on_from(std::size_t here, double now_s) {
+    if (stop_.stop_requested() || !(now_s < (best_ ? best_->arrival.count() : never))) return;
+    if (left_.empty()) {
+      const double end_s = arrival_s(leg_time_, here, order_.size() + 1, now_s);
+      if (end_s < (best_ ? best_->arrival.count() : never))
+        best_ = VisitingOrder{order_, core::Seconds{end_s}, true};
+      return;
+    }
+    for (std::size_t i = 0; i < left_.size(); ++i) {
+      const std::size_t next = left_[i];
+      left_.erase(left_.begin() + static_cast<std::ptrdiff_t>(i));
+      order_.push_back(next);
+      go_on_from(next, arrival_s(leg_time_, here, next, now_s));
+      order_.pop_back();
+      left_.insert(left_.begin() + static_cast<std::ptrdiff_t>(i), next);
+    }
+  }
+
+  const TourLegTime& leg_time_;
+  const std::stop_token& stop_;
+  std::vector<std::size_t> left_;
+  std::vector<std::size_t> order_;
+  std::optional<VisitingOrder> best_;
+};
+
 }  // namespace
 
 std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Seconds depart,
@@ -187,6 +226,21 @@ std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Secon
   tour.improve();
   if (tour.order().size() != places || !(tour.end_s() < never)) return std::nullopt;
   return VisitingOrder{tour.order(), core::Seconds{tour.end_s()}, false};
+}
+
+std::optional<VisitingOrder> best_visiting_order_without_fifo(std::size_t places, core::Seconds depart,
+                                                              const TourLegTime& leg_time,
+                                                              const std::stop_token& stop) {
+  if (places <= most_places_tried_in_all_orders) return AllOrders{places, leg_time, stop}.best(depart);
+  auto order = best_visiting_order(places, depart, leg_time, stop);
+  if (order) order->exact = false;
+  return order;
+}
+
+std::optional<core::Seconds> end_of_tour(const std::vector<std::size_t>& places, core::Seconds depart,
+                                         const TourLegTime& leg_time) {
+  const double end_s = end_of_tour_s(places, places.size() + 1, depart.count(), leg_time);
+  return end_s < never ? std::optional{core::Seconds{end_s}} : std::nullopt;
 }
 
 }  // namespace floeplan::planning

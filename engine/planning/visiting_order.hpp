@@ -38,4 +38,18 @@ inline constexpr std::size_t most_places_ordered_exactly = 12;
                                                                const TourLegTime& leg_time,
                                                                const std::stop_token& stop);
 
+/// As many places are ordered exactly where leaving later may lead further.
+inline constexpr std::size_t most_places_tried_in_all_orders = 5;
+
+/// The same for times that do not keep the law: up to 5 places by trying all orders, more as if they kept it, so that an
+/// order that is returned can be travelled and another may end earlier, or be the only one.
+[[nodiscard]] std::optional<VisitingOrder> best_visiting_order_without_fifo(std::size_t places,
+                                                                            core::Seconds depart,
+                                                                            const TourLegTime& leg_time,
+                                                                            const std::stop_token& stop);
+
+/// When the tour past the places in this order is at the goal; empty where a leg has no way.
+[[nodiscard]] std::optional<core::Seconds> end_of_tour(const std::vector<std::size_t>& places,
+                                                       core::Seconds depart, const TourLegTime& leg_time);
+
 }  // namespace floeplan::planning

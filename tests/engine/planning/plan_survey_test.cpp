@@ -68,6 +68,31 @@ TEST(PlanSurvey, VisitsAPlaceBesideAnIcebergOnceItHasDriftedAway) {
   })) << "it comes back to its start because it has places to visit";
 }
 
+/// Every order ends when the iceberg has left the goal; one that comes to the goal from the far place has so much of its
+/// time under way that the rest may be circled away.
+TEST(PlanSurvey, TakesAnOrderThatCanBeFlownWhereAnotherWouldCircleForTooLong) {
+  const auto northwards = [](geo::LonLat, double) { return geo::VelocityEn{{0.0}, {0.03}}; };
+  const geo::LonLat goal{-53.4, 69.0};
+  const ocean::Environment environment{.currents = currents_from(northwards, 240),
+                                       .icebergs = {support::iceberg_at(goal, 100.0)}};
+  PlanRequest request = survey();
+  request.spacing_along = core::Metres{500.0};
+  request.icebergs.max_inflation = core::Metres{500.0};
+  request.from = {-53.4, 68.98};
+  request.to = goal;
+  const geo::LonLat near{-53.4, 68.985};
+  const geo::LonLat far{-53.3, 68.985};
+  for (const std::vector<geo::LonLat>& listed : {std::vector{near, far}, std::vector{far, near}}) {
+    request.via = listed;
+
+    const auto found = plan_route(environment, request, {}, {});
+
+    ASSERT_TRUE(found.has_value()) << found.error().explanation;
+    ASSERT_TRUE(found->via_order.has_value());
+    EXPECT_EQ(request.via[found->via_order->vias.back()], far);
+  }
+}
+
 TEST(PlanSurvey, VisitsEveryPlaceInTheOrderThatItNames) {
   const ocean::Environment environment{.currents = currents_from(tide, 240)};
   const PlanRequest request = survey();

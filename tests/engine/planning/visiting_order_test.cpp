@@ -127,5 +127,68 @@ TEST(VisitingOrder, GivesUpOnceItIsToStop) {
   EXPECT_FALSE(best_visiting_order(40, Seconds{0.0}, one, source.get_token()).has_value());
 }
 
+/// The same tour on which some legs have a way in some hours only: who leaves later may get further.
+TourLegTime opening_tour(std::mt19937_64& rng, std::size_t places) {
+  const double phase = support::uniform(rng, 0.0, 100.0);
+  return [tour = swinging_tour(rng, places), phase](std::size_t from, std::size_t to,
+                                                    Seconds depart) -> std::optional<Seconds> {
+    const double hour =
+        depart.count() + phase + 31.0 * static_cast<double>(from) + 17.0 * static_cast<double>(to);
+    if (std::fmod(hour, 100.0) < 40.0) return std::nullopt;
+    return tour(from, to, depart);
+  };
+}
+
+TEST(VisitingOrder, IsTheBestOfAllOrdersAlsoWhereLeavingLaterLeadsFurther) {
+  int none = 0;
+  support::for_each_seed(100, [&none](std::mt19937_64& rng) {
+    const auto places = static_cast<std::size_t>(
+        support::uniform_int(rng, 0, static_cast<int>(most_places_tried_in_all_orders)));
+    const TourLegTime leg_time = opening_tour(rng, places);
+    std::vector<std::size_t> each(places);
+    std::iota(each.begin(), each.end(), std::size_t{1});
+    std::optional<Seconds> best;
+    do {
+      const auto end = end_of_tour(each, Seconds{0.0}, leg_time);
+      if (end && (!best || *end < *best)) best = end;
+    } while (std::ranges::next_permutation(each).found);
+
+    const auto order = best_visiting_order_without_fifo(places, Seconds{0.0}, leg_time, {});
+
+    ASSERT_EQ(order.has_value(), best.has_value());
+    none += best ? 0 : 1;
+    if (!best) return;
+    EXPECT_EQ(order->arrival, *best);
+    EXPECT_EQ(end_of_tour(order->places, Seconds{0.0}, leg_time), order->arrival);
+    EXPECT_TRUE(order->exact);
+  });
+  EXPECT_GT(none, 0);
+  EXPECT_LT(none, 100);
+}
+
+TEST(VisitingOrder, OfManyPlacesCanBeTravelledWhereLeavingLaterLeadsFurther) {
+  int found = 0;
+  support::for_each_seed(40, [&found](std::mt19937_64& rng) {
+    const auto places = static_cast<std::size_t>(support::uniform_int(rng, 6, 14));
+    const TourLegTime leg_time = opening_tour(rng, places);
+
+    const auto order = best_visiting_order_without_fifo(places, Seconds{0.0}, leg_time, {});
+
+    if (!order) return;
+    ++found;
+    EXPECT_EQ(end_of_tour(order->places, Seconds{0.0}, leg_time), order->arrival);
+    EXPECT_FALSE(order->exact);
+  });
+  EXPECT_GT(found, 0);
+}
+
+TEST(VisitingOrder, IsNoneOnceItIsToStop) {
+  std::stop_source stopped;
+  stopped.request_stop();
+  const TourLegTime leg_time = [](std::size_t, std::size_t, Seconds) { return Seconds{1.0}; };
+
+  EXPECT_FALSE(best_visiting_order_without_fifo(4, Seconds{0.0}, leg_time, stopped.get_token()).has_value());
+}
+
 }  // namespace
 }  // namespace floeplan::planning
