@@ -67,6 +67,12 @@ class SortedPlaces {
 
 }  // namespace
 
+std::size_t Polygon::bytes() const {
+  std::size_t corners = outer.size();
+  for (const Ring& hole : holes) corners += hole.size();
+  return corners * sizeof(LonLat);
+}
+
 bool contains(const Polygon& polygon, LonLat place) {
   if (polygon.outer.empty() || !inside(polygon.outer, place)) return false;
   return std::ranges::none_of(polygon.holes, [&](const Ring& hole) { return inside(hole, place); });

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <span>
 #include <vector>
 
@@ -19,6 +20,9 @@ using Ring = std::vector<LonLat>;
 struct Polygon {
   Ring outer;
   std::vector<Ring> holes;
+
+  /// Of its corners.
+  [[nodiscard]] std::size_t bytes() const;
 };
 
 [[nodiscard]] bool contains(const Polygon& polygon, LonLat place);

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -30,6 +31,7 @@ class Bathymetry {
   [[nodiscard]] const std::vector<float>& shoalest_m() const {
     return shoalest_m_.empty() ? depth_m_ : shoalest_m_;
   }
+  [[nodiscard]] std::size_t bytes() const { return (depth_m_.size() + shoalest_m_.size()) * sizeof(float); }
 
  private:
   HorizontalGrid grid_;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <optional>
 #include <vector>
 
@@ -43,6 +44,9 @@ class IceField {
 
   [[nodiscard]] std::optional<IceState> at(geo::LonLat place, core::UtcTime time) const;
   [[nodiscard]] const Samples& samples() const { return samples_; }
+  [[nodiscard]] std::size_t bytes() const {
+    return (samples_.concentration.size() + samples_.thickness_m.size()) * sizeof(float);
+  }
 
  private:
   Samples samples_;

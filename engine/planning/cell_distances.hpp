@@ -21,6 +21,8 @@ class CellDistances {
   /// From wherever in the cell; infinite where none is marked.
   [[nodiscard]] core::Metres from(std::size_t cell) const;
 
+  [[nodiscard]] std::size_t bytes() const { return cells_.size() * sizeof(std::uint32_t); }
+
  private:
   static constexpr std::uint32_t nowhere = UINT32_MAX;
 

@@ -46,6 +46,8 @@ class DiscIndex {
     return false;
   }
 
+  [[nodiscard]] std::size_t bytes() const { return (first_.size() + items_.size()) * sizeof(std::uint32_t); }
+
  private:
   struct Cells {
     std::int64_t first_column, last_column, first_row, last_row, first_slot, last_slot;

@@ -58,6 +58,10 @@ class DriftingDisc {
     }
   }
 
+  [[nodiscard]] std::size_t bytes() const {
+    return knots_.size() * sizeof(Knot) + blocks_.size() * sizeof(PlaneBox);
+  }
+
  private:
   [[nodiscard]] motion::MovingDisc piece(std::size_t knot) const;
   /// The last knot that is not later; the first one where all are.

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <stop_token>
 #include <vector>
 
@@ -30,6 +31,8 @@ class EnergyMap {
   [[nodiscard]] core::Watts least_power(vehicle::Drive drive) const;
   /// Whether every place costs the same, so that energy is power times time.
   [[nodiscard]] bool is_even() const { return is_even_; }
+
+  [[nodiscard]] std::size_t bytes() const { return places_.size() * sizeof(Place); }
 
  private:
   struct Place {

@@ -49,6 +49,10 @@ class IceCover {
   /// Distance between the data's nodes.
   [[nodiscard]] core::Metres spacing() const { return spacing_; }
 
+  [[nodiscard]] std::size_t bytes() const {
+    return nodes_.size() * sizeof(Node) + to_openings_.bytes() + to_dense_ice_.bytes();
+  }
+
  private:
   struct Node {
     float concentration;  // NaN where nothing is known

@@ -127,6 +127,12 @@ bool IcebergDiscs::has_room_under(const Berg& berg, const motion::EvenMove& move
   return true;
 }
 
+std::size_t IcebergDiscs::bytes() const {
+  std::size_t bytes = index_.bytes() + bergs_.size() * sizeof(Berg);
+  for (const Berg& berg : bergs_) bytes += berg.disc.bytes();
+  return bytes;
+}
+
 bool IcebergDiscs::touched(const motion::EvenMove& move, double slack_m) const {
   return met_by(move, slack_m) != nullptr;
 }

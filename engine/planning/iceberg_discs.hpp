@@ -95,6 +95,8 @@ class IcebergDiscs {
   /// Precondition  the berg may be passed under
   [[nodiscard]] const Keel& keel(std::size_t berg) const { return *bergs_[berg].keel; }
 
+  [[nodiscard]] std::size_t bytes() const;
+
  private:
   struct Berg {
     std::string name;

@@ -92,7 +92,11 @@ RouteGround::RouteGround(ocean::Environment environment, const PlanRequest& on_r
 }
 
 std::size_t RouteGround::bytes() const {
-  return sea_.safety().bytes() + (sea_.currents() != nullptr ? sea_.currents()->bytes() : 0);
+  std::size_t bytes = sea_.bytes();
+  if (environment_.bathymetry) bytes += environment_.bathymetry->bytes();
+  if (environment_.ice) bytes += environment_.ice->bytes();
+  for (const geo::Polygon& polygon : environment_.land) bytes += polygon.bytes();
+  return bytes + environment_.icebergs.size() * sizeof(ocean::Iceberg);
 }
 
 Result<std::shared_ptr<const RouteGround>> lay_out_ground(ocean::Environment environment,

@@ -55,7 +55,7 @@ class RouteGround {
   [[nodiscard]] const geo::LocalProjection& projection() const { return sea_.projection(); }
   /// A copy borrows the ground.
   [[nodiscard]] const Sea& sea() const { return sea_; }
-  /// Memory of what is large: currents and safety map.
+  /// Memory of all that is large: what is laid out, and the data that are kept with it.
   [[nodiscard]] std::size_t bytes() const;
 
  private:

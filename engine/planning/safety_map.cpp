@@ -58,10 +58,7 @@ SafetyMap::SafetyMap(const ocean::Environment& environment, core::Metres least_d
 
 std::size_t SafetyMap::bytes() const {
   std::size_t bytes = cells_.size() * sizeof(CellState) + clearance_.size();
-  for (const geo::Polygon& polygon : land_) {
-    bytes += polygon.outer.size() * sizeof(geo::LonLat);
-    for (const geo::Ring& hole : polygon.holes) bytes += hole.size() * sizeof(geo::LonLat);
-  }
+  for (const geo::Polygon& polygon : land_) bytes += polygon.bytes();
   return bytes;
 }
 

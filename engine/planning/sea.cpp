@@ -74,6 +74,11 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
   least_slowness_s_m_ = (1.0 - request.edge_tolerance) / (fastest_through_water_ + astern).value;
 }
 
+std::size_t Sea::bytes() const {
+  return safety_.bytes() + icebergs_.bytes() + energy_.bytes() + (ice_ ? ice_->bytes() : 0) +
+         (currents_ ? currents_->bytes() : 0);
+}
+
 double Sea::scale_at(geo::PlanePoint point) const {
   const double x = std::clamp((point.x_m - area_.low.x_m) / area_.width_m(), 0.0, 1.0) * scale_cells;
   const double y = std::clamp((point.y_m - area_.low.y_m) / area_.height_m(), 0.0, 1.0) * scale_cells;

@@ -189,6 +189,9 @@ class Sea {
   [[nodiscard]] double least_ground_per_plane(geo::PlanePoint from, core::Metres length) const;
   [[nodiscard]] double edge_tolerance() const { return edge_tolerance_; }
 
+  /// Of what is laid out, without the data that it was laid out from.
+  [[nodiscard]] std::size_t bytes() const;
+
  private:
   Sea(const ocean::Environment& environment, const PlanRequest& request, ZoneRules zones,
       const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,

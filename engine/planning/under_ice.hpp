@@ -68,6 +68,8 @@ class UnderIce {
   [[nodiscard]] bool may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const;
   [[nodiscard]] core::Metres step() const { return core::Metres{step_m_}; }
 
+  [[nodiscard]] std::size_t bytes() const { return cover_.bytes(); }
+
  private:
   [[nodiscard]] bool has_room_below(geo::PlanePoint point, const IceAbove& ice) const;
 

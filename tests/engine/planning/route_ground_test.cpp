@@ -134,5 +134,36 @@ TEST(RouteGround, OfAnotherSiteIsRefused) {
                std::invalid_argument);
 }
 
+/// What is kept for later is kept by its memory: what is not told of would go beyond what is set aside.
+TEST(RouteGround, TellsOfTheMemoryThatEachPartOfTheSeaTakes) {
+  const std::vector<geo::LonLat> route{{-53.5, 69.0}, {-52.5, 69.0}};
+  const PlanRequest on_route = request_along(route, support::eastward_request());
+  const RouteSite site = site_of(on_route);
+  const auto bytes_in = [&](const ocean::Environment& environment) {
+    return RouteGround{environment, on_route, site, {}}.bytes();
+  };
+  ocean::Environment environment;
+  std::size_t before = bytes_in(environment);
+  const auto grows_by_at_least = [&](std::size_t least) {
+    const std::size_t now = bytes_in(environment);
+    EXPECT_GE(now, before + least);
+    before = now;
+  };
+
+  const std::size_t nodes = support::sea_grid().size();
+  environment.bathymetry = support::bathymetry_from([](geo::LonLat) { return 500.0; });
+  grows_by_at_least(nodes * sizeof(float));
+  environment.ice = support::ice_from([](geo::LonLat, double) { return 0.5; }, {0.0, 24.0});
+  grows_by_at_least(2 * nodes * sizeof(float));
+  environment.land.push_back({.outer = geo::Ring(10'000, geo::LonLat{-54.0, 70.0}), .holes = {}});
+  grows_by_at_least(10'000 * sizeof(geo::LonLat));
+  environment.currents =
+      support::currents_from([](geo::LonLat, double) { return geo::VelocityEn{{0.05}, {0.02}}; }, 48);
+  grows_by_at_least(49 * 2 * sizeof(float));
+  environment.icebergs.assign(20, support::iceberg_at({-53.0, 69.1}, 100.0));
+  constexpr std::size_t hourly_places = 49;
+  grows_by_at_least(20 * hourly_places * 2 * sizeof(double));
+}
+
 }  // namespace
 }  // namespace floeplan::planning
