@@ -79,11 +79,15 @@ std::optional<core::Seconds> opens_at(const Sea& sea, geo::PlanePoint place, cor
   return std::nullopt;
 }
 
+bool is_bearable(core::Seconds depart, core::Seconds at_once, core::Seconds opens) {
+  return opens - at_once <= bearable_circling(opens - depart);
+}
+
 std::optional<core::Seconds> end_opens_too_late(const Sea& sea, geo::PlanePoint end, core::Seconds depart,
                                                 core::Seconds at_once) {
   if (sea.longest_wait().count() > 0.0) return std::nullopt;
   const auto opens = opens_at(sea, end, at_once);
-  if (!opens || *opens - at_once <= bearable_circling(*opens - depart)) return std::nullopt;
+  if (!opens || is_bearable(depart, at_once, *opens)) return std::nullopt;
   return *opens - at_once;
 }
 

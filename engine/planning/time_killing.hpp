@@ -37,6 +37,9 @@ struct OpensLater {
 [[nodiscard]] std::optional<core::Seconds> opens_at(const Sea& sea, geo::PlanePoint place,
                                                     core::Seconds when);
 
+/// Whether a pilot would let a vehicle that could be there at once circle until the end of its way opens.
+[[nodiscard]] bool is_bearable(core::Seconds depart, core::Seconds at_once, core::Seconds opens);
+
 /// For how long a vehicle that may not wait would have to circle until the end of its way opens, if that is too long
 /// for any way there that a pilot would fly: then none need be looked for.
 /// `at_once`: when it could be there if nothing closed and opened

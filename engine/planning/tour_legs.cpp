@@ -93,9 +93,12 @@ std::optional<core::Seconds> TourLegs::time(std::size_t from, std::size_t to, co
 
 std::optional<core::Seconds> TourLegs::bearable_time(std::size_t from, std::size_t to, core::Seconds depart) {
   const auto under_way = time_under_way(from, to, depart);
-  if (!under_way || end_opens_too_late(sea_, layout_.points[to], depart, depart + *under_way))
-    return std::nullopt;
-  return when_open(to, depart + *under_way) - depart;
+  if (!under_way) return std::nullopt;
+  const core::Seconds arrival = depart + *under_way;
+  const core::Seconds opens = when_open(to, arrival);
+  const bool may_wait = sea_.longest_wait().count() > 0.0;
+  if (!may_wait && !is_bearable(depart, arrival, opens)) return std::nullopt;
+  return opens - depart;
 }
 
 core::Seconds TourLegs::when_open(std::size_t place, core::Seconds arrival) const {
