@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -28,13 +29,15 @@ std::string property(const OGRFeature& feature, std::initializer_list<const char
   return {};
 }
 
+enum class Zero : std::uint8_t { allowed, refused };
+
 /// A length property in metres, or why it is none.
 Checked<std::optional<core::Metres>> length_property(const OGRFeature& feature, const char* name,
-                                                     double max_m) {
+                                                     double max_m, Zero zero = Zero::refused) {
   const std::string text = property(feature, {name});
   if (text.empty()) return std::nullopt;
   const auto value = parse_number(text);
-  if (!value || *value <= 0.0 || *value > max_m)
+  if (!value || *value < 0.0 || (*value == 0.0 && zero == Zero::refused) || *value > max_m)
     return refuse(std::string{name} + " is \"" + text + "\", not a number of metres between 0 and " +
                   number(max_m));
   return core::Metres{*value};
@@ -142,6 +145,9 @@ Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature) {
   const auto draft = length_property(feature, "draft_m", deepest_iceberg_m);
   if (!draft) return refuse(draft.error());
   iceberg.draft = *draft;
+  const auto error = length_property(feature, "position_uncertainty_m", least_certain_m, Zero::allowed);
+  if (!error) return refuse(error.error());
+  iceberg.position_uncertainty = *error;
   if (const std::string size = property(feature, {"size"}); !size.empty()) {
     const auto known = ocean::parse_size(lower(size));
     if (!known)

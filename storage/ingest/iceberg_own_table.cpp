@@ -1,5 +1,6 @@
 #include "storage/ingest/iceberg_own_table.hpp"
 
+#include <cstdint>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -21,6 +22,7 @@ struct Columns {
   bool observed_in_utc{};
   std::optional<std::size_t> length;
   std::optional<std::size_t> draft;
+  std::optional<std::size_t> position_uncertainty;
   std::optional<std::size_t> size;
   std::optional<std::size_t> shape;
   std::optional<std::size_t> method;
@@ -42,6 +44,7 @@ std::optional<Columns> columns_of(const DelimitedText& table) {
                         .observed_in_utc = in_utc.has_value(),
                         .length = table.column({"length_m"}),
                         .draft = table.column({"draft_m"}),
+                        .position_uncertainty = table.column({"position_uncertainty_m"}),
                         .size = table.column({"size", "size_class"}),
                         .shape = table.column({"shape"}),
                         .method = table.column({"method", "source"})};
@@ -76,6 +79,9 @@ class Row {
     const auto draft = metres(columns_.draft, deepest_iceberg_m);
     if (!draft) return refuse(draft.error());
     iceberg.draft = *draft;
+    const auto error = metres(columns_.position_uncertainty, least_certain_m, Zero::allowed);
+    if (!error) return refuse(error.error());
+    iceberg.position_uncertainty = *error;
     if (const std::string size = text(columns_.size); !size.empty()) {
       const auto known = ocean::parse_size(lower(size));
       if (!known)
@@ -88,6 +94,8 @@ class Row {
   }
 
  private:
+  enum class Zero : std::uint8_t { allowed, refused };
+
   [[nodiscard]] std::string text(std::optional<std::size_t> column) const {
     return column ? fields_[*column] : std::string{};
   }
@@ -102,12 +110,12 @@ class Row {
                   (columns_.observed_in_utc ? "" : " with its zone; in UTC, call the column time_utc"));
   }
 
-  [[nodiscard]] Checked<std::optional<core::Metres>> metres(std::optional<std::size_t> column,
-                                                            double most_m) const {
+  [[nodiscard]] Checked<std::optional<core::Metres>> metres(std::optional<std::size_t> column, double most_m,
+                                                            Zero zero = Zero::refused) const {
     const std::string value = text(column);
     if (value.empty()) return std::nullopt;
     const auto length = table_.number(value);
-    if (!length || *length <= 0.0 || *length > most_m)
+    if (!length || *length < 0.0 || (*length == 0.0 && zero == Zero::refused) || *length > most_m)
       return refuse(table_.columns()[*column] + " is \"" + value +
                     "\", not a number of metres between 0 and " + number(most_m));
     return core::Metres{*length};

@@ -17,7 +17,8 @@ namespace floeplan::ingest {
 ///  lat (latitude), lon (long, longitude)                         required, degrees
 ///  observed (time, timestamp, datetime, date, last_seen)         required; ISO 8601 with its zone or a day alone; times in
 ///                                                                a column whose name ends in "_utc" may leave it out
-///  length_m, draft_m, size, shape, method                        optional
+///  length_m, draft_m, position_uncertainty_m, size, shape,
+///  method                                                        optional
 /// Fields are parted by commas, semicolons or tabs. A bad row is left out and counted.
 [[nodiscard]] Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& file);
 

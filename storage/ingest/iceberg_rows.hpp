@@ -11,6 +11,7 @@ namespace floeplan::ingest {
 
 inline constexpr double longest_iceberg_m = 400'000.0;  // B-15 was 295 km long
 inline constexpr double deepest_iceberg_m = 1'000.0;    // the deepest that a file may state
+inline constexpr double least_certain_m = 1e6;  // the widest error of a position that a file may state
 
 /// Collects the sightings of one file: good rows are kept, bad ones counted, the first ten with their reason.
 class IcebergRows {

@@ -27,10 +27,12 @@ class Geojson : public StoreFixture {
 };
 
 TEST_F(Geojson, PointsBecomeIcebergs) {
-  const auto report = ingest(write(
-      point("[-54.25, 69.5]",
-            R"("id": "A-1", "observed": "2026-11-20T06:00:00Z", "length_m": 180, "draft_m": 90.5)") +
-      "," + point("[-55, 69]", R"("name": "B", "time": "2026-11-20T08:00:00+02:00", "size": "bergy_bit")")));
+  const auto report = ingest(
+      write(point("[-54.25, 69.5]",
+                  R"("id": "A-1", "observed": "2026-11-20T06:00:00Z", "length_m": 180, "draft_m": 90.5,
+               "position_uncertainty_m": 340)") +
+            "," + point("[-55, 69]", R"("name": "B", "time": "2026-11-20T08:00:00+02:00", "size": "bergy_bit",
+                                     "position_uncertainty_m": 0)")));
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
   const auto rows = repository::IcebergRepository{db_}.list({}, 0, 10);
@@ -40,7 +42,9 @@ TEST_F(Geojson, PointsBecomeIcebergs) {
   EXPECT_EQ(core::iso8601(rows[0].iceberg.observed), "2026-11-20T06:00:00Z");
   EXPECT_EQ(rows[0].iceberg.length, core::Metres{180.0});
   EXPECT_EQ(rows[0].iceberg.draft, core::Metres{90.5});
+  EXPECT_EQ(rows[0].iceberg.position_uncertainty, core::Metres{340.0});
   EXPECT_EQ(rows[1].iceberg.id, "B");
+  EXPECT_EQ(rows[1].iceberg.position_uncertainty, core::Metres{0.0});
   EXPECT_EQ(core::iso8601(rows[1].iceberg.observed), "2026-11-20T06:00:00Z");
   EXPECT_EQ(rows[1].iceberg.size, ocean::IcebergSize::bergy_bit);
 }
@@ -51,14 +55,16 @@ TEST_F(Geojson, BadPointsAreLeftOutCountedAndExplained) {
       point("[0, 50]", good) + "," + point("[0, 95]", good) + "," + point("[400, 50]", good) + "," +
       point("[0, 50]", R"("id": "A", "observed": "2026-11-20T06:00:00")") + "," +
       point("[0, 50]", R"("id": "A")") + "," + point("[0, 50]", R"("observed": "2026-11-20T06:00:00Z")") +
-      "," + point("[0, 50]", good + R"(, "length_m": -5)")));
+      "," + point("[0, 50]", good + R"(, "length_m": -5)") + "," +
+      point("[0, 50]", good + R"(, "position_uncertainty_m": -1)")));
 
   ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
   EXPECT_EQ(report.dataset->rows_accepted, 1);
-  EXPECT_EQ(report.dataset->rows_refused, 6);
+  EXPECT_EQ(report.dataset->rows_refused, 7);
   EXPECT_THAT(words(report), HasSubstr("feature 2 was left out: the latitude 95"));
   EXPECT_THAT(words(report), HasSubstr("feature 3 was left out: the longitude 400"));
   EXPECT_THAT(words(report), HasSubstr("feature 7 was left out: length_m"));
+  EXPECT_THAT(words(report), HasSubstr("feature 8 was left out: position_uncertainty_m"));
 }
 
 TEST_F(Geojson, AnIcebergInTheSaharaIsFlagged) {

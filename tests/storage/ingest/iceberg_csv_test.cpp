@@ -106,13 +106,15 @@ TEST_F(IcePatrolCsv, KnowsTheColumnsOfItsLaterYears) {
 class OwnIcebergTable : public IcePatrolCsv {};
 
 TEST_F(OwnIcebergTable, IsReadByTheNamesOfItsColumns) {
-  for (const char* table :
-       {"id,lat,lon,time,length_m,draft_m,size\nA1,69.1,-52.2,2026-11-22T03:00:00Z,120,80,medium\n",
-        "Berg;Longitude;Latitude;Time (UTC);Length (m);Draft (m);Size\r\nA1;-52,2;69,1;2026-11-22 "
-        "03:00;120;80;Medium\r\n",
-        "\"name\"\t\"latitude\"\t\"longitude\"\t\"observed\"\t\"length_m\"\t\"draft_m\"\t\"size\"\nA1\t69."
-        "1\t-52.2\t"
-        "2026-11-22T00:00:00-03:00\t120\t80\tmedium\n"}) {
+  for (const char* table : {"id,lat,lon,time,length_m,draft_m,position_uncertainty_m,size\nA1,69.1,-52.2,"
+                            "2026-11-22T03:00:00Z,120,80,340,medium\n",
+                            "Berg;Longitude;Latitude;Time (UTC);Length (m);Draft (m);Position uncertainty "
+                            "(m);Size\r\nA1;-52,2;69,1;2026-11-22 "
+                            "03:00;120;80;340;Medium\r\n",
+                            "\"name\"\t\"latitude\"\t\"longitude\"\t\"observed\"\t\"length_m\"\t\"draft_"
+                            "m\"\t\"position_uncertainty_m\"\t\"size\"\nA1\t69."
+                            "1\t-52.2\t"
+                            "2026-11-22T00:00:00-03:00\t120\t80\t340\tmedium\n"}) {
     SCOPED_TRACE(table);
     const auto report = ingest(write_file("bergs.csv", table));
 
@@ -123,6 +125,7 @@ TEST_F(OwnIcebergTable, IsReadByTheNamesOfItsColumns) {
     EXPECT_EQ(core::iso8601(berg.observed), "2026-11-22T03:00:00Z");
     EXPECT_EQ(berg.length, core::Metres{120.0});
     EXPECT_EQ(berg.draft, core::Metres{80.0});
+    EXPECT_EQ(berg.position_uncertainty, core::Metres{340.0});
     EXPECT_EQ(berg.size, ocean::IcebergSize::medium);
   }
 }
