@@ -47,7 +47,7 @@ RouteGrid grid_around(geo::PlanePoint centre, core::Metres radius, core::Metres 
 core::Metres grid_radius(const Sea& sea, const ReachRequest& request) {
   const core::MetresPerSecond current =
       sea.currents() ? sea.currents()->strongest() : core::MetresPerSecond{0.0};
-  const double fastest_m_s = request.vehicle.speed_through_water.value + current.value;
+  const double fastest_m_s = request.through_water().value + current.value;
   const double farthest_m = 1.01 * fastest_m_s * request.reach().count() + 2.0 * request.step().value;
   return std::min(request.data_radius(), core::Metres{farthest_m});
 }

@@ -22,8 +22,12 @@ core::UtcTime ReachRequest::begin() const { return direction == Direction::from 
 
 core::UtcTime ReachRequest::end() const { return direction == Direction::from ? time + reach() : time; }
 
+core::MetresPerSecond ReachRequest::through_water() const {
+  return drive_speed(vehicle, drives(voyage_of(*this).energy, vehicle).front());
+}
+
 core::Metres ReachRequest::step() const {
-  const double still_water_m = vehicle.speed_through_water.value * reach().count();
+  const double still_water_m = through_water().value * reach().count();
   return spacing.value_or(
       core::Metres{std::clamp(still_water_m / steps_per_radius, least_step_m, most_step_m)});
 }
@@ -31,7 +35,7 @@ core::Metres ReachRequest::step() const {
 core::Metres ReachRequest::data_radius() const {
   // A few steps at least, so that the border of a short reach lies inside the grid.
   constexpr double fewest_steps = 10.0;
-  const double still_water_m = vehicle.speed_through_water.value * reach().count();
+  const double still_water_m = through_water().value * reach().count();
   return core::Metres{std::max(data_radius_factor * still_water_m, fewest_steps * step().value)};
 }
 

@@ -42,6 +42,8 @@ struct ReachRequest {
   /// The period that the vehicle is under way in.
   [[nodiscard]] core::UtcTime begin() const;
   [[nodiscard]] core::UtcTime end() const;
+  /// Of the faster drive, where the vehicle has a thruster.
+  [[nodiscard]] core::MetresPerSecond through_water() const;
   /// Step of the grid: as asked for, or by default.
   [[nodiscard]] core::Metres step() const;
   /// How far from the place data are looked at: three times as far as in still water. A vehicle that drifts further

@@ -102,7 +102,7 @@ std::optional<EncounterMap> lay_out_encounters(const IcebergDiscs& icebergs,
                                                const std::stop_token& stop) {
   if (request.icebergs.encounter_weight.count() <= 0.0 || icebergs.empty()) return std::nullopt;
   return EncounterMap{icebergs, area, forecast_horizon(environment, request),
-                      request.vehicle.speed_through_water, stop};
+                      drive_speed(request.vehicle, drives(request.energy, request.vehicle).front()), stop};
 }
 
 }  // namespace floeplan::planning

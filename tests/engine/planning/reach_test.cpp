@@ -69,6 +69,21 @@ TEST(Reach, IsACircleInStillWaterBothWays) {
   }
 }
 
+TEST(Reach, IsACircleAtTheSpeedOfAThrusterThatTheVehicleHas) {
+  for (const Direction direction : {Direction::from, Direction::to}) {
+    ReachRequest request = reach_request(direction, {12.0});
+    request.vehicle = *vehicle::find_profile("slocum-g3-200-thruster");
+    request.spacing.reset();
+
+    const Reach found = reach({}, request);
+
+    const double radius_m = request.vehicle.thruster->speed.value * 12.0 * 3600.0;
+    EXPECT_NEAR(found.areas.front().area_m2, std::numbers::pi * radius_m * radius_m,
+                0.04 * found.areas.front().area_m2);
+    EXPECT_TRUE(found.warnings.empty()) << found.warnings.front();
+  }
+}
+
 TEST(Reach, StatesWhenTheVehicleIsThereOrHasToBe) {
   const ReachRequest from = reach_request(Direction::from, {6.0});
   const ReachRequest to = reach_request(Direction::to, {6.0});
