@@ -77,7 +77,7 @@ Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, 
   plan.search = statistics;
   if (request.optimality_gap) plan.optimality_gap_reason = no_gap;
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
-  if (auto none = add_escapes(plan, chart, request, route.points, times->arrivals, stop))
+  if (auto none = add_escapes(plan, chart, request, route.points, times->arrivals, route.drives, stop))
     return tl::unexpected(std::move(*none));
   if (statistics.cut_short) {
     plan.warnings.push_back(

@@ -26,14 +26,26 @@ RouteGrid grid_around(geo::PlanePoint point, const RouteGrid& steps) {
   return grid;
 }
 
-/// `arrivals`: at each of the points.
-EscapeWay describe(const Sea& sea, const std::vector<geo::PlanePoint>& points,
-                   const std::vector<core::Seconds>& arrivals) {
+/// Points of a way, when the vehicle is there, and how it gets to each after the first.
+struct TimedWay {
+  std::vector<geo::PlanePoint> points;
+  std::vector<core::Seconds> arrivals;
+  std::vector<vehicle::Drive> drives{};
+
+  void go_on(geo::PlanePoint point, core::Seconds arrival, vehicle::Drive drive) {
+    points.push_back(point);
+    arrivals.push_back(arrival);
+    drives.push_back(drive);
+  }
+};
+
+EscapeWay describe(const Sea& sea, const TimedWay& timed) {
+  const auto& [points, arrivals, drives] = timed;
   EscapeWay escape;
   escape.time = arrivals.back() - arrivals.front();
   for (std::size_t i = 1; i < points.size(); ++i) {
     const EnergyUse use = sea.energy_along(points[i - 1], points[i], arrivals[i - 1],
-                                           arrivals[i] - arrivals[i - 1], sea.drives().front());
+                                           arrivals[i] - arrivals[i - 1], drives[i - 1]);
     escape.energy = escape.energy + use.total();
   }
   const Route route{points, std::vector<bool>(points.size(), false)};
@@ -47,32 +59,25 @@ EscapeWay describe(const Sea& sea, const std::vector<geo::PlanePoint>& points,
   return escape;
 }
 
-/// Points of a way and when the vehicle is there.
-struct TimedWay {
-  std::vector<geo::PlanePoint> points;
-  std::vector<core::Seconds> arrivals;
-};
-
 /// Along the route from one of its points to where the vehicle may first surface, by `latest`; empty where it may not, or
 /// where the route is not driven at once.
 std::optional<TimedWay> way_onwards(const Sea& sea, const std::vector<geo::PlanePoint>& route,
-                                    const std::vector<core::Seconds>& arrivals, std::size_t from,
+                                    const std::vector<core::Seconds>& arrivals,
+                                    const std::vector<vehicle::Drive>& drives, std::size_t from,
                                     core::Seconds latest) {
   constexpr core::Seconds rounding{1.0};  // of legs timed whole and in pieces
   TimedWay way{{route[from]}, {arrivals[from]}};
   for (std::size_t i = from; i + 1 < route.size(); ++i) {
-    const auto time = sea.leg_time(route[i], route[i + 1], arrivals[i]);
+    const auto time = sea.leg_time(route[i], route[i + 1], arrivals[i], core::Seconds{INFINITY}, drives[i]);
     if (!time || arrivals[i] + *time + rounding < arrivals[i + 1]) return std::nullopt;
     for (const Sea::Passage& passage :
-         sea.passages(route[i], route[i + 1], arrivals[i], sea.surfacing_look())) {
+         sea.passages(route[i], route[i + 1], arrivals[i], sea.surfacing_look(), drives[i])) {
       if (passage.time > latest) return std::nullopt;
       if (!sea.may_surface(passage.point, passage.time)) continue;
-      way.points.push_back(passage.point);
-      way.arrivals.push_back(passage.time);
+      way.go_on(passage.point, passage.time, drives[i]);
       return way;
     }
-    way.points.push_back(route[i + 1]);
-    way.arrivals.push_back(arrivals[i + 1]);
+    way.go_on(route[i + 1], arrivals[i + 1], drives[i]);
   }
   return std::nullopt;
 }
@@ -82,13 +87,14 @@ std::optional<TimedWay> way_onwards(const Sea& sea, const std::vector<geo::Plane
 Result<std::vector<EscapeWay>> plan_escapes(const Sea& sea, const Layout& layout, const PlanRequest& request,
                                             const std::vector<geo::PlanePoint>& route,
                                             const std::vector<core::Seconds>& arrivals,
+                                            const std::vector<vehicle::Drive>& drives,
                                             const std::vector<SurfacingState>& waypoints,
                                             const std::stop_token& stop) {
   std::vector<EscapeWay> escapes;
   const auto bound = request.under_ice.max_time_without_surfacing;
   for (std::size_t i = 0; i < route.size(); ++i) {
     if (waypoints[i].may_surface) {
-      escapes.push_back(describe(sea, {route[i]}, {arrivals[i]}));
+      escapes.push_back(describe(sea, {{route[i]}, {arrivals[i]}}));
       continue;
     }
     const core::Seconds depart = arrivals[i];
@@ -105,16 +111,15 @@ Result<std::vector<EscapeWay>> plan_escapes(const Sea& sea, const Layout& layout
 
     const auto found = graph::find_nearest_goal(graph, grid.start, depart, latest, travel_time, open, stop);
     if (found.tree.stopped) return tl::unexpected(explain_cancelled(request));
-    std::optional<TimedWay> way = way_onwards(sea, route, arrivals, i, latest);
+    std::optional<TimedWay> way = way_onwards(sea, route, arrivals, drives, i, latest);
     if (found.goal && (!way || found.tree.arrival_s(*found.goal) < way->arrivals.back().count())) {
-      way.emplace();
-      for (const graph::Vertex v : graph::path_to(graph, found.tree, *found.goal)) {
-        way->points.push_back(grid.point(v));
-        way->arrivals.emplace_back(found.tree.arrival_s(v));
-      }
+      way = TimedWay{{route[i]}, {depart}};
+      for (const graph::Vertex v : graph::path_to(graph, found.tree, *found.goal))
+        if (v != grid.start)
+          way->go_on(grid.point(v), core::Seconds{found.tree.arrival_s(v)}, sea.drives().front());
     }
     if (!way) return tl::unexpected(explain_no_escape(sea, request, route[i], depart));
-    escapes.push_back(describe(sea, way->points, way->arrivals));
+    escapes.push_back(describe(sea, *way));
   }
   return escapes;
 }

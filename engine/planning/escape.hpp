@@ -14,12 +14,14 @@ namespace floeplan::planning {
 /// The fastest way from each point of a route to a place where the vehicle may surface when it gets there, by a
 /// search of its own on the grid's steps around the point, at most 200 of them in every direction; going on along the
 /// route where that is no slower. Where the time without surfacing is bounded, the way keeps what is left of it.
-/// Precondition  `arrivals` and `waypoints` are those of the route
+/// Drives   along the route those of its legs, elsewhere the sea's first
+/// Precondition  `arrivals`, `drives` and `waypoints` are those of the route
 /// Errors   Reason::no_escape at the first point without such a way; Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<std::vector<EscapeWay>> plan_escapes(const Sea& sea, const Layout& layout,
                                                           const PlanRequest& request,
                                                           const std::vector<geo::PlanePoint>& route,
                                                           const std::vector<core::Seconds>& arrivals,
+                                                          const std::vector<vehicle::Drive>& drives,
                                                           const std::vector<SurfacingState>& waypoints,
                                                           const std::stop_token& stop);
 

@@ -209,11 +209,12 @@ void warn_of_deep_turns(Plan& plan, const PlanRequest& request) {
 }
 
 void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
-                    const std::vector<geo::PlanePoint>& route, const Schedule& schedule) {
+                    const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
+                    const std::vector<vehicle::Drive>& drives) {
   const UnderIceRules& rules = request.under_ice;
   const bool asked = rules.max_time_without_surfacing || rules.surfacing_interval || rules.escape_plan;
   if (!sea.ice() && !asked && plan.passed_under.empty()) return;
-  plan.surfacing = plan_surfacings(sea, request, route, schedule);
+  plan.surfacing = plan_surfacings(sea, request, route, schedule, drives);
   if (plan.surfacing->unknown_ice.value > 0.0) {
     char text[160];
     std::snprintf(
@@ -274,7 +275,7 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
   plan.warnings = environment.warnings;
   warn_of_extended_currents(plan, sea, route);
   add_passages_under(plan, sea, route, schedule, drives);
-  add_surfacings(plan, sea, request, route, schedule);
+  add_surfacings(plan, sea, request, route, schedule, drives);
   return plan;
 }
 

@@ -35,10 +35,11 @@ void add_warnings(Plan& plan, const PlanRequest& request) {
 std::optional<Infeasible> add_escapes(Plan& plan, const Chart& chart, const PlanRequest& request,
                                       const std::vector<geo::PlanePoint>& points,
                                       const std::vector<core::Seconds>& arrivals,
+                                      const std::vector<vehicle::Drive>& drives,
                                       const std::stop_token& stop) {
   if (!request.under_ice.escape_plan) return std::nullopt;
-  auto escapes =
-      plan_escapes(chart.sea, chart.layout, request, points, arrivals, plan.surfacing->waypoints, stop);
+  auto escapes = plan_escapes(chart.sea, chart.layout, request, points, arrivals, drives,
+                              plan.surfacing->waypoints, stop);
   if (!escapes) return std::move(escapes.error());
   plan.surfacing->escapes = std::move(*escapes);
   return check_escapes(plan, request);
@@ -56,7 +57,7 @@ Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, 
   plan.search = statistics;
   plan.refinement = improved.refinement;
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
-  if (auto none = add_escapes(plan, chart, request, points, schedule->arrivals, stop))
+  if (auto none = add_escapes(plan, chart, request, points, schedule->arrivals, drives, stop))
     return tl::unexpected(std::move(*none));
   if (request.max_loiter.count() == 0.0) {
     if (const auto killed = longest_killing_of_time(sea, improved.route, *schedule))

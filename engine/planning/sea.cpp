@@ -344,7 +344,7 @@ std::vector<double> Sea::least_times_to_opening_s(const std::vector<geo::PlanePo
 }
 
 std::vector<Sea::Passage> Sea::passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
-                                        core::Metres step) const {
+                                        core::Metres step, vehicle::Drive drive) const {
   std::vector<Passage> result;
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   const auto note = [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
@@ -354,7 +354,7 @@ std::vector<Sea::Passage> Sea::passages(geo::PlanePoint a, geo::PlanePoint b, co
     });
     return std::nullopt;
   };
-  [[maybe_unused]] const auto time = drive_time(edge, depart, core::Seconds{INFINITY}, through_water(), note);
+  [[maybe_unused]] const auto time = drive_time(edge, depart, core::Seconds{INFINITY}, speed(drive), note);
   return result;
 }
 

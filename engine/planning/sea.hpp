@@ -120,7 +120,7 @@ class Sea {
   };
   /// The vehicle along an open leg, at most `step` apart, its end included and its beginning not.
   [[nodiscard]] std::vector<Passage> passages(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
-                                              core::Metres step) const;
+                                              core::Metres step, vehicle::Drive drive) const;
   /// Whether the vehicle may come to the surface: anywhere where nothing is known of ice in the whole area.
   [[nodiscard]] bool may_surface(geo::PlanePoint point, core::Seconds time) const {
     return (!ice_ || ice_->may_surface(point, time)) && !icebergs_.least_upper_turn(point, time);

@@ -11,33 +11,32 @@ namespace {
 class Log {
  public:
   Log(const Sea& sea, const PlanRequest& request, geo::PlanePoint start)
-      : sea_{sea},
-        request_{request},
-        growth_m_s_{request.under_ice.dead_reckoning_share * request.vehicle.speed_through_water.value +
-                    request.under_ice.current_uncertainty.value},
-        fix_{start, core::Seconds{0.0}},
-        last_open_{fix_} {}
+      : sea_{sea}, request_{request}, here_{{start, core::Seconds{0.0}}}, fix_{here_}, last_open_{here_} {}
 
-  void look(const Sea::Passage& now) {
+  /// The next look: until then the vehicle is under way by `drive`.
+  void look(const Sea::Passage& now, vehicle::Drive drive) {
+    const Look last = here_;
+    here_ = {now, last.error + growth(drive, now.time - last.at.time)};
     const bool open = sea_.may_surface(now.point, now.time);
-    surface_when_due(now, open);
+    surface_when_due(open);
     if (!(open && was_open_))
-      plan.longest_without = std::max(plan.longest_without, now.time - last_open_.time);
+      plan.longest_without = std::max(plan.longest_without, now.time - last_open_.at.time);
     if (open) {
-      last_open_ = now;
-      if (!request_.under_ice.surfacing_interval) fix_ = now;
+      last_open_ = here_;
+      if (!request_.under_ice.surfacing_interval) fix_ = here_;
     }
     was_open_ = open;
     if (sea_.ice() && !sea_.ice()->above(now.point, now.time).known)
-      plan.unknown_ice = plan.unknown_ice + sea_.ground_length(here_.value_or(now).point, now.point);
-    here_ = now;
+      plan.unknown_ice = plan.unknown_ice + sea_.ground_length(last.at.point, now.point);
   }
 
-  [[nodiscard]] SurfacingState state(const Sea::Passage& now) const {
-    SurfacingState state{.may_surface = sea_.may_surface(now.point, now.time),
-                         .since_surfacing = now.time - last_open_.time,
-                         .position_error = error_at(now.time),
-                         .least_upper_turn = sea_.least_upper_turn(now.point, now.time)};
+  /// At the last look.
+  [[nodiscard]] SurfacingState state() const {
+    const auto [point, time] = here_.at;
+    SurfacingState state{.may_surface = sea_.may_surface(point, time),
+                         .since_surfacing = time - last_open_.at.time,
+                         .position_error = error_at(here_),
+                         .least_upper_turn = sea_.least_upper_turn(point, time)};
     if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
     return state;
   }
@@ -45,55 +44,67 @@ class Log {
   SurfacingPlan plan;
 
  private:
-  [[nodiscard]] core::Metres error_at(core::Seconds time) const {
-    return core::Metres{growth_m_s_ * (time - fix_.time).count()};
+  struct Look {
+    Sea::Passage at;
+    core::Metres error{};  // grown since the start without any fix
+  };
+
+  [[nodiscard]] core::Metres growth(vehicle::Drive drive, core::Seconds time) const {
+    const core::Metres through_water{sea_.speed(drive).value * time.count()};
+    const core::Metres by_currents{request_.under_ice.current_uncertainty.value * time.count()};
+    return request_.under_ice.dead_reckoning_share * through_water + by_currents;
   }
+
+  [[nodiscard]] core::Metres error_at(const Look& look) const { return look.error - fix_.error; }
 
   /// The last look before the interval is over, or the first after it when the vehicle was under ice then.
-  void surface_when_due(const Sea::Passage& now, bool open) {
+  void surface_when_due(bool open) {
     const auto interval = request_.under_ice.surfacing_interval;
-    if (!interval || now.time - fix_.time <= *interval) return;
-    if (last_open_.time > fix_.time) surface(last_open_);
-    if (open && now.time - fix_.time > *interval) surface(now);
+    const core::Seconds now = here_.at.time;
+    if (!interval || now - fix_.at.time <= *interval) return;
+    if (last_open_.at.time > fix_.at.time) surface(last_open_);
+    if (open && now - fix_.at.time > *interval) surface(here_);
   }
 
-  void surface(const Sea::Passage& at) {
+  void surface(const Look& look) {
     plan.surfacings.push_back(
-        {sea_.projection().to_lon_lat(at.point), request_.depart + at.time, error_at(at.time)});
-    fix_ = at;
+        {sea_.projection().to_lon_lat(look.at.point), request_.depart + look.at.time, error_at(look)});
+    fix_ = look;
   }
 
   const Sea& sea_;
   const PlanRequest& request_;
-  double growth_m_s_;
-  Sea::Passage fix_;
-  Sea::Passage last_open_;
+  Look here_;
+  Look fix_;
+  Look last_open_;
   bool was_open_{true};  // the vehicle starts at the surface
-  std::optional<Sea::Passage> here_;
 };
 
-void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
+void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, core::Seconds until,
+                        vehicle::Drive drive) {
   constexpr core::Seconds between_looks{900.0};
   while (from < until) {
     from = std::min(from + between_looks, until);
-    log.look({place, from});
+    log.look({place, from}, drive);
   }
 }
 
 }  // namespace
 
 SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
-                              const std::vector<geo::PlanePoint>& route, const Schedule& schedule) {
+                              const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
+                              const std::vector<vehicle::Drive>& drives) {
   const core::Metres step = sea.surfacing_look();
   Log log{sea, request, route.front()};
-  const Sea::Passage start{route.front(), schedule.arrivals.front()};
-  log.look(start);
-  log.plan.waypoints.push_back(log.state(start));
+  log.look({route.front(), schedule.arrivals.front()}, sea.drives().front());
+  log.plan.waypoints.push_back(log.state());
   for (std::size_t i = 1; i < route.size(); ++i) {
-    look_while_waiting(log, route[i - 1], schedule.arrivals[i - 1], schedule.leaves(i - 1));
-    for (const Sea::Passage& passage : sea.passages(route[i - 1], route[i], schedule.leaves(i - 1), step))
-      log.look(passage);
-    log.plan.waypoints.push_back(log.state({route[i], schedule.arrivals[i]}));
+    const vehicle::Drive drive = drives[i - 1];
+    const core::Seconds leaves = schedule.leaves(i - 1);
+    look_while_waiting(log, route[i - 1], schedule.arrivals[i - 1], leaves, drive);
+    for (const Sea::Passage& passage : sea.passages(route[i - 1], route[i], leaves, step, drive))
+      log.look(passage, drive);
+    log.plan.waypoints.push_back(log.state());
   }
   return std::move(log.plan);
 }

@@ -16,9 +16,10 @@ namespace floeplan::planning {
 /// Surfacings  at the latest possible place before the interval is over; under ice that lasts longer, the last one
 ///          before it and the first after it. The time spent at the surface is not counted
 /// Error    share of the distance through water + uncertainty of the currents times the time, since the last fix
-/// Precondition: `arrivals` are those of the route
+/// Precondition: `schedule` is that of the route, with one of `drives` for each leg
 [[nodiscard]] SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
                                             const std::vector<geo::PlanePoint>& route,
-                                            const Schedule& schedule);
+                                            const Schedule& schedule,
+                                            const std::vector<vehicle::Drive>& drives);
 
 }  // namespace floeplan::planning

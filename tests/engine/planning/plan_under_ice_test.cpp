@@ -10,6 +10,8 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/sea.hpp"
+#include "engine/planning/surfacing.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -317,6 +319,39 @@ TEST(PlanUnderIce, TheErrorOfThePositionGrowsUntilTheVehicleMaySurfaceAgain) {
   EXPECT_NEAR(goal.least_upper_turn.value, 18.0, 1e-4);
   EXPECT_EQ(plan.surfacing->waypoints.front().position_error.value, 0.0);
   EXPECT_THAT(plan.warnings, Contains(HasSubstr("may not surface at the goal")));
+}
+
+TEST(PlanUnderIce, TheErrorGrowsWithTheSpeedOfEachLegsDrive) {
+  const ocean::Environment ice_everywhere{
+      .ice = support::ice_from([](geo::LonLat, double) { return 0.9; }, {0.0}, 1.0)};
+  PlanRequest request = support::eastward_request();
+  request.vehicle = vehicle::find_profile("slocum-g3-200-thruster").value();
+  request.energy.objective = energy_objective;
+  const geo::LocalProjection projection{{-53.0, 69.0}};
+  const Sea sea{ice_everywhere,
+                request,
+                projection,
+                {{-30'000.0, -30'000.0}, {30'000.0, 30'000.0}},
+                core::Metres{1000.0}};
+  const std::vector<geo::PlanePoint> route{{-10'000.0, 0.0}, {0.0, 0.0}, {10'000.0, 0.0}};
+  const std::vector<vehicle::Drive> drives{vehicle::Drive::thruster, vehicle::Drive::buoyancy};
+  Schedule schedule{{core::Seconds{0.0}}, std::vector<core::Seconds>(route.size())};
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    const auto time =
+        sea.leg_time(route[i], route[i + 1], schedule.arrivals[i], core::Seconds{INFINITY}, drives[i]);
+    schedule.arrivals.push_back(schedule.arrivals[i] + time.value());
+  }
+
+  const SurfacingPlan plan = plan_surfacings(sea, request, route, schedule, drives);
+
+  double error_m = 0.0;
+  for (std::size_t i = 0; i < drives.size(); ++i) {
+    const double time_s = (schedule.arrivals[i + 1] - schedule.arrivals[i]).count();
+    error_m += (0.06 * drive_speed(request.vehicle, drives[i]).value + 0.05) * time_s;
+    EXPECT_NEAR(plan.waypoints[i + 1].position_error.value, error_m, 1e-3 * error_m);
+    EXPECT_NEAR(plan.waypoints[i + 1].since_surfacing.count(), schedule.arrivals[i + 1].count(), 1.0);
+  }
+  EXPECT_NEAR(plan.longest_without.count(), schedule.arrivals.back().count(), 1.0);
 }
 
 TEST(PlanUnderIce, SurfacesAtIntervalsInOpenWaterAndBeforeAndAfterTheIce) {

@@ -143,7 +143,8 @@ TEST(SeaLeg, NeverCountsLessThanTheTrueTimeUnderIce) {
 
     double since_s = 0.0;
     double before_s = 0.0;
-    for (const Sea::Passage& fine : sea.passages(from, to, at_once, core::Metres{10.0})) {
+    for (const Sea::Passage& fine :
+         sea.passages(from, to, at_once, core::Metres{10.0}, sea.drives().front())) {
       since_s = sea.may_surface(fine.point, fine.time) ? 0.0 : since_s + fine.time.count() - before_s;
       before_s = fine.time.count();
     }
