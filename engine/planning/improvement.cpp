@@ -50,12 +50,15 @@ std::optional<std::size_t> most_legs(const PlanRequest& request) {
 Improved refined(const Sea& sea, const Route& way, const PlanRequest& request, const std::stop_token& stop,
                  const core::SteadyClock& clock) {
   const SeaTimer timer{sea};
-  LegMeter legs{timer, {}};
+  LegMeter legs{timer, {.stop = stop}};
   const auto on_grid = legs.timed(way, at_departure);
   const auto start = legs.timed(drop_needless_points(sea, way, at_departure, stop), at_departure);
   if (!on_grid || !start) return {way, std::nullopt};
+  const auto most = most_legs(request);
+  std::vector<Itinerary> shorter;
+  if (most) shorter = {thin_to(legs, *start, *most), thin_to(legs, *on_grid, *most)};
   Refined result =
-      refine_route(timer, *start, {.most_legs = most_legs(request)}, budget_of(sea, request, stop, clock));
+      refine_route(timer, *start, {.most_legs = most}, budget_of(sea, request, stop, clock), shorter);
   result.report.before = on_grid->travel_time();
   return {std::move(result.itinerary.route), std::move(result.report)};
 }

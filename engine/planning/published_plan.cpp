@@ -56,6 +56,7 @@ Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, 
   Plan plan = assemble_plan(sea, environment, request, points, *schedule, drives);
   plan.search = statistics;
   plan.refinement = improved.refinement;
+  if (plan.refinement) plan.refinement->after = plan.travel_time();  // what came after it may have cost time
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
   if (auto none = add_escapes(plan, chart, request, points, schedule->arrivals, drives, stop))
     return tl::unexpected(std::move(*none));

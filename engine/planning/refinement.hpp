@@ -36,8 +36,12 @@ class Refiner {
   Refiner(const Timer& leg_time, const RefinementLimits& limits, const RefinementBudget& budget)
       : legs_{leg_time, budget}, limits_{limits} {}
 
-  Refined operator()(const Itinerary& start) {
+  Refined operator()(const Itinerary& start, const std::vector<Itinerary>& shorter) {
     found_.offer(start);
+    for (const Itinerary& other : shorter) {
+      found_.offer(other);
+      found_.offer(settle(other));
+    }
     fewer_and_fewer(more_and_more(start));
     place_better(found_.choose(limits_.least_gain, limits_.most_legs));
     const Itinerary& chosen = found_.choose(limits_.least_gain, limits_.most_legs);
@@ -121,13 +125,16 @@ class Refiner {
 
 /// Moves the free points of a route until the travel time stops falling: first with many legs, then with
 /// fewer and fewer, each time from the best way with more of them.
+/// `shorter`  routes with no more legs than `most_legs`: without them the points of many legs, thinned to few, may settle
+///          far from the best
 /// Returns  the route with the fewest legs of which twice as many would not gain `least_gain`; fixed points
-///          stay, no leg is closed, and it is not slower than the route that came unless `most_legs` forces it
+///          stay, no leg is closed, and it is not slower than the route that came unless `most_legs` forces it, and
+///          not than any of the shorter ones
 /// Stops    when the budget ends, with the best found until then
 template <LegTime Timer>
 Refined refine_route(const Timer& leg_time, const Itinerary& start, const RefinementLimits& limits,
-                     const RefinementBudget& budget) {
-  return Refiner<Timer>{leg_time, limits, budget}(start);
+                     const RefinementBudget& budget, const std::vector<Itinerary>& shorter = {}) {
+  return Refiner<Timer>{leg_time, limits, budget}(start, shorter);
 }
 
 }  // namespace floeplan::planning

@@ -10,6 +10,7 @@
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/layout.hpp"
 #include "engine/planning/plane_distance.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning {
@@ -250,6 +251,37 @@ TEST(PlanRoute, RefinesToTheNumberOfWaypointsAskedFor) {
   EXPECT_TRUE(std::ranges::any_of(found->waypoints, [&](const Waypoint& waypoint) {
     return geo::geodesic_between(waypoint.place, request.via.front()).length.value < 0.01;
   }));
+}
+
+/// Law: with few waypoints, too, a refined plan is no slower than one that is not.
+TEST(PlanRoute, IsNoSlowerForBeingRefinedToFewWaypoints) {
+  const ocean::Environment environment{.currents = currents_from(tide, 96)};
+  int compared = 0;
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    PlanRequest request = eastward_request();
+    request.optimality_gap = false;
+    request.max_waypoints = support::uniform_int(rng, 3, 6);
+    request.refine_time = core::Seconds{0.2};
+    for (int i = 0; i < 5; ++i) {
+      const geo::LonLat a{support::uniform(rng, -53.4, -52.7), support::uniform(rng, 68.9, 69.05)};
+      const geo::LonLat b{a.lon_deg + support::uniform(rng, 0.02, 0.15),
+                          a.lat_deg + support::uniform(rng, 0.02, 0.1)};
+      ocean::Zone zone;
+      zone.area.outer = {a, {b.lon_deg, a.lat_deg}, b, {a.lon_deg, b.lat_deg}};
+      request.zones.push_back(zone);
+    }
+    const auto refined = try_to_plan(environment, request, {}, {});
+    request.refine = false;
+    const auto unrefined = try_to_plan(environment, request, {}, {});
+
+    if (!unrefined || unrefined->waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) return;
+    ++compared;
+    ASSERT_TRUE(refined.has_value()) << refined.error().explanation;
+    EXPECT_LE(refined->waypoints.size(), static_cast<std::size_t>(*request.max_waypoints));
+    EXPECT_LE(refined->travel_time().count(), unrefined->travel_time().count() + 1e-3);
+    EXPECT_EQ(refined->refinement->after, refined->travel_time());
+  });
+  EXPECT_GT(compared, 30);
 }
 
 TEST(PlanRoute, IsTheSameWithAClockThatDoesNotRunOut) {
