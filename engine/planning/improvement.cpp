@@ -1,7 +1,9 @@
 #include "engine/planning/improvement.hpp"
 
+#include <bit>
 #include <cmath>
 #include <utility>
+#include <vector>
 
 #include "engine/planning/loiter.hpp"
 #include "engine/planning/refinement.hpp"
@@ -89,12 +91,20 @@ Route waiting_instead(const Sea& sea, Route route, const std::stop_token& stop) 
   return route;
 }
 
-/// Whether the route is open as a whole where its legs depend on each other. Refinement times each leg alone: where the
-/// time without a possible surfacing is bounded, the drive along other legs is looked at in other places, which may
-/// count a little more time under ice; where the vehicle waits, there must be places to wait at.
+/// Whether the route is open as a whole, for what is right of each leg alone need not be of all. Where the time without a
+/// possible surfacing is bounded, the drive along other legs is looked at in other places, which may count a little more
+/// time under ice; where the vehicle waits, there must be places to wait at; and a leg that was joined is followed in
+/// longer pieces, which keep somewhat more from icebergs.
 bool stays_open(const Sea& sea, const Route& route) {
-  const bool legs_depend = sea.bounds_surfacing() || sea.longest_wait().count() > 0.0;
-  return !legs_depend || arrivals_along(sea, route.points, at_departure).has_value();
+  return arrivals_along(sea, route.points, at_departure).has_value();
+}
+
+/// The way with as few of its points as keep it open.
+Route joined_where_open(const Sea& sea, const Route& way) {
+  Route joined = join_collinear(way);
+  for (std::size_t most = std::bit_floor(way.legs()); most > 1 && !stays_open(sea, joined); most /= 2)
+    joined = join_collinear(way, most);
+  return stays_open(sea, joined) ? joined : way;
 }
 
 }  // namespace
@@ -103,8 +113,7 @@ Improved improve(const Sea& sea, const Route& way, const PlanRequest& request, c
                  const core::SteadyClock& clock) {
   Improved improved{way, std::nullopt};
   if (request.method != Method::direct) {
-    const Route joined = join_collinear(way);
-    if (stays_open(sea, joined)) improved.route = joined;
+    improved.route = joined_where_open(sea, way);
     if (request.refine) improved = refined(sea, improved.route, request, stop, clock);
   }
   // Where an opening sets the arrival, refinement leaves detours that a wait makes needless.
@@ -116,7 +125,7 @@ Improved improve(const Sea& sea, const Route& way, const PlanRequest& request, c
   if (const auto most = most_legs(request)) improved.route = thinned(sea, improved.route, *most, stop);
   if (request.max_leg) improved.route = part_long_legs(sea, improved.route, *request.max_leg);
   if (stays_open(sea, improved.route)) return improved;
-  const Route joined = join_collinear(way);
+  const Route joined = joined_where_open(sea, way);
   const Route straightened = request.refine ? drop_needless_points(sea, joined, at_departure, stop) : joined;
   if (request.max_leg) {
     for (const Route& route : {straightened, way}) {

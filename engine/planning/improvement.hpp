@@ -18,8 +18,7 @@ struct Improved {
 
 /// What is done to the way of a grid before it is published: needless points dropped, the others moved, their
 /// number cut and long legs parted as the request has it.
-/// Where the time without a possible surfacing is bounded, or the vehicle waits, a refined route that is closed as a
-/// whole is given up for the straightened one, and that for the way itself.
+/// A refined route that is closed as a whole is given up for the straightened one, and that for the way itself.
 /// Stops  refinement once `clock` has gone on by the request's `refine_time` or `stop` is requested
 [[nodiscard]] Improved improve(const Sea& sea, const Route& way, const PlanRequest& request,
                                const std::stop_token& stop, const core::SteadyClock& clock);

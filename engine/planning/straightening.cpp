@@ -33,12 +33,13 @@ bool still_passable(const Sea& sea, const Route& route, std::size_t i, core::Sec
 
 }  // namespace
 
-Route join_collinear(const Route& route) {
+Route join_collinear(const Route& route, std::size_t most) {
   constexpr double straight =
       1e-9;  // sine of the turn: rounding of grid coordinates, far below anything steered
   Route result;
+  std::size_t joined = 1;
   for (std::size_t i = 0; i < route.points.size(); ++i) {
-    if (i > 0 && i + 1 < route.points.size() && !route.fixed[i]) {
+    if (joined < most && i > 0 && i + 1 < route.points.size() && !route.fixed[i]) {
       const geo::PlanePoint before = result.points.back();
       const geo::PlanePoint here = route.points[i];
       const geo::PlanePoint after = route.points[i + 1];
@@ -47,9 +48,12 @@ Route join_collinear(const Route& route) {
       const double bx = after.x_m - here.x_m;
       const double by = after.y_m - here.y_m;
       const bool same_way = ax * bx + ay * by > 0.0;
-      if (same_way && std::abs(ax * by - ay * bx) <= straight * std::hypot(ax, ay) * std::hypot(bx, by))
+      if (same_way && std::abs(ax * by - ay * bx) <= straight * std::hypot(ax, ay) * std::hypot(bx, by)) {
+        ++joined;
         continue;
+      }
     }
+    joined = 1;
     result.points.push_back(route.points[i]);
     result.fixed.push_back(route.fixed[i]);
   }

@@ -1,5 +1,7 @@
 #pragma once
 
+#include <cstddef>
+#include <limits>
 #include <stop_token>
 
 #include "engine/planning/route.hpp"
@@ -7,8 +9,9 @@
 
 namespace floeplan::planning {
 
-/// Joins legs that run on in the same direction; the way is the same.
-[[nodiscard]] Route join_collinear(const Route& route);
+/// Joins legs that run on in the same direction, at most so many to one; the way is the same.
+[[nodiscard]] Route join_collinear(const Route& route,
+                                   std::size_t most = std::numeric_limits<std::size_t>::max());
 
 /// Takes out points as long as the arrival does not become later, or until `stop` is requested.
 [[nodiscard]] Route drop_needless_points(const Sea& sea, const Route& route, core::Seconds depart,

@@ -1,6 +1,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
@@ -56,6 +57,48 @@ TEST_P(PlanAmongIcebergsOfAScene, NeverLeadsIntoADiscWhenSimulatedSecondBySecond
 }
 
 INSTANTIATE_TEST_SUITE_P(Quarter, PlanAmongIcebergsOfAScene, testing::Range(0, 4));
+
+/// About 13 km eastwards among bergs in a tide, on a grid of 150 m.
+Scene tidal_scene(std::mt19937_64& rng) {
+  const double phase = uniform(rng, 0.0, 6.28);
+  const double strength_m_s = uniform(rng, 0.05, 0.15);
+  const auto tide = [=](geo::LonLat place, double hour) {
+    const double turn = 2.0 * std::numbers::pi * hour / 12.42 + phase;
+    return geo::VelocityEn{{strength_m_s * std::cos(turn + 20.0 * place.lat_deg)},
+                           {strength_m_s * std::sin(turn + 9.0 * place.lon_deg)}};
+  };
+  Scene scene{.request = support::eastward_request(),
+              .environment = {.currents = support::currents_from(tide, 72)}};
+  scene.request.from = {-53.16, 69.0};
+  scene.request.to = {-52.84, 69.0};
+  scene.request.spacing_along = core::Metres{150.0};
+  scene.request.refine = false;
+  scene.request.optimality_gap = false;
+  scene.request.icebergs.margin = core::Metres{uniform(rng, 100.0, 400.0)};
+  scene.request.icebergs.max_inflation = core::Metres{0.0};
+  for (int i = 0; i < 8; ++i) {
+    const geo::LonLat place{uniform(rng, -53.14, -52.86), uniform(rng, 68.98, 69.02)};
+    scene.environment.icebergs.push_back(
+        drifting_berg(place, uniform(rng, 10.0, 300.0), uniform(rng, 0.0, 0.2), uniform(rng, 0.0, 360.0)));
+  }
+  return scene;
+}
+
+/// Law: legs of a way that the search found open are not joined to one that counts as closed.
+TEST(PlanAmongIcebergs, ComesOfAnyWayThatTheSearchFinds) {
+  int found = 0;
+  int refused = 0;
+  support::for_each_seed(90, [&](std::mt19937_64& rng) {
+    const auto [request, environment] = tidal_scene(rng);
+    PlanRequest as_found = request;
+    as_found.max_leg = core::Metres{160.0};
+    if (!try_to_plan(environment, as_found, {}, {})) return;
+    ++found;
+    if (!try_to_plan(environment, request, {}, {})) ++refused;
+  });
+  EXPECT_GT(found, 30);
+  EXPECT_EQ(refused, 0);
+}
 
 TEST(PlanAmongIcebergs, IsTheOneWithoutThemWhereTheyAreFar) {
   const ocean::Environment empty;
