@@ -13,6 +13,8 @@ class PlanePolygon {
  public:
   PlanePolygon(const geo::Polygon& polygon, const geo::LocalProjection& projection);
 
+  /// Holds all of it.
+  [[nodiscard]] const PlaneBox& box() const { return box_; }
   [[nodiscard]] bool contains(geo::PlanePoint point) const;
   /// Whether any point of the straight line from a to b lies in the polygon.
   [[nodiscard]] bool meets(geo::PlanePoint a, geo::PlanePoint b) const;

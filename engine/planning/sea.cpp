@@ -48,7 +48,7 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       longest_without_surfacing_{request.under_ice.max_time_without_surfacing},
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
-      timed_zones_{zones.timed, projection, request.depart},
+      timed_zones_{zones.timed, projection, area, request.depart},
       icebergs_{lay_out_icebergs(environment, request, projection, area, stop)},
       encounters_{lay_out_encounters(icebergs_, environment, request, area, stop)},
       ice_{lay_out_ice(environment, request, projection, area, cell, stop)},

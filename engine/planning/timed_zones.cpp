@@ -2,7 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
+#include <iterator>
 #include <utility>
 
 namespace floeplan::planning {
@@ -33,26 +33,60 @@ double way_at(const motion::EdgePiece& piece, double t_s) {
 }  // namespace
 
 TimedZones::TimedZones(const std::vector<ocean::Zone>& zones, const geo::LocalProjection& projection,
-                       core::UtcTime epoch) {
+                       const PlaneBox& area, core::UtcTime epoch) {
   for (const ocean::Zone& zone : zones) {
-    auto& areas = zone.kind == ocean::ZoneKind::no_go ? no_go_ : stay_in_;
-    areas.push_back({PlanePolygon{zone.area, projection}, span_of(zone, epoch)});
+    Areas& areas = zone.kind == ocean::ZoneKind::no_go ? no_go_ : stay_in_;
+    areas.add({PlanePolygon{zone.area, projection}, span_of(zone, epoch)});
   }
-  for (const Area& area : stay_in_) {
-    for (const core::Seconds end : {area.in_force.from, area.in_force.until}) {
+  no_go_.index(area);
+  stay_in_.index(area);
+  for (const Area& each : stay_in_.all()) {
+    confined_.push_back(each.in_force);
+    for (const core::Seconds end : {each.in_force.from, each.in_force.until}) {
       if (std::isfinite(end.count())) changes_s_.push_back(end.count());
     }
   }
+  confined_ = joined(std::move(confined_));
   std::ranges::sort(changes_s_);
+}
+
+void TimedZones::Areas::index(const PlaneBox& within) {
+  constexpr double most_cells = 64.0;   // a side
+  constexpr double most_copies = 16.0;  // of a zone on the average: large ones lie in many cells
+  const double side_m = std::max(within.width_m(), within.height_m());
+  std::vector<DiscIndex::Entry> entries;
+  for (const Area& area : areas_)
+    entries.push_back({static_cast<std::uint32_t>(entries.size()), area.polygon.box(), whenever});
+  const auto copies = [&](double cell_m) {
+    const auto cells = [&](double low, double high, double first, double last) {
+      return std::floor(std::clamp(high, first, last) / cell_m) -
+             std::floor(std::clamp(low, first, last) / cell_m) + 1.0;
+    };
+    double all = 0.0;
+    for (const DiscIndex::Entry& entry : entries)
+      all += cells(entry.box.low.x_m, entry.box.high.x_m, within.low.x_m, within.high.x_m) *
+             cells(entry.box.low.y_m, entry.box.high.y_m, within.low.y_m, within.high.y_m);
+    return all;
+  };
+  double cell_m = side_m / most_cells;
+  while (cell_m < side_m && copies(cell_m) > most_copies * static_cast<double>(entries.size())) cell_m *= 2.0;
+  constexpr core::Seconds one_slot{1.0};
+  index_ = DiscIndex{within, cell_m, one_slot, core::Seconds{0.0}, entries};
+}
+
+bool TimedZones::confined_at(core::Seconds time) const {
+  const auto after = std::ranges::upper_bound(confined_, time, {}, &TimeSpan::from);
+  return after != confined_.begin() && time <= std::prev(after)->until;
 }
 
 template <class PlaceAt>
 bool TimedZones::forbid_during(TimeSpan during, const PlaceAt& place_at) const {
-  for (const Area& area : no_go_) {
-    if (!overlap(area.in_force, during)) continue;
+  const auto breaks_no_go = [&](const Area& area) {
+    if (!overlap(area.in_force, during)) return false;
     const TimeSpan inside = common(area.in_force, during);
-    if (area.polygon.meets(place_at(inside.from), place_at(inside.until))) return true;
-  }
+    return area.polygon.meets(place_at(inside.from), place_at(inside.until));
+  };
+  if (no_go_.any_near(place_at(during.from), place_at(during.until), breaks_no_go)) return true;
   if (stay_in_.empty()) return false;
 
   // Between two changes the same zones are in force.
@@ -63,10 +97,11 @@ bool TimedZones::forbid_during(TimeSpan during, const PlaceAt& place_at) const {
         change == changes_s_.end() ? during.until : std::min(during.until, core::Seconds{*change});
     const core::Seconds middle = from + 0.5 * (until - from);
     std::vector<const PlanePolygon*> in_force;
-    for (const Area& area : stay_in_) {
+    stay_in_.any_near(place_at(from), place_at(until), [&](const Area& area) {
       if (overlap(area.in_force, {middle, middle})) in_force.push_back(&area.polygon);
-    }
-    if (!in_force.empty() && !covered(in_force, place_at(from), place_at(until))) return true;
+      return false;
+    });
+    if (confined_at(middle) && !covered(in_force, place_at(from), place_at(until))) return true;
     if (until >= during.until) return false;
     from = until;
   }
@@ -90,23 +125,24 @@ bool TimedZones::forbid(geo::PlanePoint a, geo::PlanePoint b, TimeSpan during) c
 
 std::vector<TimeSpan> TimedZones::closed_times(geo::PlanePoint point) const {
   std::vector<TimeSpan> closed;
-  for (const Area& area : no_go_) {
+  no_go_.any_near(point, point, [&](const Area& area) {
     if (area.polygon.contains(point)) closed.push_back(area.in_force);
-  }
-  constexpr double never = std::numeric_limits<double>::infinity();
-  std::vector<double> ends{-never};
-  ends.insert(ends.end(), changes_s_.begin(), changes_s_.end());
-  ends.push_back(never);
-  for (std::size_t i = 1; i < ends.size() && !stay_in_.empty(); ++i) {
-    const TimeSpan span{core::Seconds{ends[i - 1]}, core::Seconds{ends[i]}};
-    bool confined = false;
-    bool inside = false;
-    for (const Area& area : stay_in_) {
-      if (area.in_force.from > span.from || area.in_force.until < span.until) continue;
-      confined = true;
-      inside = inside || area.polygon.contains(point);
+    return false;
+  });
+  std::vector<TimeSpan> inside;
+  stay_in_.any_near(point, point, [&](const Area& area) {
+    if (area.polygon.contains(point)) inside.push_back(area.in_force);
+    return false;
+  });
+  inside = joined(std::move(inside));
+  for (const TimeSpan& confined : confined_) {
+    core::Seconds from = confined.from;
+    for (const TimeSpan& there : inside) {
+      if (there.until < confined.from || there.from > confined.until) continue;
+      if (from < there.from) closed.push_back({from, there.from});
+      from = std::max(from, there.until);
     }
-    if (confined && !inside) closed.push_back(span);
+    if (from < confined.until) closed.push_back({from, confined.until});
   }
   return joined(std::move(closed));
 }

@@ -1,10 +1,13 @@
 #pragma once
 
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "engine/core/units.hpp"
 #include "engine/motion/edge_time.hpp"
 #include "engine/ocean/zone.hpp"
+#include "engine/planning/disc_index.hpp"
 #include "engine/planning/plane_polygon.hpp"
 #include "engine/planning/time_span.hpp"
 
@@ -15,8 +18,9 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class TimedZones {
  public:
+  /// `area`: where questions will be asked; the answers are right outside it too.
   TimedZones(const std::vector<ocean::Zone>& zones, const geo::LocalProjection& projection,
-             core::UtcTime epoch);
+             const PlaneBox& area, core::UtcTime epoch);
 
   [[nodiscard]] bool empty() const { return no_go_.empty() && stay_in_.empty(); }
   /// Whether a vehicle that drives this piece of the edge breaks a rule on it.
@@ -31,12 +35,37 @@ class TimedZones {
     PlanePolygon polygon;
     TimeSpan in_force;
   };
+  /// Zones of one kind, found by where they lie.
+  class Areas {
+   public:
+    void add(Area area) { areas_.push_back(std::move(area)); }
+    /// Once all are there.
+    void index(const PlaneBox& within);
+    [[nodiscard]] bool empty() const { return areas_.empty(); }
+    [[nodiscard]] const std::vector<Area>& all() const { return areas_; }
+    /// Calls `visit(area)` for all that may meet the straight line from a to b, for some more than once; ends with true as
+    /// soon as `visit` answers true.
+    template <class Visit>
+    bool any_near(geo::PlanePoint a, geo::PlanePoint b, const Visit& visit) const {
+      PlaneBox box{a, a};
+      box.include(b);
+      return index_.any_in(box, whenever, [&](std::uint32_t i) { return visit(areas_[i]); });
+    }
+
+   private:
+    static constexpr TimeSpan whenever{};  // the index knows places only
+    std::vector<Area> areas_;
+    DiscIndex index_;
+  };
   template <class PlaceAt>
   [[nodiscard]] bool forbid_during(TimeSpan during, const PlaceAt& place_at) const;
+  /// Whether the vehicle may only be inside some zone then.
+  [[nodiscard]] bool confined_at(core::Seconds time) const;
 
-  std::vector<Area> no_go_;
-  std::vector<Area> stay_in_;
-  std::vector<double> changes_s_;  // when the set of stay-in zones in force changes, ascending
+  Areas no_go_;
+  Areas stay_in_;
+  std::vector<double> changes_s_;   // when the set of stay-in zones in force changes, ascending
+  std::vector<TimeSpan> confined_;  // when any stay-in zone is in force: ascending, apart from each other
 };
 
 }  // namespace floeplan::planning

@@ -15,6 +15,7 @@ using ocean::Zone;
 using ocean::ZoneKind;
 
 const geo::LocalProjection projection{{-53.0, 69.0}};
+const PlaneBox area{{-3000.0, -4000.0}, {4000.0, 3000.0}};  // less than what is asked about
 const core::UtcTime epoch = core::UtcTime{Seconds{1.7e9}};
 
 /// Sides of the square in metres of the plane around its middle.
@@ -34,14 +35,16 @@ Zone zone(ZoneKind kind, geo::Polygon area, std::optional<double> from_s, std::o
   return result;
 }
 
+/// A few large zones or many small ones.
 std::vector<Zone> random_zones(std::mt19937_64& rng) {
+  const bool many = support::uniform_int(rng, 0, 1) == 1;
   std::uniform_real_distribution<double> coordinate{-5000.0, 5000.0};
-  std::uniform_real_distribution<double> size{500.0, 4000.0};
+  std::uniform_real_distribution<double> size{many ? 50.0 : 500.0, many ? 600.0 : 4000.0};
   std::uniform_real_distribution<double> begin{0.0, 8000.0};
   std::uniform_real_distribution<double> length{500.0, 6000.0};
   std::bernoulli_distribution stays_in{0.3};
   std::vector<Zone> zones;
-  for (int i = 0; i < 4; ++i) {
+  for (int i = 0; i < (many ? 60 : 4); ++i) {
     const double from_s = begin(rng);
     zones.push_back(zone(stays_in(rng) ? ZoneKind::stay_in : ZoneKind::no_go,
                          square({coordinate(rng), coordinate(rng)}, size(rng)), from_s,
@@ -70,7 +73,7 @@ TEST(TimedZones, ForbidEveryDriveThatBreaksARuleAtAnyMoment) {
   int forbidden = 0;
   support::for_each_seed(300, [&](std::mt19937_64& rng) {
     const std::vector<Zone> zones = random_zones(rng);
-    const TimedZones timed{zones, projection, epoch};
+    const TimedZones timed{zones, projection, area, epoch};
     std::uniform_real_distribution<double> coordinate{-6000.0, 6000.0};
     std::uniform_real_distribution<double> when{0.0, 10'000.0};
     const geo::PlanePoint a{coordinate(rng), coordinate(rng)};
@@ -92,7 +95,7 @@ TEST(TimedZones, ForbidEveryDriveThatBreaksARuleAtAnyMoment) {
 TEST(TimedZones, LetADrivePassThatKeepsEveryRuleWithRoomToSpare) {
   const std::vector<Zone> zones{zone(ZoneKind::no_go, square({0.0, 0.0}, 1000.0), 1000.0, 2000.0),
                                 zone(ZoneKind::stay_in, square({0.0, 0.0}, 8000.0), 0.0, 500.0)};
-  const TimedZones timed{zones, projection, epoch};
+  const TimedZones timed{zones, projection, area, epoch};
   const geo::PlanePoint west{-5000.0, 0.0};
   const geo::PlanePoint east{5000.0, 0.0};
 
@@ -105,7 +108,7 @@ TEST(TimedZones, LetADrivePassThatKeepsEveryRuleWithRoomToSpare) {
 
 TEST(TimedZones, AnswerTheSameForThePieceOfAnEdgeAsForAnEvenDrive) {
   support::for_each_seed(200, [](std::mt19937_64& rng) {
-    const TimedZones timed{random_zones(rng), projection, epoch};
+    const TimedZones timed{random_zones(rng), projection, area, epoch};
     std::uniform_real_distribution<double> coordinate{-6000.0, 6000.0};
     const motion::PlaneEdge edge{
         {coordinate(rng), coordinate(rng)}, {coordinate(rng), coordinate(rng)}, core::Metres{7000.0}};
@@ -119,7 +122,7 @@ TEST(TimedZones, AnswerTheSameForThePieceOfAnEdgeAsForAnEvenDrive) {
 TEST(TimedZones, CloseAPointWheneverStandingThereBreaksARule) {
   support::for_each_seed(200, [](std::mt19937_64& rng) {
     const std::vector<Zone> zones = random_zones(rng);
-    const TimedZones timed{zones, projection, epoch};
+    const TimedZones timed{zones, projection, area, epoch};
     std::uniform_real_distribution<double> coordinate{-6000.0, 6000.0};
     const geo::PlanePoint point{coordinate(rng), coordinate(rng)};
 
@@ -137,7 +140,7 @@ TEST(TimedZones, CloseAPointWheneverStandingThereBreaksARule) {
 TEST(TimedZones, FollowTheCubicOfThePieceAndNotItsChord) {
   // The vehicle stands almost still for most of the piece and has left the zone's square late.
   const TimedZones timed{
-      {zone(ZoneKind::no_go, square({5000.0, 0.0}, 500.0), 0.0, 4000.0)}, projection, epoch};
+      {zone(ZoneKind::no_go, square({5000.0, 0.0}, 500.0), 0.0, 4000.0)}, projection, area, epoch};
   const motion::PlaneEdge edge{{0.0, 0.0}, {10'000.0, 0.0}, core::Metres{10'000.0}};
   const motion::EdgePiece late{
       .t0_s = 0.0, .way0_m = 0.0, .v0_m_s = 0.0, .t1_s = 8000.0, .way1_m = 10'000.0, .v1_m_s = 3.0};
