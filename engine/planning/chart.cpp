@@ -5,6 +5,7 @@
 #include <optional>
 #include <string>
 #include <utility>
+#include <variant>
 #include <vector>
 
 #include "engine/geo/geodesic.hpp"
@@ -39,26 +40,34 @@ std::optional<motion::EdgeClosed> closed_stop(const Sea& sea, const Layout& layo
   return std::nullopt;
 }
 
-/// The stop moved to where the vehicle may be.
-std::vector<Change> moves_of(const Sea& sea, const Layout& layout, std::size_t stop) {
-  const auto place = nearest_usable_place(sea, layout.points[stop]);
-  if (!place) return {};
+/// The stop moved to where the vehicle may be: to the nearest place from which it comes to another stop, or the nearest of
+/// all.
+std::vector<Change> moves_of(const Sea& sea, const Layout& layout, std::size_t stop,
+                             const std::stop_token& token) {
+  const geo::PlanePoint other = stop == 0 ? layout.points.back() : layout.points.front();
   const Stop kind = kind_of(stop, layout);
   const std::string input = kind == Stop::start  ? "from"
                             : kind == Stop::goal ? "to"
                                                  : "via/" + std::to_string(stop - 1);
-  char text[64];
-  std::snprintf(text, sizeof text, "move it by %.1f km",
-                1e-3 * geo::geodesic_between(layout.stops[stop], *place).length.value);
-  return {{.input = input, .from = layout.stops[stop], .to = *place, .text = text}};
+  std::vector<Change> moves;
+  for (const auto& place : {nearest_usable_place_towards(sea, layout.points[stop], other, token),
+                            nearest_usable_place(sea, layout.points[stop])}) {
+    if (!place || (!moves.empty() && std::get<geo::LonLat>(moves.front().to) == *place)) continue;
+    char text[64];
+    std::snprintf(text, sizeof text, "move it by %.1f km",
+                  1e-3 * geo::geodesic_between(layout.stops[stop], *place).length.value);
+    moves.push_back({.input = input, .from = layout.stops[stop], .to = *place, .text = text});
+  }
+  return moves;
 }
 
 /// Why a stop cannot be used; opens the map around each one that can.
-std::optional<Infeasible> check_stops(Sea& sea, const Layout& layout, const PlanRequest& request) {
+std::optional<Infeasible> check_stops(Sea& sea, const Layout& layout, const PlanRequest& request,
+                                      const std::stop_token& token, Moves moves) {
   for (std::size_t stop = 0; stop < layout.stops.size(); ++stop) {
     if (const auto closed = closed_stop(sea, layout, stop)) {
       Infeasible infeasible = explain_place(*closed, kind_of(stop, layout), layout.stops[stop], sea, request);
-      infeasible.changes = moves_of(sea, layout, stop);
+      if (moves == Moves::looked_for) infeasible.moves = moves_of(sea, layout, stop, token);
       return infeasible;
     }
     sea.safety().open_around(layout.points[stop]);
@@ -74,14 +83,16 @@ std::optional<Infeasible> too_much_to_lay_out(const ocean::Environment& environm
   return explain_too_many_icebergs(environment.icebergs.size(), request);
 }
 
-Result<Chart> chart_on(Sea sea, Layout layout, const PlanRequest& request) {
+Result<Chart> chart_on(Sea sea, Layout layout, const PlanRequest& request, const std::stop_token& stop,
+                       Moves moves) {
   if (request.method == Method::direct) sea.safety().open_along(layout.points, layout.projection);
-  if (auto unusable = check_stops(sea, layout, request)) return tl::unexpected(std::move(*unusable));
+  if (auto unusable = check_stops(sea, layout, request, stop, moves))
+    return tl::unexpected(std::move(*unusable));
   return Chart{.layout = std::move(layout), .sea = std::move(sea)};
 }
 
 Result<Chart> draw_chart(const ocean::Environment& environment, const PlanRequest& request, GridReach reach,
-                         const std::stop_token& stop, CurrentsShelf* shelf) {
+                         const std::stop_token& stop, CurrentsShelf* shelf, Moves moves) {
   if (auto too_much = too_much_to_lay_out(environment, request)) return tl::unexpected(std::move(*too_much));
   Layout layout = lay_out(request, reach);
   if (request.method != Method::direct && layout.most_vertices() > most_vertices) {
@@ -89,7 +100,7 @@ Result<Chart> draw_chart(const ocean::Environment& environment, const PlanReques
   }
   Sea sea{environment, request, layout.projection, layout.area(), layout.map_cell(), stop, shelf};
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-  return chart_on(std::move(sea), std::move(layout), request);
+  return chart_on(std::move(sea), std::move(layout), request, stop, moves);
 }
 
 }  // namespace floeplan::planning

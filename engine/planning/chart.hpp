@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstdint>
 #include <optional>
 #include <stop_token>
 
@@ -18,17 +19,21 @@ struct Chart {
   Sea sea;
 };
 
+/// Whether places are looked for to which a stop that cannot be used may be moved: whoever asks again and again does without.
+enum class Moves : std::uint8_t { looked_for, left_out };
+
 /// Errors   Reason::too_large for a grid beyond bounded memory (a direct way needs none); why a stop cannot be
 ///          used; Reason::cancelled once `stop` is requested
 /// `environment` and `request` are borrowed and outlive the chart; `shelf` as in `Sea`.
 [[nodiscard]] Result<Chart> draw_chart(const ocean::Environment& environment, const PlanRequest& request,
                                        GridReach reach, const std::stop_token& stop,
-                                       CurrentsShelf* shelf = nullptr);
+                                       CurrentsShelf* shelf = nullptr, Moves moves = Moves::looked_for);
 
 /// The chart of a request on a sea that was laid out for it or for one like it: opened where the request's stops lie and,
 /// for a direct way, along it.
 /// Errors   why a stop cannot be used
-[[nodiscard]] Result<Chart> chart_on(Sea sea, Layout layout, const PlanRequest& request);
+[[nodiscard]] Result<Chart> chart_on(Sea sea, Layout layout, const PlanRequest& request,
+                                     const std::stop_token& stop = {}, Moves moves = Moves::left_out);
 
 /// Why nothing can be laid out; empty: it can.
 [[nodiscard]] std::optional<Infeasible> too_much_to_lay_out(const ocean::Environment& environment,

@@ -15,12 +15,26 @@
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/voyage_search.hpp"
+#include "engine/planning/what_would_help.hpp"
 
 namespace floeplan::planning {
 namespace {
 
 /// A sweep back costs about as much as the search for one departure.
 constexpr double departures_a_sweep = 2.0;
+
+/// Departures of a window of which the curve knows a way and no plan comes, before the window is given up.
+constexpr int most_refused = 5;
+
+/// With the changes that make the window's first departure possible: they make the window so.
+Infeasible what_would_help(const ocean::Environment& environment, const PlanRequest& request, Infeasible why,
+                           const std::stop_token& stop, const core::ProgressCallback& progress) {
+  why =
+      with_what_would_help(environment, leaving_at(request, request.depart), std::move(why), stop, progress);
+  // The window ends where it did: leaving later than that is another request.
+  std::erase_if(why.changes, [](const Change& change) { return change.input == "depart"; });
+  return why;
+}
 
 /// What one departure leads to, on grids of one reach.
 struct Journey {
@@ -172,16 +186,24 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
                        const core::SteadyClock& clock) {
   auto outcomes = compare_departures(environment, request, stop, progress);
   if (!outcomes) return {.departures = {}, .plan = tl::unexpected(outcomes.error())};
-  const auto best = best_departure(*outcomes, request.energy.objective);
-  if (!best) {
-    const Infeasible reason = outcomes->front().closed.value();
-    return {.departures = std::move(*outcomes), .plan = tl::unexpected(reason)};
+  std::optional<Infeasible> refused;
+  for (int tries = 0; tries < most_refused; ++tries) {
+    const auto best = best_departure(*outcomes, request.energy.objective);
+    if (!best) break;
+    DepartureOutcome& outcome = (*outcomes)[*best];
+    auto plan = try_to_plan(environment, leaving_at(request, outcome.departure), stop, progress, clock);
+    if (plan || plan.error().reason == Reason::cancelled)
+      return {.departures = std::move(*outcomes), .plan = std::move(plan)};
+    // What a whole plan is asked for beyond its way, such as the battery, lets another departure do.
+    outcome = {.departure = outcome.departure,
+               .travel_time = std::nullopt,
+               .energy = std::nullopt,
+               .closed = plan.error()};
+    if (!refused) refused = std::move(plan.error());
   }
-  PlanRequest chosen = request;
-  chosen.depart = (*outcomes)[*best].departure;
-  chosen.departures = {};
-  auto plan = plan_route(environment, chosen, stop, progress, clock);
-  return {.departures = std::move(*outcomes), .plan = std::move(plan)};
+  Infeasible why = refused ? std::move(*refused) : outcomes->front().closed.value();
+  return {.departures = std::move(*outcomes),
+          .plan = tl::unexpected(what_would_help(environment, request, std::move(why), stop, progress))};
 }
 
 std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes,

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -57,7 +58,7 @@ enum class Constraint {
 
 /// Another value for one input, by its name in the inputs; everything else as it was asked for.
 struct Change {
-  using Value = std::variant<double, bool, core::UtcTime, geo::LonLat, std::string>;
+  using Value = std::variant<double, bool, core::UtcTime, geo::LonLat, std::string, std::array<double, 2>>;
   std::string input;
   Value from;
   Value to;
@@ -73,12 +74,14 @@ struct Postponed {
 
 struct Infeasible {
   Reason reason{};
-  geo::LonLat at;           // where the search or the vehicle stopped
-  core::UtcTime when;       // and at what time it would have been there
-  std::string explanation;  // for a person, one sentence
-  std::string suggestion;   // what would help, one sentence
+  geo::LonLat at{};           // where the search or the vehicle stopped
+  core::UtcTime when{};       // and at what time it would have been there
+  std::string explanation{};  // for a person, one sentence
+  std::string suggestion{};   // what would help, one sentence
   Constraint binding{};
   std::vector<Change> changes{};  // found to make it possible, each alone; the smallest first
+  /// Of a stop that cannot be used, to where the vehicle may be: not tried yet, what is likelier to help first.
+  std::vector<Change> moves{};
   /// The search came to its bound on memory: there may be a way all the same.
   bool search_cut_short{false};
   /// The work set aside for finding them was done before all were tried: smaller ones, or others, may help, too.

@@ -12,6 +12,7 @@
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/grid_travel.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/what_would_help.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -19,13 +20,6 @@ namespace {
 constexpr core::Seconds close_enough{60.0};
 constexpr double close_enough_share = 1e-3;  // of the travel time
 constexpr int most_plans = 8;
-
-PlanRequest leaving_at(const PlanRequest& request, core::UtcTime depart) {
-  PlanRequest result = request;
-  result.depart = depart;
-  result.departures = {};
-  return result;
-}
 
 /// A first departure to try, by the legs of the grids; the earliest one when they know of none.
 Result<core::UtcTime> first_guess(const ocean::Environment& environment, const PlanRequest& request,
@@ -66,6 +60,48 @@ core::UtcTime between(core::UtcTime early, core::UtcTime late) {
   return whole_second(early + 0.5 * (late - early));
 }
 
+Result<Plan> try_to_arrive(const ocean::Environment& environment, const PlanRequest& request,
+                           const std::stop_token& stop, const core::ProgressCallback& progress,
+                           const core::SteadyClock& clock) {
+  const core::UtcTime wanted = request.departures.arrive_by.value();
+  const auto guess = first_guess(environment, request, stop);
+  if (!guess) return tl::unexpected(guess.error());
+
+  // What is left of the time is added to the departure as long as the arrival stays in time, what is missing
+  // taken from it: under FIFO both come to rest at the latest departure.
+  core::UtcTime depart = std::max(whole_second(*guess), request.depart);
+  std::optional<Plan> best;
+  std::optional<core::UtcTime> too_late;  // a departure that would miss the arrival
+  for (int tries = 0; tries < most_plans; ++tries) {
+    auto plan = try_to_plan(environment, leaving_at(request, depart), stop, progress, clock);
+    if (!plan) {
+      if (best && plan.error().reason != Reason::cancelled) break;
+      return plan;
+    }
+    const core::Seconds left = wanted - plan->arrival;
+    if (left.count() >= 0.0) {
+      const core::Seconds tolerance = std::max(close_enough, close_enough_share * plan->travel_time());
+      best = std::move(*plan);
+      if (left <= tolerance) break;
+      depart = too_late ? between(best->departure, *too_late) : whole_second(depart + left);
+      continue;
+    }
+    too_late = depart;
+    if (best) {
+      depart = between(best->departure, *too_late);
+      if (depart - best->departure < close_enough) break;
+      continue;
+    }
+    if (depart <= request.depart) return tl::unexpected(too_early(request, *plan));
+    depart = std::max(whole_second(depart + left - close_enough), request.depart);
+  }
+  if (best) return std::move(*best);
+
+  auto earliest = try_to_plan(environment, leaving_at(request, request.depart), stop, progress, clock);
+  if (!earliest || earliest->arrival <= wanted) return earliest;
+  return tl::unexpected(too_early(request, *earliest));
+}
+
 }  // namespace
 
 std::optional<core::Seconds> latest_departure(const Sea& sea, const OpenGrid& open, core::Seconds arrive,
@@ -95,43 +131,9 @@ Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanReque
                           const std::stop_token& stop, const core::ProgressCallback& progress,
                           const core::SteadyClock& clock) {
   throw_if_invalid(request);
-  const core::UtcTime wanted = request.departures.arrive_by.value();
-  const auto guess = first_guess(environment, request, stop);
-  if (!guess) return tl::unexpected(guess.error());
-
-  // What is left of the time is added to the departure as long as the arrival stays in time, what is missing
-  // taken from it: under FIFO both come to rest at the latest departure.
-  core::UtcTime depart = std::max(whole_second(*guess), request.depart);
-  std::optional<Plan> best;
-  std::optional<core::UtcTime> too_late;  // a departure that would miss the arrival
-  for (int tries = 0; tries < most_plans; ++tries) {
-    auto plan = plan_route(environment, leaving_at(request, depart), stop, progress, clock);
-    if (!plan) {
-      if (best && plan.error().reason != Reason::cancelled) break;
-      return plan;
-    }
-    const core::Seconds left = wanted - plan->arrival;
-    if (left.count() >= 0.0) {
-      const core::Seconds tolerance = std::max(close_enough, close_enough_share * plan->travel_time());
-      best = std::move(*plan);
-      if (left <= tolerance) break;
-      depart = too_late ? between(best->departure, *too_late) : whole_second(depart + left);
-      continue;
-    }
-    too_late = depart;
-    if (best) {
-      depart = between(best->departure, *too_late);
-      if (depart - best->departure < close_enough) break;
-      continue;
-    }
-    if (depart <= request.depart) return tl::unexpected(too_early(request, *plan));
-    depart = std::max(whole_second(depart + left - close_enough), request.depart);
-  }
-  if (best) return std::move(*best);
-
-  auto earliest = plan_route(environment, leaving_at(request, request.depart), stop, progress, clock);
-  if (!earliest || earliest->arrival <= wanted) return earliest;
-  return tl::unexpected(too_early(request, *earliest));
+  Result<Plan> plan = try_to_arrive(environment, request, stop, progress, clock);
+  if (plan) return plan;
+  return tl::unexpected(with_what_would_help(environment, request, std::move(plan.error()), stop, progress));
 }
 
 }  // namespace floeplan::planning

@@ -90,6 +90,13 @@ core::Violations PlanRequest::violations() const {
   return found;
 }
 
+PlanRequest leaving_at(const PlanRequest& request, core::UtcTime depart) {
+  PlanRequest result = request;
+  result.depart = depart;
+  result.departures = {};
+  return result;
+}
+
 void throw_if_invalid(const PlanRequest& request) {
   const core::Violations violations = request.violations();
   if (!violations.empty())

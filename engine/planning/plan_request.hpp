@@ -64,6 +64,9 @@ struct PlanRequest {
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };
 
+/// The same for one departure, without a window or a wanted arrival.
+[[nodiscard]] PlanRequest leaving_at(const PlanRequest& request, core::UtcTime depart);
+
 /// Throws std::invalid_argument that names the first violation, if there is one.
 void throw_if_invalid(const PlanRequest& request);
 

@@ -5,11 +5,10 @@
 #include "engine/planning/cost_plan.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/fastest_plan.hpp"
-#include "engine/planning/relaxation.hpp"
 #include "engine/planning/risk_plan.hpp"
 #include "engine/planning/robust_plan.hpp"
 #include "engine/planning/survey_order.hpp"
-#include "engine/planning/way_trials.hpp"
+#include "engine/planning/what_would_help.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -24,7 +23,7 @@ Result<Plan> plan_survey(const ocean::Environment& environment, const PlanReques
   PlanRequest ordered = request;
   ordered.via_in_best_order = false;
   for (std::size_t i = 0; order && i < order->vias.size(); ++i) ordered.via[i] = request.via[order->vias[i]];
-  Result<Plan> plan = plan_route(environment, ordered, stop, progress, clock);
+  Result<Plan> plan = try_to_plan(environment, ordered, stop, progress, clock);
   if (plan) plan->via_order = order;
   return plan;
 }
@@ -49,6 +48,7 @@ Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanReques
                          const core::SteadyClock& clock) {
   throw_if_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
+  if (request.via_in_best_order) return plan_survey(environment, request, stop, progress, clock);
   const bool is_uncertain = has_uncertain_currents(environment, request);
   PlanRequest in_one_sea = request;
   in_one_sea.optimality_gap = request.optimality_gap && !is_uncertain;
@@ -74,20 +74,9 @@ Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanReques
 Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
                         const std::stop_token& stop, const core::ProgressCallback& report,
                         const core::SteadyClock& clock) {
-  throw_if_invalid(request);
-  const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
-  if (request.via_in_best_order) return plan_survey(environment, request, stop, progress, clock);
-  Result<Plan> plan = try_to_plan(environment, request, stop, progress, clock);
-  if (plan || !plan.error().changes.empty()) return plan;
-  progress("what would help", 0.95);
-  WayTrials trials{environment, stop};
-  FoundChanges found = find_changes(
-      environment, request, plan.error().binding,
-      [&trials](const PlanRequest& changed) { return trials(changed); }, stop, plan.error().postponed);
-  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-  plan.error().changes = std::move(found.changes);
-  plan.error().changes_cut_short = found.cut_short;
-  return plan;
+  Result<Plan> plan = try_to_plan(environment, request, stop, report, clock);
+  if (plan) return plan;
+  return tl::unexpected(with_what_would_help(environment, request, std::move(plan.error()), stop, report));
 }
 
 }  // namespace floeplan::planning

@@ -23,8 +23,7 @@ namespace floeplan::planning {
                                       const std::stop_token& stop, const core::ProgressCallback& progress,
                                       const core::SteadyClock& clock = {});
 
-/// The same for who asks again and again: an infeasible request is not told what would help. The order of visits is
-/// the request's.
+/// The same for who asks again and again: an infeasible request is not told what would help.
 [[nodiscard]] Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
                                        const std::stop_token& stop, const core::ProgressCallback& progress,
                                        const core::SteadyClock& clock = {});

@@ -1,6 +1,7 @@
 #include "engine/planning/relaxation.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -40,6 +41,21 @@ class Relaxation {
     if (!needed) return;
     add("speed_m_s", now, *needed, *needed / now,
         written("raise the speed through the water from %.2f to %.2f m/s", now, *needed));
+  }
+
+  void raise_the_thrusters_speed() {
+    if (drives(request_.energy, request_.vehicle).back() != vehicle::Drive::thruster) return;
+    const double now = request_.vehicle.thruster->speed.value;
+    const auto with = [&](double speed) {
+      PlanRequest changed = request_;
+      changed.vehicle.thruster =
+          vehicle::Thruster{.speed = {speed}, .power = vehicle::thruster_power({speed})};
+      return changed;
+    };
+    const auto needed = nearest_that_helps(now, std::min(fastest_m_s, 8.0 * now), 0.01, with);
+    if (!needed) return;
+    add("vehicle/thruster/speed_m_s", now, *needed, *needed / now,
+        written("raise the thruster's speed from %.2f to %.2f m/s", now, *needed));
   }
 
   void shrink_margin() {
@@ -87,44 +103,64 @@ class Relaxation {
     }
   }
 
-  /// Departures from the one on after which nothing has to be circled away.
+  /// The departure after which nothing has to be circled away, and the first one that may be flown.
   void depart_after(core::Seconds circling) {
-    begin_input();
-    for (const core::Seconds delay : whole_hours_from(circling)) {
+    const auto delays = shortest_that_helps(circling, [&](core::Seconds later) {
       PlanRequest changed = request_;
-      changed.depart = request_.depart + delay;
-      if (is_over()) return;
-      if (!works(changed)) continue;
-      add("depart", request_.depart, changed.depart, 1.0 + delay / a_day,
-          "depart " + written("%.0f h later, at ", delay / an_hour, 0.0) + core::iso8601(changed.depart));
-      return;
-    }
+      changed.depart = request_.depart + later;
+      return changed;
+    });
+    if (!delays) return;
+    const auto add_delay = [&](core::Seconds delay, const std::string& note) {
+      const core::UtcTime later = request_.depart + delay;
+      add("depart", request_.depart, later, 1.0 + delay / a_day,
+          "depart " + written("%.0f h later, at ", delay / an_hour, 0.0) + core::iso8601(later) + note);
+    };
+    if (delays->least < delays->enough) add_delay(delays->least, ", and turn in circles for the rest");
+    add_delay(delays->enough, "");
   }
 
   void wait_for(core::Seconds circling) {
-    begin_input();
     const double now = request_.max_loiter.count();
-    for (const core::Seconds wait : whole_hours_from(circling)) {
-      if (wait <= request_.max_loiter) continue;
+    const auto waits = shortest_that_helps(circling, [&](core::Seconds longest) {
       PlanRequest changed = request_;
-      changed.max_loiter = wait;
+      changed.max_loiter = std::max(longest, request_.max_loiter);
+      return changed;
+    });
+    if (!waits || waits->least <= request_.max_loiter) return;
+    add("max_loiter_s", now, waits->least.count(), 1.0 + waits->least / a_day,
+        written("let the vehicle wait for up to %.0f h at one place instead of %.4g h",
+                waits->least / an_hour, now / an_hour.count()));
+  }
+
+  void move_a_stop(const std::vector<Change>& moves) {
+    begin_input();
+    for (const Change& move : moves) {
+      PlanRequest changed = request_;
+      geo::LonLat& stop = stop_named(changed, move.input);
+      const geo::LonLat before = stop;
+      stop = std::get<geo::LonLat>(move.to);
       if (is_over()) return;
       if (!works(changed)) continue;
-      add("max_loiter_s", now, wait.count(), 1.0 + wait / a_day,
-          written("let the vehicle wait for up to %.0f h at one place instead of %.4g h", wait / an_hour,
-                  now / an_hour.count()));
+      const double way_m = std::max(1.0, geo::geodesic_between(request_.from, request_.to).length.value);
+      found_.push_back({move, 1.0 + geo::geodesic_between(before, stop).length.value / way_m});
       return;
     }
   }
 
-  void move_goal(const Change& move) {
+  /// All of them at once: the inputs name datasets, not the zones in them.
+  void leave_out_stored_zones(const Trial& without) {
     begin_input();
-    PlanRequest changed = request_;
-    changed.to = std::get<geo::LonLat>(move.to);
-    if (is_over() || !works(changed)) return;
-    const double way_m = geo::geodesic_between(request_.from, request_.to).length.value;
-    const double moved_m = geo::geodesic_between(request_.to, changed.to).length.value;
-    found_.push_back({move, 1.0 + moved_m / way_m});
+    if (environment_.zones.empty() || !without || is_over()) return;
+    const TrialOutcome outcome = without(request_);
+    if (outcome == TrialOutcome::not_known) cut_short_ = true;
+    if (outcome != TrialOutcome::possible) return;
+    const std::string& name = environment_.zones.front().name;
+    const std::string more = environment_.zones.size() > 1
+                                 ? " and " + std::to_string(environment_.zones.size() - 1) + " more"
+                                 : std::string{};
+    add("zones", name + more, std::string{"none"}, 3.0,
+        "leave out the stored areas: \"" + name + "\"" + more);
   }
 
   void leave_out_a_zone() {
@@ -148,10 +184,24 @@ class Relaxation {
       changed.under_ice.max_time_without_surfacing = core::Seconds{time_s};
       return changed;
     };
-    const auto needed = nearest_that_helps(now, 8.0 * now, 600.0, with);
+    const double longest = std::max(8.0 * now, two_days.count());
+    const auto needed = nearest_that_helps(now, longest, 600.0, with);
     if (!needed) return;
     add("under_ice/max_time_without_surfacing_s", now, *needed, *needed / now,
         written("allow %.2f h without a place to surface instead of %.2f h", *needed / 3600.0, now / 3600.0));
+  }
+
+  void keep_less_from_ice() {
+    const double now = request_.under_ice.margin_below_ice.value;
+    const auto with = [&](double margin) {
+      PlanRequest changed = request_;
+      changed.under_ice.margin_below_ice = {margin};
+      return changed;
+    };
+    const auto needed = nearest_that_helps(now, 0.0, 1.0, with);
+    if (!needed) return;
+    add("under_ice/margin_below_ice_m", now, *needed, 2.0 - *needed / now,
+        written("reduce what is kept from the ice above from %.0f to %.0f m", now, *needed));
   }
 
   void charge_the_battery() {
@@ -202,6 +252,13 @@ class Relaxation {
         changed.spacing_across = core::Metres{share * request_.spacing_across->value};
       if (is_over() || !changed.violations().empty()) return;
       if (!works(changed)) continue;
+      if (request_.spacing_across) {
+        const double across = request_.spacing_across->value;
+        add("spacing_m", std::array{now, across}, std::array{share * now, share * across}, 1.0 / share,
+            written("search on a grid of %.0f by %.0f m", share * now, share * across) +
+                written(" instead of %.0f by %.0f m", now, across));
+        return;
+      }
       add("spacing_m", now, share * now, 1.0 / share,
           written("search on a grid of %.0f m instead of %.0f m", share * now, now));
       return;
@@ -219,12 +276,43 @@ class Relaxation {
   static constexpr std::size_t most_zones = 10;
   static constexpr core::Seconds an_hour{3600.0};
   static constexpr core::Seconds a_day{86'400.0};
+  static constexpr core::Seconds two_days{172'800.0};  // as far as later departures are tried
   static constexpr int most_beginnings = 3;  // of a value, where the most generous one tells nothing
 
   struct Found {
     Change change;
     double effort;  // how much is asked: 1 for nothing, 2 for twice the value or a day
   };
+
+  static geo::LonLat& stop_named(PlanRequest& request, const std::string& input) {
+    if (input == "from") return request.from;
+    if (input == "to") return request.to;
+    return request.via.at(std::stoul(input.substr(input.find('/') + 1)));
+  }
+
+  struct Times {
+    core::Seconds enough;  // for all that has to be circled away
+    core::Seconds least;   // that helps: a little may be circled
+  };
+
+  /// In whole hours: as long as has to be circled away, or somewhat more, and then less.
+  template <class With>
+  std::optional<Times> shortest_that_helps(core::Seconds circling, const With& with) {
+    begin_input();
+    std::optional<Times> helps;
+    for (const core::Seconds time : whole_hours_from(circling)) {
+      if (is_over()) return std::nullopt;
+      if (!works(with(time))) continue;
+      helps = {time, time};
+      break;
+    }
+    core::Seconds fails{0.0};
+    while (helps && helps->least - fails > an_hour && !is_over()) {
+      const core::Seconds middle = std::floor(0.5 * (fails + helps->least) / an_hour) * an_hour;
+      (works(with(middle)) ? helps->least : fails) = middle;
+    }
+    return helps;
+  }
 
   /// What has to be circled away, and somewhat more: what is in the way moves on while the vehicle does.
   static std::vector<core::Seconds> whole_hours_from(core::Seconds circling) {
@@ -293,35 +381,45 @@ class Relaxation {
 }  // namespace
 
 FoundChanges find_changes(const ocean::Environment& environment, const PlanRequest& request,
-                          Constraint binding, const Trial& trial, const std::stop_token& stop,
-                          const std::optional<Postponed>& postponed) {
+                          const Infeasible& why, const Trial& trial, const std::stop_token& stop,
+                          const Trial& without_stored_zones) {
   Relaxation relaxation{environment, request, trial, stop};
-  if (postponed) {
-    relaxation.depart_after(postponed->by);
-    relaxation.wait_for(postponed->by);
-    if (postponed->move) relaxation.move_goal(*postponed->move);
+  if (why.postponed) {
+    relaxation.depart_after(why.postponed->by);
+    relaxation.wait_for(why.postponed->by);
+    if (why.postponed->move) relaxation.move_a_stop({*why.postponed->move});
   }
-  switch (binding) {
+  const bool at_a_stop = !why.moves.empty();
+  relaxation.move_a_stop(why.moves);
+  switch (why.binding) {
     case Constraint::current:
       relaxation.raise_speed();
+      relaxation.raise_the_thrusters_speed();
       relaxation.depart_later();
       break;
-    case Constraint::data_period: relaxation.raise_speed(); break;
+    case Constraint::data_period:
+      relaxation.raise_speed();
+      relaxation.raise_the_thrusters_speed();
+      break;
     case Constraint::iceberg:
       relaxation.shrink_margin();
       relaxation.allow_for_less_error();
-      relaxation.refine_the_grid();
+      if (!at_a_stop) relaxation.refine_the_grid();
       break;
     case Constraint::ice:
       relaxation.stay_longer_under_ice();
+      relaxation.keep_less_from_ice();
       relaxation.depart_later();
       break;
     case Constraint::zone:
       relaxation.leave_out_a_zone();
-      relaxation.refine_the_grid();
+      relaxation.leave_out_stored_zones(without_stored_zones);
+      if (!at_a_stop) relaxation.refine_the_grid();
       break;
     case Constraint::depth:
-    case Constraint::land: relaxation.refine_the_grid(); break;
+    case Constraint::land:
+      if (!at_a_stop) relaxation.refine_the_grid();
+      break;
     case Constraint::battery:
       relaxation.charge_the_battery();
       relaxation.leave_the_thruster_off();

@@ -27,13 +27,15 @@ struct FoundChanges {
 /// Single changes of a request's inputs that make it possible: for each input that can help against the binding
 /// constraint the smallest one found, by halving an interval between the request's value and the most generous one,
 /// or by trying one after the other where less is not always easier.
+/// `why`    the request is not possible: what binds; where that opens again, leaving later, waiting and another goal are tried
+///          first; where a stop cannot be used, its moves
+/// `without_stored_zones`  tells of the request in the same sea without the environment's zones; empty: not tried
 /// Accuracy a hundredth of the interval; a change is only named when its trial succeeded. A trial that tells nothing
 ///          counts as one that failed, and the result says so
-/// `postponed`: what binds opens again; leaving later, waiting and another goal are then tried first.
-/// Bounds   at most 45 trials; none for constraints that no input governs (land, memory)
+/// Bounds   at most 60 trials; none for constraints that no input governs (land, memory)
 /// Stops    with what was found so far once `stop` is requested
 [[nodiscard]] FoundChanges find_changes(const ocean::Environment& environment, const PlanRequest& request,
-                                        Constraint binding, const Trial& trial, const std::stop_token& stop,
-                                        const std::optional<Postponed>& postponed = {});
+                                        const Infeasible& why, const Trial& trial,
+                                        const std::stop_token& stop, const Trial& without_stored_zones = {});
 
 }  // namespace floeplan::planning

@@ -247,7 +247,7 @@ TrialOutcome WayTrials::within(GridReach reach, const PlanRequest& request, std:
   const std::int64_t laid_out = work_of_a_chart(request, lay_out(request, reach));
   if (laid_out >= share) return TrialOutcome::not_known;
   share -= laid_out;
-  const Result<Chart> chart = draw_chart(environment_, request, reach, stop_, &shelf_);
+  const Result<Chart> chart = draw_chart(environment_, request, reach, stop_, &shelf_, Moves::left_out);
   if (stop_.stop_requested()) return TrialOutcome::not_known;
   if (!chart) return TrialOutcome::impossible;
 
@@ -260,7 +260,9 @@ TrialOutcome WayTrials::within(GridReach reach, const PlanRequest& request, std:
   const Improved improved = improve(chart->sea, *way, request, stop_, {});
   const auto plan = publish(*chart, environment_, request, improved, {}, stop_);
   if (stop_.stop_requested()) return TrialOutcome::not_known;
-  return plan ? TrialOutcome::possible : TrialOutcome::impossible;
+  const auto& wanted = request.departures.arrive_by;
+  const bool in_time = plan && (!wanted || plan->arrival <= *wanted);
+  return in_time ? TrialOutcome::possible : TrialOutcome::impossible;
 }
 
 }  // namespace floeplan::planning

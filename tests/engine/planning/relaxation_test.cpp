@@ -2,6 +2,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+
+#include "engine/geo/geodesic.hpp"
+#include "engine/planning/departure.hpp"
+#include "engine/planning/latest_departure.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -126,6 +131,120 @@ TEST(Relaxation, MovesAStopThatIsNotUsableToTheNearestPlaceThatIs) {
   EXPECT_TRUE(plan(environment, request).has_value());
 }
 
+/// A goal on a bank in a basin that a ring of shallow water closes in: the nearest deep water is no use.
+TEST(Relaxation, MovesAStopOnlyToWhereAWayLeads) {
+  PlanRequest request = eastward_request();
+  const auto depth = [&](geo::LonLat p) {
+    const double off_m = geo::geodesic_between(p, request.to).length.value;
+    const bool is_shoal = off_m < 3'000.0 || (off_m > 12'000.0 && off_m < 22'000.0);
+    return is_shoal ? 5.0 : 300.0;
+  };
+  const ocean::Environment environment{.bathymetry = bathymetry_from(depth)};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::goal_too_shallow);
+  const Change* moved = change_of(found.error(), "to");
+  ASSERT_NE(moved, nullptr);
+  const double off_m = geo::geodesic_between(std::get<geo::LonLat>(moved->to), request.to).length.value;
+  EXPECT_GT(off_m, 12'000.0);
+  EXPECT_LT(off_m, 30'000.0);
+  request.to = std::get<geo::LonLat>(moved->to);
+  EXPECT_TRUE(plan(environment, request).has_value());
+}
+
+TEST(Relaxation, MovesNoStopWhereThatDoesNotHelp) {
+  const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
+                                         return std::abs(p.lon_deg + 53.0) > 0.3 ? 5.0 : 300.0;
+                                       })};
+
+  const auto found = plan(environment, eastward_request());  // both ends are too shallow
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().reason, Reason::start_too_shallow);
+  EXPECT_TRUE(found.error().changes.empty());
+}
+
+TEST(Relaxation, NamesZonesOfTheStoreThatAreInTheWay) {
+  ocean::Zone zone{.name = "range", .kind = ocean::ZoneKind::no_go, .area = {}, .from = {}, .until = {}};
+  zone.area.outer = {{-53.1, 60.0}, {-52.9, 60.0}, {-52.9, 75.0}, {-53.1, 75.0}};
+  const ocean::Environment environment{.zones = {zone}};
+
+  const auto found = plan(environment, eastward_request());
+
+  ASSERT_FALSE(found.has_value());
+  const Change* change = change_of(found.error(), "zones");
+  ASSERT_NE(change, nullptr);
+  EXPECT_EQ(std::get<std::string>(change->from), "range");
+  EXPECT_EQ(std::get<std::string>(change->to), "none");
+}
+
+TEST(Relaxation, NamesBothSpacingsWhereBothWereAskedFor) {
+  PlanRequest request = eastward_request();
+  request.spacing_along = core::Metres{8000.0};
+  request.spacing_across = core::Metres{6000.0};
+  const Trial finer = [](const PlanRequest& changed) {
+    return changed.spacing_across->value < 4000.0 ? TrialOutcome::possible : TrialOutcome::impossible;
+  };
+
+  const FoundChanges found = find_changes({}, request, Infeasible{.binding = Constraint::depth}, finer, {});
+
+  ASSERT_EQ(found.changes.size(), 1U);
+  EXPECT_EQ((std::get<std::array<double, 2>>(found.changes.front().to)), (std::array{4000.0, 3000.0}));
+}
+
+TEST(Relaxation, RaisesTheSpeedOfTheDriveInUse) {
+  PlanRequest request = eastward_request();
+  request.vehicle = vehicle::find_profile("slocum-g3-200-thruster").value();
+  request.energy.thruster = ThrusterUse::on;
+  const ocean::Environment environment{
+      .currents =
+          support::currents_from([](geo::LonLat, double) { return geo::VelocityEn{{-0.6}, {0.0}}; }, 72)};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  const Change* faster = change_of(found.error(), "vehicle/thruster/speed_m_s");
+  ASSERT_NE(faster, nullptr);
+  EXPECT_GT(std::get<double>(faster->to), 0.6);
+  EXPECT_EQ(change_of(found.error(), "speed_m_s"), nullptr);
+}
+
+TEST(Relaxation, NamesForAWantedArrivalOnlyWhatBringsTheVehicleThereInTime) {
+  const ocean::Environment environment = headwind_until(1000.0);
+  PlanRequest request = eastward_request();
+  request.departures.arrive_by = request.depart + core::Seconds{3600.0 * 40.0};
+  const auto found = plan_arrival(environment, request, {}, {});
+  ASSERT_FALSE(found.has_value());
+
+  const Change* faster = change_of(found.error(), "speed_m_s");
+
+  ASSERT_NE(faster, nullptr);
+  request.vehicle.speed_through_water = {std::get<double>(faster->to)};
+  const auto in_time = plan_arrival(environment, request, {}, {});
+  ASSERT_TRUE(in_time.has_value()) << in_time.error().explanation;
+  EXPECT_LE(in_time->arrival, *request.departures.arrive_by);
+  request.vehicle.speed_through_water = {std::get<double>(faster->to) - 0.05};
+  EXPECT_FALSE(plan_arrival(environment, request, {}, {}).has_value());
+}
+
+TEST(Relaxation, NamesWhatMakesADepartureOfAWindowPossible) {
+  const ocean::Environment environment = headwind_until(1000.0);
+  PlanRequest request = eastward_request();
+  request.departures.until = request.depart + core::Seconds{3600.0 * 3.0};
+  request.departures.step = core::Seconds{3600.0};
+  const WindowPlan found = plan_window(environment, request, {}, {});
+  ASSERT_FALSE(found.plan.has_value());
+
+  const Change* faster = change_of(found.plan.error(), "speed_m_s");
+
+  ASSERT_NE(faster, nullptr);
+  EXPECT_EQ(change_of(found.plan.error(), "depart"), nullptr);
+  request.vehicle.speed_through_water = {std::get<double>(faster->to)};
+  EXPECT_TRUE(plan_window(environment, request, {}, {}).plan.has_value());
+}
+
 TEST(Relaxation, FindsNothingWhereNoInputHelps) {
   const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
                                          return std::abs(p.lon_deg + 53.0) < 0.15 ? -5.0 : 300.0;
@@ -147,8 +266,9 @@ TEST(Relaxation, LooksForNothingOnceItIsToStop) {
     return TrialOutcome::possible;
   };
 
-  EXPECT_TRUE(
-      find_changes({}, eastward_request(), Constraint::iceberg, count, source.get_token()).changes.empty());
+  EXPECT_TRUE(find_changes({}, eastward_request(), Infeasible{.binding = Constraint::iceberg}, count,
+                           source.get_token())
+                  .changes.empty());
   EXPECT_EQ(trials, 0);
 }
 
@@ -159,7 +279,8 @@ TEST(Relaxation, ClosesInOnTheSmallestChangeAlthoughSomeTrialsTellNothing) {
     return speed_m_s >= 0.5 ? TrialOutcome::possible : TrialOutcome::impossible;
   };
 
-  const FoundChanges found = find_changes({}, eastward_request(), Constraint::data_period, fast_enough, {});
+  const FoundChanges found =
+      find_changes({}, eastward_request(), Infeasible{.binding = Constraint::data_period}, fast_enough, {});
 
   EXPECT_TRUE(found.cut_short) << "a smaller one may help, too";
   ASSERT_EQ(found.changes.size(), 1U);
@@ -172,7 +293,8 @@ TEST(Relaxation, TriesTheNextInputAfterOneWhoseTrialToldNothing) {
     return changed.icebergs.max_inflation.value < 5000.0 ? TrialOutcome::possible : TrialOutcome::not_known;
   };
 
-  const FoundChanges found = find_changes({}, eastward_request(), Constraint::iceberg, by_error_only, {});
+  const FoundChanges found =
+      find_changes({}, eastward_request(), Infeasible{.binding = Constraint::iceberg}, by_error_only, {});
 
   EXPECT_TRUE(found.cut_short);
   ASSERT_EQ(found.changes.size(), 1U);

@@ -1,0 +1,21 @@
+#pragma once
+
+#include <stop_token>
+
+#include "engine/core/progress.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/infeasible.hpp"
+#include "engine/planning/plan_request.hpp"
+
+namespace floeplan::planning {
+
+/// Why the request is not possible, with the single changes that would make it so, each of them tried: where an arrival is
+/// wanted, to leave at its departure and be there by then.
+/// `why`    its changes are kept where it names some already
+/// Stops    with Reason::cancelled once `stop` is requested
+[[nodiscard]] Infeasible with_what_would_help(const ocean::Environment& environment,
+                                              const PlanRequest& request, Infeasible why,
+                                              const std::stop_token& stop,
+                                              const core::ProgressCallback& progress);
+
+}  // namespace floeplan::planning
