@@ -25,7 +25,8 @@ class Lattice {
 
   [[nodiscard]] std::size_t size() const { return static_cast<std::size_t>(side() * side()); }
   [[nodiscard]] geo::PlanePoint point(std::size_t node) const {
-    return {middle_.x_m + step_m_ * (column(node) - steps_), middle_.y_m + step_m_ * (row(node) - steps_)};
+    return {middle_.x_m + step_m_ * static_cast<double>(column(node) - steps_),
+            middle_.y_m + step_m_ * static_cast<double>(row(node) - steps_)};
   }
   /// Calls `visit(node)` for those beside a node, or beside a place of the plane.
   template <class Visit>
