@@ -33,7 +33,7 @@ struct LegTrade {
 /// What moving the waypoints off the grid did.
 struct RefinementReport {
   core::Seconds before{};      // travel time of the way of the grid
-  core::Seconds after{};       // of the refined route
+  core::Seconds after{};       // of the plan: more where few waypoints are allowed
   std::int64_t evaluations{};  // of a leg
   RefinementEnd end{};
   std::vector<LegTrade> trade{};  // what more legs are worth: few legs first, each entry faster than the last

@@ -54,7 +54,9 @@ void print_refinement(const json& plan) {
   const json refinement = plan.value("refinement", json());
   if (refinement.is_null()) return;
   const std::string stopped_by = refinement.at("stopped_by");
-  std::printf("refined from %s h to %s h%s\n", cell(refinement.at("before_s"), "%.2f", 1.0 / 3600.0).c_str(),
+  const bool had_to_lose = refinement.at("after_s") > refinement.at("before_s");
+  std::printf("%s from %s h to %s h%s\n", had_to_lose ? "cut to few waypoints and refined," : "refined",
+              cell(refinement.at("before_s"), "%.2f", 1.0 / 3600.0).c_str(),
               cell(refinement.at("after_s"), "%.2f", 1.0 / 3600.0).c_str(),
               stopped_by == "converged" ? "" : (" until stopped by its limit of " + stopped_by).c_str());
   std::printf("hours by legs:");
