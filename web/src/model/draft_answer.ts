@@ -34,6 +34,7 @@ export function editFor({ input, to }: Change, form: Draft): Partial<Draft> | un
   const isInFile = hasGoalsFile(form) && (field === 'to' || field === 'via' || (field === 'from' && form.from.trim() === ''));
   if (isInFile) return undefined;
   if (field === 'via') return viaEdit(input, to, form);
+  if (field === 'spacing_m') return spacingEdit(to);
   if (isPosition(to)) return { [field]: exact(to) };
   if (typeof to === 'number') return field in numberFields ? { [field]: String(Number((to / numberFields[field as NumberField]).toPrecision(8))) } : undefined;
   if (typeof to === 'boolean' && typeof emptyDraft[field] === 'boolean') return { [field]: to };
@@ -47,6 +48,12 @@ function viaEdit(input: string, to: unknown, form: Draft): Partial<Draft> | unde
   const index = Number(input.split('/')[1]);
   if (!isPosition(to) || !(index in lines)) return undefined;
   return { via: lines.map((line, i) => (i === index ? exact(to) : line)).join('\n') };
+}
+
+/** One spacing, or two: along × across. */
+function spacingEdit(to: unknown): Partial<Draft> | undefined {
+  const spacings = Array.isArray(to) ? to : [to];
+  return spacings.every((each) => typeof each === 'number') ? { spacing_m: spacings.join(' × ') } : undefined;
 }
 
 const isPosition = (value: unknown): value is Position =>

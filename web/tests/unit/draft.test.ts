@@ -124,6 +124,11 @@ describe('the set-up', () => {
     expect(editFor({ input: 'via/1', from: null, to: [-51, 69], text: '' }, form)).toEqual({ via: '69, -52\n69, -51' });
     expect(editFor({ input: 'margin_m', from: 500, to: 320, text: '' }, form)).toEqual({ margin_m: '320' });
     expect(editFor({ input: 'arrive_by', from: null, to: '2026-11-22T05:00:00Z', text: '' }, form)).toEqual({ arrive_by: '2026-11-22 05:00' });
+    expect(editFor({ input: 'spacing_m', from: 9000, to: 4500, text: '' }, form)).toEqual({ spacing_m: '4500' });
+    expect(editFor({ input: 'spacing_m', from: [9000, 7000], to: [4500, 3500], text: '' }, form)).toEqual({ spacing_m: '4500 × 3500' });
+    expect(editFor({ input: 'zones', from: 'range', to: 'none', text: '' }, form)).toEqual({ zones: 'none' });
+    expect(editFor({ input: 'under_ice/margin_below_ice_m', from: 10, to: 4, text: '' }, form)).toEqual({ 'under_ice.margin_below_ice_m': '4' });
+    expect(editFor({ input: 'vehicle/thruster/speed_m_s', from: 0.5, to: 0.6, text: '' }, form)).toBeUndefined();
     expect(editFor({ input: 'nothing_known', from: 0, to: 1, text: '' }, form)).toBeUndefined();
   });
 

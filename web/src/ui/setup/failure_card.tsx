@@ -18,7 +18,7 @@ function Changes({ possible }: { possible: Change[] }): VNode {
     <div class="changes" role="group" aria-label="Changes that help">
       <b>{possible.length === 1 ? 'This change helps:' : 'Any one of these changes helps:'}</b>
       {possible.map((change) => (
-        <button type="button" key={change.input} disabled={running.value !== undefined} onClick={() => void planWithChange(change)}>
+        <button type="button" key={change.text} disabled={running.value !== undefined} onClick={() => void planWithChange(change)}>
           <Icon name="route" /> {titleOfChange(change)}
         </button>
       ))}
