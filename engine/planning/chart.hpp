@@ -19,7 +19,8 @@ struct Chart {
   Sea sea;
 };
 
-/// Whether places are looked for to which a stop that cannot be used may be moved: whoever asks again and again does without.
+/// Whether places are looked for to which a stop that cannot be used may be moved: whoever asks again and again does
+/// without.
 enum class Moves : std::uint8_t { looked_for, left_out };
 
 /// Errors   Reason::too_large for a grid beyond bounded memory (a direct way needs none); why a stop cannot be

@@ -36,8 +36,8 @@ struct DepartureOutcome {
     const core::ProgressCallback& progress);
 
 /// A window's outcomes and the plan for the best of its departures: the plan for this departure alone. Its travel
-/// time may be less than the curve's, because only this way is refined. A departure of which no plan comes although there is a
-/// way, for want of battery, say, counts as closed.
+/// time may be less than the curve's, because only this way is refined. A departure of which no plan comes although
+/// there is a way, for want of battery, say, counts as closed.
 struct WindowPlan {
   std::vector<DepartureOutcome> departures;
   Result<Plan> plan;  // the reason of the best departure, or of the first one when every one is closed

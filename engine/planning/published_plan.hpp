@@ -22,8 +22,8 @@ namespace floeplan::planning {
                                    const SearchStatistics& statistics, const std::stop_token& stop);
 
 /// Adds the ways to where the vehicle may surface, where they were asked for; `arrivals` are those at the `points` of the
-/// plan's waypoints, `drives` those of its legs. Answers why there are none, or that the battery does not carry the vehicle along one; empty: all is
-/// well.
+/// plan's waypoints, `drives` those of its legs. Answers why there are none, or that the battery does not carry the
+/// vehicle along one; empty: all is well.
 [[nodiscard]] std::optional<Infeasible> add_escapes(Plan& plan, const Chart& chart,
                                                     const PlanRequest& request,
                                                     const std::vector<geo::PlanePoint>& points,
