@@ -133,19 +133,20 @@ class Relaxation {
                 waits->least / an_hour, now / an_hour.count()));
   }
 
-  void move_a_stop(const std::vector<Change>& moves) {
+  void move_goal(const Change& move) {
     begin_input();
-    for (const Change& move : moves) {
-      PlanRequest changed = request_;
-      geo::LonLat& stop = stop_named(changed, move.input);
-      const geo::LonLat before = stop;
-      stop = std::get<geo::LonLat>(move.to);
-      if (is_over()) return;
-      if (!works(changed)) continue;
-      const double way_m = std::max(1.0, geo::geodesic_between(request_.from, request_.to).length.value);
-      found_.push_back({move, 1.0 + geo::geodesic_between(before, stop).length.value / way_m});
-      return;
-    }
+    PlanRequest changed = request_;
+    changed.to = std::get<geo::LonLat>(move.to);
+    if (is_over() || !works(changed)) return;
+    take_move(move);
+  }
+
+  /// A move of a stop that helps.
+  void take_move(const Change& move) {
+    const double way_m = std::max(1.0, geo::geodesic_between(request_.from, request_.to).length.value);
+    const double moved_m =
+        geo::geodesic_between(std::get<geo::LonLat>(move.from), std::get<geo::LonLat>(move.to)).length.value;
+    found_.push_back({move, 1.0 + moved_m / way_m});
   }
 
   /// All of them at once: the inputs name datasets, not the zones in them.
@@ -284,12 +285,6 @@ class Relaxation {
     double effort;  // how much is asked: 1 for nothing, 2 for twice the value or a day
   };
 
-  static geo::LonLat& stop_named(PlanRequest& request, const std::string& input) {
-    if (input == "from") return request.from;
-    if (input == "to") return request.to;
-    return request.via.at(std::stoul(input.substr(input.find('/') + 1)));
-  }
-
   struct Times {
     core::Seconds enough;  // for all that has to be circled away
     core::Seconds least;   // that helps: a little may be circled
@@ -380,6 +375,12 @@ class Relaxation {
 
 }  // namespace
 
+geo::LonLat& stop_named(PlanRequest& request, const std::string& input) {
+  if (input == "from") return request.from;
+  if (input == "to") return request.to;
+  return request.via.at(std::stoul(input.substr(input.find('/') + 1)));
+}
+
 FoundChanges find_changes(const ocean::Environment& environment, const PlanRequest& request,
                           const Infeasible& why, const Trial& trial, const std::stop_token& stop,
                           const Trial& without_stored_zones) {
@@ -387,10 +388,10 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
   if (why.postponed) {
     relaxation.depart_after(why.postponed->by);
     relaxation.wait_for(why.postponed->by);
-    if (why.postponed->move) relaxation.move_a_stop({*why.postponed->move});
+    if (why.postponed->move) relaxation.move_goal(*why.postponed->move);
   }
   const bool at_a_stop = !why.moves.empty();
-  relaxation.move_a_stop(why.moves);
+  for (const Change& move : why.changes) relaxation.take_move(move);
   switch (why.binding) {
     case Constraint::current:
       relaxation.raise_speed();

@@ -3,6 +3,7 @@
 #include <functional>
 #include <optional>
 #include <stop_token>
+#include <string>
 #include <vector>
 
 #include "engine/ocean/environment.hpp"
@@ -24,11 +25,14 @@ struct FoundChanges {
   bool cut_short{false};        // some trial told nothing: smaller changes, or others, may help, too
 };
 
+/// The start, the goal or a place on the way by its name in the inputs: "from", "to", "via/0".
+[[nodiscard]] geo::LonLat& stop_named(PlanRequest& request, const std::string& input);
+
 /// Single changes of a request's inputs that make it possible: for each input that can help against the binding
 /// constraint the smallest one found, by halving an interval between the request's value and the most generous one,
 /// or by trying one after the other where less is not always easier.
 /// `why`    the request is not possible: what binds; where that opens again, leaving later, waiting and another goal are
-///          tried first; where a stop cannot be used, its moves
+///          tried first. Its changes are moves of a stop that helped already
 /// `without_stored_zones`  tells of the request in the same sea without the environment's zones; empty: not tried
 /// Accuracy a hundredth of the interval; a change is only named when its trial succeeded. A trial that tells nothing
 ///          counts as one that failed, and the result says so
