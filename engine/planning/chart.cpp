@@ -1,14 +1,12 @@
 #include "engine/planning/chart.hpp"
 
 #include <cmath>
-#include <cstdio>
 #include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 #include <vector>
 
-#include "engine/geo/geodesic.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/usable_place.hpp"
 
@@ -53,10 +51,7 @@ std::vector<Change> moves_of(const Sea& sea, const Layout& layout, std::size_t s
   for (const auto& place : {nearest_usable_place_towards(sea, layout.points[stop], other, token),
                             nearest_usable_place(sea, layout.points[stop])}) {
     if (!place || (!moves.empty() && std::get<geo::LonLat>(moves.front().to) == *place)) continue;
-    char text[64];
-    std::snprintf(text, sizeof text, "move it by %.1f km",
-                  1e-3 * geo::geodesic_between(layout.stops[stop], *place).length.value);
-    moves.push_back({.input = input, .from = layout.stops[stop], .to = *place, .text = text});
+    moves.push_back(move_of(input, layout.stops[stop], *place));
   }
   return moves;
 }

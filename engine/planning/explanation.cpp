@@ -281,12 +281,8 @@ Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::Plane
       constraint_of(closed.reason, closed.out_of_time)};
   infeasible.postponed = Postponed{.by = opens_later.circling};
   if (!is_at_stop || kind != Stop::goal) return infeasible;
-  if (const auto place = nearest_usable_place(sea, stop, closed.when)) {
-    char move[64];
-    std::snprintf(move, sizeof move, "move it by %.1f km",
-                  1e-3 * geo::geodesic_between(request.to, *place).length.value);
-    infeasible.postponed->move = Change{.input = "to", .from = request.to, .to = *place, .text = move};
-  }
+  if (const auto place = nearest_usable_place(sea, stop, closed.when))
+    infeasible.postponed->move = move_of("to", request.to, *place);
   return infeasible;
 }
 
@@ -325,6 +321,12 @@ Infeasible explain_too_many_icebergs(std::size_t icebergs, const PlanRequest& re
           "the area holds " + std::to_string(icebergs) + " icebergs, more than are forecast at once",
           "plan in parts, or use younger sightings only (--max-sighting-age)",
           Constraint::memory};
+}
+
+Change move_of(const std::string& input, geo::LonLat from, geo::LonLat to) {
+  char text[64];
+  std::snprintf(text, sizeof text, "move it by %.1f km", 1e-3 * geo::geodesic_between(from, to).length.value);
+  return {.input = input, .from = from, .to = to, .text = text};
 }
 
 }  // namespace floeplan::planning

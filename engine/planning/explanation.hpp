@@ -31,6 +31,9 @@ enum class Stop { start, via, goal };
                                            core::Seconds when);
 
 [[nodiscard]] Infeasible explain_cancelled(const PlanRequest& request);
+
+/// A stop, by its name in the inputs, at another place.
+[[nodiscard]] Change move_of(const std::string& input, geo::LonLat from, geo::LonLat to);
 [[nodiscard]] Infeasible explain_too_large(double vertices, const PlanRequest& request);
 [[nodiscard]] Infeasible explain_too_many_icebergs(std::size_t icebergs, const PlanRequest& request);
 

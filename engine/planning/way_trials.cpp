@@ -216,13 +216,18 @@ std::optional<Route> search_all(const Sea& sea, const std::vector<RouteGrid>& gr
 
 }  // namespace
 
-TrialOutcome WayTrials::operator()(const PlanRequest& request) {
+PlanRequest for_any_way(const PlanRequest& request) {
   PlanRequest plain = request;
   plain.energy.objective = time_objective;
   plain.icebergs.encounter_weight = core::Seconds{0.0};
   plain.refine = false;
   plain.optimality_gap = false;
   plain.max_waypoints.reset();
+  return plain;
+}
+
+TrialOutcome WayTrials::operator()(const PlanRequest& request) {
+  const PlanRequest plain = for_any_way(request);
   const std::int64_t share = left_ / 4;
   std::int64_t of_share = share;
   TrialOutcome outcome = TrialOutcome::impossible;

@@ -11,6 +11,9 @@
 
 namespace floeplan::planning {
 
+/// The request as a trial takes it: whether there is any way, whatever would make one better.
+[[nodiscard]] PlanRequest for_any_way(const PlanRequest& request);
+
 /// Finds out of one request after the other in the same sea whether it has a plan at all, with a bounded amount of work
 /// for all of them together: each may take a quarter of what is left, so that one that is hard to decide does not keep the
 /// others from being tried.

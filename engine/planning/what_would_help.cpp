@@ -1,11 +1,9 @@
 #include "engine/planning/what_would_help.hpp"
 
-#include <cstdio>
 #include <optional>
 #include <utility>
 #include <variant>
 
-#include "engine/geo/geodesic.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/relaxation.hpp"
@@ -13,17 +11,6 @@
 
 namespace floeplan::planning {
 namespace {
-
-/// Whether there is a way at all, and where its search stops if not.
-Result<Plan> any_plan(const ocean::Environment& environment, const PlanRequest& request,
-                      const std::stop_token& stop) {
-  PlanRequest plain = request;
-  plain.energy.objective = time_objective;
-  plain.icebergs.encounter_weight = core::Seconds{0.0};
-  plain.refine = false;
-  plain.optimality_gap = false;
-  return try_to_plan(environment, plain, stop, {});
-}
 
 /// The first of the moves that helps. Where none does, the goal may be moved to where the search for it came nearest. A stop
 /// is tried by a whole plan: what becomes of the request is known then, and few are tried.
@@ -37,18 +24,15 @@ std::optional<Change> move_that_helps(const ocean::Environment& environment, con
   for (const Change& move : moves) {
     PlanRequest moved = request;
     stop_named(moved, move.input) = std::get<geo::LonLat>(move.to);
-    const auto plan = any_plan(environment, moved, stop);
+    const auto plan = try_to_plan(environment, for_any_way(moved), stop, {});
     if (arrives(plan)) return move;
     if (!plan && plan.error().moves.empty() && !nearest) nearest = plan.error().at;
   }
   if (!nearest || moves.front().input != "to") return std::nullopt;
   PlanRequest moved = request;
   moved.to = *nearest;
-  if (!arrives(any_plan(environment, moved, stop))) return std::nullopt;
-  char text[64];
-  std::snprintf(text, sizeof text, "move it by %.1f km",
-                1e-3 * geo::geodesic_between(request.to, *nearest).length.value);
-  return Change{.input = "to", .from = request.to, .to = *nearest, .text = text};
+  if (!arrives(try_to_plan(environment, for_any_way(moved), stop, {}))) return std::nullopt;
+  return move_of("to", request.to, *nearest);
 }
 
 }  // namespace

@@ -5,7 +5,6 @@
 
 #include <algorithm>
 #include <chrono>
-#include <cstdint>
 #include <initializer_list>
 #include <memory>
 #include <optional>
@@ -29,18 +28,11 @@ std::string property(const OGRFeature& feature, std::initializer_list<const char
   return {};
 }
 
-enum class Zero : std::uint8_t { allowed, refused };
-
 /// A length property in metres, or why it is none.
 Checked<std::optional<core::Metres>> length_property(const OGRFeature& feature, const char* name,
-                                                     double max_m, Zero zero = Zero::refused) {
+                                                     double most_m, Zero zero = Zero::refused) {
   const std::string text = property(feature, {name});
-  if (text.empty()) return std::nullopt;
-  const auto value = parse_number(text);
-  if (!value || *value < 0.0 || (*value == 0.0 && zero == Zero::refused) || *value > max_m)
-    return refuse(std::string{name} + " is \"" + text + "\", not a number of metres between 0 and " +
-                  number(max_m));
-  return core::Metres{*value};
+  return metres_of(name, text, parse_number(text), most_m, zero);
 }
 
 /// A time that the file keeps as one: with its zone, or a day alone, which counts from its beginning on.

@@ -1,6 +1,5 @@
 #include "storage/ingest/iceberg_own_table.hpp"
 
-#include <cstdint>
 #include <fstream>
 #include <optional>
 #include <string>
@@ -94,8 +93,6 @@ class Row {
   }
 
  private:
-  enum class Zero : std::uint8_t { allowed, refused };
-
   [[nodiscard]] std::string text(std::optional<std::size_t> column) const {
     return column ? fields_[*column] : std::string{};
   }
@@ -112,13 +109,9 @@ class Row {
 
   [[nodiscard]] Checked<std::optional<core::Metres>> metres(std::optional<std::size_t> column, double most_m,
                                                             Zero zero = Zero::refused) const {
-    const std::string value = text(column);
-    if (value.empty()) return std::nullopt;
-    const auto length = table_.number(value);
-    if (!length || *length < 0.0 || (*length == 0.0 && zero == Zero::refused) || *length > most_m)
-      return refuse(table_.columns()[*column] + " is \"" + value +
-                    "\", not a number of metres between 0 and " + number(most_m));
-    return core::Metres{*length};
+    if (!column) return std::nullopt;
+    const std::string& value = fields_[*column];
+    return metres_of(table_.columns()[*column], value, table_.number(value), most_m, zero);
   }
 
   const DelimitedText& table_;

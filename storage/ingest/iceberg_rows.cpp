@@ -32,6 +32,14 @@ std::string warning_of_warm_places(const std::vector<ocean::Iceberg>& icebergs) 
 
 }  // namespace
 
+Checked<std::optional<core::Metres>> metres_of(const std::string& name, const std::string& text,
+                                               std::optional<double> value, double most_m, Zero zero) {
+  if (text.empty()) return std::nullopt;
+  if (!value || *value < 0.0 || (*value == 0.0 && zero == Zero::refused) || *value > most_m)
+    return refuse(name + " is \"" + text + "\", not a number of metres between 0 and " + number(most_m));
+  return core::Metres{*value};
+}
+
 std::string fault_of_place(geo::LonLat place) {
   if (!std::isfinite(place.lon_deg) || !std::isfinite(place.lat_deg)) return "the position is missing";
   if (std::abs(place.lat_deg) > 90.0) return "the latitude " + number(place.lat_deg) + " lies beyond a pole";

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -12,6 +13,13 @@ namespace floeplan::ingest {
 inline constexpr double longest_iceberg_m = 400'000.0;  // B-15 was 295 km long
 inline constexpr double deepest_iceberg_m = 1'000.0;    // the deepest that a file may state
 inline constexpr double least_certain_m = 1e6;  // the widest error of a position that a file may state
+
+enum class Zero : std::uint8_t { allowed, refused };
+
+/// A length in metres out of a text, empty where that is; or why it is none. `value`: the number that the text is, if any.
+[[nodiscard]] Checked<std::optional<core::Metres>> metres_of(const std::string& name, const std::string& text,
+                                                             std::optional<double> value, double most_m,
+                                                             Zero zero = Zero::refused);
 
 /// Collects the sightings of one file: good rows are kept, bad ones counted, the first ten with their reason.
 class IcebergRows {
