@@ -13,7 +13,7 @@ namespace floeplan::planning {
 /// Grids that reach this far are tried first.
 inline constexpr GridReach first_reach{0.5, 0.25};
 /// Tried when the first leave no way, or when the way runs along their rim.
-inline constexpr GridReach second_reach{1.0, 0.75};
+inline constexpr GridReach second_reach{1.0, 0.75, core::Metres{15'000.0}};
 
 /// Where a request takes place: its plane, its stops and the grids between them.
 struct Layout {

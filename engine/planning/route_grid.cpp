@@ -9,8 +9,9 @@ namespace {
 constexpr double fewest_steps =
     10.0;  // of room on every side, so that short routes can go round something too
 
-int steps_of_room(double room_m, double step_m) {
-  return static_cast<int>(std::ceil(std::max(room_m / step_m, fewest_steps)));
+int steps_of_room(double room_m, double step_m, core::Metres at_least) {
+  const double least = std::min(at_least.value / step_m, GridReach::most_steps_of_least);
+  return static_cast<int>(std::ceil(std::max({room_m / step_m, least, fewest_steps})));
 }
 
 }  // namespace
@@ -38,8 +39,8 @@ RouteGrid lay_grid(geo::PlanePoint start, geo::PlanePoint goal, GridSpacing spac
     along = {dx / columns_between, dy / columns_between};
     across = {-dy / distance * spacing.across.value, dx / distance * spacing.across.value};
   }
-  const int beyond = steps_of_room(reach.beyond * distance, step_along);
-  const int aside = steps_of_room(reach.across * distance, spacing.across.value);
+  const int beyond = steps_of_room(reach.beyond * distance, step_along, reach.at_least);
+  const int aside = steps_of_room(reach.across * distance, spacing.across.value, reach.at_least);
 
   RouteGrid grid;
   grid.origin = {start.x_m - beyond * along.x_m - aside * across.x_m,

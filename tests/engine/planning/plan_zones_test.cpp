@@ -61,6 +61,19 @@ TEST(PlanZones, GoRoundAnAreaThatIsClosed) {
   EXPECT_GT(found->arrival, straight->arrival);
 }
 
+TEST(PlanZones, GoRoundAnAreaThatIsLongBesideTheWay) {
+  PlanRequest request = eastward_request();
+  request.to = {request.from.lon_deg + 0.17, request.from.lat_deg};  // 7 km
+  const double middle = request.from.lon_deg + 0.085;
+  request.zones = {
+      no_go(box(middle - 0.02, request.from.lat_deg - 0.1, middle + 0.02, request.from.lat_deg + 0.11))};
+
+  const auto found = plan(request);
+
+  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  EXPECT_GT(found->distance.value, 22'000.0);
+}
+
 TEST(PlanZones, ObeyZonesOfTheEnvironmentAsThoseOfTheRequest) {
   PlanRequest request = eastward_request();
   const Zone closed = no_go(wall(request));

@@ -32,6 +32,17 @@ TEST(RouteGrid, LeavesRoomToGoRoundSomethingOnAShortWay) {
   EXPECT_GE(grid.bounds().high.x_m, 600.0);
 }
 
+TEST(RouteGrid, ReachesAsFarAsItMustHoweverShortTheWay) {
+  const GridReach reach{.across = 1.0, .beyond = 0.75, .at_least = core::Metres{15'000.0}};
+  const auto room_m = [&](double spacing_m) {
+    const core::Metres spacing{spacing_m};
+    return lay_grid({0.0, 0.0}, {2'000.0, 0.0}, {spacing, spacing}, reach).bounds().high.y_m;
+  };
+
+  EXPECT_NEAR(room_m(250.0), 15'000.0, 250.0);
+  EXPECT_NEAR(room_m(10.0), GridReach::most_steps_of_least * 10.0, 10.0) << "a fine grid stays bounded";
+}
+
 TEST(RouteGrid, LiesRoundThePlaceWhereStartAndGoalAreOne) {
   const RouteGrid grid = lay_grid({3.0, 4.0}, {3.0, 4.0}, {core::Metres{50.0}, core::Metres{20.0}}, {});
 
