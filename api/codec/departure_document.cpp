@@ -1,5 +1,6 @@
 #include "api/codec/departure_document.hpp"
 
+#include <cmath>
 #include <nlohmann/json.hpp>
 
 #include "engine/core/utc_text.hpp"
@@ -21,6 +22,11 @@ json departures_json(const std::vector<planning::DepartureOutcome>& outcomes) {
     if (outcome.travel_time) {
       entry["arrival"] = core::iso8601(outcome.arrival());
       entry["travel_time_s"] = outcome.travel_time->count();
+    }
+    if (outcome.robust_cost) {
+      const bool is_known = std::isfinite(*outcome.robust_cost);
+      entry["robust_cost"] = is_known ? json(*outcome.robust_cost) : json();
+      entry["members_without_way"] = outcome.members_closed;
     }
     if (outcome.energy) entry["energy_j"] = outcome.energy->value;
     if (outcome.closed) {

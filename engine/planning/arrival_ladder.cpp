@@ -7,14 +7,14 @@
 namespace floeplan::planning {
 namespace {
 
-constexpr std::size_t most_rungs = 24;
 constexpr std::size_t most_values = 4'000'000;  // 32 MB
 constexpr double rounding_s = 1e-3;             // of sums of times
 
 }  // namespace
 
 ArrivalLadder::ArrivalLadder(Foresight& foresight, VertexClosures& closures, const OpenGrid& open,
-                             core::Seconds depart, core::Seconds last, const std::stop_token& stop)
+                             core::Seconds depart, core::Seconds last, const std::stop_token& stop,
+                             std::size_t rungs)
     : foresight_{foresight}, base_s_{depart.count()} {
   const graph::SearchTree earliest = foresight_.sweep_forth(depart, last, stop, closures);
   has_hope_ = earliest.is_reached(open.grid.goal);
@@ -22,7 +22,7 @@ ArrivalLadder::ArrivalLadder(Foresight& foresight, VertexClosures& closures, con
   base_s_ = std::min(earliest.arrival_s(open.grid.goal) - rounding_s, last.count());
 
   // Closer to each other at the bottom, where the best ways are.
-  const std::size_t count = std::clamp<std::size_t>(most_values / open.graph.size(), 1, most_rungs);
+  const std::size_t count = std::clamp<std::size_t>(most_values / open.graph.size(), 1, rungs);
   for (std::size_t rung = 1; rung <= count; ++rung) {
     const double share = static_cast<double>(rung) / static_cast<double>(count);
     rungs_s_.push_back(base_s_ + share * share * (last.count() - base_s_));

@@ -18,9 +18,12 @@ class ArrivalLadder {
  public:
   /// `foresight` is borrowed and outlives the ladder; precondition: it is useful. `last`: an arrival after which nothing
   /// is of use. Once `stop` is requested the ladder stays incomplete and must not be used.
-  /// `closures`: of the grid's vertices.
+  /// `closures`: of the grid's vertices. `rungs`: at most so many, a sweep each; with one alone the ladder tells until when
+  /// a vertex is of use, and little else.
   ArrivalLadder(Foresight& foresight, VertexClosures& closures, const OpenGrid& open, core::Seconds depart,
-                core::Seconds last, const std::stop_token& stop);
+                core::Seconds last, const std::stop_token& stop, std::size_t rungs = most_rungs);
+
+  static constexpr std::size_t most_rungs = 24;
 
   /// Whether some way may be at the goal by the last arrival.
   [[nodiscard]] bool has_hope() const { return has_hope_; }

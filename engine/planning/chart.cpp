@@ -1,5 +1,6 @@
 #include "engine/planning/chart.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <optional>
 #include <string>
@@ -21,20 +22,24 @@ Stop kind_of(std::size_t stop, const Layout& layout) {
   return stop + 1 == layout.stops.size() ? Stop::goal : Stop::via;
 }
 
-/// An iceberg keeps the vehicle from a start that it covers at the departure, from the others if it covers them for
-/// ever.
-bool is_kept_by_iceberg(const Sea& sea, geo::PlanePoint stop, bool is_start) {
-  const std::vector<TimeSpan> closed = sea.icebergs().closed_times(stop);
-  if (closed.empty() || closed.front().from > core::Seconds{0.0}) return false;
-  return is_start || !std::isfinite(closed.front().until.count());
+/// Whether an iceberg covers the place from the departure on for ever.
+bool is_kept_for_ever(const Sea& sea, geo::PlanePoint place) {
+  const std::vector<TimeSpan> closed = sea.icebergs().closed_times(place);
+  return !closed.empty() && closed.front().from <= core::Seconds{0.0} &&
+         !std::isfinite(closed.front().until.count());
 }
 
 std::optional<motion::EdgeClosed> closed_stop(const Sea& sea, const Layout& layout, std::size_t stop) {
   if (const auto closed = sea.safety().closed_at(layout.stops[stop])) return closed;
-  const geo::PlanePoint point = layout.points[stop];
-  if (is_kept_by_iceberg(sea, point, stop == 0)) return motion::EdgeClosed::obstacle;
-  constexpr TimeSpan at_departure{core::Seconds{0.0}, core::Seconds{0.0}};
-  if (stop == 0 && sea.timed_zones().forbid(point, point, at_departure)) return motion::EdgeClosed::in_zone;
+  if (is_kept_for_ever(sea, layout.points[stop])) return motion::EdgeClosed::obstacle;
+  return std::nullopt;
+}
+
+/// What keeps the vehicle from the place at that time.
+std::optional<motion::EdgeClosed> closed_then(const Sea& sea, geo::PlanePoint place, core::Seconds when) {
+  const auto covers = [&](const TimeSpan& span) { return span.from <= when && when <= span.until; };
+  if (std::ranges::any_of(sea.icebergs().closed_times(place), covers)) return motion::EdgeClosed::obstacle;
+  if (sea.timed_zones().forbid(place, place, {when, when})) return motion::EdgeClosed::in_zone;
   return std::nullopt;
 }
 
@@ -83,7 +88,21 @@ Result<Chart> chart_on(Sea sea, Layout layout, const PlanRequest& request, const
   if (request.method == Method::direct) sea.safety().open_along(layout.points, layout.projection);
   if (auto unusable = check_stops(sea, layout, request, stop, moves))
     return tl::unexpected(std::move(*unusable));
-  return Chart{.layout = std::move(layout), .sea = std::move(sea)};
+  Chart chart{.layout = std::move(layout), .sea = std::move(sea)};
+  const bool leaves_at_once = !request.departures.until && !request.departures.arrive_by;
+  if (leaves_at_once) {
+    if (auto closed = closed_start(chart, request, core::Seconds{0.0})) {
+      if (moves == Moves::looked_for) closed->moves = moves_of(chart.sea, chart.layout, 0, stop);
+      return tl::unexpected(std::move(*closed));
+    }
+  }
+  return chart;
+}
+
+std::optional<Infeasible> closed_start(const Chart& chart, const PlanRequest& request, core::Seconds after) {
+  const auto closed = closed_then(chart.sea, chart.layout.points.front(), after);
+  if (!closed) return std::nullopt;
+  return explain_start(*closed, chart.layout.stops.front(), after, chart.sea, request);
 }
 
 Result<Chart> draw_chart(const ocean::Environment& environment, const PlanRequest& request, GridReach reach,

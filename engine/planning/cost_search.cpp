@@ -17,6 +17,11 @@ namespace floeplan::planning {
 namespace {
 
 constexpr std::size_t most_labels = 200'000;  // some seconds, and about 20 MB with their lists and the queue
+/// On larger grids a search for the least cost is steered: one that is not would mostly meet its bound on labels.
+constexpr std::int64_t few_vertices = 2'500;
+/// Of the cost of the fastest way: what a steered search may leave, far less than its outlook is off.
+constexpr double near_enough = 2e-4;
+constexpr core::Seconds all_voyage_lengths_alike{3600.0};
 
 using Way = std::vector<graph::Label<CostVoyage::State>>;
 
@@ -71,47 +76,61 @@ double cost_along(const Sea& sea, const std::vector<geo::PlanePoint>& path, cons
 class KnownLimit {
  public:
   KnownLimit(const Sea& sea, const OpenGrid& open, const PlanRequest& request, const Beginning& beginning,
-             const std::stop_token& stop)
-      : closures_{sea, open.grid}, foresight_{sea, open} {
+             CostGuide& guide, const std::stop_token& stop) {
     constexpr double rounding = 1e-9;  // of sums of costs
-    if (!foresight_.is_useful()) return;
+    if (!guide.foresight().is_useful()) return;
     PlanRequest by_time = request;
     by_time.method = Method::astar;
     const core::Seconds depart = beginning.depart;
     const RouteSearch fastest = search_route(
-        sea, open, by_time, depart, stop, [](double) {}, core::Seconds{INFINITY}, beginning.since_surfacing);
+        sea, open, by_time, depart, stop, [](double) {}, core::Seconds{INFINITY}, beginning.since_surfacing,
+        &guide.foresight());
     double cost = INFINITY;
     for (const vehicle::Drive drive : sea.drives()) {
       cost = std::min(cost, cost_along(sea, fastest.path, request.objective(), beginning, drive));
     }
     if (!std::isfinite(cost) || stop.stop_requested()) return;
-    const core::Seconds last =
-        depart + core::Seconds{cost / CostVoyage::least_rate(sea, request.objective())};
+    last_ = depart + core::Seconds{cost / CostVoyage::least_rate(sea, request.objective())};
     const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
-    ladder_.emplace(foresight_, closures_, open, depart, std::min(last, end.value_or(last)), stop);
+    last_ = std::min(last_, end.value_or(last_));
+    const std::size_t rungs = is_steered(open) ? 1 : ArrivalLadder::most_rungs;
+    ladder_.emplace(guide.foresight(), guide.closures(), open, depart, last_, stop, rungs);
     if (ladder_->has_hope()) limit_ = CostVoyage::Limit{(1.0 + rounding) * cost, &*ladder_};
   }
   KnownLimit(const KnownLimit&) = delete;
   KnownLimit& operator=(const KnownLimit&) = delete;
 
   [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
-  [[nodiscard]] VertexClosures& closures() { return closures_; }
   /// Null without a limit.
   [[nodiscard]] const ArrivalLadder* ladder() const { return limit_ ? &*ladder_ : nullptr; }
+  /// When a voyage of that cost ends at the latest.
+  [[nodiscard]] core::Seconds last() const { return last_; }
+  [[nodiscard]] static bool is_steered(const OpenGrid& open) { return open.vertices > few_vertices; }
 
  private:
-  VertexClosures closures_;
-  Foresight foresight_;
   std::optional<ArrivalLadder> ladder_;
   std::optional<CostVoyage::Limit> limit_;
+  core::Seconds last_{};
 };
 
 }  // namespace
 
+const CostOutlook& CostGuide::outlook(const Objective& objective, core::Seconds depart, core::Seconds last,
+                                      const std::stop_token& stop) {
+  if (!outlook_ || depart < from_ || last > until_ + all_voyage_lengths_alike) {
+    from_ = depart;
+    until_ = last + ahead_;
+    const ArrivalLadder use{foresight_, closures_, open_, from_, until_, stop, 1};
+    outlook_.emplace(sea_, open_, objective, foresight_, closures_, use, from_, until_, stop);
+  }
+  return *outlook_;
+}
+
 Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& grids,
                                   const PlanRequest& request, core::Seconds depart,
                                   const std::stop_token& stop,
-                                  const std::function<void(double)>& report_fraction) {
+                                  const std::function<void(double)>& report_fraction,
+                                  std::vector<CostGuide>* guides) {
   // One drive at one power: energy is power times time, and the earliest arrival costs least.
   const bool is_by_time = request.objective().of_encounters == 0.0 && sea.energy_is_even();
   if (sea.drives().size() == 1 && is_by_time) {
@@ -123,12 +142,20 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
   Beginning beginning{depart};
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const OpenGrid& open = grids[i];
+    std::optional<CostGuide> own_guide;
+    CostGuide& guide = guides != nullptr ? (*guides)[i] : own_guide.emplace(sea, open);
+    KnownLimit known{sea, open, request, beginning, guide, stop};
     std::optional<Openings> openings;
-    KnownLimit known{sea, open, request, beginning, stop};
     if (sea.has_timed_closures())
-      openings.emplace(sea, open, core::Seconds{INFINITY}, stop, &known.closures(), known.ladder());
+      openings.emplace(sea, open, core::Seconds{INFINITY}, stop, &guide.closures(), known.ladder());
+    const CostOutlook* outlook =
+        known.limit() && KnownLimit::is_steered(open)
+            ? &guide.outlook(request.objective(), beginning.depart, known.last(), stop)
+            : nullptr;
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    CostVoyage voyage{sea, open, request.objective(), openings ? &*openings : nullptr, known.limit()};
+    CostVoyage voyage{sea,           open,   request.objective(), openings ? &*openings : nullptr,
+                      known.limit(), outlook};
+    const double slack = outlook != nullptr ? near_enough * known.limit()->most_cost : 0.0;
     const auto report = [&](std::int64_t expansions) {
       const double share = static_cast<double>(expansions) / static_cast<double>(most_labels);
       report_fraction((static_cast<double>(i) + std::min(share, 1.0)) / static_cast<double>(grids.size()));
@@ -136,7 +163,7 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
     const double now_s = beginning.depart.count();
     const CostVoyage::State state{.surfaced_s = now_s - beginning.since_surfacing.count()};
     const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, now_s, state,
-                                                voyage, most_labels, stop, report);
+                                                voyage, most_labels, stop, report, slack);
     if (search.stopped) return tl::unexpected(explain_cancelled(request));
     const auto way = search.goal ? graph::way_to(search, *search.goal) : Way{};
     if (way.empty() ||

@@ -14,13 +14,15 @@ constexpr double parts_of_bound = 6.0;
 }  // namespace
 
 CostVoyage::CostVoyage(const Sea& sea, const OpenGrid& open, const Objective& objective,
-                       const Openings* openings, const std::optional<Limit>& limit)
+                       const Openings* openings, const std::optional<Limit>& limit,
+                       const CostOutlook* outlook)
     : sea_{sea},
       grid_{open.grid},
       least_after_goal_{open.least_after_goal},
       objective_{objective},
       openings_{openings},
       limit_{limit},
+      outlook_{outlook},
       least_rate_{least_rate(sea, objective)},
       goal_{open.grid.point(open.grid.goal)},
       longest_without_surfacing_{sea.bounds_surfacing() ? sea.longest_without_surfacing() : std::nullopt},
@@ -71,7 +73,8 @@ bool CostVoyage::surfaced_as_late(const graph::Label<State>& a, const graph::Lab
 }
 
 double CostVoyage::key(graph::Vertex v, double arrival_s, const State& state) const {
-  return state.cost + rest(v, arrival_s);
+  const double least = rest(v, arrival_s);
+  return state.cost + (outlook_ != nullptr ? std::max(least, outlook_->rest(v, arrival_s)) : least);
 }
 
 }  // namespace floeplan::planning

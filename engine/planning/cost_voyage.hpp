@@ -6,6 +6,7 @@
 
 #include "engine/graph/label_search.hpp"
 #include "engine/planning/arrival_ladder.hpp"
+#include "engine/planning/cost_outlook.hpp"
 #include "engine/planning/objective.hpp"
 #include "engine/planning/open_grid.hpp"
 #include "engine/planning/openings.hpp"
@@ -36,8 +37,11 @@ class CostVoyage {
 
   /// `sea` and the grid are borrowed and outlive the voyage.
   /// `openings`: where and when it matters that something opens again, borrowed likewise; null: everywhere.
+  /// `outlook`: steers the search, borrowed likewise. The way is found soon then, and costs more than the least by no more
+  /// than the outlook is off.
   CostVoyage(const Sea& sea, const OpenGrid& open, const Objective& objective,
-             const Openings* openings = nullptr, const std::optional<Limit>& limit = std::nullopt);
+             const Openings* openings = nullptr, const std::optional<Limit>& limit = std::nullopt,
+             const CostOutlook* outlook = nullptr);
 
   /// No second of any voyage costs less.
   [[nodiscard]] static double least_rate(const Sea& sea, const Objective& objective);
@@ -99,6 +103,7 @@ class CostVoyage {
   Objective objective_;
   const Openings* openings_;
   std::optional<Limit> limit_;
+  const CostOutlook* outlook_;
   double least_rate_;
   geo::PlanePoint goal_;
   std::optional<core::Seconds> longest_without_surfacing_;  // where it matters

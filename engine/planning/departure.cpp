@@ -5,6 +5,7 @@
 #include <limits>
 #include <memory>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "engine/planning/chart.hpp"
@@ -13,7 +14,9 @@
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/open_grid.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/robust_plan.hpp"
 #include "engine/planning/route_cost.hpp"
+#include "engine/planning/sea_members.hpp"
 #include "engine/planning/voyage_search.hpp"
 #include "engine/planning/what_would_help.hpp"
 
@@ -23,8 +26,9 @@ namespace {
 /// A sweep back costs about as much as the search for one departure.
 constexpr double departures_a_sweep = 2.0;
 
-/// Departures of a window of which the curve knows a way and no plan comes, before the window is given up.
-constexpr int most_refused = 5;
+/// Departures of a window of which the curve knows a way and no plan comes, before the window is given up: each takes a
+/// whole plan.
+constexpr std::size_t most_refused = 24;
 
 /// With the changes that make the window's first departure possible: they make the window so.
 Infeasible what_would_help(const ocean::Environment& environment, const PlanRequest& request, Infeasible why,
@@ -63,6 +67,7 @@ class DepartureSweep {
   }
 
   Result<Journey> leave(core::Seconds after, const std::stop_token& stop) {
+    if (auto closed = closed_start(*chart_, request_, after)) return tl::unexpected(std::move(*closed));
     const bool is_direct = request_.method == Method::direct;
     if (!request_.energy.objective.is_time()) return is_direct ? straight(after) : cheapest(after, stop);
     if (is_direct) return straight(after);
@@ -77,15 +82,22 @@ class DepartureSweep {
   DepartureSweep(Chart chart, std::vector<OpenGrid> grids, const PlanRequest& request)
       : chart_{std::make_unique<const Chart>(std::move(chart))}, grids_{std::move(grids)}, request_{request} {
     const core::Seconds ahead = departures_a_sweep * request.departures.step;
-    for (const OpenGrid& open : grids_) foresights_.emplace_back(chart_->sea, open, ahead);
+    const core::Seconds window = request.departures.departures(request.depart).back() - request.depart;
+    for (const OpenGrid& open : grids_) {
+      if (request.energy.objective.is_time()) {
+        foresights_.emplace_back(chart_->sea, open, ahead);
+      } else {
+        guides_.emplace_back(chart_->sea, open, window);
+      }
+    }
   }
 
   Result<Journey> straight(core::Seconds after) const {
     return on_first_drive(chart_->layout.points, false, after);
   }
 
-  Result<Journey> cheapest(core::Seconds after, const std::stop_token& stop) const {
-    const auto found = search_least_cost(chart_->sea, grids_, request_, after, stop, [](double) {});
+  Result<Journey> cheapest(core::Seconds after, const std::stop_token& stop) {
+    const auto found = search_least_cost(chart_->sea, grids_, request_, after, stop, [](double) {}, &guides_);
     if (!found) return tl::unexpected(found.error());
     const auto times = drive_along(chart_->sea, found->route, after);
     if (!times) {
@@ -117,10 +129,16 @@ class DepartureSweep {
 
   std::unique_ptr<const Chart> chart_;
   std::vector<OpenGrid> grids_;
-  std::vector<Foresight> foresights_;  // one for each grid
+  std::vector<Foresight> foresights_;  // one for each grid, for the least time
+  std::vector<CostGuide> guides_;      // likewise, for another objective
   const PlanRequest& request_;         // borrowed
   std::optional<FoundWay> last_;       // of the departure before
 };
+
+/// Whether wider grids may have a way where there was none for this reason.
+bool may_be_mended(Reason why) {
+  return why != Reason::cancelled && why != Reason::start_near_iceberg && why != Reason::start_in_zone;
+}
 
 /// As a plan for this departure alone would choose between the two reaches.
 class Comparison {
@@ -130,7 +148,7 @@ class Comparison {
 
   Result<Journey> leave(core::Seconds after) {
     auto first = on(near_, first_reach, after);
-    const bool wider_may_help = first ? first->touches_rim : first.error().reason != Reason::cancelled;
+    const bool wider_may_help = first ? first->touches_rim : may_be_mended(first.error().reason);
     if (!wider_may_help || request_.method == Method::direct) return first;
     auto second = on(wide_, second_reach, after);
     if (first && (!second || first->cost <= second->cost)) return first;
@@ -151,6 +169,31 @@ class Comparison {
   std::optional<Result<DepartureSweep>> wide_;  // laid out when it is first needed
 };
 
+/// Gives each departure what the request's robust objective counts of the best ways in all members.
+/// Returns  false once `stop` is requested
+bool weigh_members(std::vector<DepartureOutcome>& outcomes, const ocean::Environment& environment,
+                   const PlanRequest& request, const std::stop_token& stop,
+                   const std::function<void(std::size_t, std::size_t)>& report) {
+  const SeaMembers members{environment, request.uncertainty};
+  std::vector<std::vector<std::optional<double>>> costs(outcomes.size());  // [departure][member]
+  for (std::size_t member = 0; member < members.size(); ++member) {
+    const ocean::Environment sea = members.environment(member);
+    Comparison comparison{sea, request, stop};
+    for (std::size_t i = 0; i < outcomes.size(); ++i) {
+      report(1 + member, i);
+      const auto found = comparison.leave(outcomes[i].departure - request.depart);
+      if (!found && found.error().reason == Reason::cancelled) return false;
+      costs[i].push_back(found ? std::optional{found->cost} : std::nullopt);
+    }
+  }
+  for (std::size_t i = 0; i < outcomes.size(); ++i) {
+    const MemberSpread spread{costs[i]};
+    outcomes[i].robust_cost = what_counts(spread, request.uncertainty);
+    outcomes[i].members_closed = members.size() - spread.known();
+  }
+  return true;
+}
+
 }  // namespace
 
 Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environment& environment,
@@ -159,15 +202,21 @@ Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environmen
                                                          const core::ProgressCallback& progress) {
   throw_if_invalid(request);
   const std::vector<core::UtcTime> departures = request.departures.departures(request.depart);
+  const bool is_robust =
+      request.uncertainty.objective != RobustObjective::none && has_uncertain_currents(environment, request);
+  const std::size_t seas = is_robust ? 1 + SeaMembers{environment, request.uncertainty}.size() : 1;
+  const auto report = [&](std::size_t sea, std::size_t departure) {
+    if (!progress) return;
+    const double done = static_cast<double>(departure) / static_cast<double>(departures.size());
+    progress("departures", (static_cast<double>(sea) + done) / static_cast<double>(seas));
+  };
+
   Comparison comparison{environment, request, stop};
   std::vector<DepartureOutcome> outcomes;
   for (const core::UtcTime departure : departures) {
-    if (progress) {
-      progress("departures", static_cast<double>(outcomes.size()) / static_cast<double>(departures.size()));
-    }
+    report(0, outcomes.size());
     auto found = comparison.leave(departure - request.depart);
-    DepartureOutcome outcome{
-        .departure = departure, .travel_time = std::nullopt, .energy = std::nullopt, .closed = std::nullopt};
+    DepartureOutcome outcome{.departure = departure};
     if (found) {
       outcome.travel_time = found->arrival - (departure - request.depart);
       outcome.energy = found->energy;
@@ -178,6 +227,8 @@ Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environmen
     }
     outcomes.push_back(std::move(outcome));
   }
+  if (is_robust && !weigh_members(outcomes, environment, request, stop, report))
+    return tl::unexpected(explain_cancelled(request));
   return outcomes;
 }
 
@@ -187,7 +238,7 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
   auto outcomes = compare_departures(environment, request, stop, progress);
   if (!outcomes) return {.departures = {}, .plan = tl::unexpected(outcomes.error())};
   std::optional<Infeasible> refused;
-  for (int tries = 0; tries < most_refused; ++tries) {
+  for (std::size_t tries = 0; tries < most_refused; ++tries) {
     const auto best = best_departure(*outcomes, request.energy.objective);
     if (!best) break;
     DepartureOutcome& outcome = (*outcomes)[*best];
@@ -195,26 +246,37 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
     if (plan || plan.error().reason == Reason::cancelled)
       return {.departures = std::move(*outcomes), .plan = std::move(plan)};
     // What a whole plan is asked for beyond its way, such as the battery, lets another departure do.
-    outcome = {.departure = outcome.departure,
-               .travel_time = std::nullopt,
-               .energy = std::nullopt,
-               .closed = plan.error()};
+    outcome = {.departure = outcome.departure, .closed = plan.error()};
     if (!refused) refused = std::move(plan.error());
   }
   Infeasible why = refused ? std::move(*refused) : outcomes->front().closed.value();
+  const auto left = std::ranges::count_if(
+      *outcomes, [](const DepartureOutcome& outcome) { return outcome.travel_time.has_value(); });
+  if (left > 0) {
+    why.explanation += "; the best " + std::to_string(most_refused) + " of " +
+                       std::to_string(outcomes->size()) + " departures were tried, " + std::to_string(left) +
+                       " with a way were not: a shorter window looks at them";
+  }
   return {.departures = std::move(*outcomes),
           .plan = tl::unexpected(what_would_help(environment, request, std::move(why), stop, progress))};
 }
 
 std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes,
                                           const Objective& objective) {
+  constexpr double rounding = 1e-9;  // of sums of times, by which departures of one cost differ
   std::optional<std::size_t> best;
   double least = std::numeric_limits<double>::infinity();
   for (std::size_t i = 0; i < outcomes.size(); ++i) {
-    if (!outcomes[i].travel_time) continue;
-    const double cost = objective.cost(*outcomes[i].travel_time, outcomes[i].energy.value_or(core::Joules{}));
-    if (!best || cost < least) best = i;
-    least = std::min(least, cost);
+    const DepartureOutcome& outcome = outcomes[i];
+    if (!outcome.travel_time) continue;
+    const double cost = outcome.robust_cost.value_or(
+        objective.cost(*outcome.travel_time, outcome.energy.value_or(core::Joules{})));
+    const std::size_t most_closed = best ? outcomes[*best].members_closed : outcome.members_closed;
+    if (outcome.members_closed > most_closed) continue;
+    const bool is_cheaper = !best || outcome.members_closed < most_closed || cost < (1.0 - rounding) * least;
+    if (!is_cheaper) continue;
+    best = i;
+    least = cost;
   }
   return best;
 }

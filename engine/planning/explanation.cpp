@@ -56,12 +56,20 @@ std::string iceberg_text(const Sea& sea, geo::PlanePoint place, core::Seconds wh
   return text + " are kept";
 }
 
-/// Until when icebergs keep a place that they keep at the departure.
-std::string opening_text(const Sea& sea, geo::PlanePoint place, const PlanRequest& request) {
-  const std::vector<TimeSpan> closed = sea.icebergs().closed_times(place);
-  if (closed.empty() || closed.front().from > core::Seconds{0.0}) return "";
-  if (!std::isfinite(closed.front().until.count())) return ", as far as is forecast for good";
-  return ", until " + core::iso8601(clock(request, closed.front().until));
+/// The closure of a place that holds then.
+std::optional<TimeSpan> closure_at(const Sea& sea, geo::PlanePoint place, core::Seconds when) {
+  for (const TimeSpan& closed : sea.closed_times(place))
+    if (closed.from <= when && when <= closed.until) return closed;
+  return std::nullopt;
+}
+
+/// Until when a place is closed that is closed then.
+std::string opening_text(const Sea& sea, geo::PlanePoint place, core::Seconds when,
+                         const PlanRequest& request) {
+  const auto closed = closure_at(sea, place, when);
+  if (!closed) return "";
+  if (!std::isfinite(closed->until.count())) return ", as far as is forecast for good";
+  return ", until " + core::iso8601(clock(request, closed->until));
 }
 
 Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& request, bool out_of_time,
@@ -151,9 +159,10 @@ std::string subject_of(Stop stop) {
   throw std::logic_error{"Stop without a name"};
 }
 
-Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, const Sea& sea,
-                           const PlanRequest& request) {
+Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, core::Seconds when,
+                           const Sea& sea, const PlanRequest& request) {
   const std::string subject = subject_of(stop);
+  const geo::PlanePoint point = sea.projection().to_plane(place);
   switch (closed) {
     case motion::EdgeClosed::on_land:
       return {reason_at(stop, Reason::start_on_land, Reason::too_shallow, Reason::goal_on_land), place,
@@ -167,15 +176,16 @@ Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat pla
               "move it into deeper water, or choose a vehicle for shallower water"};
     case motion::EdgeClosed::in_zone:
       return {reason_at(stop, Reason::start_in_zone, Reason::in_zone, Reason::goal_in_zone), place,
-              request.depart, subject + " lies where a zone does not allow the vehicle to be",
-              "move it, or change the zone"};
+              clock(request, when),
+              subject + " lies where a zone does not allow the vehicle to be" +
+                  opening_text(sea, point, when, request),
+              "move it, change the zone or its times, or depart when it allows the vehicle to be there"};
     case motion::EdgeClosed::obstacle:
       return {
           reason_at(stop, Reason::start_near_iceberg, Reason::near_iceberg, Reason::goal_near_iceberg), place,
-          request.depart,
-          subject + " lies too close to " +
-              iceberg_text(sea, sea.projection().to_plane(place), core::Seconds{0.0}, request) +
-              opening_text(sea, sea.projection().to_plane(place), request),
+          clock(request, when),
+          subject + " lies too close to " + iceberg_text(sea, point, when, request) +
+              opening_text(sea, point, when, request),
           "move it, depart at another time, or reduce the margin (--margin) or the error that is allowed for "
           "(--max-inflation)"};
     case motion::EdgeClosed::outside_data:
@@ -192,8 +202,18 @@ Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat pla
 
 Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, const Sea& sea,
                          const PlanRequest& request) {
-  Infeasible infeasible = words_for_place(closed, stop, place, sea, request);
+  Infeasible infeasible = words_for_place(closed, stop, place, core::Seconds{0.0}, sea, request);
   infeasible.binding = constraint_of(closed, false);
+  return infeasible;
+}
+
+Infeasible explain_start(motion::EdgeClosed closed, geo::LonLat place, core::Seconds after, const Sea& sea,
+                         const PlanRequest& request) {
+  Infeasible infeasible = words_for_place(closed, Stop::start, place, after, sea, request);
+  infeasible.binding = constraint_of(closed, false);
+  const auto closure = closure_at(sea, sea.projection().to_plane(place), after);
+  if (closure && std::isfinite(closure->until.count()))
+    infeasible.postponed = Postponed{closure->until - after};
   return infeasible;
 }
 

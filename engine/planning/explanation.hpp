@@ -15,6 +15,10 @@ enum class Stop { start, via, goal };
 [[nodiscard]] Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place,
                                        const Sea& sea, const PlanRequest& request);
 
+/// Says what keeps the vehicle from its start so long after the request's departure, and until when.
+[[nodiscard]] Infeasible explain_start(motion::EdgeClosed closed, geo::LonLat place, core::Seconds after,
+                                       const Sea& sea, const PlanRequest& request);
+
 /// Says why a given route, or the straight line, cannot be travelled.
 [[nodiscard]] Infeasible explain_route(const RouteClosed& closed, const Sea& sea, const PlanRequest& request);
 

@@ -10,7 +10,9 @@ namespace floeplan::planning {
 namespace {
 
 constexpr double slowest_share = 0.6;  // of the speed through water: slower drives are not told apart
-constexpr double most_share = 0.95;    // likewise of a current that leaves room on every course
+constexpr double least_share =
+    0.1;  // likewise of drives that are estimated: the longest edge on a closed course
+constexpr double most_share = 0.95;  // likewise of a current that leaves room on every course
 /// Times that are integrated may be short of the true ones by their tolerance; what an edge is short of shifts the
 /// departures of those before it by no more than a few times as much.
 constexpr double tolerances = 5.0;
@@ -73,27 +75,42 @@ Foresight::Foresight(const Sea& sea, const OpenGrid& open, core::Seconds ahead)
   if (sea.currents()) nearby_.emplace(*sea.currents(), longest_edge_, longest_drive_);
 }
 
+std::optional<motion::NearbyCurrent> Foresight::water_at(graph::Vertex v, core::Seconds time,
+                                                         NearbyCurrents::Film film) {
+  if (nearby_) return nearby_->on_film(open_.grid.point(v), time, film);
+  motion::NearbyCurrent still;
+  still.known_s = std::numeric_limits<float>::infinity();
+  return still;
+}
+
 bool Foresight::look(graph::Vertex v, core::Seconds time, NearbyCurrents::Film film, Fidelity fidelity) {
   tail_ = no_vertex;
-  const geo::PlanePoint point = open_.grid.point(v);
-  motion::NearbyCurrent near;
-  near.known_s = std::numeric_limits<float>::infinity();
-  if (nearby_) {
-    const auto found = nearby_->on_film(point, time, film);
-    if (!found) return false;
-    near = *found;
-  }
+  const auto near = water_at(v, time, film);
+  if (!near) return false;
   const motion::FanVehicle vehicle{
       .through_water_m_s = static_cast<float>(through_water_.value),
-      .ground_per_plane = static_cast<float>(sea_.least_ground_per_plane(point, longest_edge_)),
+      .ground_per_plane = static_cast<float>(sea_.least_ground_per_plane(open_.grid.point(v), longest_edge_)),
       .longest_s = static_cast<float>(longest_drive_.count()),
       .never_stopped = !sea_.currents() || sea_.currents()->strongest() < most_share * through_water_};
   if (fidelity == Fidelity::estimate) {
-    motion::estimate_fan(fan_, near, vehicle, times_);
+    motion::estimate_fan(fan_, *near, vehicle, times_);
   } else {
-    motion::bound_fan(fan_, near, vehicle, times_);
+    motion::bound_fan(fan_, *near, vehicle, times_);
   }
   return true;
+}
+
+const motion::FanTimes* Foresight::estimates(graph::Vertex v, core::Seconds depart, vehicle::Drive drive) {
+  tail_ = no_vertex;
+  const auto near = water_at(v, depart, NearbyCurrents::Film::forwards);
+  if (!near) return nullptr;
+  const core::MetresPerSecond speed = sea_.speed(drive);
+  const motion::FanVehicle vehicle{
+      .through_water_m_s = static_cast<float>(speed.value),
+      .ground_per_plane = static_cast<float>(sea_.least_ground_per_plane(open_.grid.point(v), longest_edge_)),
+      .longest_s = static_cast<float>((longest_edge_ / (least_share * speed)).count())};
+  motion::estimate_fan(fan_, *near, vehicle, times_);
+  return &times_;
 }
 
 std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::stop_token& stop) {

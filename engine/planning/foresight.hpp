@@ -51,6 +51,11 @@ class Foresight {
                                              const std::stop_token& stop, VertexClosures& closures,
                                              const graph::SearchTree& earliest);
 
+  /// About how long each edge out of a vertex takes, by its step, for who leaves then on this drive; on a closed one long.
+  /// Returns  borrowed, until the next question of any kind; null where nothing is known of the water
+  [[nodiscard]] const motion::FanTimes* estimates(graph::Vertex v, core::Seconds depart,
+                                                  vehicle::Drive drive);
+
   /// Never more than the time of an edge for who leaves its tail then. Fast for the edges of a vertex in a row.
   [[nodiscard]] core::Seconds least_time(const graph::Edge& edge, core::Seconds depart);
 
@@ -58,6 +63,9 @@ class Foresight {
   enum class Fidelity { estimate, bound };
   /// Times all edges out of a vertex; false where nothing is known of the water.
   [[nodiscard]] bool look(graph::Vertex v, core::Seconds time, NearbyCurrents::Film film, Fidelity fidelity);
+  /// The water about a vertex; empty where nothing is known of it.
+  [[nodiscard]] std::optional<motion::NearbyCurrent> water_at(graph::Vertex v, core::Seconds time,
+                                                              NearbyCurrents::Film film);
   [[nodiscard]] core::Seconds proven(const graph::Edge& edge, bool is_known) const;
   [[nodiscard]] graph::SearchTree sweep_back(core::Seconds depart, core::Seconds arrive,
                                              const std::stop_token& stop);

@@ -2,16 +2,21 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdio>
+#include <optional>
 #include <ranges>
 #include <stdexcept>
+#include <string>
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/planning/chart.hpp"
+#include "engine/planning/departure.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/grid_travel.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/robust_plan.hpp"
 #include "engine/planning/what_would_help.hpp"
 
 namespace floeplan::planning {
@@ -21,21 +26,38 @@ constexpr core::Seconds close_enough{60.0};
 constexpr double close_enough_share = 1e-3;  // of the travel time
 constexpr int most_plans = 8;
 
-/// A first departure to try, by the legs of the grids; the earliest one when they know of none.
-Result<core::UtcTime> first_guess(const ocean::Environment& environment, const PlanRequest& request,
-                                  const std::stop_token& stop) {
+/// Where the search begins.
+struct Beginning {
+  core::UtcTime depart;  // by the legs of the grids; the earliest one when they know of none
+  core::UtcTime arrive;  // the last moment up to the wanted arrival at which the goal is open
+};
+
+core::Seconds last_open_moment(const Sea& sea, geo::PlanePoint place, core::Seconds until) {
+  constexpr core::Seconds clear{1.0};
+  for (const TimeSpan& closed : sea.closed_times(place))
+    if (closed.from <= until && until <= closed.until) return closed.from - clear;
+  return until;
+}
+
+Result<Beginning> begin(const ocean::Environment& environment, const PlanRequest& request,
+                        const std::stop_token& stop) {
   constexpr core::Seconds earliest{0.0};
-  const core::Seconds arrive = *request.departures.arrive_by - request.depart;
+  Beginning beginning{request.depart, *request.departures.arrive_by};
   for (const GridReach reach : {first_reach, second_reach}) {
     const auto chart = draw_chart(environment, request, reach, stop);
     if (!chart) return tl::unexpected(chart.error());
+    const core::Seconds arrive = last_open_moment(chart->sea, chart->layout.points.back(),
+                                                  *request.departures.arrive_by - request.depart);
+    if (arrive > earliest) beginning.arrive = request.depart + arrive;
     if (request.method == Method::direct) break;
     const auto grids = open_grids(chart->sea, chart->layout.grids, request.sectors, stop);
     const auto depart = latest_departure(chart->sea, grids, arrive, earliest, stop);
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    if (depart) return request.depart + *depart;
+    if (!depart) continue;
+    beginning.depart = request.depart + *depart;
+    break;
   }
-  return request.depart;
+  return beginning;
 }
 
 core::UtcTime whole_second(core::UtcTime time) {
@@ -60,47 +82,139 @@ core::UtcTime between(core::UtcTime early, core::UtcTime late) {
   return whole_second(early + 0.5 * (late - early));
 }
 
-Result<Plan> try_to_arrive(const ocean::Environment& environment, const PlanRequest& request,
-                           const std::stop_token& stop, const core::ProgressCallback& progress,
-                           const core::SteadyClock& clock) {
-  const core::UtcTime wanted = request.departures.arrive_by.value();
-  const auto guess = first_guess(environment, request, stop);
-  if (!guess) return tl::unexpected(guess.error());
+/// Looks for later and later departures that arrive in time.
+class LatestDeparture {
+ public:
+  /// Everything is borrowed and outlives this.
+  LatestDeparture(const ocean::Environment& environment, const PlanRequest& request,
+                  const std::stop_token& stop, const core::ProgressCallback& progress,
+                  const core::SteadyClock& clock)
+      : environment_{environment},
+        request_{request},
+        wanted_{*request.departures.arrive_by},
+        stop_{stop},
+        progress_{progress},
+        clock_{clock} {}
 
-  // What is left of the time is added to the departure as long as the arrival stays in time, what is missing
-  // taken from it: under FIFO both come to rest at the latest departure.
-  core::UtcTime depart = std::max(whole_second(*guess), request.depart);
-  std::optional<Plan> best;
-  std::optional<core::UtcTime> too_late;  // a departure that would miss the arrival
-  for (int tries = 0; tries < most_plans; ++tries) {
-    auto plan = try_to_plan(environment, leaving_at(request, depart), stop, progress, clock);
-    if (!plan) {
-      if (best && plan.error().reason != Reason::cancelled) break;
-      return plan;
-    }
-    const core::Seconds left = wanted - plan->arrival;
-    if (left.count() >= 0.0) {
-      const core::Seconds tolerance = std::max(close_enough, close_enough_share * plan->travel_time());
-      best = std::move(*plan);
-      if (left <= tolerance) break;
-      depart = too_late ? between(best->departure, *too_late) : whole_second(depart + left);
-      continue;
-    }
-    too_late = depart;
-    if (best) {
-      depart = between(best->departure, *too_late);
-      if (depart - best->departure < close_enough) break;
-      continue;
-    }
-    if (depart <= request.depart) return tl::unexpected(too_early(request, *plan));
-    depart = std::max(whole_second(depart + left - close_enough), request.depart);
+  Result<Plan> find() {
+    const auto beginning = begin(environment_, request_, stop_);
+    if (!beginning) return tl::unexpected(beginning.error());
+    wanted_ = beginning->arrive;
+    climb(std::max(whole_second(beginning->depart), request_.depart));
+    // Where what closes and opens breaks the order of arrivals, a later departure may be in time again.
+    if (!is_cancelled() && !is_late_enough() && !is_closed_for_good()) look_through_the_rest();
+    if (is_cancelled()) return tl::unexpected(explain_cancelled(request_));
+    if (!best_) return explained();
+    wanted_ = *request_.departures.arrive_by;
+    if (!is_late_enough()) best_->warnings.push_back(early_text());
+    return std::move(*best_);
   }
-  if (best) return std::move(*best);
 
-  auto earliest = try_to_plan(environment, leaving_at(request, request.depart), stop, progress, clock);
-  if (!earliest || earliest->arrival <= wanted) return earliest;
-  return tl::unexpected(too_early(request, *earliest));
-}
+ private:
+  static constexpr int samples = 16;  // of the departures between the best one and the wanted arrival
+
+  [[nodiscard]] bool is_cancelled() const { return stop_.stop_requested(); }
+  [[nodiscard]] core::Seconds left(const Plan& plan) const {
+    return wanted_ - arrival_that_counts(plan, request_.uncertainty);
+  }
+  [[nodiscard]] bool is_late_enough() const {
+    return best_ && left(*best_) <= std::max(close_enough, close_enough_share * best_->travel_time());
+  }
+
+  /// Whether no plan came because of what is there at all times.
+  [[nodiscard]] bool is_closed_for_good() const {
+    if (best_ || too_late_ || !binds_) return false;
+    return binds_ == Constraint::land || binds_ == Constraint::depth || binds_ == Constraint::data_area ||
+           binds_ == Constraint::memory;
+  }
+
+  /// A whole plan; kept as the best if it arrives in time.
+  std::optional<core::Seconds> try_at(core::UtcTime depart) {
+    auto plan = try_to_plan(environment_, leaving_at(request_, depart), stop_, progress_, clock_);
+    if (!plan) {
+      binds_ = plan.error().binding;
+      return std::nullopt;
+    }
+    const core::Seconds spare = left(*plan);
+    if (spare.count() < 0.0) too_late_ = std::move(*plan);
+    if (spare.count() >= 0.0 && (!best_ || plan->departure > best_->departure)) best_ = std::move(*plan);
+    return spare;
+  }
+
+  /// What is left of the time is added to the departure as long as the arrival stays in time, what is missing
+  /// taken from it: under FIFO both come to rest at the latest departure.
+  void climb(core::UtcTime depart) {
+    std::optional<core::UtcTime> fails;  // a departure of which no plan comes that is in time
+    for (int tries = 0; tries < most_plans && !is_cancelled(); ++tries) {
+      const auto spare = try_at(depart);
+      if (is_late_enough()) return;
+      if (spare && spare->count() >= 0.0 && !fails) {
+        depart = whole_second(depart + *spare);
+        continue;
+      }
+      if (!spare || spare->count() < 0.0) fails = depart;
+      if (best_) {
+        if (*fails - best_->departure < close_enough) return;
+        depart = between(best_->departure, *fails);
+        continue;
+      }
+      if (!spare || depart <= request_.depart) return;
+      const core::Seconds back = std::isfinite(spare->count()) ? -*spare : 0.5 * (depart - request_.depart);
+      depart = std::max(whole_second(depart - back - close_enough), request_.depart);
+    }
+  }
+
+  /// The curve of the departures after the best one, or of all: from the last one on it that is in time the search goes on.
+  void look_through_the_rest() {
+    PlanRequest window = request_;
+    if (best_) window.depart = best_->departure;
+    const core::Seconds least = least_travel_time();
+    window.departures = {.until = wanted_ - least, .step = (wanted_ - least - window.depart) / samples};
+    if (window.departures.step < close_enough) return;
+    const auto curve = compare_departures(environment_, window, stop_, progress_);
+    if (!curve) return;
+    for (std::size_t i = curve->size(); i-- > 0 && !is_cancelled();) {
+      const DepartureOutcome& outcome = (*curve)[i];
+      if (!outcome.travel_time || outcome.arrival() > wanted_) continue;
+      if (best_ && outcome.departure <= best_->departure) return;
+      climb(whole_second(outcome.departure));
+      if (best_ && best_->departure >= whole_second(outcome.departure)) return;
+    }
+  }
+
+  /// Of a vehicle that the strongest current takes along.
+  [[nodiscard]] core::Seconds least_travel_time() const {
+    if (!best_) return core::Seconds{0.0};
+    return 0.25 * best_->travel_time();
+  }
+
+  [[nodiscard]] std::string early_text() const {
+    char hours[32];
+    std::snprintf(hours, sizeof hours, "%.1f h", left(*best_).count() / 3600.0);
+    return std::string{"this plan is there "} + hours +
+           " before the wanted arrival: no later departure was found that is in time";
+  }
+
+  /// Why nothing is in time.
+  Result<Plan> explained() {
+    auto earliest =
+        try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, progress_, clock_);
+    if (earliest && left(*earliest).count() >= 0.0) return earliest;
+    if (earliest) return tl::unexpected(too_early(request_, *earliest));
+    if (too_late_) return tl::unexpected(too_early(request_, *too_late_));
+    return earliest;
+  }
+
+  const ocean::Environment& environment_;
+  const PlanRequest& request_;
+  core::UtcTime wanted_;  // or the last moment before it at which the goal is open
+  const std::stop_token& stop_;
+  const core::ProgressCallback& progress_;
+  const core::SteadyClock& clock_;
+  std::optional<Plan> best_;         // the latest departure that is in time
+  std::optional<Plan> too_late_;     // a plan that is not
+  std::optional<Constraint> binds_;  // where no plan came, the last time
+};
 
 }  // namespace
 
@@ -131,7 +245,7 @@ Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanReque
                           const std::stop_token& stop, const core::ProgressCallback& progress,
                           const core::SteadyClock& clock) {
   throw_if_invalid(request);
-  Result<Plan> plan = try_to_arrive(environment, request, stop, progress, clock);
+  Result<Plan> plan = LatestDeparture{environment, request, stop, progress, clock}.find();
   if (plan) return plan;
   return tl::unexpected(with_what_would_help(environment, request, std::move(plan.error()), stop, progress));
 }

@@ -24,17 +24,6 @@ std::vector<std::uint8_t> open_vertices(const Sea& sea, const RouteGrid& grid, c
   return open;
 }
 
-/// How far an edge goes along either axis of the plane.
-core::Metres reach_of(const RouteGrid& grid, const graph::GridGraph& graph) {
-  double furthest = 0.0;
-  for (const graph::Offset offset : graph.offsets()) {
-    const double x_m = offset.dx * grid.along.x_m + offset.dy * grid.across.x_m;
-    const double y_m = offset.dx * grid.along.y_m + offset.dy * grid.across.y_m;
-    furthest = std::max({furthest, std::abs(x_m), std::abs(y_m)});
-  }
-  return core::Metres{furthest};
-}
-
 std::int64_t count_open_edges(const Sea& sea, const RouteGrid& grid, const graph::GridGraph& graph,
                               const std::stop_token& stop) {
   const core::Metres reach = reach_of(grid, graph);
@@ -51,6 +40,16 @@ std::int64_t count_open_edges(const Sea& sea, const RouteGrid& grid, const graph
 }
 
 }  // namespace
+
+core::Metres reach_of(const RouteGrid& grid, const graph::GridGraph& graph) {
+  double furthest = 0.0;
+  for (const graph::Offset offset : graph.offsets()) {
+    const double x_m = offset.dx * grid.along.x_m + offset.dy * grid.across.x_m;
+    const double y_m = offset.dx * grid.along.y_m + offset.dy * grid.across.y_m;
+    furthest = std::max({furthest, std::abs(x_m), std::abs(y_m)});
+  }
+  return core::Metres{furthest};
+}
 
 OpenGrid open_grid(const Sea& sea, const RouteGrid& grid, int sectors, const std::stop_token& stop) {
   graph::GridGraph graph{grid.nx, grid.ny, sectors, open_vertices(sea, grid, stop)};

@@ -20,6 +20,9 @@ struct OpenGrid {
   core::Seconds least_after_goal{};
 };
 
+/// How far an edge goes along either axis of the plane.
+[[nodiscard]] core::Metres reach_of(const RouteGrid& grid, const graph::GridGraph& graph);
+
 /// Stops    early once `stop` is requested; the grid must then not be used
 [[nodiscard]] OpenGrid open_grid(const Sea& sea, const RouteGrid& grid, int sectors,
                                  const std::stop_token& stop);

@@ -1,5 +1,7 @@
 #include "engine/planning/plan_route.hpp"
 
+#include <algorithm>
+#include <functional>
 #include <utility>
 
 #include "engine/planning/cost_plan.hpp"
@@ -41,6 +43,27 @@ Result<Plan> plan_in_one_sea(const ocean::Environment& environment, const PlanRe
   return plan_with_fewer_encounters(environment, request, without_weight_on_encounters, stop, progress);
 }
 
+/// Where the best way leaves no escape: ways that come to places to surface more often mostly have one.
+Result<Plan> surfacing_more_often(const PlanRequest& request, Infeasible why,
+                                  const std::function<Result<Plan>(const PlanRequest&)>& plan_with) {
+  const core::Seconds until_there = why.when - request.depart;
+  const core::Seconds bound =
+      std::min(request.under_ice.max_time_without_surfacing.value_or(until_there), until_there);
+  for (const double share : {0.5, 0.25}) {
+    PlanRequest tighter = request;
+    tighter.under_ice.max_time_without_surfacing = share * bound;
+    if (!tighter.violations().empty()) break;
+    Result<Plan> plan = plan_with(tighter);
+    if (!plan && plan.error().reason == Reason::cancelled) return plan;
+    if (!plan) continue;
+    plan->warnings.emplace_back(
+        "the fastest way leaves no escape from every waypoint; this one comes to places to surface more "
+        "often");
+    return plan;
+  }
+  return tl::unexpected(std::move(why));
+}
+
 }  // namespace
 
 Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
@@ -52,13 +75,21 @@ Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanReques
   const bool is_uncertain = has_uncertain_currents(environment, request);
   PlanRequest in_one_sea = request;
   in_one_sea.optimality_gap = request.optimality_gap && !is_uncertain;
-  const PlanIn plan_in = [&](const ocean::Environment& sea) {
-    return plan_in_one_sea(sea, in_one_sea, stop, progress, clock);
+  const auto plan_with = [&](const PlanRequest& asked) {
+    const PlanIn in_sea = [&](const ocean::Environment& sea) {
+      return plan_in_one_sea(sea, asked, stop, progress, clock);
+    };
+    return is_uncertain ? plan_uncertain(environment, asked, in_sea, stop, progress) : in_sea(environment);
   };
-  Result<Plan> plan =
-      is_uncertain ? plan_uncertain(environment, in_one_sea, plan_in, stop, progress) : plan_in(environment);
+  Result<Plan> plan = plan_with(in_one_sea);
+  if (!plan && plan.error().reason == Reason::no_escape)
+    plan = surfacing_more_often(in_one_sea, std::move(plan.error()), plan_with);
   if (plan && is_uncertain && request.optimality_gap) {
     plan->optimality_gap_reason = "the currents are not certain, so that no one way is the best";
+  }
+  if (plan && request.uncertainty.drawn_members > 0 && environment.members.size() > 1) {
+    plan->warnings.emplace_back(
+        "members were drawn about the first of the currents alone; the others that are named were not used");
   }
   const bool asks_for_chances =
       request.uncertainty.objective != RobustObjective::none || request.uncertainty.arrive_before;

@@ -205,6 +205,26 @@ class Relaxation {
         written("reduce what is kept from the ice above from %.0f to %.0f m", now, *needed));
   }
 
+  void dive_deeper() { dive_towards(request_.vehicle.depth_rating.value); }
+  void dive_less_deep() {
+    dive_towards(std::ceil(request_.vehicle.climb_to.value + vehicle::lowest_tooth.value));
+  }
+
+  void keep_less_above_the_bed() {
+    const double now = request_.vehicle.altimeter_margin.value;
+    const double usual = standard_margin_m();
+    if (now <= usual) return;
+    const auto with = [&](double margin) {
+      PlanRequest changed = request_;
+      changed.vehicle.altimeter_margin = {margin};
+      return changed;
+    };
+    const auto needed = nearest_that_helps(now, usual, 1.0, with);
+    if (!needed) return;
+    add("altimeter_margin_m", now, *needed, 2.0 - *needed / now,
+        written("keep %.0f m above the sea bed instead of %.0f m", *needed, now));
+  }
+
   void charge_the_battery() {
     const double now = request_.vehicle.energy.battery_start_share;
     const auto with = [&](double share) {
@@ -317,6 +337,25 @@ class Relaxation {
     return result;
   }
 
+  void dive_towards(double extreme) {
+    const double now = request_.vehicle.dive_depth.value;
+    const auto with = [&](double depth) {
+      PlanRequest changed = request_;
+      changed.vehicle.dive_depth = {depth};
+      return changed;
+    };
+    const auto needed = nearest_that_helps(now, extreme, 1.0, with);
+    if (!needed) return;
+    add("dive_depth_m", now, *needed, *needed > now ? *needed / now : 2.0 - *needed / now,
+        written("dive to %.0f m instead of %.0f m", *needed, now));
+  }
+
+  /// What the vehicle's profile keeps: less is nothing to propose.
+  [[nodiscard]] double standard_margin_m() const {
+    const auto profile = vehicle::find_profile(request_.vehicle.name);
+    return profile ? profile->altimeter_margin.value : request_.vehicle.altimeter_margin.value;
+  }
+
   void begin_input() { told_nothing_ = false; }
   /// Whether no more is to be tried of the input at hand.
   [[nodiscard]] bool is_over() const { return told_nothing_ || stop_.stop_requested(); }
@@ -405,19 +444,26 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
     case Constraint::iceberg:
       relaxation.shrink_margin();
       relaxation.allow_for_less_error();
+      if (request.icebergs.pass_under) relaxation.dive_deeper();
       if (!at_a_stop) relaxation.refine_the_grid();
       break;
     case Constraint::ice:
       relaxation.stay_longer_under_ice();
       relaxation.keep_less_from_ice();
+      relaxation.dive_deeper();
+      relaxation.keep_less_above_the_bed();
       relaxation.depart_later();
       break;
     case Constraint::zone:
       relaxation.leave_out_a_zone();
       relaxation.leave_out_stored_zones(without_stored_zones);
+      relaxation.dive_less_deep();
       if (!at_a_stop) relaxation.refine_the_grid();
       break;
     case Constraint::depth:
+      relaxation.keep_less_above_the_bed();
+      if (!at_a_stop) relaxation.refine_the_grid();
+      break;
     case Constraint::land:
       if (!at_a_stop) relaxation.refine_the_grid();
       break;

@@ -1,55 +1,24 @@
 #include "engine/planning/robust_plan.hpp"
 
 #include <algorithm>
-#include <cstdint>
 #include <limits>
 #include <memory>
 #include <optional>
-#include <random>
 #include <utility>
 #include <vector>
 
+#include "engine/ocean/ensemble_mean.hpp"
 #include "engine/planning/chart.hpp"
 #include "engine/planning/driven_route.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/member_spread.hpp"
+#include "engine/planning/sea_members.hpp"
 
 namespace floeplan::planning {
 namespace {
 
 constexpr core::Seconds at_departure{0.0};
-
-/// The seas of an ensemble, or of an error model drawn one at a time: only the one at work is in memory.
-class Members {
- public:
-  Members(const ocean::Environment& environment, const UncertaintyRules& rules)
-      : environment_{environment}, rules_{rules} {}
-
-  [[nodiscard]] std::size_t size() const {
-    return rules_.drawn_members > 0 ? static_cast<std::size_t>(rules_.drawn_members)
-                                    : environment_.members.size();
-  }
-
-  [[nodiscard]] ocean::Environment environment(std::size_t member) const {
-    ocean::Environment result = environment_;
-    result.members.clear();
-    if (rules_.drawn_members > 0) {
-      std::seed_seq seeds{static_cast<std::uint32_t>(rules_.seed),
-                          static_cast<std::uint32_t>(rules_.seed >> 32), static_cast<std::uint32_t>(member)};
-      std::mt19937_64 rng{seeds};
-      result.currents = std::make_shared<const ocean::CurrentGrid>(
-          ocean::with_error(*environment_.currents, rules_.error, rng));
-    } else {
-      result.currents = environment_.members[member];
-    }
-    return result;
-  }
-
- private:
-  const ocean::Environment& environment_;
-  const UncertaintyRules& rules_;
-};
 
 std::vector<geo::LonLat> places_of(const Plan& plan) {
   std::vector<geo::LonLat> places;
@@ -90,18 +59,6 @@ class Fares {
   std::vector<std::optional<double>> costs_;
 };
 
-/// What the objective counts of a plan's costs in the members, less is better.
-double criterion(const MemberSpread& costs, const UncertaintyRules& rules) {
-  const auto cost =
-      rules.objective == RobustObjective::quantile ? costs.quantile(rules.quantile) : costs.mean();
-  return cost.value_or(std::numeric_limits<double>::infinity());
-}
-
-bool is_better(const MemberSpread& a, const MemberSpread& b, const UncertaintyRules& rules) {
-  if (a.known() != b.known()) return a.known() > b.known();
-  return criterion(a, rules) < criterion(b, rules);
-}
-
 UncertaintyReport report_of(ArrivalSpread spread, const UncertaintyRules& rules, core::UtcTime depart,
                             std::size_t candidates) {
   UncertaintyReport report{.spread = std::move(spread),
@@ -116,19 +73,41 @@ UncertaintyReport report_of(ArrivalSpread spread, const UncertaintyRules& rules,
 
 }  // namespace
 
-bool has_uncertain_currents(const ocean::Environment& environment, const PlanRequest& request) {
-  return environment.currents && (request.uncertainty.drawn_members > 0 || environment.members.size() > 1);
+double what_counts(const MemberSpread& costs, const UncertaintyRules& rules) {
+  const auto cost =
+      rules.objective == RobustObjective::quantile ? costs.quantile(rules.quantile) : costs.mean();
+  return cost.value_or(std::numeric_limits<double>::infinity());
+}
+
+bool is_better(const MemberSpread& a, const MemberSpread& b, const UncertaintyRules& rules) {
+  if (a.known() != b.known()) return a.known() > b.known();
+  return what_counts(a, rules) < what_counts(b, rules);
+}
+
+core::UtcTime arrival_that_counts(const Plan& plan, const UncertaintyRules& rules) {
+  if (!plan.uncertainty || rules.objective == RobustObjective::none) return plan.arrival;
+  const ArrivalSpread& spread = plan.uncertainty->spread;
+  const auto time =
+      rules.objective == RobustObjective::quantile ? spread.quantile(rules.quantile) : spread.mean();
+  return plan.departure + time.value_or(core::Seconds{std::numeric_limits<double>::infinity()});
 }
 
 Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanRequest& request,
                             const PlanIn& plan_in, const std::stop_token& stop,
                             const core::ProgressCallback& progress) {
   const UncertaintyRules& rules = request.uncertainty;
-  const Members members{environment, rules};
+  const SeaMembers members{environment, rules};
   Result<Plan> base = plan_in(environment);
   if (!base) return base;
 
   std::vector<Plan> candidates{*base};
+  const auto add_candidate = [&](const ocean::Environment& sea) {
+    const Result<Plan> plan = plan_in(sea);
+    if (!plan) return;
+    // A route that the first currents do not let through could not be published.
+    Result<Plan> in_first = evaluate_route(environment, places_of(*plan), request, stop);
+    if (in_first) candidates.push_back(std::move(*in_first));
+  };
   const auto report = [&](double from, std::size_t member) {
     progress("members", from + 0.5 * static_cast<double>(member) / static_cast<double>(members.size()));
   };
@@ -136,12 +115,16 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
        ++member) {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
     report(0.0, member);
-    const ocean::Environment sea = members.environment(member);
-    const Result<Plan> plan = plan_in(sea);
-    if (!plan) continue;
-    // A route that the first currents do not let through could not be published.
-    Result<Plan> in_first = evaluate_route(environment, places_of(*plan), request, stop);
-    if (in_first) candidates.push_back(std::move(*in_first));
+    add_candidate(members.environment(member));
+  }
+  // Between the members' own ways there may be one that is good in all of them: that in their mean is most likely to be.
+  if (rules.objective != RobustObjective::none && rules.drawn_members == 0) {
+    if (auto mean = ocean::ensemble_mean(environment.members)) {
+      ocean::Environment sea = environment;
+      sea.members.clear();
+      sea.currents = std::make_shared<const ocean::CurrentGrid>(std::move(*mean));
+      add_candidate(sea);
+    }
   }
 
   const Objective objective = request.objective();

@@ -6,23 +6,32 @@
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/infeasible.hpp"
+#include "engine/planning/member_spread.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/sea_members.hpp"
 
 namespace floeplan::planning {
 
 /// Plans the request in one environment.
 using PlanIn = std::function<Result<Plan>(const ocean::Environment&)>;
 
-/// Whether there are several currents to plan for: members of an ensemble or an error model.
-[[nodiscard]] bool has_uncertain_currents(const ocean::Environment& environment, const PlanRequest& request);
+/// What the objective counts of costs in the members, less is better; infinite where it would take a member without one.
+[[nodiscard]] double what_counts(const MemberSpread& costs, const UncertaintyRules& rules);
+
+/// The one that more members let through; of equals the one whose costs count less.
+[[nodiscard]] bool is_better(const MemberSpread& a, const MemberSpread& b, const UncertaintyRules& rules);
+
+/// When a plan arrives by what is made the best of: in the mean of the members, or in the share of them that is to be in
+/// time; without such an objective in the first currents. Infinitely late where too few members arrive.
+[[nodiscard]] core::UtcTime arrival_that_counts(const Plan& plan, const UncertaintyRules& rules);
 
 /// A plan with its spread over all members. Without an objective over them it is the plan of the first currents. With one,
-/// the routes planned for each member are candidates beside it: each is driven in every member as it would be in the first
+/// the routes planned for each member, and for the mean of an ensemble's on equal grids, are candidates beside it: each is driven in every member as it would be in the first
 /// currents, and the one whose costs by the request's objective are best over the members is published, timed in the
 /// first currents. A candidate that fewer members let through comes after one that more let through.
-/// Limits   icebergs drift in every member as the member's own currents carry them; candidates are the members'
-///          own best routes, so that a compromise none of them would take is not found
+/// Limits   icebergs drift in every member as the member's own currents carry them; candidates are the best
+///          routes of the members and of their mean, so that another compromise is not found
 /// Errors   as `plan_in`; Reason::cancelled once `stop` is requested
 [[nodiscard]] Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanRequest& request,
                                           const PlanIn& plan_in, const std::stop_token& stop,

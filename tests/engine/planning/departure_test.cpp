@@ -140,6 +140,80 @@ TEST(CompareDepartures, ArriveInTheOrderOfDepartureUnderFifo) {
   }
 }
 
+/// An area round the start that is closed until the hour.
+ocean::Zone closed_start_until(const PlanRequest& request, double hour) {
+  const double west = request.from.lon_deg - 0.05;
+  const double south = request.from.lat_deg - 0.02;
+  return {.name = "exercise",
+          .kind = ocean::ZoneKind::no_go,
+          .area = {.outer =
+                       {{west, south}, {west + 0.1, south}, {west + 0.1, south + 0.04}, {west, south + 0.04}},
+                   .holes = {}},
+          .from = {},
+          .until = request.depart + core::Seconds{3600.0 * hour}};
+}
+
+TEST(CompareDepartures, AskOfEachDepartureAloneWhetherItsStartIsClosed) {
+  PlanRequest request = window_request(12.0, 10'800.0);
+  request.zones = {closed_start_until(request, 4.0)};
+
+  const auto outcomes = curve({.currents = currents_from(tide, 96)}, request);
+
+  ASSERT_EQ(outcomes.size(), 5U);
+  for (std::size_t i = 0; i < outcomes.size(); ++i)
+    EXPECT_EQ(outcomes[i].closed.has_value(), i < 2) << "departure " << i;
+  EXPECT_EQ(outcomes[1].closed->reason, Reason::start_in_zone);
+  EXPECT_NE(outcomes[1].closed->explanation.find("until"), std::string::npos);
+  EXPECT_EQ(outcomes[1].closed->when, outcomes[1].departure);
+  expect_brute_force({.currents = currents_from(tide, 96)}, request);
+}
+
+TEST(CompareDepartures, AskOfEachDepartureAloneWhetherAnIcebergCoversItsStart) {
+  PlanRequest request = window_request(24.0, 21'600.0);
+  ocean::Environment environment{
+      .currents = currents_from([](geo::LonLat, double) { return geo::VelocityEn{{0.0}, {0.15}}; }, 120)};
+  environment.icebergs = {support::iceberg_at(request.from, 200.0)};
+  request.icebergs.max_inflation = core::Metres{0.0};
+
+  const auto outcomes = curve(environment, request);
+
+  EXPECT_EQ(outcomes.front().closed->reason, Reason::start_near_iceberg);
+  EXPECT_TRUE(outcomes.back().travel_time.has_value());
+  expect_brute_force(environment, request);
+}
+
+/// A stream against the way until an hour, and with it afterwards; or the other way round.
+std::shared_ptr<const ocean::CurrentGrid> turning_stream(double before_m_s, double after_m_s) {
+  return currents_from(
+      [=](geo::LonLat, double hour) {
+        return geo::VelocityEn{{hour < 48.0 ? before_m_s : after_m_s}, {0.0}};
+      },
+      200);
+}
+
+TEST(CompareDepartures, WeighAllMembersWhereTheObjectiveIsRobust) {
+  ocean::Environment environment{.currents = turning_stream(0.1, 0.0)};
+  environment.members = {environment.currents, turning_stream(-0.2, 0.15), turning_stream(-0.2, 0.15)};
+  PlanRequest request = window_request(72.0, 72.0 * 3600.0);
+  request.spacing_along = core::Metres{4000.0};
+  EXPECT_EQ(best_departure(curve(environment, request)), 0U) << "the first member wants to leave at once";
+  request.uncertainty.objective = RobustObjective::mean;
+
+  const auto outcomes = curve(environment, request);
+
+  EXPECT_EQ(best_departure(outcomes), 1U);
+  for (const DepartureOutcome& outcome : outcomes) {
+    double sum_s = 0.0;
+    for (const auto& member : environment.members) {
+      const auto plan = plan_route({.currents = member}, alone(request, outcome.departure), {}, {});
+      ASSERT_TRUE(plan.has_value());
+      sum_s += plan->travel_time().count();
+    }
+    EXPECT_NEAR(outcome.robust_cost.value(), sum_s / 3.0, 1e-3 * sum_s);
+    EXPECT_EQ(outcome.members_closed, 0U);
+  }
+}
+
 TEST(CompareDepartures, StopsWhenAsked) {
   std::stop_source source;
   source.request_stop();
@@ -173,6 +247,20 @@ TEST(PlanWindow, GivesTheReasonOfTheFirstDepartureWhenEveryOneIsClosed) {
   EXPECT_EQ(window.departures.size(), 7U);
 }
 
+TEST(PlanWindow, SaysWhichDeparturesItDidNotTryToPlan) {
+  PlanRequest request = window_request(30.0, 3600.0);
+  request.method = Method::direct;
+  request.energy.require_battery = true;
+  request.vehicle.energy.battery = {1e5};
+
+  const WindowPlan found = plan_window({.currents = currents_from(tide, 120)}, request, {}, {});
+
+  ASSERT_FALSE(found.plan.has_value());
+  EXPECT_EQ(found.plan.error().reason, Reason::energy_exceeded);
+  EXPECT_NE(found.plan.error().explanation.find("the best 24 of 31 departures were tried"), std::string::npos)
+      << found.plan.error().explanation;
+}
+
 TEST(BestDeparture, IsTheFirstOfTheFastest) {
   std::vector<DepartureOutcome> outcomes(4);
   outcomes[1].travel_time = core::Seconds{50.0};
@@ -181,6 +269,26 @@ TEST(BestDeparture, IsTheFirstOfTheFastest) {
 
   EXPECT_EQ(best_departure(outcomes), 2U);
   EXPECT_EQ(best_departure({}), std::nullopt);
+}
+
+TEST(BestDeparture, IsTheFirstOfThoseThatDifferByRounding) {
+  const core::UtcTime start = core::from_unix_seconds(support::sea_start_s);
+  std::vector<DepartureOutcome> outcomes;
+  for (int i = 0; i < 4; ++i)
+    outcomes.push_back({.departure = start + core::Seconds{3600.0 * i},
+                        .travel_time = core::Seconds{50'000.0 * (1.0 - 1e-12 * i)}});
+
+  EXPECT_EQ(best_departure(outcomes), 0U);
+}
+
+TEST(BestDeparture, IsOneThatMostMembersLetThrough) {
+  const core::UtcTime start = core::from_unix_seconds(support::sea_start_s);
+  const std::vector<DepartureOutcome> outcomes{
+      {.departure = start, .travel_time = core::Seconds{10.0}, .robust_cost = 10.0, .members_closed = 1},
+      {.departure = start, .travel_time = core::Seconds{20.0}, .robust_cost = 20.0, .members_closed = 0},
+      {.departure = start, .travel_time = core::Seconds{15.0}, .robust_cost = 15.0, .members_closed = 0}};
+
+  EXPECT_EQ(best_departure(outcomes), 2U);
 }
 
 TEST(BestDeparture, DrawsLeastWhereTheObjectiveIsEnergy) {

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/planning/chart.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/voyage_search.hpp"
@@ -109,6 +111,69 @@ TEST(PlanArrival, LeavesAtTheStraightLinesTimeInStillWater) {
     EXPECT_NEAR((*request.departures.arrive_by - plan->arrival).count(), 0.0,
                 1e-3 * plan->travel_time().count());
   }
+}
+
+/// An area round the goal that is closed between two hours.
+ocean::Zone closed_goal(const PlanRequest& request, double from_hour, double until_hour) {
+  const double west = request.to.lon_deg - 0.05;
+  const double south = request.to.lat_deg - 0.02;
+  return {.name = "exercise",
+          .kind = ocean::ZoneKind::no_go,
+          .area = {.outer =
+                       {{west, south}, {west + 0.1, south}, {west + 0.1, south + 0.04}, {west, south + 0.04}},
+                   .holes = {}},
+          .from = request.depart + core::Seconds{3600.0 * from_hour},
+          .until = request.depart + core::Seconds{3600.0 * until_hour}};
+}
+
+TEST(PlanArrival, ArrivesBeforeTheGoalClosesWhereItIsClosedAtTheWantedTime) {
+  for (const double wanted : {121.0, 130.0, 149.0}) {
+    PlanRequest request = arriving_after(wanted);
+    request.zones = {closed_goal(request, 120.0, 150.0)};
+
+    const auto plan = plan_arrival({}, request, {}, {});
+
+    ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
+    const core::UtcTime closes = request.depart + core::Seconds{120.0 * 3600.0};
+    EXPECT_LE(plan->arrival, closes);
+    EXPECT_GT(plan->arrival, closes - core::Seconds{600.0}) << "to reach " << wanted << " h";
+    EXPECT_TRUE(std::ranges::any_of(plan->warnings, [](const std::string& warning) {
+      return warning.find("before the wanted arrival") != std::string::npos;
+    }));
+  }
+}
+
+TEST(PlanArrival, LeavesOnceTheStartIsOpen) {
+  PlanRequest request = arriving_after(72.0);
+  ocean::Zone zone = closed_goal(request, 0.0, 5.0);
+  PlanRequest at_start = request;
+  at_start.to = request.from;
+  zone.area = closed_goal(at_start, 0.0, 0.0).area;
+  request.zones = {zone};
+
+  const auto plan = plan_arrival({}, request, {}, {});
+
+  ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
+  EXPECT_NEAR((*request.departures.arrive_by - plan->arrival).count(), 0.0,
+              1e-3 * plan->travel_time().count());
+}
+
+TEST(PlanArrival, IsInTimeInTheShareOfTheMembersThatItIsToBe) {
+  const auto stream = [](double speed_m_s) {
+    return currents_from([=](geo::LonLat, double) { return geo::VelocityEn{{speed_m_s}, {0.0}}; }, 200);
+  };
+  ocean::Environment environment{.currents = stream(0.1)};
+  environment.members = {environment.currents, stream(0.0), stream(-0.1)};
+  PlanRequest request = arriving_after(120.0);
+  request.uncertainty.objective = RobustObjective::quantile;
+  request.uncertainty.quantile = 0.99;
+  request.uncertainty.arrive_before = request.departures.arrive_by;
+
+  const auto plan = plan_arrival(environment, request, {}, {});
+
+  ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
+  const core::UtcTime last = plan->departure + *plan->uncertainty->spread.quantile(0.99);
+  EXPECT_NEAR((*request.departures.arrive_by - last).count(), 0.0, 2e-3 * plan->travel_time().count() + 60.0);
 }
 
 TEST(PlanArrival, SaysWhenTheEarliestDepartureArrives) {

@@ -245,6 +245,59 @@ TEST(Relaxation, NamesWhatMakesADepartureOfAWindowPossible) {
   EXPECT_TRUE(plan_window(environment, request, {}, {}).plan.has_value());
 }
 
+TEST(Relaxation, NamesTheDepthOfDivesThatIsAllowed) {
+  PlanRequest request = eastward_request();
+  request.zones = {
+      {.name = "upper water",
+       .kind = ocean::ZoneKind::stay_in,
+       .area = {.outer = {{-55.0, 68.0}, {-51.0, 68.0}, {-51.0, 70.0}, {-55.0, 70.0}}, .holes = {}},
+       .from = {},
+       .until = {},
+       .bottom = core::Metres{90.0}}};
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  const Change* shallower = change_of(found.error(), "dive_depth_m");
+  ASSERT_NE(shallower, nullptr);
+  request.vehicle.dive_depth = {std::get<double>(shallower->to)};
+  EXPECT_TRUE(plan({}, request).has_value());
+  request.vehicle.dive_depth.value += 5.0;
+  EXPECT_FALSE(plan({}, request).has_value());
+}
+
+TEST(Relaxation, NamesWhatIsKeptAboveTheSeaBedWhereItIsMoreThanUsual) {
+  const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat) { return 60.0; })};
+  PlanRequest request = eastward_request();
+  request.vehicle.altimeter_margin = core::Metres{70.0};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  const Change* less = change_of(found.error(), "altimeter_margin_m");
+  ASSERT_NE(less, nullptr);
+  request.vehicle.altimeter_margin = {std::get<double>(less->to)};
+  EXPECT_TRUE(plan(environment, request).has_value());
+}
+
+TEST(Relaxation, DepartsWhenTheStartHasOpened) {
+  PlanRequest request = eastward_request();
+  request.zones = {
+      {.name = "exercise",
+       .kind = ocean::ZoneKind::no_go,
+       .area = {.outer = {{-53.6, 68.95}, {-53.4, 68.95}, {-53.4, 69.05}, {-53.6, 69.05}}, .holes = {}},
+       .from = {},
+       .until = request.depart + core::Seconds{2.5 * 3600.0}}};
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_NE(found.error().explanation.find("until"), std::string::npos) << found.error().explanation;
+  const Change* later = change_of(found.error(), "depart");
+  ASSERT_NE(later, nullptr);
+  EXPECT_EQ(std::get<core::UtcTime>(later->to), request.depart + core::Seconds{3.0 * 3600.0});
+}
+
 TEST(Relaxation, FindsNothingWhereNoInputHelps) {
   const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
                                          return std::abs(p.lon_deg + 53.0) < 0.15 ? -5.0 : 300.0;
