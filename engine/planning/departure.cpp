@@ -27,7 +27,8 @@ namespace {
 constexpr double departures_a_sweep = 2.0;
 
 /// Departures of a window of which the curve knows a way and no plan comes, before the window is given up: each takes a
-/// whole plan.
+/// whole plan. First the best ones, then those that are furthest from all that were refused.
+constexpr std::size_t best_refused = 12;
 constexpr std::size_t most_refused = 24;
 
 /// With the changes that make the window's first departure possible: they make the window so.
@@ -38,6 +39,20 @@ Infeasible what_would_help(const ocean::Environment& environment, const PlanRequ
   // The window ends where it did: leaving later than that is another request.
   std::erase_if(why.changes, [](const Change& change) { return change.input == "depart"; });
   return why;
+}
+
+/// The departure with a way that is furthest from those without; empty: there is none.
+std::optional<std::size_t> furthest_from_refused(const std::vector<DepartureOutcome>& outcomes) {
+  const std::size_t count = outcomes.size();
+  std::vector<std::size_t> away(count, count);  // from the nearest that was refused
+  for (std::size_t i = 0; i < count; ++i) {
+    if (!outcomes[i].travel_time) away[i] = 0;
+    if (i > 0) away[i] = std::min(away[i], away[i - 1] + 1);
+  }
+  for (std::size_t i = count - 1; i-- > 0;) away[i] = std::min(away[i], away[i + 1] + 1);
+  const auto furthest = std::ranges::max_element(away);
+  if (*furthest == 0) return std::nullopt;
+  return static_cast<std::size_t>(furthest - away.begin());
 }
 
 /// What one departure leads to, on grids of one reach.
@@ -239,7 +254,8 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
   if (!outcomes) return {.departures = {}, .plan = tl::unexpected(outcomes.error())};
   std::optional<Infeasible> refused;
   for (std::size_t tries = 0; tries < most_refused; ++tries) {
-    const auto best = best_departure(*outcomes, request.energy.objective);
+    const auto best = tries < best_refused ? best_departure(*outcomes, request.energy.objective)
+                                           : furthest_from_refused(*outcomes);
     if (!best) break;
     DepartureOutcome& outcome = (*outcomes)[*best];
     auto plan = try_to_plan(environment, leaving_at(request, outcome.departure), stop, progress, clock);
@@ -253,8 +269,8 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
   const auto left = std::ranges::count_if(
       *outcomes, [](const DepartureOutcome& outcome) { return outcome.travel_time.has_value(); });
   if (left > 0) {
-    why.explanation += "; the best " + std::to_string(most_refused) + " of " +
-                       std::to_string(outcomes->size()) + " departures were tried, " + std::to_string(left) +
+    why.explanation += "; " + std::to_string(most_refused) + " of " + std::to_string(outcomes->size()) +
+                       " departures were tried, " + std::to_string(left) +
                        " with a way were not: a shorter window looks at them";
   }
   return {.departures = std::move(*outcomes),

@@ -143,8 +143,8 @@ class LatestDeparture {
 
   /// What is left of the time is added to the departure as long as the arrival stays in time, what is missing
   /// taken from it: under FIFO both come to rest at the latest departure.
-  void climb(core::UtcTime depart) {
-    std::optional<core::UtcTime> fails;  // a departure of which no plan comes that is in time
+  /// `fails`: a departure of which no plan comes that is in time.
+  void climb(core::UtcTime depart, std::optional<core::UtcTime> fails = std::nullopt) {
     for (int tries = 0; tries < most_plans && !is_cancelled(); ++tries) {
       const auto spare = try_at(depart);
       if (is_late_enough()) return;
@@ -173,12 +173,14 @@ class LatestDeparture {
     if (window.departures.step < close_enough) return;
     const auto curve = compare_departures(environment_, window, stop_, progress_);
     if (!curve) return;
+    std::optional<core::UtcTime> fails;
     for (std::size_t i = curve->size(); i-- > 0 && !is_cancelled();) {
       const DepartureOutcome& outcome = (*curve)[i];
-      if (!outcome.travel_time || outcome.arrival() > wanted_) continue;
       if (best_ && outcome.departure <= best_->departure) return;
-      climb(whole_second(outcome.departure));
-      if (best_ && best_->departure >= whole_second(outcome.departure)) return;
+      const bool is_in_time = outcome.travel_time && outcome.arrival() <= wanted_;
+      if (is_in_time) climb(whole_second(outcome.departure), fails);
+      fails = outcome.departure;
+      if (is_in_time && best_ && best_->departure >= whole_second(outcome.departure)) return;
     }
   }
 

@@ -55,7 +55,8 @@ Result<Plan> surfacing_more_often(const PlanRequest& request, Infeasible why,
     if (!tighter.violations().empty()) break;
     Result<Plan> plan = plan_with(tighter);
     if (!plan && plan.error().reason == Reason::cancelled) return plan;
-    if (!plan) continue;
+    if (!plan && plan.error().reason == Reason::no_escape) continue;
+    if (!plan) break;  // no way comes to the surface as often, let alone more often
     plan->warnings.emplace_back(
         "the fastest way leaves no escape from every waypoint; this one comes to places to surface more "
         "often");

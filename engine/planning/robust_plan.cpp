@@ -118,6 +118,7 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
     add_candidate(members.environment(member));
   }
   // Between the members' own ways there may be one that is good in all of them: that in their mean is most likely to be.
+  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
   if (rules.objective != RobustObjective::none && rules.drawn_members == 0) {
     if (auto mean = ocean::ensemble_mean(environment.members)) {
       ocean::Environment sea = environment;

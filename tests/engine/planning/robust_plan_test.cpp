@@ -173,7 +173,7 @@ TEST(RobustPlan, OfEnergyTakesTheRouteThatDrawsLeastOnAverage) {
 TEST(RobustPlan, NamesEveryFaultOfItsRules) {
   PlanRequest request = eastward_request();
   request.uncertainty.drawn_members = 1;
-  request.uncertainty.quantile = 0.99;
+  request.uncertainty.quantile = 1.0;
 
   EXPECT_EQ(request.violations().size(), 5U) << "members, quantile and the three numbers of the error model";
 }
