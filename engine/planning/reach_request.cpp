@@ -72,6 +72,7 @@ PlanRequest voyage_of(const ReachRequest& request) {
   voyage.from = request.place;
   voyage.to = request.place;
   voyage.depart = request.begin();
+  voyage.departures.until = request.end();  // icebergs drift as long as it is under way
   voyage.vehicle = request.vehicle;
   voyage.sectors = request.sectors;
   voyage.zones = request.zones;

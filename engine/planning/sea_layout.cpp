@@ -10,16 +10,27 @@ namespace {
 
 constexpr core::Seconds day{86'400.0};
 
-/// How long drift matters: to the end of the currents, within which any departure and any way must fall; no less than
-/// the way needs; not beyond 30 days, after which the International Ice Patrol itself gives up a berg that was not seen
-/// again.
+/// After as long the International Ice Patrol itself gives up a berg that was not seen again.
+constexpr core::Seconds longest_drift = 30.0 * day;
+
+/// The last moment at which the vehicle may leave.
+core::UtcTime last_departure(const PlanRequest& request) {
+  const DepartureRules& rules = request.departures;
+  return std::max(
+      {request.depart, rules.until.value_or(request.depart), rules.arrive_by.value_or(request.depart)});
+}
+
+/// How long after the first departure drift matters. The last departure has what it would have alone, so that
+/// whether others are compared with it changes nothing: no less than the way needs, and to the end of the
+/// currents, but no longer than the longest drift.
 core::Seconds forecast_horizon(const ocean::Environment& environment, const PlanRequest& request) {
-  core::Seconds horizon = drift_for_the_way(request);
+  const core::UtcTime last = last_departure(request);
+  core::Seconds under_way = drift_for_the_way(request);
   if (environment.currents && !environment.steady_currents) {
     const core::UtcTime end = core::from_unix_seconds(environment.currents->times_s().back());
-    horizon = std::max<core::Seconds>(horizon, end - request.depart);
+    under_way = std::max<core::Seconds>(under_way, end - last);
   }
-  return std::min(horizon, 30.0 * day);
+  return (last - request.depart) + std::min(under_way, longest_drift);
 }
 
 std::optional<PassUnder> lay_out_under(const ocean::Environment& environment, const PlanRequest& request,
@@ -46,6 +57,8 @@ std::vector<geo::PlanePoint> stops_of(const PlanRequest& request, const geo::Loc
 
 core::Seconds drift_for_the_way(const PlanRequest& request) {
   constexpr double detours = 6.0;
+  // It may wait at any number of places.
+  if (request.max_loiter.count() > 0.0) return longest_drift;
   core::Metres way{0.0};
   geo::LonLat last = request.from;
   for (const geo::LonLat via : request.via) {

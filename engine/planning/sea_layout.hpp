@@ -21,12 +21,13 @@ namespace floeplan::planning {
 /// The rules of the environment's zones and of the request's own.
 [[nodiscard]] ZoneRules lay_out_zones(const ocean::Environment& environment, const PlanRequest& request);
 
-/// How long icebergs drift while a vehicle is on its way, at most: six times the straight way from stop to stop, for
-/// detours and head currents, and a day; whole days, so that ways of about one length have the same.
+/// How long icebergs drift while a vehicle is on its way, at most: six times the straight way from stop to
+/// stop, for detours and head currents, and a day; whole days, so that ways of about one length have the
+/// same. Where it may wait on its way, 30 days.
 [[nodiscard]] core::Seconds drift_for_the_way(const PlanRequest& request);
 
-/// The icebergs' drift for as long as it matters: to the end of the currents, within which any departure and any way
-/// must fall, and no less than a slow way with detours takes.
+/// The icebergs' drift for as long as it matters: from the last departure of a window, or the wanted arrival,
+/// on no less than a slow way with detours takes, and to the end of the currents, at most 30 days.
 [[nodiscard]] IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanRequest& request,
                                             const geo::LocalProjection& projection, const PlaneBox& area,
                                             const std::stop_token& stop);

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/planning/plan_route.hpp"
+#include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
@@ -98,6 +99,22 @@ TEST(CompareDepartures, EqualsPlanningAloneOverASeaBedThatCostsEnergy) {
   });
   expect_brute_force({.currents = currents_from(tide, 120), .bathymetry = banks},
                      window_request(6.0, 7200.0));
+}
+
+TEST(CompareDepartures, EqualsPlanningAloneWhileABergGoesByForDays) {
+  support::for_each_seed(3, [](std::mt19937_64& rng) {
+    PlanRequest request = window_request(120.0, 12.0 * 3600.0);
+    request.from = {-53.0, 69.03};
+    request.to = {-53.0, 68.985};
+    request.spacing_along = core::Metres{250.0};
+    request.icebergs.max_inflation = core::Metres{500.0};
+    // It crosses the way some time after the two days for which drift would be followed without the window.
+    const double speed_m_s = support::uniform(rng, 0.02, 0.06);
+    const core::Metres upstream{speed_m_s * 3600.0 * support::uniform(rng, 54.0, 96.0)};
+    const geo::LonLat seen = geo::geodesic_destination({-53.0, 69.0}, geo::Bearing::degrees(270.0), upstream);
+
+    expect_brute_force({.icebergs = {drifting_berg(seen, 300.0, speed_m_s, 90.0)}}, request);
+  });
 }
 
 TEST(CompareDepartures, TakeTheWayOfLeastCostWhereTheObjectiveIsEnergy) {
