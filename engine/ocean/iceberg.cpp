@@ -36,6 +36,10 @@ core::Metres safe_length(const Iceberg& iceberg) {
   throw std::logic_error{"IcebergSize without a length"};
 }
 
+bool is_too_old(const Iceberg& iceberg, core::UtcTime depart) {
+  return iceberg.too_old_from && depart >= *iceberg.too_old_from;
+}
+
 std::string size_name(IcebergSize size) {
   for (const auto& [candidate, name] : names) {
     if (candidate == size) return name;

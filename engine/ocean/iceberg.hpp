@@ -30,15 +30,19 @@ struct Iceberg {
   std::optional<core::Metres> length;                // at the waterline, where the source states it
   std::optional<core::Metres> draft;                 // where the source states it
   std::optional<core::Metres> position_uncertainty;  // where the source states it
-  std::string shape;                  // the source's own code ("TAB", "DOM"), empty when not given
-  std::string method;                 // how it was seen ("R/V", "SAT-HIGH"), empty when not given
-  std::vector<IcebergFix> earlier{};  // sightings of the same berg before this one, oldest first
+  std::string shape;                            // the source's own code ("TAB", "DOM"), empty when not given
+  std::string method;                           // how it was seen ("R/V", "SAT-HIGH"), empty when not given
+  std::vector<IcebergFix> earlier{};            // sightings of the same berg before this one, oldest first
+  std::optional<core::UtcTime> too_old_from{};  // to a vehicle that leaves then or later; empty: never
 };
 
 /// Length to keep clear of: the stated one, else the upper end of the size class. A size that is not known
 /// (also a radar target) counts as very large, never as small. Very large without a stated length counts as
 /// 300 m.
 [[nodiscard]] core::Metres safe_length(const Iceberg& iceberg);
+
+/// Whether the sighting is too old to count for a vehicle that leaves then.
+[[nodiscard]] bool is_too_old(const Iceberg& iceberg, core::UtcTime depart);
 
 /// The class's name in messages and files: "growler", "bergy_bit", ..., and back.
 [[nodiscard]] std::string size_name(IcebergSize size);

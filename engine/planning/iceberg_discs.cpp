@@ -38,6 +38,7 @@ IcebergDiscs::IcebergDiscs(const ocean::Environment& environment, const IcebergR
     : pass_under_{std::move(pass_under)}, standing_{!rules.drift || environment.icebergs.empty()} {
   for (const ocean::Iceberg& iceberg : environment.icebergs) {
     if (stop.stop_requested()) return;
+    if (ocean::is_too_old(iceberg, epoch)) continue;
     const auto track = track_of(iceberg, environment, rules, projection, epoch, horizon, stop);
     const double scale = track.front().scale;
     const core::Metres stated = iceberg.position_uncertainty.value_or(core::Metres{0.0});

@@ -19,9 +19,10 @@
 
 namespace floeplan::planning {
 
-/// Icebergs as discs to keep out of: half the length, the margin, and the expected error of the position up to the
-/// most that the rules allow. They drift and grow, or stand where they were seen when the rules say so; a disc
-/// that stands has the stated error of its sighting only. After the horizon each stays as it is then.
+/// Icebergs as discs to keep out of: half the length, the margin, and the expected error of the position up
+/// to the most that the rules allow. They drift and grow, or stand where they were seen when the rules say
+/// so; a disc that stands has the stated error of its sighting only. After the horizon each stays as it is
+/// then. Without those whose sightings are too old for a departure at the epoch.
 /// Under    a berg that the vehicle may pass under closes its disc only where the sea is not deep enough for that. One
 ///          whose disc ever comes over a stop, where the vehicle surfaces, is not passed under
 /// Time     counted from `epoch`, the departure

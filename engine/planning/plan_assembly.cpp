@@ -183,6 +183,24 @@ void warn_of_extended_currents(Plan& plan, const Sea& sea, const std::vector<geo
   plan.warnings.emplace_back(text);
 }
 
+/// Names the icebergs that count for an earlier departure only.
+void warn_of_old_sightings(Plan& plan, const ocean::Environment& environment, const PlanRequest& request) {
+  constexpr std::size_t most_names = 10;
+  std::size_t dropped = 0;
+  std::string names;
+  for (const ocean::Iceberg& iceberg : environment.icebergs) {
+    if (!ocean::is_too_old(iceberg, request.depart)) continue;
+    if (dropped < most_names)
+      names += (dropped > 0 ? ", " : "") + (iceberg.id.empty() ? "one without a name" : iceberg.id);
+    ++dropped;
+  }
+  if (dropped == 0) return;
+  if (dropped > most_names) names += " and " + std::to_string(dropped - most_names) + " more";
+  plan.warnings.push_back(std::to_string(dropped) + (dropped == 1 ? " iceberg" : " icebergs") +
+                          " left out, last seen too long before the departure at " +
+                          core::iso8601(request.depart) + ": " + names);
+}
+
 /// Of those that are planned; a vehicle that has an interval of its own counts them already.
 void add_energy_of_surfacings(Plan& plan, const PlanRequest& request) {
   if (request.vehicle.energy.surfacing_interval) return;
@@ -273,6 +291,7 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
   plan.optimality_gap_reason = "not asked for";
   plan.datasets = environment.datasets;
   plan.warnings = environment.warnings;
+  warn_of_old_sightings(plan, environment, request);
   warn_of_extended_currents(plan, sea, route);
   add_passages_under(plan, sea, route, schedule, drives);
   add_surfacings(plan, sea, request, route, schedule, drives);

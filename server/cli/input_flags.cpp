@@ -117,7 +117,7 @@ void InputFlags::add_voyage(CLI::App& command) {
   command.add_option("--max-inflation", max_inflation_m_,
                      "Kept from icebergs for the error of their positions, metres at most; default 5000");
   command.add_option("--max-sighting-age", max_sighting_age_days_,
-                     "Leave out icebergs last seen longer ago, days; default 3");
+                     "Leave out icebergs last seen longer before the departure, days; default 3");
   command.add_flag("--pass-under", pass_under_,
                    "Pass under icebergs of known size whose keels end well above the dives' depth");
   command.add_option("--keel-clearance", keel_clearance_m_,

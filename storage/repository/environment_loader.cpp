@@ -127,6 +127,13 @@ void cite_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
     draft.warn("icebergs are joined from several datasets, of each berg the newest sighting: " + joined);
 }
 
+/// The first departure for which the sighting is too old, as oldest_sighting_used has it.
+core::UtcTime too_old_from(core::UtcTime observed, core::Seconds max_age) {
+  return std::chrono::floor<std::chrono::days>(observed) + std::chrono::days{1} + max_age;
+}
+
+/// Where the vehicle may leave later than at `depart`, sightings up to the last moment count, and each as
+/// long as it is not too old for the departure, of which the earliest is the one known here.
 void add_icebergs(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const core::UtcTime last_moment = query.may_begin_later && query.until ? query.until->time : query.depart;
@@ -134,7 +141,7 @@ void add_icebergs(EnvironmentDraft& draft) {
   SightingQuery wanted{.choice = query.icebergs,
                        .area = query.area,
                        .as_of = as_of,
-                       .oldest = oldest_sighting_used(as_of, query.max_sighting_age),
+                       .oldest = oldest_sighting_used(std::min(as_of, query.depart), query.max_sighting_age),
                        .also_too_old = true};
   if (query.iceberg_drift) {
     wanted.reach = reach_of_drift;
@@ -142,8 +149,11 @@ void add_icebergs(EnvironmentDraft& draft) {
   }
 
   const KnownIcebergs known = known_icebergs(draft.db, draft.stored, wanted, draft.violations);
-  for (const StoredSighting& sighting : known.sightings)
-    draft.environment.icebergs.push_back(sighting.iceberg);
+  const bool departure_decides = !query.icebergs_as_of && last_moment > query.depart;
+  for (const StoredSighting& sighting : known.sightings) {
+    ocean::Iceberg& iceberg = draft.environment.icebergs.emplace_back(sighting.iceberg);
+    if (departure_decides) iceberg.too_old_from = too_old_from(iceberg.observed, query.max_sighting_age);
+  }
   for (const Dataset& dataset : known.consulted) warn_of_old_sightings(draft, dataset, known, wanted.oldest);
   cite_sightings(draft, known);
   if (draft.environment.datasets.empty() && query.icebergs.how != DatasetChoice::How::named) {

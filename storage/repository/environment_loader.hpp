@@ -43,6 +43,9 @@ struct EnvironmentQuery {
   DatasetChoice icebergs;
   std::optional<core::UtcTime>
       icebergs_as_of;  // default: the departure, or `until` where data may begin later
+  /// Before the departure, and before `icebergs_as_of` where that is given. Where data may begin later,
+  /// icebergs count that are young enough for the earliest departure, each with the departure for which it is
+  /// too old.
   core::Seconds max_sighting_age{repository::max_sighting_age};
   bool iceberg_drift{true};  // also what their drift needs: tracks, and currents from the sightings on
   DatasetChoice coastline;

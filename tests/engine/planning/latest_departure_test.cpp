@@ -1,5 +1,6 @@
 #include "engine/planning/latest_departure.hpp"
 
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
 #include <algorithm>
@@ -97,6 +98,24 @@ TEST(PlanArrival, IsThePlanForItsDepartureAlone) {
 
   EXPECT_EQ(again->arrival, plan->arrival);
   EXPECT_EQ(again->waypoints.size(), plan->waypoints.size());
+}
+
+TEST(PlanArrival, CountsTheIcebergsThatAreYoungEnoughForItsDeparture) {
+  PlanRequest request = arriving_after(200.0);
+  ocean::Iceberg in_the_way = support::iceberg_at({-53.0, 69.0}, 200.0);
+  in_the_way.too_old_from = request.depart + core::Seconds{199.0 * 3600.0};
+  const auto around = plan_arrival({.icebergs = {in_the_way}}, request, {}, {});
+  in_the_way.too_old_from = request.depart + core::Seconds{100.0 * 3600.0};
+
+  const auto through = plan_arrival({.icebergs = {in_the_way}}, request, {}, {});
+
+  ASSERT_TRUE(around && through);
+  EXPECT_GT(through->departure, *in_the_way.too_old_from);
+  EXPECT_TRUE(around->clearances.iceberg);
+  EXPECT_FALSE(through->clearances.iceberg);
+  EXPECT_THAT(around->warnings, testing::Not(testing::Contains(testing::HasSubstr("left out"))));
+  EXPECT_THAT(through->warnings,
+              testing::Contains(testing::HasSubstr("1 iceberg left out, last seen too long")));
 }
 
 TEST(PlanArrival, LeavesAtTheStraightLinesTimeInStillWater) {

@@ -10,6 +10,7 @@
 #include "storage/repository/zone_repository.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "tests/storage/repository/sample_data.hpp"
+#include "tests/support/property.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -403,6 +404,44 @@ TEST_F(EnvironmentLoaderTest, TakesDriftingBergsFromBeyondTheArea) {
   EXPECT_EQ(load().icebergs[0].id, "near");
   query_.iceberg_drift = false;
   EXPECT_THAT(load().icebergs, IsEmpty());
+}
+
+TEST_F(EnvironmentLoaderTest, CountsTheAgeOfSightingsBeforeTheEarliestDeparture) {
+  add_icebergs("bergs", {sample_berg("fresh", {-52.0, 69.0}, sample_time - 10 * hour),
+                         sample_berg("old", {-52.1, 69.0}, sample_time - 5 * day),
+                         sample_berg("later", {-52.2, 69.0}, sample_time + 2 * day)});
+  query_.currents = none();
+  query_.until = {"arrive_by", sample_time + 6 * day};
+  query_.may_begin_later = true;
+
+  const ocean::Environment environment = load();
+
+  std::vector<std::string> names;
+  for (const ocean::Iceberg& berg : environment.icebergs) names.push_back(berg.id);
+  EXPECT_THAT(names, UnorderedElementsAre("fresh", "later"));
+}
+
+/// Law: a sighting that counts for a span of departures counts for one of them as if that were asked for
+/// alone.
+TEST_F(EnvironmentLoaderTest, TellsFromWhichDepartureOnASightingIsTooOld) {
+  support::for_each_seed(20, [&](std::mt19937_64& rng) {
+    const core::UtcTime observed = sample_time + core::Seconds{support::uniform(rng, -2.0, 2.0) * 86'400.0};
+    const std::string name = "bergs-" + std::to_string(added_);
+    add_icebergs(name, {sample_berg("a", {-52.0, 69.0}, observed)});
+    query_.depart = sample_time;
+    query_.icebergs = named({name});
+    query_.max_sighting_age = core::Seconds{support::uniform(rng, 2.0, 4.0) * 86'400.0};
+    query_.until = {"arrive_by", sample_time + 8 * day};
+    query_.may_begin_later = true;
+    const auto together = load().icebergs;
+    ASSERT_EQ(together.size(), 1U);
+    query_.until.reset();
+    query_.may_begin_later = false;
+    for (int i = 0; i < 10; ++i) {
+      query_.depart = observed + core::Seconds{support::uniform(rng, 0.0, 6.0) * 86'400.0};
+      EXPECT_EQ(load().icebergs.empty(), ocean::is_too_old(together[0], query_.depart));
+    }
+  });
 }
 
 TEST_F(EnvironmentLoaderTest, TakesIcebergsAsOfTheTimeAskedFor) {
