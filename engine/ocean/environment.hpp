@@ -21,6 +21,10 @@ struct Environment {
   std::shared_ptr<const CurrentGrid> currents{};  // null: still water
   bool steady_currents{false};                    // `currents` holds one time, meant for every time
   std::vector<std::shared_ptr<const CurrentGrid>> members{};  // of an ensemble, `currents` first; else empty
+  /// The same currents over a wider area, from which icebergs may drift in, and down to their keels; null:
+  /// `currents` carry icebergs.
+  std::shared_ptr<const CurrentGrid> drift_currents{};
+  std::vector<std::shared_ptr<const CurrentGrid>> drift_members{};  // one for each of `members`, or empty
   /// Of the air 10 m above the sea, towards which it blows, on a grid without depths; null: not known. Its
   /// dataset stands among the others, as kind "wind".
   std::shared_ptr<const CurrentGrid> wind{};

@@ -30,6 +30,11 @@ geo::VelocityEn mean_velocity(const IcebergFix& from, const IcebergFix& to) {
 
 geo::VelocityEn sum(geo::VelocityEn a, geo::VelocityEn b) { return {a.east + b.east, a.north + b.north}; }
 
+/// The currents that move icebergs; null: none.
+const CurrentGrid* carrying(const Environment& environment) {
+  return environment.drift_currents ? environment.drift_currents.get() : environment.currents.get();
+}
+
 geo::LonLat moved(geo::LonLat from, geo::VelocityEn velocity, core::Seconds duration) {
   const core::Metres distance{geo::strength(velocity).value * duration.count()};
   return geo::geodesic_destination(from, geo::Bearing::towards(velocity.east.value, velocity.north.value),
@@ -59,6 +64,8 @@ class Drift {
     return {forced.east + left * besides_forces_.east, forced.north + left * besides_forces_.north};
   }
 
+  [[nodiscard]] bool knows_the_current(const IcebergFix& at) const { return over_draft(at).has_value(); }
+
   /// By the mean depth, not by the least of the cell: a forecast that holds a berg too early leaves the water free to
   /// which it drifts on, while the error around it grows either way.
   [[nodiscard]] bool is_aground(geo::LonLat place) const {
@@ -83,8 +90,8 @@ class Drift {
 
   /// The current's mean over the draft; empty where or when it is not known.
   [[nodiscard]] std::optional<geo::VelocityEn> over_draft(const IcebergFix& at) const {
-    if (!environment_.currents) return std::nullopt;
-    const CurrentGrid& currents = *environment_.currents;
+    if (!carrying(environment_)) return std::nullopt;
+    const CurrentGrid& currents = *carrying(environment_);
     if (environment_.steady_currents) return currents.depth_average(at.place, draft_, 0);
     const auto when = currents.times_s().locate(core::unix_seconds(at.time));
     if (!when) return std::nullopt;
@@ -152,6 +159,14 @@ std::vector<IcebergFix> forecast_drift(const Iceberg& iceberg, const Environment
     fixes.push_back({drift.is_aground(next) ? at.place : next, at.time + hour});
   }
   return fixes;
+}
+
+bool is_current_known(const Iceberg& iceberg, const Environment& environment, core::UtcTime until,
+                      const std::stop_token& stop) {
+  const Drift drift{iceberg, environment};
+  return std::ranges::all_of(forecast_drift(iceberg, environment, until, stop), [&](const IcebergFix& at) {
+    return at.time > until || drift.is_aground(at.place) || drift.knows_the_current(at);
+  });
 }
 
 core::Metres expected_error(const Iceberg& iceberg, core::UtcTime time) {

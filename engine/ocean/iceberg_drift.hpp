@@ -26,6 +26,11 @@ namespace floeplan::ocean {
 [[nodiscard]] std::vector<IcebergFix> forecast_drift(const Iceberg& iceberg, const Environment& environment,
                                                      core::UtcTime until, const std::stop_token& stop = {});
 
+/// Whether the current is known everywhere on the forecast up to `until`, but for where the iceberg is
+/// aground.
+[[nodiscard]] bool is_current_known(const Iceberg& iceberg, const Environment& environment,
+                                    core::UtcTime until, const std::stop_token& stop = {});
+
 /// How far from its forecast an iceberg may be expected: what the source states, and 0.75 km more for each hour
 /// before or after the sighting.
 /// Source   C-CORE hindcast of 340 displacements on the Grand Banks 2023-24: mean error 8.8 km after 12 h,

@@ -123,6 +123,7 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
     if (auto mean = ocean::ensemble_mean(environment.members)) {
       ocean::Environment sea = environment;
       sea.members.clear();
+      sea.drift_members.clear();
       sea.currents = std::make_shared<const ocean::CurrentGrid>(std::move(*mean));
       add_candidate(sea);
     }

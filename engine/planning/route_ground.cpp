@@ -88,6 +88,8 @@ RouteGround::RouteGround(ocean::Environment environment, const PlanRequest& on_r
       sea_{environment_, on_route, geo::LocalProjection{site_.origin}, site_.area, site_.cell, stop} {
   environment_.currents.reset();
   environment_.members.clear();
+  environment_.drift_currents.reset();
+  environment_.drift_members.clear();
   environment_.wind.reset();
 }
 

@@ -18,14 +18,18 @@ std::size_t SeaMembers::size() const {
 ocean::Environment SeaMembers::environment(std::size_t member) const {
   ocean::Environment result = environment_;
   result.members.clear();
+  result.drift_members.clear();
   if (rules_.drawn_members > 0) {
     std::seed_seq seeds{static_cast<std::uint32_t>(rules_.seed),
                         static_cast<std::uint32_t>(rules_.seed >> 32), static_cast<std::uint32_t>(member)};
     std::mt19937_64 rng{seeds};
     result.currents = std::make_shared<const ocean::CurrentGrid>(
         ocean::with_error(*environment_.currents, rules_.error, rng));
+    // What errors do to the places of icebergs widens their discs already.
+    if (!result.drift_currents) result.drift_currents = environment_.currents;
   } else {
     result.currents = environment_.members[member];
+    if (!environment_.drift_members.empty()) result.drift_currents = environment_.drift_members[member];
   }
   return result;
 }

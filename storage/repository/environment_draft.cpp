@@ -85,27 +85,28 @@ void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts) 
 
 std::shared_ptr<const ocean::CurrentGrid> read_joined(const EnvironmentDraft& draft,
                                                       const std::vector<JoinedPart>& parts,
-                                                      const geo::BoundingBox& area, core::UtcTime from,
-                                                      std::optional<core::Metres> deepest) {
+                                                      const CurrentsBox& box, core::UtcTime from) {
   CurrentGridCache::Key key{.parts = {},
-                            .area = area,
+                            .area = box.area,
                             .from_s = core::unix_seconds(from),
-                            .deepest_m = deepest ? std::optional{deepest->value} : std::nullopt};
+                            .deepest_m = box.deepest ? std::optional{box.deepest->value} : std::nullopt};
   for (const JoinedPart& part : parts) key.parts.push_back(part_of(draft, part.dataset, part.used));
-  return kept_or_read(draft.reading, key,
-                      [&] { return load_joined(draft.db, parts, area, from, deepest, draft.reading.stop); });
+  return kept_or_read(draft.reading, key, [&] {
+    return load_joined(draft.db, parts, box.area, from, box.deepest, draft.reading.stop);
+  });
 }
 
 std::shared_ptr<const ocean::CurrentGrid> read_currents(const EnvironmentDraft& draft, const Dataset& dataset,
+                                                        const CurrentsBox& box,
                                                         const std::optional<Period>& period) {
-  const EnvironmentQuery& query = draft.query;
-  const CurrentGridCache::Key key{.parts = {part_of(draft, dataset, period)},
-                                  .area = query.area,
-                                  .from_s = std::nullopt,
-                                  .deepest_m = query.dive_depth.value};
+  const CurrentGridCache::Key key{
+      .parts = {part_of(draft, dataset, period)},
+      .area = box.area,
+      .from_s = std::nullopt,
+      .deepest_m = box.deepest ? std::optional{box.deepest->value} : std::nullopt};
   return kept_or_read(draft.reading, key, [&] {
-    return FieldRepository{draft.db, draft.reading.stop}.load_currents(dataset.id, query.area, period,
-                                                                       query.dive_depth);
+    return FieldRepository{draft.db, draft.reading.stop}.load_currents(dataset.id, box.area, period,
+                                                                       box.deepest);
   });
 }
 

@@ -53,6 +53,12 @@ struct EnvironmentDraft {
 [[nodiscard]] bool covers(const Period& period, core::UtcTime time);
 /// Whether data of this period serve a departure of the query.
 [[nodiscard]] bool covers_begin(const Period& period, const EnvironmentQuery& query);
+/// Which part of currents is read.
+struct CurrentsBox {
+  geo::BoundingBox area;
+  std::optional<core::Metres> deepest;  // empty: all levels
+};
+
 /// From when on currents and wind are needed: an iceberg drifts from its sighting on.
 [[nodiscard]] core::UtcTime drift_start(const EnvironmentDraft& draft);
 /// The runs of the product of `found[which]`, joined around the departure; that dataset alone where it was named.
@@ -65,12 +71,12 @@ struct EnvironmentDraft {
 /// As load_joined, and as kept as the reading may keep it; null: nothing there.
 [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> read_joined(const EnvironmentDraft& draft,
                                                                     const std::vector<JoinedPart>& parts,
-                                                                    const geo::BoundingBox& area,
-                                                                    core::UtcTime from,
-                                                                    std::optional<core::Metres> deepest);
-/// The steps of one dataset around the area of the query; null: nothing there. No period: all steps.
+                                                                    const CurrentsBox& box,
+                                                                    core::UtcTime from);
+/// The steps of one dataset; null: nothing there. No period: all steps.
 [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> read_currents(const EnvironmentDraft& draft,
                                                                       const Dataset& dataset,
+                                                                      const CurrentsBox& box,
                                                                       const std::optional<Period>& period);
 /// Names every part, and, where there are several, from when until when it was used.
 void cite_joined(EnvironmentDraft& draft, const std::vector<JoinedPart>& parts);

@@ -12,27 +12,17 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_bathymetry.hpp"
 #include "storage/repository/environment_draft.hpp"
+#include "storage/repository/environment_drift.hpp"
 #include "storage/repository/environment_water.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/hand_made_id.hpp"
 #include "storage/repository/known_icebergs.hpp"
+#include "storage/repository/shortened_list.hpp"
 #include "storage/repository/zone_repository.hpp"
 #include "storage/sqlite/snapshot.hpp"
 
 namespace floeplan::repository {
 namespace {
-
-/// How far a berg drifts at 0.4 m/s in three days: from that far outside it may come into the area.
-constexpr core::Metres reach_of_drift{100'000.0};
-
-/// The first ten names and how many more there are.
-std::string shortened_list(const std::vector<std::string>& names) {
-  constexpr std::size_t most = 10;
-  std::string text;
-  for (std::size_t i = 0; i < std::min(names.size(), most); ++i) text += (i > 0 ? ", " : "") + names[i];
-  if (names.size() > most) text += " and " + std::to_string(names.size() - most) + " more";
-  return text;
-}
 
 /// Areas that are all ice, such as fast ice, of a chart without codes: the variable that ingest names then. Outside them
 /// nothing is known, so that as the newest ice they would hide a concentration that is.
@@ -220,7 +210,7 @@ void add_wind(EnvironmentDraft& draft) {
       continue;
     }
     auto wind =
-        read_joined(draft, parts, geo::grown(query.area, reach_of_drift), drift_start(draft), std::nullopt);
+        read_joined(draft, parts, {geo::grown(query.area, reach_of_drift), std::nullopt}, drift_start(draft));
     if (!wind) continue;
     draft.environment.wind = std::move(wind);
     cite_joined(draft, parts);
@@ -291,6 +281,7 @@ tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Conn
     if (reading.stop.stop_requested()) return std::move(draft.environment);
     add(draft);
   }
+  warn_of_unknown_drift(draft);
   draft.append_report(icebergs);
   add_coastline(draft);
   warn_of_icebergs_on_land(draft);

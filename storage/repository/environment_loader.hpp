@@ -70,8 +70,10 @@ struct Reading {
 ///          unless they are held steady
 /// Edges    currents are read from the last step before departure (before the oldest iceberg sighting in use,
 ///          when icebergs drift) to their end: how long a plan takes is not yet known. Currents without time are
-///          held steady. Drifting icebergs are also read up to 100 km beyond the area. Ice is taken where its
-///          period, lengthened by ocean::longest_ice_hold, covers the departure; a named one that does not is refused
+///          held steady. Drifting icebergs are also read up to 100 km beyond the area, and with them the
+///          currents that carry them, down to their keels (less far where these are more than 32 million
+///          samples); warnings name those of which the current is not known. Ice is taken where its period,
+///          lengthened by ocean::longest_ice_hold, covers the departure; a named one that does not is refused
 /// Stops    early once `reading.stop` is requested; what is returned then is incomplete and must not be used
 [[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(
     sqlite::Connection& db, const EnvironmentQuery& query, const Reading& reading = {});

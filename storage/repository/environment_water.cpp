@@ -6,14 +6,39 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/repository/environment_drift.hpp"
 
 namespace floeplan::repository {
 namespace {
 
 std::string in_metres(double length_m) { return std::to_string(std::lround(length_m)) + " m"; }
 
-void adopt_currents(EnvironmentDraft& draft, const Dataset& dataset,
-                    std::shared_ptr<const ocean::CurrentGrid> currents) {
+/// As they count for every time, where they are held steady.
+std::shared_ptr<const ocean::CurrentGrid> held(const ocean::Environment& environment,
+                                               std::shared_ptr<const ocean::CurrentGrid> currents) {
+  const bool varies = currents && currents->samples().times_s.size() > 1;
+  if (!environment.steady_currents || !varies) return currents;
+  return std::make_shared<const ocean::CurrentGrid>(currents->time_mean());
+}
+
+/// What carries icebergs, as large as the currents of the area may be or as 32 million samples, two floats
+/// each, are: 256 MB, shared by the members of an ensemble.
+template <class Read>
+std::shared_ptr<const ocean::CurrentGrid> read_drift(const EnvironmentDraft& draft, const Dataset& dataset,
+                                                     const ocean::CurrentGrid::Samples& of_area,
+                                                     std::size_t members, const Read& read) {
+  constexpr std::size_t most_samples = 32'000'000;
+  const std::size_t most = std::max(most_samples / members, of_area.u.size());
+  const auto box = drift_box(draft, dataset, of_area.times_s.size(), most);
+  return box ? held(draft.environment, read(*box)) : nullptr;
+}
+
+/// Reads the currents of the area by `read`, a function of a CurrentsBox, and those that carry icebergs.
+/// False: there are none.
+template <class Read>
+bool adopt_currents(EnvironmentDraft& draft, const Dataset& dataset, std::size_t members, const Read& read) {
+  auto currents = read(CurrentsBox{draft.query.area, draft.query.dive_depth});
+  if (!currents) return false;
   const std::string name = title(dataset);
   const auto& samples = currents->samples();
   if (!samples.depths_m) {
@@ -39,9 +64,9 @@ void adopt_currents(EnvironmentDraft& draft, const Dataset& dataset,
   }
 
   draft.environment.steady_currents = draft.query.steady || !covered;
-  draft.environment.currents = draft.environment.steady_currents && steps > 1
-                                   ? std::make_shared<const ocean::CurrentGrid>(currents->time_mean())
-                                   : std::move(currents);
+  draft.environment.drift_currents = read_drift(draft, dataset, samples, members, read);
+  draft.environment.currents = held(draft.environment, std::move(currents));
+  return true;
 }
 
 bool covers_end(const Period& period, const EnvironmentQuery& query) {
@@ -62,6 +87,7 @@ void refuse_period(EnvironmentDraft& draft, const std::string& periods, bool beg
 void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
   const EnvironmentQuery& query = draft.query;
   std::vector<std::shared_ptr<const ocean::CurrentGrid>> members;
+  std::vector<std::shared_ptr<const ocean::CurrentGrid>> drift_members;
   bool all_steady = true;
   bool none_steady = true;
   for (const Dataset& dataset : found) {
@@ -71,14 +97,14 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
       continue;
     }
     if (period) period->from = drift_start(draft);
-    auto currents = read_currents(draft, dataset, period);
-    if (!currents) {
+    const auto read = [&](const CurrentsBox& box) { return read_currents(draft, dataset, box, period); };
+    if (!adopt_currents(draft, dataset, found.size(), read)) {
       draft.refuse(DatasetKind::currents, title(dataset) + " has no node near the area");
       continue;
     }
-    adopt_currents(draft, dataset, std::move(currents));
     draft.cite(dataset);
     members.push_back(draft.environment.currents);
+    if (draft.environment.drift_currents) drift_members.push_back(draft.environment.drift_currents);
     all_steady = all_steady && draft.environment.steady_currents;
     none_steady = none_steady && !draft.environment.steady_currents;
   }
@@ -89,6 +115,9 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
   if (members.empty()) return;
   draft.environment.currents = members.front();
   draft.environment.members = std::move(members);
+  if (drift_members.empty()) return;
+  draft.environment.drift_currents = drift_members.front();
+  draft.environment.drift_members = std::move(drift_members);
 }
 
 void add_currents(EnvironmentDraft& draft) {
@@ -112,11 +141,11 @@ void add_currents(EnvironmentDraft& draft) {
           (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
       continue;
     }
-    auto currents = parts.empty()
-                        ? read_currents(draft, dataset, std::nullopt)
-                        : read_joined(draft, parts, query.area, drift_start(draft), query.dive_depth);
-    if (!currents) continue;
-    adopt_currents(draft, dataset, std::move(currents));
+    const auto read = [&](const CurrentsBox& box) {
+      return parts.empty() ? read_currents(draft, dataset, box, std::nullopt)
+                           : read_joined(draft, parts, box, drift_start(draft));
+    };
+    if (!adopt_currents(draft, dataset, 1, read)) continue;
     return parts.empty() ? draft.cite(dataset) : cite_joined(draft, parts);
   }
 
@@ -151,7 +180,12 @@ void add_water(EnvironmentDraft& draft) {
                  "there are no currents to add tides to; say tides_mode only to plan with the tide alone");
     return;
   }
-  lay_tides(draft.environment, tides, *query.mode, period_of_tides(draft));
+  const ocean::TidePeriod period = period_of_tides(draft);
+  lay_tides(draft.environment, tides, *query.mode, period);
+  if (draft.query.iceberg_drift && !draft.environment.icebergs.empty()) {
+    const geo::BoundingBox reached = geo::grown(draft.query.area, reach_of_drift);
+    lay_drift_tides(draft.environment, load_again(draft.db, tides, reached), *query.mode, period);
+  }
 }
 
 }  // namespace floeplan::repository

@@ -34,6 +34,16 @@ std::string in_minutes(core::Seconds time) {
   return std::to_string(std::lround(time.count() / 60.0)) + " min";
 }
 
+/// Where the tide ends before the currents do, or before the period where these have no times.
+std::optional<core::UtcTime> early_end(const ocean::CurrentGrid& currents, const ocean::TidePeriod& period) {
+  const core::UtcTime end = core::from_unix_seconds(currents.times_s().back());
+  const core::UtcTime wanted = currents.samples().times_s.size() > 1
+                                   ? core::from_unix_seconds(currents.samples().times_s.back())
+                                   : period.to;
+  if (wanted - end <= core::Seconds{currents.times_s().mean_step()}) return std::nullopt;
+  return end;
+}
+
 /// What the pilot has to know of the sum.
 void report(ocean::Environment& environment, const Tides& tides, TidesMode mode,
             const ocean::TidePeriod& period) {
@@ -66,12 +76,8 @@ void report(ocean::Environment& environment, const Tides& tides, TidesMode mode,
   if (step > 1.001 * ocean::straight_step(tides.models))
     warn("tides are laid out in steps of " + in_minutes(step) +
          ", coarser than their bends: a smaller area helps");
-  const core::UtcTime end = core::from_unix_seconds(currents.times_s().back());
-  const core::UtcTime wanted = currents.samples().times_s.size() > 1
-                                   ? core::from_unix_seconds(currents.samples().times_s.back())
-                                   : period.to;
-  if (wanted - end > step)
-    warn("tides are laid out to " + core::iso8601(end) + " only: a smaller area helps");
+  if (const auto end = early_end(currents, period))
+    warn("tides are laid out to " + core::iso8601(*end) + " only: a smaller area helps");
 }
 
 }  // namespace
@@ -109,6 +115,17 @@ Tides load_tides(sqlite::Connection& db, const std::vector<Dataset>& stored, con
   return tides;
 }
 
+Tides load_again(sqlite::Connection& db, const Tides& tides, const geo::BoundingBox& area) {
+  Tides again;
+  for (const Dataset& dataset : tides.datasets) {
+    auto model = TideRepository{db}.load(dataset.id, area);
+    if (!model) continue;
+    again.models.push_back(std::move(*model));
+    again.datasets.push_back(dataset);
+  }
+  return again;
+}
+
 void lay_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
                const ocean::TidePeriod& period) {
   if (mode == TidesMode::only) {
@@ -128,6 +145,29 @@ void lay_tides(ocean::Environment& environment, const Tides& tides, TidesMode mo
   for (const Dataset& dataset : tides.datasets)
     environment.datasets.push_back(
         {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256});
+}
+
+void lay_drift_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
+                     const ocean::TidePeriod& period) {
+  if (mode == TidesMode::only) {
+    environment.drift_currents =
+        std::make_shared<const ocean::CurrentGrid>(ocean::tide_alone(tides.models, period));
+  } else if (environment.drift_currents) {
+    const auto add = [&](std::shared_ptr<const ocean::CurrentGrid>& currents) {
+      currents =
+          std::make_shared<const ocean::CurrentGrid>(ocean::with_tide(*currents, tides.models, period));
+    };
+    for (auto& member : environment.drift_members) add(member);
+    if (environment.drift_members.empty()) {
+      add(environment.drift_currents);
+    } else {
+      environment.drift_currents = environment.drift_members.front();
+    }
+  }
+  if (!environment.drift_currents) return;
+  if (const auto end = early_end(*environment.drift_currents, period))
+    environment.warnings.push_back("the tides that carry icebergs are laid out to " + core::iso8601(*end) +
+                                   " only: a smaller area helps");
 }
 
 }  // namespace floeplan::repository

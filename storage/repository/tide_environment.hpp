@@ -39,9 +39,16 @@ struct Tides {
                                const TidesQuery& query, const geo::BoundingBox& area,
                                core::Violations& violations);
 
+/// The same models around another area, as far as they are there.
+[[nodiscard]] Tides load_again(sqlite::Connection& db, const Tides& tides, const geo::BoundingBox& area);
+
 /// Puts the tidal currents into the environment, into every member of an ensemble too, and says in its warnings what
 /// that implies. `period` counts where the currents have no times of their own.
 void lay_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
                const ocean::TidePeriod& period);
+
+/// The same for the currents that carry icebergs, by models that reach around them.
+void lay_drift_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
+                     const ocean::TidePeriod& period);
 
 }  // namespace floeplan::repository

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <limits>
 #include <memory>
 #include <numbers>
 
@@ -46,6 +47,32 @@ TEST(IcebergDrift, FollowsTheCurrent) {
   const auto line = geo::geodesic_between(fixes.front().place, fixes.back().place);
   EXPECT_NEAR(line.length.value, std::hypot(0.2, 0.1) * 12.0 * hour_s, 5.0);
   EXPECT_NEAR(line.course_at_start.degrees(), 90.0 + std::atan(0.5) * 180.0 / std::numbers::pi, 0.2);
+}
+
+TEST(IcebergDrift, FollowsTheCurrentsOfItsOwnWhereThereAreSome) {
+  auto sea = sea_with(std::nullopt, 25, [](SampleIndex) { return 0.0F; });
+  sea.drift_currents = sea_with(std::nullopt, 25, [](SampleIndex) { return 0.2F; }).currents;
+
+  const auto fixes = forecast_drift(sighted_berg(), sea, after_hours(12.0));
+
+  EXPECT_NEAR(way(fixes.front(), fixes.back()).value, std::hypot(0.2, 0.1) * 12.0 * hour_s, 5.0);
+}
+
+TEST(IcebergDrift, TellsWhetherTheCurrentIsKnownAllTheWay) {
+  const auto sea = sea_with(std::nullopt, 25, [](SampleIndex) { return 0.2F; });
+  const auto unknown_west_of_52 = sea_with(std::nullopt, 25, [](SampleIndex at) {
+    return at.ix < 2 ? std::numeric_limits<float>::quiet_NaN() : 0.2F;
+  });
+  Iceberg outside = sighted_berg();
+  outside.place.lon_deg = -55.0;
+
+  EXPECT_TRUE(is_current_known(sighted_berg(), sea, after_hours(12.0)));
+  EXPECT_TRUE(is_current_known(sighted_berg(), sea, after_hours(23.5)))
+      << "the fix after that does not count";
+  EXPECT_FALSE(is_current_known(sighted_berg(), sea, after_hours(26.0)));
+  EXPECT_FALSE(is_current_known(outside, sea, after_hours(0.0)));
+  EXPECT_FALSE(is_current_known(sighted_berg(), unknown_west_of_52, after_hours(0.0)));
+  EXPECT_FALSE(is_current_known(sighted_berg(), {}, after_hours(0.0)));
 }
 
 TEST(IcebergDrift, AveragesTheCurrentOverTheDraft) {

@@ -55,6 +55,24 @@ TEST(RobustPlan, SaysHowTheRouteFaresInEveryMember) {
   EXPECT_LT(*spread.travel_times()[0], *spread.travel_times()[2]);
 }
 
+TEST(RobustPlan, LetsIcebergsDriftWithTheWiderCurrentsOfEachMember) {
+  // The second member carries the berg on to the way, the first keeps it where it is.
+  ocean::Environment environment = ensemble({stream(69.0, 0.0), stream(69.0, 0.0)});
+  environment.drift_members = {
+      environment.currents,
+      currents_from([](geo::LonLat, double) { return geo::VelocityEn{{0.0}, {0.2}}; }, 120)};
+  environment.drift_currents = environment.drift_members.front();
+  environment.icebergs = {support::iceberg_at({-53.0, 68.9}, 300.0)};
+  PlanRequest request = coarse_request();
+  request.method = Method::direct;
+  request.icebergs.max_inflation = core::Metres{500.0};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_TRUE(found && found->uncertainty);
+  EXPECT_EQ(found->uncertainty->spread.arrived(), 1U);
+}
+
 TEST(RobustPlan, TakesTheRouteThatIsBestOnAverageAndNotThatOfTheFirstMember) {
   // The first member has a helpful stream in the north; in the others the same place runs against the vehicle.
   const ocean::Environment environment =

@@ -2,6 +2,9 @@
 
 #include <gmock/gmock.h>
 
+#include <random>
+
+#include "engine/ocean/iceberg_drift.hpp"
 #include "storage/repository/coastline_repository.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_repository.hpp"
@@ -177,7 +180,7 @@ TEST_F(EnvironmentLoaderTest, TakesTheNewestOfEachKindThatMeetsTheArea) {
   add_currents("currents-far", sample_time, 5, levels_, elsewhere);
   add_bathymetry("depths", 0.02);
   add_ice("ice", sample_time, 5);
-  add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - hour)});
+  add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0})});
   add("coast", DatasetKind::coastline, bay);
   CoastlineRepository{db_}.insert({"coast"}, {{{{-53.0, 69.0}, {-52.9, 69.0}, {-52.9, 69.1}}, {}}});
 
@@ -404,6 +407,94 @@ TEST_F(EnvironmentLoaderTest, TakesDriftingBergsFromBeyondTheArea) {
   EXPECT_EQ(load().icebergs[0].id, "near");
   query_.iceberg_drift = false;
   EXPECT_THAT(load().icebergs, IsEmpty());
+}
+
+/// Law: what carries an iceberg is the same whatever the area and the vehicle, wherever the iceberg counts.
+TEST_F(EnvironmentLoaderTest, CarriesABergByTheWaterAllAlongItsKeelFromOutsideTheArea) {
+  add("flow", DatasetKind::currents, bay, sample_time, sample_time + 24 * hour);
+  std::vector<double> times;
+  for (int i = 0; i <= 24; ++i) times.push_back(core::unix_seconds(sample_time + i * hour));
+  const ocean::Axis depths{{0.0, 20.0, 60.0, 150.0, 400.0}};
+  const FieldShape shape{grid(bay, 0.05), depths, ocean::Axis{times}};
+  FieldRepository fields{db_};
+  fields.create({"flow"}, shape);
+  std::mt19937_64 rng{7};
+  for (std::size_t time = 0; time < times.size(); ++time) {
+    for (std::size_t depth = 0; depth < depths.size(); ++depth) {
+      for (const char* component : {"u_m_s", "v_m_s"}) {
+        std::vector<float> values(shape.grid.size());
+        for (float& value : values) value = static_cast<float>(support::uniform(rng, -0.3, 0.3));
+        fields.write_slice({"flow"}, component, time, depth, values);
+      }
+    }
+  }
+  ocean::Iceberg berg = sample_berg("a", {-52.45, 69.0});
+  berg.draft = core::Metres{170.0};
+  add_icebergs("bergs", {berg});
+  const auto carried = [&](const geo::BoundingBox& area, double dive_m) {
+    query_.area = area;
+    query_.dive_depth = core::Metres{dive_m};
+    const ocean::Environment environment = load();
+    EXPECT_THAT(environment.warnings, Not(Contains(HasSubstr("the current is not known"))));
+    return ocean::forecast_drift(environment.icebergs.at(0), environment, sample_time + 20 * hour)
+        .back()
+        .place;
+  };
+
+  const geo::LonLat expected = carried({-53.0, 68.5, -51.0, 69.5}, 1000.0);
+
+  support::for_each_seed(4, [&](std::mt19937_64& seeded) {
+    const double west_deg = support::uniform(seeded, -52.3, -51.0);
+    const geo::LonLat place =
+        carried({west_deg, 68.9, west_deg + 0.25, 69.1}, support::uniform(seeded, 5.0, 300.0));
+    EXPECT_NEAR(place.lon_deg, expected.lon_deg, 1e-9);
+    EXPECT_NEAR(place.lat_deg, expected.lat_deg, 1e-9);
+  });
+}
+
+TEST_F(EnvironmentLoaderTest, KeepsTheCurrentsToPlanInToTheAreaAndTheDives) {
+  add_currents("flow", sample_time, 5, levels_);
+  query_.area = {-52.0, 68.9, -51.8, 69.1};
+  query_.dive_depth = core::Metres{30.0};
+  const auto alone = load().currents;
+
+  ocean::Iceberg berg = sample_berg("a", {-52.45, 69.0});
+  berg.draft = core::Metres{170.0};
+  add_icebergs("bergs", {berg});
+  const ocean::Environment environment = load();
+
+  EXPECT_EQ(environment.currents->samples().u, alone->samples().u);
+  ASSERT_TRUE(environment.drift_currents);
+  EXPECT_GT(environment.drift_currents->samples().grid.size(), alone->samples().grid.size());
+  EXPECT_EQ(environment.drift_currents->samples().depths_m->back(), 300.0);
+  query_.iceberg_drift = false;
+  EXPECT_EQ(load().drift_currents, nullptr);
+}
+
+TEST_F(EnvironmentLoaderTest, CarriesIcebergsBySteadyCurrentsAndByEachMember) {
+  add_currents("member-1", sample_time, 5, levels_);
+  add_currents("member-2", sample_time, 5, levels_);
+  add_icebergs("bergs", {sample_berg("a", {-52.45, 69.0})});
+  query_.currents = named({"member-1", "member-2"});
+
+  const ocean::Environment environment = load();
+
+  ASSERT_EQ(environment.drift_members.size(), 2U);
+  EXPECT_EQ(environment.drift_currents, environment.drift_members.front());
+  query_.currents = named({"member-1"});
+  query_.steady = true;
+  EXPECT_THAT(load().drift_currents->samples().u, testing::Each(2.0F));
+}
+
+TEST_F(EnvironmentLoaderTest, NamesTheIcebergsWhoseCurrentIsNotKnown) {
+  add_currents("flow", sample_time - 5 * hour, 30, levels_, {-52.5, 68.0, -50.0, 70.0});
+  add_icebergs("bergs", {sample_berg("carried", {-52.0, 69.0}, sample_time - 2 * hour),
+                         sample_berg("beyond", {-53.5, 69.0}, sample_time - 2 * hour),
+                         sample_berg("before", {-51.0, 69.0}, sample_time - 9 * hour)});
+
+  EXPECT_THAT(load().warnings,
+              Contains(AllOf(HasSubstr("the current is not known all the way of 2 of 3 icebergs"),
+                             HasSubstr("beyond"), HasSubstr("before"), Not(HasSubstr("carried")))));
 }
 
 TEST_F(EnvironmentLoaderTest, CountsTheAgeOfSightingsBeforeTheEarliestDeparture) {

@@ -2,9 +2,11 @@
 
 #include <gmock/gmock.h>
 
+#include "engine/ocean/iceberg_drift.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/field_repository.hpp"
+#include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/tide_repository.hpp"
 #include "tests/storage/repository/sample_data.hpp"
@@ -136,6 +138,32 @@ TEST_F(TideEnvironment, AloneGoesOnForThirtyDaysAndLeavesTheCurrentsOut) {
   EXPECT_NEAR(eastward(environment, time),
               predicted("M2", {0.3, -0.2}, time) + predicted("K1", {0.1, 0.0}, time), 0.006);
   EXPECT_THAT(environment.warnings, Contains(HasSubstr("alone, the same at every depth")));
+}
+
+/// Law: a berg that is seen outside the area drifts with the same tide as one inside.
+TEST_F(TideEnvironment, CarriesIcebergsFromOutsideTheArea) {
+  add_currents("bay model, detided");
+  add_tide("tides-m2", "M2", {0.3F, -0.2F});
+  add("bergs", DatasetKind::icebergs, "bergs");
+  IcebergRepository{db_}.insert({"bergs"}, {sample_berg("a", {-52.6, 69.0})});
+  for (const TidesMode mode : {TidesMode::add, TidesMode::only}) {
+    query_.tides.choice.ids.clear();
+    ask({"tides-m2"}, mode);
+    const auto carried = [&](const geo::BoundingBox& area) {
+      query_.area = area;
+      const ocean::Environment environment = load_environment(db_, query_).value();
+      return ocean::forecast_drift(environment.icebergs.at(0), environment, sample_time + 40.0 * hour)
+          .back()
+          .place;
+    };
+
+    const geo::LonLat expected = carried({-53.0, 68.5, -51.0, 69.5});
+    const geo::LonLat place = carried({-51.4, 68.9, -51.2, 69.1});
+
+    EXPECT_NEAR(place.lon_deg, expected.lon_deg, 1e-4) << "steps of the tide may differ";
+    EXPECT_NEAR(place.lat_deg, expected.lat_deg, 1e-4);
+    EXPECT_GT(std::abs(place.lon_deg + 52.6), 1e-3);
+  }
 }
 
 TEST_F(TideEnvironment, AddsTheTideToSteadyCurrentsAndSoMakesThemChange) {
