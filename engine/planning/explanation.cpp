@@ -102,7 +102,7 @@ Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& re
     case motion::EdgeClosed::under_ice:
       return {Reason::under_ice,
               "the vehicle cannot pass below the ice: there is no room of " +
-                  metres_text(request.vehicle.minimum_working_depth) +
+                  metres_text(request.vehicle.least_water_below_turn()) +
                   " between the sea bed and the turn it must make " +
                   metres_text(request.under_ice.margin_below_ice) +
                   " below the deepest keel, or its dives do not reach that deep",

@@ -19,8 +19,8 @@ PassUnder::PassUnder(const ocean::Environment& environment, const IcebergRules& 
                      const vehicle::GliderProfile& vehicle, const geo::LocalProjection& projection,
                      const PlaneBox& area, const std::stop_token& stop)
     : rules_{rules},
-      needed_below_{vehicle.minimum_working_depth},
-      dive_room_{std::max(0.0, vehicle.minimum_working_depth.value - vehicle.altimeter_margin.value)},
+      needed_below_{vehicle.least_water_below_turn()},
+      dive_room_{needed_below_ - vehicle.altimeter_margin},
       dive_depth_{vehicle.dive_depth} {
   if (rules.pass_under && environment.bathymetry)
     bed_.emplace(environment.bathymetry, projection, area, stop);

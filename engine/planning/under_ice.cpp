@@ -12,9 +12,8 @@ UnderIce::UnderIce(const ocean::Environment& environment, const PlanRequest& req
                    const std::stop_token& stop)
     : rules_{request.under_ice},
       cover_{*environment.ice, request.under_ice, projection, area, request.depart, stop},
-      needed_below_m_{request.vehicle.minimum_working_depth.value},
-      dive_room_m_{std::max(
-          0.0, request.vehicle.minimum_working_depth.value - request.vehicle.altimeter_margin.value)},
+      needed_below_m_{request.vehicle.least_water_below_turn().value},
+      dive_room_m_{needed_below_m_ - request.vehicle.altimeter_margin.value},
       dive_depth_m_{request.vehicle.dive_depth.value},
       step_m_{std::min(step.value, 0.25 * cover_.spacing().value)} {
   if (environment.bathymetry) bed_.emplace(environment.bathymetry, projection, area, stop);

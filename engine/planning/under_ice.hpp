@@ -17,7 +17,8 @@ namespace floeplan::planning {
 /// glider can pass under ice that it cannot pass through.
 /// Rules    it may surface where the ice is known and at most as dense as the request allows. Under denser ice its
 ///          upper turn stays the margin below the deepest keel, and it needs as much water from there to the sea bed
-///          as it otherwise needs from the surface; its dives must reach that deep. Where nothing is known of the
+///          as it otherwise needs from the surface, with room for a saw-tooth above the altimeter's margin; its dives
+///          must reach that deep. Where nothing is known of the
 ///          ice it may pass, but not count on surfacing
 /// Along a drive  looked at every `step()`; the time between two looks counts as under ice unless the vehicle may
 ///          surface at both, so that what counts is never shorter than the truth but for ice narrower than a step

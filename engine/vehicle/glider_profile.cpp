@@ -54,6 +54,10 @@ core::Metres GliderProfile::least_water() const {
   return std::max(minimum_working_depth, climb_to + lowest_tooth + altimeter_margin);
 }
 
+core::Metres GliderProfile::least_water_below_turn() const {
+  return std::max(minimum_working_depth, lowest_tooth + altimeter_margin);
+}
+
 core::MetresPerSecond GliderProfile::vertical_speed(core::MetresPerSecond horizontal) const {
   return {horizontal.value * std::tan(glide_path_angle(hydrodynamics, pitch).value().value)};
 }

@@ -36,6 +36,9 @@ struct GliderProfile {
   [[nodiscard]] DiveLimits dive_limits() const { return {climb_to, dive_depth, altimeter_margin}; }
   /// Shallowest water it may work in: room for the lowest saw-tooth above the margin, too.
   [[nodiscard]] core::Metres least_water() const;
+  /// Least water between an upper turn below ice or a keel and the sea bed: as much as it otherwise needs from the
+  /// surface, and room for the lowest saw-tooth above the margin.
+  [[nodiscard]] core::Metres least_water_below_turn() const;
   /// Rate of depth while it makes this horizontal speed along the path of its pitch.
   /// Precondition  the profile is valid
   [[nodiscard]] core::MetresPerSecond vertical_speed(core::MetresPerSecond horizontal) const;

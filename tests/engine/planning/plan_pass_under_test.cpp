@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/planning/pass_under.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
@@ -53,6 +54,34 @@ TEST(PassUnder, LeadsBelowTheKeelAndSaysSo) {
   EXPECT_TRUE(std::ranges::any_of(result->warnings, [](const std::string& warning) {
     return warning.find("under iceberg B-17: no surfacing") != std::string::npos;
   }));
+}
+
+TEST(PassUnder, LeavesRoomForADiveBelowTheKeelWhateverTheMargins) {
+  const geo::LocalProjection projection{{-53.0, 69.0}};
+  const PlaneBox area{{-20'000.0, -20'000.0}, {20'000.0, 20'000.0}};
+  int open = 0;
+  support::for_each_seed(200, [&](std::mt19937_64& rng) {
+    const double bed_m = support::uniform(rng, 20.0, 250.0);
+    const ocean::Environment environment{.bathymetry =
+                                             support::bathymetry_from([=](geo::LonLat) { return bed_m; })};
+    IcebergRules rules;
+    rules.pass_under = true;
+    vehicle::GliderProfile vehicle = support::eastward_request().vehicle;
+    vehicle.minimum_working_depth = core::Metres{support::uniform(rng, 0.0, 40.0)};
+    vehicle.altimeter_margin = core::Metres{support::uniform(rng, 0.0, 60.0)};
+    vehicle.dive_depth = core::Metres{support::uniform(rng, 30.0, 200.0)};
+    ocean::Iceberg berg = support::iceberg_at({-53.0, 69.0}, 60.0);
+    berg.draft = core::Metres{support::uniform(rng, 1.0, 100.0)};
+    const PassUnder under{environment, rules, vehicle, projection, area, {}};
+
+    const auto keel = under.keel_of(berg);
+    if (!keel || !under.has_room({0.0, 0.0}, keel->upper_turn)) return;
+
+    ++open;
+    const double bottom_m = std::min(vehicle.dive_depth.value, bed_m - vehicle.altimeter_margin.value);
+    EXPECT_GE(bottom_m - keel->upper_turn.value, vehicle::lowest_tooth.value - 1e-3);
+  });
+  EXPECT_GT(open, 20);
 }
 
 TEST(PassUnder, ForbidsSurfacingInTheDisc) {

@@ -55,6 +55,62 @@ TEST(UnderIce, PassesWhereAsMuchWaterIsLeftAsTheVehicleNeedsBelowTheSurface) {
   EXPECT_FALSE(may_pass(500.0, 27.0));
 }
 
+TEST(UnderIce, LeavesRoomForADiveOverEveryBedWhateverTheMargins) {
+  constexpr double never_closed_m = 1.0;  // more than a bed as even as this one changes within a step
+  int open = 0;
+  int closed = 0;
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    const double mean_m = support::uniform(rng, 20.0, 120.0);
+    const double slope_m = support::uniform(rng, 0.0, 40.0);  // for a degree
+    const ocean::Environment environment{.bathymetry = support::bathymetry_from([=](geo::LonLat p) {
+                                           return std::max(1.0, mean_m + slope_m * (p.lon_deg + 53.0));
+                                         }),
+                                         .ice = ice_in_the_east(support::uniform(rng, 0.1, 5.0))};
+    PlanRequest request = request_in_ice();
+    request.under_ice.margin_below_ice = core::Metres{support::uniform(rng, 0.0, 20.0)};
+    vehicle::GliderProfile& vehicle = request.vehicle;
+    vehicle.minimum_working_depth = core::Metres{support::uniform(rng, 0.0, 40.0)};
+    vehicle.altimeter_margin = core::Metres{support::uniform(rng, 0.0, 60.0)};
+    vehicle.dive_depth = core::Metres{support::uniform(rng, 30.0, 200.0)};
+    const Sea sea{environment, request, projection, area, core::Metres{500.0}};
+    const geo::PlanePoint a{support::uniform(rng, 6000.0, 20'000.0), support::uniform(rng, -9e3, 9e3)};
+    const geo::PlanePoint b{support::uniform(rng, 6000.0, 20'000.0), support::uniform(rng, -9e3, 9e3)};
+
+    double room_m = INFINITY;
+    for (int i = 0; i <= 200; ++i) {
+      const geo::PlanePoint point{a.x_m + i / 200.0 * (b.x_m - a.x_m), a.y_m + i / 200.0 * (b.y_m - a.y_m)};
+      const double turn_m = sea.least_upper_turn(point, at_once).value;
+      const double bed_m = environment.bathymetry->shoalest(projection.to_lon_lat(point))->value;
+      const double bottom_m = std::min(vehicle.dive_depth.value, bed_m - vehicle.altimeter_margin.value);
+      room_m = std::min(room_m, bottom_m - turn_m);
+    }
+    const bool is_open = sea.leg_time(a, b, at_once).has_value();
+    ++(is_open ? open : closed);
+
+    if (is_open) {
+      EXPECT_GE(room_m, vehicle::lowest_tooth.value - never_closed_m);
+    }
+  });
+  EXPECT_GT(open, 10);
+  EXPECT_GT(closed, 10);
+}
+
+TEST(UnderIce, NeedsRoomForADiveEvenWhereTheWorkingDepthAsksForNone) {
+  const ocean::Environment environment{
+      .bathymetry = support::bathymetry_from([](geo::LonLat) { return 45.0; }), .ice = ice_in_the_east()};
+  const auto may_pass = [&](double working_depth_m, double altimeter_margin_m) {
+    PlanRequest request = request_in_ice();
+    request.vehicle.minimum_working_depth = core::Metres{working_depth_m};
+    request.vehicle.altimeter_margin = core::Metres{altimeter_margin_m};
+    return UnderIce{environment, request, projection, area, core::Metres{500.0}}.may_transit({20'000.0, 0.0},
+                                                                                             at_once);
+  };
+
+  EXPECT_TRUE(may_pass(0.0, 24.9));  // 18 m to the upper turn, 2 m of dive, 25 m to the bed
+  EXPECT_FALSE(may_pass(0.0, 25.1));
+  EXPECT_FALSE(may_pass(20.0, 30.0));
+}
+
 TEST(UnderIce, ClosesALegWithoutRoomBelowTheIceAndNoOther) {
   const ocean::Environment environment{
       .bathymetry = support::bathymetry_from([](geo::LonLat) { return 30.0; }), .ice = ice_in_the_east()};

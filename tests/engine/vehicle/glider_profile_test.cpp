@@ -137,6 +137,17 @@ TEST(GliderProfile, LeavesRoomForASawToothInTheShallowestWater) {
   EXPECT_EQ(profile.least_water(), core::Metres{57.0});
 }
 
+TEST(GliderProfile, LeavesRoomForASawToothBelowAnUpperTurnToo) {
+  GliderProfile profile;
+  EXPECT_EQ(profile.least_water_below_turn(), profile.minimum_working_depth);
+
+  profile.altimeter_margin = {30.0};
+  EXPECT_EQ(profile.least_water_below_turn(), core::Metres{32.0});
+  profile.minimum_working_depth = {0.0};
+  profile.altimeter_margin = {0.0};
+  EXPECT_EQ(profile.least_water_below_turn(), lowest_tooth);
+}
+
 TEST(GliderProfile, SinksAlongThePathOfItsPitch) {
   const GliderProfile profile;
   const auto glide = steady_glide(profile.hydrodynamics, profile.pitch, profile.buoyancy);
