@@ -44,10 +44,15 @@ planning::PlannedSurfacing parse_planned(const json& object) {
 }
 
 planning::SurfacingState parse_state(const json& waypoint) {
-  return {.may_surface = waypoint.at("may_surface").get<bool>(),
-          .since_surfacing = core::Seconds{waypoint.at("since_last_surfacing_s").get<double>()},
-          .position_error = {waypoint.at("position_error_m").get<double>()},
-          .least_upper_turn = {waypoint.at("least_upper_turn_m").get<double>()}};
+  planning::SurfacingState state{
+      .may_surface = waypoint.at("may_surface").get<bool>(),
+      .since_surfacing = core::Seconds{waypoint.at("since_last_surfacing_s").get<double>()},
+      .position_error = {waypoint.at("position_error_m").get<double>()},
+      .least_upper_turn = {waypoint.at("least_upper_turn_m").get<double>()}};
+  // Plans stored by older versions do not have it.
+  if (const json turn = waypoint.value("leg_upper_turn_m", json()); !turn.is_null())
+    state.leg_upper_turn = core::Metres{turn.get<double>()};
+  return state;
 }
 
 }  // namespace
@@ -59,6 +64,8 @@ void add_surfacing_state(const std::optional<planning::SurfacingPlan>& plan, std
   object["since_last_surfacing_s"] = state != nullptr ? json(state->since_surfacing.count()) : json();
   object["position_error_m"] = state != nullptr ? json(state->position_error.value) : json();
   object["least_upper_turn_m"] = state != nullptr ? json(state->least_upper_turn.value) : json();
+  const bool has_leg = state != nullptr && state->leg_upper_turn;
+  object["leg_upper_turn_m"] = has_leg ? json(state->leg_upper_turn->value) : json();
 }
 
 json surfacing_json(const std::optional<planning::SurfacingPlan>& plan) {

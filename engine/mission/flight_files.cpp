@@ -5,6 +5,7 @@
 #include <string_view>
 
 #include "engine/mission/argument_lines.hpp"
+#include "engine/mission/below_ice.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -57,14 +58,6 @@ MissionFile surfacing_file(const planning::Plan& plan, const MissionSetOptions& 
   return file("surface", number, "comes up when " + std::string{kind.why}, origin, values);
 }
 
-/// Below every keel that the plan passes under, all the way: a yo knows no places.
-double climb_target_m(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
-  double target_m = std::max(least_climb_m, vehicle.climb_to.value);
-  for (const planning::PassedUnder& under : plan.passed_under)
-    target_m = std::max(target_m, std::ceil(under.keel.upper_turn.value));
-  return target_m;
-}
-
 MissionFile yo_file(const planning::Plan& plan, const MissionSetOptions& options, int number,
                     const std::string& origin) {
   const auto& vehicle = options.vehicle;
@@ -79,7 +72,7 @@ MissionFile yo_file(const planning::Plan& plan, const MissionSetOptions& options
                {"d_bpump_value", "-" + pump_cc},
                {"d_use_pitch", "3"},  // held by the battery's servo, in radians, down is negative
                {"d_pitch_value", "-" + pitch_rad},
-               {"c_target_depth", whole(climb_target_m(plan, vehicle))},
+               {"c_target_depth", whole(climb_target(plan, vehicle).value)},
                {"c_use_bpump", "2"},
                {"c_bpump_value", pump_cc},
                {"c_use_pitch", "3"},
@@ -91,6 +84,10 @@ MissionFile yo_file(const planning::Plan& plan, const MissionSetOptions& options
 
 core::Metres target_depth(const vehicle::GliderProfile& vehicle) {
   return {std::floor(std::min(vehicle.dive_depth.value, share_of_rating * vehicle.depth_rating.value))};
+}
+
+core::Metres climb_target(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
+  return {std::max({least_climb_m, vehicle.climb_to.value, std::ceil(least_upper_turn(plan).value)})};
 }
 
 core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOptions& options) {

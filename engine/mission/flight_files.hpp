@@ -20,6 +20,9 @@ struct Surfacing {
 /// The depth that a yo turns at.
 [[nodiscard]] core::Metres target_depth(const vehicle::GliderProfile& vehicle);
 
+/// The depth that a yo climbs to: below everything that the plan passes under, all the way, for a yo knows no places.
+[[nodiscard]] core::Metres climb_target(const planning::Plan& plan, const vehicle::GliderProfile& vehicle);
+
 /// How long the vehicle goes without contact before it comes up to seek it.
 [[nodiscard]] core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOptions& options);
 

@@ -4,11 +4,13 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <span>
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/argument_lines.hpp"
+#include "engine/mission/below_ice.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -113,6 +115,7 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
                        print(": no surfacing meanwhile, and the yo must turn no higher than %.0f m.",
                              std::ceil(under.keel.upper_turn.value)));
   }
+  std::ranges::move(warnings_below_ice(plan), std::back_inserter(warnings));
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     if (plan.waypoints[i].wait.count() <= 0.0) continue;
     warnings.push_back(

@@ -17,11 +17,11 @@ constexpr double max_latitude_deg = 89.0;
 constexpr double watchdog_s = 48'600.0;    // no_cop_tickle_for, the dictionary's default
 constexpr Firmware first_with_ice{10, 0};  // the stock ice missions date from 2018
 
-std::string name_of_settings(const MissionSetOptions& options) {
+}  // namespace
+
+std::string ice_settings_name(const MissionSetOptions& options) {
   return "ice_" + argument_file_name("yo", options.lists.first_number).substr(2, 2) + ".mi";
 }
-
-}  // namespace
 
 std::string ice_settings(const UnderIce& ice) {
   const geo::LonLat refuge = ice.safe_places.front();
@@ -47,8 +47,8 @@ std::vector<MissionFile> ice_files(const planning::Plan& plan, const MissionSetO
                                 {"initial_wpt", "-2"},
                                 {"num_waypoints", whole(rows)}}) +
                      waypoint_section(ice.safe_places)},
-          {name_of_settings(options),
-           "# " + name_of_settings(options) +
+          {ice_settings_name(options),
+           "# " + ice_settings_name(options) +
                ": settings for ice; load with loadmission, or copy into autoexec.mi so "
                "that\n# they survive a reset under water\n" +
                origin + ice_settings(ice)}};
@@ -79,6 +79,12 @@ std::vector<std::string> ice_warnings(const planning::Plan& plan) {
       "Under ice the vehicle's own response needs breadcr.mi, freewig.mi and recov.mi on board, with dive "
       "depths for this water; these stock missions are not written here.",
       "goto_l98.ma replaces the list of safe places on board; the firmware writes goto_l99.ma itself."};
+  if (plan.surfacing && !plan.surfacing->waypoints.back().may_surface) {
+    warnings.emplace_back(
+        "The plan ends where the vehicle may not surface, yet it comes up when the list is flown: add open "
+        "water "
+        "to end in.");
+  }
   if (plan.travel_time().count() > watchdog_s) {
     char text[200];
     std::snprintf(

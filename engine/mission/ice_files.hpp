@@ -13,6 +13,9 @@ namespace floeplan::mission {
 /// Source   the vendor's stock settings ice.mi of firmware 10.5
 [[nodiscard]] std::string ice_settings(const UnderIce& ice);
 
+/// Of the settings as a mission of their own.
+[[nodiscard]] std::string ice_settings_name(const MissionSetOptions& options);
+
 /// The list of safe places that the stock recovery mission (recov.mi) flies, and the settings as a mission of
 /// their own, to be loaded or copied into autoexec.mi.
 [[nodiscard]] std::vector<MissionFile> ice_files(const planning::Plan& plan,

@@ -6,6 +6,7 @@
 #include <iterator>
 
 #include "engine/mission/argument_lines.hpp"
+#include "engine/mission/below_ice.hpp"
 #include "engine/mission/flight_files.hpp"
 #include "engine/mission/ice_files.hpp"
 #include "engine/mission/line_words.hpp"
@@ -85,6 +86,46 @@ std::string mission_text(const planning::Plan& plan, const MissionSetOptions& op
   return text + "\nbehavior: sensors_in\n";
 }
 
+/// What keeps a mission from being flown below ice safely.
+core::Violations violations_below_ice(const planning::Plan& plan, const MissionSetOptions& options) {
+  core::Violations found;
+  if (!tells_upper_turns(plan)) {
+    found.push_back({"/plan_id",
+                     "is a plan of an older version, which passes where the vehicle must not surface and "
+                     "does not tell how "
+                     "deep its dives turn there: plan it anew"});
+  }
+  if (least_upper_turn(plan).value <= 0.0) return found;
+  if (!options.under_ice) {
+    found.push_back(
+        {"/under_ice",
+         "is needed, with open water to head for: the plan passes below ice or icebergs, where the vehicle "
+         "must not surface"});
+  }
+  const core::Metres climb = climb_target(plan, options.vehicle);
+  if (climb + vehicle::lowest_tooth > target_depth(options.vehicle)) {
+    found.push_back({"/dive_depth_m", "leaves a yo that turns at " +
+                                          whole(target_depth(options.vehicle).value) +
+                                          " m no room below the ice, where it must turn no higher than " +
+                                          whole(climb.value) + " m"});
+  }
+  return found;
+}
+
+/// A yo that keeps below ice has no room over shoals in open water. Of the way between waypoints the plan keeps no depths.
+std::vector<std::string> shoal_warnings(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
+  std::vector<std::string> warnings;
+  const core::Metres climb = climb_target(plan, vehicle);
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    const auto depth = plan.waypoints[i].depth;
+    if (!depth || *depth >= climb + vehicle::lowest_tooth + vehicle.altimeter_margin) continue;
+    warnings.push_back("The sea is " + whole(std::floor(depth->value)) + " m deep at waypoint " +
+                       std::to_string(i) + ", too shallow for a yo that turns no higher than " +
+                       whole(climb.value) + " m: fly there with another one.");
+  }
+  return warnings;
+}
+
 std::string shallower_target_warning(const vehicle::GliderProfile& vehicle) {
   char text[200];
   std::snprintf(
@@ -100,12 +141,7 @@ std::string shallower_target_warning(const vehicle::GliderProfile& vehicle) {
 tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::Plan& plan,
                                                                const MissionSetOptions& options) {
   core::Violations found = violations_of(options);
-  if (!plan.passed_under.empty() && !options.under_ice) {
-    found.push_back(
-        {"/under_ice",
-         "is needed, with open water to head for: the plan passes under icebergs, where the vehicle "
-         "must not surface"});
-  }
+  std::ranges::move(violations_below_ice(plan, options), std::back_inserter(found));
   auto lists = write_goto_lists(plan, options.lists);
   if (!lists) std::ranges::copy(lists.error(), std::back_inserter(found));
   if (!found.empty()) return tl::unexpected(std::move(found));
@@ -124,6 +160,7 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
   if (options.under_ice) {
     std::ranges::move(ice_files(plan, options), std::back_inserter(set.files));
     std::ranges::move(ice_warnings(plan), std::back_inserter(set.warnings));
+    std::ranges::move(shoal_warnings(plan, options.vehicle), std::back_inserter(set.warnings));
   }
   return set;
 }

@@ -42,7 +42,8 @@ struct MissionSetOptions {
 ///          those of the vendor's stock missions; what neither gives is left to the vehicle's dictionary. No
 ///          factory setting (f_...) and no calibration is ever written.
 /// Depth    the target stays 2 % above the rating, since a glider overshoots and aborts at its working depth
-/// Ice      no surfacing at waypoints; the list of safe places that the stock recovery mission flies
+/// Ice      a plan that passes below ice or icebergs needs `under_ice`, and its yo climbs no higher than the deepest turn
+///          that they ask for anywhere, on all its legs. No surfacing at waypoints; the list of safe places that the stock recovery mission flies
 ///          (goto_l98.ma), the settings for ice in the mission, and once more as `ice_NN.mi` to be loaded alone
 /// Errors   every violation at once; those of write_goto_lists too
 /// Threads  may be called from several threads at once

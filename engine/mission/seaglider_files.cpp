@@ -5,6 +5,7 @@
 #include <stdexcept>
 
 #include "engine/mission/argument_lines.hpp"
+#include "engine/mission/below_ice.hpp"
 #include "engine/mission/goto_lists.hpp"
 #include "engine/mission/line_words.hpp"
 #include "engine/mission/packed_degrees.hpp"
@@ -69,6 +70,12 @@ core::Violations violations_of(const planning::Plan& plan, const SeagliderOption
   const double minutes = dive_minutes(options.vehicle);
   if (!(minutes >= shortest_dive_min && minutes <= longest_dive_min))
     found.push_back({"/dive_depth_m", "must give dives of 5 to 2880 minutes, not of " + whole(minutes)});
+  if (least_upper_turn(plan).value > 0.0 || !tells_upper_turns(plan)) {
+    found.push_back(
+        {"/format",
+         "must not be that of a Seaglider, which comes up after every dive: the plan passes below ice or "
+         "icebergs"});
+  }
   check_bands(options, found);
   return found;
 }

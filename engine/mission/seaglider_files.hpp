@@ -33,7 +33,7 @@ struct SeagliderOptions {
 /// Values    $D_TGT is the depth of the plan's dives, $T_DIVE how long one takes at the vehicle's rate of depth, both
 ///           rounded up to whole metres and minutes. Nothing else is set.
 /// Source    iop-apl-uw/basestation3 validate.py and parmdata.py
-/// Errors    every violation at once: a plan without a leg, a depth or time that no Seaglider takes, faulty bands
+/// Errors    every violation at once: a plan without a leg, or that passes below ice or icebergs, a depth or time that no Seaglider takes, faulty bands
 [[nodiscard]] tl::expected<MissionFiles, core::Violations> write_seaglider_set(
     const planning::Plan& plan, const SeagliderOptions& options);
 

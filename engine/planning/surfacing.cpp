@@ -26,9 +26,25 @@ class Log {
       if (!request_.under_ice.surfacing_interval) fix_ = here_;
     }
     was_open_ = open;
+    leg_upper_turn_ = std::max(leg_upper_turn_, sea_.least_upper_turn(now.point, now.time));
     if (sea_.ice() && !sea_.ice()->above(now.point, now.time).known)
       plan.unknown_ice = plan.unknown_ice + sea_.ground_length(last.at.point, now.point);
   }
+
+  /// The leg, or the start, ends at the last look, where the next leg begins.
+  void reach_waypoint() {
+    plan.waypoints.push_back(state());
+    if (plan.waypoints.size() > 1) plan.waypoints.back().leg_upper_turn = leg_upper_turn_;
+    leg_upper_turn_ = plan.waypoints.back().least_upper_turn;
+  }
+
+  SurfacingPlan plan;
+
+ private:
+  struct Look {
+    Sea::Passage at;
+    core::Metres error{};  // grown since the start without any fix
+  };
 
   /// At the last look.
   [[nodiscard]] SurfacingState state() const {
@@ -40,14 +56,6 @@ class Log {
     if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
     return state;
   }
-
-  SurfacingPlan plan;
-
- private:
-  struct Look {
-    Sea::Passage at;
-    core::Metres error{};  // grown since the start without any fix
-  };
 
   [[nodiscard]] core::Metres growth(vehicle::Drive drive, core::Seconds time) const {
     const core::Metres through_water{sea_.speed(drive).value * time.count()};
@@ -77,7 +85,8 @@ class Log {
   Look here_;
   Look fix_;
   Look last_open_;
-  bool was_open_{true};  // the vehicle starts at the surface
+  bool was_open_{true};            // the vehicle starts at the surface
+  core::Metres leg_upper_turn_{};  // the deepest since the last waypoint
 };
 
 void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, core::Seconds until,
@@ -97,14 +106,14 @@ SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,
   const core::Metres step = sea.surfacing_look();
   Log log{sea, request, route.front()};
   log.look({route.front(), schedule.arrivals.front()}, sea.drives().front());
-  log.plan.waypoints.push_back(log.state());
+  log.reach_waypoint();
   for (std::size_t i = 1; i < route.size(); ++i) {
     const vehicle::Drive drive = drives[i - 1];
     const core::Seconds leaves = schedule.leaves(i - 1);
     look_while_waiting(log, route[i - 1], schedule.arrivals[i - 1], leaves, drive);
     for (const Sea::Passage& passage : sea.passages(route[i - 1], route[i], leaves, step, drive))
       log.look(passage, drive);
-    log.plan.waypoints.push_back(log.state());
+    log.reach_waypoint();
   }
   return std::move(log.plan);
 }

@@ -15,6 +15,7 @@ namespace floeplan::planning {
 /// Fixes    at the planned surfacings where an interval is asked for, else wherever the vehicle may surface
 /// Surfacings  at the latest possible place before the interval is over; under ice that lasts longer, the last one
 ///          before it and the first after it. The time spent at the surface is not counted
+/// Turns    those of a leg are looked at as its closures are, every `surfacing_look()` of the sea
 /// Error    share of the distance through water + uncertainty of the currents times the time, since the last fix
 /// Precondition: `schedule` is that of the route, with one of `drives` for each leg
 [[nodiscard]] SurfacingPlan plan_surfacings(const Sea& sea, const PlanRequest& request,

@@ -168,7 +168,7 @@ void add_export(CLI::App& app, Program& program) {
       ->add_option(
           "--safe", flags->safe,
           "Open water to recover to from under ice, LON,LAT; may be repeated; writes the full set with its "
-          "ice settings")
+          "ice settings, which a plan below ice or icebergs needs")
       ->allow_extra_args(false);
   command
       ->add_option(

@@ -1,5 +1,6 @@
 #include "server/cli/plan_output.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
@@ -106,6 +107,13 @@ void print_surfacings(const json& plan) {
   if (surfacing.is_null()) return;
   std::printf("longest time between places to surface %s h\n",
               cell(surfacing.at("longest_without_surfacing_s"), "%.2f", 1.0 / 3600.0).c_str());
+  double deepest_m = 0.0;
+  for (const json& waypoint : plan.at("waypoints")) {
+    if (const json turn = waypoint.value("leg_upper_turn_m", json()); turn.is_number())
+      deepest_m = std::max(deepest_m, turn.get<double>());
+  }
+  if (deepest_m > 0.0)
+    std::printf("below ice or icebergs the dives turn no higher than %.0f m\n", std::ceil(deepest_m));
   for (const json& planned : surfacing.at("planned")) {
     std::printf("surface at %s, %s %s, position known to %s m before the fix\n",
                 planned.at("time").get<std::string>().c_str(),

@@ -15,6 +15,8 @@
 #include "api/codec/sha256.hpp"
 #include "engine/core/random.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/mission/below_ice.hpp"
+#include "engine/mission/ice_files.hpp"
 #include "engine/mission/mission_set.hpp"
 #include "engine/mission/read_document.hpp"
 #include "engine/simulation/equipped_vehicle.hpp"
@@ -83,10 +85,15 @@ tl::expected<std::vector<codec::SimulatedFile>, core::Violations> files_of(const
   options.vehicle = flown.vehicle;
   options.lists.max_waypoints = flown.vehicle.max_waypoints_per_list;
   options.lists.origin = {flown.record.id.value, flown.record.name, flown.plan.departure, "floeplan"};
+  // Below ice the files ask for open water to recover to, which nobody recovers to here: the start is such a place.
+  if (const core::Metres turn = mission::least_upper_turn(flown.plan); turn.value > 0.0)
+    options.under_ice = mission::UnderIce{{flown.plan.waypoints.front().place}, turn};
   const auto set = mission::write_mission_set(flown.plan, options);
   if (!set) return tl::unexpected(set.error());
+  const auto settings = options.under_ice ? mission::ice_settings_name(options) : "";
   std::vector<codec::SimulatedFile> files;
-  for (const auto& file : set->files) files.push_back({file.name, file.text});
+  for (const auto& file : set->files)
+    if (file.name != settings) files.push_back({file.name, file.text});
   return files;
 }
 

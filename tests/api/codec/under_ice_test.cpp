@@ -88,7 +88,8 @@ planning::Plan plan_with_surfacings() {
                     {.may_surface = false,
                      .since_surfacing = core::Seconds{5400.0},
                      .position_error = {383.4},
-                     .least_upper_turn = {18.0}}},
+                     .least_upper_turn = {18.0},
+                     .leg_upper_turn = core::Metres{21.5}}},
       .surfacings = {{.place = {-52.95, 69.0},
                       .time = plan.departure + core::Seconds{1800.0},
                       .position_error = {127.8}}},
@@ -110,6 +111,8 @@ TEST(PlanDocument, SaysOfEachWaypointWhatIceMeansThere) {
   EXPECT_EQ(last.at("since_last_surfacing_s"), 5400.0);
   EXPECT_EQ(last.at("position_error_m"), 383.4);
   EXPECT_EQ(last.at("least_upper_turn_m"), 18.0);
+  EXPECT_EQ(last.at("leg_upper_turn_m"), 21.5);
+  EXPECT_TRUE(document.at("waypoints").at(0).at("leg_upper_turn_m").is_null());
   EXPECT_EQ(document.at("surfacing").at("planned").at(0).at("time"), "2027-01-15T08:30:00Z");
   const json& escape = document.at("surfacing").at("escapes").at(1);
   EXPECT_EQ(escape.at("to"), json::array({-52.95, 69.0}));
@@ -123,6 +126,17 @@ TEST(PlanDocument, WithSurfacingsIsReadBackTheSame) {
   const json document = plan_document(plan_with_surfacings(), "p1", "");
 
   EXPECT_EQ(plan_document(parse_plan_document(document), "p1", ""), document);
+}
+
+TEST(PlanDocument, FromBeforeLegsToldHowDeepTheirDivesTurnIsStillRead) {
+  json document = plan_document(plan_with_surfacings(), "p1", "");
+  for (json& waypoint : document.at("waypoints")) waypoint.erase("leg_upper_turn_m");
+
+  const planning::Plan plan = parse_plan_document(document);
+
+  ASSERT_EQ(plan.surfacing->waypoints.size(), 2U);
+  EXPECT_FALSE(plan.surfacing->waypoints[1].leg_upper_turn.has_value());
+  EXPECT_EQ(plan.surfacing->waypoints[1].least_upper_turn, core::Metres{18.0});
 }
 
 TEST(PlanDocument, FromBeforeThereWasIceIsStillRead) {

@@ -120,6 +120,111 @@ TEST(MissionSet, OfAPlanUnderAnIcebergTurnsBelowItsKeelAndNeedsTheRulesUnderIce)
   EXPECT_THAT(below->warnings, Contains(HasSubstr("under iceberg B-17")));
 }
 
+/// Open water at every waypoint, and ice whose keels reach to 8.4 m on the way to the last one.
+planning::Plan below_ice_between_waypoints() {
+  planning::Plan plan = two_legs();
+  plan.surfacing.emplace();
+  plan.surfacing->longest_without = core::Seconds{1800.0};
+  plan.surfacing->waypoints.resize(3);
+  plan.surfacing->waypoints[1].leg_upper_turn = core::Metres{0.0};
+  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{18.4};
+  return plan;
+}
+
+TEST(MissionSet, OfAPlanBelowIceBetweenItsWaypointsTurnsBelowTheKeelsAndNeedsTheRulesUnderIce) {
+  const planning::Plan plan = below_ice_between_waypoints();
+
+  const auto in_the_open = write_mission_set(plan, options_for("slocum-g3-200"));
+  const auto below = write_mission_set(plan, under_ice());
+
+  ASSERT_FALSE(in_the_open.has_value());
+  EXPECT_THAT(in_the_open.error(), ElementsAre(Field(&core::Violation::field, "/under_ice")));
+  ASSERT_TRUE(below.has_value());
+  EXPECT_EQ(value_of(read_of(*below, "yo10.ma"), "c_target_depth"), 19.0);
+  EXPECT_THAT(names_of(*below), Not(Contains("surfac13.ma"))) << "no surfacing at waypoints";
+  EXPECT_THAT(
+      below->warnings,
+      Contains(HasSubstr("below ice or icebergs on the way to waypoint 2: no surfacing may be asked for "
+                         "there, and the yo must turn no higher than 19 m")));
+}
+
+TEST(MissionSet, NeverClimbsAboveTheDeepestTurnOfItsPlan) {
+  support::for_each_seed(200, [](std::mt19937_64& rng) {
+    planning::Plan plan = two_legs();
+    plan.surfacing.emplace();
+    plan.surfacing->longest_without = core::Seconds{600.0};
+    plan.surfacing->waypoints.resize(3);
+    double deepest_m = 0.0;
+    for (std::size_t i = 0; i < 3; ++i) {
+      planning::SurfacingState& state = plan.surfacing->waypoints[i];
+      const double turn_m = support::uniform_int(rng, 0, 1) == 0 ? 0.0 : support::uniform(rng, 0.1, 150.0);
+      const bool at_waypoint = support::uniform_int(rng, 0, 2) == 0;
+      if (at_waypoint) state.least_upper_turn = core::Metres{turn_m};
+      if (i > 0) state.leg_upper_turn = core::Metres{turn_m};
+      if (at_waypoint || i > 0) deepest_m = std::max(deepest_m, turn_m);
+    }
+
+    const auto set = write_mission_set(plan, under_ice());
+
+    EXPECT_EQ(write_mission_set(plan, options_for("slocum-g3-200")).has_value(), deepest_m == 0.0);
+    ASSERT_TRUE(set.has_value());
+    EXPECT_GE(value_of(read_of(*set, "yo10.ma"), "c_target_depth"), deepest_m);
+  });
+}
+
+TEST(MissionSet, SaysWhereThereIsNowhereToSurface) {
+  planning::Plan plan = below_ice_between_waypoints();
+  for (const std::size_t i : {1U, 2U}) {
+    plan.surfacing->waypoints[i] = {.may_surface = false,
+                                    .since_surfacing = core::Seconds{3600.0},
+                                    .position_error = {},
+                                    .least_upper_turn = {18.0},
+                                    .leg_upper_turn = core::Metres{18.0}};
+  }
+  plan.surfacing->waypoints[2].since_surfacing = core::Seconds{1200.0};  // there was a lead on the way
+
+  const auto set = write_mission_set(plan, under_ice());
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_THAT(set->warnings, Contains("There is nowhere to surface on the way to waypoint 1."));
+  EXPECT_THAT(set->warnings, Contains(HasSubstr("on the way to waypoint 1 to 2")));
+  EXPECT_THAT(set->warnings, Contains(HasSubstr("ends where the vehicle may not surface")));
+}
+
+TEST(MissionSet, IsRefusedForAPlanThatDoesNotTellHowDeepItsDivesTurnBelowIce) {
+  planning::Plan plan = below_ice_between_waypoints();
+  for (auto& state : plan.surfacing->waypoints) state.leg_upper_turn.reset();
+
+  const auto set = write_mission_set(plan, under_ice());
+  ASSERT_FALSE(set.has_value());
+  EXPECT_THAT(set.error(), ElementsAre(Field(&core::Violation::field, "/plan_id")));
+
+  plan.surfacing->longest_without = core::Seconds{0.0};  // open water all the way
+  EXPECT_TRUE(write_mission_set(plan, options_for("slocum-g3-200")).has_value());
+}
+
+TEST(MissionSet, IsRefusedWhereItsDivesHaveNoRoomBelowTheIce) {
+  planning::Plan plan = below_ice_between_waypoints();
+  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{195.0};
+
+  const auto set = write_mission_set(plan, under_ice());
+
+  ASSERT_FALSE(set.has_value());
+  EXPECT_THAT(set.error(), ElementsAre(Field(&core::Violation::field, "/dive_depth_m")));
+}
+
+TEST(MissionSet, WarnsOfShoalsThatItsYoIsTooDeepFor) {
+  planning::Plan plan = below_ice_between_waypoints();
+  plan.waypoints[0].depth = core::Metres{300.0};
+  plan.waypoints[1].depth = core::Metres{30.9};  // 19 m, a tooth of 2 m and a margin of 10 m are 31 m
+
+  const auto set = write_mission_set(plan, under_ice());
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_THAT(set->warnings, Contains(HasSubstr("30 m deep at waypoint 1, too shallow for a yo")));
+  EXPECT_THAT(set->warnings, Not(Contains(HasSubstr("deep at waypoint 0"))));
+}
+
 TEST(MissionSet, SaysWhereAPlanWaits) {
   planning::Plan plan = two_legs();
   plan.waypoints[1].wait = core::Seconds{5400.0};

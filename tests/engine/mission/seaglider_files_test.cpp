@@ -40,6 +40,19 @@ TEST(SeagliderTargets, AreFollowedFromTheFirstToTheLast) {
   EXPECT_NEAR(read.waypoints[2].place.lon_deg, -52.5, 1e-12);
 }
 
+TEST(SeagliderSet, IsNotWrittenForAPlanBelowIceOrIcebergs) {
+  planning::Plan plan = plan_of({{-53.0, 69.0}, {-52.75, 69.0}});
+  ASSERT_TRUE(write_seaglider_set(plan, {}).has_value());
+  plan.surfacing.emplace();
+  plan.surfacing->waypoints.resize(2);
+  plan.surfacing->waypoints[1].leg_upper_turn = core::Metres{18.0};
+
+  const auto set = write_seaglider_set(plan, {});
+
+  ASSERT_FALSE(set.has_value());
+  EXPECT_THAT(set.error(), Contains(Field(&core::Violation::field, "/format")));
+}
+
 TEST(SeagliderTargets, AreReadStrictly) {
   const std::string good = "A lat=6915.5 lon=-5315.0 radius=2000 goto=A\n";
   const auto code_of = [&](const std::string& text) { return codes(read_document("targets", text)); };

@@ -96,6 +96,25 @@ TEST(PlanUnderIce, GoesRoundTheIceWhenTheTimeBelowItWouldBeTooLong) {
   EXPECT_GT(plan.arrival, planned(band_of_ice(), support::eastward_request()).arrival);
 }
 
+TEST(PlanUnderIce, TellsHowDeepTheDivesTurnOnALegWhoseEndsLieInOpenWater) {
+  PlanRequest request = support::eastward_request();
+  request.method = Method::direct;
+  request.refine = false;
+
+  const Plan below = planned(band_of_ice(), request);
+  const Plan open =
+      planned({.ice = support::ice_from([](geo::LonLat, double) { return 0.0; }, {0.0}, 1.0)}, request);
+
+  ASSERT_EQ(below.surfacing->waypoints.size(), 2U);
+  const SurfacingState& goal = below.surfacing->waypoints.back();
+  EXPECT_TRUE(goal.may_surface);
+  EXPECT_EQ(goal.least_upper_turn.value, 0.0);
+  ASSERT_TRUE(goal.leg_upper_turn.has_value());
+  EXPECT_NEAR(goal.leg_upper_turn->value, 18.0, 1e-4);
+  EXPECT_FALSE(below.surfacing->waypoints.front().leg_upper_turn.has_value());
+  EXPECT_EQ(open.surfacing->waypoints.back().leg_upper_turn, core::Metres{0.0});
+}
+
 /// Law: below ice everywhere the vehicle draws what it draws in open water when its dives turn as deep.
 TEST(PlanUnderIce, DrawsWhatDivesDrawThatTurnBelowTheIce) {
   const ocean::Environment thick{.ice =

@@ -282,6 +282,7 @@ export interface Waypoint {
   since_last_surfacing_s?: number | null;
   position_error_m?: number | null;
   least_upper_turn_m?: number | null;
+  leg_upper_turn_m?: number | null; // the deepest on the leg; plans of older servers have none
 }
 
 export interface Surfacing {

@@ -28,7 +28,7 @@ export function momentsOf(plan: Plan, count: number): ProfilePoint[] {
         place: destination([from.lon, from.lat], leg.azimuth_deg, share * leg.distance_m),
         course_deg: leg.azimuth_deg,
         speed_over_ground_m_s: to.speed_over_ground_m_s,
-        turn_m: to.least_upper_turn_m ?? null,
+        turn_m: to.leg_upper_turn_m ?? to.least_upper_turn_m ?? null,
         probe: undefined,
       });
     }

@@ -1,0 +1,89 @@
+#include "engine/mission/below_ice.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <cstddef>
+#include <cstdio>
+
+namespace floeplan::mission {
+namespace {
+
+/// The number of every waypoint after the start whose leg `is_so`, as "2, 4 to 7"; empty: none.
+template <class IsSo>
+std::string waypoints_where(const planning::SurfacingPlan& surfacing, const IsSo& is_so) {
+  std::string text;
+  const std::size_t count = surfacing.waypoints.size();
+  for (std::size_t first = 1; first < count; ++first) {
+    if (!is_so(first)) continue;
+    std::size_t last = first;
+    while (last + 1 < count && is_so(last + 1)) ++last;
+    text += (text.empty() ? "" : ", ") + std::to_string(first);
+    if (last > first) text += " to " + std::to_string(last);
+    first = last;
+  }
+  return text;
+}
+
+/// Whether the vehicle cannot surface anywhere on the leg, its end included.
+bool has_no_opening(const planning::Plan& plan, std::size_t waypoint) {
+  constexpr core::Seconds rounding{1.0};  // of times that were stored
+  const planning::SurfacingState& state = plan.surfacing->waypoints[waypoint];
+  const planning::Waypoint& from = plan.waypoints[waypoint - 1];
+  const core::Seconds under_way = plan.waypoints[waypoint].eta - (from.eta + from.wait);
+  return !state.may_surface && state.since_surfacing + rounding >= under_way;
+}
+
+}  // namespace
+
+core::Metres least_upper_turn(const planning::Plan& plan) {
+  core::Metres deepest{0.0};
+  for (const planning::PassedUnder& under : plan.passed_under)
+    deepest = std::max(deepest, under.keel.upper_turn);
+  if (!plan.surfacing) return deepest;
+  for (const planning::SurfacingState& state : plan.surfacing->waypoints)
+    deepest = std::max({deepest, state.least_upper_turn, state.leg_upper_turn.value_or(core::Metres{0.0})});
+  return deepest;
+}
+
+bool tells_upper_turns(const planning::Plan& plan) {
+  if (!plan.surfacing || plan.surfacing->longest_without.count() <= 0.0) return true;
+  const auto& waypoints = plan.surfacing->waypoints;
+  return std::all_of(waypoints.begin() + 1, waypoints.end(),
+                     [](const planning::SurfacingState& state) { return state.leg_upper_turn.has_value(); });
+}
+
+std::vector<std::string> warnings_below_ice(const planning::Plan& plan) {
+  std::vector<std::string> warnings;
+  if (!plan.surfacing) return warnings;
+  const planning::SurfacingPlan& surfacing = *plan.surfacing;
+  const std::string below = waypoints_where(surfacing, [&](std::size_t i) {
+    return surfacing.waypoints[i].leg_upper_turn.value_or(core::Metres{0.0}).value > 0.0;
+  });
+  if (!below.empty()) {
+    char text[120];
+    std::snprintf(text, sizeof text,
+                  ": no surfacing may be asked for there, and the yo must turn no higher than %.0f m.",
+                  std::ceil(least_upper_turn(plan).value));
+    warnings.push_back("The plan passes below ice or icebergs on the way to waypoint " + below + text);
+  }
+  const std::string closed =
+      waypoints_where(surfacing, [&](std::size_t i) { return has_no_opening(plan, i); });
+  if (!closed.empty())
+    warnings.push_back("There is nowhere to surface on the way to waypoint " + closed + ".");
+  if (!tells_upper_turns(plan)) {
+    warnings.push_back(
+        "The plan was stored before its legs told how deep the dives turn below ice: plan it anew before it "
+        "is "
+        "flown.");
+  }
+  if (surfacing.unknown_ice.value > 0.0) {
+    char text[160];
+    std::snprintf(text, sizeof text,
+                  "Nothing is known of the ice on %.1f km of the way: there the yo turns as in open water.",
+                  surfacing.unknown_ice.value / 1000.0);
+    warnings.emplace_back(text);
+  }
+  return warnings;
+}
+
+}  // namespace floeplan::mission

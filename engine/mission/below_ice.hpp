@@ -1,0 +1,23 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/planning/plan.hpp"
+
+namespace floeplan::mission {
+
+/// The depth above which no dive of the plan may turn, because a yo knows no places: the deepest that ice or icebergs ask
+/// for anywhere on its legs. Zero where nothing is above.
+[[nodiscard]] core::Metres least_upper_turn(const planning::Plan& plan);
+
+/// Whether the plan says of every leg how deep its dives turn. One stored by an older version, which passes where the
+/// vehicle may not surface, does not.
+[[nodiscard]] bool tells_upper_turns(const planning::Plan& plan);
+
+/// Where the plan passes below ice, where it passes below what is not known, and where there is nowhere to surface, for
+/// the pilot.
+[[nodiscard]] std::vector<std::string> warnings_below_ice(const planning::Plan& plan);
+
+}  // namespace floeplan::mission
