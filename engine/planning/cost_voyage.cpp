@@ -48,15 +48,16 @@ double CostVoyage::rest(graph::Vertex v, double arrival_s) const {
   return std::max(straight, least_rate_ * (limit_->ladder->earliest_s(v, arrival_s) - arrival_s));
 }
 
-tl::expected<Sea::Leg, motion::EdgeClosed> CostVoyage::travel(geo::PlanePoint tail, geo::PlanePoint head,
-                                                              double arrival_s, double surfaced_s,
-                                                              double latest_s, vehicle::Drive drive) const {
+tl::expected<Sea::MeteredLeg, motion::EdgeClosed> CostVoyage::travel(geo::PlanePoint tail,
+                                                                     geo::PlanePoint head, double arrival_s,
+                                                                     double surfaced_s, double latest_s,
+                                                                     vehicle::Drive drive) const {
   const core::Seconds now{arrival_s};
-  if (longest_without_surfacing_)
-    return sea_.leg(tail, head, now, core::Seconds{arrival_s - surfaced_s}, drive);
-  return sea_.leg_time(tail, head, now, core::Seconds{latest_s}, drive).map([](core::Seconds time) {
-    return Sea::Leg{time, core::Seconds{0.0}};
-  });
+  if (longest_without_surfacing_) {
+    return sea_.metered_leg(tail, head, now, core::Seconds{arrival_s - surfaced_s}, core::Seconds{INFINITY},
+                            drive);
+  }
+  return sea_.metered_leg(tail, head, now, core::Seconds{0.0}, core::Seconds{latest_s}, drive);
 }
 
 bool CostVoyage::can_surface_in_time(graph::Vertex v, core::Seconds since_surfacing) const {

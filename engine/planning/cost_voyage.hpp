@@ -57,15 +57,14 @@ class CostVoyage {
     }
     for (std::uint32_t choice = 0; choice < sea_.drives().size(); ++choice) {
       const vehicle::Drive drive = sea_.drives()[choice];
-      const auto leg = travel(tail, head, arrival_s, state.surfaced_s, latest_s, drive);
-      if (!leg || !can_surface_in_time(edge.head, leg->since_surfacing)) continue;
-      const core::Joules energy =
-          sea_.energy_along(tail, head, core::Seconds{arrival_s}, leg->time, drive).total();
-      const double encounters = sea_.encounters(tail, head, core::Seconds{arrival_s}, leg->time);
-      const double cost = state.cost + objective_.cost(leg->time, energy, encounters);
-      const double head_s = arrival_s + leg->time.count();
+      const auto travelled = travel(tail, head, arrival_s, state.surfaced_s, latest_s, drive);
+      if (!travelled || !can_surface_in_time(edge.head, travelled->leg.since_surfacing)) continue;
+      const Sea::Leg& leg = travelled->leg;
+      const double encounters = sea_.encounters(tail, head, core::Seconds{arrival_s}, leg.time);
+      const double cost = state.cost + objective_.cost(leg.time, travelled->energy.total(), encounters);
+      const double head_s = arrival_s + leg.time.count();
       if (limit_ && !is_worthwhile(edge.head, head_s, cost)) continue;
-      emit(head_s, State{.cost = cost, .surfaced_s = head_s - leg->since_surfacing.count()}, choice);
+      emit(head_s, State{.cost = cost, .surfaced_s = head_s - leg.since_surfacing.count()}, choice);
     }
   }
 
@@ -89,10 +88,11 @@ class CostVoyage {
   }
   static double span(double arrival_s) { return std::floor(arrival_s / 600.0); }
 
-  [[nodiscard]] tl::expected<Sea::Leg, motion::EdgeClosed> travel(geo::PlanePoint tail, geo::PlanePoint head,
-                                                                  double arrival_s, double surfaced_s,
-                                                                  double latest_s,
-                                                                  vehicle::Drive drive) const;
+  [[nodiscard]] tl::expected<Sea::MeteredLeg, motion::EdgeClosed> travel(geo::PlanePoint tail,
+                                                                         geo::PlanePoint head,
+                                                                         double arrival_s, double surfaced_s,
+                                                                         double latest_s,
+                                                                         vehicle::Drive drive) const;
   /// Or be at the last stop.
   [[nodiscard]] bool can_surface_in_time(graph::Vertex v, core::Seconds since_surfacing) const;
   [[nodiscard]] bool surfaced_as_late(const graph::Label<State>& a, const graph::Label<State>& b) const;

@@ -48,12 +48,13 @@ tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea, const 
     const geo::PlanePoint from = route.points[i - 1];
     const geo::PlanePoint to = route.points[i];
     const vehicle::Drive drive = route.drives[i - 1];
-    const auto leg = sea.leg(from, to, times.arrivals.back(), since_surfacing, drive);
-    if (!leg) return tl::unexpected(leg.error());
-    since_surfacing = leg->since_surfacing;
-    times.encounters += sea.encounters(from, to, times.arrivals.back(), leg->time);
-    times.energy += sea.energy_along(from, to, times.arrivals.back(), leg->time, drive);
-    times.arrivals.push_back(times.arrivals.back() + leg->time);
+    const core::Seconds leaves = times.arrivals.back();
+    const auto driven = sea.metered_leg(from, to, leaves, since_surfacing, core::Seconds{INFINITY}, drive);
+    if (!driven) return tl::unexpected(driven.error());
+    since_surfacing = driven->leg.since_surfacing;
+    times.encounters += sea.encounters(from, to, leaves, driven->leg.time);
+    times.energy += driven->energy;
+    times.arrivals.push_back(leaves + driven->leg.time);
   }
   return times;
 }

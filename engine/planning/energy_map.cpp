@@ -7,8 +7,6 @@ namespace floeplan::planning {
 namespace {
 
 constexpr double most_cells_a_side = 256.0;
-constexpr double samples_a_cell = 8.0;
-constexpr double most_samples = 4096.0;  // of a leg: more than on a diagonal
 
 /// One cell where no sea bed is known.
 core::Metres cell_of(const FlownDepths& depths, const PlaneBox& area) {
@@ -60,13 +58,22 @@ EnergyMap::EnergyMap(const vehicle::GliderProfile& profile, const FlownDepths& d
   }
 }
 
-const EnergyMap::Place& EnergyMap::place(geo::PlanePoint point) const {
-  const auto clamped = [&](double metres, std::int64_t cells) {
-    const double cell = std::floor(metres / raster_.cell_m());
-    return static_cast<std::int64_t>(std::clamp(cell, 0.0, static_cast<double>(cells - 1)));
-  };
-  return places_[raster_.index(clamped(point.x_m - raster_.area().low.x_m, raster_.nx()),
-                               clamped(point.y_m - raster_.area().low.y_m, raster_.ny()))];
+const EnergyMap::Place& EnergyMap::place(std::int64_t ix, std::int64_t iy) const {
+  return places_[raster_.index(std::clamp<std::int64_t>(ix, 0, raster_.nx() - 1),
+                               std::clamp<std::int64_t>(iy, 0, raster_.ny() - 1))];
+}
+
+bool EnergyMap::is_even_along(geo::PlanePoint a, geo::PlanePoint b) const {
+  if (is_even_) return true;
+  const Place* first = nullptr;
+  bool even = true;
+  raster_.for_each_cell(a, b, [&](std::int64_t ix, std::int64_t iy) {
+    const Place& here = place(ix, iy);
+    if (first == nullptr) first = &here;
+    even = here.pump_j_m == first->pump_j_m && here.inflections_m == first->inflections_m;
+    return even;
+  });
+  return even;
 }
 
 EnergyMap::Place EnergyMap::below(const Place& place, core::Metres upper_turn) const {
@@ -81,24 +88,23 @@ EnergyMap::Place EnergyMap::below(const Place& place, core::Metres upper_turn) c
 
 EnergyUse EnergyMap::use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds time, vehicle::Drive drive,
                          core::Metres upper_turn) const {
-  double pump_j = 0.0;
-  double inflections = 0.0;
-  const double cells = geo::distance_m(a, b) / raster_.cell_m();
-  const double wanted = std::clamp(std::ceil(samples_a_cell * cells), 1.0, most_samples);
-  const int samples = is_even_ ? 1 : static_cast<int>(wanted);
-  for (int i = 0; i < samples; ++i) {
-    const double share = (i + 0.5) / samples;
-    const Place here =
-        below(place({a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)}), upper_turn);
-    pump_j += static_cast<double>(here.pump_j_m) / samples;
-    inflections += static_cast<double>(here.inflections_m) / samples;
-  }
+  double pump_j_m = 0.0;
+  double inflections_m = 0.0;
+  double from = 0.0;
+  raster_.for_each_stretch(a, b, [&](std::int64_t ix, std::int64_t iy, double until) {
+    const Place here = below(place(ix, iy), upper_turn);
+    const double share = is_even_ ? 1.0 : until - from;
+    pump_j_m += share * static_cast<double>(here.pump_j_m);
+    inflections_m += share * static_cast<double>(here.inflections_m);
+    from = until;
+    return !is_even_;
+  });
   const DriveCost& drive_cost = cost(drive);
   const double depth_changed_m = drive_cost.vertical.value * time.count();
   return {.hotel = drive_cost.power * time,
-          .pump = {pump_j * depth_changed_m},
+          .pump = {pump_j_m * depth_changed_m},
           .thruster = drive_cost.thruster * time,
-          .inflections = inflections * depth_changed_m};
+          .inflections = inflections_m * depth_changed_m};
 }
 
 core::Watts EnergyMap::least_power(vehicle::Drive drive) const {

@@ -14,8 +14,7 @@ namespace floeplan::planning {
 
 /// What a glider draws where: over a shallow bank it turns oftener, in deep water it pumps against more
 /// pressure.
-/// Accuracy  the sea bed by cells no smaller than those of the bathymetry, at most 256 a side; the time of a
-///           leg spread evenly over its length
+/// Accuracy  the sea bed by cells no smaller than those of the bathymetry, at most 256 a side; along a line exact
 /// Threads   const members may be called from several threads at once
 class EnergyMap {
  public:
@@ -23,14 +22,18 @@ class EnergyMap {
   EnergyMap(const vehicle::GliderProfile& profile, const FlownDepths& depths,
             const geo::LocalProjection& projection, const PlaneBox& area, const std::stop_token& stop);
 
-  /// Of the straight leg from a to b, travelled in this time. `upper_turn`: no dive turns above it; where that leaves less than
-  /// the lowest saw-tooth, as in that.
+  /// Of the straight and even move from a to b in this time; a drive in currents is none, but many of them.
+  /// `upper_turn`: no dive turns above it; where that leaves less than the lowest saw-tooth, as in that.
   [[nodiscard]] EnergyUse use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds time, vehicle::Drive drive,
                               core::Metres upper_turn = {}) const;
   /// No place costs less.
   [[nodiscard]] core::Watts least_power(vehicle::Drive drive) const;
   /// Whether every place costs the same, so that energy is power times time.
   [[nodiscard]] bool is_even() const { return is_even_; }
+  /// The same for the places on a line.
+  [[nodiscard]] bool is_even_along(geo::PlanePoint a, geo::PlanePoint b) const;
+  /// How large the places are that are told apart.
+  [[nodiscard]] core::Metres cell() const { return core::Metres{raster_.cell_m()}; }
 
   [[nodiscard]] std::size_t bytes() const { return places_.size() * sizeof(Place); }
 
@@ -46,7 +49,8 @@ class EnergyMap {
     core::Watts power;  // besides the pump
     core::Watts thruster;
   };
-  [[nodiscard]] const Place& place(geo::PlanePoint point) const;
+  /// Of a cell; beyond the raster that of the nearest one in it.
+  [[nodiscard]] const Place& place(std::int64_t ix, std::int64_t iy) const;
   /// The place where the dives turn no higher.
   [[nodiscard]] Place below(const Place& place, core::Metres upper_turn) const;
   [[nodiscard]] const DriveCost& cost(vehicle::Drive drive) const {

@@ -46,9 +46,15 @@ class PlaneRaster {
 
   /// Calls `visit(ix, iy)` for every cell that the straight line from a to b enters, in this order, until it
   /// answers false; cells beyond the raster included.
-  /// Source   Amanatides and Woo 1987, A fast voxel traversal algorithm for ray tracing, Eurographics
   template <class Visit>
   void for_each_cell(geo::PlanePoint a, geo::PlanePoint b, Visit&& visit) const {
+    for_each_stretch(a, b, [&](std::int64_t ix, std::int64_t iy, double) { return visit(ix, iy); });
+  }
+
+  /// The same with where the line leaves the cell, as a share of its length: `visit(ix, iy, until)`; 1 in the last one.
+  /// Source   Amanatides and Woo 1987, A fast voxel traversal algorithm for ray tracing, Eurographics
+  template <class Visit>
+  void for_each_stretch(geo::PlanePoint a, geo::PlanePoint b, Visit&& visit) const {
     const double ax = (a.x_m - area_.low.x_m) / cell_m_;
     const double ay = (a.y_m - area_.low.y_m) / cell_m_;
     const double bx = (b.x_m - area_.low.x_m) / cell_m_;
@@ -70,7 +76,8 @@ class PlaneRaster {
 
     std::int64_t left = std::abs(end_x - ix) + std::abs(end_y - iy);
     for (;;) {
-      if (!visit(ix, iy) || left-- == 0) return;
+      const double until = left == 0 ? 1.0 : std::min({next_x, next_y, 1.0});
+      if (!visit(ix, iy, until) || left-- == 0) return;
       if (next_x < next_y) {
         ix += step_x;
         next_x += per_x;

@@ -7,6 +7,7 @@
 #include "engine/motion/drive_looks.hpp"
 #include "engine/motion/edge_time_back.hpp"
 #include "engine/planning/current_drive.hpp"
+#include "engine/planning/energy_meter.hpp"
 #include "engine/planning/sea_layout.hpp"
 #include "engine/planning/surfacing_watch.hpp"
 
@@ -118,21 +119,14 @@ bool Sea::open_about(geo::PlanePoint point, core::Metres reach) const {
 
 EnergyUse Sea::energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds time,
                             vehicle::Drive drive) const {
-  constexpr double most_looks = 4096.0;
-  if (!ice_ && !icebergs_.may_pass_under()) return energy_.use(a, b, time, drive);
-  const double wanted = std::ceil(geo::distance_m(a, b) / surfacing_look().value);
-  const int pieces = static_cast<int>(std::clamp(wanted, 1.0, most_looks));
-  const auto at = [&](double share) {
-    return geo::PlanePoint{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
-  };
-  EnergyUse drawn;
-  for (int i = 0; i < pieces; ++i) {
-    const double middle = (i + 0.5) / pieces;
-    const core::Metres upper_turn = least_upper_turn(at(middle), depart + middle * time);
-    drawn += energy_.use(at(static_cast<double>(i) / pieces), at((i + 1.0) / pieces), (1.0 / pieces) * time,
-                         drive, upper_turn);
-  }
-  return drawn;
+  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  EnergyMeter meter{*this, edge, depart, drive};
+  (void)drive_time(edge, depart, core::Seconds{INFINITY}, speed(drive),
+                   [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+                     meter.add(piece);
+                     return std::nullopt;
+                   });
+  return meter.until(depart + time);
 }
 
 template <class VisitPiece>
@@ -293,6 +287,34 @@ tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::Plan
                                });
   if (!time) return tl::unexpected(time.error());
   return Leg{*time, watch.since_surfacing()};
+}
+
+tl::expected<Sea::MeteredLeg, motion::EdgeClosed> Sea::metered_leg(geo::PlanePoint a, geo::PlanePoint b,
+                                                                   core::Seconds depart,
+                                                                   core::Seconds since_surfacing,
+                                                                   core::Seconds latest,
+                                                                   vehicle::Drive drive) const {
+  if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
+  const motion::PlaneEdge edge{a, b, ground_length(a, b)};
+  const double error_m = edge_tolerance_ * geo::distance_m(a, b);
+  const bool below_ice = ice_ && ice_->may_be_dense_along(a, b);
+  std::optional<SurfacingWatch> watch;
+  if (bounds_surfacing()) watch.emplace(*this, edge, since_surfacing);
+  EnergyMeter meter{*this, edge, depart, drive};
+  const auto time = drive_time(edge, depart, latest, speed(drive),
+                               [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
+                                 if (const auto closed = closed_then(edge, piece, error_m)) return closed;
+                                 if (watch) {
+                                   if (const auto closed = (*watch)(piece)) return closed;
+                                 } else if (below_ice && !ice_->may_transit_along(edge, piece)) {
+                                   return motion::EdgeClosed::under_ice;
+                                 }
+                                 meter.add(piece);
+                                 return std::nullopt;
+                               });
+  if (!time) return tl::unexpected(time.error());
+  const core::Seconds since = watch ? watch->since_surfacing() : core::Seconds{0.0};
+  return MeteredLeg{{*time, since}, meter.until(depart + *time)};
 }
 
 tl::expected<Sea::LegBack, motion::EdgeClosed> Sea::leg_back(geo::PlanePoint a, geo::PlanePoint b,

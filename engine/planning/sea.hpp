@@ -56,9 +56,10 @@ class Sea {
     return drive == vehicle::Drive::thruster ? thruster_speed_ : buoyancy_speed_;
   }
   [[nodiscard]] const EnergyMap& energy() const { return energy_; }
-  /// What the straight leg draws that is left then and takes so long: below ice and icebergs the dives turn as deep as they
-  /// have to, and so more often.
-  /// Accuracy  what is above is looked at every `surfacing_look()`, at most 4,096 times
+  /// What the straight leg draws that is left then and takes so long, or a wait: the power at each place over the time
+  /// that the drive really spends there. Below ice and icebergs the dives turn as deep as they have to, and so more often.
+  /// Where the drive does not get on, what is left of the time goes evenly on what is left of the way.
+  /// Accuracy  as `EnergyMeter`
   [[nodiscard]] EnergyUse energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                        core::Seconds time, vehicle::Drive drive) const;
   /// Whether every place costs the same at every time, so that energy is power times time.
@@ -103,7 +104,18 @@ class Sea {
   [[nodiscard]] tl::expected<Leg, motion::EdgeClosed> leg(geo::PlanePoint a, geo::PlanePoint b,
                                                           core::Seconds depart, core::Seconds since_surfacing,
                                                           vehicle::Drive drive) const;
-  /// The same for a vehicle that is to be at the leg's end at `arrive` and may surface `until_surfacing` later; the time
+  /// A leg of a vehicle that arrives by `latest`, and what it draws, in one drive. As `leg` where the time without a
+  /// possible surfacing is bounded; as `leg_time` otherwise, when the time since the last one is told as zero.
+  struct MeteredLeg {
+    Leg leg;
+    EnergyUse energy;
+  };
+  [[nodiscard]] tl::expected<MeteredLeg, motion::EdgeClosed> metered_leg(geo::PlanePoint a, geo::PlanePoint b,
+                                                                         core::Seconds depart,
+                                                                         core::Seconds since_surfacing,
+                                                                         core::Seconds latest,
+                                                                         vehicle::Drive drive) const;
+  /// As `leg` for a vehicle that is to be at the leg's end at `arrive` and may surface `until_surfacing` later; the time
   /// until it may, at the leg's beginning. too_late when it would certainly have to leave before `earliest`.
   struct LegBack {
     core::Seconds time;

@@ -54,7 +54,7 @@ struct BruteForce {
         const geo::PlanePoint b = open.grid.point(edge.head);
         const auto time = sea.leg_time(a, b, core::Seconds{now_s}, core::Seconds{INFINITY}, drive);
         if (!time) continue;
-        const core::Joules energy = sea.energy().use(a, b, *time, drive).total();
+        const core::Joules energy = sea.energy_along(a, b, core::Seconds{now_s}, *time, drive).total();
         go_on(edge.head, now_s + time->count(), cost + objective.cost(*time, energy));
       }
     });
@@ -147,7 +147,8 @@ double share_of_plain_cost(const ocean::Environment& environment, const Objectiv
         sea.leg_time(route.points[i - 1], route.points[i], now, core::Seconds{INFINITY}, route.drives[i - 1]);
     if (!time) return INFINITY;
     cost += objective.cost(
-        *time, sea.energy().use(route.points[i - 1], route.points[i], *time, route.drives[i - 1]).total());
+        *time,
+        sea.energy_along(route.points[i - 1], route.points[i], now, *time, route.drives[i - 1]).total());
     now += *time;
   }
   return cost / plain.labels[*plain.goal].state.cost;

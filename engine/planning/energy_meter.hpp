@@ -1,0 +1,38 @@
+#pragma once
+
+#include "engine/motion/disc_encounter.hpp"
+#include "engine/motion/edge_piece.hpp"
+#include "engine/motion/plane_edge.hpp"
+#include "engine/planning/energy_use.hpp"
+#include "engine/planning/sea.hpp"
+
+namespace floeplan::planning {
+
+/// Adds up what a drive along an edge draws: the power at each place over the time spent there, for currents make a
+/// vehicle slow over one bank and fast over the next deep. Looks at each piece of the drive in turn.
+/// Accuracy  where the vehicle is to a five-hundredth of the cells of the energy map; what is above it is looked at every
+///           `surfacing_look()` of the sea, at most 4,096 times a piece
+class EnergyMeter {
+ public:
+  /// `sea` and `edge` are borrowed.
+  EnergyMeter(const Sea& sea, const motion::PlaneEdge& edge, core::Seconds depart, vehicle::Drive drive);
+
+  /// The next piece of the drive.
+  void add(const motion::EdgePiece& piece);
+  /// All that is drawn until then: what the pieces leave of the way is travelled evenly in what they leave of the time.
+  [[nodiscard]] EnergyUse until(core::Seconds end) const;
+
+ private:
+  [[nodiscard]] EnergyUse use(const motion::EvenMove& move) const;
+
+  const Sea& sea_;
+  const motion::PlaneEdge& edge_;
+  vehicle::Drive drive_;
+  bool looks_up_;  // something may be above the edge
+  bool is_even_;   // every place on the edge costs the same: how the time is spread makes no difference
+  geo::PlanePoint here_;
+  double now_s_;
+  EnergyUse drawn_;
+};
+
+}  // namespace floeplan::planning
