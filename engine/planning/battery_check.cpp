@@ -9,6 +9,12 @@ namespace {
 
 std::string shortage_text(const PlanEnergy& energy) {
   char text[160];
+  if (energy.usable.value < 0.0) {
+    std::snprintf(text, sizeof text,
+                  "the plan draws %.2f MJ, and the battery begins %.2f MJ below its reserve",
+                  energy.use.total().value / 1e6, -energy.usable.value / 1e6);
+    return text;
+  }
   std::snprintf(
       text, sizeof text,
       "the plan draws %.2f MJ, %.2f MJ more than the %.2f MJ that the battery gives above its reserve",

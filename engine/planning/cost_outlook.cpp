@@ -14,7 +14,7 @@ using graph::Vertex;
 constexpr float unknown = std::numeric_limits<float>::infinity();
 /// A twentieth of a semidiurnal tide: straight lines between the slices cut little more than a hundredth off its bends.
 constexpr core::Seconds least_step{2240.0};
-constexpr std::size_t most_values = 16'000'000;  // 64 MB
+constexpr std::size_t most_values = 8'000'000;  // 32 MB for each grid
 constexpr std::size_t vertices_between_looks = 64;
 /// Over the last slice, whose water is taken to stay as it is: enough for ways that turn back on themselves.
 constexpr int passes_of_last = 6;

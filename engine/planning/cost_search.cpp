@@ -21,7 +21,8 @@ constexpr std::size_t most_labels = 200'000;  // some seconds, and about 20 MB w
 constexpr std::int64_t few_vertices = 2'500;
 /// Of the cost of the fastest way: what a steered search may leave, far less than its outlook is off.
 constexpr double near_enough = 2e-4;
-constexpr core::Seconds all_voyage_lengths_alike{3600.0};
+/// An outlook serves voyages that end so much after its last slice, from which on its water stays as it is.
+constexpr core::Seconds beyond_outlook{3600.0};
 
 using Way = std::vector<graph::Label<CostVoyage::State>>;
 
@@ -117,7 +118,7 @@ class KnownLimit {
 
 const CostOutlook& CostGuide::outlook(const Objective& objective, core::Seconds depart, core::Seconds last,
                                       const std::stop_token& stop) {
-  if (!outlook_ || depart < from_ || last > until_ + all_voyage_lengths_alike) {
+  if (!outlook_ || depart < from_ || last > until_ + beyond_outlook) {
     from_ = depart;
     until_ = last + ahead_;
     const ArrivalLadder use{foresight_, closures_, open_, from_, until_, stop, 1};

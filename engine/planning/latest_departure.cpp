@@ -66,16 +66,23 @@ core::UtcTime whole_second(core::UtcTime time) {
 
 Infeasible too_early(const PlanRequest& request, const Plan& earliest) {
   const core::UtcTime wanted = *request.departures.arrive_by;
-  const core::UtcTime possible = core::from_unix_seconds(std::ceil(core::unix_seconds(earliest.arrival)));
+  const core::UtcTime arrival = arrival_that_counts(earliest, request.uncertainty);
+  Infeasible why{
+      .reason = Reason::arrival_too_early,
+      .at = request.to,
+      .when = wanted,
+      .explanation = "leaving at " + core::iso8601(request.depart) + ", the earliest departure, ",
+      .suggestion = "arrive by then or later, allow an earlier departure (--depart), or raise the speed",
+      .binding = Constraint::caller};
+  if (!std::isfinite(core::unix_seconds(arrival))) {
+    why.explanation += "arrives in too few of the members of the currents";
+    return why;
+  }
+  const core::UtcTime possible = core::from_unix_seconds(std::ceil(core::unix_seconds(arrival)));
   const std::string possible_text = core::iso8601(possible);
-  return {
-      Reason::arrival_too_early,
-      request.to,
-      wanted,
-      "leaving at " + core::iso8601(request.depart) + ", the earliest departure, arrives at " + possible_text,
-      "arrive by then or later, allow an earlier departure (--depart), or raise the speed",
-      Constraint::caller,
-      {{"arrive_by", wanted, possible, "arrive by " + possible_text}}};
+  why.explanation += "arrives at " + possible_text;
+  why.changes = {{"arrive_by", wanted, possible, "arrive by " + possible_text}};
+  return why;
 }
 
 core::UtcTime between(core::UtcTime early, core::UtcTime late) {
@@ -123,7 +130,7 @@ class LatestDeparture {
 
   /// Whether no plan came because of what is there at all times.
   [[nodiscard]] bool is_closed_for_good() const {
-    if (best_ || too_late_ || !binds_) return false;
+    if (some_arrive_ || !binds_) return false;
     return binds_ == Constraint::land || binds_ == Constraint::depth || binds_ == Constraint::data_area ||
            binds_ == Constraint::memory;
   }
@@ -136,7 +143,7 @@ class LatestDeparture {
       return std::nullopt;
     }
     const core::Seconds spare = left(*plan);
-    if (spare.count() < 0.0) too_late_ = std::move(*plan);
+    some_arrive_ = true;
     if (spare.count() >= 0.0 && (!best_ || plan->departure > best_->departure)) best_ = std::move(*plan);
     return spare;
   }
@@ -171,6 +178,7 @@ class LatestDeparture {
     const core::Seconds least = least_travel_time();
     window.departures = {.until = wanted_ - least, .step = (wanted_ - least - window.depart) / samples};
     if (window.departures.step < close_enough) return;
+    window.uncertainty.objective = RobustObjective::none;  // whole plans are asked about the members
     const auto curve = compare_departures(environment_, window, stop_, progress_);
     if (!curve) return;
     std::optional<core::UtcTime> fails;
@@ -203,7 +211,6 @@ class LatestDeparture {
         try_to_plan(environment_, leaving_at(request_, request_.depart), stop_, progress_, clock_);
     if (earliest && left(*earliest).count() >= 0.0) return earliest;
     if (earliest) return tl::unexpected(too_early(request_, *earliest));
-    if (too_late_) return tl::unexpected(too_early(request_, *too_late_));
     return earliest;
   }
 
@@ -214,7 +221,7 @@ class LatestDeparture {
   const core::ProgressCallback& progress_;
   const core::SteadyClock& clock_;
   std::optional<Plan> best_;         // the latest departure that is in time
-  std::optional<Plan> too_late_;     // a plan that is not
+  bool some_arrive_{false};          // in time or not
   std::optional<Constraint> binds_;  // where no plan came, the last time
 };
 
