@@ -58,10 +58,14 @@ class Rates {
 /// Which edges are closed at any time.
 class ClosedEdges {
  public:
-  ClosedEdges(const Sea& sea, const OpenGrid& open, const std::vector<Vertex>& tails)
+  /// Once `stop` is requested incomplete.
+  ClosedEdges(const Sea& sea, const OpenGrid& open, const std::vector<Vertex>& tails,
+              const std::stop_token& stop)
       : steps_{open.graph.offsets().size()}, closed_(open.graph.size() * steps_) {
     const core::Metres reach = reach_of(open.grid, open.graph);
-    for (const Vertex v : tails) {
+    for (std::size_t i = 0; i < tails.size(); ++i) {
+      if (i % vertices_between_looks == 0 && stop.stop_requested()) return;
+      const Vertex v = tails[i];
       const geo::PlanePoint tail = open.grid.point(v);
       if (sea.open_about(tail, reach)) continue;
       open.graph.for_each_edge(v, [&](const Edge& edge) {
@@ -114,6 +118,7 @@ CostOutlook::CostOutlook(const Sea& sea, const OpenGrid& open, const Objective& 
   std::vector<Vertex> order;  // the vertices of use, those with the least left to go first
   std::vector<double> earliest_s(vertices_);
   for (Vertex v = 0; v < vertices_; ++v) {
+    if (v % vertices_between_looks == 0 && stop.stop_requested()) return;
     if (!open.graph.is_open(v) || use.latest_use_s(v) == -INFINITY) continue;
     order.push_back(v);
     earliest_s[v] = (depart + sea.least_time(grid.point(grid.start), grid.point(v))).count();
@@ -121,9 +126,12 @@ CostOutlook::CostOutlook(const Sea& sea, const OpenGrid& open, const Objective& 
   std::ranges::sort(order, {}, [&](Vertex v) {
     return std::pair{geo::distance_m(grid.point(v), grid.point(grid.goal)), v};
   });
-  const ClosedEdges closed{sea, open, order};
+  const ClosedEdges closed{sea, open, order, stop};
   Rates rates{sea, open, objective};
-  for (Vertex v = 0; v < vertices_; ++v) rates.look(v, last);
+  for (Vertex v = 0; v < vertices_; ++v) {
+    if (v % vertices_between_looks == 0 && stop.stop_requested()) return;
+    rates.look(v, last);
+  }
 
   for (std::size_t k = slices_.count; k-- > 0;) {
     const bool is_last = k + 1 == slices_.count;

@@ -19,6 +19,8 @@ namespace {
 constexpr std::size_t most_labels = 200'000;  // some seconds, and about 20 MB with their lists and the queue
 /// On larger grids a search for the least cost is steered: one that is not would mostly meet its bound on labels.
 constexpr std::int64_t few_vertices = 2'500;
+/// On still larger ones an outlook takes too long between looks at a stop, and keeps too few times in its memory.
+constexpr std::int64_t many_vertices = 500'000;
 /// Of the cost of the fastest way: what a steered search may leave, far less than its outlook is off.
 constexpr double near_enough = 2e-4;
 /// An outlook serves voyages that end so much after its last slice, from which on its water stays as it is.
@@ -106,7 +108,9 @@ class KnownLimit {
   [[nodiscard]] const ArrivalLadder* ladder() const { return limit_ ? &*ladder_ : nullptr; }
   /// When a voyage of that cost ends at the latest.
   [[nodiscard]] core::Seconds last() const { return last_; }
-  [[nodiscard]] static bool is_steered(const OpenGrid& open) { return open.vertices > few_vertices; }
+  [[nodiscard]] static bool is_steered(const OpenGrid& open) {
+    return open.vertices > few_vertices && open.vertices <= many_vertices;
+  }
 
  private:
   std::optional<ArrivalLadder> ladder_;
