@@ -15,7 +15,6 @@ namespace floeplan::planning {
 namespace {
 
 constexpr double fastest_m_s = 5.0;  // the most that a request may ask for
-constexpr int halvings = 7;          // to a hundredth, with a speed or margin rounded to what one would type
 
 std::string written(const char* format, double from, double to) {
   char text[120];
@@ -28,7 +27,7 @@ class Relaxation {
  public:
   Relaxation(const ocean::Environment& environment, const PlanRequest& request, const Trial& trial,
              const std::stop_token& stop)
-      : environment_{environment}, request_{request}, trial_{trial}, stop_{stop} {}
+      : environment_{environment}, request_{request}, trials_{trial, stop} {}
 
   void raise_speed() {
     const double now = request_.vehicle.speed_through_water.value;
@@ -37,7 +36,7 @@ class Relaxation {
       changed.vehicle.speed_through_water = {speed};
       return changed;
     };
-    const auto needed = nearest_that_helps(now, std::min(fastest_m_s, 8.0 * now), 0.01, with);
+    const auto needed = trials_.nearest_that_helps(now, std::min(fastest_m_s, 8.0 * now), 0.01, with);
     if (!needed) return;
     add("speed_m_s", now, *needed, *needed / now,
         written("raise the speed through the water from %.2f to %.2f m/s", now, *needed));
@@ -52,7 +51,7 @@ class Relaxation {
           vehicle::Thruster{.speed = {speed}, .power = vehicle::thruster_power({speed})};
       return changed;
     };
-    const auto needed = nearest_that_helps(now, std::min(fastest_m_s, 8.0 * now), 0.01, with);
+    const auto needed = trials_.nearest_that_helps(now, std::min(fastest_m_s, 8.0 * now), 0.01, with);
     if (!needed) return;
     add("vehicle/thruster/speed_m_s", now, *needed, *needed / now,
         written("raise the thruster's speed from %.2f to %.2f m/s", now, *needed));
@@ -65,7 +64,7 @@ class Relaxation {
       changed.icebergs.margin = {margin};
       return changed;
     };
-    const auto needed = nearest_that_helps(now, 0.0, 10.0, with);
+    const auto needed = trials_.nearest_that_helps(now, 0.0, 10.0, with);
     if (!needed) return;
     add("margin_m", now, *needed, 2.0 - *needed / now,
         written("reduce the margin around icebergs from %.0f to %.0f m", now, *needed));
@@ -79,7 +78,7 @@ class Relaxation {
       changed.icebergs.max_inflation = {error};
       return changed;
     };
-    const auto needed = nearest_that_helps(now, 0.0, 100.0, with);
+    const auto needed = trials_.nearest_that_helps(now, 0.0, 100.0, with);
     if (!needed) return;
     add("max_inflation_m", now, *needed, 2.0 - *needed / now,
         written("reduce what is allowed for the error of icebergs' positions from %.0f to %.0f m", now,
@@ -88,15 +87,15 @@ class Relaxation {
 
   /// Later departures within the period of the data, closer ones first: half a tide, then whole tides and days.
   void depart_later() {
-    begin_input();
+    trials_.begin_input();
     if (environment_.steady_currents || !environment_.currents) return;
     const double end_s = environment_.currents->times_s().back();
     for (const double hours : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 9.0, 12.0, 18.0, 24.0, 48.0}) {
       const core::UtcTime later = request_.depart + core::Seconds{3600.0 * hours};
-      if (is_over() || core::unix_seconds(later) >= end_s) return;
+      if (trials_.is_over() || core::unix_seconds(later) >= end_s) return;
       PlanRequest changed = request_;
       changed.depart = later;
-      if (!works(changed)) continue;
+      if (!trials_.works(changed)) continue;
       add("depart", request_.depart, later, 1.0 + hours / 24.0,
           "depart " + written("%.0f h later, at ", hours, 0.0) + core::iso8601(later));
       return;
@@ -105,7 +104,7 @@ class Relaxation {
 
   /// The departure after which nothing has to be circled away, and the first one that may be flown.
   void depart_after(core::Seconds circling) {
-    const auto delays = shortest_that_helps(circling, [&](core::Seconds later) {
+    const auto delays = trials_.shortest_that_helps(circling, [&](core::Seconds later) {
       PlanRequest changed = request_;
       changed.depart = request_.depart + later;
       return changed;
@@ -122,7 +121,7 @@ class Relaxation {
 
   void wait_for(core::Seconds circling) {
     const double now = request_.max_loiter.count();
-    const auto waits = shortest_that_helps(circling, [&](core::Seconds longest) {
+    const auto waits = trials_.shortest_that_helps(circling, [&](core::Seconds longest) {
       PlanRequest changed = request_;
       changed.max_loiter = std::max(longest, request_.max_loiter);
       return changed;
@@ -134,10 +133,10 @@ class Relaxation {
   }
 
   void move_goal(const Change& move) {
-    begin_input();
+    trials_.begin_input();
     PlanRequest changed = request_;
     changed.to = std::get<geo::LonLat>(move.to);
-    if (is_over() || !works(changed)) return;
+    if (trials_.is_over() || !trials_.works(changed)) return;
     take_move(move);
   }
 
@@ -151,11 +150,9 @@ class Relaxation {
 
   /// All of them at once: the inputs name datasets, not the zones in them.
   void leave_out_stored_zones(const Trial& without) {
-    begin_input();
-    if (environment_.zones.empty() || !without || is_over()) return;
-    const TrialOutcome outcome = without(request_);
-    if (outcome == TrialOutcome::not_known) cut_short_ = true;
-    if (outcome != TrialOutcome::possible) return;
+    trials_.begin_input();
+    if (environment_.zones.empty() || !without || trials_.is_over()) return;
+    if (!trials_.works_by(without, request_)) return;
     const std::string& name = environment_.zones.front().name;
     const std::string more = environment_.zones.size() > 1
                                  ? " and " + std::to_string(environment_.zones.size() - 1) + " more"
@@ -165,12 +162,12 @@ class Relaxation {
   }
 
   void leave_out_a_zone() {
-    begin_input();
+    trials_.begin_input();
     for (std::size_t i = 0; i < request_.zones.size() && i < most_zones; ++i) {
       PlanRequest changed = request_;
       changed.zones.erase(changed.zones.begin() + static_cast<std::ptrdiff_t>(i));
-      if (is_over()) return;
-      if (!works(changed)) continue;
+      if (trials_.is_over()) return;
+      if (!trials_.works(changed)) continue;
       const std::string& name = request_.zones[i].name;
       add("areas/features/" + std::to_string(i), name, std::string{}, 2.0,
           "leave out the area " + (name.empty() ? "number " + std::to_string(i + 1) : "\"" + name + "\""));
@@ -186,7 +183,7 @@ class Relaxation {
       return changed;
     };
     const double longest = std::max(8.0 * now, two_days.count());
-    const auto needed = nearest_that_helps(now, longest, 600.0, with);
+    const auto needed = trials_.nearest_that_helps(now, longest, 600.0, with);
     if (!needed) return;
     add("under_ice/max_time_without_surfacing_s", now, *needed, *needed / now,
         written("allow %.2f h without a place to surface instead of %.2f h", *needed / 3600.0, now / 3600.0));
@@ -199,7 +196,7 @@ class Relaxation {
       changed.under_ice.margin_below_ice = {margin};
       return changed;
     };
-    const auto needed = nearest_that_helps(now, 0.0, 1.0, with);
+    const auto needed = trials_.nearest_that_helps(now, 0.0, 1.0, with);
     if (!needed) return;
     add("under_ice/margin_below_ice_m", now, *needed, 2.0 - *needed / now,
         written("reduce what is kept from the ice above from %.0f to %.0f m", now, *needed));
@@ -219,7 +216,7 @@ class Relaxation {
       changed.vehicle.altimeter_margin = {margin};
       return changed;
     };
-    const auto needed = nearest_that_helps(now, usual, 1.0, with);
+    const auto needed = trials_.nearest_that_helps(now, usual, 1.0, with);
     if (!needed) return;
     add("altimeter_margin_m", now, *needed, 2.0 - *needed / now,
         written("keep %.0f m above the sea bed instead of %.0f m", *needed, now));
@@ -232,7 +229,7 @@ class Relaxation {
       changed.vehicle.energy.battery_start_share = share;
       return changed;
     };
-    const auto needed = nearest_that_helps(now, 1.0, 0.01, with);
+    const auto needed = trials_.nearest_that_helps(now, 1.0, 0.01, with);
     if (!needed) return;
     add("battery_start_share", now, *needed, *needed / now,
         written("start with %.3g %% of the battery's charge instead of %.3g %%", 100.0 * *needed,
@@ -246,24 +243,24 @@ class Relaxation {
       changed.vehicle.energy.battery = {battery_j};
       return changed;
     };
-    const auto needed = nearest_that_helps(now, 8.0 * now, 1e5, with);
+    const auto needed = trials_.nearest_that_helps(now, 8.0 * now, 1e5, with);
     if (!needed) return;
     add("battery_j", now, *needed, 1.0 + *needed / now,
         written("take a battery of %.1f MJ instead of %.1f MJ", *needed / 1e6, now / 1e6));
   }
 
   void leave_the_thruster_off() {
-    begin_input();
+    trials_.begin_input();
     if (!request_.vehicle.thruster || request_.energy.thruster == ThrusterUse::off) return;
     PlanRequest changed = request_;
     changed.energy.thruster = ThrusterUse::off;
-    if (is_over() || !works(changed)) return;
+    if (trials_.is_over() || !trials_.works(changed)) return;
     add("thruster", thruster_use_name(request_.energy.thruster), thruster_use_name(ThrusterUse::off), 2.0,
         "leave the thruster off");
   }
 
   void refine_the_grid() {
-    begin_input();
+    trials_.begin_input();
     if (!request_.spacing_along) return;
     const double now = request_.spacing_along->value;
     for (const double share : {0.5, 0.25}) {
@@ -271,8 +268,8 @@ class Relaxation {
       changed.spacing_along = core::Metres{share * now};
       if (request_.spacing_across)
         changed.spacing_across = core::Metres{share * request_.spacing_across->value};
-      if (is_over() || !changed.violations().empty()) return;
-      if (!works(changed)) continue;
+      if (trials_.is_over() || !changed.violations().empty()) return;
+      if (!trials_.works(changed)) continue;
       if (request_.spacing_across) {
         const double across = request_.spacing_across->value;
         add("spacing_m", std::array{now, across}, std::array{share * now, share * across}, 1.0 / share,
@@ -288,7 +285,7 @@ class Relaxation {
 
   [[nodiscard]] FoundChanges changes() && {
     std::ranges::stable_sort(found_, {}, &Found::effort);
-    FoundChanges result{.changes = {}, .cut_short = cut_short_};
+    FoundChanges result{.changes = {}, .cut_short = trials_.told_too_little()};
     for (Found& found : found_) result.changes.push_back(std::move(found.change));
     return result;
   }
@@ -298,44 +295,11 @@ class Relaxation {
   static constexpr core::Seconds an_hour{3600.0};
   static constexpr core::Seconds a_day{86'400.0};
   static constexpr core::Seconds two_days{172'800.0};  // as far as later departures are tried
-  static constexpr int most_beginnings = 3;  // of a value, where the most generous one tells nothing
 
   struct Found {
     Change change;
     double effort;  // how much is asked: 1 for nothing, 2 for twice the value or a day
   };
-
-  struct Times {
-    core::Seconds enough;  // for all that has to be circled away
-    core::Seconds least;   // that helps: a little may be circled
-  };
-
-  /// In whole hours: as long as has to be circled away, or somewhat more, and then less.
-  template <class With>
-  std::optional<Times> shortest_that_helps(core::Seconds circling, const With& with) {
-    begin_input();
-    std::optional<Times> helps;
-    for (const core::Seconds time : whole_hours_from(circling)) {
-      if (is_over()) return std::nullopt;
-      if (!works(with(time))) continue;
-      helps = {time, time};
-      break;
-    }
-    core::Seconds fails{0.0};
-    while (helps && helps->least - fails > an_hour && !is_over()) {
-      const core::Seconds middle = std::floor(0.5 * (fails + helps->least) / an_hour) * an_hour;
-      (works(with(middle)) ? helps->least : fails) = middle;
-    }
-    return helps;
-  }
-
-  /// What has to be circled away, and somewhat more: what is in the way moves on while the vehicle does.
-  static std::vector<core::Seconds> whole_hours_from(core::Seconds circling) {
-    const core::Seconds least = std::ceil(circling / an_hour) * an_hour;
-    std::vector<core::Seconds> result;
-    for (const double more : {0.0, 2.0, 5.0, 12.0}) result.push_back(least + more * an_hour);
-    return result;
-  }
 
   void dive_towards(double extreme) {
     const double now = request_.vehicle.dive_depth.value;
@@ -344,7 +308,7 @@ class Relaxation {
       changed.vehicle.dive_depth = {depth};
       return changed;
     };
-    const auto needed = nearest_that_helps(now, extreme, 1.0, with);
+    const auto needed = trials_.nearest_that_helps(now, extreme, 1.0, with);
     if (!needed) return;
     add("dive_depth_m", now, *needed, *needed > now ? *needed / now : 2.0 - *needed / now,
         written("dive to %.0f m instead of %.0f m", *needed, now));
@@ -356,60 +320,14 @@ class Relaxation {
     return profile ? profile->altimeter_margin.value : request_.vehicle.altimeter_margin.value;
   }
 
-  void begin_input() { told_nothing_ = false; }
-  /// Whether no more is to be tried of the input at hand.
-  [[nodiscard]] bool is_over() const { return told_nothing_ || stop_.stop_requested(); }
-
-  TrialOutcome outcome_of(const PlanRequest& request) {
-    if (!request.violations().empty()) return TrialOutcome::impossible;
-    const TrialOutcome outcome = trial_(request);
-    if (outcome == TrialOutcome::not_known) cut_short_ = true;
-    return outcome;
-  }
-
-  bool works(const PlanRequest& request) {
-    const TrialOutcome outcome = outcome_of(request);
-    if (outcome == TrialOutcome::not_known) told_nothing_ = true;
-    return outcome == TrialOutcome::possible;
-  }
-
-  /// The value nearest to `now` that helps, on the way to `extreme`, as a multiple of `unit`.
-  template <class With>
-  std::optional<double> nearest_that_helps(double now, double extreme, double unit, const With& with) {
-    // Rounded towards the generous end, so that what is named is what was tried.
-    const auto between = [&](double a, double b) {
-      const double middle = 0.5 * (a + b);
-      return unit * (extreme > now ? std::ceil(middle / unit) : std::floor(middle / unit));
-    };
-    begin_input();
-    double helps = extreme;
-    TrialOutcome outcome = TrialOutcome::not_known;
-    for (int i = 0; i < most_beginnings && helps != now && !is_over(); ++i) {
-      outcome = outcome_of(with(helps));
-      if (outcome != TrialOutcome::not_known) break;
-      helps = between(now, helps);
-    }
-    if (outcome != TrialOutcome::possible) return std::nullopt;
-    double fails = now;
-    for (int i = 0; i < halvings && !is_over(); ++i) {
-      const double middle = between(fails, helps);
-      if (middle == helps || middle == fails) break;
-      (outcome_of(with(middle)) == TrialOutcome::possible ? helps : fails) = middle;
-    }
-    return helps;
-  }
-
   void add(std::string input, Change::Value from, Change::Value to, double effort, std::string text) {
     found_.push_back({{std::move(input), std::move(from), std::move(to), std::move(text)}, effort});
   }
 
   const ocean::Environment& environment_;
   const PlanRequest& request_;
-  const Trial& trial_;
-  const std::stop_token& stop_;
+  InputTrials trials_;
   std::vector<Found> found_;
-  bool told_nothing_{false};  // a trial of the input at hand
-  bool cut_short_{false};     // likewise of any input
 };
 
 }  // namespace

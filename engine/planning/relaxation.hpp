@@ -1,23 +1,15 @@
 #pragma once
 
-#include <functional>
 #include <stop_token>
 #include <string>
 #include <vector>
 
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/infeasible.hpp"
+#include "engine/planning/input_trials.hpp"
 #include "engine/planning/plan_request.hpp"
 
 namespace floeplan::planning {
-
-/// What a trial tells of another request in the same sea.
-enum class TrialOutcome {
-  possible,
-  impossible,
-  not_known  // the work set aside for it was done before it was decided
-};
-using Trial = std::function<TrialOutcome(const PlanRequest&)>;
 
 struct FoundChanges {
   std::vector<Change> changes;  // the one that asks least first

@@ -165,27 +165,53 @@ TEST(SearchLeastCost, FindsWithItsLimitsWhatASearchWithoutThemFinds) {
   });
 }
 
-TEST(SearchLeastCost, IsSteeredOverLargeGridsToAboutTheLeastCost) {
-  std::mt19937_64 rng{11};
-  const ocean::Environment environment = tidal_sea(rng, {{0.15}, {0.1}}, 240);
+/// A way of 40 km over random depths below a tide, on a grid of more vertices than a plain search is meant for.
+struct LargeGrid {
+  ocean::Environment environment;
+  PlanRequest request;
+  RouteGrid grid;
+  Sea sea;
+  std::vector<OpenGrid> grids;
+
+  LargeGrid(std::mt19937_64& rng, const PlanRequest& asked, core::Metres spacing)
+      : environment{tidal_sea(rng, {{0.15}, {0.1}}, 240)},
+        request{asked},
+        grid{lay_grid({-20'000.0, 0.0}, {20'000.0, 3000.0}, {spacing, spacing}, {0.5, 0.25})},
+        sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, grid.bounds().grown(2500.0),
+            core::Metres{800.0}} {
+    grids.push_back(open_grid(sea, grid, 2, {}));
+  }
+  LargeGrid(const LargeGrid&) = delete;
+  LargeGrid& operator=(const LargeGrid&) = delete;
+
+  [[nodiscard]] auto plain_search(graph::Vertex from, double now_s) const {
+    CostVoyage voyage{sea, grids[0], request.objective()};
+    return graph::find_best_labels(grids[0].graph, from, grid.goal, now_s,
+                                   CostVoyage::State{.surfaced_s = now_s}, voyage, 1'000'000, {});
+  }
+  [[nodiscard]] double cost_of(const CostWay& way, core::Seconds depart) const {
+    return drive_along(sea, way.route, depart)->cost(request.objective());
+  }
+};
+
+PlanRequest saving_energy() {
   PlanRequest request = support::eastward_request();
   request.energy.objective = energy_objective;
-  const RouteGrid grid =
-      lay_grid({-20'000.0, 0.0}, {20'000.0, 3000.0}, {core::Metres{800.0}, core::Metres{800.0}}, {0.5, 0.25});
-  const Sea sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, grid.bounds().grown(2500.0),
-                core::Metres{800.0}};
-  std::vector<OpenGrid> grids;
-  grids.push_back(open_grid(sea, grid, 2, {}));
-  CostVoyage voyage{sea, grids[0], energy_objective};
-  const auto plain = graph::find_best_labels(grids[0].graph, grid.start, grid.goal, 0.0, CostVoyage::State{},
-                                             voyage, 1'000'000, {});
+  return request;
+}
+
+TEST(SearchLeastCost, IsSteeredOverLargeGridsToAboutTheLeastCost) {
+  std::mt19937_64 rng{11};
+  const LargeGrid large{rng, saving_energy(), core::Metres{800.0}};
+  const auto plain = large.plain_search(large.grid.start, 0.0);
   ASSERT_TRUE(plain.goal && !plain.full);
 
-  const auto found = search_least_cost(sea, grids, request, core::Seconds{0.0}, {}, [](double) {});
+  const auto found =
+      search_least_cost(large.sea, large.grids, large.request, core::Seconds{0.0}, {}, [](double) {});
 
   ASSERT_TRUE(found.has_value());
   const double least = plain.labels[*plain.goal].state.cost;
-  const double cost = drive_along(sea, found->route, core::Seconds{0.0})->cost(energy_objective);
+  const double cost = large.cost_of(*found, core::Seconds{0.0});
   EXPECT_GE(cost, (1.0 - 2e-3) * least) << "but for the spans of time that the plain search tells apart";
   EXPECT_LE(cost, 1.005 * least);
   EXPECT_LT(10 * found->statistics.expansions, plain.counters.expansions);
@@ -193,52 +219,38 @@ TEST(SearchLeastCost, IsSteeredOverLargeGridsToAboutTheLeastCost) {
 
 TEST(CostGuide, ServesOneDepartureAfterTheOther) {
   std::mt19937_64 rng{12};
-  const ocean::Environment environment = tidal_sea(rng, {{0.15}, {0.1}}, 240);
-  const PlanRequest request = hybrid_request({1.0, 0.2});
-  const RouteGrid grid =
-      lay_grid({-20'000.0, 0.0}, {20'000.0, 3000.0}, {core::Metres{800.0}, core::Metres{800.0}}, {0.5, 0.25});
-  const Sea sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, grid.bounds().grown(2500.0),
-                core::Metres{800.0}};
-  std::vector<OpenGrid> grids;
-  grids.push_back(open_grid(sea, grid, 2, {}));
+  const LargeGrid large{rng, hybrid_request({1.0, 0.2}), core::Metres{800.0}};
   std::vector<CostGuide> guides;
-  guides.emplace_back(sea, grids[0], core::Seconds{12.0 * 3600.0});
+  guides.emplace_back(large.sea, large.grids[0], core::Seconds{12.0 * 3600.0});
 
   for (const double hour : {0.0, 5.0, 12.0}) {
     const core::Seconds depart{3600.0 * hour};
-    const auto kept = search_least_cost(sea, grids, request, depart, {}, [](double) {}, &guides);
-    const auto alone = search_least_cost(sea, grids, request, depart, {}, [](double) {});
-    ASSERT_TRUE(kept && alone);
-    const auto cost = [&](const CostWay& way) {
-      return drive_along(sea, way.route, depart)->cost(request.objective());
+    const auto search = [&](std::vector<CostGuide>* kept) {
+      return search_least_cost(large.sea, large.grids, large.request, depart, {}, [](double) {}, kept);
     };
-    EXPECT_NEAR(cost(*kept), cost(*alone), 5e-3 * cost(*alone));
+    const auto guided = search(&guides);
+    const auto alone = search(nullptr);
+    ASSERT_TRUE(guided && alone);
+    const double cost = large.cost_of(*alone, depart);
+    EXPECT_NEAR(large.cost_of(*guided, depart), cost, 5e-3 * cost);
   }
 }
 
 TEST(CostOutlook, IsAboutWhatTheRestOfTheWayCosts) {
   support::for_each_seed(3, [](std::mt19937_64& rng) {
-    const ocean::Environment environment = tidal_sea(rng, {{0.15}, {0.1}}, 240);
-    PlanRequest request = support::eastward_request();
-    request.energy.objective = energy_objective;
-    const RouteGrid grid = lay_grid({-20'000.0, 0.0}, {20'000.0, 3000.0},
-                                    {core::Metres{1000.0}, core::Metres{1000.0}}, {0.5, 0.25});
-    const Sea sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, grid.bounds().grown(2500.0),
-                  core::Metres{800.0}};
-    const OpenGrid open = open_grid(sea, grid, 2, {});
-    CostGuide guide{sea, open};
+    const LargeGrid large{rng, saving_energy(), core::Metres{1000.0}};
+    const RouteGrid& grid = large.grid;
+    CostGuide guide{large.sea, large.grids[0]};
     const CostOutlook& outlook =
         guide.outlook(energy_objective, core::Seconds{0.0}, core::Seconds{100.0 * 3600.0}, {});
 
     for (int i = 0; i < 5; ++i) {
-      const auto v =
-          static_cast<graph::Vertex>(support::uniform_int(rng, 0, static_cast<int>(open.graph.size()) - 1));
-      const double now_s = sea.least_time(grid.point(grid.start), grid.point(v)).count() +
-                           support::uniform(rng, 0.0, 5.0 * 3600.0);
+      const auto v = static_cast<graph::Vertex>(
+          support::uniform_int(rng, 0, static_cast<int>(large.grids[0].graph.size()) - 1));
       if (geo::distance_m(grid.point(v), grid.point(grid.goal)) < 10'000.0) continue;
-      CostVoyage voyage{sea, open, energy_objective};
-      const auto exact = graph::find_best_labels(
-          open.graph, v, grid.goal, now_s, CostVoyage::State{.surfaced_s = now_s}, voyage, 1'000'000, {});
+      const double now_s = large.sea.least_time(grid.point(grid.start), grid.point(v)).count() +
+                           support::uniform(rng, 0.0, 5.0 * 3600.0);
+      const auto exact = large.plain_search(v, now_s);
       ASSERT_TRUE(exact.goal.has_value());
       const double cost = exact.labels[*exact.goal].state.cost;
       EXPECT_NEAR(outlook.rest(v, now_s), cost, 0.05 * cost);
