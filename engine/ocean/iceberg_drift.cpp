@@ -161,11 +161,11 @@ std::vector<IcebergFix> forecast_drift(const Iceberg& iceberg, const Environment
   return fixes;
 }
 
-bool is_current_known(const Iceberg& iceberg, const Environment& environment, core::UtcTime until,
-                      const std::stop_token& stop) {
+bool is_current_known(const Iceberg& iceberg, const Environment& environment, core::UtcTime from,
+                      core::UtcTime until, const std::stop_token& stop) {
   const Drift drift{iceberg, environment};
   return std::ranges::all_of(forecast_drift(iceberg, environment, until, stop), [&](const IcebergFix& at) {
-    return at.time > until || drift.is_aground(at.place) || drift.knows_the_current(at);
+    return at.time < from || at.time > until || drift.is_aground(at.place) || drift.knows_the_current(at);
   });
 }
 

@@ -26,10 +26,11 @@ namespace floeplan::ocean {
 [[nodiscard]] std::vector<IcebergFix> forecast_drift(const Iceberg& iceberg, const Environment& environment,
                                                      core::UtcTime until, const std::stop_token& stop = {});
 
-/// Whether the current is known everywhere on the forecast up to `until`, but for where the iceberg is
+/// Whether the current is known everywhere on the forecast between two times, but for where the iceberg is
 /// aground.
 [[nodiscard]] bool is_current_known(const Iceberg& iceberg, const Environment& environment,
-                                    core::UtcTime until, const std::stop_token& stop = {});
+                                    core::UtcTime from, core::UtcTime until,
+                                    const std::stop_token& stop = {});
 
 /// How far from its forecast an iceberg may be expected: what the source states, and 0.75 km more for each hour
 /// before or after the sighting.

@@ -54,19 +54,30 @@ std::optional<CurrentsBox> drift_box(const EnvironmentDraft& draft, const Datase
 void warn_of_unknown_drift(EnvironmentDraft& draft) {
   const ocean::Environment& environment = draft.environment;
   if (!draft.query.iceberg_drift || !environment.currents) return;
+  const ocean::CurrentGrid& carrying =
+      environment.drift_currents ? *environment.drift_currents : *environment.currents;
+  const bool always = environment.steady_currents;
+  const core::UtcTime begin = core::from_unix_seconds(carrying.times_s().front());
+  std::size_t seen_before = 0;
   std::vector<std::string> names;
   for (const ocean::Iceberg& iceberg : environment.icebergs) {
-    const core::UtcTime until = std::max(draft.query.depart, iceberg.observed);
-    if (!ocean::is_current_known(iceberg, environment, until, draft.reading.stop))
+    const bool is_before = !always && iceberg.observed < begin;
+    if (is_before) ++seen_before;
+    const core::UtcTime from = is_before ? begin : iceberg.observed;
+    const core::UtcTime until = std::max(draft.query.depart, from);
+    if (!ocean::is_current_known(iceberg, environment, from, until, draft.reading.stop))
       names.push_back(iceberg.id.empty() ? "one without a name" : iceberg.id);
   }
-  if (names.empty()) return;
-  draft.warn(
-      "the current is not known all the way of " + std::to_string(names.size()) + " of " +
-      std::to_string(environment.icebergs.size()) + " icebergs from the sighting to " +
-      core::iso8601(draft.query.depart) + " (" + shortened_list(names) +
-      "): where it is not they are taken to move as between their last sightings, else before the wind where "
-      "that is known, or else to stay");
+  const std::string count = " of " + std::to_string(environment.icebergs.size()) + " icebergs";
+  const std::string instead =
+      " they are taken to move as between their last sightings, else before the wind where that is known, or "
+      "else to stay";
+  if (seen_before > 0)
+    draft.warn(std::to_string(seen_before) + count + " were seen before the currents begin, at " +
+               core::iso8601(begin) + ": until then" + instead);
+  if (!names.empty())
+    draft.warn("the current is not known all the way of " + std::to_string(names.size()) + count + " (" +
+               shortened_list(names) + "): where it is not" + instead);
 }
 
 }  // namespace floeplan::repository

@@ -66,13 +66,15 @@ TEST(IcebergDrift, TellsWhetherTheCurrentIsKnownAllTheWay) {
   Iceberg outside = sighted_berg();
   outside.place.lon_deg = -55.0;
 
-  EXPECT_TRUE(is_current_known(sighted_berg(), sea, after_hours(12.0)));
-  EXPECT_TRUE(is_current_known(sighted_berg(), sea, after_hours(23.5)))
+  EXPECT_TRUE(is_current_known(sighted_berg(), sea, after_hours(0.0), after_hours(12.0)));
+  EXPECT_TRUE(is_current_known(sighted_berg(), sea, after_hours(0.0), after_hours(23.5)))
       << "the fix after that does not count";
-  EXPECT_FALSE(is_current_known(sighted_berg(), sea, after_hours(26.0)));
-  EXPECT_FALSE(is_current_known(outside, sea, after_hours(0.0)));
-  EXPECT_FALSE(is_current_known(sighted_berg(), unknown_west_of_52, after_hours(0.0)));
-  EXPECT_FALSE(is_current_known(sighted_berg(), {}, after_hours(0.0)));
+  EXPECT_FALSE(is_current_known(sighted_berg(), sea, after_hours(0.0), after_hours(26.0)));
+  EXPECT_TRUE(is_current_known(sighted_berg(), sea, after_hours(30.0), after_hours(29.0)))
+      << "no fix lies between";
+  EXPECT_FALSE(is_current_known(outside, sea, after_hours(0.0), after_hours(0.0)));
+  EXPECT_FALSE(is_current_known(sighted_berg(), unknown_west_of_52, after_hours(0.0), after_hours(0.0)));
+  EXPECT_FALSE(is_current_known(sighted_berg(), {}, after_hours(0.0), after_hours(0.0)));
 }
 
 TEST(IcebergDrift, AveragesTheCurrentOverTheDraft) {

@@ -81,7 +81,9 @@ TEST_F(DriftBox, KeepsToTheBoundOfSamples) {
     ASSERT_TRUE(box);
     EXPECT_EQ(box->deepest, core::Metres{100.0});
     EXPECT_EQ(geo::united(box->area, query_.area), box->area);
-    if (box->area != query_.area) EXPECT_LE(samples_in(*box), most);
+    if (box->area != query_.area) {
+      EXPECT_LE(samples_in(*box), most);
+    }
   });
 }
 
