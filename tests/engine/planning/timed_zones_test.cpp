@@ -28,8 +28,8 @@ geo::Polygon square(geo::PlanePoint middle, double half_side_m) {
   return polygon;
 }
 
-Zone zone(ZoneKind kind, geo::Polygon area, std::optional<double> from_s, std::optional<double> until_s) {
-  Zone result{.name = "", .kind = kind, .area = std::move(area), .from = {}, .until = {}};
+Zone zone(ZoneKind kind, geo::Polygon outline, std::optional<double> from_s, std::optional<double> until_s) {
+  Zone result{.name = "", .kind = kind, .area = std::move(outline), .from = {}, .until = {}};
   if (from_s) result.from = epoch + Seconds{*from_s};
   if (until_s) result.until = epoch + Seconds{*until_s};
   return result;
