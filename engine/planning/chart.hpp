@@ -32,7 +32,8 @@ enum class Moves : std::uint8_t { looked_for, left_out };
                                        GridReach reach, const std::stop_token& stop,
                                        CurrentsShelf* shelf = nullptr, Moves moves = Moves::looked_for);
 
-/// Why the vehicle cannot be at its start so long after the request's departure, because something keeps it from there at that time; empty: it can.
+/// Why the vehicle cannot be at its start so long after the request's departure, because something keeps it
+/// from there at that time; empty: it can.
 [[nodiscard]] std::optional<Infeasible> closed_start(const Chart& chart, const PlanRequest& request,
                                                      core::Seconds after);
 

@@ -21,7 +21,8 @@ namespace floeplan::planning {
 class CostOutlook {
  public:
   /// For voyages between `depart` and `last`. `foresight` and `closures` are of the same grid, the first useful. `use`:
-  /// until when the vertices are of use at most. None of them is needed afterwards. Once `stop` is requested the outlook must not be used.
+  /// until when the vertices are of use at most. None of them is needed afterwards. Once `stop` is requested
+  /// the outlook must not be used.
   CostOutlook(const Sea& sea, const OpenGrid& open, const Objective& objective, Foresight& foresight,
               VertexClosures& closures, const ArrivalLadder& use, core::Seconds depart, core::Seconds last,
               const std::stop_token& stop);

@@ -22,7 +22,7 @@ using PlanIn = std::function<Result<Plan>(const ocean::Environment&)>;
 /// The one that more members let through; of equals the one whose costs count less.
 [[nodiscard]] bool is_better(const MemberSpread& a, const MemberSpread& b, const UncertaintyRules& rules);
 
-/// When a plan arrives by what is made the best of: in the mean of the members, or in the share of them that is to be in
+/// When a plan arrives by what is made the best of: in the mean of the members that arrive, or in the share of them that is to be in
 /// time; without such an objective in the first currents. Infinitely late where too few members arrive.
 [[nodiscard]] core::UtcTime arrival_that_counts(const Plan& plan, const UncertaintyRules& rules);
 
