@@ -106,10 +106,13 @@ std::optional<core::Seconds> parse_possible_gain(const json& search) {
 
 json refinement_json(const std::optional<planning::RefinementReport>& refinement) {
   if (!refinement) return nullptr;
-  return {{"before_s", refinement->before.count()},
-          {"after_s", refinement->after.count()},
-          {"evaluations", refinement->evaluations},
-          {"stopped_by", planning::refinement_end_name(refinement->end)}};
+  json result{{"before_s", refinement->before.count()},
+              {"after_s", refinement->after.count()},
+              {"evaluations", refinement->evaluations},
+              {"stopped_by", planning::refinement_end_name(refinement->end)}};
+  if (refinement->energy_before) result["energy_before_j"] = refinement->energy_before->value;
+  if (refinement->energy_after) result["energy_after_j"] = refinement->energy_after->value;
+  return result;
 }
 
 /// What more legs are worth; empty without refinement.
@@ -132,6 +135,10 @@ std::optional<planning::RefinementReport> parse_refinement(const json& document)
       .evaluations = refinement.at("evaluations").get<std::int64_t>(),
       .end = planning::parse_refinement_end(refinement.at("stopped_by").get<std::string>())
                  .value_or(planning::RefinementEnd::converged)};
+  if (refinement.contains("energy_before_j"))
+    report.energy_before = core::Joules{refinement.at("energy_before_j").get<double>()};
+  if (refinement.contains("energy_after_j"))
+    report.energy_after = core::Joules{refinement.at("energy_after_j").get<double>()};
   for (const json& entry : document.at("leg_trade")) {
     report.trade.push_back({.legs = entry.at("legs").get<std::size_t>(),
                             .travel_time = core::Seconds{entry.at("travel_time_s").get<double>()}});

@@ -1,17 +1,20 @@
 #include "engine/planning/cost_plan.hpp"
 
 #include <cmath>
+#include <optional>
 #include <string_view>
 #include <utility>
 #include <vector>
 
 #include "engine/planning/battery_check.hpp"
 #include "engine/planning/chart.hpp"
+#include "engine/planning/cost_refinement.hpp"
 #include "engine/planning/cost_search.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/fastest_plan.hpp"
 #include "engine/planning/plan_assembly.hpp"
 #include "engine/planning/published_plan.hpp"
+#include "engine/planning/refinement_budget.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -22,6 +25,12 @@ constexpr const char* no_gap = "only plans for the least time are compared with 
 double cost_of(const Plan& plan, const Objective& objective) {
   return objective.cost(plan.travel_time(), plan.energy->use.total(), plan.iceberg_encounters.value_or(0.0));
 }
+
+/// The route to publish and what its refinement did.
+struct ImprovedDrive {
+  DrivenRoute route;
+  std::optional<RefinementReport> refinement;
+};
 
 DrivenRoute straight_way(const Layout& layout, vehicle::Drive drive) {
   const std::size_t points = layout.points.size();
@@ -46,27 +55,46 @@ DrivenRoute best_straight_way(const Sea& sea, const Layout& layout, const Object
   return best;
 }
 
-/// What is done to the way of the grid before it is published.
-DrivenRoute improve(const Sea& sea, const DrivenRoute& route, const PlanRequest& request,
-                    const std::stop_token& stop) {
+/// The way of the grid with its points moved.
+RefinedDrive refined(const Sea& sea, const DrivenRoute& way, const PlanRequest& request,
+                     const std::stop_token& stop, const core::SteadyClock& clock) {
   const Objective objective = request.objective();
-  DrivenRoute improved = route;
+  std::optional<std::size_t> most_legs;
+  if (request.max_waypoints) most_legs = static_cast<std::size_t>(*request.max_waypoints) - 1;
+  const double legs_per_second = metered_legs_per_second / static_cast<double>(sea.drives().size());
+  RefinedDrive result =
+      refine_drive(sea, drop_costless_points(sea, way, objective, at_departure, stop), objective, most_legs,
+                   refinement_budget(request, legs_per_second, stop, clock));
+  if (const auto on_grid = drive_along(sea, way, at_departure)) {
+    result.report.before = on_grid->arrivals.back() - at_departure;
+    result.report.energy_before = on_grid->energy.total();
+  }
+  return result;
+}
+
+/// What is done to the way of the grid before it is published.
+ImprovedDrive improve(const Sea& sea, const DrivenRoute& way, const PlanRequest& request,
+                      const std::stop_token& stop, const core::SteadyClock& clock) {
+  const Objective objective = request.objective();
+  ImprovedDrive improved{way, std::nullopt};
   if (request.refine && request.method != Method::direct) {
-    improved = drop_costless_points(sea, improved, objective, at_departure, stop);
+    RefinedDrive moved = refined(sea, way, request, stop, clock);
+    improved = {std::move(moved.route), std::move(moved.report)};
   }
   if (request.max_waypoints) {
     const auto most = static_cast<std::size_t>(*request.max_waypoints);
-    improved = drop_to(sea, improved, objective, at_departure, most, stop);
+    improved.route = drop_to(sea, improved.route, objective, at_departure, most, stop);
   }
-  improved = choose_drives(sea, improved, objective, at_departure, stop);
-  if (request.max_leg) improved = part_long_legs(sea, improved, *request.max_leg);
+  improved.route = choose_drives(sea, improved.route, objective, at_departure, stop);
+  if (request.max_leg) improved.route = part_long_legs(sea, improved.route, *request.max_leg);
   return improved;
 }
 
 Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, const PlanRequest& request,
-                     const DrivenRoute& route, const SearchStatistics& statistics,
+                     const ImprovedDrive& improved, const SearchStatistics& statistics,
                      const std::stop_token& stop) {
   const Sea& sea = chart.sea;
+  const DrivenRoute& route = improved.route;
   const auto times = drive_along(sea, route, at_departure);
   if (!times) {
     const RouteClosed closed{.reason = times.error(), .at = route.points.front()};
@@ -75,10 +103,16 @@ Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, 
   const Schedule schedule{times->arrivals, std::vector<core::Seconds>(times->arrivals.size())};
   Plan plan = assemble_plan(sea, environment, request, route.points, schedule, route.drives);
   plan.search = statistics;
+  plan.refinement = improved.refinement;
+  if (plan.refinement) {
+    plan.refinement->after = plan.travel_time();
+    plan.refinement->energy_after = plan.energy->use.total();
+  }
   if (request.optimality_gap) plan.optimality_gap_reason = no_gap;
   if (auto exceeded = check_battery(plan, request)) return tl::unexpected(std::move(*exceeded));
   if (auto none = add_escapes(plan, chart, request, route.points, times->arrivals, route.drives, stop))
     return tl::unexpected(std::move(*none));
+  add_warnings(plan, request);
   if (statistics.cut_short) {
     plan.warnings.push_back(
         "the search met its bound on memory before it was done; a plan that costs less may exist");
@@ -93,7 +127,8 @@ struct Attempt {
 };
 
 Attempt plan_within(GridReach reach, const ocean::Environment& environment, const PlanRequest& request,
-                    const std::stop_token& stop, const core::ProgressCallback& progress) {
+                    const std::stop_token& stop, const core::ProgressCallback& progress,
+                    const core::SteadyClock& clock) {
   progress("environment", 0.0);
   const Result<Chart> chart = draw_chart(environment, request, reach, stop);
   if (!chart) return {tl::unexpected(chart.error())};
@@ -113,58 +148,95 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
     way = std::move(*found);
   }
   progress("refinement", 0.7);
-  const DrivenRoute route = improve(sea, way.route, request, stop);
+  const ImprovedDrive improved = improve(sea, way.route, request, stop, clock);
   if (stop.stop_requested()) return {tl::unexpected(explain_cancelled(request))};
-  return {publish(*chart, environment, request, route, way.statistics, stop), way.touches_rim};
+  return {publish(*chart, environment, request, improved, way.statistics, stop), way.touches_rim};
 }
 
-/// The same request for the fastest plan, on each drive by itself.
+ThrusterUse only(vehicle::Drive drive) {
+  return drive == vehicle::Drive::thruster ? ThrusterUse::on : ThrusterUse::off;
+}
+
+void silent(std::string_view, double) {}
+
+bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& objective) {
+  return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
+}
+
+bool was_cut_short(const Result<Plan>& plan) {
+  return plan ? plan->search.cut_short : plan.error().search_cut_short;
+}
+
+/// On the nearer grids, and on the wider ones where they may do better.
+Result<Plan> plan_on_either_reach(const ocean::Environment& environment, const PlanRequest& request,
+                                  const std::stop_token& stop, const core::ProgressCallback& progress,
+                                  const core::SteadyClock& clock) {
+  Attempt attempt = plan_within(first_reach, environment, request, stop, progress, clock);
+  if (!attempt.wider_may_help) return std::move(attempt.plan);
+  Attempt wider = plan_within(second_reach, environment, request, stop, progress, clock);
+  const bool is_better =
+      costs_less(wider.plan, attempt.plan, request.objective()) || (!attempt.plan && !wider.plan);
+  return std::move(is_better ? wider.plan : attempt.plan);
+}
+
+/// On grids as fine as asked for. Where that was left open and the search came to no end, on coarser ones, too.
+Result<Plan> plan_on_grids(const ocean::Environment& environment, const PlanRequest& request,
+                           const std::stop_token& stop, const core::ProgressCallback& progress,
+                           const core::SteadyClock& clock) {
+  Result<Plan> best = plan_on_either_reach(environment, request, stop, progress, clock);
+  if (request.spacing_along || !was_cut_short(best)) return best;
+  Result<Plan> coarse = plan_on_either_reach(environment, on_coarser_grids(request), stop, progress, clock);
+  if (costs_less(coarse, best, request.objective())) best = std::move(coarse);
+  return best;
+}
+
+}  // namespace
+
 std::vector<PlanRequest> fastest_requests(const PlanRequest& request) {
   std::vector<PlanRequest> requests;
   for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
     PlanRequest fastest = request;
     fastest.optimality_gap = false;
     fastest.energy.objective = time_objective;
-    fastest.energy.thruster = drive == vehicle::Drive::thruster ? ThrusterUse::on : ThrusterUse::off;
+    fastest.energy.thruster = only(drive);
     requests.push_back(std::move(fastest));
   }
   return requests;
 }
 
-bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& objective) {
-  return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
-}
-
-}  // namespace
-
 Result<Plan> publish_straight_way(const Chart& chart, const ocean::Environment& environment,
                                   const PlanRequest& request, const std::stop_token& stop) {
   DrivenRoute route = best_straight_way(chart.sea, chart.layout, request.objective(), stop);
   if (request.max_leg) route = part_long_legs(chart.sea, route, *request.max_leg);
-  return publish(chart, environment, request, route, {}, stop);
+  return publish(chart, environment, request, {std::move(route), std::nullopt}, {}, stop);
 }
 
 Result<Plan> search_least_cost_plan(const ocean::Environment& environment, const PlanRequest& request,
-                                    const std::stop_token& stop, const core::ProgressCallback& progress) {
+                                    const std::stop_token& stop, const core::ProgressCallback& progress,
+                                    const core::SteadyClock& clock) {
   // Only the fastest plans wait.
   PlanRequest on_the_move = request;
   on_the_move.max_loiter = core::Seconds{0.0};
-  Attempt attempt = plan_within(first_reach, environment, on_the_move, stop, progress);
-  if (!attempt.wider_may_help) return std::move(attempt.plan);
-  Attempt wider = plan_within(second_reach, environment, on_the_move, stop, progress);
-  const bool is_better =
-      costs_less(wider.plan, attempt.plan, request.objective()) || (!attempt.plan && !wider.plan);
-  return std::move(is_better ? wider.plan : attempt.plan);
+  Result<Plan> best = plan_on_grids(environment, on_the_move, stop, progress, clock);
+  const std::vector<vehicle::Drive> all = drives(request.energy, request.vehicle);
+  for (std::size_t i = 0; all.size() > 1 && i < all.size(); ++i) {
+    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+    on_the_move.energy.thruster = only(all[i]);
+    Result<Plan> other = plan_on_grids(environment, on_the_move, stop, silent, clock);
+    if (costs_less(other, best, request.objective())) best = std::move(other);
+  }
+  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+  return best;
 }
 
 Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRequest& request,
                              const std::stop_token& stop, const core::ProgressCallback& progress,
                              const core::SteadyClock& clock) {
-  Result<Plan> best = search_least_cost_plan(environment, request, stop, progress);
+  Result<Plan> best = search_least_cost_plan(environment, request, stop, progress, clock);
   progress("comparison", 0.8);
   for (const PlanRequest& fastest : fastest_requests(request)) {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    Result<Plan> other = plan_fastest(environment, fastest, stop, [](std::string_view, double) {}, clock);
+    Result<Plan> other = plan_fastest(environment, fastest, stop, silent, clock);
     if (costs_less(other, best, request.objective())) best = std::move(other);
   }
   if (best && request.optimality_gap) best->optimality_gap_reason = no_gap;

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <stop_token>
+#include <vector>
 
 #include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
@@ -21,10 +22,15 @@ namespace floeplan::planning {
                                            const core::ProgressCallback& progress,
                                            const core::SteadyClock& clock);
 
-/// Its search alone: on the nearer grids, and on the wider ones where they may do better; without waits.
+/// The request for the fastest plan, on each drive by itself.
+[[nodiscard]] std::vector<PlanRequest> fastest_requests(const PlanRequest& request);
+
+/// Its searches alone: for all drives and for each by itself, on the nearer grids, on the wider ones where they may do
+/// better, and on coarser ones where they come to no end; without waits.
 [[nodiscard]] Result<Plan> search_least_cost_plan(const ocean::Environment& environment,
                                                   const PlanRequest& request, const std::stop_token& stop,
-                                                  const core::ProgressCallback& progress);
+                                                  const core::ProgressCallback& progress,
+                                                  const core::SteadyClock& clock);
 
 /// The plan straight from stop to stop of the request, on the drives that make the whole cost least; without waits.
 /// Errors   why the way is closed, the battery does not carry the vehicle where it must, or there is no escape;

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/planning/chart.hpp"
+#include "engine/planning/cost_plan.hpp"
 #include "engine/planning/cost_search.hpp"
 #include "engine/planning/driven_route.hpp"
 #include "engine/planning/explanation.hpp"
@@ -78,14 +79,34 @@ class DepartureSweep {
     if (request.method != Method::direct) {
       grids = open_grids(chart->sea, chart->layout.grids, request.sectors, stop);
     }
-    return DepartureSweep{std::move(*chart), std::move(grids), request};
+    DepartureSweep sweep{std::move(*chart), std::move(grids), request};
+    if (request.energy.objective.is_time()) return sweep;
+    for (const PlanRequest& fastest : fastest_requests(request)) {
+      auto other = on_grids(reach, environment, fastest, stop);
+      if (!other) return other;
+      sweep.fastest_.push_back(std::move(*other));
+    }
+    return sweep;
   }
 
+  /// What costs least, as a plan for one departure would choose.
   Result<Journey> leave(core::Seconds after, const std::stop_token& stop) {
     if (auto closed = closed_start(*chart_, request_, after)) return tl::unexpected(std::move(*closed));
-    const bool is_direct = request_.method == Method::direct;
-    if (!request_.energy.objective.is_time()) return is_direct ? straight(after) : cheapest(after, stop);
-    if (is_direct) return straight(after);
+    if (request_.energy.objective.is_time()) return earliest(after, stop);
+    Result<Journey> best = request_.method == Method::direct ? straight(after) : cheapest(after, stop);
+    for (DepartureSweep& sweep : fastest_) {
+      if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request_));
+      auto other = sweep.leave(after, stop);
+      if (!other) continue;
+      other->cost = cost(other->arrival - after, other->energy);
+      if (!best || other->cost < best->cost) best = std::move(other);
+    }
+    return best;
+  }
+
+ private:
+  Result<Journey> earliest(core::Seconds after, const std::stop_token& stop) {
+    if (request_.method == Method::direct) return straight(after);
     auto found = search_voyage(chart_->sea, grids_, request_, after, stop, [](double) {},
                                {.way = last_ ? &*last_ : nullptr, .foresights = &foresights_});
     if (!found) return tl::unexpected(std::move(found.error()));
@@ -93,7 +114,6 @@ class DepartureSweep {
     return on_first_drive(last_->route.points, last_->touches_rim, after);
   }
 
- private:
   DepartureSweep(Chart chart, std::vector<OpenGrid> grids, const PlanRequest& request)
       : chart_{std::make_unique<const Chart>(std::move(chart))}, grids_{std::move(grids)}, request_{request} {
     const core::Seconds ahead = departures_a_sweep * request.departures.step;
@@ -138,16 +158,20 @@ class DepartureSweep {
   [[nodiscard]] Journey journey(const std::vector<core::Seconds>& arrivals, const EnergyUse& energy,
                                 bool touches_rim) const {
     const core::Seconds time = arrivals.back() - arrivals.front();
-    return {arrivals.back(), energy.total(), request_.energy.objective.cost(time, energy.total()),
-            touches_rim};
+    return {arrivals.back(), energy.total(), cost(time, energy.total()), touches_rim};
+  }
+
+  [[nodiscard]] double cost(core::Seconds time, core::Joules energy) const {
+    return request_.energy.objective.cost(time, energy);
   }
 
   std::unique_ptr<const Chart> chart_;
   std::vector<OpenGrid> grids_;
   std::vector<Foresight> foresights_;  // one for each grid, for the least time
   std::vector<CostGuide> guides_;      // likewise, for another objective
-  const PlanRequest& request_;         // borrowed
-  std::optional<FoundWay> last_;       // of the departure before
+  PlanRequest request_;
+  std::optional<FoundWay> last_;         // of the departure before
+  std::vector<DepartureSweep> fastest_;  // on each drive by itself, where it is not time that counts
 };
 
 /// Whether wider grids may have a way where there was none for this reason.

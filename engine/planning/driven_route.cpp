@@ -38,6 +38,19 @@ std::optional<Shorter> without(const Sea& sea, const DrivenRoute& route, std::si
   return best;
 }
 
+/// The route without the free point that costs least; empty where none can go.
+std::optional<Shorter> without_cheapest(const Sea& sea, const DrivenRoute& route, const Objective& objective,
+                                        core::Seconds depart, const std::stop_token& stop) {
+  std::optional<Shorter> cheapest;
+  for (std::size_t i = 1; i + 1 < route.points.size(); ++i) {
+    if (stop.stop_requested()) return std::nullopt;
+    if (route.fixed[i]) continue;
+    auto shorter = without(sea, route, i, objective, depart);
+    if (shorter && (!cheapest || shorter->cost < cheapest->cost)) cheapest = std::move(shorter);
+  }
+  return cheapest;
+}
+
 }  // namespace
 
 tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea, const DrivenRoute& route,
@@ -105,19 +118,23 @@ DrivenRoute drop_costless_points(const Sea& sea, const DrivenRoute& route, const
   return result;
 }
 
+DrivenRoute drop_cheap_points(const Sea& sea, const DrivenRoute& route, const Objective& objective,
+                              core::Seconds depart, double most_cost, const std::stop_token& stop) {
+  DrivenRoute result = route;
+  for (;;) {
+    auto shorter = without_cheapest(sea, result, objective, depart, stop);
+    if (!shorter || shorter->cost > most_cost) return result;
+    result = std::move(shorter->route);
+  }
+}
+
 DrivenRoute drop_to(const Sea& sea, const DrivenRoute& route, const Objective& objective,
                     core::Seconds depart, std::size_t most, const std::stop_token& stop) {
   DrivenRoute result = route;
   while (result.points.size() > most) {
-    std::optional<Shorter> cheapest;
-    for (std::size_t i = 1; i + 1 < result.points.size(); ++i) {
-      if (stop.stop_requested()) return result;
-      if (result.fixed[i]) continue;
-      auto shorter = without(sea, result, i, objective, depart);
-      if (shorter && (!cheapest || shorter->cost < cheapest->cost)) cheapest = std::move(shorter);
-    }
-    if (!cheapest) return result;
-    result = std::move(cheapest->route);
+    auto shorter = without_cheapest(sea, result, objective, depart, stop);
+    if (!shorter) return result;
+    result = std::move(shorter->route);
   }
   return result;
 }

@@ -48,6 +48,12 @@ struct DrivenTimes {
                                                const Objective& objective, core::Seconds depart,
                                                const std::stop_token& stop);
 
+/// Takes out the points that cost least, one at a time, until the next would make the whole cost more than `most_cost`;
+/// fixed points stay.
+[[nodiscard]] DrivenRoute drop_cheap_points(const Sea& sea, const DrivenRoute& route,
+                                            const Objective& objective, core::Seconds depart,
+                                            double most_cost, const std::stop_token& stop);
+
 /// Takes out the points that cost least, one at a time, until at most `most` are left or none can go without the
 /// route closing; fixed points stay. The route may cost more.
 [[nodiscard]] DrivenRoute drop_to(const Sea& sea, const DrivenRoute& route, const Objective& objective,

@@ -123,21 +123,6 @@ Attempt best_attempt(const ocean::Environment& environment, const PlanRequest& r
   return best;
 }
 
-/// Of the default steps of the grid, where searches with a bound on the time without surfacing run out of memory: across
-/// 75 km of ice with 8 to 40 holes, 1000 m instead of 400 gave ways that were earlier by 1 to 6 %.
-constexpr double coarser = 2.5;
-
-PlanRequest on_coarser_grids(const PlanRequest& request) {
-  const Layout layout = lay_out(request, first_reach);
-  double way_m = 0.0;
-  for (std::size_t i = 1; i < layout.points.size(); ++i)
-    way_m += geo::distance_m(layout.points[i - 1], layout.points[i]);
-  const core::Metres mean_leg{way_m / static_cast<double>(layout.grids.size())};
-  PlanRequest coarse = request;
-  coarse.spacing_along = coarser * spacing_for(request, mean_leg).along;
-  return coarse;
-}
-
 bool was_cut_short(const Attempt& attempt) {
   return attempt.plan ? attempt.plan->search.cut_short : attempt.plan.error().search_cut_short;
 }

@@ -8,13 +8,13 @@
 
 namespace floeplan::planning {
 
-/// Moves points hat by hat wherever the arrival becomes earlier, along and across the way, in steps from a
+/// Moves points hat by hat wherever the route comes to cost less, along and across the way, in steps from a
 /// coarse one to a fine one. Needs no derivative and slides along the rim of what is closed, where a descent
 /// of all points at once is stuck as soon as one of them touches. The number of legs stays.
-template <LegTime Timer>
+template <CostedLeg Leg>
 class HatMoves {
  public:
-  HatMoves(LegMeter<Timer>& legs, Itinerary start) : legs_{legs}, best_{std::move(start)}, basis_{best_} {}
+  HatMoves(LegMeter<Leg>& legs, Itinerary start) : legs_{legs}, best_{std::move(start)}, basis_{best_} {}
 
   /// One round through all steps and hats.
   Itinerary operator()() {
@@ -40,13 +40,15 @@ class HatMoves {
     }
   }
 
-  /// Shifts the hat's points if that makes the arrival earlier.
+  /// Shifts the hat's points if that makes the route cost less.
   bool try_shift(const HatBasis::Hat& hat, double dx_m, double dy_m) {
     const std::vector<geo::PlanePoint>& points = best_.route.points;
     std::vector<geo::PlanePoint> moved;
     std::vector<core::Seconds> times;
+    std::vector<double> costs;
     geo::PlanePoint from = points[hat.left];
     core::Seconds now = best_.times[hat.left];
+    double cost = best_.costs[hat.left];
     for (std::size_t i = hat.left + 1; i < points.size(); ++i) {
       geo::PlanePoint to = points[i];
       if (i < hat.right) {
@@ -55,19 +57,22 @@ class HatMoves {
         to.x_m += height * dx_m;
         to.y_m += height * dy_m;
       }
-      const auto time = legs_(from, to, now);
-      if (!time) return false;
-      now += *time;
+      const auto leg = legs_(from, to, now);
+      if (!leg) return false;
+      now += leg->time;
+      cost += leg->cost;
       moved.push_back(to);
       times.push_back(now);
-      // Nobody who is later here is earlier at the goal, unless a leg is closed to the early only.
-      if (i == hat.right && !(now < best_.times[i])) return false;
+      costs.push_back(cost);
+      // Who is later here and has spent more hardly makes up for it.
+      if (i == hat.right && !(now < best_.times[i] || cost < best_.costs[i])) return false;
       from = to;
     }
-    if (!(now < best_.arrival())) return false;
+    if (!(cost < best_.cost())) return false;
     const auto first = static_cast<std::ptrdiff_t>(hat.left) + 1;
     std::ranges::copy(moved, best_.route.points.begin() + first);
     std::ranges::copy(times, best_.times.begin() + first);
+    std::ranges::copy(costs, best_.costs.begin() + first);
     return true;
   }
 
@@ -76,7 +81,7 @@ class HatMoves {
            (static_cast<double>(one) - static_cast<double>(zero));
   }
 
-  LegMeter<Timer>& legs_;
+  LegMeter<Leg>& legs_;
   Itinerary best_;
   HatBasis basis_;
 };

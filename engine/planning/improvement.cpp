@@ -1,12 +1,12 @@
 #include "engine/planning/improvement.hpp"
 
 #include <bit>
-#include <cmath>
 #include <utility>
 #include <vector>
 
 #include "engine/planning/loiter.hpp"
 #include "engine/planning/refinement.hpp"
+#include "engine/planning/refinement_budget.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/straightening.hpp"
 #include "engine/planning/time_killing.hpp"
@@ -16,9 +16,6 @@ namespace {
 
 constexpr core::Seconds at_departure{0.0};
 
-/// Legs timed for each second that refinement may take: so few that hardly any machine runs out of time first,
-/// and the same request gives the same route everywhere.
-constexpr double evaluations_per_second = 200'000.0;
 constexpr double cost_of_waiting = 8.0;  // of a leg that is timed at several departures until it opens
 
 /// What asks the sea, in the shape that refinement wants.
@@ -34,13 +31,8 @@ struct SeaTimer {
 RefinementBudget budget_of(const Sea& sea, const PlanRequest& request, const std::stop_token& stop,
                            const core::SteadyClock& clock) {
   const bool waits = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
-  const double per_second = waits ? evaluations_per_second / cost_of_waiting : evaluations_per_second;
-  RefinementBudget budget{.most_evaluations = std::llround(per_second * request.refine_time.count()),
-                          .stop = stop};
-  if (clock) {
-    budget.out_of_time = [&clock, end = clock() + request.refine_time] { return clock() >= end; };
-  }
-  return budget;
+  const double per_second = waits ? timed_legs_per_second / cost_of_waiting : timed_legs_per_second;
+  return refinement_budget(request, per_second, stop, clock);
 }
 
 std::optional<std::size_t> most_legs(const PlanRequest& request) {

@@ -41,6 +41,9 @@ struct Layout {
 /// Grid steps for a way of this length: as asked for, or distance/200 within 250 m .. 5 km.
 [[nodiscard]] GridSpacing spacing_for(const PlanRequest& request, core::Metres distance);
 
+/// The request on grids of larger steps, for searches that come to no end on those that it would have.
+[[nodiscard]] PlanRequest on_coarser_grids(const PlanRequest& request);
+
 /// Area whose data a plan for the request may use: the box around start, vias and goal with room for detours.
 [[nodiscard]] geo::BoundingBox planning_area(const PlanRequest& request);
 

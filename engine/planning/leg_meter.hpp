@@ -6,7 +6,7 @@
 #include <stop_token>
 #include <utility>
 
-#include "engine/planning/leg_time.hpp"
+#include "engine/planning/leg_cost.hpp"
 #include "engine/planning/refinement_report.hpp"
 #include "engine/planning/route.hpp"
 
@@ -19,32 +19,31 @@ struct RefinementBudget {
   std::stop_token stop{};
 };
 
-/// Times legs and keeps count. Once the budget has ended every leg counts as closed, so that nothing which
+/// Times legs, adds up what they cost, and keeps count. Once the budget has ended every leg counts as closed, so that nothing which
 /// is found afterwards can be taken.
 /// Threads  one at a time
-template <LegTime Timer>
+template <CostedLeg Leg>
 class LegMeter {
  public:
-  LegMeter(const Timer& leg_time, RefinementBudget budget)
-      : leg_time_{leg_time}, budget_{std::move(budget)} {}
+  LegMeter(const Leg& leg, RefinementBudget budget) : leg_{leg}, budget_{std::move(budget)} {}
 
-  [[nodiscard]] std::optional<core::Seconds> operator()(geo::PlanePoint a, geo::PlanePoint b,
-                                                        core::Seconds depart) {
+  [[nodiscard]] std::optional<LegCost> operator()(geo::PlanePoint a, geo::PlanePoint b,
+                                                  core::Seconds depart) {
     if (has_ended()) return std::nullopt;
     ++evaluations_;
-    const auto time = leg_time_(a, b, depart);
-    if (!time.has_value()) return std::nullopt;
-    return *time;  // NOLINT(bugprone-optional-value-conversion): other timers say why a leg is closed
+    const auto taken = leg_(a, b, depart);
+    if (!taken.has_value()) return std::nullopt;
+    return cost_of_leg(*taken);
   }
 
-  /// The route with its times; empty when a leg is closed.
+  /// The route with its times and costs; empty when a leg is closed.
   [[nodiscard]] std::optional<Itinerary> timed(Route route, core::Seconds depart) {
-    Itinerary result{std::move(route), {depart}};
+    Itinerary result{std::move(route), {depart}, {0.0}};
     const auto& points = result.route.points;
     for (std::size_t i = 1; i < points.size(); ++i) {
-      const auto time = (*this)(points[i - 1], points[i], result.times.back());
-      if (!time) return std::nullopt;
-      result.times.push_back(result.times.back() + *time);
+      const auto leg = (*this)(points[i - 1], points[i], result.times.back());
+      if (!leg) return std::nullopt;
+      result.append(*leg);
     }
     return result;
   }
@@ -69,7 +68,7 @@ class LegMeter {
     return end_ != RefinementEnd::converged;
   }
 
-  const Timer& leg_time_;
+  const Leg& leg_;
   RefinementBudget budget_;
   std::int64_t evaluations_{};
   RefinementEnd end_{RefinementEnd::converged};

@@ -10,21 +10,20 @@
 
 namespace floeplan::planning {
 
-/// Routes from one start to one goal, the fastest of each number of legs: what a leg more is worth.
+/// Routes from one start to one goal, the one that costs least of each number of legs: what a leg more is worth.
 class LegTradeOff {
  public:
   void offer(const Itinerary& timed);
 
-  /// Few legs first; only routes that are faster than every one with fewer legs.
+  /// Few legs first; only routes that cost less than every one with fewer legs.
   [[nodiscard]] std::vector<LegTrade> trade() const;
 
-  /// The route with the fewest legs of which twice as many would not gain the share `least_gain` of the travel
-  /// time. With `most_legs` none with more than those, unless there is no other.
+  /// The route with the fewest legs of which twice as many would not gain the share `least_gain` of the cost. With `most_legs` none with more than those, unless there is no other.
   /// Precondition: a route was offered
   [[nodiscard]] const Itinerary& choose(double least_gain, std::optional<std::size_t> most_legs) const;
 
  private:
-  std::map<std::size_t, Itinerary> fastest_;
+  std::map<std::size_t, Itinerary> cheapest_;
 };
 
 }  // namespace floeplan::planning

@@ -40,7 +40,8 @@ Result<Plan> plan_in_one_sea(const ocean::Environment& environment, const PlanRe
                : plan_least_cost(environment, unweighted, stop, progress, clock);
   };
   if (request.objective().of_encounters == 0.0) return without_weight_on_encounters(request);
-  return plan_with_fewer_encounters(environment, request, without_weight_on_encounters, stop, progress);
+  return plan_with_fewer_encounters(environment, request, without_weight_on_encounters, stop, progress,
+                                    clock);
 }
 
 /// Where the best way leaves no escape: ways that come to places to surface more often mostly have one.

@@ -16,11 +16,12 @@ namespace {
 
 constexpr core::Seconds at_departure{0.0};
 
-/// What the search and the refinement say for themselves.
+}  // namespace
+
 void add_warnings(Plan& plan, const PlanRequest& request) {
   if (plan.refinement && plan.refinement->end == RefinementEnd::time) {
     plan.warnings.push_back(
-        "refinement ran out of its time; with more, or on another machine, the route may be a little faster");
+        "refinement ran out of its time; with more, or on another machine, the route may be a little better");
   }
   if (plan.search.worst_fifo_violation) plan.warnings.push_back(describe(*plan.search.worst_fifo_violation));
   if (request.max_waypoints && plan.waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) {
@@ -29,8 +30,6 @@ void add_warnings(Plan& plan, const PlanRequest& request) {
         "than allowed");
   }
 }
-
-}  // namespace
 
 std::optional<Infeasible> add_escapes(Plan& plan, const Chart& chart, const PlanRequest& request,
                                       const std::vector<geo::PlanePoint>& points,

@@ -21,6 +21,9 @@ namespace floeplan::planning {
                                    const PlanRequest& request, const Improved& improved,
                                    const SearchStatistics& statistics, const std::stop_token& stop);
 
+/// What the search and the refinement of the plan say for themselves.
+void add_warnings(Plan& plan, const PlanRequest& request);
+
 /// Adds the ways to where the vehicle may surface, where they were asked for; `arrivals` are those at the `points` of the
 /// plan's waypoints, `drives` those of its legs. Answers why there are none, or that the battery does not carry the
 /// vehicle along one; empty: all is well.

@@ -20,7 +20,7 @@ namespace floeplan::planning {
 struct RefinementLimits {
   std::size_t finest_legs{128};            // to work with, unless the route comes with more
   std::optional<std::size_t> most_legs{};  // of the result; empty: as many as serve
-  double least_gain{5e-4};                 // share of the travel time for which twice as many legs are taken
+  double least_gain{5e-4};                 // share of the cost for which twice as many legs are taken
 };
 
 /// A route after its points were moved.
@@ -30,11 +30,11 @@ struct Refined {
 };
 
 /// The refinement of one route.
-template <LegTime Timer>
+template <CostedLeg Leg>
 class Refiner {
  public:
-  Refiner(const Timer& leg_time, const RefinementLimits& limits, const RefinementBudget& budget)
-      : legs_{leg_time, budget}, limits_{limits} {}
+  Refiner(const Leg& leg, const RefinementLimits& limits, const RefinementBudget& budget)
+      : legs_{leg, budget}, limits_{limits} {}
 
   Refined operator()(const Itinerary& start, const std::vector<Itinerary>& shorter) {
     found_.offer(start);
@@ -45,29 +45,33 @@ class Refiner {
     fewer_and_fewer(more_and_more(start));
     place_better(found_.choose(limits_.least_gain, limits_.most_legs));
     const Itinerary& chosen = found_.choose(limits_.least_gain, limits_.most_legs);
-    const bool is_slower = chosen.arrival() > start.arrival();
-    const Itinerary& kept = is_slower ? found_.choose(0.0, limits_.most_legs) : chosen;
+    const bool costs_more = chosen.cost() > start.cost();
+    const Itinerary& kept = costs_more ? found_.choose(0.0, limits_.most_legs) : chosen;
     return {tidied(kept),
-            {start.travel_time(), kept.travel_time(), legs_.evaluations(), legs_.end(), found_.trade()}};
+            {.before = start.travel_time(),
+             .after = kept.travel_time(),
+             .evaluations = legs_.evaluations(),
+             .end = legs_.end(),
+             .trade = found_.trade()}};
   }
 
  private:
-  /// Without legs too short to steer, where that makes nothing later.
+  /// Without legs too short to steer, where that costs nothing.
   Itinerary tidied(const Itinerary& kept) {
     constexpr core::Metres too_short{0.1};
     const auto tidy = legs_.timed(without_repeats(kept.route, too_short), kept.times.front());
-    return tidy && tidy->arrival() <= kept.arrival() ? *tidy : kept;
+    return tidy && tidy->cost() <= kept.cost() ? *tidy : kept;
   }
 
   /// Moves the points of a route until that gains nothing more.
   Itinerary settle(Itinerary timed) {
-    constexpr double worth_a_step = 2.5e-7;  // shares of the travel time
+    constexpr double worth_a_step = 2.5e-7;  // shares of the cost
     constexpr double worth_a_round = 5e-6;
     for (;;) {
-      const core::Seconds before = timed.travel_time();
+      const double before = timed.cost();
       SmoothMoves moves = descend_smoothly(legs_, std::move(timed), worth_a_step);
       timed = moves.met_closed ? HatMoves{legs_, std::move(moves.itinerary)}() : std::move(moves.itinerary);
-      if (before - timed.travel_time() <= worth_a_round * before) return timed;
+      if (before - timed.cost() <= worth_a_round * before) return timed;
     }
   }
 
@@ -80,8 +84,8 @@ class Refiner {
     for (;;) {
       Itinerary finer = settle(split_to(legs_, best, wanted));
       found_.offer(finer);
-      const bool gains = best.travel_time() - finer.travel_time() > limits_.least_gain * best.travel_time();
-      if (finer.arrival() < best.arrival()) best = std::move(finer);
+      const bool gains = best.cost() - finer.cost() > limits_.least_gain * best.cost();
+      if (finer.cost() < best.cost()) best = std::move(finer);
       wanted *= 2;
       // Points are well placed for so many legs when they were chosen from twice as many.
       const bool enough = !gains && wanted > 2 * limits_.most_legs.value_or(0);
@@ -106,35 +110,35 @@ class Refiner {
   /// Twice the legs and back to as many as before, so that the points end up where they serve best: again and again
   /// until that gains nothing more.
   void place_better(Itinerary chosen) {
-    constexpr double worth_a_round = 1e-5;  // share of the travel time
+    constexpr double worth_a_round = 1e-5;  // share of the cost
     const std::size_t legs = chosen.route.legs();
     for (;;) {
       Itinerary finer = settle(split_to(legs_, chosen, 2 * legs));
       Itinerary placed = settle(thin_to(legs_, std::move(finer), legs));
       found_.offer(placed);
-      const core::Seconds gain = chosen.travel_time() - placed.travel_time();
-      if (placed.route.legs() != legs || gain <= worth_a_round * chosen.travel_time()) return;
+      const double gain = chosen.cost() - placed.cost();
+      if (placed.route.legs() != legs || gain <= worth_a_round * chosen.cost()) return;
       chosen = std::move(placed);
     }
   }
 
-  LegMeter<Timer> legs_;
+  LegMeter<Leg> legs_;
   RefinementLimits limits_;
   LegTradeOff found_;
 };
 
-/// Moves the free points of a route until the travel time stops falling: first with many legs, then with
+/// Moves the free points of a route until its cost stops falling: first with many legs, then with
 /// fewer and fewer, each time from the best way with more of them.
 /// `shorter`  routes with no more legs than `most_legs`: without them the points of many legs, thinned to few, may settle
 ///          far from the best
 /// Returns  the route with the fewest legs of which twice as many would not gain `least_gain`; fixed points
-///          stay, no leg is closed, and it is not slower than the route that came unless `most_legs` forces it, and
-///          not than any of the shorter ones
+///          stay, no leg is closed, and it costs no more than the route that came unless `most_legs` forces it, and no
+///          more than any of the shorter ones
 /// Stops    when the budget ends, with the best found until then
-template <LegTime Timer>
-Refined refine_route(const Timer& leg_time, const Itinerary& start, const RefinementLimits& limits,
+template <CostedLeg Leg>
+Refined refine_route(const Leg& leg, const Itinerary& start, const RefinementLimits& limits,
                      const RefinementBudget& budget, const std::vector<Itinerary>& shorter = {}) {
-  return Refiner<Timer>{leg_time, limits, budget}(start, shorter);
+  return Refiner<Leg>{leg, limits, budget}(start, shorter);
 }
 
 }  // namespace floeplan::planning

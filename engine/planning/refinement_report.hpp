@@ -32,11 +32,15 @@ struct LegTrade {
 
 /// What moving the waypoints off the grid did.
 struct RefinementReport {
-  core::Seconds before{};      // travel time of the way of the grid
-  core::Seconds after{};       // of the plan: more where few waypoints are allowed
+  core::Seconds before{};  // travel time of the way of the grid
+  core::Seconds
+      after{};  // of the plan: more where few waypoints are allowed, or where it is not time that counts
+  std::optional<core::Joules> energy_before{};  // where energy counts: drawn along the way of the grid
+  std::optional<core::Joules> energy_after{};
   std::int64_t evaluations{};  // of a leg
   RefinementEnd end{};
-  std::vector<LegTrade> trade{};  // what more legs are worth: few legs first, each entry faster than the last
+  std::vector<LegTrade>
+      trade{};  // what more legs are worth: few legs first, each entry faster than the last; only where time alone counts
 };
 
 }  // namespace floeplan::planning

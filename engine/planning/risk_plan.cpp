@@ -17,7 +17,7 @@ double cost_of(const Plan& plan, const Objective& objective) {
 Result<Plan> plan_with_fewer_encounters(
     const ocean::Environment& environment, const PlanRequest& request,
     const std::function<Result<Plan>(const PlanRequest&)>& plan_unweighted, const std::stop_token& stop,
-    const core::ProgressCallback& progress) {
+    const core::ProgressCallback& progress, const core::SteadyClock& clock) {
   PlanRequest unweighted = request;
   unweighted.icebergs.encounter_weight = core::Seconds{0.0};
   Result<Plan> before = plan_unweighted(unweighted);
@@ -29,7 +29,7 @@ Result<Plan> plan_with_fewer_encounters(
   Plan chosen = std::move(*before);
   if (trade.encounters_before > 0.0 && request.method != Method::direct) {
     progress("encounters", 0.5);
-    Result<Plan> weighted = search_least_cost_plan(environment, request, stop, progress);
+    Result<Plan> weighted = search_least_cost_plan(environment, request, stop, progress, clock);
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
     const bool fewer = weighted && weighted->iceberg_encounters.value_or(0.0) <= trade.encounters_before;
     if (fewer && cost_of(*weighted, objective) < cost_of(chosen, objective)) chosen = std::move(*weighted);

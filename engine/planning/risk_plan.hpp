@@ -3,6 +3,7 @@
 #include <functional>
 #include <stop_token>
 
+#include "engine/core/clock.hpp"
 #include "engine/core/progress.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/infeasible.hpp"
@@ -19,6 +20,6 @@ namespace floeplan::planning {
 [[nodiscard]] Result<Plan> plan_with_fewer_encounters(
     const ocean::Environment& environment, const PlanRequest& request,
     const std::function<Result<Plan>(const PlanRequest&)>& plan_unweighted, const std::stop_token& stop,
-    const core::ProgressCallback& progress);
+    const core::ProgressCallback& progress, const core::SteadyClock& clock);
 
 }  // namespace floeplan::planning

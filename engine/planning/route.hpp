@@ -7,6 +7,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/local_projection.hpp"
+#include "engine/planning/leg_cost.hpp"
 
 namespace floeplan::planning {
 
@@ -24,11 +25,18 @@ struct Route {
   return {std::move(points), std::vector<bool>(count, true)};
 }
 
-/// An open route with the time at each of its points, the departure first.
+/// An open route with the time at each of its points, the departure first, and what it has cost until there.
 struct Itinerary {
   Route route;
   std::vector<core::Seconds> times;
+  std::vector<double> costs;
 
+  /// One leg more.
+  void append(const LegCost& leg) {
+    times.push_back(times.back() + leg.time);
+    costs.push_back(costs.back() + leg.cost);
+  }
+  [[nodiscard]] double cost() const { return costs.back(); }
   [[nodiscard]] core::Seconds arrival() const { return times.back(); }
   [[nodiscard]] core::Seconds travel_time() const { return times.back() - times.front(); }
 };

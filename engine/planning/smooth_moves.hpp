@@ -2,7 +2,7 @@
 
 #include <utility>
 
-#include "engine/planning/arrival_gradient.hpp"
+#include "engine/planning/cost_gradient.hpp"
 #include "engine/planning/hat_basis.hpp"
 #include "engine/planning/minimiser.hpp"
 
@@ -10,20 +10,22 @@ namespace floeplan::planning {
 
 /// What a descent reached.
 struct SmoothMoves {
-  Itinerary itinerary;     // never later than where it started
+  Itinerary itinerary;     // never costs more than where it started
   bool met_closed{false};  // tried a route with a closed leg: closures may stand in its way
 };
 
-/// Moves all free points at once, down the gradient of the arrival. The number of legs stays.
-template <LegTime Timer>
-SmoothMoves descend_smoothly(LegMeter<Timer>& legs, Itinerary start, double relative_tolerance) {
+/// Moves all free points at once, down the gradient of the cost. The number of legs stays.
+template <CostedLeg Leg>
+SmoothMoves descend_smoothly(LegMeter<Leg>& legs, Itinerary start, double relative_tolerance) {
   const Route& from = start.route;
   const HatBasis basis{start};
   const std::size_t hats = basis.hats().size();
   SmoothMoves best{start, false};
-  if (hats == 0 || !(start.travel_time().count() > 0.0)) return best;
+  if (hats == 0 || !(start.travel_time().count() > 0.0) || !(start.cost() > 0.0)) return best;
 
-  const auto arrival = [&](std::span<const double> x, std::span<double> gradient) -> std::optional<double> {
+  // The units of the hats are made for costs in seconds.
+  const double scale = start.travel_time().count() / start.cost();
+  const auto cost = [&](std::span<const double> x, std::span<double> gradient) -> std::optional<double> {
     const std::vector<double> shift_x = basis.shifts(x.first(hats));
     const std::vector<double> shift_y = basis.shifts(x.last(hats));
     Route moved = from;
@@ -36,14 +38,15 @@ SmoothMoves descend_smoothly(LegMeter<Timer>& legs, Itinerary start, double rela
       best.met_closed = true;
       return std::nullopt;
     }
-    ArrivalGradient by_shift = arrival_gradient(legs, *timed);
+    CostGradient by_shift = cost_gradient(legs, *timed);
     basis.derive(std::move(by_shift.x), gradient.first(hats));
     basis.derive(std::move(by_shift.y), gradient.last(hats));
-    const double travel_time = timed->travel_time().count();
-    if (timed->arrival() < best.itinerary.arrival()) best.itinerary = std::move(*timed);
-    return travel_time;
+    for (double& by_coefficient : gradient) by_coefficient *= scale;
+    const double scaled = scale * timed->cost();
+    if (timed->cost() < best.itinerary.cost()) best.itinerary = std::move(*timed);
+    return scaled;
   };
-  minimise(arrival, 2 * hats, relative_tolerance);
+  minimise(cost, 2 * hats, relative_tolerance);
   return best;
 }
 

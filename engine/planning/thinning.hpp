@@ -10,17 +10,17 @@
 
 namespace floeplan::planning {
 
-/// Takes out free points, each time the one whose loss delays the arrival least, until at most `most` legs
-/// are left or none can go without the route closing. The arrival may become later.
-template <LegTime Timer>
-Itinerary thin_to(LegMeter<Timer>& legs, Itinerary timed, std::size_t most) {
+/// Takes out free points, each time the one whose loss costs least, until at most `most` legs are left or none can go
+/// without the route closing. The route may cost more.
+template <CostedLeg Leg>
+Itinerary thin_to(LegMeter<Leg>& legs, Itinerary timed, std::size_t most) {
   while (timed.route.legs() > most) {
     const auto& points = timed.route.points;
-    std::vector<std::pair<core::Seconds, std::size_t>> losses;
+    std::vector<std::pair<double, std::size_t>> losses;
     for (std::size_t i = 1; i + 1 < points.size(); ++i) {
       if (timed.route.fixed[i]) continue;
       const auto without = legs(points[i - 1], points[i + 1], timed.times[i - 1]);
-      if (without) losses.emplace_back(timed.times[i - 1] + *without - timed.times[i + 1], i);
+      if (without) losses.emplace_back(timed.costs[i - 1] + without->cost - timed.costs[i + 1], i);
     }
     std::ranges::sort(losses);
     const bool thinned = std::ranges::any_of(losses, [&](const auto& loss) {
@@ -37,25 +37,22 @@ Itinerary thin_to(LegMeter<Timer>& legs, Itinerary timed, std::size_t most) {
   return timed;
 }
 
-/// A leg cut into equal pieces, timed from `depart`; its start left out. Empty when a piece is closed.
-template <LegTime Timer>
-std::optional<Itinerary> pieces_of(LegMeter<Timer>& legs, geo::PlanePoint a, geo::PlanePoint b,
-                                   bool end_is_fixed, int pieces, core::Seconds depart) {
-  Itinerary result;
-  geo::PlanePoint from = a;
+/// The itinerary and, from its end, the leg to `b` cut into equal pieces; empty when a piece is closed.
+template <CostedLeg Leg>
+std::optional<Itinerary> with_pieces(LegMeter<Leg>& legs, Itinerary until, geo::PlanePoint b,
+                                     bool end_is_fixed, int pieces) {
+  const geo::PlanePoint a = until.route.points.back();
   for (int k = 1; k <= pieces; ++k) {
     const double share = static_cast<double>(k) / pieces;
     const geo::PlanePoint to =
         k == pieces ? b : geo::PlanePoint{a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
-    const auto time = legs(from, to, depart);
-    if (!time) return std::nullopt;
-    depart += *time;
-    result.route.points.push_back(to);
-    result.route.fixed.push_back(k == pieces && end_is_fixed);
-    result.times.push_back(depart);
-    from = to;
+    const auto leg = legs(until.route.points.back(), to, until.times.back());
+    if (!leg) return std::nullopt;
+    until.route.points.push_back(to);
+    until.route.fixed.push_back(k == pieces && end_is_fixed);
+    until.append(*leg);
   }
-  return result;
+  return until;
 }
 
 /// Into how many pieces each leg goes so that there are `wanted` of them, none lasting long beside the others.
@@ -63,21 +60,19 @@ std::optional<Itinerary> pieces_of(LegMeter<Timer>& legs, geo::PlanePoint a, geo
 
 /// Cuts the longest legs until there are `wanted`; the way is the same. A leg that is closed in pieces stays
 /// whole.
-template <LegTime Timer>
-Itinerary split_to(LegMeter<Timer>& legs, const Itinerary& timed, std::size_t wanted) {
+template <CostedLeg Leg>
+Itinerary split_to(LegMeter<Leg>& legs, const Itinerary& timed, std::size_t wanted) {
   const std::vector<int> pieces = count_pieces(timed, wanted);
   const Route& route = timed.route;
-  Itinerary result{{{route.points.front()}, {true}}, {timed.times.front()}};
+  Itinerary result{{{route.points.front()}, {true}}, {timed.times.front()}, {0.0}};
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     const auto cut = [&](int into) {
-      return pieces_of(legs, route.points[i - 1], route.points[i], route.fixed[i], into, result.times.back());
+      return with_pieces(legs, result, route.points[i], route.fixed[i], into);
     };
-    auto leg = cut(pieces[i - 1]);
-    if (!leg) leg = cut(1);
-    if (!leg) return timed;  // a departure changed by the integration's error closed the leg
-    std::ranges::copy(leg->route.points, std::back_inserter(result.route.points));
-    std::ranges::copy(leg->route.fixed, std::back_inserter(result.route.fixed));
-    std::ranges::copy(leg->times, std::back_inserter(result.times));
+    auto longer = cut(pieces[i - 1]);
+    if (!longer) longer = cut(1);
+    if (!longer) return timed;  // a departure changed by the integration's error closed the leg
+    result = std::move(*longer);
   }
   return result;
 }

@@ -60,11 +60,13 @@ class Table {
     ReproducedRow row{.printed = {.row = "refined, " + std::to_string(legs) + " legs",
                                   .remark = "the 3-sector way, its points moved off the grid"}};
     if (const auto found = product.fastest()) {
-      planning::Itinerary start{{found->points, std::vector<bool>(found->points.size(), false)},
-                                found->times};
-      start.route.fixed.front() = start.route.fixed.back() = true;
+      planning::Route way{found->points, std::vector<bool>(found->points.size(), false)};
+      way.fixed.front() = way.fixed.back() = true;
+      const planning::LegTimer leg = product.legs();
+      const planning::Itinerary start =
+          planning::LegMeter{leg, {}}.timed(std::move(way), found->times.front()).value();
       const planning::Itinerary refined =
-          planning::refine_route(product.legs(), start, {.most_legs = legs, .least_gain = 0.0}, {}).itinerary;
+          planning::refine_route(leg, start, {.most_legs = legs, .least_gain = 0.0}, {}).itinerary;
       const CaseSearch exact{water_, current_, through_water_, converged};
       row.ours_s = seconds(planning::time_way(refined.route.points, core::Seconds{0.0}, exact.legs()));
       row.ours_at_default_tolerance_s = refined.travel_time().count();

@@ -55,11 +55,18 @@ void print_refinement(const json& plan) {
   const json refinement = plan.value("refinement", json());
   if (refinement.is_null()) return;
   const std::string stopped_by = refinement.at("stopped_by");
-  const bool had_to_lose = refinement.at("after_s") > refinement.at("before_s");
-  std::printf("%s from %s h to %s h%s\n", had_to_lose ? "cut to few waypoints and refined," : "refined",
-              cell(refinement.at("before_s"), "%.2f", 1.0 / 3600.0).c_str(),
-              cell(refinement.at("after_s"), "%.2f", 1.0 / 3600.0).c_str(),
+  const auto with_energy = [&](const char* time, const char* energy) {
+    const json joules = refinement.value(energy, json());
+    return cell(refinement.at(time), "%.2f h", 1.0 / 3600.0) +
+           (joules.is_null() ? "" : ", " + cell(joules, "%.1f kJ", 1e-3));
+  };
+  const bool had_to_lose = refinement.at("after_s") > refinement.at("before_s") &&
+                           refinement.value("energy_after_j", 1.0) > refinement.value("energy_before_j", 0.0);
+  std::printf("%s from %s to %s%s\n", had_to_lose ? "cut to few waypoints and refined," : "refined",
+              with_energy("before_s", "energy_before_j").c_str(),
+              with_energy("after_s", "energy_after_j").c_str(),
               stopped_by == "converged" ? "" : (" until stopped by its limit of " + stopped_by).c_str());
+  if (plan.at("leg_trade").empty()) return;
   std::printf("hours by legs:");
   for (const json& entry : plan.at("leg_trade")) {
     std::printf("  %d: %s", entry.at("legs").get<int>(),

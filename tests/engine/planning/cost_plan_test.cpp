@@ -156,7 +156,7 @@ TEST(CostPlan, OfWeightsLiesBetweenTheFastestAndTheMostSaving) {
   }
 }
 
-TEST(CostPlan, CostsNoMoreWhenItIsRefined) {
+TEST(CostPlan, CostsLessWhenItsPointsAreMovedOffTheGrid) {
   const ocean::Environment environment{.currents = currents_from(tide, 200), .bathymetry = bank()};
   PlanRequest request = hybrid_request();
   const auto refined = plan(environment, request, energy_objective);
@@ -165,8 +165,11 @@ TEST(CostPlan, CostsNoMoreWhenItIsRefined) {
   const auto plain = plan(environment, request, energy_objective);
 
   ASSERT_TRUE(refined && plain);
-  EXPECT_LE(energy_j(*refined), energy_j(*plain));
-  EXPECT_LE(refined->waypoints.size(), plain->waypoints.size());
+  EXPECT_LT(energy_j(*refined), 0.99 * energy_j(*plain));
+  ASSERT_TRUE(refined->refinement && refined->refinement->energy_before && refined->refinement->energy_after);
+  EXPECT_LT(*refined->refinement->energy_after, *refined->refinement->energy_before);
+  EXPECT_NEAR(refined->refinement->energy_after->value, energy_j(*refined), 1e-6);
+  EXPECT_FALSE(plain->refinement.has_value());
 }
 
 TEST(CostPlan, KeepsToTheWaypointsAndLegsAskedFor) {

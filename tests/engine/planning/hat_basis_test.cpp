@@ -10,14 +10,14 @@ namespace floeplan::planning {
 namespace {
 
 Itinerary random_itinerary(std::mt19937_64& rng) {
-  Itinerary timed{{{{0.0, 0.0}}, {true}}, {core::Seconds{0.0}}};
+  Itinerary timed{{{{0.0, 0.0}}, {true}}, {core::Seconds{0.0}}, {0.0}};
   const int legs = support::uniform_int(rng, 1, 40);
   for (int i = 1; i <= legs; ++i) {
     const geo::PlanePoint last = timed.route.points.back();
     timed.route.points.push_back(
         {last.x_m + support::uniform(rng, 0.0, 900.0), last.y_m + support::uniform(rng, -500.0, 500.0)});
     timed.route.fixed.push_back(i == legs || support::uniform_int(rng, 0, 9) == 0);
-    timed.times.push_back(timed.times.back() + core::Seconds{support::uniform(rng, 100.0, 3000.0)});
+    timed.append(cost_of_leg(core::Seconds{support::uniform(rng, 100.0, 3000.0)}));
   }
   return timed;
 }

@@ -7,7 +7,8 @@ namespace {
 
 Itinerary itinerary(std::size_t legs, double travel_time_s) {
   return {{std::vector<geo::PlanePoint>(legs + 1), std::vector<bool>(legs + 1)},
-          {core::Seconds{0.0}, core::Seconds{travel_time_s}}};
+          {core::Seconds{0.0}, core::Seconds{travel_time_s}},
+          {0.0, travel_time_s}};
 }
 
 LegTradeOff trade_off() {

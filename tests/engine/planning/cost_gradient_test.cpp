@@ -1,4 +1,4 @@
-#include "engine/planning/arrival_gradient.hpp"
+#include "engine/planning/cost_gradient.hpp"
 
 #include <gtest/gtest.h>
 
@@ -26,11 +26,11 @@ Route random_route(std::mt19937_64& rng) {
   return route;
 }
 
-TEST(ArrivalGradient, IsTheDifferenceQuotientOfTheWholeRoutesArrival) {
+TEST(CostGradient, IsTheDifferenceQuotientOfTheWholeRoutesArrival) {
   support::for_each_seed(20, [](std::mt19937_64& rng) {
     LegMeter legs{in_the_jet, RefinementBudget{}};
     const Route route = random_route(rng);
-    const ArrivalGradient gradient = arrival_gradient(legs, *legs.timed(route, core::Seconds{3.0}));
+    const CostGradient gradient = cost_gradient(legs, *legs.timed(route, core::Seconds{3.0}));
 
     const auto i = static_cast<std::size_t>(support::uniform_int(rng, 0, 6));
     constexpr double h = 1e-4;
@@ -46,7 +46,34 @@ TEST(ArrivalGradient, IsTheDifferenceQuotientOfTheWholeRoutesArrival) {
   });
 }
 
-TEST(ArrivalGradient, LooksToTheOpenSideBesideAClosedArea) {
+TEST(CostGradient, IsTheDifferenceQuotientOfACostThatChangesFromPlaceToPlaceAndWithTime) {
+  const auto dear_in_the_north = [](geo::PlanePoint a, geo::PlanePoint b,
+                                    core::Seconds depart) -> std::optional<LegCost> {
+    const auto time = in_the_jet(a, b, depart);
+    if (!time) return std::nullopt;
+    const double power = 3.0 + std::sin(0.5 * (a.y_m + b.y_m)) + std::cos(0.2 * depart.count());
+    return LegCost{*time, power * time->count()};
+  };
+  support::for_each_seed(20, [&](std::mt19937_64& rng) {
+    LegMeter legs{dear_in_the_north, RefinementBudget{}};
+    const Route route = random_route(rng);
+    const CostGradient gradient = cost_gradient(legs, *legs.timed(route, core::Seconds{3.0}));
+
+    const auto i = static_cast<std::size_t>(support::uniform_int(rng, 0, 6));
+    constexpr double h = 1e-4;
+    const auto cost_with = [&](double dx, double dy) {
+      Route moved = route;
+      moved.points[i].x_m += dx;
+      moved.points[i].y_m += dy;
+      return legs.timed(moved, core::Seconds{3.0})->cost();
+    };
+
+    EXPECT_NEAR(gradient.x[i], (cost_with(h, 0.0) - cost_with(-h, 0.0)) / (2.0 * h), 3e-3);
+    EXPECT_NEAR(gradient.y[i], (cost_with(0.0, h) - cost_with(0.0, -h)) / (2.0 * h), 3e-3);
+  });
+}
+
+TEST(CostGradient, LooksToTheOpenSideBesideAClosedArea) {
   const auto closed_north_of_the_way = [](geo::PlanePoint a, geo::PlanePoint b,
                                           core::Seconds) -> tl::expected<core::Seconds, motion::EdgeClosed> {
     if (std::max(a.y_m, b.y_m) > 0.0) return tl::unexpected(motion::EdgeClosed::obstacle);
@@ -55,7 +82,7 @@ TEST(ArrivalGradient, LooksToTheOpenSideBesideAClosedArea) {
   LegMeter legs{closed_north_of_the_way, RefinementBudget{}};
   const Route route{{{0.0, 0.0}, {100.0, 0.0}, {200.0, -50.0}}, {true, false, true}};
 
-  const ArrivalGradient gradient = arrival_gradient(legs, *legs.timed(route, core::Seconds{0.0}));
+  const CostGradient gradient = cost_gradient(legs, *legs.timed(route, core::Seconds{0.0}));
 
   EXPECT_NEAR(gradient.y[1], 50.0 / std::hypot(100.0, 50.0), 0.01) << "southwards it gets shorter";
 }

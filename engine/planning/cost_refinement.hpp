@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+
+#include "engine/planning/driven_route.hpp"
+#include "engine/planning/leg_meter.hpp"
+#include "engine/planning/refinement_report.hpp"
+
+namespace floeplan::planning {
+
+/// A driven route after its points were moved and what that did.
+struct RefinedDrive {
+  DrivenRoute route;
+  RefinementReport report;
+};
+
+/// Moves the free points of a route off the grid until what it costs by the objective stops falling, each leg on the
+/// drive on which it costs least.
+/// `most_legs`  of the result; empty: as many as serve
+/// Returns  a route that is open as a whole and costs no more than the one that came, unless `most_legs` forces it; the
+///          one that came where there is none
+/// Stops    when the budget ends, with the best found until then
+[[nodiscard]] RefinedDrive refine_drive(const Sea& sea, const DrivenRoute& route, const Objective& objective,
+                                        std::optional<std::size_t> most_legs, const RefinementBudget& budget);
+
+}  // namespace floeplan::planning
