@@ -85,7 +85,7 @@ std::optional<Infeasible> too_much_to_lay_out(const ocean::Environment& environm
 
 Result<Chart> chart_on(Sea sea, Layout layout, const PlanRequest& request, const std::stop_token& stop,
                        Moves moves) {
-  if (request.method == Method::direct) sea.safety().open_along(layout.points, layout.projection);
+  if (request.method == Method::direct) sea.safety().open_along({layout.points}, layout.projection);
   if (auto unusable = check_stops(sea, layout, request, stop, moves))
     return tl::unexpected(std::move(*unusable));
   Chart chart{.layout = std::move(layout), .sea = std::move(sea)};

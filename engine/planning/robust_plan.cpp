@@ -38,17 +38,41 @@ DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& projection) {
   return route;
 }
 
+/// How the plans fare in one sea, on the charts that plans are made on: on the nearer one, and those that leave it or are
+/// closed there on the wider one. A chart is opened along the routes: its cells may fall otherwise than those that a route
+/// was found on, and must not close a passage out of caution.
+std::vector<std::optional<DrivenTimes>> drive_all(const ocean::Environment& environment,
+                                                  const PlanRequest& request, const std::vector<Plan>& plans,
+                                                  const std::stop_token& stop) {
+  std::vector<std::optional<DrivenTimes>> result(plans.size());
+  for (const GridReach reach : {first_reach, second_reach}) {
+    if (stop.stop_requested() ||
+        std::ranges::all_of(result, [](const auto& times) { return times.has_value(); }))
+      break;
+    Result<Chart> chart = draw_chart(environment, request, reach, stop);
+    if (!chart) continue;
+    std::vector<DrivenRoute> routes;
+    std::vector<std::vector<geo::PlanePoint>> points;
+    for (const Plan& plan : plans) {
+      routes.push_back(route_of(plan, chart->layout.projection));
+      points.push_back(routes.back().points);
+    }
+    chart->sea.safety().open_along(points, chart->layout.projection);
+    for (std::size_t i = 0; i < plans.size(); ++i) {
+      if (result[i]) continue;
+      if (auto times = drive_in_time(chart->sea, routes[i], at_departure)) result[i] = std::move(*times);
+    }
+  }
+  return result;
+}
+
 /// How a plan fares in each member.
 class Fares {
  public:
-  void add(const Chart& chart, const DrivenRoute& route, const Objective& objective) {
-    const auto times = drive_in_time(chart.sea, route, at_departure);
+  /// Empty: the member does not let it through.
+  void add(const std::optional<DrivenTimes>& times, const Objective& objective) {
     times_.push_back(times ? std::optional{times->arrivals.back() - at_departure} : std::nullopt);
     costs_.push_back(times ? std::optional{times->cost(objective)} : std::nullopt);
-  }
-  void add_closed() {
-    times_.emplace_back();
-    costs_.emplace_back();
   }
 
   [[nodiscard]] ArrivalSpread arrivals() const { return ArrivalSpread{times_}; }
@@ -134,15 +158,8 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
   for (std::size_t member = 0; member < members.size(); ++member) {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
     report(0.5, member);
-    const ocean::Environment sea = members.environment(member);
-    const Result<Chart> chart = draw_chart(sea, request, second_reach, stop);
-    for (std::size_t i = 0; i < candidates.size(); ++i) {
-      if (chart) {
-        fares[i].add(*chart, route_of(candidates[i], chart->layout.projection), objective);
-      } else {
-        fares[i].add_closed();
-      }
-    }
+    const auto driven = drive_all(members.environment(member), request, candidates, stop);
+    for (std::size_t i = 0; i < candidates.size(); ++i) fares[i].add(driven[i], objective);
   }
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
 

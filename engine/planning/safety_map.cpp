@@ -179,15 +179,17 @@ bool SafetyMap::closed_within(const std::vector<std::size_t>& cells, geo::PlaneP
   return false;
 }
 
-void SafetyMap::open_along(const std::vector<geo::PlanePoint>& route,
+void SafetyMap::open_along(const std::vector<std::vector<geo::PlanePoint>>& routes,
                            const geo::LocalProjection& projection) {
   std::vector<std::size_t> cautious;
   std::vector<std::size_t> kept_closed;
-  for (std::size_t i = 1; i < route.size(); ++i) {
-    const auto closed = closed_cells_between(route[i - 1], route[i]);
-    if (closed.empty()) continue;
-    auto& cells = closed_within(closed, route[i - 1], route[i], projection) ? kept_closed : cautious;
-    cells.insert(cells.end(), closed.begin(), closed.end());
+  for (const std::vector<geo::PlanePoint>& route : routes) {
+    for (std::size_t i = 1; i < route.size(); ++i) {
+      const auto closed = closed_cells_between(route[i - 1], route[i]);
+      if (closed.empty()) continue;
+      auto& cells = closed_within(closed, route[i - 1], route[i], projection) ? kept_closed : cautious;
+      cells.insert(cells.end(), closed.begin(), closed.end());
+    }
   }
   std::ranges::sort(kept_closed);
   for (const std::size_t cell : cautious) {

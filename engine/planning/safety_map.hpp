@@ -48,10 +48,11 @@ class SafetyMap {
   /// Opens the cell of a place that is open itself, so that caution about the rest of the cell does not lock
   /// it in.
   void open_around(geo::PlanePoint point);
-  /// Opens the cells of a given route that are closed out of caution alone: those of legs of which the data
+  /// Opens the cells of given routes that are closed out of caution alone: those of legs of which the data
   /// themselves close no part, looked up every 25 m. So a route is judged by where it runs, not by how cells
   /// happen to fall round it. A cell that a closed leg crosses too stays closed.
-  void open_along(const std::vector<geo::PlanePoint>& route, const geo::LocalProjection& projection);
+  void open_along(const std::vector<std::vector<geo::PlanePoint>>& routes,
+                  const geo::LocalProjection& projection);
 
  private:
   [[nodiscard]] bool is_on_land(geo::LonLat place) const;

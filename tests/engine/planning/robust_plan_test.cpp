@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include "engine/planning/plan_route.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning {
@@ -144,6 +145,26 @@ TEST(RobustPlan, CountsAMemberThatDoesNotLetTheRouteThrough) {
   ASSERT_TRUE(found && found->uncertainty);
   EXPECT_EQ(found->uncertainty->spread.arrived(), 1U);
   EXPECT_FALSE(found->uncertainty->spread.travel_times()[1].has_value());
+}
+
+TEST(RobustPlan, LetsEveryMemberThroughTheGapsOfTheLandThatThePlanPasses) {
+  support::for_each_seed(12, [](std::mt19937_64& rng) {
+    ocean::Environment environment = ensemble({stream(69.0, 0.05), stream(69.0, 0.05)});
+    const double south = 69.0 + support::uniform(rng, -0.1, 0.1);
+    const double north = south + support::uniform(rng, 0.012, 0.03);
+    const auto wall = [](double from, double to) {
+      return geo::Polygon{.outer = {{-53.02, from}, {-52.98, from}, {-52.98, to}, {-53.02, to}}, .holes = {}};
+    };
+    environment.land = {wall(68.6, south), wall(north, 69.4)};
+
+    const auto found = plan(environment, coarse_request());
+
+    ASSERT_TRUE(found && found->uncertainty) << south << " to " << north;
+    const ArrivalSpread& spread = found->uncertainty->spread;
+    ASSERT_EQ(spread.arrived(), 2U) << south << " to " << north;
+    for (const auto& time : spread.travel_times())
+      EXPECT_NEAR(time->count(), found->travel_time().count(), 0.01);
+  });
 }
 
 TEST(RobustPlan, SaysHowThePlanFaresWhateverItsObjective) {

@@ -140,11 +140,11 @@ TEST(SafetyMap, JudgesAGivenRouteByWhereItRuns) {
   SafetyMap passed{environment, least_depth, {}, projection, area, core::Metres{1000.0}};
   ASSERT_TRUE(passed.closed_between(west, east).has_value());
 
-  passed.open_along({west, east}, projection);
+  passed.open_along({{west, east}}, projection);
   EXPECT_FALSE(passed.closed_between(west, east).has_value());
 
   SafetyMap crossed{environment, least_depth, {}, projection, area, core::Metres{1000.0}};
-  crossed.open_along({west, east, {5000.0, 0.0}, {-5000.0, 0.0}}, projection);
+  crossed.open_along({{west, east}, {{5000.0, 0.0}, {-5000.0, 0.0}}}, projection);
   EXPECT_EQ(crossed.closed_between({5000.0, 0.0}, {-5000.0, 0.0}), EdgeClosed::on_land)
       << "the leg beside the island must not open the way over it";
 }
@@ -162,7 +162,7 @@ TEST(SafetyMap, NeverOpensARouteThatTheDataClose) {
       route.push_back(
           {support::uniform(rng, -30'000.0, 30'000.0), support::uniform(rng, -30'000.0, 30'000.0)});
 
-    map.open_along(route, projection);
+    map.open_along({route}, projection);
 
     for (std::size_t i = 1; i < route.size(); ++i) {
       if (map.closed_between(route[i - 1], route[i])) continue;
