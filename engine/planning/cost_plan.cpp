@@ -163,10 +163,6 @@ bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& o
   return a && (!b || cost_of(*a, objective) < cost_of(*b, objective));
 }
 
-bool was_cut_short(const Result<Plan>& plan) {
-  return plan ? plan->search.cut_short : plan.error().search_cut_short;
-}
-
 /// On the nearer grids, and on the wider ones where they may do better.
 Result<Plan> plan_on_either_reach(const ocean::Environment& environment, const PlanRequest& request,
                                   const std::stop_token& stop, const core::ProgressCallback& progress,
@@ -179,14 +175,21 @@ Result<Plan> plan_on_either_reach(const ocean::Environment& environment, const P
   return std::move(is_better ? wider.plan : attempt.plan);
 }
 
-/// On grids as fine as asked for. Where that was left open and the search came to no end, on coarser ones, too.
-Result<Plan> plan_on_grids(const ocean::Environment& environment, const PlanRequest& request,
+/// What searches on the request's grids find: for all drives, and for each by itself, which takes little and is often
+/// better where a search for all does not look at everything.
+Result<Plan> best_on_grids(const ocean::Environment& environment, const PlanRequest& request,
                            const std::stop_token& stop, const core::ProgressCallback& progress,
                            const core::SteadyClock& clock) {
   Result<Plan> best = plan_on_either_reach(environment, request, stop, progress, clock);
-  if (request.spacing_along || !was_cut_short(best)) return best;
-  Result<Plan> coarse = plan_on_either_reach(environment, on_coarser_grids(request), stop, progress, clock);
-  if (costs_less(coarse, best, request.objective())) best = std::move(coarse);
+  const std::vector<vehicle::Drive> all = drives(request.energy, request.vehicle);
+  if (all.size() == 1 || (!best && !best.error().search_cut_short)) return best;
+  for (const vehicle::Drive drive : all) {
+    if (stop.stop_requested()) break;
+    PlanRequest on_drive = request;
+    on_drive.energy.thruster = only(drive);
+    Result<Plan> found = plan_on_either_reach(environment, on_drive, stop, silent, clock);
+    if (costs_less(found, best, request.objective())) best = std::move(found);
+  }
   return best;
 }
 
@@ -211,34 +214,39 @@ Result<Plan> publish_straight_way(const Chart& chart, const ocean::Environment& 
   return publish(chart, environment, request, {std::move(route), std::nullopt}, {}, stop);
 }
 
-Result<Plan> search_least_cost_plan(const ocean::Environment& environment, const PlanRequest& request,
-                                    const std::stop_token& stop, const core::ProgressCallback& progress,
-                                    const core::SteadyClock& clock) {
+Result<Plan> search_least_cost_plan(const Result<Plan>& known, const ocean::Environment& environment,
+                                    const PlanRequest& request, const std::stop_token& stop,
+                                    const core::ProgressCallback& progress, const core::SteadyClock& clock) {
   // Only the fastest plans wait.
   PlanRequest on_the_move = request;
   on_the_move.max_loiter = core::Seconds{0.0};
-  Result<Plan> best = plan_on_grids(environment, on_the_move, stop, progress, clock);
-  const std::vector<vehicle::Drive> all = drives(request.energy, request.vehicle);
-  for (std::size_t i = 0; all.size() > 1 && i < all.size(); ++i) {
+  const Objective objective = request.objective();
+  const auto better_of = [&](Result<Plan> found) -> Result<Plan> {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    on_the_move.energy.thruster = only(all[i]);
-    Result<Plan> other = plan_on_grids(environment, on_the_move, stop, silent, clock);
-    if (costs_less(other, best, request.objective())) best = std::move(other);
+    return known && !costs_less(found, known, objective) ? known : std::move(found);
+  };
+  // Refinement makes up for larger steps, and a search takes a tenth of the time on them. They may close passages, though,
+  // that the known plan takes: a way that costs more than that by much is no evidence.
+  constexpr double much = 0.01;
+  if (known && request.refine && request.method != Method::direct && !request.spacing_along) {
+    Result<Plan> coarse = best_on_grids(environment, on_coarser_grids(on_the_move), stop, progress, clock);
+    if (coarse && cost_of(*coarse, objective) <= (1.0 + much) * cost_of(*known, objective))
+      return better_of(std::move(coarse));
   }
-  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-  return best;
+  return better_of(best_on_grids(environment, on_the_move, stop, progress, clock));
 }
 
 Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRequest& request,
                              const std::stop_token& stop, const core::ProgressCallback& progress,
                              const core::SteadyClock& clock) {
-  Result<Plan> best = search_least_cost_plan(environment, request, stop, progress, clock);
-  progress("comparison", 0.8);
-  for (const PlanRequest& fastest : fastest_requests(request)) {
+  Result<Plan> fastest = tl::unexpected(Infeasible{});
+  const std::vector<PlanRequest> requests = fastest_requests(request);
+  for (std::size_t i = 0; i < requests.size(); ++i) {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    Result<Plan> other = plan_fastest(environment, fastest, stop, silent, clock);
-    if (costs_less(other, best, request.objective())) best = std::move(other);
+    Result<Plan> plan = plan_fastest(environment, requests[i], stop, silent, clock);
+    if (i == 0 || costs_less(plan, fastest, request.objective())) fastest = std::move(plan);
   }
+  Result<Plan> best = search_least_cost_plan(fastest, environment, request, stop, progress, clock);
   if (best && request.optimality_gap) best->optimality_gap_reason = no_gap;
   progress("done", 1.0);
   return best;

@@ -25,9 +25,10 @@ namespace floeplan::planning {
 /// The request for the fastest plan, on each drive by itself.
 [[nodiscard]] std::vector<PlanRequest> fastest_requests(const PlanRequest& request);
 
-/// Its searches alone: for all drives and for each by itself, on the nearer grids, on the wider ones where they may do
-/// better, and on coarser ones where they come to no end; without waits.
-[[nodiscard]] Result<Plan> search_least_cost_plan(const ocean::Environment& environment,
+/// The better of the known plan and what its searches find without waits: on coarser grids; where those gain nothing, and
+/// where the request leaves no choice, on the request's own.
+[[nodiscard]] Result<Plan> search_least_cost_plan(const Result<Plan>& known,
+                                                  const ocean::Environment& environment,
                                                   const PlanRequest& request, const std::stop_token& stop,
                                                   const core::ProgressCallback& progress,
                                                   const core::SteadyClock& clock);
