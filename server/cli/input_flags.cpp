@@ -201,7 +201,8 @@ void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--arrive-by", arrive_by_,
                      "Leave as late as this arrival allows; --depart is then the earliest departure");
   command.add_option("--spacing", spacing_m_,
-                     "Grid step M, or M,M along and across; default distance/200, 250 m to 5 km");
+                     "Grid step M, or M,M along and across; default distance/200, 250 m to 5 km; searches by "
+                     "energy or weights begin with 2.5 times as much");
   command.add_option("--sectors", sectors_, "Reach of the grid's edges, 1 to 5; default 3");
   command.add_option("--method", method_, "tve, dijkstra, astar, frozen or direct; default astar");
   command.add_option("--max-waypoints", max_waypoints_, "Start and goal included");

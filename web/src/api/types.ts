@@ -372,6 +372,8 @@ export interface Plan {
   refinement?: {
     before_s: number;
     after_s: number;
+    energy_before_j?: number;
+    energy_after_j?: number;
     evaluations: number;
     stopped_by: 'converged' | 'evaluations' | 'time' | 'cancelled';
   } | null;
