@@ -45,6 +45,18 @@ core::Metres least_upper_turn(const planning::Plan& plan) {
   return deepest;
 }
 
+Overhead overhead(const planning::Plan& plan, std::size_t waypoint) {
+  const core::UtcTime arrival = plan.waypoints[waypoint].eta;
+  const core::UtcTime departure = arrival + plan.waypoints[waypoint].wait;
+  const bool below_iceberg = std::ranges::any_of(plan.passed_under, [&](const planning::PassedUnder& under) {
+    return under.from <= departure && arrival <= under.until;
+  });
+  if (below_iceberg) return Overhead::closed;
+  if (!plan.surfacing || plan.surfacing->waypoints[waypoint].may_surface) return Overhead::open;
+  return plan.surfacing->waypoints[waypoint].least_upper_turn.value > 0.0 ? Overhead::closed
+                                                                          : Overhead::unknown;
+}
+
 bool tells_upper_turns(const planning::Plan& plan) {
   if (!plan.surfacing || plan.surfacing->longest_without.count() <= 0.0) return true;
   const auto& waypoints = plan.surfacing->waypoints;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cstddef>
 #include <string>
 #include <vector>
 
@@ -11,6 +12,16 @@ namespace floeplan::mission {
 /// The depth above which no dive of the plan may turn, because a yo knows no places: the deepest that ice or icebergs ask
 /// for anywhere on its legs. Zero where nothing is above.
 [[nodiscard]] core::Metres least_upper_turn(const planning::Plan& plan);
+
+/// What is above a waypoint when the vehicle is there.
+enum class Overhead {
+  open,     // it may surface
+  unknown,  // nothing is known of the ice: it passes as in open water, and does not count on surfacing
+  closed    // ice too dense to surface in, or an iceberg
+};
+
+/// Precondition  the plan has such a waypoint
+[[nodiscard]] Overhead overhead(const planning::Plan& plan, std::size_t waypoint);
 
 /// Whether the plan says of every leg how deep its dives turn. One stored by an older version, which passes where the
 /// vehicle may not surface, does not.

@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <iterator>
-#include <span>
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
+#include "engine/mission/list_parts.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -57,15 +57,20 @@ core::Violations violations_of(const planning::Plan& plan, const GotoListOptions
   }
   if (!found.empty()) return found;
 
-  const auto rows = static_cast<int>(plan.waypoints.size()) - 1;
-  const int lists = (rows + options.max_waypoints - 1) / options.max_waypoints;
+  const auto most = static_cast<std::size_t>(options.max_waypoints);
+  found = list_end_violations(plan, most);
+  if (!found.empty()) return found;
+
+  const std::vector<ListPart> parts = part_into_lists(plan, most);
+  const auto lists = static_cast<int>(parts.size());
+  const auto rows_of_first = static_cast<int>(parts.front().last);
   if (options.first_number < 0 || options.first_number + lists - 1 > last_free_number) {
     found.push_back(
         {"/number", "the plan takes " + std::to_string(lists) +
                         " list(s), numbered from the given number on; all numbers must lie between 0 and 97 "
                         "(98 and 99 belong to the firmware)"});
   }
-  if (options.initial_waypoint < -2 || options.initial_waypoint >= std::min(rows, options.max_waypoints)) {
+  if (options.initial_waypoint < -2 || options.initial_waypoint >= rows_of_first) {
     found.push_back({"/initial_waypoint", "must be -2, -1 or a row of the first list, counted from 0"});
   }
   return found;
@@ -73,6 +78,7 @@ core::Violations violations_of(const planning::Plan& plan, const GotoListOptions
 
 std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoListOptions& options,
                                       const std::vector<core::Metres>& legs, double radius_m,
+                                      const std::vector<ListPart>& parts,
                                       const std::vector<std::string>& file_names) {
   std::vector<std::string> warnings;
   if (file_names.size() > 1) {
@@ -80,6 +86,13 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
         "The plan is longer than one list of " + std::to_string(options.max_waypoints) + " waypoints: " +
         std::to_string(file_names.size()) + " files, " + file_names.front() + " to " + file_names.back() +
         ". The vehicle flies the list its mission names and no other: send the next one when a list ends.");
+  }
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (overhead(plan, parts[i].last) != Overhead::unknown) continue;
+    warnings.push_back(
+        file_names[i] + " ends at waypoint " + std::to_string(parts[i].last) +
+        ", where nothing is known of the ice: make sure that the vehicle can surface there, where it comes "
+        "up.");
   }
   if (options.max_waypoints > documented_max_waypoints) {
     warnings.push_back(
@@ -151,24 +164,21 @@ tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Pl
   const std::vector<core::Metres> legs = leg_lengths(plan);
   const double radius_m =
       options.radius ? std::floor(options.radius->value) : default_waypoint_radius(plan).value;
-  const std::span<const planning::Waypoint> targets = std::span{plan.waypoints}.subspan(1);
-  const auto per_list = static_cast<std::size_t>(options.max_waypoints);
-  const std::size_t lists = (targets.size() + per_list - 1) / per_list;
+  const std::vector<ListPart> parts = part_into_lists(plan, static_cast<std::size_t>(options.max_waypoints));
 
   MissionFiles written;
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < lists; ++i) {
-    const std::size_t first = i * per_list;
-    const auto rows = targets.subspan(first, std::min(per_list, targets.size() - first));
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const auto [first, last] = parts[i];
     names.push_back(argument_file_name("goto_list", options.first_number + static_cast<int>(i)));
 
     const std::string comments =
-        print("# %s, list %zu of %zu: waypoints %zu to %zu of %zu\n", names.back().c_str(), i + 1, lists,
-              first + 1, first + rows.size(), targets.size()) +
+        print("# %s, list %zu of %zu: waypoints %zu to %zu of %zu\n", names.back().c_str(), i + 1,
+              parts.size(), first, last, plan.waypoints.size() - 1) +
         origin_comments(plan, options.origin) +
         "# The start of the plan is left out: the vehicle is there and heads for the first row.\n";
     std::vector<geo::LonLat> places;
-    for (const planning::Waypoint& row : rows) places.push_back(row.place);
+    for (std::size_t row = first; row <= last; ++row) places.push_back(plan.waypoints[row].place);
     const int initial = i == 0 ? options.initial_waypoint : 0;
     written.files.push_back(
         {names.back(), argument_file("goto_list", comments,
@@ -177,10 +187,10 @@ tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Pl
                                       {"list_stop_when", "7"},
                                       {"list_when_wpt_dist", whole(radius_m)},
                                       {"initial_wpt", whole(initial)},
-                                      {"num_waypoints", whole(static_cast<double>(rows.size()))}}) +
+                                      {"num_waypoints", whole(static_cast<double>(places.size()))}}) +
                            waypoint_section(places)});
   }
-  written.warnings = warnings_for(plan, options, legs, radius_m, names);
+  written.warnings = warnings_for(plan, options, legs, radius_m, parts, names);
   return written;
 }
 

@@ -34,8 +34,10 @@ struct GotoListOptions {
 /// Length   never more than `max_waypoints` rows; longer plans continue in lists with consecutive numbers,
 ///          and a warning says that the pilot has to send them one after the other. The firmware owns the
 ///          numbers 98 and 99.
-/// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints,
-///          options out of range
+/// Ends     a mission brings the vehicle up where its list is flown: a list ends where the plan lets it surface, or where
+///          nothing is known of the ice, with a warning; never below ice or an iceberg
+/// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints, more waypoints in a
+///          row below ice or icebergs than a list holds beside its end, a plan that ends below them, options out of range
 /// Threads  may be called from several threads at once
 [[nodiscard]] tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Plan& plan,
                                                                             const GotoListOptions& options);

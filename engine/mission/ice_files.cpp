@@ -79,12 +79,6 @@ std::vector<std::string> ice_warnings(const planning::Plan& plan) {
       "Under ice the vehicle's own response needs breadcr.mi, freewig.mi and recov.mi on board, with dive "
       "depths for this water; these stock missions are not written here.",
       "goto_l98.ma replaces the list of safe places on board; the firmware writes goto_l99.ma itself."};
-  if (plan.surfacing && !plan.surfacing->waypoints.back().may_surface) {
-    warnings.emplace_back(
-        "The plan ends where the vehicle may not surface, yet it comes up when the list is flown: add open "
-        "water "
-        "to end in.");
-  }
   if (plan.travel_time().count() > watchdog_s) {
     char text[200];
     std::snprintf(

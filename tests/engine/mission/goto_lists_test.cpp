@@ -193,6 +193,110 @@ TEST(GotoLists, ContinueOnlyTheFirstListWhenAskedTo) {
   EXPECT_FALSE(write_goto_lists(plan_eastwards(3), {.initial_waypoint = 2}).has_value());
 }
 
+/// The waypoints of the plan at which its lists end.
+std::vector<std::size_t> ends_of(const MissionFiles& lists) {
+  std::vector<std::size_t> ends;
+  std::size_t rows = 0;
+  for (const MissionFile& file : lists.files)
+    ends.push_back(rows += support::read_goto_list(file.text).waypoints.size());
+  return ends;
+}
+
+/// Some waypoints of it lie below ice.
+planning::Plan plan_below_ice(int count, const std::vector<std::size_t>& below) {
+  planning::Plan plan = plan_eastwards(count);
+  plan.surfacing.emplace();
+  plan.surfacing->longest_without = core::Seconds{7200.0};
+  plan.surfacing->waypoints.resize(static_cast<std::size_t>(count));
+  for (auto& state : plan.surfacing->waypoints) state.leg_upper_turn = core::Metres{0.0};
+  for (const std::size_t i : below)
+    plan.surfacing->waypoints[i] = {.may_surface = false,
+                                    .since_surfacing = core::Seconds{3600.0},
+                                    .position_error = {},
+                                    .least_upper_turn = core::Metres{22.0},
+                                    .leg_upper_turn = core::Metres{22.0}};
+  return plan;
+}
+
+TEST(GotoLists, EndWhereTheVehicleMaySurface) {
+  const auto lists = write_goto_lists(plan_below_ice(14, {4, 5, 6, 7, 8, 9}), {});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(ends_of(*lists), ElementsAre(3u, 11u, 13u));
+}
+
+TEST(GotoLists, AreRefusedForMoreWaypointsBelowIceThanAListHolds) {
+  const auto lists = write_goto_lists(plan_below_ice(14, {3, 4, 5, 6, 7, 8, 9, 10}), {});
+
+  ASSERT_FALSE(lists.has_value());
+  EXPECT_THAT(lists.error(), ElementsAre(testing::AllOf(
+                                 Field(&core::Violation::field, "/waypoints"),
+                                 Field(&core::Violation::rule, HasSubstr("waypoints 3 to 10 lie there")))));
+}
+
+TEST(GotoLists, AreRefusedForAPlanThatEndsBelowIce) {
+  const auto lists = write_goto_lists(plan_below_ice(3, {2}), {});
+
+  ASSERT_FALSE(lists.has_value());
+  EXPECT_THAT(lists.error(), ElementsAre(Field(&core::Violation::field, "/waypoints/2")));
+}
+
+TEST(GotoLists, NeverEndBelowAnIceberg) {
+  planning::Plan plan = plan_eastwards(12);
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i)
+    plan.waypoints[i].eta = plan.departure + core::Seconds{3600.0 * static_cast<double>(i)};
+  plan.passed_under = {{"B-17",
+                        {{40.0}, true, {50.0}, {69.5}},
+                        plan.departure + core::Seconds{7.5 * 3600.0},
+                        plan.departure + core::Seconds{8.5 * 3600.0}}};
+
+  const auto lists = write_goto_lists(plan, {});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(ends_of(*lists), ElementsAre(7u, 11u));
+}
+
+TEST(GotoLists, EndWhereNothingIsKnownOfTheIceOnlyIfTheyMustAndSaySo) {
+  planning::Plan plan = plan_below_ice(14, {4, 5, 6, 7, 8});
+  for (std::size_t i = 9; i < 14; ++i) plan.surfacing->waypoints[i].may_surface = false;
+
+  const auto lists = write_goto_lists(plan, {});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(ends_of(*lists), ElementsAre(3u, 11u, 13u));
+  EXPECT_THAT(lists->warnings,
+              Contains(HasSubstr("goto_l11.ma ends at waypoint 11, where nothing is known")));
+  EXPECT_THAT(lists->warnings, testing::Not(Contains(HasSubstr("goto_l10.ma ends"))));
+}
+
+TEST(GotoLists, OfAnyPlanEndWhereTheVehicleMaySurfaceOrAreRefused) {
+  int written = 0;
+  support::for_each_seed(400, [&](std::mt19937_64& rng) {
+    const int count = support::uniform_int(rng, 2, 40);
+    const int max_waypoints = support::uniform_int(rng, 1, 9);
+    std::vector<std::size_t> below;
+    const double share = support::uniform(rng, 0.0, 0.9);
+    for (std::size_t i = 0; i < static_cast<std::size_t>(count); ++i)
+      if (support::uniform(rng, 0.0, 1.0) < share) below.push_back(i);
+    const planning::Plan plan = plan_below_ice(count, below);
+
+    const auto lists = write_goto_lists(plan, {.first_number = 0, .max_waypoints = max_waypoints});
+
+    int run = 0;
+    bool too_long = !plan.surfacing->waypoints.back().may_surface;
+    for (std::size_t i = 1; i < plan.surfacing->waypoints.size(); ++i) {
+      run = plan.surfacing->waypoints[i].may_surface ? 0 : run + 1;
+      too_long = too_long || run >= max_waypoints;
+    }
+    ASSERT_EQ(lists.has_value(), !too_long);
+    if (too_long) return;
+    ++written;
+    for (const std::size_t end : ends_of(*lists)) EXPECT_TRUE(plan.surfacing->waypoints[end].may_surface);
+    EXPECT_EQ(ends_of(*lists).back(), plan.waypoints.size() - 1);
+  });
+  EXPECT_GT(written, 50);
+}
+
 TEST(GotoLists, OfAnyPlanReadBackWithinATenthOfAMetreOnEachAxis) {
   support::for_each_seed(300, [](std::mt19937_64& rng) {
     const auto places = support::random_places(rng, 2, 60);

@@ -108,7 +108,8 @@ TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
 
 TEST(MissionSet, OfAPlanUnderAnIcebergTurnsBelowItsKeelAndNeedsTheRulesUnderIce) {
   planning::Plan plan = two_legs();
-  plan.passed_under = {{"B-17", {{40.0}, true, {50.0}, {69.5}}, plan.departure, plan.arrival}};
+  plan.passed_under = {
+      {"B-17", {{40.0}, true, {50.0}, {69.5}}, plan.departure, plan.arrival - core::Seconds{600.0}}};
 
   const auto in_the_open = write_mission_set(plan, options_for("slocum-g3-200"));
   const auto below = write_mission_set(plan, under_ice());
@@ -173,7 +174,10 @@ TEST(MissionSet, NeverClimbsAboveTheDeepestTurnOfItsPlan) {
 }
 
 TEST(MissionSet, SaysWhereThereIsNowhereToSurface) {
-  planning::Plan plan = below_ice_between_waypoints();
+  planning::Plan plan = plan_of({{-53.0, 69.0}, {-52.75, 69.0}, {-51.5, 69.175}, {-51.0, 69.2}});
+  plan.surfacing.emplace();
+  plan.surfacing->longest_without = core::Seconds{7200.0};
+  plan.surfacing->waypoints.resize(4);
   for (const std::size_t i : {1U, 2U}) {
     plan.surfacing->waypoints[i] = {.may_surface = false,
                                     .since_surfacing = core::Seconds{3600.0},
@@ -182,13 +186,24 @@ TEST(MissionSet, SaysWhereThereIsNowhereToSurface) {
                                     .leg_upper_turn = core::Metres{18.0}};
   }
   plan.surfacing->waypoints[2].since_surfacing = core::Seconds{1200.0};  // there was a lead on the way
+  plan.surfacing->waypoints[3].leg_upper_turn = core::Metres{0.0};
 
   const auto set = write_mission_set(plan, under_ice());
 
   ASSERT_TRUE(set.has_value());
   EXPECT_THAT(set->warnings, Contains("There is nowhere to surface on the way to waypoint 1."));
   EXPECT_THAT(set->warnings, Contains(HasSubstr("on the way to waypoint 1 to 2")));
-  EXPECT_THAT(set->warnings, Contains(HasSubstr("ends where the vehicle may not surface")));
+}
+
+TEST(MissionSet, IsRefusedForAPlanThatEndsBelowIce) {
+  planning::Plan plan = below_ice_between_waypoints();
+  plan.surfacing->waypoints[2].may_surface = false;
+  plan.surfacing->waypoints[2].least_upper_turn = core::Metres{18.4};
+
+  const auto set = write_mission_set(plan, under_ice());
+
+  ASSERT_FALSE(set.has_value());
+  EXPECT_THAT(set.error(), ElementsAre(Field(&core::Violation::field, "/waypoints/2")));
 }
 
 TEST(MissionSet, IsRefusedForAPlanThatDoesNotTellHowDeepItsDivesTurnBelowIce) {
