@@ -33,6 +33,18 @@ bool has_no_opening(const planning::Plan& plan, std::size_t waypoint) {
   return !state.may_surface && state.since_surfacing + rounding >= under_way;
 }
 
+/// Whether ice may be what makes the dives turn where they do on the leg to this waypoint: the plan knows of ice, or passes
+/// under no iceberg there.
+bool may_be_below_ice(const planning::Plan& plan, std::size_t waypoint) {
+  const core::UtcTime from = plan.waypoints[waypoint == 0 ? 0 : waypoint - 1].eta;
+  const core::UtcTime until = plan.waypoints[waypoint].eta + plan.waypoints[waypoint].wait;
+  const bool below_iceberg = std::ranges::any_of(plan.passed_under, [&](const planning::PassedUnder& under) {
+    return under.from <= until && from <= under.until;
+  });
+  return !below_iceberg ||
+         std::ranges::find(plan.datasets, "ice", &ocean::DatasetRef::kind) != plan.datasets.end();
+}
+
 }  // namespace
 
 core::Metres least_upper_turn(const planning::Plan& plan) {
@@ -42,6 +54,21 @@ core::Metres least_upper_turn(const planning::Plan& plan) {
   if (!plan.surfacing) return deepest;
   for (const planning::SurfacingState& state : plan.surfacing->waypoints)
     deepest = std::max({deepest, state.least_upper_turn, state.leg_upper_turn.value_or(core::Metres{0.0})});
+  return deepest;
+}
+
+core::Metres deepest_keel(const planning::Plan& plan, core::Metres margin_below_ice) {
+  core::Metres deepest{0.0};
+  for (const planning::PassedUnder& under : plan.passed_under)
+    deepest = std::max(deepest, under.keel.deepest);
+  if (!plan.surfacing) return deepest;
+  for (std::size_t i = 0; i < plan.surfacing->waypoints.size(); ++i) {
+    if (!may_be_below_ice(plan, i)) continue;
+    const planning::SurfacingState& state = plan.surfacing->waypoints[i];
+    const core::Metres turn =
+        std::max(state.least_upper_turn, state.leg_upper_turn.value_or(core::Metres{0.0}));
+    if (turn.value > 0.0) deepest = std::max(deepest, turn - margin_below_ice);
+  }
   return deepest;
 }
 

@@ -1,9 +1,11 @@
 #include "engine/mission/ice_files.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 
 #include "engine/mission/argument_lines.hpp"
+#include "engine/mission/below_ice.hpp"
 #include "engine/mission/flight_files.hpp"
 #include "engine/mission/packed_degrees.hpp"
 
@@ -14,8 +16,9 @@ constexpr int recovery_list = 98;            // read by the stock mission recov.
 constexpr std::size_t most_safe_places = 8;  // slots of a goto list in the vendor's data dictionary
 constexpr const char* recovery_radius_m = "500";
 constexpr double max_latitude_deg = 89.0;
-constexpr double watchdog_s = 48'600.0;    // no_cop_tickle_for, the dictionary's default
-constexpr Firmware first_with_ice{10, 0};  // the stock ice missions date from 2018
+constexpr double watchdog_s = 48'600.0;            // no_cop_tickle_for, the dictionary's default
+constexpr core::Metres stock_iceberg_depth{20.0};  // of the vendor's stock settings
+constexpr Firmware first_with_ice{10, 0};          // the stock ice missions date from 2018
 
 }  // namespace
 
@@ -23,14 +26,20 @@ std::string ice_settings_name(const MissionSetOptions& options) {
   return "ice_" + argument_file_name("yo", options.lists.first_number).substr(2, 2) + ".mi";
 }
 
-std::string ice_settings(const UnderIce& ice) {
-  const geo::LonLat refuge = ice.safe_places.front();
+core::Metres expected_iceberg_depth(const planning::Plan& plan, const MissionSetOptions& options) {
+  const UnderIce& ice = *options.under_ice;
+  return ice.deepest_expected_iceberg.value_or(
+      std::max(stock_iceberg_depth, deepest_keel(plan, ice.margin_below_ice)));
+}
+
+std::string ice_settings(const planning::Plan& plan, const MissionSetOptions& options) {
+  const geo::LonLat refuge = options.under_ice->safe_places.front();
   return "sensor: u_expect_ice_near_surface(bool) 1\n"
          "sensor: u_always_cop_tickle_hardware(bool) 1\n"
          "sensor: u_lat_goto_l99(lat) " +
          packed_degrees(refuge.lat_deg) + "\nsensor: u_lon_goto_l99(lon) " +
          packed_degrees(geo::wrap_longitude(refuge.lon_deg)) + "\nsensor: u_max_expected_iceberg_depth(m) " +
-         whole(std::ceil(ice.deepest_expected_iceberg.value)) + "\n";
+         whole(std::ceil(expected_iceberg_depth(plan, options).value)) + "\n";
 }
 
 std::vector<MissionFile> ice_files(const planning::Plan& plan, const MissionSetOptions& options) {
@@ -51,10 +60,10 @@ std::vector<MissionFile> ice_files(const planning::Plan& plan, const MissionSetO
            "# " + ice_settings_name(options) +
                ": settings for ice; load with loadmission, or copy into autoexec.mi so "
                "that\n# they survive a reset under water\n" +
-               origin + ice_settings(ice)}};
+               origin + ice_settings(plan, options)}};
 }
 
-core::Violations ice_violations(const MissionSetOptions& options) {
+core::Violations ice_violations(const planning::Plan& plan, const MissionSetOptions& options) {
   core::Violations found;
   if (!options.under_ice) return found;
   const UnderIce& ice = *options.under_ice;
@@ -68,9 +77,14 @@ core::Violations ice_violations(const MissionSetOptions& options) {
     if (!geo::is_valid(ice.safe_places[i]) || std::abs(ice.safe_places[i].lat_deg) > max_latitude_deg)
       found.push_back({"/safe/" + std::to_string(i), "must be a place between 89 degrees south and north"});
   }
-  const double draft_m = ice.deepest_expected_iceberg.value;
+  const double draft_m = expected_iceberg_depth(plan, options).value;
   if (!(draft_m > 0.0 && draft_m < target_depth(options.vehicle).value))
     found.push_back({"/iceberg_depth_m", "must be more than 0 m and less than the depth to dive to"});
+  const double keel_m = std::ceil(deepest_keel(plan, ice.margin_below_ice).value);
+  if (std::ceil(draft_m) < keel_m) {
+    found.push_back({"/iceberg_depth_m", "must be " + whole(keel_m) +
+                                             " m at least, as deep as what the plan passes below reaches"});
+  }
   return found;
 }
 

@@ -8,10 +8,16 @@
 
 namespace floeplan::mission {
 
+/// Draft of icebergs that the firmware is told to expect.
+/// Precondition  `options.under_ice` is given
+[[nodiscard]] core::Metres expected_iceberg_depth(const planning::Plan& plan,
+                                                  const MissionSetOptions& options);
+
 /// The sensor lines that tell the firmware to expect ice: its own response to a blocked surface, the place to
 /// head for without any fix, and the draft of icebergs.
 /// Source   the vendor's stock settings ice.mi of firmware 10.5
-[[nodiscard]] std::string ice_settings(const UnderIce& ice);
+/// Precondition  `options.under_ice` is given
+[[nodiscard]] std::string ice_settings(const planning::Plan& plan, const MissionSetOptions& options);
 
 /// Of the settings as a mission of their own.
 [[nodiscard]] std::string ice_settings_name(const MissionSetOptions& options);
@@ -22,7 +28,7 @@ namespace floeplan::mission {
                                                  const MissionSetOptions& options);
 
 /// What is wrong with the safe places and the draft of icebergs.
-[[nodiscard]] core::Violations ice_violations(const MissionSetOptions& options);
+[[nodiscard]] core::Violations ice_violations(const planning::Plan& plan, const MissionSetOptions& options);
 
 /// What the vehicle must hold besides these files, for the pilot.
 [[nodiscard]] std::vector<std::string> ice_warnings(const planning::Plan& plan);

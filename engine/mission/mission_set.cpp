@@ -28,8 +28,8 @@ bool is_stock_mission(const std::string& name) {
   return std::ranges::find(stock, name) != std::end(stock);
 }
 
-core::Violations violations_of(const MissionSetOptions& options) {
-  core::Violations found = ice_violations(options);
+core::Violations violations_of(const planning::Plan& plan, const MissionSetOptions& options) {
+  core::Violations found = ice_violations(plan, options);
   const std::string& name = options.name;
   if (!is_name(name) || name.size() > 8 || name != lower_case(name))
     found.push_back({"/mission", "must have one to eight small letters, digits or underscores"});
@@ -67,7 +67,7 @@ std::string mission_text(const planning::Plan& plan, const MissionSetOptions& op
                      origin_comments(plan, options.lists.origin) +
                      "\nsensor: u_use_current_correction(nodim) 1\n"
                      "sensor: c_science_all_on_enabled(bool) 1\n";
-  if (options.under_ice) text += ice_settings(*options.under_ice);
+  if (options.under_ice) text += ice_settings(plan, options);
   text += "\nbehavior: abend\n" +
           argument_lines("abend", {{"overdepth", whole(options.vehicle.depth_rating.value)},
                                    {"overtime", "-1"},
@@ -140,7 +140,7 @@ std::string shallower_target_warning(const vehicle::GliderProfile& vehicle) {
 
 tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::Plan& plan,
                                                                const MissionSetOptions& options) {
-  core::Violations found = violations_of(options);
+  core::Violations found = violations_of(plan, options);
   std::ranges::move(violations_below_ice(plan, options), std::back_inserter(found));
   auto lists = write_goto_lists(plan, options.lists);
   if (!lists) std::ranges::copy(lists.error(), std::back_inserter(found));

@@ -10,6 +10,7 @@
 #include "engine/mission/goto_lists.hpp"
 #include "engine/mission/mission_file.hpp"
 #include "engine/planning/plan.hpp"
+#include "engine/planning/under_ice_rules.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::mission {
@@ -24,8 +25,10 @@ struct Firmware {
 
 /// What work under ice needs besides the plan.
 struct UnderIce {
-  std::vector<geo::LonLat> safe_places;         // open water to head for in an emergency, one to eight
-  core::Metres deepest_expected_iceberg{20.0};  // default as in the vendor's stock settings
+  std::vector<geo::LonLat> safe_places;  // open water to head for in an emergency, one to eight
+  /// Default: as deep as what the plan passes below, or as in the vendor's stock settings where that is deeper.
+  std::optional<core::Metres> deepest_expected_iceberg{};
+  core::Metres margin_below_ice{planning::UnderIceRules{}.margin_below_ice};  // that the plan was made with
 };
 
 struct MissionSetOptions {

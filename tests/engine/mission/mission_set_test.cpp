@@ -29,7 +29,7 @@ MissionSetOptions options_for(const char* vehicle) {
 
 MissionSetOptions under_ice() {
   MissionSetOptions options = options_for("slocum-g3-200");
-  options.under_ice = UnderIce{{{-53.5, 69.0}, {-53.25, 69.1}}, core::Metres{35.0}};
+  options.under_ice = UnderIce{{{-53.5, 69.0}, {-53.25, 69.1}}};
   return options;
 }
 
@@ -82,7 +82,9 @@ TEST(MissionSet, TakesDepthsAndDistancesFromVehicleAndPlan) {
 }
 
 TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
-  const auto set = write_mission_set(two_legs(), under_ice());
+  MissionSetOptions options = under_ice();
+  options.under_ice->deepest_expected_iceberg = core::Metres{35.0};
+  const auto set = write_mission_set(two_legs(), options);
 
   ASSERT_TRUE(set.has_value());
   EXPECT_THAT(names_of(*set),
@@ -238,6 +240,38 @@ TEST(MissionSet, WarnsOfShoalsThatItsYoIsTooDeepFor) {
   ASSERT_TRUE(set.has_value());
   EXPECT_THAT(set->warnings, Contains(HasSubstr("30 m deep at waypoint 1, too shallow for a yo")));
   EXPECT_THAT(set->warnings, Not(Contains(HasSubstr("deep at waypoint 0"))));
+}
+
+TEST(MissionSet, ExpectsIcebergsAsDeepAsWhatThePlanPassesBelow) {
+  const auto expected_depth = [](const planning::Plan& plan, const MissionSetOptions& options) {
+    const auto set = write_mission_set(plan, options);
+    if (!set) return -1.0;
+    const Document settings = read_of(*set, "ice_10.mi");
+    return std::ranges::find(settings.sensors, "u_max_expected_iceberg_depth", &Argument::name)->value;
+  };
+  planning::Plan thin_ice = below_ice_between_waypoints();
+  planning::Plan thick_ice = below_ice_between_waypoints();
+  thick_ice.surfacing->waypoints[2].leg_upper_turn = core::Metres{58.0};
+  planning::Plan iceberg = below_ice_between_waypoints();
+  iceberg.passed_under = {{"B-17",
+                           {{80.0}, true, {100.0}, {120.0}},
+                           iceberg.arrival - core::Seconds{1800.0},
+                           iceberg.arrival - core::Seconds{900.0}}};
+  iceberg.surfacing->waypoints[2].leg_upper_turn = core::Metres{120.0};
+  planning::Plan iceberg_in_ice = iceberg;
+  iceberg_in_ice.datasets = {{.id = "ice-1", .kind = "ice", .name = "", .sha256 = ""}};
+
+  EXPECT_EQ(expected_depth(thin_ice, under_ice()), 20.0) << "the stock settings";
+  EXPECT_EQ(expected_depth(thick_ice, under_ice()), 48.0);
+  EXPECT_EQ(expected_depth(iceberg, under_ice()), 100.0);
+  EXPECT_EQ(expected_depth(iceberg_in_ice, under_ice()), 110.0) << "the turn may be that of ice";
+
+  MissionSetOptions options = under_ice();
+  options.under_ice->deepest_expected_iceberg = core::Metres{60.0};
+  EXPECT_EQ(expected_depth(thick_ice, options), 60.0);
+  options.under_ice->deepest_expected_iceberg = core::Metres{47.0};
+  EXPECT_THAT(write_mission_set(thick_ice, options).error(),
+              ElementsAre(Field(&core::Violation::field, "/iceberg_depth_m")));
 }
 
 TEST(MissionSet, SaysWhereAPlanWaits) {
