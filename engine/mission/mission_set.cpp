@@ -95,35 +95,55 @@ core::Violations violations_below_ice(const planning::Plan& plan, const MissionS
                      "does not tell how "
                      "deep its dives turn there: plan it anew"});
   }
-  if (least_upper_turn(plan).value <= 0.0) return found;
-  if (!options.under_ice) {
+  if (least_upper_turn(plan).value > 0.0 && !options.under_ice) {
     found.push_back(
         {"/under_ice",
          "is needed, with open water to head for: the plan passes below ice or icebergs, where the vehicle "
          "must not surface"});
   }
-  const core::Metres climb = climb_target(plan, options.vehicle);
-  if (climb + vehicle::lowest_tooth > target_depth(options.vehicle)) {
-    found.push_back({"/dive_depth_m", "leaves a yo that turns at " +
-                                          whole(target_depth(options.vehicle).value) +
-                                          " m no room below the ice, where it must turn no higher than " +
-                                          whole(climb.value) + " m"});
-  }
   return found;
 }
 
-/// A yo that keeps below ice has no room over shoals in open water. Of the way between waypoints the plan keeps no depths.
-std::vector<std::string> shoal_warnings(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
-  std::vector<std::string> warnings;
-  const core::Metres climb = climb_target(plan, vehicle);
-  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
-    const auto depth = plan.waypoints[i].depth;
-    if (!depth || *depth >= climb + vehicle::lowest_tooth + vehicle.altimeter_margin) continue;
-    warnings.push_back("The sea is " + whole(std::floor(depth->value)) + " m deep at waypoint " +
-                       std::to_string(i) + ", too shallow for a yo that turns no higher than " +
-                       whole(climb.value) + " m: fly there with another one.");
+/// Whether the yo turns where it does because of what the plan passes below.
+bool is_below_ice(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
+  return climb_target(plan, vehicle).value <= std::ceil(least_upper_turn(plan).value);
+}
+
+std::string climb_text(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
+  return whole(climb_target(plan, vehicle).value) +
+         (is_below_ice(plan, vehicle) ? " m, below ice or icebergs" : " m");
+}
+
+/// The yo turns at both its depths everywhere on the way.
+core::Violations violations_of_yo(const planning::Plan& plan, const MissionSetOptions& options) {
+  core::Violations found;
+  const vehicle::GliderProfile& vehicle = options.vehicle;
+  const core::Metres least_dive = climb_target(plan, vehicle) + vehicle::lowest_tooth;
+  if (least_dive > target_depth(vehicle)) {
+    found.push_back({"/dive_depth_m", "leaves a yo that turns at " + whole(target_depth(vehicle).value) +
+                                          " m no room, for it must turn no higher than " +
+                                          climb_text(plan, vehicle)});
   }
-  return warnings;
+  const core::Metres needed = least_dive + core::Metres{std::ceil(vehicle.altimeter_margin.value)};
+  const auto shoal = shoalest_of(plan, options.shoals);
+  if (!shoal || shoal->bed >= needed) return found;
+  std::string rule =
+      "lead over water of " + whole(std::floor(shoal->bed.value)) + " m at " + place_text(shoal->place) +
+      ", on the way to waypoint " + std::to_string(shoal->waypoint) +
+      ", yet the one yo of the mission turns no higher than " + climb_text(plan, vehicle) + ", and needs " +
+      whole(needed.value) + " m: plan anew with a minimum_working_depth_m of " + whole(needed.value) +
+      " for the vehicle, which leads round shoaler water";
+  if (is_below_ice(plan, vehicle))
+    rule += ", or fly two plans, one over this water and one below the ice, each with a yo of its own";
+  found.push_back({"/waypoints", std::move(rule)});
+  return found;
+}
+
+/// Of each leg somewhere at least.
+bool knows_bed(const planning::Plan& plan, const MissionSetOptions& options) {
+  return options.shoals.size() == plan.waypoints.size() &&
+         std::all_of(options.shoals.begin() + 1, options.shoals.end(),
+                     [](const std::optional<Shoal>& shoal) { return shoal.has_value(); });
 }
 
 std::string shallower_target_warning(const vehicle::GliderProfile& vehicle) {
@@ -142,6 +162,7 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
                                                                const MissionSetOptions& options) {
   core::Violations found = violations_of(plan, options);
   std::ranges::move(violations_below_ice(plan, options), std::back_inserter(found));
+  std::ranges::move(violations_of_yo(plan, options), std::back_inserter(found));
   auto lists = write_goto_lists(plan, options.lists);
   if (!lists) std::ranges::copy(lists.error(), std::back_inserter(found));
   if (!found.empty()) return tl::unexpected(std::move(found));
@@ -160,7 +181,11 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
   if (options.under_ice) {
     std::ranges::move(ice_files(plan, options), std::back_inserter(set.files));
     std::ranges::move(ice_warnings(plan), std::back_inserter(set.warnings));
-    std::ranges::move(shoal_warnings(plan, options.vehicle), std::back_inserter(set.warnings));
+    if (!knows_bed(plan, options))
+      set.warnings.emplace_back(
+          "Nothing is known of the sea bed on some of the way: make sure that the yo has room there between "
+          "the "
+          "ice and the bed, and over every bank.");
   }
   return set;
 }

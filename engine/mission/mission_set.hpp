@@ -9,6 +9,7 @@
 #include "engine/geo/lon_lat.hpp"
 #include "engine/mission/goto_lists.hpp"
 #include "engine/mission/mission_file.hpp"
+#include "engine/mission/shoals.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/planning/under_ice_rules.hpp"
 #include "engine/vehicle/glider_profile.hpp"
@@ -37,6 +38,7 @@ struct MissionSetOptions {
   vehicle::GliderProfile vehicle{};  // with the depth to dive to
   Firmware firmware{};
   std::optional<UnderIce> under_ice{};
+  std::vector<std::optional<Shoal>> shoals{};  // of each leg, as shoals_along gives them; empty: not known
 };
 
 /// Writes all that a vehicle needs to fly the plan: a mission, the goto lists, and an argument file each for yo,
@@ -48,6 +50,8 @@ struct MissionSetOptions {
 /// Ice      a plan that passes below ice or icebergs needs `under_ice`, and its yo climbs no higher than the deepest turn
 ///          that they ask for anywhere, on all its legs. No surfacing at waypoints; the list of safe places that the stock recovery mission flies
 ///          (goto_l98.ma), the settings for ice in the mission, and once more as `ice_NN.mi` to be loaded alone
+/// Shoals   one yo is flown on the whole way: refused where the sea on it leaves that no room to turn above the bed by the
+///          altimeter's margin, as a yo that keeps below ice has none over a bank in open water
 /// Errors   every violation at once; those of write_goto_lists too
 /// Threads  may be called from several threads at once
 [[nodiscard]] tl::expected<MissionFiles, core::Violations> write_mission_set(

@@ -70,17 +70,32 @@ core::Violations violations_of(const planning::Plan& plan, const SeagliderOption
   const double minutes = dive_minutes(options.vehicle);
   if (!(minutes >= shortest_dive_min && minutes <= longest_dive_min))
     found.push_back({"/dive_depth_m", "must give dives of 5 to 2880 minutes, not of " + whole(minutes)});
-  if (least_upper_turn(plan).value > 0.0 || !tells_upper_turns(plan)) {
-    found.push_back(
-        {"/format",
-         "must not be that of a Seaglider, which comes up after every dive: the plan passes below ice or "
-         "icebergs"});
-  }
+  if (const auto closed = closed_to_seagliders(plan)) found.push_back(*closed);
   check_bands(options, found);
   return found;
 }
 
+/// Where the vehicle does not turn before the bed unless it is told of it.
+std::optional<std::string> shoal_warning(const planning::Plan& plan, const SeagliderOptions& options) {
+  const auto shoal = shoalest_of(plan, options.shoals);
+  const core::Metres margin = options.vehicle.altimeter_margin;
+  if (!shoal || shoal->bed >= core::Metres{dive_depth_m(options.vehicle)} + margin) return std::nullopt;
+  return "$D_TGT is " + whole(dive_depth_m(options.vehicle)) + " m, yet the sea is " +
+         whole(std::floor(shoal->bed.value)) + " m deep at " + place_text(shoal->place) +
+         ", on the way to waypoint " + std::to_string(shoal->waypoint) + ", where the plan dives to " +
+         whole(std::floor(std::max(0.0, (shoal->bed - margin).value))) +
+         " m: make sure that the vehicle's altimeter or its own bathymetry map turns it there, or plan anew "
+         "with a smaller dive depth.";
+}
+
 }  // namespace
+
+std::optional<core::Violation> closed_to_seagliders(const planning::Plan& plan) {
+  if (least_upper_turn(plan).value <= 0.0 && tells_upper_turns(plan)) return std::nullopt;
+  return core::Violation{"/format",
+                         "must not be that of a Seaglider, which comes up after every dive: the plan passes "
+                         "below ice or icebergs"};
+}
 
 MissionFile write_targets(const planning::Plan& plan, core::Metres radius, const FileOrigin& origin) {
   if (plan.waypoints.size() < 2) throw std::invalid_argument{"write_targets: a plan has a start and a goal"};
@@ -110,6 +125,7 @@ tl::expected<MissionFiles, core::Violations> write_seaglider_set(const planning:
       "The cmdfile sets $D_TGT and $T_DIVE alone: make sure that $T_MISSION and $D_ABORT on board are beyond "
       "them, "
       "and that ballast and $MAX_BUOY carry the vehicle at this rate of depth.");
+  if (auto shoal = shoal_warning(plan, options)) set.warnings.push_back(std::move(*shoal));
   if (options.bands.empty()) set.warnings.push_back("No science file: the vehicle samples as it did before.");
   return set;
 }

@@ -1,6 +1,8 @@
 #pragma once
 
+#include <optional>
 #include <string>
+#include <string_view>
 #include <tl/expected.hpp>
 #include <vector>
 
@@ -8,10 +10,15 @@
 #include "engine/mission/document.hpp"
 #include "engine/mission/file_origin.hpp"
 #include "engine/mission/mission_file.hpp"
+#include "engine/mission/shoals.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::mission {
+
+/// Why no Seaglider may fly the plan: it comes up after every dive, and the plan passes below ice or icebergs, or does not
+/// tell whether it does.
+[[nodiscard]] std::optional<core::Violation> closed_to_seagliders(const planning::Plan& plan);
 
 /// The plan as a Seaglider `targets` file: every place but the start, each leading to the next, the last to itself.
 /// `radius`  within which a target is reached
@@ -25,13 +32,15 @@ struct SeagliderOptions {
   vehicle::GliderProfile vehicle{};  // with the depth to dive to
   std::vector<ScienceBand> bands{};  // from the surface down; none: no science file
   FileOrigin origin{};
+  std::vector<std::optional<Shoal>> shoals{};  // of each leg, as shoals_along gives them; empty: not known
 };
 
 /// What a Seaglider needs to fly the plan: `targets`; a `cmdfile` with the depth and the time of a dive and the directive
 /// to carry on as before; and a `science` file where bands are given, since which sensors a vehicle has is known to its
 /// pilot alone.
 /// Values    $D_TGT is the depth of the plan's dives, $T_DIVE how long one takes at the vehicle's rate of depth, both
-///           rounded up to whole metres and minutes. Nothing else is set.
+///           rounded up to whole metres and minutes. Nothing else is set. A warning names the shoalest water where it
+///           is shoaler than $D_TGT and the altimeter's margin
 /// Source    iop-apl-uw/basestation3 validate.py and parmdata.py
 /// Errors    every violation at once: a plan without a leg, or that passes below ice or icebergs, a depth or time that no Seaglider takes, faulty bands
 [[nodiscard]] tl::expected<MissionFiles, core::Violations> write_seaglider_set(

@@ -230,16 +230,91 @@ TEST(MissionSet, IsRefusedWhereItsDivesHaveNoRoomBelowTheIce) {
   EXPECT_THAT(set.error(), ElementsAre(Field(&core::Violation::field, "/dive_depth_m")));
 }
 
-TEST(MissionSet, WarnsOfShoalsThatItsYoIsTooDeepFor) {
+/// As deep as 300 m but for one place of the leg to `waypoint`.
+std::vector<std::optional<Shoal>> shoal_on_leg(const planning::Plan& plan, std::size_t waypoint,
+                                               double bed_m) {
+  std::vector<std::optional<Shoal>> shoals(plan.waypoints.size());
+  for (std::size_t i = 1; i < shoals.size(); ++i) shoals[i] = Shoal{{300.0}, plan.waypoints[i].place, i};
+  shoals[waypoint] = Shoal{{bed_m}, {-52.8, 69.0}, waypoint};
+  return shoals;
+}
+
+TEST(MissionSet, IsRefusedOverAShoalThatItsYoIsTooDeepFor) {
   planning::Plan plan = below_ice_between_waypoints();
-  plan.waypoints[0].depth = core::Metres{300.0};
-  plan.waypoints[1].depth = core::Metres{30.9};  // 19 m, a tooth of 2 m and a margin of 10 m are 31 m
+  MissionSetOptions options = under_ice();
+  options.shoals = shoal_on_leg(plan, 1, 30.9);  // 19 m, a tooth of 2 m and a margin of 10 m are 31 m
 
-  const auto set = write_mission_set(plan, under_ice());
+  const auto over_a_bank = write_mission_set(plan, options);
+  options.shoals = shoal_on_leg(plan, 1, 31.0);
+  const auto over_enough = write_mission_set(plan, options);
+  plan.waypoints[1].depth = core::Metres{30.9};
+  options.shoals.clear();
+  const auto by_the_plan = write_mission_set(plan, options);
 
-  ASSERT_TRUE(set.has_value());
-  EXPECT_THAT(set->warnings, Contains(HasSubstr("30 m deep at waypoint 1, too shallow for a yo")));
-  EXPECT_THAT(set->warnings, Not(Contains(HasSubstr("deep at waypoint 0"))));
+  ASSERT_FALSE(over_a_bank.has_value());
+  EXPECT_THAT(
+      over_a_bank.error(),
+      ElementsAre(AllOf(Field(&core::Violation::field, "/waypoints"),
+                        Field(&core::Violation::rule,
+                              HasSubstr("water of 30 m at -52.8000, 69.0000, on the way to waypoint 1, "
+                                        "yet the one yo of the mission turns no higher than 19 m")))));
+  ASSERT_TRUE(over_enough.has_value());
+  EXPECT_THAT(over_enough->warnings, Not(Contains(HasSubstr("known of the sea bed"))));
+  ASSERT_FALSE(by_the_plan.has_value());
+}
+
+TEST(MissionSet, SaysThatNothingIsKnownOfTheBedBelowIce) {
+  const planning::Plan plan = below_ice_between_waypoints();
+  MissionSetOptions options = under_ice();
+  EXPECT_THAT(write_mission_set(plan, options)->warnings, Contains(HasSubstr("known of the sea bed")));
+
+  options.shoals = shoal_on_leg(plan, 1, 300.0);
+  options.shoals[2].reset();
+  EXPECT_THAT(write_mission_set(plan, options)->warnings, Contains(HasSubstr("known of the sea bed")));
+}
+
+TEST(MissionSet, IsRefusedForDivesShoalerThanItsYoClimbs) {
+  MissionSetOptions options = options_for("slocum-g3-200");
+  options.vehicle.climb_to = core::Metres{0.0};
+  options.vehicle.dive_depth = core::Metres{4.0};  // the least climb is 3 m, and the lowest tooth 2 m
+
+  const auto set = write_mission_set(two_legs(), options);
+
+  ASSERT_FALSE(set.has_value());
+  EXPECT_THAT(set.error(), Contains(Field(&core::Violation::field, "/dive_depth_m")));
+}
+
+TEST(MissionSet, OfAnyPlanTurnsAboveTheBedEverywhereOnTheWay) {
+  int written = 0;
+  int refused = 0;
+  support::for_each_seed(300, [&](std::mt19937_64& rng) {
+    planning::Plan plan = below_ice_between_waypoints();
+    plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{support::uniform(rng, 0.0, 120.0)};
+    MissionSetOptions options = under_ice();
+    options.vehicle.altimeter_margin = core::Metres{support::uniform(rng, 0.0, 20.0)};
+    double least_m = 1e9;
+    options.shoals.resize(3);
+    for (const std::size_t leg : {1U, 2U}) {
+      const double bed_m = support::uniform(rng, 20.0, 250.0);
+      least_m = std::min(least_m, bed_m);
+      options.shoals[leg] = Shoal{{bed_m}, plan.waypoints[leg].place, leg};
+    }
+
+    const auto set = write_mission_set(plan, options);
+
+    if (!set) {
+      ++refused;
+      EXPECT_LT(least_m, plan.surfacing->waypoints[2].leg_upper_turn->value + 1.0 + 2.0 +
+                             options.vehicle.altimeter_margin.value + 1.0)
+          << set.error().front().rule;
+      return;
+    }
+    ++written;
+    const Document yo = read_of(*set, "yo10.ma");
+    EXPECT_LE(value_of(yo, "c_target_depth") + 2.0 + value_of(yo, "d_target_altitude"), least_m);
+  });
+  EXPECT_GT(written, 30);
+  EXPECT_GT(refused, 30);
 }
 
 TEST(MissionSet, ExpectsIcebergsAsDeepAsWhatThePlanPassesBelow) {

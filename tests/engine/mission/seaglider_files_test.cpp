@@ -53,6 +53,24 @@ TEST(SeagliderSet, IsNotWrittenForAPlanBelowIceOrIcebergs) {
   EXPECT_THAT(set.error(), Contains(Field(&core::Violation::field, "/format")));
 }
 
+TEST(SeagliderSet, NamesTheShoalestWaterOnTheWay) {
+  const planning::Plan plan = plan_of({{-53.0, 69.0}, {-52.75, 69.0}, {-52.5, 69.0}});
+  SeagliderOptions options;  // dives to 200 m, margin 10 m
+  options.shoals = {{}, Shoal{{300.0}, {-52.8, 69.0}, 1}, Shoal{{45.5}, {-52.6, 69.0}, 2}};
+
+  const auto over_a_bank = write_seaglider_set(plan, options);
+  options.shoals[2]->bed = core::Metres{210.0};
+  const auto over_enough = write_seaglider_set(plan, options);
+
+  ASSERT_TRUE(over_a_bank.has_value());
+  EXPECT_THAT(
+      over_a_bank->warnings,
+      Contains(HasSubstr("$D_TGT is 200 m, yet the sea is 45 m deep at -52.6000, 69.0000, on the way to "
+                         "waypoint 2, where the plan dives to 35 m")));
+  ASSERT_TRUE(over_enough.has_value());
+  EXPECT_THAT(over_enough->warnings, testing::Not(Contains(HasSubstr("yet the sea is"))));
+}
+
 TEST(SeagliderTargets, AreReadStrictly) {
   const std::string good = "A lat=6915.5 lon=-5315.0 radius=2000 goto=A\n";
   const auto code_of = [&](const std::string& text) { return codes(read_document("targets", text)); };
