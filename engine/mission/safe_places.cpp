@@ -1,0 +1,114 @@
+#include "engine/mission/safe_places.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <optional>
+#include <stdexcept>
+
+#include "engine/geo/geodesic.hpp"
+#include "engine/mission/argument_lines.hpp"
+#include "engine/mission/shoals.hpp"
+
+namespace floeplan::mission {
+namespace {
+
+bool is_on_land(const SafePlace& safe, const std::optional<core::Metres>& bed) {
+  if (bed && bed->value <= 0.0) return true;
+  return std::ranges::any_of(safe.sea.land,
+                             [&](const geo::Polygon& land) { return geo::contains(land, safe.place); });
+}
+
+struct IceThere {
+  double densest{};   // during the plan, as far as it is known
+  bool known{false};  // all the time
+};
+
+IceThere ice_at(const planning::Plan& plan, const SafePlace& safe) {
+  if (!safe.sea.ice) return {};
+  const ocean::Axis& steps_s = safe.sea.ice->samples().times_s;
+  const double hold_s = ocean::longest_ice_hold.count();
+  const double from_s = std::max(core::unix_seconds(plan.departure), steps_s.front() - hold_s);
+  const double until_s = std::min(core::unix_seconds(plan.arrival), steps_s.back() + hold_s);
+  if (from_s > until_s) return {};
+
+  const auto held = [&](double time_s) { return std::clamp(time_s, steps_s.front(), steps_s.back()); };
+  std::vector<double> times_s{held(from_s), held(until_s)};  // the ice is linear between its steps
+  for (std::size_t i = 0; i < steps_s.size(); ++i)
+    if (steps_s[i] > from_s && steps_s[i] < until_s) times_s.push_back(steps_s[i]);
+  IceThere found{.known = from_s == core::unix_seconds(plan.departure) &&
+                          until_s == core::unix_seconds(plan.arrival)};
+  for (const double time_s : times_s) {
+    const auto ice = safe.sea.ice->at(safe.place, core::from_unix_seconds(time_s));
+    found.known = found.known && ice.has_value();
+    if (ice) found.densest = std::max(found.densest, ice->concentration);
+  }
+  return found;
+}
+
+/// Whether the battery carries the vehicle there from some waypoint; true where the plan does not tell.
+bool is_within_battery(const planning::Plan& plan, const vehicle::GliderProfile& vehicle, geo::LonLat place) {
+  const double power_w = plan.energy ? plan.energy->use.total().value / plan.travel_time().count() : 0.0;
+  if (!(power_w > 0.0)) return true;  // not known
+  return std::ranges::any_of(plan.waypoints, [&](const planning::Waypoint& waypoint) {
+    const double left_j = plan.energy->usable.value - waypoint.energy.value_or(core::Joules{0.0}).value;
+    const double range_m = vehicle.speed_through_water.value * left_j / power_w;
+    return geo::geodesic_between(waypoint.place, place).length.value <= range_m;
+  });
+}
+
+double distance_km(const planning::Plan& plan, geo::LonLat place) {
+  double least_m = std::numeric_limits<double>::infinity();
+  for (const planning::Waypoint& waypoint : plan.waypoints)
+    least_m = std::min(least_m, geo::geodesic_between(waypoint.place, place).length.value);
+  return least_m / 1000.0;
+}
+
+/// What refuses the place; empty: nothing.
+std::string fault_of(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
+                     double max_concentration, const SafePlace& safe, const std::optional<core::Metres>& bed,
+                     const IceThere& ice) {
+  const std::string must = "must be open water that the vehicle can recover to: " + place_text(safe.place);
+  if (is_on_land(safe, bed)) return must + " is on land";
+  if (bed && *bed < vehicle.least_water())
+    return must + " has " + whole(std::floor(bed->value)) + " m of water, and the vehicle needs " +
+           whole(std::ceil(vehicle.least_water().value)) + " m";
+  if (ice.densest > max_concentration)
+    return must + " has " + whole(std::round(100.0 * ice.densest)) +
+           " % of ice while the plan lasts, and the vehicle surfaces in " +
+           whole(std::round(100.0 * max_concentration)) + " % at most";
+  if (!is_within_battery(plan, vehicle, safe.place))
+    return must + " is " + whole(distance_km(plan, safe.place)) +
+           " km away from the plan, farther than the rest of the battery carries the vehicle";
+  return "";
+}
+
+}  // namespace
+
+SafePlaceFindings check_safe_places(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
+                                    double max_concentration_to_surface,
+                                    const std::vector<SafePlace>& places) {
+  SafePlaceFindings found;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const SafePlace& safe = places[i];
+    if (!geo::is_valid(safe.place)) throw std::invalid_argument{"check_safe_places: a place off the Earth"};
+    std::optional<core::Metres> bed;
+    if (safe.sea.bathymetry) bed = safe.sea.bathymetry->shoalest(safe.place);
+    const IceThere ice = ice_at(plan, safe);
+    std::string fault = fault_of(plan, vehicle, max_concentration_to_surface, safe, bed, ice);
+    if (!fault.empty()) {
+      found.violations.push_back({"/safe/" + std::to_string(i), std::move(fault)});
+      continue;
+    }
+    if (bed && ice.known) continue;
+    const std::string unknown = !bed && !ice.known ? "the sea bed and the ice"
+                                : !bed             ? "the sea bed"
+                                                   : "the ice";
+    found.warnings.push_back("Nothing is known of " + unknown + " at the safe place " +
+                             place_text(safe.place) +
+                             " for some or all of the time of the plan: make sure that it is open water.");
+  }
+  return found;
+}
+
+}  // namespace floeplan::mission
