@@ -38,10 +38,17 @@ std::vector<Part> parts_of(const planning::Waypoint& from, const planning::Waypo
   return parts;
 }
 
-double depth_of(const planning::Waypoint& waypoint, const vehicle::GliderProfile& vehicle) {
-  const double over_ground_m =
-      waypoint.depth ? waypoint.depth->value - vehicle.altimeter_margin.value : vehicle.dive_depth.value;
-  return std::floor(std::clamp(over_ground_m, 0.0, vehicle.dive_depth.value));
+/// Of the dives on the leg to this waypoint, over its shoalest place.
+double depth_of(const planning::Plan& plan, std::size_t waypoint, const vehicle::GliderProfile& vehicle,
+                const std::vector<std::optional<mission::Shoal>>& shoals) {
+  double depth_m = vehicle.dive_depth.value;
+  const auto keep_above = [&](core::Metres bed) {
+    depth_m = std::min(depth_m, bed.value - vehicle.altimeter_margin.value);
+  };
+  for (const std::size_t end : {waypoint - 1, waypoint})
+    if (const auto bed = plan.waypoints[end].depth) keep_above(*bed);
+  if (waypoint < shoals.size() && shoals[waypoint]) keep_above(shoals[waypoint]->bed);
+  return std::floor(std::max(depth_m, 0.0));
 }
 
 ordered_json go_to(const Part& part, double depth_m, double speed_m_s) {
@@ -62,7 +69,8 @@ ordered_json go_to(const Part& part, double depth_m, double speed_m_s) {
 }  // namespace
 
 std::string plan_imc(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
-                     const std::string& plan_id, const std::string& name, core::UtcTime generated) {
+                     const std::vector<std::optional<mission::Shoal>>& shoals, const std::string& plan_id,
+                     const std::string& name, core::UtcTime generated) {
   ordered_json maneuvers = ordered_json::array();
   ordered_json transitions = ordered_json::array();
   for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
@@ -78,7 +86,7 @@ std::string plan_imc(const planning::Plan& plan, const vehicle::GliderProfile& v
                                {"actions", ordered_json::array()}});
       maneuvers.push_back({{"abbrev", "PlanManeuver"},
                            {"maneuver_id", id},
-                           {"data", go_to(part, depth_of(to, vehicle), speed_m_s)},
+                           {"data", go_to(part, depth_of(plan, i, vehicle, shoals), speed_m_s)},
                            {"start_actions", ordered_json::array()},
                            {"end_actions", ordered_json::array()}});
     }

@@ -1,12 +1,17 @@
 #include "api/routes/mission_service.hpp"
 
+#include <algorithm>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "api/codec/plan_document.hpp"
+#include "api/routes/export_sea.hpp"
 #include "api/routes/text_values.hpp"
+#include "engine/mission/ice_files.hpp"
 #include "engine/mission/line_words.hpp"
 #include "engine/mission/read_document.hpp"
+#include "engine/mission/safe_places.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -28,7 +33,8 @@ mission::FileOrigin origin_of(const repository::PlanRecord& record, core::UtcTim
   return {record.id.value, record.name, generated, "floeplan " FLOEPLAN_VERSION};
 }
 
-tl::expected<mission::MissionFiles, core::Violations> seaglider_set_of(const repository::PlanRecord& record,
+tl::expected<mission::MissionFiles, core::Violations> seaglider_set_of(sqlite::Connection& db,
+                                                                       const repository::PlanRecord& record,
                                                                        const planning::Plan& plan,
                                                                        const MissionRequest& request,
                                                                        core::UtcTime generated) {
@@ -36,9 +42,51 @@ tl::expected<mission::MissionFiles, core::Violations> seaglider_set_of(const rep
   options.vehicle = vehicle_of(record, plan);
   options.bands = request.bands;
   options.origin = origin_of(record, generated);
-  auto files = mission::write_seaglider_set(plan, options);
-  if (files) read_back(*files);
-  return files;
+  options.shoals = shoals_of(db, record, plan);
+  return mission::write_seaglider_set(plan, options);
+}
+
+planning::UnderIceRules ice_rules_of(const repository::PlanRecord& record) {
+  const auto inputs = inputs_of(record);
+  return inputs ? inputs->request.under_ice : planning::UnderIceRules{};
+}
+
+mission::MissionSetOptions set_options(sqlite::Connection& db, const repository::PlanRecord& record,
+                                       const planning::Plan& plan, const MissionRequest& request,
+                                       core::UtcTime generated) {
+  mission::MissionSetOptions options;
+  options.vehicle = vehicle_of(record, plan);
+  options.name = request.name;
+  options.firmware = request.firmware;
+  options.under_ice = request.under_ice;
+  if (options.under_ice) options.under_ice->margin_below_ice = ice_rules_of(record).margin_below_ice;
+  options.lists.first_number = request.number;
+  options.lists.max_waypoints = options.vehicle.max_waypoints_per_list;
+  options.lists.origin = origin_of(record, generated);
+  options.shoals = shoals_of(db, record, plan);
+  return options;
+}
+
+/// What the newest data say of the safe places; nothing of those that the writer of the set refuses by themselves.
+mission::SafePlaceFindings judge_safe_places(sqlite::Connection& db, const repository::PlanRecord& record,
+                                             const planning::Plan& plan,
+                                             const mission::MissionSetOptions& options) {
+  if (!options.under_ice || !mission::ice_violations(plan, options).empty()) return {};
+  return mission::check_safe_places(plan, options.vehicle, ice_rules_of(record).max_concentration_to_surface,
+                                    safe_places_of(db, plan, options.under_ice->safe_places));
+}
+
+tl::expected<mission::MissionFiles, core::Violations> mission_set_of(
+    sqlite::Connection& db, const repository::PlanRecord& record, const planning::Plan& plan,
+    const mission::MissionSetOptions& options) {
+  auto set = mission::write_mission_set(plan, options);
+  mission::SafePlaceFindings safe = judge_safe_places(db, record, plan, options);
+  if (!safe.violations.empty()) {
+    if (!set) std::ranges::move(set.error(), std::back_inserter(safe.violations));
+    return tl::unexpected(std::move(safe.violations));
+  }
+  if (set) std::ranges::move(safe.warnings, std::back_inserter(set->warnings));
+  return set;
 }
 
 }  // namespace
@@ -53,25 +101,20 @@ vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record, const pl
   return vehicle::find_profile(plan.vehicle).value_or(vehicle::known_profiles().front());
 }
 
-tl::expected<mission::MissionFiles, core::Violations> mission_of(const repository::PlanRecord& record,
+tl::expected<mission::MissionFiles, core::Violations> mission_of(sqlite::Connection& db,
+                                                                 const repository::PlanRecord& record,
                                                                  const MissionRequest& request,
                                                                  core::UtcTime generated) {
   const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
-  if (request.seaglider) return seaglider_set_of(record, plan, request, generated);
-  mission::MissionSetOptions options;
-  options.vehicle = vehicle_of(record, plan);
-  options.name = request.name;
-  options.firmware = request.firmware;
-  options.under_ice = request.under_ice;
-  options.lists.first_number = request.number;
-  options.lists.max_waypoints = options.vehicle.max_waypoints_per_list;
-  options.lists.origin = origin_of(record, generated);
-
-  const bool full = request.full || request.under_ice.has_value();
-  auto files =
-      full ? mission::write_mission_set(plan, options) : mission::write_goto_lists(plan, options.lists);
-  if (files) read_back(*files);
-  return files;
+  const auto written = [&]() -> tl::expected<mission::MissionFiles, core::Violations> {
+    if (request.seaglider) return seaglider_set_of(db, record, plan, request, generated);
+    const mission::MissionSetOptions options = set_options(db, record, plan, request, generated);
+    const bool full = request.full || request.under_ice.has_value();
+    if (!full) return mission::write_goto_lists(plan, options.lists);
+    return mission_set_of(db, record, plan, options);
+  }();
+  if (written) read_back(*written);
+  return written;
 }
 
 tl::expected<std::string, core::Violation> handover_folder(const std::string& glider, bool seaglider) {

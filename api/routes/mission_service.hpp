@@ -32,11 +32,13 @@ struct MissionRequest {
 [[nodiscard]] vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record,
                                                 const planning::Plan& plan);
 
-/// The mission files of a stored plan, within the limits of its vehicle. `generated`: the time that the files'
-/// comments name
-/// Errors   every fault of plan or options, as mission::write_mission_set and mission::write_seaglider_set
+/// The mission files of a stored plan, within the limits of its vehicle and of the water on its way by the newest data.
+/// `generated`: the time that the files' comments name
+/// Errors   every fault of plan or options, as mission::write_mission_set, mission::write_seaglider_set and
+///          mission::check_safe_places
 [[nodiscard]] tl::expected<mission::MissionFiles, core::Violations> mission_of(
-    const repository::PlanRecord& record, const MissionRequest& request, core::UtcTime generated);
+    sqlite::Connection& db, const repository::PlanRecord& record, const MissionRequest& request,
+    core::UtcTime generated);
 
 /// Where a shore station looks for the files that a glider shall fetch: a dockserver in "gliders/amadeus/to-glider/" below
 /// its data, a Seaglider's base station in the home folder of the glider, "sg123/". No glider, no folder.

@@ -28,6 +28,11 @@ Response download(const std::string& file_name, const std::string& type, std::st
   return response;
 }
 
+void add_warnings(Response& response, const std::vector<std::string>& warnings) {
+  for (const std::string& warning : warnings)
+    response.headers.emplace_back("Floeplan-Warning", mission::comment_text(warning, longest_header));
+}
+
 Response refuse_dangerous(const Request& request, const PlanCheck& check) {
   core::Violations found;
   for (const std::string& danger : check.dangers) found.push_back({"/plan", danger});
@@ -52,8 +57,7 @@ Response with_plan(const Context& context, const Request& request, const PathPar
   if (!check.dangers.empty() && !accept_dangers) return refuse_dangerous(request, check);
   std::ranges::move(check.dangers, std::back_inserter(check.warnings));
   Response response = answer(*plan, check.warnings);
-  for (const std::string& warning : check.warnings)
-    response.headers.emplace_back("Floeplan-Warning", mission::comment_text(warning, longest_header));
+  add_warnings(response, check.warnings);
   return response;
 }
 
@@ -92,7 +96,7 @@ void read_seaglider(const Request& request, MissionRequest& wanted, core::Violat
 
 /// Writes the mission files and hands them to `answer`; every fault of request or plan is listed instead.
 template <class Answer>
-Response with_files(const Request& request, const PlanRecord& record,
+Response with_files(const Context& context, const Request& request, const PlanRecord& record,
                     const std::vector<std::string>& warnings, const Answer& answer) {
   ParameterReader reader{request};
   MissionRequest wanted;
@@ -109,38 +113,37 @@ Response with_files(const Request& request, const PlanRecord& record,
   }
   if (!faults.empty()) return invalid(request, faults);
 
-  auto files = mission_of(record, wanted, request.now);
+  auto files = mission_of(context.db, record, wanted, request.now);
   if (!files) return invalid(request, files.error());
   files->warnings.insert(files->warnings.begin(), warnings.begin(), warnings.end());
   return answer(*files);
 }
 
 Response show_mission(const Context& context, const Request& request, const PathParameters& path) {
-  return with_plan(context, request, path,
-                   [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
-                     return with_files(request, plan, warnings, [](const mission::MissionFiles& set) {
-                       json files = json::array();
-                       for (const auto& file : set.files)
-                         files.push_back({{"name", file.name}, {"text", file.text}});
-                       return json_reply({{"files", std::move(files)}, {"warnings", set.warnings}});
-                     });
-                   });
+  return with_plan(
+      context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
+        return with_files(context, request, plan, warnings, [](const mission::MissionFiles& set) {
+          json files = json::array();
+          for (const auto& file : set.files) files.push_back({{"name", file.name}, {"text", file.text}});
+          return json_reply({{"files", std::move(files)}, {"warnings", set.warnings}});
+        });
+      });
 }
 
 Response download_zip(const Context& context, const Request& request, const PathParameters& path) {
   const bool seaglider = request.parameter("format") == "seaglider";
   const auto folder = handover_folder(request.parameter("glider").value_or(""), seaglider);
   if (!folder) return invalid(request, {{"?glider", folder.error().rule}});
-  return with_plan(context, request, path,
-                   [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
-                     return with_files(request, plan, warnings, [&](const mission::MissionFiles& set) {
-                       std::vector<codec::ArchivedFile> files;
-                       files.reserve(set.files.size());
-                       for (const auto& file : set.files) files.push_back({*folder + file.name, file.text});
-                       return download(download_stem(plan) + ".zip", "application/zip",
-                                       codec::zip_archive(files, request.now));
-                     });
-                   });
+  return with_plan(
+      context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
+        return with_files(context, request, plan, warnings, [&](const mission::MissionFiles& set) {
+          std::vector<codec::ArchivedFile> files;
+          files.reserve(set.files.size());
+          for (const auto& file : set.files) files.push_back({*folder + file.name, file.text});
+          return download(download_stem(plan) + ".zip", "application/zip",
+                          codec::zip_archive(files, request.now));
+        });
+      });
 }
 
 /// Answers with the plan in one format that is a single file.
@@ -148,10 +151,12 @@ auto download_as(const ExportFormat& format) {
   return [&format](const Context& context, const Request& request, const PathParameters& path) {
     return with_plan(context, request, path,
                      [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
-                       auto bytes = export_plan(context.db, plan, format, warnings, request.now);
-                       if (!bytes) return invalid(request, bytes.error());
-                       return download(export_file_name(format, download_stem(plan)), format.content_type,
-                                       std::move(*bytes));
+                       auto exported = export_plan(context.db, plan, format, warnings, request.now);
+                       if (!exported) return invalid(request, exported.error());
+                       Response response = download(export_file_name(format, download_stem(plan)),
+                                                    format.content_type, std::move(exported->bytes));
+                       add_warnings(response, exported->warnings);
+                       return response;
                      });
   };
 }

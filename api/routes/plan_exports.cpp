@@ -1,9 +1,12 @@
 #include "api/routes/plan_exports.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
 #include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
+#include <string_view>
 
 #include "api/codec/plan_brief.hpp"
 #include "api/codec/plan_brief_pdf.hpp"
@@ -13,8 +16,10 @@
 #include "api/codec/plan_gpx.hpp"
 #include "api/codec/plan_imc.hpp"
 #include "api/codec/plan_kml.hpp"
+#include "api/routes/export_sea.hpp"
 #include "api/routes/mission_service.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/mission/below_ice.hpp"
 #include "engine/mission/goto_lists.hpp"
 #include "engine/mission/nmea_route.hpp"
 #include "engine/mission/seaglider_files.hpp"
@@ -52,6 +57,53 @@ codec::MapPicture picture_of(sqlite::Connection& db, const PlanRecord& record, c
   return codec::draw_map(plan, land, icebergs, map_width, map_height);
 }
 
+/// The plan in the format, which can hold it.
+std::string bytes_of(sqlite::Connection& db, const PlanRecord& record, const planning::Plan& plan,
+                     const ExportFormat& format, const std::vector<std::string>& warnings,
+                     core::UtcTime now) {
+  const std::string& id = record.id.value;
+  if (format.name == "gpx") return codec::plan_gpx(plan, id, record.name);
+  if (format.name == "kml") return codec::plan_kml(plan, id, record.name);
+  if (format.name == "geojson") return codec::plan_geojson(record).dump(2) + "\n";
+  if (format.name == "csv") return codec::plan_csv(plan);
+  if (format.name == "nmea") return mission::write_nmea_route(plan, id).text;
+  const mission::FileOrigin origin{id, record.name, now, "floeplan " FLOEPLAN_VERSION};
+  if (format.name == "targets")
+    return mission::write_targets(plan, mission::default_waypoint_radius(plan), origin).text;
+  if (format.name == "imc")
+    return codec::plan_imc(plan, vehicle_of(record, plan), shoals_of(db, record, plan), id, record.name, now);
+  const codec::BriefNotes notes{id, record.name, now, warnings};
+  if (format.name == "html") return codec::plan_brief_html(plan, picture_of(db, record, plan), notes);
+  if (format.name == "pdf") return codec::plan_brief_pdf(plan, picture_of(db, record, plan), notes);
+  throw std::invalid_argument{"export_plan: no format " + format.name};
+}
+
+/// Files that somebody flies a vehicle by, and that hold no depths of turns. The GeoJSON has them with each waypoint, the
+/// printed page says them.
+bool lacks_upper_turns(const ExportFormat& format) {
+  constexpr std::array<std::string_view, 5> lacking{"gpx", "kml", "csv", "nmea", "imc"};
+  return std::ranges::find(lacking, format.name) != lacking.end();
+}
+
+std::vector<std::string> warnings_of(const planning::Plan& plan, const ExportFormat& format) {
+  if (!lacks_upper_turns(format)) return {};
+  const double turn_m = std::ceil(mission::least_upper_turn(plan).value);
+  if (turn_m <= 0.0 && mission::tells_upper_turns(plan)) return {};
+  return {"The plan passes below ice or icebergs, and a file of the format " + format.name +
+          " does not tell the vehicle: its dives must turn no higher than " +
+          (mission::tells_upper_turns(plan) ? std::to_string(std::lround(turn_m)) + " m"
+                                            : std::string{"their keels"}) +
+          ", and no surfacing may be asked for there."};
+}
+
+core::Violations violations_of(const planning::Plan& plan, const ExportFormat& format) {
+  if (format.name == "nmea" && plan.waypoints.size() > mission::most_nmea_waypoints)
+    return {{"/waypoints", "must be 999 at most for NMEA"}};
+  if (format.name == "targets")
+    if (const auto closed = mission::closed_to_seagliders(plan)) return {*closed};
+  return {};
+}
+
 }  // namespace
 
 std::span<const ExportFormat> export_formats() {
@@ -86,27 +138,14 @@ std::string download_stem(const PlanRecord& record) {
   return (name.empty() ? "plan" : name) + "-" + minute + "Z-" + record.id.value;
 }
 
-tl::expected<std::string, core::Violations> export_plan(sqlite::Connection& db, const PlanRecord& record,
-                                                        const ExportFormat& format,
-                                                        const std::vector<std::string>& warnings,
-                                                        core::UtcTime now) {
+tl::expected<ExportedPlan, core::Violations> export_plan(sqlite::Connection& db, const PlanRecord& record,
+                                                         const ExportFormat& format,
+                                                         const std::vector<std::string>& warnings,
+                                                         core::UtcTime now) {
   const planning::Plan plan = codec::parse_plan_document(nlohmann::json::parse(record.document_json));
-  const std::string& id = record.id.value;
-  if (format.name == "gpx") return codec::plan_gpx(plan, id, record.name);
-  if (format.name == "kml") return codec::plan_kml(plan, id, record.name);
-  if (format.name == "geojson") return codec::plan_geojson(record).dump(2) + "\n";
-  if (format.name == "csv") return codec::plan_csv(plan);
-  if (format.name == "nmea" && plan.waypoints.size() > mission::most_nmea_waypoints)
-    return tl::unexpected(core::Violations{{"/waypoints", "must be 999 at most for NMEA"}});
-  if (format.name == "nmea") return mission::write_nmea_route(plan, id).text;
-  const mission::FileOrigin origin{id, record.name, now, "floeplan " FLOEPLAN_VERSION};
-  if (format.name == "targets")
-    return mission::write_targets(plan, mission::default_waypoint_radius(plan), origin).text;
-  if (format.name == "imc") return codec::plan_imc(plan, vehicle_of(record, plan), id, record.name, now);
-  const codec::BriefNotes notes{id, record.name, now, warnings};
-  if (format.name == "html") return codec::plan_brief_html(plan, picture_of(db, record, plan), notes);
-  if (format.name == "pdf") return codec::plan_brief_pdf(plan, picture_of(db, record, plan), notes);
-  throw std::invalid_argument{"export_plan: no format " + format.name};
+  if (core::Violations found = violations_of(plan, format); !found.empty())
+    return tl::unexpected(std::move(found));
+  return ExportedPlan{bytes_of(db, record, plan, format, warnings, now), warnings_of(plan, format)};
 }
 
 }  // namespace floeplan::routes

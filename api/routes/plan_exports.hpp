@@ -29,9 +29,17 @@ struct ExportFormat {
 /// its id, "Kangia-20261122T0600Z-p1c2d3e4f5a6".
 [[nodiscard]] std::string download_stem(const repository::PlanRecord& record);
 
+/// A plan in some format, and what the pilot has to know of the file.
+struct ExportedPlan {
+  std::string bytes;
+  std::vector<std::string> warnings;
+};
+
 /// The plan in one of these formats. `warnings`: what the check before the export said; the printed page shows it.
-/// Errors   a violation for a plan that the format cannot hold
-[[nodiscard]] tl::expected<std::string, core::Violations> export_plan(
+/// Ice      a warning where the plan passes below ice or icebergs and the file has no room for how deep its dives turn
+/// Errors   a violation for a plan that the format cannot hold, and for targets of a Seaglider that pass below ice or
+///          icebergs
+[[nodiscard]] tl::expected<ExportedPlan, core::Violations> export_plan(
     sqlite::Connection& db, const repository::PlanRecord& record, const ExportFormat& format,
     const std::vector<std::string>& warnings, core::UtcTime now);
 

@@ -73,12 +73,13 @@ tl::expected<mission::MissionFiles, core::Violations> files_of(sqlite::Connectio
                                                                const Flags& flags,
                                                                const std::vector<std::string>& warnings) {
   if (flags.format == "gliderdos" || flags.format == "seaglider")
-    return routes::mission_of(record, mission_request(flags), now());
+    return routes::mission_of(db, record, mission_request(flags), now());
   const auto format = std::ranges::find(routes::export_formats(), flags.format, &routes::ExportFormat::name);
-  auto bytes = routes::export_plan(db, record, *format, warnings, now());
-  if (!bytes) return tl::unexpected(bytes.error());
+  auto exported = routes::export_plan(db, record, *format, warnings, now());
+  if (!exported) return tl::unexpected(exported.error());
   mission::MissionFiles result;
-  result.files.push_back({routes::export_file_name(*format, record.id.value), std::move(*bytes)});
+  result.files.push_back({routes::export_file_name(*format, record.id.value), std::move(exported->bytes)});
+  result.warnings = std::move(exported->warnings);
   return result;
 }
 
@@ -176,8 +177,10 @@ void add_export(CLI::App& app, Program& program) {
           "Band of a Seaglider's science file, DEPTH:SECONDS:SENSORS:GC, from the surface down; may be "
           "repeated")
       ->allow_extra_args(false);
-  command->add_option("--iceberg-depth", flags->iceberg_depth_m,
-                      "Deepest iceberg to expect, metres; default 20");
+  command->add_option(
+      "--iceberg-depth", flags->iceberg_depth_m,
+      "Deepest iceberg to expect, metres; default: the deepest keel that the plan passes below, 20 at "
+      "least");
   command
       ->add_option("--glider", flags->glider,
                    "Write into gliders/GLIDER/to-glider below --out, where a dockserver takes files from (a "

@@ -1,0 +1,58 @@
+#include "api/routes/export_sea.hpp"
+
+#include <utility>
+
+#include "api/routes/mission_service.hpp"
+#include "storage/repository/environment_loader.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+using repository::DatasetChoice;
+using repository::EnvironmentQuery;
+
+/// Around a safe place: what a coarse grid of ice has next to it, and the coast.
+constexpr core::Metres around_place{1000.0};
+
+/// Nothing of what moves.
+EnvironmentQuery without_motion(const geo::BoundingBox& area, core::UtcTime depart) {
+  const DatasetChoice none{DatasetChoice::How::none, {}};
+  EnvironmentQuery query;
+  query.area = area;
+  query.depart = depart;
+  query.currents = none;
+  query.wind = none;
+  query.icebergs = none;
+  query.zones = none;
+  return query;
+}
+
+}  // namespace
+
+std::vector<std::optional<mission::Shoal>> shoals_of(sqlite::Connection& db,
+                                                     const repository::PlanRecord& record,
+                                                     const planning::Plan& plan) {
+  const auto inputs = inputs_of(record);
+  if (!inputs) return {};
+  EnvironmentQuery query = without_motion(inputs->data.area, plan.departure);
+  query.bathymetry = inputs->data.bathymetry;
+  query.ice = {DatasetChoice::How::none, {}};
+  query.coastline = {DatasetChoice::How::none, {}};
+  const auto sea = repository::load_environment(db, query);
+  if (!sea || !sea->bathymetry) return {};
+  return mission::shoals_along(*sea->bathymetry, plan);
+}
+
+std::vector<mission::SafePlace> safe_places_of(sqlite::Connection& db, const planning::Plan& plan,
+                                               const std::vector<geo::LonLat>& places) {
+  std::vector<mission::SafePlace> found;
+  for (const geo::LonLat place : places) {
+    const geo::BoundingBox here{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
+    auto sea =
+        repository::load_environment(db, without_motion(geo::grown(here, around_place), plan.departure));
+    found.push_back({place, sea ? std::move(*sea) : ocean::Environment{}});
+  }
+  return found;
+}
+
+}  // namespace floeplan::routes

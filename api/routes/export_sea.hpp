@@ -1,0 +1,25 @@
+#pragma once
+
+#include <optional>
+#include <vector>
+
+#include "engine/mission/safe_places.hpp"
+#include "engine/mission/shoals.hpp"
+#include "engine/planning/plan.hpp"
+#include "storage/repository/plan_repository.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::routes {
+
+/// The least water on the legs of a stored plan, by the newest of the depths that it chose; empty where there are none, or
+/// the choice cannot be read any more.
+[[nodiscard]] std::vector<std::optional<mission::Shoal>> shoals_of(sqlite::Connection& db,
+                                                                   const repository::PlanRecord& record,
+                                                                   const planning::Plan& plan);
+
+/// The places with what the newest stored depths, coastlines and ice say of them while the plan lasts.
+[[nodiscard]] std::vector<mission::SafePlace> safe_places_of(sqlite::Connection& db,
+                                                             const planning::Plan& plan,
+                                                             const std::vector<geo::LonLat>& places);
+
+}  // namespace floeplan::routes
