@@ -58,7 +58,7 @@ core::Violations violations_of(const planning::Plan& plan, const GotoListOptions
   if (!found.empty()) return found;
 
   const auto most = static_cast<std::size_t>(options.max_waypoints);
-  found = list_end_violations(plan, most);
+  if (!options.may_end_below_ice) found = list_end_violations(plan, most);
   if (!found.empty()) return found;
 
   const std::vector<ListPart> parts = part_into_lists(plan, most);

@@ -20,6 +20,7 @@ struct GotoListOptions {
   int max_waypoints{8};                  // of one list: GliderProfile::max_waypoints_per_list
   std::optional<core::Metres> radius{};  // in which a waypoint is reached; default: see write_goto_lists
   int initial_waypoint{0};  // of the first list: its row from 0, -1 after the last achieved, -2 the closest
+  bool may_end_below_ice{false};  // of lists that no vehicle flies
   FileOrigin origin{};
 };
 
@@ -35,7 +36,7 @@ struct GotoListOptions {
 ///          and a warning says that the pilot has to send them one after the other. The firmware owns the
 ///          numbers 98 and 99.
 /// Ends     a mission brings the vehicle up where its list is flown: a list ends where the plan lets it surface, or where
-///          nothing is known of the ice, with a warning; never below ice or an iceberg
+///          nothing is known of the ice, with a warning; never below ice or an iceberg, unless `may_end_below_ice`
 /// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints, more waypoints in a
 ///          row below ice or icebergs than a list holds beside its end, a plan that ends below them, options out of range
 /// Threads  may be called from several threads at once

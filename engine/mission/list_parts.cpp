@@ -21,7 +21,7 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::siz
       if (overhead(plan, last) == wanted) return last;
     }
   }
-  return farthest;  // excluded by the precondition
+  return farthest;
 }
 
 }  // namespace

@@ -18,8 +18,8 @@ struct ListPart {
 
 /// The plan's waypoints after the start in lists of at most `max_waypoints` rows, each as long as it can be and still end
 /// where the vehicle may surface: there the list is flown, and the mission brings the vehicle up. Where no such waypoint
-/// is within reach a list ends where nothing is known of the ice.
-/// Precondition  `max_waypoints` is 1 or more, and list_end_violations finds nothing
+/// is within reach a list ends where nothing is known of the ice, and below it only where list_end_violations says so.
+/// Precondition  `max_waypoints` is 1 or more
 [[nodiscard]] std::vector<ListPart> part_into_lists(const planning::Plan& plan, std::size_t max_waypoints);
 
 /// Where the plan cannot be parted so: more waypoints in a row below ice or icebergs than a list holds beside its end, and

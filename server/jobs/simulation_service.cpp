@@ -84,6 +84,7 @@ tl::expected<std::vector<codec::SimulatedFile>, core::Violations> files_of(const
   mission::MissionSetOptions options;
   options.vehicle = flown.vehicle;
   options.lists.max_waypoints = flown.vehicle.max_waypoints_per_list;
+  options.lists.may_end_below_ice = true;  // nobody is lost in a simulation, which flies on from list to list
   options.lists.origin = {flown.record.id.value, flown.record.name, flown.plan.departure, "floeplan"};
   // Below ice the files ask for open water to recover to, which nobody recovers to here: the start is such a place.
   if (const core::Metres turn = mission::least_upper_turn(flown.plan); turn.value > 0.0)

@@ -241,6 +241,14 @@ TEST(GotoLists, AreRefusedForAPlanThatEndsBelowIce) {
   EXPECT_THAT(lists.error(), ElementsAre(Field(&core::Violation::field, "/waypoints/2")));
 }
 
+TEST(GotoLists, ThatNoVehicleFliesMayEndBelowIce) {
+  const auto lists =
+      write_goto_lists(plan_below_ice(14, {3, 4, 5, 6, 7, 8, 9, 10, 13}), {.may_end_below_ice = true});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(ends_of(*lists), ElementsAre(2u, 10u, 12u, 13u));
+}
+
 TEST(GotoLists, NeverEndBelowAnIceberg) {
   planning::Plan plan = plan_eastwards(12);
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i)

@@ -173,8 +173,9 @@ def wrong_inputs(right):
 
 
 def plans():
-    """Results with everything that they can hold, and the first plan's id."""
-    plan = execute("plan-route", PLAIN)
+    """Results with everything that they can hold, and the id of a plan in open water."""
+    plan = execute("plan-route", {**PLAIN, "from": [-53.2, 69.2], "to": [-53.1, 69.2]})
+    execute("plan-route", PLAIN)
     execute("plan-route", {**PLAIN, "icebergs": "newest", "refine": False, "encounter_weight_s": 3600,
                            "max_loiter_s": 3600, "remarks": ["the goal was typed by hand"]})
     execute("plan-route", {**PLAIN, "objective": "energy", "refine": False,

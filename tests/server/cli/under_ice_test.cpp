@@ -91,6 +91,21 @@ TEST_F(UnderIceCli, SaysWhyThereIsNoPlan) {
   EXPECT_THAT(outcome.err, HasSubstr("--max-time-without-surfacing"));
 }
 
+TEST_F(UnderIceCli, SimulatesWhatAGliderCouldNotBeSent) {
+  const Outcome planned = plan({"--max-leg", "2500", "--no-refine"});
+  ASSERT_EQ(planned.exit_code, 0) << planned.err;
+  const std::string id = planned.json()["plan_id"];
+
+  const Outcome exported = program_.run(
+      {"export", id, "--full", "--safe=-53.15,68.95", "--out", (program_.folder() / "out").string()});
+  const Outcome simulated = program_.run({"simulate", id, "--no-avoidance", "--json"});
+
+  EXPECT_EQ(exported.exit_code, 3);
+  EXPECT_THAT(exported.err, HasSubstr("must not be so many below ice"));
+  ASSERT_EQ(simulated.exit_code, 0) << simulated.err;
+  EXPECT_EQ(simulated.json()["arrived"], 1) << simulated.json()["flights"].dump(2);
+}
+
 TEST_F(UnderIceCli, NamesWhatIsWrongWithTheInput) {
   EXPECT_THAT(plan({"--max-concentration-to-surface", "15"}).err,
               HasSubstr("/under_ice/max_concentration_to_surface"));
