@@ -171,7 +171,12 @@ std::optional<DiveArguments> dive_of(const std::vector<Document>& documents) {
     if (yo == nullptr || reads_file(*yo)) continue;
     const auto depth = value_of(*yo, "d_target_depth");
     const auto altitude = value_of(*yo, "d_target_altitude");
-    if (depth) return DiveArguments{core::Metres{*depth}, !altitude || *altitude >= 0.0};
+    const auto climb = value_of(*yo, "c_target_depth");
+    if (!depth) continue;
+    return DiveArguments{.target_depth = core::Metres{*depth},
+                         .altimeter = !altitude || *altitude >= 0.0,
+                         .altitude = core::Metres{std::max(0.0, altitude.value_or(0.0))},
+                         .climb_to = core::Metres{climb.value_or(0.0)}};
   }
   return std::nullopt;
 }

@@ -10,6 +10,7 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/evaluate_route.hpp"
+#include "engine/vehicle/dive_band.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -75,6 +76,25 @@ std::string text_of(const Infeasible& closed) {
   return closed.explanation + where.data() + " on " + core::iso8601(closed.when);
 }
 
+/// What is wrong with the dives on a leg that leads to `place`, over its shoalest bed.
+std::optional<RouteFinding> finding_of(const DiveArguments& dive, core::Metres bed, std::size_t place) {
+  std::array<char, 200> text{};
+  if (!dive.altimeter && bed <= dive.target_depth) {
+    std::snprintf(text.data(), text.size(),
+                  "the yo turns at %.0f m without heeding the altimeter, yet the sea bed lies at %.0f m",
+                  dive.target_depth.value, bed.value);
+    return RouteFinding{place, true, "bottom_above_target", text.data()};
+  }
+  const bool on_land = bed.value <= 0.0;  // which check_route finds
+  if (on_land || bed >= dive.climb_to + vehicle::lowest_tooth + dive.altitude) return std::nullopt;
+  std::snprintf(
+      text.data(), text.size(),
+      "the yo climbs to %.0f m and turns %.0f m above the sea bed, yet that lies at %.0f m: there is no "
+      "room for it",
+      dive.climb_to.value, dive.altitude.value, bed.value);
+  return RouteFinding{place, true, "bottom_above_climb", text.data()};
+}
+
 }  // namespace
 
 RouteCheck check_route(const ocean::Environment& environment, const std::vector<geo::LonLat>& route,
@@ -123,7 +143,7 @@ RouteCheck check_route(const ocean::Environment& environment, const std::vector<
 std::vector<RouteFinding> check_depths(const ocean::Environment& environment,
                                        const std::vector<geo::LonLat>& route, const DiveArguments& dive) {
   std::vector<RouteFinding> findings;
-  if (!environment.bathymetry || dive.altimeter) return findings;
+  if (!environment.bathymetry) return findings;
   for (std::size_t i = 1; i < route.size() && findings.size() < most_findings; ++i) {
     const geo::GeodesicLine leg = geo::geodesic_between(route[i - 1], route[i]);
     if (leg.length.value > longest_leg_m) continue;
@@ -133,12 +153,8 @@ std::vector<RouteFinding> check_depths(const ocean::Environment& environment,
           geo::geodesic_destination(route[i - 1], leg.course_at_start, core::Metres{along_m}));
       if (bed && (!least || *bed < *least)) least = bed;
     }
-    if (!least || *least > dive.target_depth) continue;
-    std::array<char, 160> text{};
-    std::snprintf(text.data(), text.size(),
-                  "the yo turns at %.0f m without heeding the altimeter, yet the sea bed lies at %.0f m",
-                  dive.target_depth.value, least->value);
-    findings.push_back({i, true, "bottom_above_target", text.data()});
+    if (!least) continue;
+    if (auto finding = finding_of(dive, *least, i)) findings.push_back(std::move(*finding));
   }
   return findings;
 }

@@ -15,7 +15,7 @@ namespace floeplan::mission {
 struct RouteFinding {
   std::size_t place{};  // index into the route: where the leg leads to, or the place itself
   bool dangerous{};     // the vehicle may be lost; otherwise it is not known, or merely worth a look
-  std::string code;     // a reason of planning::reason_name, or "bottom_above_target"
+  std::string code;     // a reason of planning::reason_name, "bottom_above_target" or "bottom_above_climb"
   std::string text;
 };
 
@@ -27,7 +27,9 @@ struct RouteCheck {
 /// How a mission dives, as far as its files say.
 struct DiveArguments {
   core::Metres target_depth{};
-  bool altimeter{true};  // heeds the sea bed; false for a negative d_target_altitude
+  bool altimeter{true};     // heeds the sea bed; false for a negative d_target_altitude
+  core::Metres altitude{};  // above the bed that it turns at if it does
+  core::Metres climb_to{};  // it turns no higher
 };
 
 /// Follows a route through the sea at the times at which the vehicle is on it, and names every leg that is closed
@@ -40,7 +42,8 @@ struct DiveArguments {
                                      const std::vector<geo::LonLat>& route,
                                      const planning::PlanRequest& request);
 
-/// Legs on which a vehicle that does not heed the sea bed dives into it.
+/// Legs on which a vehicle that does not heed the sea bed dives into it, or that leave the yo no room to turn above the
+/// bed below the depth that it climbs to.
 /// Accuracy   the bed is looked up every 250 m
 [[nodiscard]] std::vector<RouteFinding> check_depths(const ocean::Environment& environment,
                                                      const std::vector<geo::LonLat>& route,

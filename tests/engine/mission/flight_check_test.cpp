@@ -115,6 +115,24 @@ TEST(DepthCheck, FindsTheLegOnWhichABlindYoMeetsTheBed) {
   EXPECT_THAT(check_depths(sea, eastwards, {core::Metres{80.0}, false}), IsEmpty());
 }
 
+TEST(DepthCheck, FindsTheLegThatLeavesAYoBelowIceNoRoom) {
+  ocean::Environment sea;
+  sea.bathymetry =
+      support::bathymetry_from([](geo::LonLat place) { return place.lon_deg > -52.4 ? 69.0 : 300.0; });
+  DiveArguments dive{.target_depth = core::Metres{196.0},
+                     .altimeter = true,
+                     .altitude = core::Metres{10.0},
+                     .climb_to = core::Metres{58.0}};
+
+  const auto below_ice = check_depths(sea, eastwards, dive);
+  ASSERT_THAT(below_ice, SizeIs(1));
+  EXPECT_EQ(below_ice[0].place, 3U);
+  EXPECT_EQ(below_ice[0].code, "bottom_above_climb");
+  EXPECT_TRUE(below_ice[0].dangerous);
+  dive.climb_to = core::Metres{57.0};
+  EXPECT_THAT(check_depths(sea, eastwards, dive), IsEmpty());
+}
+
 TEST(FlightCheck, PutsWhatTheSeaDoesToALegAtItsRow) {
   ocean::Environment sea = deep_sea();
   sea.icebergs = {support::iceberg_at({-52.75, 69.0}, 200.0)};
@@ -154,6 +172,20 @@ TEST(FlightCheck, FollowsAListThatGoesRoundBackToItsFirstRow) {
 
   ASSERT_THAT(route.stops, SizeIs(4));
   EXPECT_EQ(route.stops[3].place, route.stops[0].place);
+}
+
+TEST(FlightCheck, RejectsAYoThatClimbsNoHigherThanTheBedOfABank) {
+  ocean::Environment sea;
+  sea.bathymetry = support::bathymetry_from([](geo::LonLat) { return 45.0; });
+  std::vector<Document> files{
+      list("-5300.0 6900.0\n-5230.0 6900.0\n", 2),
+      read_document("yo10.ma",
+                    "behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) 196\nb_arg: "
+                    "d_target_altitude(m) 10\nb_arg: c_target_depth(m) 58\n<end:b_arg>\n")};
+
+  check_flight(files, sea, std::nullopt, request());
+
+  EXPECT_THAT(files[0].messages, has("bottom_above_climb", Severity::error, 9));
 }
 
 TEST(FlightCheck, RejectsABlindYoAboveAShallowBed) {
