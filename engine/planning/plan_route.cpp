@@ -9,26 +9,11 @@
 #include "engine/planning/fastest_plan.hpp"
 #include "engine/planning/risk_plan.hpp"
 #include "engine/planning/robust_plan.hpp"
-#include "engine/planning/survey_order.hpp"
+#include "engine/planning/survey_plan.hpp"
 #include "engine/planning/what_would_help.hpp"
 
 namespace floeplan::planning {
 namespace {
-
-/// Plans the visits in their best order; where no order is possible, in the order given, which then says why.
-Result<Plan> plan_survey(const ocean::Environment& environment, const PlanRequest& request,
-                         const std::stop_token& stop, const core::ProgressCallback& progress,
-                         const core::SteadyClock& clock) {
-  progress("order of visits", 0.0);
-  const auto order = best_via_order(environment, request, stop);
-  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-  PlanRequest ordered = request;
-  ordered.via_in_best_order = false;
-  for (std::size_t i = 0; order && i < order->vias.size(); ++i) ordered.via[i] = request.via[order->vias[i]];
-  Result<Plan> plan = try_to_plan(environment, ordered, stop, progress, clock);
-  if (plan) plan->via_order = order;
-  return plan;
-}
 
 /// The best plan by the objective in the first currents of the environment.
 Result<Plan> plan_in_one_sea(const ocean::Environment& environment, const PlanRequest& request,
@@ -73,7 +58,12 @@ Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanReques
                          const core::SteadyClock& clock) {
   throw_if_invalid(request);
   const core::ProgressCallback progress = report ? report : [](std::string_view, double) {};
-  if (request.via_in_best_order) return plan_survey(environment, request, stop, progress, clock);
+  if (request.via_in_best_order) {
+    const auto plan_in_order = [&](const PlanRequest& ordered) {
+      return try_to_plan(environment, ordered, stop, progress, clock);
+    };
+    return plan_survey(environment, request, plan_in_order, stop, progress);
+  }
   const bool is_uncertain = has_uncertain_currents(environment, request);
   PlanRequest in_one_sea = request;
   in_one_sea.optimality_gap = request.optimality_gap && !is_uncertain;

@@ -1,5 +1,6 @@
 #include "engine/planning/tour_legs.hpp"
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/graph/label_setting_search.hpp"
@@ -14,6 +15,7 @@ namespace {
 constexpr double steps_per_leg = 16.0;               // of the grid: a few milliseconds a search
 constexpr core::Seconds between_departures{7200.0};  // a sixth of a half-day tide
 constexpr GridReach reach{0.5, 0.25};
+constexpr core::Seconds just_after{1.0};  // the end of a closure, which still belongs to it
 
 }  // namespace
 
@@ -34,37 +36,43 @@ TourLegs::Leg& TourLegs::leg(Pair pair) {
   return legs_.emplace(pair, Leg{open_grid(sea_, grid, request_.sectors, stop_), {}}).first->second;
 }
 
-std::optional<core::Seconds> TourLegs::searched(Leg& leg, long departure) {
-  const auto known = leg.times.find(departure);
-  if (known != leg.times.end()) return known->second;
+std::optional<TourLegs::Way> TourLegs::searched(Leg& leg, long departure) {
+  const auto known = leg.ways.find(departure);
+  if (known != leg.ways.end()) return known->second;
   const core::Seconds depart = static_cast<double>(departure) * between_departures;
-  const auto time = sea_.bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg.open, depart);
+  auto way = sea_.bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg.open, depart);
   if (stop_.stop_requested()) return std::nullopt;
-  leg.times.emplace(departure, time);
-  return time;
+  return leg.ways.emplace(departure, std::move(way)).first->second;
 }
 
-std::optional<core::Seconds> TourLegs::bounded(const OpenGrid& open, core::Seconds depart) const {
-  const RouteSearch search = search_route(sea_, open, request_, depart, stop_, [](double) {});
-  if (search.path.empty()) return std::nullopt;
-  const auto arrivals = arrivals_along(sea_, search.path, depart);
-  return arrivals ? std::optional{arrivals->back() - depart} : std::nullopt;
-}
-
-std::optional<core::Seconds> TourLegs::unbounded(const OpenGrid& open, core::Seconds depart) const {
+template <class TravelTime>
+graph::SearchTree TourLegs::earliest_arrivals(const OpenGrid& open, core::Seconds depart,
+                                              const TravelTime& travel_time) const {
   const graph::Query query{
       .source = open.grid.start, .goal = open.grid.goal, .depart = depart, .latest = core::Seconds{INFINITY}};
   const StraightBound straight{sea_, open.grid, open.graph, open.grid.goal};
-  const auto search = [&](const auto& travel_time) {
-    return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, straight);
-  };
+  return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, straight);
+}
+
+std::optional<TourLegs::Way> TourLegs::bounded(const OpenGrid& open, core::Seconds depart) const {
+  RouteSearch search = search_route(sea_, open, request_, depart, stop_, [](double) {});
+  if (search.path.empty()) return std::nullopt;
+  const auto arrivals = arrivals_along(sea_, search.path, depart);
+  if (!arrivals) return std::nullopt;
+  return Way{arrivals->back() - depart, std::move(search.path)};
+}
+
+std::optional<TourLegs::Way> TourLegs::unbounded(const OpenGrid& open, core::Seconds depart) const {
   // Only the search that minds the time minds what ice leaves no room; yet icebergs then close places, too.
   std::optional<graph::SearchTree> tree;
-  if (sea_.ice()) tree = search(GridTravelTime{sea_, open.grid});
+  if (sea_.ice()) tree = earliest_arrivals(open, depart, GridTravelTime{sea_, open.grid});
   if (!tree || (sea_.has_timed_closures() && !tree->is_reached(open.grid.goal)))
-    tree = search(UntimedTravelTime{sea_, open.grid});
+    tree = earliest_arrivals(open, depart, UntimedTravelTime{sea_, open.grid});
   if (!tree->is_reached(open.grid.goal)) return std::nullopt;
-  return core::Seconds{tree->arrival_s(open.grid.goal)} - depart;
+  Way way{core::Seconds{tree->arrival_s(open.grid.goal)} - depart, {}};
+  for (const graph::Vertex v : graph::path_to(open.graph, *tree, open.grid.goal))
+    way.path.push_back(open.grid.point(v));
+  return way;
 }
 
 std::optional<core::Seconds> TourLegs::time_under_way(std::size_t from, std::size_t to,
@@ -80,8 +88,8 @@ std::optional<core::Seconds> TourLegs::time_under_way(std::size_t from, std::siz
   const auto late = searched(on_grid, before + 1);
   // Where only one of the two departures has a way, at the end of the data for instance, it stands for both.
   if (!early && !late) return std::nullopt;
-  const core::Seconds first = early ? *early : *late;
-  const core::Seconds last = late ? *late : *early;
+  const core::Seconds first = early ? early->time : late->time;
+  const core::Seconds last = late ? late->time : early->time;
   return first + (position - static_cast<double>(before)) * (last - first);
 }
 
@@ -98,7 +106,40 @@ std::optional<core::Seconds> TourLegs::bearable_time(std::size_t from, std::size
   const core::Seconds opens = when_open(to, arrival);
   const bool may_wait = sea_.longest_wait().count() > 0.0;
   if (!may_wait && !is_bearable(depart, arrival, opens)) return std::nullopt;
-  return opens - depart;
+  // Ways that keep a bound on the time without surfacing are searched with what closes and opens.
+  if (!sea_.has_timed_closures() || sea_.bounds_surfacing() || arrival == depart) return opens - depart;
+  const auto arrives = arrival_past_closures({from, to}, depart, arrival, opens);
+  return arrives ? std::optional{*arrives - depart} : std::nullopt;
+}
+
+std::optional<core::Seconds> TourLegs::arrival_past_closures(Pair pair, core::Seconds depart,
+                                                             core::Seconds at_once, core::Seconds opens) {
+  Leg& on_grid = leg(pair);
+  const core::Seconds leaves = depart + just_after;
+  const auto slot = static_cast<long>(std::floor(depart / between_departures));
+  core::Seconds arrives{INFINITY};
+  for (const long departure : {slot, slot + 1}) {
+    const auto way = searched(on_grid, departure);
+    const auto schedule = way ? schedule_along(sea_, way->path, leaves) : tl::unexpected(RouteClosed{});
+    if (schedule) arrives = std::min(arrives, schedule->arrivals.back());
+  }
+  if (arrives <= at_once + between_departures) return std::max(arrives, opens);
+  const OpenGrid& open = on_grid.open;
+  const graph::SearchTree tree = earliest_arrivals(open, leaves, GridTravelTime{sea_, open.grid});
+  if (stop_.stop_requested()) return std::nullopt;
+  arrives = std::min(arrives, core::Seconds{tree.arrival_s(open.grid.goal)});
+  if (std::isfinite(arrives.count())) return arrives;
+  // Who can be where nothing closes until the end opens is there then.
+  if (!(opens > at_once) || !std::isfinite(opens.count())) return std::nullopt;
+  for (graph::Vertex v = 0; v < open.graph.size(); ++v) {
+    if (!tree.is_reached(v)) continue;
+    const core::Seconds there{tree.arrival_s(v)};
+    const bool stays_open = std::ranges::none_of(
+        sea_.closed_times(open.grid.point(v)),
+        [&](const TimeSpan& closed) { return closed.from <= opens && there <= closed.until; });
+    if (stays_open) return opens;
+  }
+  return std::nullopt;
 }
 
 core::Seconds TourLegs::when_open(std::size_t place, core::Seconds arrival) const {

@@ -6,6 +6,7 @@
 #include <utility>
 #include <vector>
 
+#include "engine/graph/search_tree.hpp"
 #include "engine/planning/layout.hpp"
 #include "engine/planning/open_grid.hpp"
 #include "engine/planning/plan_request.hpp"
@@ -15,8 +16,7 @@ namespace floeplan::planning {
 
 /// Travel times between the stops of a layout, for comparing orders of visits: each pair is searched on a coarse grid
 /// of its own, at departures a fixed time apart, when first asked for; between two departures arrivals are linear,
-/// which keeps FIFO. Who comes to a place that is closed then, by an iceberg for instance, has to wait until it opens;
-/// what else comes and goes on the way is left out.
+/// which keeps FIFO. Who comes to a place that is closed then, by an iceberg for instance, has to wait until it opens.
 /// Accuracy  some percent: a plan is searched on its own grid once the order is known
 /// Threads   one thread at a time; answers are remembered
 class TourLegs {
@@ -26,25 +26,38 @@ class TourLegs {
 
   /// Empty when there is no way then, or once it is to stop.
   [[nodiscard]] std::optional<core::Seconds> time(std::size_t from, std::size_t to, core::Seconds depart);
-  /// The same, and empty also where the vehicle would have to circle until the place opens for longer than any pilot would
-  /// let it. No FIFO: who leaves later may have less to circle.
+  /// The same with what closes and opens on the way, the time that is left to leave a place before it closes for instance,
+  /// and empty also where the vehicle would have to circle until the place opens for longer than any pilot would let it.
+  /// No FIFO: who leaves later may have less to circle.
   [[nodiscard]] std::optional<core::Seconds> bearable_time(std::size_t from, std::size_t to,
                                                            core::Seconds depart);
 
  private:
   using Pair = std::pair<std::size_t, std::size_t>;
+  struct Way {
+    core::Seconds time;
+    std::vector<geo::PlanePoint> path;
+  };
   struct Leg {
     OpenGrid open;
-    std::map<long, std::optional<core::Seconds>> times;  // by number of the departure
+    std::map<long, std::optional<Way>> ways;  // by number of the departure
   };
   /// Without a wait at its end.
   [[nodiscard]] std::optional<core::Seconds> time_under_way(std::size_t from, std::size_t to,
                                                             core::Seconds depart);
   [[nodiscard]] Leg& leg(Pair pair);
-  [[nodiscard]] std::optional<core::Seconds> searched(Leg& leg, long departure);
+  [[nodiscard]] std::optional<Way> searched(Leg& leg, long departure);
   /// Keeps the bound on the time without surfacing, from a surfacing at its start.
-  [[nodiscard]] std::optional<core::Seconds> bounded(const OpenGrid& open, core::Seconds depart) const;
-  [[nodiscard]] std::optional<core::Seconds> unbounded(const OpenGrid& open, core::Seconds depart) const;
+  [[nodiscard]] std::optional<Way> bounded(const OpenGrid& open, core::Seconds depart) const;
+  [[nodiscard]] std::optional<Way> unbounded(const OpenGrid& open, core::Seconds depart) const;
+  template <class TravelTime>
+  [[nodiscard]] graph::SearchTree earliest_arrivals(const OpenGrid& open, core::Seconds depart,
+                                                    const TravelTime& travel_time) const;
+  /// When the vehicle can be at the end of a leg that it could be at `at_once` if nothing closed and opened in time, and
+  /// that is not closed at `opens`.
+  [[nodiscard]] std::optional<core::Seconds> arrival_past_closures(Pair pair, core::Seconds depart,
+                                                                   core::Seconds at_once,
+                                                                   core::Seconds opens);
 
   /// Infinite where the place stays closed.
   [[nodiscard]] core::Seconds when_open(std::size_t place, core::Seconds arrival) const;

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <limits>
 #include <numeric>
+#include <utility>
 
 namespace floeplan::planning {
 namespace {
@@ -178,26 +179,39 @@ class Tour {
   double end_s_{never};
 };
 
-/// Every order of visits, one place after the other; a tour that is already later than the best one is not gone on with.
+/// Every order of visits, one place after the other; a tour that is already later than all that are kept is not gone on
+/// with.
 class AllOrders {
  public:
-  AllOrders(std::size_t places, const TourLegTime& leg_time, const std::stop_token& stop)
-      : leg_time_{leg_time}, stop_{stop}, left_(places) {
+  /// `most`: are kept, at least one.
+  AllOrders(std::size_t places, const TourLegTime& leg_time, std::size_t most, const std::stop_token& stop)
+      : leg_time_{leg_time}, most_{most}, stop_{stop}, left_(places) {
     std::iota(left_.begin(), left_.end(), std::size_t{1});
   }
 
-  std::optional<VisitingOrder> best(core::Seconds depart) && {
+  /// The earliest first.
+  std::vector<VisitingOrder> best(core::Seconds depart) && {
     go_on_from(0, depart.count());
     return std::move(best_);
   }
 
  private:
+  [[nodiscard]] double to_beat_s() const {
+    return best_.size() < most_ ? never : best_.back().arrival.count();
+  }
+
+  void keep(double end_s) {
+    const core::Seconds arrival{end_s};
+    if (best_.size() == most_) best_.pop_back();
+    const auto later = std::ranges::upper_bound(best_, arrival, {}, &VisitingOrder::arrival);
+    best_.insert(later, VisitingOrder{order_, arrival, false});
+  }
+
   void go_on_from(std::size_t here, double now_s) {
-    if (stop_.stop_requested() || !(now_s < (best_ ? best_->arrival.count() : never))) return;
+    if (stop_.stop_requested() || !(now_s < to_beat_s())) return;
     if (left_.empty()) {
       const double end_s = arrival_s(leg_time_, here, order_.size() + 1, now_s);
-      if (end_s < (best_ ? best_->arrival.count() : never))
-        best_ = VisitingOrder{order_, core::Seconds{end_s}, true};
+      if (end_s < to_beat_s()) keep(end_s);
       return;
     }
     for (std::size_t i = 0; i < left_.size(); ++i) {
@@ -211,10 +225,11 @@ class AllOrders {
   }
 
   const TourLegTime& leg_time_;
+  std::size_t most_;
   const std::stop_token& stop_;
   std::vector<std::size_t> left_;
   std::vector<std::size_t> order_;
-  std::optional<VisitingOrder> best_;
+  std::vector<VisitingOrder> best_;
 };
 
 }  // namespace
@@ -228,13 +243,18 @@ std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Secon
   return VisitingOrder{tour.order(), core::Seconds{tour.end_s()}, false};
 }
 
-std::optional<VisitingOrder> best_visiting_order_without_fifo(std::size_t places, core::Seconds depart,
-                                                              const TourLegTime& leg_time,
-                                                              const std::stop_token& stop) {
-  if (places <= most_places_tried_in_all_orders) return AllOrders{places, leg_time, stop}.best(depart);
+std::vector<VisitingOrder> best_visiting_orders_without_fifo(std::size_t places, core::Seconds depart,
+                                                             const TourLegTime& leg_time, std::size_t most,
+                                                             const std::stop_token& stop) {
+  if (places <= most_places_tried_in_all_orders) {
+    std::vector<VisitingOrder> orders = AllOrders{places, leg_time, most, stop}.best(depart);
+    if (!orders.empty()) orders.front().exact = true;
+    return orders;
+  }
   auto order = best_visiting_order(places, depart, leg_time, stop);
-  if (order) order->exact = false;
-  return order;
+  if (!order) return {};
+  order->exact = false;
+  return {std::move(*order)};
 }
 
 std::optional<core::Seconds> end_of_tour(const std::vector<std::size_t>& places, core::Seconds depart,

@@ -42,12 +42,15 @@ inline constexpr std::size_t most_places_ordered_exactly = 12;
 /// legs at departures of its own, of which a search takes some milliseconds.
 inline constexpr std::size_t most_places_tried_in_all_orders = 5;
 
-/// The same for times that do not keep the law: up to 5 places by trying all orders, more as if they kept it, so that an
-/// order that is returned can be travelled and another may end earlier, or be the only one.
-[[nodiscard]] std::optional<VisitingOrder> best_visiting_order_without_fifo(std::size_t places,
-                                                                            core::Seconds depart,
-                                                                            const TourLegTime& leg_time,
-                                                                            const std::stop_token& stop);
+/// The same for times that do not keep the law: up to 5 places by trying all orders, of which as many as asked for are
+/// told, the earliest first; more places as if they kept it, so that the one order that is told can be travelled and
+/// another may end earlier, or be the only one.
+/// `most`   orders, at least one
+[[nodiscard]] std::vector<VisitingOrder> best_visiting_orders_without_fifo(std::size_t places,
+                                                                           core::Seconds depart,
+                                                                           const TourLegTime& leg_time,
+                                                                           std::size_t most,
+                                                                           const std::stop_token& stop);
 
 /// When the tour past the places in this order is at the goal; empty where a leg has no way.
 [[nodiscard]] std::optional<core::Seconds> end_of_tour(const std::vector<std::size_t>& places,

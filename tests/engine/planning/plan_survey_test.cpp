@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "engine/planning/plan_route.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning {
@@ -91,6 +92,76 @@ TEST(PlanSurvey, TakesAnOrderThatCanBeFlownWhereAnotherWouldCircleForTooLong) {
     ASSERT_TRUE(found->via_order.has_value());
     EXPECT_EQ(request.via[found->via_order->vias.back()], far);
   }
+}
+
+/// Closed about a place for some time, which begins while the vehicle may be there.
+ocean::Zone closed_about(std::mt19937_64& rng, geo::LonLat place, core::UtcTime depart) {
+  const core::UtcTime from = depart + core::Seconds{3600.0 * support::uniform(rng, 0.0, 10.0)};
+  const geo::Polygon area{{{place.lon_deg - 0.06, place.lat_deg - 0.03},
+                           {place.lon_deg + 0.06, place.lat_deg - 0.03},
+                           {place.lon_deg + 0.06, place.lat_deg + 0.03},
+                           {place.lon_deg - 0.06, place.lat_deg + 0.03}},
+                          {}};
+  return {.name = "survey area",
+          .kind = ocean::ZoneKind::no_go,
+          .area = area,
+          .from = from,
+          .until = from + core::Seconds{3600.0 * support::uniform(rng, 20.0, 50.0)}};
+}
+
+TEST(PlanSurvey, IsPossibleAndAsEarlyWhereAreasCloseAndOpenWhateverTheOrderGiven) {
+  int possible = 0;
+  support::for_each_seed(4, [&possible](std::mt19937_64& rng) {
+    PlanRequest request = survey();
+    request.vehicle.speed_through_water = {0.6};
+    const auto anywhere = [&rng] {
+      return geo::LonLat{support::uniform(rng, -53.6, -52.9), support::uniform(rng, 68.9, 69.2)};
+    };
+    request.from = anywhere();
+    request.to = anywhere();
+    for (geo::LonLat& via : request.via) via = anywhere();
+    request.zones = {closed_about(rng, request.via[0], request.depart),
+                     closed_about(rng, request.via[1], request.depart)};
+    request.max_loiter = core::Seconds{support::uniform_int(rng, 0, 1) * 200'000.0};
+    PlanRequest given = request;
+    given.via_in_best_order = false;
+    std::vector<std::size_t> order{0, 1, 2};
+    do {
+      for (std::size_t i = 0; i < order.size(); ++i) given.via[i] = request.via[order[i]];
+      const auto as_given = try_to_plan({}, given, {}, {});
+      if (!as_given) continue;
+      ++possible;
+      PlanRequest best = given;
+      best.via_in_best_order = true;
+
+      const auto found = try_to_plan({}, best, {}, {});
+
+      ASSERT_TRUE(found.has_value()) << found.error().explanation;
+      EXPECT_LE(found->travel_time().count(), 1.05 * as_given->travel_time().count());
+    } while (std::ranges::next_permutation(order).found);
+  });
+  EXPECT_GT(possible, 0);
+}
+
+/// Whoever comes there first is shut in: the way on from there is closed before it has left the area.
+TEST(PlanSurvey, DoesNotCallAtAPlaceThatItCannotLeaveInTime) {
+  PlanRequest request = survey();
+  request.from = {-53.5, 69.0};
+  request.to = {-53.2, 69.05};
+  request.via = {{-53.4, 69.0}, {-53.0, 69.0}};
+  request.vehicle.speed_through_water = {0.5};
+  const core::Seconds there = core::Seconds{3960.0 / 0.5};
+  request.zones = {{.name = "survey area",
+                    .kind = ocean::ZoneKind::no_go,
+                    .area = {{{-53.48, 68.95}, {-53.32, 68.95}, {-53.32, 69.05}, {-53.48, 69.05}}, {}},
+                    .from = request.depart + there + core::Seconds{1800.0},
+                    .until = request.depart + core::Seconds{20.0 * 3600.0}}};
+
+  const auto found = try_to_plan({}, request, {}, {});
+
+  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  ASSERT_TRUE(found->via_order.has_value());
+  EXPECT_EQ(found->via_order->vias, (std::vector<std::size_t>{1, 0}));
 }
 
 TEST(PlanSurvey, VisitsEveryPlaceInTheOrderThatItNames) {

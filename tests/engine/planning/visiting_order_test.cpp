@@ -153,17 +153,40 @@ TEST(VisitingOrder, IsTheBestOfAllOrdersAlsoWhereLeavingLaterLeadsFurther) {
       if (end && (!best || *end < *best)) best = end;
     } while (std::ranges::next_permutation(each).found);
 
-    const auto order = best_visiting_order_without_fifo(places, Seconds{0.0}, leg_time, {});
+    const auto orders = best_visiting_orders_without_fifo(places, Seconds{0.0}, leg_time, 1, {});
 
-    ASSERT_EQ(order.has_value(), best.has_value());
+    ASSERT_EQ(orders.size(), best ? 1U : 0U);
     none += best ? 0 : 1;
     if (!best) return;
-    EXPECT_EQ(order->arrival, *best);
-    EXPECT_EQ(end_of_tour(order->places, Seconds{0.0}, leg_time), order->arrival);
-    EXPECT_TRUE(order->exact);
+    EXPECT_EQ(orders.front().arrival, *best);
+    EXPECT_EQ(end_of_tour(orders.front().places, Seconds{0.0}, leg_time), orders.front().arrival);
+    EXPECT_TRUE(orders.front().exact);
   });
   EXPECT_GT(none, 0);
   EXPECT_LT(none, 100);
+}
+
+TEST(VisitingOrder, IsFollowedByTheNextBestOfAllOrders) {
+  support::for_each_seed(50, [](std::mt19937_64& rng) {
+    const auto places = static_cast<std::size_t>(support::uniform_int(rng, 1, 4));
+    const TourLegTime leg_time = opening_tour(rng, places);
+    std::vector<std::size_t> each(places);
+    std::iota(each.begin(), each.end(), std::size_t{1});
+    std::vector<Seconds> ends;
+    do {
+      if (const auto end = end_of_tour(each, Seconds{0.0}, leg_time)) ends.push_back(*end);
+    } while (std::ranges::next_permutation(each).found);
+    std::ranges::sort(ends);
+    ends.resize(std::min<std::size_t>(ends.size(), 4));
+
+    const auto orders = best_visiting_orders_without_fifo(places, Seconds{0.0}, leg_time, 4, {});
+
+    ASSERT_EQ(orders.size(), ends.size());
+    for (std::size_t i = 0; i < orders.size(); ++i) {
+      EXPECT_EQ(orders[i].arrival, ends[i]);
+      EXPECT_EQ(end_of_tour(orders[i].places, Seconds{0.0}, leg_time), ends[i]);
+    }
+  });
 }
 
 TEST(VisitingOrder, OfManyPlacesCanBeTravelledWhereLeavingLaterLeadsFurther) {
@@ -172,12 +195,12 @@ TEST(VisitingOrder, OfManyPlacesCanBeTravelledWhereLeavingLaterLeadsFurther) {
     const auto places = static_cast<std::size_t>(support::uniform_int(rng, 6, 14));
     const TourLegTime leg_time = opening_tour(rng, places);
 
-    const auto order = best_visiting_order_without_fifo(places, Seconds{0.0}, leg_time, {});
+    const auto orders = best_visiting_orders_without_fifo(places, Seconds{0.0}, leg_time, 3, {});
 
-    if (!order) return;
+    if (orders.empty()) return;
     ++found;
-    EXPECT_EQ(end_of_tour(order->places, Seconds{0.0}, leg_time), order->arrival);
-    EXPECT_FALSE(order->exact);
+    EXPECT_EQ(end_of_tour(orders.front().places, Seconds{0.0}, leg_time), orders.front().arrival);
+    EXPECT_FALSE(orders.front().exact);
   });
   EXPECT_GT(found, 0);
 }
@@ -187,7 +210,7 @@ TEST(VisitingOrder, IsNoneOnceItIsToStop) {
   stopped.request_stop();
   const TourLegTime leg_time = [](std::size_t, std::size_t, Seconds) { return Seconds{1.0}; };
 
-  EXPECT_FALSE(best_visiting_order_without_fifo(4, Seconds{0.0}, leg_time, stopped.get_token()).has_value());
+  EXPECT_TRUE(best_visiting_orders_without_fifo(4, Seconds{0.0}, leg_time, 1, stopped.get_token()).empty());
 }
 
 }  // namespace
