@@ -36,6 +36,7 @@ SurfacingVoyage::SurfacingVoyage(const Sea& sea, const OpenGrid& open, const Kno
       ladder_{known.ladder},
       step_s_{step_time(open.grid, sea.through_water()).count()},
       longest_s_{sea.longest_without_surfacing()->count()},
+      left_at_goal_s_{open.left_at_goal.count()},
       resolution_s_{resolution.count()},
       before_s_{before.count()},
       aim_{aim},
@@ -70,6 +71,7 @@ bool SurfacingVoyage::may_surface_along(geo::PlanePoint tail, geo::PlanePoint he
 }
 
 bool SurfacingVoyage::can_surface_in_time(graph::Vertex v, double since_surfacing_s) const {
+  if (v == grid_.goal && since_surfacing_s + left_at_goal_s_ > longest_s_) return false;
   return since_surfacing_s + reach_.least_until_opening_s(v) <= longest_s_;
 }
 

@@ -127,7 +127,7 @@ class SurfacingVoyage {
   [[nodiscard]] double least_arrival_s(const graph::Edge& edge, double depart_s) const;
   [[nodiscard]] bool is_of_use(graph::Vertex v, double arrival_s) const;
   [[nodiscard]] bool may_surface_along(geo::PlanePoint tail, geo::PlanePoint head) const;
-  /// Or be at the last stop.
+  /// Or be at the last stop; at the goal, with what has to be left there.
   [[nodiscard]] bool can_surface_in_time(graph::Vertex v, double since_surfacing_s) const;
   /// Whether who comes first can stay until the other one is there, and be no worse off then.
   [[nodiscard]] bool may_wait_for(graph::Vertex v, const Label& first, const Label& other) const;
@@ -143,6 +143,7 @@ class SurfacingVoyage {
   ArrivalLadder* ladder_;
   double step_s_;
   double longest_s_;
+  double left_at_goal_s_;
   double resolution_s_;
   double before_s_;
   Aim aim_;

@@ -2,6 +2,9 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
+#include <optional>
+#include <utility>
 
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/late_openings.hpp"
@@ -43,6 +46,164 @@ core::Seconds arrival_by(const Sea& sea, const FoundWay& other, std::size_t part
   return arrivals->back() + slack * (arrivals->back() - depart);
 }
 
+/// How long a vehicle that leaves after a surfacing is under way until it may surface again, give or take the edge on which
+/// it does; until the way's end where it may not before.
+core::Seconds until_first_surfacing(const Sea& sea, const std::vector<geo::PlanePoint>& way,
+                                    core::Seconds depart) {
+  constexpr core::Seconds just_now{0.0};
+  constexpr core::Seconds whenever{INFINITY};
+  constexpr core::Seconds rounding{1e-3};
+  const auto arrivals = arrivals_along(sea, way, depart);
+  if (!arrivals) return just_now;
+  for (std::size_t i = 1; i < way.size(); ++i) {
+    const std::vector<geo::PlanePoint> begun(way.begin(), way.begin() + static_cast<std::ptrdiff_t>(i + 1));
+    const core::Seconds under_way = (*arrivals)[i] - depart;
+    const auto since = since_surfacing_at_end(sea, begun, depart, just_now, whenever);
+    if (since && *since + rounding < under_way) return under_way - *since;
+  }
+  return arrivals->back() - depart;
+}
+
+/// When a part of a voyage begins, and how long ago the vehicle might have surfaced then.
+struct Beginning {
+  core::Seconds depart{};
+  core::Seconds since_surfacing{};
+};
+
+/// A part of a voyage, from one stop to the next.
+struct Part {
+  Beginning beginning;
+  std::vector<geo::PlanePoint> path;
+};
+
+/// Searches grid after grid.
+class Parts {
+ public:
+  /// Everything is borrowed.
+  Parts(const Sea& sea, const std::vector<OpenGrid>& grids, const PlanRequest& request,
+        const std::stop_token& stop, const std::function<void(double)>& report_fraction,
+        const OtherDepartures& others)
+      : sea_{sea},
+        grids_{grids},
+        request_{request},
+        stop_{stop},
+        report_fraction_{report_fraction},
+        others_{others} {}
+
+  /// From the first stop to the last one; empty, or why there is no way.
+  std::optional<Infeasible> search_all(core::Seconds depart) {
+    end_ = {depart, core::Seconds{0.0}};
+    for (std::size_t i = 0; i < grids_.size(); ++i) {
+      RouteSearch search = search_from(grids_[i], i, end_);
+      if (search.path.empty() && !search.cancelled && is_for_want_of_surfacing(search))
+        search = search_with_more_left(std::move(search), i);
+      if (search.cancelled) return explain_cancelled(request_);
+      if (search.path.empty()) return why_not(search, i);
+      if (auto closed = append(std::move(search))) return closed;
+    }
+    return std::nullopt;
+  }
+
+  [[nodiscard]] const std::vector<Part>& parts() const { return parts_; }
+  [[nodiscard]] core::Seconds arrival() const { return end_.depart; }
+  [[nodiscard]] const SearchStatistics& statistics() const { return statistics_; }
+
+ private:
+  RouteSearch search_from(const OpenGrid& open, std::size_t i, const Beginning& beginning) {
+    const auto search_by = [&](core::Seconds latest) {
+      const auto report = [&](double fraction) {
+        report_fraction_((static_cast<double>(i) + fraction) / static_cast<double>(grids_.size()));
+      };
+      return search_route(sea_, open, request_, beginning.depart, stop_, report, latest,
+                          beginning.since_surfacing,
+                          others_.foresights != nullptr ? &(*others_.foresights)[i] : nullptr);
+    };
+    const bool bounded = others_.way != nullptr && !sea_.has_timed_closures();
+    const core::Seconds latest =
+        bounded ? arrival_by(sea_, *others_.way, i, beginning.depart) : core::Seconds{INFINITY};
+    RouteSearch search = search_by(latest);
+    // Where FIFO does not hold the search may miss the way that gave the bound.
+    if (search.path.empty() && std::isfinite(latest.count()) && !search.cancelled) {
+      search = search_by(core::Seconds{INFINITY});
+    }
+    add(statistics_, search.statistics);
+    return search;
+  }
+
+  /// Whether the part before, which ends as early as it can, may have left too little of the bound.
+  [[nodiscard]] bool is_for_want_of_surfacing(const RouteSearch& search) const {
+    return sea_.bounds_surfacing() && !parts_.empty() && end_.since_surfacing.count() > 0.0 &&
+           !search.opens_later;
+  }
+
+  /// As if the vehicle had just surfaced at the stop: what that way needs until the next surfacing has to be left there, and
+  /// more where what is above has changed until then. Replaces the part before where that leads on.
+  /// `failed`: is given back where it does not
+  RouteSearch search_with_more_left(RouteSearch failed, std::size_t i) {
+    const core::Seconds longest = *sea_.longest_without_surfacing();
+    const RouteSearch rested = search_from(grids_[i], i, {end_.depart, core::Seconds{0.0}});
+    if (rested.path.empty()) {
+      failed.cancelled = rested.cancelled;
+      return failed;
+    }
+    const core::Seconds needed = until_first_surfacing(sea_, rested.path, end_.depart);
+    for (const double more : {0.02, 0.5}) {
+      OpenGrid before = grids_[i - 1];
+      before.left_at_goal = std::max(needed + more * (longest - needed), longest - end_.since_surfacing);
+      RouteSearch earlier = search_from(before, i - 1, parts_.back().beginning);
+      failed.cancelled = earlier.cancelled;
+      if (earlier.path.empty()) break;
+      const Part replaced = std::move(parts_.back());
+      const Beginning end = end_;
+      parts_.pop_back();
+      end_ = replaced.beginning;
+      if (!append(std::move(earlier))) {
+        RouteSearch onward = search_from(grids_[i], i, end_);
+        if (!onward.path.empty() || onward.cancelled) return onward;
+        parts_.pop_back();
+      }
+      parts_.push_back(replaced);
+      end_ = end;
+    }
+    return failed;
+  }
+
+  /// Adds what was found from the end so far; answers with what closes it all the same.
+  std::optional<Infeasible> append(RouteSearch search) {
+    const auto arrivals = arrivals_along(sea_, search.path, end_.depart, end_.since_surfacing);
+    if (!arrivals) return explain_route(arrivals.error(), sea_, request_);
+    parts_.push_back({end_, std::move(search.path)});
+    end_ = {arrivals->back(), search.since_surfacing};
+    return std::nullopt;
+  }
+
+  [[nodiscard]] Infeasible why_not(RouteSearch& search, std::size_t i) const {
+    if (search.opens_later) {
+      const RouteGrid& grid = grids_[i].grid;
+      const Stop kind = i + 1 == grids_.size() ? Stop::goal : Stop::via;
+      return explain_circling(*search.opens_later, kind, grid.point(grid.goal), sea_, request_);
+    }
+    search.statistics.cut_short = search.statistics.cut_short || statistics_.cut_short;
+    Infeasible why = explain_search(search, sea_, request_);
+    if (is_for_want_of_surfacing(search)) {
+      why.explanation +=
+          " (the way was looked for from stop to stop, as early at each as it can be: there may be one that "
+          "comes to a stop later, all the same)";
+    }
+    return why;
+  }
+
+  const Sea& sea_;
+  const std::vector<OpenGrid>& grids_;
+  const PlanRequest& request_;
+  const std::stop_token& stop_;
+  const std::function<void(double)>& report_fraction_;
+  const OtherDepartures& others_;
+  std::vector<Part> parts_;
+  Beginning end_;  // of the parts so far
+  SearchStatistics statistics_;
+};
+
 }  // namespace
 
 bool touches_rim(const std::vector<geo::PlanePoint>& path, const RouteGrid& grid) {
@@ -61,45 +222,21 @@ Result<FoundWay> search_voyage(const Sea& sea, const std::vector<OpenGrid>& grid
                                core::Seconds depart, const std::stop_token& stop,
                                const std::function<void(double)>& report_fraction,
                                const OtherDepartures& others) {
+  Parts voyage{sea, grids, request, stop, report_fraction, others};
+  if (auto why_not = voyage.search_all(depart)) return tl::unexpected(std::move(*why_not));
   FoundWay found;
-  core::Seconds since_surfacing{0.0};
   found.route.points.push_back(grids.front().grid.point(grids.front().grid.start));
   found.route.fixed.push_back(true);
   for (std::size_t i = 0; i < grids.size(); ++i) {
-    const auto search_by = [&](core::Seconds latest) {
-      const auto report = [&](double fraction) {
-        report_fraction((static_cast<double>(i) + fraction) / static_cast<double>(grids.size()));
-      };
-      return search_route(sea, grids[i], request, depart, stop, report, latest, since_surfacing,
-                          others.foresights != nullptr ? &(*others.foresights)[i] : nullptr);
-    };
-    const bool bounded = others.way != nullptr && !sea.has_timed_closures();
-    const core::Seconds latest = bounded ? arrival_by(sea, *others.way, i, depart) : core::Seconds{INFINITY};
-    RouteSearch search = search_by(latest);
-    // Where FIFO does not hold the search may miss the way that gave the bound.
-    if (search.path.empty() && std::isfinite(latest.count()) && !search.cancelled) {
-      search = search_by(core::Seconds{INFINITY});
-    }
-    add(found.statistics, search.statistics);
-    if (search.cancelled) return tl::unexpected(explain_cancelled(request));
-    if (search.path.empty() && search.opens_later) {
-      const Stop kind = i + 1 == grids.size() ? Stop::goal : Stop::via;
-      return tl::unexpected(
-          explain_circling(*search.opens_later, kind, grids[i].grid.point(grids[i].grid.goal), sea, request));
-    }
-    if (search.path.empty()) return tl::unexpected(explain_search(search, sea, request));
-
-    const auto arrivals = arrivals_along(sea, search.path, depart, since_surfacing);
-    if (!arrivals) return tl::unexpected(explain_route(arrivals.error(), sea, request));
-    depart = arrivals->back();
-    since_surfacing = search.since_surfacing;
-    found.touches_rim = found.touches_rim || touches_rim(search.path, grids[i].grid);
-    for (std::size_t p = 1; p < search.path.size(); ++p) {
-      found.route.points.push_back(search.path[p]);
-      found.route.fixed.push_back(p + 1 == search.path.size());
+    const std::vector<geo::PlanePoint>& path = voyage.parts()[i].path;
+    found.touches_rim = found.touches_rim || touches_rim(path, grids[i].grid);
+    for (std::size_t p = 1; p < path.size(); ++p) {
+      found.route.points.push_back(path[p]);
+      found.route.fixed.push_back(p + 1 == path.size());
     }
   }
-  found.arrival = depart;
+  found.arrival = voyage.arrival();
+  found.statistics = voyage.statistics();
   // What is gained to one stop may be lost, or doubled, to the next.
   if (grids.size() > 1) found.statistics.possible_gain.reset();
   return found;

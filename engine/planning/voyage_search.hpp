@@ -30,6 +30,8 @@ struct OtherDepartures {
 
 /// Searches grid after grid with the request's method (not Method::direct), from `depart` on (counted from the
 /// sea's epoch); under FIFO the earliest arrival at each stop is the best departure from it.
+/// Where the time without surfacing is bounded and the way on from a stop does not keep that bound, the stop is come to
+/// again, later, with as much of the bound left as the way on needs.
 /// `others`: bound the search and change no result (their way not where something closes for a while); without a way
 /// legs that open later are looked for.
 /// Errors   where and why there is no way

@@ -238,6 +238,34 @@ TEST(PlanUnderIce, SurfacesBeforeAPlaceToPassWhereItMustGoOnBelowTheIce) {
   }
 }
 
+/// What the way on from the place to pass takes at least, with the tide's strongest current astern, is much less than it
+/// does take.
+TEST(PlanUnderIce, LeavesAsMuchOfTheBoundAtAPlaceToPassAsTheWayOnTakesInATide) {
+  const geo::LonLat hole{-53.25, 69.06};
+  const auto tide = [](geo::LonLat, double hour) {
+    return geo::VelocityEn{{0.2 * std::cos(2.0 * std::numbers::pi * hour / 12.42)}, {0.0}};
+  };
+  const ocean::Environment holed{.currents = support::currents_from(tide, 240),
+                                 .ice = support::ice_from(
+                                     [&](geo::LonLat p, double) {
+                                       const double to_hole_m = geo::geodesic_between(p, hole).length.value;
+                                       return p.lon_deg < -53.4 || to_hole_m < 4000.0 ? 0.0 : 0.9;
+                                     },
+                                     {0.0}, 1.0)};
+  PlanRequest request = support::eastward_request();
+  request.spacing_along = core::Metres{1000.0};
+  request.via = {{-53.1, 69.0}};  // some 10 h below the ice, and 8 h to go
+  request.to = {-52.85, 69.0};
+  for (const double bound_h : {14.0, 16.0}) {
+    request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * bound_h};
+
+    const Plan plan = planned(holed, request);
+
+    ASSERT_TRUE(plan.surfacing) << "within " << bound_h << " h";
+    EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * bound_h);
+  }
+}
+
 /// On 400 m, the default there, the search runs out of memory long before it knows the best way.
 TEST(PlanUnderIce, SearchesACoarserGridWhereTheOneLeftOpenTakesTooMuchMemory) {
   const ocean::Environment environment = ice_with_holes(3, 14);
