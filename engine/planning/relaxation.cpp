@@ -203,7 +203,14 @@ class Relaxation {
   }
 
   void dive_deeper() { dive_towards(request_.vehicle.depth_rating.value); }
+  /// Above what zones at some depths only close; no other zone minds how deep the dives are.
   void dive_less_deep() {
+    const auto has_depths = [](const ocean::Zone& zone) {
+      return zone.top.value > 0.0 || std::isfinite(zone.bottom.value);
+    };
+    if (std::ranges::none_of(request_.zones, has_depths) &&
+        std::ranges::none_of(environment_.zones, has_depths))
+      return;
     dive_towards(std::ceil(request_.vehicle.climb_to.value + vehicle::lowest_tooth.value));
   }
 

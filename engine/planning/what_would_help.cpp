@@ -47,6 +47,8 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
     if (move) why.changes = {std::move(*move)};
   }
   WayTrials trials{environment, stop};
+  // A trial that finds a way for the request as it is tells nothing of what stands in its way.
+  if (trials(request) == TrialOutcome::possible) return why;
   const auto without_stored_zones = [&](const PlanRequest& asked) {
     ocean::Environment open = environment;
     open.zones.clear();

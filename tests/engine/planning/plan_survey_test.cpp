@@ -143,6 +143,38 @@ TEST(PlanSurvey, IsPossibleAndAsEarlyWhereAreasCloseAndOpenWhateverTheOrderGiven
   EXPECT_GT(possible, 0);
 }
 
+TEST(PlanSurvey, IsMadePossibleByEachChangeThatARefusalNames) {
+  int named = 0;
+  support::for_each_seed(3, [&named](std::mt19937_64& rng) {
+    PlanRequest request = survey();
+    request.vehicle.speed_through_water = {0.6};
+    request.via.pop_back();
+    request.via[0] = {support::uniform(rng, -53.4, -53.2), 69.0};
+    const core::UtcTime depart = request.depart;
+    request.zones = {closed_about(rng, request.via[0], depart), closed_about(rng, request.via[0], depart)};
+    for (ocean::Zone& zone : request.zones) {
+      zone.from = depart + core::Seconds{3600.0};
+      zone.until = depart + core::Seconds{3600.0 * support::uniform(rng, 60.0, 90.0)};
+    }
+    request.zones[1].area = {{{-52.95, 69.05}, {-52.85, 69.05}, {-52.85, 69.1}, {-52.95, 69.1}}, {}};
+
+    const auto found = plan_route({}, request, {}, {});
+
+    ASSERT_FALSE(found.has_value());
+    for (const Change& change : found.error().changes) {
+      PlanRequest changed = request;
+      if (change.input == "areas/features/0") changed.zones.erase(changed.zones.begin());
+      if (change.input == "areas/features/1") changed.zones.pop_back();
+      if (change.input == "max_loiter_s") changed.max_loiter = core::Seconds{std::get<double>(change.to)};
+      if (change.input == "depart") changed.depart = std::get<core::UtcTime>(change.to);
+      if (change.input == "spacing_m") changed.spacing_along = core::Metres{std::get<double>(change.to)};
+      EXPECT_TRUE(plan_route({}, changed, {}, {}).has_value()) << change.text;
+      ++named;
+    }
+  });
+  EXPECT_GT(named, 0);
+}
+
 /// Whoever comes there first is shut in: the way on from there is closed before it has left the area.
 TEST(PlanSurvey, DoesNotCallAtAPlaceThatItCannotLeaveInTime) {
   PlanRequest request = survey();

@@ -8,6 +8,7 @@
 #include "engine/planning/departure.hpp"
 #include "engine/planning/latest_departure.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "engine/planning/what_would_help.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning {
@@ -278,6 +279,50 @@ TEST(Relaxation, NamesWhatIsKeptAboveTheSeaBedWhereItIsMoreThanUsual) {
   ASSERT_NE(less, nullptr);
   request.vehicle.altimeter_margin = {std::get<double>(less->to)};
   EXPECT_TRUE(plan(environment, request).has_value());
+}
+
+/// The refusal lies with what a trial of a single plan does not know of.
+TEST(Relaxation, NamesNoChangeOfARequestThatHasASinglePlan) {
+  PlanRequest request = eastward_request();
+  request.zones = {{.name = "out of the way",
+                    .area = {{{-53.1, 69.2}, {-52.9, 69.2}, {-52.9, 69.25}}, {}},
+                    .from = std::nullopt,
+                    .until = std::nullopt}};
+  request.spacing_along = core::Metres{1500.0};
+  ASSERT_TRUE(plan({}, request).has_value());
+  Infeasible refusal;
+  refusal.reason = Reason::goal_unreachable;
+  refusal.binding = Constraint::zone;
+
+  const Infeasible why = with_what_would_help({}, request, refusal, {}, {});
+
+  EXPECT_TRUE(why.changes.empty());
+}
+
+TEST(Relaxation, DivesNoLessDeepForAreasThatAreClosedAtAllDepths) {
+  PlanRequest request = eastward_request();
+  const geo::LonLat goal = request.to;
+  request.zones = {{.name = "all depths",
+                    .area = {{{goal.lon_deg - 0.1, 68.9},
+                              {goal.lon_deg - 0.05, 68.9},
+                              {goal.lon_deg - 0.05, 69.1},
+                              {goal.lon_deg + 0.1, 69.1},
+                              {goal.lon_deg + 0.1, 68.9}},
+                             {}},
+                    .from = std::nullopt,
+                    .until = std::nullopt}};
+  int dives_tried = 0;
+  const Trial trial = [&](const PlanRequest& changed) {
+    dives_tried += changed.vehicle.dive_depth == request.vehicle.dive_depth ? 0 : 1;
+    return TrialOutcome::impossible;
+  };
+  Infeasible why;
+  why.binding = Constraint::zone;
+
+  const FoundChanges found = find_changes({}, request, why, trial, {});
+
+  EXPECT_TRUE(found.changes.empty());
+  EXPECT_EQ(dives_tried, 0);
 }
 
 TEST(Relaxation, DepartsWhenTheStartHasOpened) {
