@@ -229,6 +229,21 @@ class Relaxation {
         written("keep %.0f m above the sea bed instead of %.0f m", *needed, now));
   }
 
+  void work_in_shallower_water() {
+    const double now = request_.vehicle.minimum_working_depth.value;
+    const auto profile = vehicle::find_profile(request_.vehicle.name);
+    if (!profile || now <= profile->minimum_working_depth.value) return;
+    const auto with = [&](double depth) {
+      PlanRequest changed = request_;
+      changed.vehicle.minimum_working_depth = {depth};
+      return changed;
+    };
+    const auto needed = trials_.nearest_that_helps(now, profile->minimum_working_depth.value, 1.0, with);
+    if (!needed) return;
+    add("vehicle/minimum_working_depth_m", now, *needed, 2.0 - *needed / now,
+        written("let the vehicle work in water of %.0f m instead of %.0f m", *needed, now));
+  }
+
   void charge_the_battery() {
     const double now = request_.vehicle.energy.battery_start_share;
     const auto with = [&](double share) {
@@ -250,10 +265,11 @@ class Relaxation {
       changed.vehicle.energy.battery = {battery_j};
       return changed;
     };
-    const auto needed = trials_.nearest_that_helps(now, 8.0 * now, 1e5, with);
+    const double three_digits = std::pow(10.0, std::floor(std::log10(now)) - 2.0);
+    const auto needed = trials_.nearest_that_helps(now, 8.0 * now, three_digits, with);
     if (!needed) return;
     add("battery_j", now, *needed, 1.0 + *needed / now,
-        written("take a battery of %.1f MJ instead of %.1f MJ", *needed / 1e6, now / 1e6));
+        written("take a battery of %.4g MJ instead of %.4g MJ", *needed / 1e6, now / 1e6));
   }
 
   void leave_the_thruster_off() {
@@ -387,6 +403,7 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
       break;
     case Constraint::depth:
       relaxation.keep_less_above_the_bed();
+      relaxation.work_in_shallower_water();
       if (!at_a_stop) relaxation.refine_the_grid();
       break;
     case Constraint::land:

@@ -281,6 +281,22 @@ TEST(Relaxation, NamesWhatIsKeptAboveTheSeaBedWhereItIsMoreThanUsual) {
   EXPECT_TRUE(plan(environment, request).has_value());
 }
 
+TEST(Relaxation, NamesTheWorkingDepthThatTheWaterAllowsWhereItIsMoreThanUsual) {
+  const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat) { return 150.0; })};
+  PlanRequest request = eastward_request();
+  request.vehicle.minimum_working_depth = core::Metres{180.0};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().binding, Constraint::depth);
+  const Change* less = change_of(found.error(), "vehicle/minimum_working_depth_m");
+  ASSERT_NE(less, nullptr);
+  EXPECT_GT(std::get<double>(less->to), 140.0) << "not much less than the water allows";
+  request.vehicle.minimum_working_depth = {std::get<double>(less->to)};
+  EXPECT_TRUE(plan(environment, request).has_value());
+}
+
 /// The refusal lies with what a trial of a single plan does not know of.
 TEST(Relaxation, NamesNoChangeOfARequestThatHasASinglePlan) {
   PlanRequest request = eastward_request();
@@ -397,6 +413,24 @@ TEST(Relaxation, TriesTheNextInputAfterOneWhoseTrialToldNothing) {
   EXPECT_TRUE(found.cut_short);
   ASSERT_EQ(found.changes.size(), 1U);
   EXPECT_EQ(found.changes.front().input, "max_inflation_m");
+}
+
+TEST(Relaxation, NamesABatteryOfAnySizeThatIsJustEnough) {
+  PlanRequest request = eastward_request();
+  request.to = {request.from.lon_deg + 0.1, request.from.lat_deg};  // 4 km
+  vehicle::EnergyModel& energy = request.vehicle.energy;
+  energy.battery_reserve_share = 0.0;
+  const double needed_j = plan({}, request).value().energy->use.total().value;
+  energy.battery = core::Joules{0.5 * needed_j};
+  request.energy.require_battery = true;
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  const Change* change = change_of(found.error(), "battery_j");
+  ASSERT_NE(change, nullptr);
+  EXPECT_GE(std::get<double>(change->to), needed_j);
+  EXPECT_LE(std::get<double>(change->to), 1.05 * needed_j);
 }
 
 TEST(Relaxation, NamesTheBatteryThatIsJustEnough) {
