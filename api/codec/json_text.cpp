@@ -1,5 +1,10 @@
 #include "api/codec/json_text.hpp"
 
+#include <cstddef>
+#include <set>
+#include <string>
+#include <vector>
+
 namespace floeplan::codec {
 namespace {
 
@@ -10,18 +15,24 @@ class Checker : public nlohmann::json_sax<json> {
  public:
   std::string fault;
 
-  bool null() override { return true; }
-  bool boolean(bool) override { return true; }
-  bool number_integer(number_integer_t) override { return true; }
-  bool number_unsigned(number_unsigned_t) override { return true; }
-  bool number_float(number_float_t, const string_t&) override { return true; }
-  bool string(string_t&) override { return true; }
-  bool binary(binary_t&) override { return true; }
-  bool key(string_t&) override { return true; }
-  bool start_object(std::size_t) override { return deeper(); }
-  bool start_array(std::size_t) override { return deeper(); }
-  bool end_object() override { return --depth_, true; }
-  bool end_array() override { return --depth_, true; }
+  bool null() override { return value(); }
+  bool boolean(bool) override { return value(); }
+  bool number_integer(number_integer_t) override { return value(); }
+  bool number_unsigned(number_unsigned_t) override { return value(); }
+  bool number_float(number_float_t, const string_t&) override { return value(); }
+  bool string(string_t&) override { return value(); }
+  bool binary(binary_t&) override { return value(); }
+  bool key(string_t& name) override {
+    Level& level = levels_.back();
+    level.place = name;
+    if (level.keys.insert(name).second) return true;
+    fault = "A key stands more than once: " + place() + ".";
+    return false;
+  }
+  bool start_object(std::size_t) override { return deeper(false); }
+  bool start_array(std::size_t) override { return deeper(true); }
+  bool end_object() override { return levels_.pop_back(), true; }
+  bool end_array() override { return levels_.pop_back(), true; }
   bool parse_error(std::size_t position, const std::string&,
                    const nlohmann::detail::exception& error) override {
     const bool too_large = error.id == 406;
@@ -31,13 +42,34 @@ class Checker : public nlohmann::json_sax<json> {
   }
 
  private:
-  bool deeper() {
-    if (++depth_ <= max_json_depth) return true;
+  /// An object or a list that is not closed yet.
+  struct Level {
+    bool is_list{};
+    std::set<std::string> keys{};  // so far, of an object
+    std::string place{};           // the last key of an object
+    std::size_t values{};          // so far, of a list
+  };
+
+  bool value() {
+    if (!levels_.empty() && levels_.back().is_list) ++levels_.back().values;
+    return true;
+  }
+  bool deeper(bool is_list) {
+    value();
+    levels_.push_back({.is_list = is_list});
+    if (levels_.size() <= static_cast<std::size_t>(max_json_depth)) return true;
     fault = "The JSON is nested deeper than " + std::to_string(max_json_depth) + " levels.";
     return false;
   }
+  /// Of the last value, as a JSON pointer.
+  [[nodiscard]] std::string place() const {
+    std::string text;
+    for (const Level& level : levels_)
+      text += "/" + (level.is_list ? std::to_string(level.values - 1) : level.place);
+    return text;
+  }
 
-  int depth_{0};
+  std::vector<Level> levels_;
 };
 
 }  // namespace
