@@ -7,6 +7,7 @@
 #include <stdexcept>
 #include <type_traits>
 
+#include "api/codec/json_text.hpp"
 #include "server/cli/flag_values.hpp"
 
 namespace floeplan::cli {
@@ -54,6 +55,9 @@ json read_object(const std::string& file, const std::string& what) {
     throw std::runtime_error{subject + " is not JSON from byte " + std::to_string(error.byte) +
                              " on; check brackets, commas and quotes there"};
   }
+  // The parser takes what the server refuses: one key twice, and nesting without an end.
+  if (const auto checked = codec::parse_json(text); !checked)
+    throw std::runtime_error{subject + " is refused. " + checked.error()};
   if (!object.is_object()) throw std::runtime_error{subject + " is not a JSON object"};
   return object;
 }

@@ -75,6 +75,16 @@ TEST(BadInput, ARequestFileThatIsNotJsonSaysWhere) {
   EXPECT_THAT(large.err, HasSubstr("too large"));
 }
 
+TEST(BadInput, ARequestFileThatNamesAnInputTwiceSaysWhich) {
+  const Program program;
+  write(program.folder() / "twice.json", R"({"from": [-53, 69], "speed_m_s": 0.3, "speed_m_s": 0.6})");
+
+  const Outcome twice = program.run(plan({"--request", (program.folder() / "twice.json").string()}));
+
+  EXPECT_EQ(twice.exit_code, 1);
+  EXPECT_THAT(twice.err, HasSubstr("/speed_m_s"));
+}
+
 TEST(BadInput, ASpeedThatIsNotFiniteIsNamedAsSuch) {
   const Outcome outcome = Program{}.run(
       plan({"--from=-53,69", "--to=-52,69", "--depart", "2026-11-22T06:00:00Z", "--speed", "inf"}));
