@@ -20,6 +20,8 @@ namespace floeplan::planning {
 namespace {
 
 constexpr core::Seconds at_departure{0.0};
+constexpr const char* met_its_bound =
+    "the search met its bound on memory before it was done; a plan that costs less may exist";
 constexpr const char* no_gap = "only plans for the least time are compared with the best way";
 
 double cost_of(const Plan& plan, const Objective& objective) {
@@ -114,8 +116,7 @@ Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, 
     return tl::unexpected(std::move(*none));
   add_warnings(plan, request);
   if (statistics.cut_short) {
-    plan.warnings.push_back(
-        "the search met its bound on memory before it was done; a plan that costs less may exist");
+    plan.warnings.emplace_back(met_its_bound);
   }
   return plan;
 }
@@ -147,10 +148,12 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
     }
     way = std::move(*found);
   }
+  // Who came to no end on these grids comes to none on wider ones.
+  const bool wider_may_help = way.touches_rim && !way.statistics.cut_short;
   progress("refinement", 0.7);
   const ImprovedDrive improved = improve(sea, way.route, request, stop, clock);
   if (stop.stop_requested()) return {tl::unexpected(explain_cancelled(request))};
-  return {publish(*chart, environment, request, improved, way.statistics, stop), way.touches_rim};
+  return {publish(*chart, environment, request, improved, way.statistics, stop), wider_may_help};
 }
 
 ThrusterUse only(vehicle::Drive drive) {
@@ -175,16 +178,25 @@ Result<Plan> plan_on_either_reach(const ocean::Environment& environment, const P
   return std::move(is_better ? wider.plan : attempt.plan);
 }
 
-/// What searches on the request's grids find: for all drives, and for each by itself, which takes little and is often
+bool was_cut_short(const Result<Plan>& plan) {
+  return plan ? plan->search.cut_short : plan.error().search_cut_short;
+}
+
+/// The known plan or, if it costs less, what a search found; a search that came to no end leaves its warning.
+Result<Plan> better_of(Result<Plan> known, Result<Plan> found, const Objective& objective) {
+  if (costs_less(found, known, objective) || !known) return found;
+  if (was_cut_short(found)) known->warnings.emplace_back(met_its_bound);
+  return known;
+}
+
+/// What searches on the request's grids find: for all drives, and for some by themselves, which takes little and is often
 /// better where a search for all does not look at everything.
 Result<Plan> best_on_grids(const ocean::Environment& environment, const PlanRequest& request,
-                           const std::stop_token& stop, const core::ProgressCallback& progress,
-                           const core::SteadyClock& clock) {
+                           const std::vector<vehicle::Drive>& alone, const std::stop_token& stop,
+                           const core::ProgressCallback& progress, const core::SteadyClock& clock) {
   Result<Plan> best = plan_on_either_reach(environment, request, stop, progress, clock);
-  const std::vector<vehicle::Drive> all = drives(request.energy, request.vehicle);
-  if (all.size() == 1 || (!best && !best.error().search_cut_short)) return best;
-  for (const vehicle::Drive drive : all) {
-    if (stop.stop_requested()) break;
+  for (const vehicle::Drive drive : alone) {
+    if (stop.stop_requested() || drives(request.energy, request.vehicle).size() == 1) break;
     PlanRequest on_drive = request;
     on_drive.energy.thruster = only(drive);
     Result<Plan> found = plan_on_either_reach(environment, on_drive, stop, silent, clock);
@@ -195,16 +207,12 @@ Result<Plan> best_on_grids(const ocean::Environment& environment, const PlanRequ
 
 }  // namespace
 
-std::vector<PlanRequest> fastest_requests(const PlanRequest& request) {
-  std::vector<PlanRequest> requests;
-  for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
-    PlanRequest fastest = request;
-    fastest.optimality_gap = false;
-    fastest.energy.objective = time_objective;
-    fastest.energy.thruster = only(drive);
-    requests.push_back(std::move(fastest));
-  }
-  return requests;
+PlanRequest fastest_request(const PlanRequest& request, vehicle::Drive drive) {
+  PlanRequest fastest = request;
+  fastest.optimality_gap = false;
+  fastest.energy.objective = time_objective;
+  fastest.energy.thruster = only(drive);
+  return fastest;
 }
 
 Result<Plan> publish_straight_way(const Chart& chart, const ocean::Environment& environment,
@@ -214,37 +222,45 @@ Result<Plan> publish_straight_way(const Chart& chart, const ocean::Environment& 
   return publish(chart, environment, request, {std::move(route), std::nullopt}, {}, stop);
 }
 
-Result<Plan> search_least_cost_plan(const Result<Plan>& known, const ocean::Environment& environment,
+Result<Plan> search_least_cost_plan(const KnownPlan& known, const ocean::Environment& environment,
                                     const PlanRequest& request, const std::stop_token& stop,
                                     const core::ProgressCallback& progress, const core::SteadyClock& clock) {
   // Only the fastest plans wait.
   PlanRequest on_the_move = request;
   on_the_move.max_loiter = core::Seconds{0.0};
   const Objective objective = request.objective();
-  const auto better_of = [&](Result<Plan> found) -> Result<Plan> {
-    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    return known && !costs_less(found, known, objective) ? known : std::move(found);
-  };
-  // Refinement makes up for larger steps, and a search takes a tenth of the time on them. They may close passages, though,
-  // that the known plan takes: a way that costs more than that by much is no evidence.
+  // Refinement makes up for larger steps, and a search takes a third of the time on them or less. They may close passages,
+  // though, that the known plan takes: a way that costs more than that by much, a judgement, is no evidence.
   constexpr double much = 0.01;
-  if (known && request.refine && request.method != Method::direct && !request.spacing_along) {
-    Result<Plan> coarse = best_on_grids(environment, on_coarser_grids(on_the_move), stop, progress, clock);
-    if (coarse && cost_of(*coarse, objective) <= (1.0 + much) * cost_of(*known, objective))
-      return better_of(std::move(coarse));
+  const bool may_be_coarse =
+      known.plan && request.refine && request.method != Method::direct && !request.spacing_along;
+  Result<Plan> best = known.plan;
+  if (may_be_coarse) {
+    Result<Plan> coarse =
+        best_on_grids(environment, on_coarser_grids(on_the_move), known.on_drives, stop, progress, clock);
+    const bool is_near =
+        coarse && cost_of(*coarse, objective) <= (1.0 + much) * cost_of(*known.plan, objective);
+    const bool is_evidence = is_near || was_cut_short(coarse);  // more places would not have helped then
+    if (is_evidence && !stop.stop_requested()) return better_of(known.plan, std::move(coarse), objective);
+    if (costs_less(coarse, best, objective)) best = std::move(coarse);
   }
-  return better_of(best_on_grids(environment, on_the_move, stop, progress, clock));
+  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+  const std::vector<vehicle::Drive> none;
+  Result<Plan> found =
+      best_on_grids(environment, on_the_move, may_be_coarse ? none : known.on_drives, stop, progress, clock);
+  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+  return better_of(std::move(best), std::move(found), objective);
 }
 
 Result<Plan> plan_least_cost(const ocean::Environment& environment, const PlanRequest& request,
                              const std::stop_token& stop, const core::ProgressCallback& progress,
                              const core::SteadyClock& clock) {
-  Result<Plan> fastest = tl::unexpected(Infeasible{});
-  const std::vector<PlanRequest> requests = fastest_requests(request);
-  for (std::size_t i = 0; i < requests.size(); ++i) {
+  KnownPlan fastest{.plan = tl::unexpected(Infeasible{}), .on_drives = {}};
+  for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    Result<Plan> plan = plan_fastest(environment, requests[i], stop, silent, clock);
-    if (i == 0 || costs_less(plan, fastest, request.objective())) fastest = std::move(plan);
+    Result<Plan> plan = plan_fastest(environment, fastest_request(request, drive), stop, silent, clock);
+    if (plan) fastest.on_drives.push_back(drive);
+    if (costs_less(plan, fastest.plan, request.objective())) fastest.plan = std::move(plan);
   }
   Result<Plan> best = search_least_cost_plan(fastest, environment, request, stop, progress, clock);
   if (best && request.optimality_gap) best->optimality_gap_reason = no_gap;

@@ -22,12 +22,18 @@ namespace floeplan::planning {
                                            const core::ProgressCallback& progress,
                                            const core::SteadyClock& clock);
 
-/// The request for the fastest plan, on each drive by itself.
-[[nodiscard]] std::vector<PlanRequest> fastest_requests(const PlanRequest& request);
+/// The request for the fastest plan on one drive.
+[[nodiscard]] PlanRequest fastest_request(const PlanRequest& request, vehicle::Drive drive);
 
-/// The better of the known plan and what its searches find without waits: on coarser grids; where those gain nothing, and
-/// where the request leaves no choice, on the request's own.
-[[nodiscard]] Result<Plan> search_least_cost_plan(const Result<Plan>& known,
+/// What is known before a search for the least cost.
+struct KnownPlan {
+  Result<Plan> plan;                      // the cheapest so far
+  std::vector<vehicle::Drive> on_drives;  // that have a plan each, all legs on that drive
+};
+
+/// The better of the known plan and what searches find without waits, for all drives and for each of the known ones by
+/// itself: on coarser grids; where those are no evidence, and where the request leaves no choice, on the request's own.
+[[nodiscard]] Result<Plan> search_least_cost_plan(const KnownPlan& known,
                                                   const ocean::Environment& environment,
                                                   const PlanRequest& request, const std::stop_token& stop,
                                                   const core::ProgressCallback& progress,

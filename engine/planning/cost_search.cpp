@@ -19,6 +19,9 @@ namespace {
 constexpr std::size_t most_labels = 200'000;  // some seconds, and about 20 MB with their lists and the queue
 /// On larger grids a search for the least cost is steered: one that is not would mostly meet its bound on labels.
 constexpr std::int64_t few_vertices = 2'500;
+/// A steered search that has looked so often at each place on the average looks in vain, mostly where things open and close.
+constexpr std::int64_t labels_a_vertex = 4;
+constexpr std::int64_t fewest_labels = 50'000;
 /// On still larger ones an outlook takes too long between looks at a stop, and keeps too few times in its memory.
 constexpr std::int64_t many_vertices = 500'000;
 /// Of the cost of the fastest way: what a steered search may leave, far less than its outlook is off.
@@ -57,6 +60,11 @@ Result<CostWay> earliest_way(const Sea& sea, const std::vector<OpenGrid>& grids,
                            .drives = std::vector<vehicle::Drive>(legs, sea.drives().front())},
                  .statistics = found->statistics,
                  .touches_rim = found->touches_rim};
+}
+
+std::size_t labels_of_steered(const OpenGrid& open) {
+  const auto most = static_cast<std::int64_t>(most_labels);
+  return static_cast<std::size_t>(std::clamp(labels_a_vertex * open.vertices, fewest_labels, most));
 }
 
 /// When a search begins, and how long ago the vehicle might have surfaced then.
@@ -161,14 +169,15 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
     CostVoyage voyage{sea,           open,   request.objective(), openings ? &*openings : nullptr,
                       known.limit(), outlook};
     const double slack = outlook != nullptr ? near_enough * known.limit()->most_cost : 0.0;
+    const std::size_t labels = outlook != nullptr ? labels_of_steered(open) : most_labels;
     const auto report = [&](std::int64_t expansions) {
-      const double share = static_cast<double>(expansions) / static_cast<double>(most_labels);
+      const double share = static_cast<double>(expansions) / static_cast<double>(labels);
       report_fraction((static_cast<double>(i) + std::min(share, 1.0)) / static_cast<double>(grids.size()));
     };
     const double now_s = beginning.depart.count();
     const CostVoyage::State state{.surfaced_s = now_s - beginning.since_surfacing.count()};
     const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, now_s, state,
-                                                voyage, most_labels, stop, report, slack);
+                                                voyage, labels, stop, report, slack);
     if (search.stopped) return tl::unexpected(explain_cancelled(request));
     const auto way = search.goal ? graph::way_to(search, *search.goal) : Way{};
     if (way.empty() ||

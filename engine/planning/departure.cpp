@@ -81,8 +81,8 @@ class DepartureSweep {
     }
     DepartureSweep sweep{std::move(*chart), std::move(grids), request};
     if (request.energy.objective.is_time()) return sweep;
-    for (const PlanRequest& fastest : fastest_requests(request)) {
-      auto other = on_grids(reach, environment, fastest, stop);
+    for (const vehicle::Drive drive : drives(request.energy, request.vehicle)) {
+      auto other = on_grids(reach, environment, fastest_request(request, drive), stop);
       if (!other) return other;
       sweep.fastest_.push_back(std::move(*other));
     }

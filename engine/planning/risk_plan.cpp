@@ -29,7 +29,8 @@ Result<Plan> plan_with_fewer_encounters(
   Plan chosen = std::move(*before);
   if (trade.encounters_before > 0.0 && request.method != Method::direct) {
     progress("encounters", 0.5);
-    Result<Plan> weighted = search_least_cost_plan(chosen, environment, request, stop, progress, clock);
+    const KnownPlan known{.plan = chosen, .on_drives = drives(request.energy, request.vehicle)};
+    Result<Plan> weighted = search_least_cost_plan(known, environment, request, stop, progress, clock);
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
     const bool fewer = weighted && weighted->iceberg_encounters.value_or(0.0) <= trade.encounters_before;
     if (fewer && cost_of(*weighted, objective) < cost_of(chosen, objective)) chosen = std::move(*weighted);
