@@ -5,24 +5,10 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "engine/mission/waypoint_ranges.hpp"
+
 namespace floeplan::mission {
 namespace {
-
-/// The number of every waypoint after the start whose leg `is_so`, as "2, 4 to 7"; empty: none.
-template <class IsSo>
-std::string waypoints_where(const planning::SurfacingPlan& surfacing, const IsSo& is_so) {
-  std::string text;
-  const std::size_t count = surfacing.waypoints.size();
-  for (std::size_t first = 1; first < count; ++first) {
-    if (!is_so(first)) continue;
-    std::size_t last = first;
-    while (last + 1 < count && is_so(last + 1)) ++last;
-    text += (text.empty() ? "" : ", ") + std::to_string(first);
-    if (last > first) text += " to " + std::to_string(last);
-    first = last;
-  }
-  return text;
-}
 
 /// Whether the vehicle cannot surface anywhere on the leg, its end included.
 bool has_no_opening(const planning::Plan& plan, std::size_t waypoint) {
@@ -95,7 +81,7 @@ std::vector<std::string> warnings_below_ice(const planning::Plan& plan) {
   std::vector<std::string> warnings;
   if (!plan.surfacing) return warnings;
   const planning::SurfacingPlan& surfacing = *plan.surfacing;
-  const std::string below = waypoints_where(surfacing, [&](std::size_t i) {
+  const std::string below = waypoint_ranges(surfacing.waypoints.size(), [&](std::size_t i) {
     return surfacing.waypoints[i].leg_upper_turn.value_or(core::Metres{0.0}).value > 0.0;
   });
   if (!below.empty()) {
@@ -106,7 +92,7 @@ std::vector<std::string> warnings_below_ice(const planning::Plan& plan) {
     warnings.push_back("The plan passes below ice or icebergs on the way to waypoint " + below + text);
   }
   const std::string closed =
-      waypoints_where(surfacing, [&](std::size_t i) { return has_no_opening(plan, i); });
+      waypoint_ranges(surfacing.waypoints.size(), [&](std::size_t i) { return has_no_opening(plan, i); });
   if (!closed.empty())
     warnings.push_back("There is nowhere to surface on the way to waypoint " + closed + ".");
   if (!tells_upper_turns(plan)) {

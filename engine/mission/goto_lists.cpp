@@ -11,6 +11,7 @@
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/list_parts.hpp"
+#include "engine/mission/waypoint_ranges.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -76,6 +77,41 @@ core::Violations violations_of(const planning::Plan& plan, const GotoListOptions
   return found;
 }
 
+/// Why the vehicle may not be able to surface where the list is flown; empty: it can.
+std::string warning_of_end(const planning::Plan& plan, const ListPart& part, const std::string& file_name,
+                           double radius_m) {
+  if (overhead(plan, part.last) == Overhead::unknown) {
+    return file_name + " ends at waypoint " + std::to_string(part.last) +
+           ", where nothing is known of the ice: make sure that the vehicle can surface there, where it "
+           "comes "
+           "up.";
+  }
+  const bool passes_below =
+      plan.surfacing &&
+      plan.surfacing->waypoints[part.last].leg_upper_turn.value_or(core::Metres{}).value > 0.0;
+  if (!passes_below) return "";
+  std::string text =
+      file_name + " ends at waypoint " + std::to_string(part.last) +
+      " after a leg below ice or icebergs, and the vehicle comes up as soon as it takes itself "
+      "to be within " +
+      print("%.0f m of it", radius_m);
+  const double error_m = plan.surfacing->waypoints[part.last - 1].position_error.value;
+  if (error_m > 0.0) text += print(", with an error that was %.0f m a waypoint before", error_m);
+  return text + ": make sure that the water is open so far around, or plan on, farther from the ice.";
+}
+
+/// Of legs that are planned on the thruster, which no file turns on; empty: there are none.
+std::string warning_of_thruster(const planning::Plan& plan) {
+  const std::string on_thruster = waypoint_ranges(plan.waypoints.size(), [&](std::size_t i) {
+    return plan.waypoints[i].drive == vehicle::Drive::thruster;
+  });
+  if (on_thruster.empty()) return "";
+  return "The legs to waypoints " + on_thruster +
+         " are planned on the thruster, which these files do not turn on: without it the vehicle is slower, "
+         "and comes too late to what the plan passes in time. Set use_thruster in the yo, or plan with the "
+         "thruster off.";
+}
+
 std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoListOptions& options,
                                       const std::vector<core::Metres>& legs, double radius_m,
                                       const std::vector<ListPart>& parts,
@@ -87,12 +123,10 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
         std::to_string(file_names.size()) + " files, " + file_names.front() + " to " + file_names.back() +
         ". The vehicle flies the list its mission names and no other: send the next one when a list ends.");
   }
+  if (std::string text = warning_of_thruster(plan); !text.empty()) warnings.push_back(std::move(text));
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    if (overhead(plan, parts[i].last) != Overhead::unknown) continue;
-    warnings.push_back(
-        file_names[i] + " ends at waypoint " + std::to_string(parts[i].last) +
-        ", where nothing is known of the ice: make sure that the vehicle can surface there, where it comes "
-        "up.");
+    std::string text = warning_of_end(plan, parts[i], file_names[i], radius_m);
+    if (!text.empty()) warnings.push_back(std::move(text));
   }
   if (options.max_waypoints > documented_max_waypoints) {
     warnings.push_back(

@@ -277,6 +277,34 @@ TEST(GotoLists, EndWhereNothingIsKnownOfTheIceOnlyIfTheyMustAndSaySo) {
   EXPECT_THAT(lists->warnings, testing::Not(Contains(HasSubstr("goto_l10.ma ends"))));
 }
 
+TEST(GotoLists, WarnWhereTheirLastLegPassesBelowIce) {
+  planning::Plan plan = plan_below_ice(3, {1});
+  plan.surfacing->waypoints[1].position_error = core::Metres{1348.0};
+  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{22.0};
+
+  const auto below = write_goto_lists(plan, {.radius = core::Metres{300.0}});
+  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{0.0};
+  const auto clear = write_goto_lists(plan, {.radius = core::Metres{300.0}});
+
+  const auto warns =
+      Contains(HasSubstr("within 300 m of it, with an error that was 1348 m a waypoint before"));
+  ASSERT_TRUE(below && clear);
+  EXPECT_THAT(below->warnings, warns);
+  EXPECT_THAT(clear->warnings, testing::Not(warns));
+}
+
+TEST(GotoLists, NameTheLegsOnTheThruster) {
+  planning::Plan plan = plan_eastwards(6);
+  for (const std::size_t i : {1U, 3U, 4U}) plan.waypoints[i].drive = vehicle::Drive::thruster;
+  plan.waypoints[2].drive = plan.waypoints[5].drive = vehicle::Drive::buoyancy;
+
+  const auto lists = write_goto_lists(plan, {});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(lists->warnings,
+              Contains(HasSubstr("The legs to waypoints 1, 3 to 4 are planned on the thruster")));
+}
+
 TEST(GotoLists, OfAnyPlanEndWhereTheVehicleMaySurfaceOrAreRefused) {
   int written = 0;
   support::for_each_seed(400, [&](std::mt19937_64& rng) {
