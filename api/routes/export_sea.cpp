@@ -11,10 +11,11 @@ namespace {
 using repository::DatasetChoice;
 using repository::EnvironmentQuery;
 
-/// Around a safe place: what a coarse grid of ice has next to it, and the coast.
-constexpr core::Metres around_place{1000.0};
+/// Around a safe place: what a coarse grid of ice has next to it, the coast, and icebergs that may drift there; how near
+/// those must be to be told is a judgement.
+constexpr core::Metres around_place{10'000.0};
 
-/// Nothing of what moves.
+/// Nothing of what moves or is forbidden.
 EnvironmentQuery without_motion(const geo::BoundingBox& area, core::UtcTime depart) {
   const DatasetChoice none{DatasetChoice::How::none, {}};
   EnvironmentQuery query;
@@ -48,8 +49,11 @@ std::vector<mission::SafePlace> safe_places_of(sqlite::Connection& db, const pla
   std::vector<mission::SafePlace> found;
   for (const geo::LonLat place : places) {
     const geo::BoundingBox here{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
-    auto sea =
-        repository::load_environment(db, without_motion(geo::grown(here, around_place), plan.departure));
+    EnvironmentQuery query = without_motion(geo::grown(here, around_place), plan.departure);
+    query.icebergs = {};
+    query.iceberg_drift = false;
+    query.zones = {};
+    auto sea = repository::load_environment(db, query);
     found.push_back({place, sea ? std::move(*sea) : ocean::Environment{}});
   }
   return found;

@@ -17,7 +17,7 @@ namespace floeplan::routes {
                                                                    const repository::PlanRecord& record,
                                                                    const planning::Plan& plan);
 
-/// The places with what the newest stored depths, coastlines and ice say of them while the plan lasts.
+/// The places with what the newest stored depths, coastlines, ice, icebergs and areas say of them while the plan lasts.
 [[nodiscard]] std::vector<mission::SafePlace> safe_places_of(sqlite::Connection& db,
                                                              const planning::Plan& plan,
                                                              const std::vector<geo::LonLat>& places);

@@ -64,6 +64,23 @@ double distance_km(const planning::Plan& plan, geo::LonLat place) {
   return least_m / 1000.0;
 }
 
+/// The no-go area round the place that is in force at some time after the departure; null: none.
+const ocean::Zone* zone_round(const planning::Plan& plan, const SafePlace& safe) {
+  const auto found = std::ranges::find_if(safe.sea.zones, [&](const ocean::Zone& zone) {
+    const bool is_over = zone.until && *zone.until < plan.departure;
+    return zone.kind == ocean::ZoneKind::no_go && !is_over && geo::contains(zone.area, safe.place);
+  });
+  return found == safe.sea.zones.end() ? nullptr : &*found;
+}
+
+core::Metres away(const ocean::Iceberg& berg, geo::LonLat place) {
+  return geo::geodesic_between(berg.place, place).length;
+}
+
+bool covers(const ocean::Iceberg& berg, geo::LonLat place) {
+  return away(berg, place).value <= 0.5 * ocean::safe_length(berg).value;
+}
+
 /// What refuses the place; empty: nothing.
 std::string fault_of(const planning::Plan& plan, const vehicle::GliderProfile& vehicle,
                      double max_concentration, const SafePlace& safe, const std::optional<core::Metres>& bed,
@@ -77,6 +94,9 @@ std::string fault_of(const planning::Plan& plan, const vehicle::GliderProfile& v
     return must + " has " + whole(std::round(100.0 * ice.densest)) +
            " % of ice while the plan lasts, and the vehicle surfaces in " +
            whole(std::round(100.0 * max_concentration)) + " % at most";
+  if (const ocean::Zone* zone = zone_round(plan, safe)) return must + " lies in the no-go area " + zone->name;
+  for (const ocean::Iceberg& berg : safe.sea.icebergs)
+    if (covers(berg, safe.place)) return must + " is where iceberg " + berg.id + " was seen last";
   if (!is_within_battery(plan, vehicle, safe.place))
     return must + " is " + whole(distance_km(plan, safe.place)) +
            " km away from the plan, farther than the rest of the battery carries the vehicle";
@@ -99,6 +119,12 @@ SafePlaceFindings check_safe_places(const planning::Plan& plan, const vehicle::G
     if (!fault.empty()) {
       found.violations.push_back({"/safe/" + std::to_string(i), std::move(fault)});
       continue;
+    }
+    for (const ocean::Iceberg& berg : safe.sea.icebergs) {
+      found.warnings.push_back("Iceberg " + berg.id + " was seen " +
+                               whole(std::ceil(away(berg, safe.place).value / 1000.0)) +
+                               " km from the safe place " + place_text(safe.place) +
+                               " or nearer, and drifts: make sure that it stays open.");
     }
     if (bed && ice.known) continue;
     const std::string unknown = !bed && !ice.known ? "the sea bed and the ice"

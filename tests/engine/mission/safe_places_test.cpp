@@ -112,5 +112,38 @@ TEST(SafePlaces, OfWhichNothingIsKnownAreNamed) {
       << "older than ice holds";
 }
 
+TEST(SafePlaces, LieInNoAreaThatIsForbiddenThen) {
+  const planning::Plan plan = one_day();
+  ocean::Environment open = sea(plan, 300.0, {{-1.0, 0.0F}, {30.0, 0.0F}});
+  ocean::Zone zone;
+  zone.name = "range";
+  zone.area = {.outer = {{-53.1, 68.9}, {-52.9, 68.9}, {-52.9, 69.1}, {-53.1, 69.1}}, .holes = {}};
+  open.zones = {zone};
+  EXPECT_THAT(findings(plan, {refuge, open}).violations, refused("no-go area range"));
+
+  open.zones.front().until = plan.departure - core::Seconds{60.0};
+  EXPECT_THAT(findings(plan, {refuge, open}).violations, IsEmpty()) << "over when the vehicle leaves";
+  open.zones = {zone};
+  open.zones.front().kind = ocean::ZoneKind::stay_in;
+  EXPECT_THAT(findings(plan, {refuge, open}).violations, IsEmpty());
+}
+
+TEST(SafePlaces, AreNotBelowIcebergsAndSayWhichAreNear) {
+  const planning::Plan plan = one_day();
+  ocean::Environment open = sea(plan, 300.0, {{-1.0, 0.0F}, {30.0, 0.0F}});
+  ocean::Iceberg berg;
+  berg.id = "B1";
+  berg.place = refuge;
+  berg.observed = plan.departure;
+  berg.length = core::Metres{400.0};
+  open.icebergs = {berg};
+  EXPECT_THAT(findings(plan, {refuge, open}).violations, refused("iceberg B1 was seen last"));
+
+  open.icebergs.front().place.lat_deg += 0.02;
+  const SafePlaceFindings near = findings(plan, {refuge, open});
+  EXPECT_THAT(near.violations, IsEmpty());
+  EXPECT_THAT(near.warnings, ElementsAre(HasSubstr("Iceberg B1 was seen 3 km from the safe place")));
+}
+
 }  // namespace
 }  // namespace floeplan::mission
