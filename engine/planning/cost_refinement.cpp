@@ -43,8 +43,7 @@ class CheapestLeg {
     const auto driven = sea_.metered_leg(a, b, depart, core::Seconds{0.0}, core::Seconds{INFINITY}, drive);
     if (!driven) return std::nullopt;
     const core::Seconds time = driven->leg.time;
-    return LegCost{
-        time, objective_.cost(time, driven->energy.total(), sea_.encounters(a, b, depart, time))};
+    return LegCost{time, objective_.cost(time, driven->energy.total(), sea_.encounters(a, b, depart, time))};
   }
 
   static bool keep_cheaper(std::optional<LegCost>& cheapest, const std::optional<LegCost>& leg) {
@@ -85,7 +84,8 @@ RefinedDrive refine_drive(const Sea& sea, const DrivenRoute& route, const Object
   DrivenRoute moved = on_cheapest_drives(leg, refined.itinerary);
   if (refined.report.end == RefinementEnd::evaluations || refined.report.end == RefinementEnd::time) {
     // It had no time left to see which points are needed.
-    const double most_cost = std::min(before->cost(objective), (1.0 + worth_points) * refined.itinerary.cost());
+    const double most_cost =
+        std::min(before->cost(objective), (1.0 + worth_points) * refined.itinerary.cost());
     moved = drop_cheap_points(sea, moved, objective, at_departure, most_cost, budget.stop);
   }
   const auto after = drive_along(sea, moved, at_departure);
