@@ -34,7 +34,7 @@ template <CostedLeg Leg>
 class Refiner {
  public:
   Refiner(const Leg& leg, const RefinementLimits& limits, const RefinementBudget& budget)
-      : legs_{leg, budget}, limits_{limits} {}
+      : leg_{leg}, legs_{leg, budget}, limits_{limits} {}
 
   Refined operator()(const Itinerary& start, const std::vector<Itinerary>& shorter) {
     found_.offer(start);
@@ -59,8 +59,10 @@ class Refiner {
   /// Without legs too short to steer, where that costs nothing.
   Itinerary tidied(const Itinerary& kept) {
     constexpr core::Metres too_short{0.1};
-    const auto tidy = legs_.timed(without_repeats(kept.route, too_short), kept.times.front());
-    return tidy && tidy->cost() <= kept.cost() ? *tidy : kept;
+    constexpr double rounding = 1e-9;   // of sums that differ by a leg of almost no length
+    LegMeter<Leg> unlimited{leg_, {}};  // the budget may have ended
+    const auto tidy = unlimited.timed(without_repeats(kept.route, too_short), kept.times.front());
+    return tidy && tidy->cost() <= (1.0 + rounding) * kept.cost() ? *tidy : kept;
   }
 
   /// Moves the points of a route until that gains nothing more.
@@ -122,6 +124,7 @@ class Refiner {
     }
   }
 
+  const Leg& leg_;
   LegMeter<Leg> legs_;
   RefinementLimits limits_;
   LegTradeOff found_;

@@ -284,6 +284,20 @@ TEST(Refinement, EndsWithItsBudgetAndKeepsWhatItHasFound) {
   }
 }
 
+TEST(Refinement, LeavesNoPointTwiceWhenItsBudgetHasEnded) {
+  Route route = *way_on(jet_lattice, jet);
+  const auto again = static_cast<std::ptrdiff_t>(route.points.size() / 2);
+  route.points.insert(route.points.begin() + again, route.points[static_cast<std::size_t>(again)]);
+  route.fixed.insert(route.fixed.begin() + again, false);
+  for (const std::int64_t most : {0, 500}) {
+    const Refined refined = refine_route(jet, timed(jet, route), {}, {.most_evaluations = most});
+
+    ASSERT_EQ(refined.report.end, RefinementEnd::evaluations);
+    const std::vector<geo::PlanePoint>& points = refined.itinerary.route.points;
+    EXPECT_EQ(std::ranges::adjacent_find(points), points.end()) << most;
+  }
+}
+
 TEST(Refinement, EndsWhenTheCallersClockOrCancellationSaysSo) {
   const Route route = *way_on(jet_lattice, jet);
   int looks = 0;
