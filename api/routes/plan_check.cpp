@@ -6,6 +6,7 @@
 
 #include "api/codec/plan_document.hpp"
 #include "api/routes/mission_service.hpp"
+#include "engine/mission/below_ice.hpp"
 #include "engine/mission/route_check.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
@@ -94,7 +95,11 @@ PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& recor
         "In the newest data, leg " + std::to_string(finding.place) + ": " + finding.text + ".";
     (finding.dangerous ? check.dangers : check.warnings).push_back(text);
   }
-  if (found.findings.empty()) {
+  if (found.timing) {
+    for (const std::string& closed : mission::closed_above_since(plan, *found.timing))
+      check.dangers.push_back("In the newest data, " + closed + ".");
+  }
+  if (found.findings.empty() && check.dangers.empty()) {
     check.warnings.push_back(
         "The data have changed since the plan was made; in the newest ones it is still clear.");
   }

@@ -5,6 +5,7 @@
 #include <cstddef>
 #include <cstdio>
 
+#include "engine/mission/argument_lines.hpp"
 #include "engine/mission/waypoint_ranges.hpp"
 
 namespace floeplan::mission {
@@ -75,6 +76,24 @@ bool tells_upper_turns(const planning::Plan& plan) {
   const auto& waypoints = plan.surfacing->waypoints;
   return std::all_of(waypoints.begin() + 1, waypoints.end(),
                      [](const planning::SurfacingState& state) { return state.leg_upper_turn.has_value(); });
+}
+
+std::vector<std::string> closed_above_since(const planning::Plan& plan, const planning::Plan& now) {
+  std::vector<std::string> found;
+  const double planned_m = std::ceil(least_upper_turn(plan).value);
+  const double needed_m = std::ceil(least_upper_turn(now).value);
+  if (needed_m > planned_m) {
+    found.push_back("the way passes below ice or icebergs, where dives must turn no higher than " +
+                    whole(needed_m) + " m; the plan was made for " +
+                    (planned_m > 0.0 ? whole(planned_m) + " m" : std::string{"open water"}));
+  }
+  if (plan.waypoints.size() != now.waypoints.size()) return found;
+  const std::string closed = waypoint_ranges(plan.waypoints.size(), [&](std::size_t i) {
+    return overhead(plan, i) != Overhead::closed && overhead(now, i) == Overhead::closed;
+  });
+  if (!closed.empty())
+    found.push_back("the vehicle may not surface at waypoints " + closed + ", where the plan lets it");
+  return found;
 }
 
 std::vector<std::string> warnings_below_ice(const planning::Plan& plan) {

@@ -32,6 +32,11 @@ enum class Overhead {
 /// vehicle may not surface, does not.
 [[nodiscard]] bool tells_upper_turns(const planning::Plan& plan);
 
+/// What has come to lie above a plan since it was made: deeper ice or icebergs than its dives turn below, and waypoints
+/// where the vehicle may not surface any more. `now`: the same way in the newest data.
+[[nodiscard]] std::vector<std::string> closed_above_since(const planning::Plan& plan,
+                                                          const planning::Plan& now);
+
 /// Where the plan passes below ice, where it passes below what is not known, and where there is nowhere to surface, for
 /// the pilot.
 [[nodiscard]] std::vector<std::string> warnings_below_ice(const planning::Plan& plan);
