@@ -24,10 +24,6 @@ constexpr const char* met_its_bound =
     "the search met its bound on memory before it was done; a plan that costs less may exist";
 constexpr const char* no_gap = "only plans for the least time are compared with the best way";
 
-double cost_of(const Plan& plan, const Objective& objective) {
-  return objective.cost(plan.travel_time(), plan.energy->use.total(), plan.iceberg_encounters.value_or(0.0));
-}
-
 /// The route to publish and what its refinement did.
 struct ImprovedDrive {
   DrivenRoute route;
@@ -206,6 +202,10 @@ Result<Plan> best_on_grids(const ocean::Environment& environment, const PlanRequ
 }
 
 }  // namespace
+
+double cost_of(const Plan& plan, const Objective& objective) {
+  return objective.cost(plan.travel_time(), plan.energy->use.total(), plan.iceberg_encounters.value_or(0.0));
+}
 
 PlanRequest fastest_request(const PlanRequest& request, vehicle::Drive drive) {
   PlanRequest fastest = request;

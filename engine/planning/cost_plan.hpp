@@ -22,6 +22,9 @@ namespace floeplan::planning {
                                            const core::ProgressCallback& progress,
                                            const core::SteadyClock& clock);
 
+/// What a plan costs by the objective. Precondition: it tells its energy, as every plan of this version does.
+[[nodiscard]] double cost_of(const Plan& plan, const Objective& objective);
+
 /// The request for the fastest plan on one drive.
 [[nodiscard]] PlanRequest fastest_request(const PlanRequest& request, vehicle::Drive drive);
 

@@ -18,7 +18,8 @@ class LegTradeOff {
   /// Few legs first; only routes that cost less than every one with fewer legs.
   [[nodiscard]] std::vector<LegTrade> trade() const;
 
-  /// The route with the fewest legs of which twice as many would not gain the share `least_gain` of the cost. With `most_legs` none with more than those, unless there is no other.
+  /// The route with the fewest legs of which twice as many would not gain the share `least_gain` of the cost. With
+  /// `most_legs` none with more than those, unless there is no other.
   /// Precondition: a route was offered
   [[nodiscard]] const Itinerary& choose(double least_gain, std::optional<std::size_t> most_legs) const;
 

@@ -6,14 +6,6 @@
 #include "engine/planning/explanation.hpp"
 
 namespace floeplan::planning {
-namespace {
-
-double cost_of(const Plan& plan, const Objective& objective) {
-  return objective.cost(plan.travel_time(), plan.energy->use.total(), plan.iceberg_encounters.value_or(0.0));
-}
-
-}  // namespace
-
 Result<Plan> plan_with_fewer_encounters(
     const ocean::Environment& environment, const PlanRequest& request,
     const std::function<Result<Plan>(const PlanRequest&)>& plan_unweighted, const std::stop_token& stop,

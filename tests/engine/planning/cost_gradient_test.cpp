@@ -26,24 +26,28 @@ Route random_route(std::mt19937_64& rng) {
   return route;
 }
 
-TEST(CostGradient, IsTheDifferenceQuotientOfTheWholeRoutesArrival) {
-  support::for_each_seed(20, [](std::mt19937_64& rng) {
-    LegMeter legs{in_the_jet, RefinementBudget{}};
-    const Route route = random_route(rng);
-    const CostGradient gradient = cost_gradient(legs, *legs.timed(route, core::Seconds{3.0}));
+/// The gradient of a random route's cost at one of its points is the difference quotient, within `accuracy`.
+template <CostedLeg Leg>
+void expect_difference_quotient(std::mt19937_64& rng, const Leg& leg, double accuracy) {
+  LegMeter legs{leg, RefinementBudget{}};
+  const Route route = random_route(rng);
+  const CostGradient gradient = cost_gradient(legs, *legs.timed(route, core::Seconds{3.0}));
 
-    const auto i = static_cast<std::size_t>(support::uniform_int(rng, 0, 6));
-    constexpr double h = 1e-4;
-    const auto arrival_with = [&](double dx, double dy) {
-      Route moved = route;
-      moved.points[i].x_m += dx;
-      moved.points[i].y_m += dy;
-      return legs.timed(moved, core::Seconds{3.0})->arrival().count();
-    };
+  const auto i = static_cast<std::size_t>(support::uniform_int(rng, 0, 6));
+  constexpr double h = 1e-4;
+  const auto cost_with = [&](double dx, double dy) {
+    Route moved = route;
+    moved.points[i].x_m += dx;
+    moved.points[i].y_m += dy;
+    return legs.timed(moved, core::Seconds{3.0})->cost();
+  };
 
-    EXPECT_NEAR(gradient.x[i], (arrival_with(h, 0.0) - arrival_with(-h, 0.0)) / (2.0 * h), 1e-3);
-    EXPECT_NEAR(gradient.y[i], (arrival_with(0.0, h) - arrival_with(0.0, -h)) / (2.0 * h), 1e-3);
-  });
+  EXPECT_NEAR(gradient.x[i], (cost_with(h, 0.0) - cost_with(-h, 0.0)) / (2.0 * h), accuracy);
+  EXPECT_NEAR(gradient.y[i], (cost_with(0.0, h) - cost_with(0.0, -h)) / (2.0 * h), accuracy);
+}
+
+TEST(CostGradient, IsTheDifferenceQuotientOfTheWholeRoutesTime) {
+  support::for_each_seed(20, [](std::mt19937_64& rng) { expect_difference_quotient(rng, in_the_jet, 1e-3); });
 }
 
 TEST(CostGradient, IsTheDifferenceQuotientOfACostThatChangesFromPlaceToPlaceAndWithTime) {
@@ -54,23 +58,8 @@ TEST(CostGradient, IsTheDifferenceQuotientOfACostThatChangesFromPlaceToPlaceAndW
     const double power = 3.0 + std::sin(0.5 * (a.y_m + b.y_m)) + std::cos(0.2 * depart.count());
     return LegCost{*time, power * time->count()};
   };
-  support::for_each_seed(20, [&](std::mt19937_64& rng) {
-    LegMeter legs{dear_in_the_north, RefinementBudget{}};
-    const Route route = random_route(rng);
-    const CostGradient gradient = cost_gradient(legs, *legs.timed(route, core::Seconds{3.0}));
-
-    const auto i = static_cast<std::size_t>(support::uniform_int(rng, 0, 6));
-    constexpr double h = 1e-4;
-    const auto cost_with = [&](double dx, double dy) {
-      Route moved = route;
-      moved.points[i].x_m += dx;
-      moved.points[i].y_m += dy;
-      return legs.timed(moved, core::Seconds{3.0})->cost();
-    };
-
-    EXPECT_NEAR(gradient.x[i], (cost_with(h, 0.0) - cost_with(-h, 0.0)) / (2.0 * h), 3e-3);
-    EXPECT_NEAR(gradient.y[i], (cost_with(0.0, h) - cost_with(0.0, -h)) / (2.0 * h), 3e-3);
-  });
+  support::for_each_seed(
+      20, [&](std::mt19937_64& rng) { expect_difference_quotient(rng, dear_in_the_north, 3e-3); });
 }
 
 TEST(CostGradient, LooksToTheOpenSideBesideAClosedArea) {
