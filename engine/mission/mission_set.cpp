@@ -127,12 +127,13 @@ core::Violations violations_of_yo(const planning::Plan& plan, const MissionSetOp
   const core::Metres needed = least_dive + core::Metres{std::ceil(vehicle.altimeter_margin.value)};
   const auto shoal = shoalest_of(plan, options.shoals);
   if (!shoal || shoal->bed >= needed) return found;
-  std::string rule =
-      "lead over water of " + whole(std::floor(shoal->bed.value)) + " m at " + place_text(shoal->place) +
-      ", on the way to waypoint " + std::to_string(shoal->waypoint) +
-      ", yet the one yo of the mission turns no higher than " + climb_text(plan, vehicle) + ", and needs " +
-      whole(needed.value) + " m: plan anew with a minimum_working_depth_m of " + whole(needed.value) +
-      " for the vehicle, which leads round shoaler water";
+  std::string rule = "lead over water of " + whole(std::floor(shoal->bed.value)) + " m at " +
+                     place_text(shoal->place) + ", on the way to waypoint " +
+                     std::to_string(shoal->waypoint) +
+                     ", yet the one yo of the mission turns no higher than " + climb_text(plan, vehicle) +
+                     ", and needs " + whole(needed.value) +
+                     " m: plan anew with vias that lead round it, or with a minimum_working_depth_m of " +
+                     whole(needed.value) + " for the vehicle, which below ice counts from the turn under it";
   if (is_below_ice(plan, vehicle))
     rule += ", or fly two plans, one over this water and one below the ice, each with a yo of its own";
   found.push_back({"/waypoints", std::move(rule)});
@@ -184,8 +185,7 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
     if (!knows_bed(plan, options))
       set.warnings.emplace_back(
           "Nothing is known of the sea bed on some of the way: make sure that the yo has room there between "
-          "the "
-          "ice and the bed, and over every bank.");
+          "the ice and the bed, and over every bank.");
   }
   return set;
 }
