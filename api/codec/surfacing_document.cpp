@@ -43,16 +43,24 @@ planning::PlannedSurfacing parse_planned(const json& object) {
           .position_error = {object.at("position_error_m").get<double>()}};
 }
 
+/// What plans stored by older versions do not have.
+std::optional<core::Metres> later_metres(const json& waypoint, const char* key) {
+  const json metres = waypoint.value(key, json());
+  return metres.is_null() ? std::nullopt : std::optional{core::Metres{metres.get<double>()}};
+}
+
+json metres_or_null(const std::optional<core::Metres>& metres) {
+  return metres ? json(metres->value) : json();
+}
+
 planning::SurfacingState parse_state(const json& waypoint) {
-  planning::SurfacingState state{
-      .may_surface = waypoint.at("may_surface").get<bool>(),
-      .since_surfacing = core::Seconds{waypoint.at("since_last_surfacing_s").get<double>()},
-      .position_error = {waypoint.at("position_error_m").get<double>()},
-      .least_upper_turn = {waypoint.at("least_upper_turn_m").get<double>()}};
-  // Plans stored by older versions do not have it.
-  if (const json turn = waypoint.value("leg_upper_turn_m", json()); !turn.is_null())
-    state.leg_upper_turn = core::Metres{turn.get<double>()};
-  return state;
+  return {.may_surface = waypoint.at("may_surface").get<bool>(),
+          .since_surfacing = core::Seconds{waypoint.at("since_last_surfacing_s").get<double>()},
+          .position_error = {waypoint.at("position_error_m").get<double>()},
+          .least_upper_turn = {waypoint.at("least_upper_turn_m").get<double>()},
+          .leg_upper_turn = later_metres(waypoint, "leg_upper_turn_m"),
+          .open_before = later_metres(waypoint, "open_before_m"),
+          .error_without_fix = later_metres(waypoint, "error_without_fix_m")};
 }
 
 }  // namespace
@@ -64,8 +72,9 @@ void add_surfacing_state(const std::optional<planning::SurfacingPlan>& plan, std
   object["since_last_surfacing_s"] = state != nullptr ? json(state->since_surfacing.count()) : json();
   object["position_error_m"] = state != nullptr ? json(state->position_error.value) : json();
   object["least_upper_turn_m"] = state != nullptr ? json(state->least_upper_turn.value) : json();
-  const bool has_leg = state != nullptr && state->leg_upper_turn;
-  object["leg_upper_turn_m"] = has_leg ? json(state->leg_upper_turn->value) : json();
+  object["leg_upper_turn_m"] = state != nullptr ? metres_or_null(state->leg_upper_turn) : json();
+  object["open_before_m"] = state != nullptr ? metres_or_null(state->open_before) : json();
+  object["error_without_fix_m"] = state != nullptr ? metres_or_null(state->error_without_fix) : json();
 }
 
 json surfacing_json(const std::optional<planning::SurfacingPlan>& plan) {

@@ -39,6 +39,20 @@ std::vector<core::Metres> leg_lengths(const planning::Plan& plan) {
   return lengths;
 }
 
+/// A list that ends near ice gets a smaller radius than the usual one, if none is asked for.
+ListRules rules_of(const GotoListOptions& options) {
+  return {static_cast<std::size_t>(options.max_waypoints),
+          options.radius.value_or(core::Metres{smallest_radius_m})};
+}
+
+core::Metres radius_of(const planning::Plan& plan, const ListPart& part, const GotoListOptions& options) {
+  if (options.radius) return {std::floor(options.radius->value)};
+  const core::Metres usual = default_waypoint_radius(plan);
+  const auto end = end_of(plan, part);
+  if (!end) return usual;
+  return {std::clamp(std::ceil(end->room().value) - 1.0, smallest_radius_m, usual.value)};
+}
+
 core::Violations violations_of(const planning::Plan& plan, const GotoListOptions& options) {
   core::Violations found;
   if (plan.waypoints.size() < 2)
@@ -58,11 +72,11 @@ core::Violations violations_of(const planning::Plan& plan, const GotoListOptions
   }
   if (!found.empty()) return found;
 
-  const auto most = static_cast<std::size_t>(options.max_waypoints);
-  if (!options.may_end_below_ice) found = list_end_violations(plan, most);
+  const ListRules rules = rules_of(options);
+  if (!options.may_end_below_ice) found = list_end_violations(plan, rules);
   if (!found.empty()) return found;
 
-  const std::vector<ListPart> parts = part_into_lists(plan, most);
+  const std::vector<ListPart> parts = part_into_lists(plan, rules);
   const auto lists = static_cast<int>(parts.size());
   const auto rows_of_first = static_cast<int>(parts.front().last);
   if (options.first_number < 0 || options.first_number + lists - 1 > last_free_number) {
@@ -77,27 +91,43 @@ core::Violations violations_of(const planning::Plan& plan, const GotoListOptions
   return found;
 }
 
-/// Why the vehicle may not be able to surface where the list is flown; empty: it can.
-std::string warning_of_end(const planning::Plan& plan, const ListPart& part, const std::string& file_name,
-                           double radius_m) {
-  if (overhead(plan, part.last) == Overhead::unknown) {
-    return file_name + " ends at waypoint " + std::to_string(part.last) +
-           ", where nothing is known of the ice: make sure that the vehicle can surface there, where it "
-           "comes "
-           "up.";
+/// A file of the set: some of the plan's waypoints, and the radius in which one is reached.
+struct List {
+  std::string file_name;
+  ListPart part;
+  core::Metres radius;
+};
+
+std::vector<List> lists_of(const planning::Plan& plan, const GotoListOptions& options) {
+  std::vector<List> lists;
+  for (const ListPart& part : part_into_lists(plan, rules_of(options))) {
+    const int number = options.first_number + static_cast<int>(lists.size());
+    lists.push_back({argument_file_name("goto_list", number), part, radius_of(plan, part, options)});
   }
-  const bool passes_below =
-      plan.surfacing &&
-      plan.surfacing->waypoints[part.last].leg_upper_turn.value_or(core::Metres{}).value > 0.0;
-  if (!passes_below) return "";
-  std::string text =
-      file_name + " ends at waypoint " + std::to_string(part.last) +
-      " after a leg below ice or icebergs, and the vehicle comes up as soon as it takes itself "
-      "to be within " +
-      print("%.0f m of it", radius_m);
-  const double error_m = plan.surfacing->waypoints[part.last - 1].position_error.value;
-  if (error_m > 0.0) text += print(", with an error that was %.0f m a waypoint before", error_m);
-  return text + ": make sure that the water is open so far around, or plan on, farther from the ice.";
+  return lists;
+}
+
+/// Why the vehicle may not be able to surface where the list is flown; empty: it can.
+std::string warning_of_end(const planning::Plan& plan, const List& list) {
+  const std::string ends = list.file_name + " ends at waypoint " + std::to_string(list.part.last);
+  if (overhead(plan, list.part.last) == Overhead::unknown) {
+    return ends +
+           ", where nothing is known of the ice: make sure that the vehicle can surface there, where it "
+           "comes up.";
+  }
+  if (!passes_below(plan, list.part)) return "";
+  const auto end = end_of(plan, list.part);
+  if (!end) {
+    return ends +
+           " after a way below ice or icebergs, and the plan, stored by an older version, does not tell how "
+           "far "
+           "beyond them: plan it anew before it is flown.";
+  }
+  return ends +
+         print(
+             ", %.0f m beyond ice or icebergs, and the vehicle comes up within %.0f m of it, where it may "
+             "be off by %.0f m: make sure that the water is open so far to all sides.",
+             end->open_before.value, list.radius.value, end->error.value);
 }
 
 /// Of legs that are planned on the thruster, which no file turns on; empty: there are none.
@@ -113,19 +143,18 @@ std::string warning_of_thruster(const planning::Plan& plan) {
 }
 
 std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoListOptions& options,
-                                      const std::vector<core::Metres>& legs, double radius_m,
-                                      const std::vector<ListPart>& parts,
-                                      const std::vector<std::string>& file_names) {
+                                      const std::vector<core::Metres>& legs, const std::vector<List>& lists) {
   std::vector<std::string> warnings;
-  if (file_names.size() > 1) {
+  if (lists.size() > 1) {
     warnings.push_back(
-        "The plan is longer than one list of " + std::to_string(options.max_waypoints) + " waypoints: " +
-        std::to_string(file_names.size()) + " files, " + file_names.front() + " to " + file_names.back() +
+        "The plan is longer than one list of " + std::to_string(options.max_waypoints) +
+        " waypoints: " + std::to_string(lists.size()) + " files, " + lists.front().file_name + " to " +
+        lists.back().file_name +
         ". The vehicle flies the list its mission names and no other: send the next one when a list ends.");
   }
   if (std::string text = warning_of_thruster(plan); !text.empty()) warnings.push_back(std::move(text));
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    std::string text = warning_of_end(plan, parts[i], file_names[i], radius_m);
+  for (const List& list : lists) {
+    std::string text = warning_of_end(plan, list);
     if (!text.empty()) warnings.push_back(std::move(text));
   }
   if (options.max_waypoints > documented_max_waypoints) {
@@ -133,6 +162,7 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
         "Lists of up to " + std::to_string(options.max_waypoints) +
         " waypoints: the vendor documents 8; make sure that this vehicle's firmware takes more.");
   }
+  const double radius_m = std::ranges::max(lists, {}, &List::radius).radius.value;
   const core::Metres shortest = *std::min_element(legs.begin(), legs.end());
   if (radius_m >= shortest.value / 2.0) {
     warnings.push_back(
@@ -196,35 +226,30 @@ tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Pl
     return tl::unexpected(std::move(found));
 
   const std::vector<core::Metres> legs = leg_lengths(plan);
-  const double radius_m =
-      options.radius ? std::floor(options.radius->value) : default_waypoint_radius(plan).value;
-  const std::vector<ListPart> parts = part_into_lists(plan, static_cast<std::size_t>(options.max_waypoints));
+  const std::vector<List> lists = lists_of(plan, options);
 
   MissionFiles written;
-  std::vector<std::string> names;
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const auto [first, last] = parts[i];
-    names.push_back(argument_file_name("goto_list", options.first_number + static_cast<int>(i)));
-
+  for (std::size_t i = 0; i < lists.size(); ++i) {
+    const auto& [name, part, radius] = lists[i];
     const std::string comments =
-        print("# %s, list %zu of %zu: waypoints %zu to %zu of %zu\n", names.back().c_str(), i + 1,
-              parts.size(), first, last, plan.waypoints.size() - 1) +
+        print("# %s, list %zu of %zu: waypoints %zu to %zu of %zu\n", name.c_str(), i + 1, lists.size(),
+              part.first, part.last, plan.waypoints.size() - 1) +
         origin_comments(plan, options.origin) +
         "# The start of the plan is left out: the vehicle is there and heads for the first row.\n";
     std::vector<geo::LonLat> places;
-    for (std::size_t row = first; row <= last; ++row) places.push_back(plan.waypoints[row].place);
+    for (std::size_t row = part.first; row <= part.last; ++row) places.push_back(plan.waypoints[row].place);
     const int initial = i == 0 ? options.initial_waypoint : 0;
     written.files.push_back(
-        {names.back(), argument_file("goto_list", comments,
-                                     {{"num_legs_to_run", "-2"},
-                                      {"start_when", "0"},
-                                      {"list_stop_when", "7"},
-                                      {"list_when_wpt_dist", whole(radius_m)},
-                                      {"initial_wpt", whole(initial)},
-                                      {"num_waypoints", whole(static_cast<double>(places.size()))}}) +
-                           waypoint_section(places)});
+        {name, argument_file("goto_list", comments,
+                             {{"num_legs_to_run", "-2"},
+                              {"start_when", "0"},
+                              {"list_stop_when", "7"},
+                              {"list_when_wpt_dist", whole(radius.value)},
+                              {"initial_wpt", whole(initial)},
+                              {"num_waypoints", whole(static_cast<double>(places.size()))}}) +
+                   waypoint_section(places)});
   }
-  written.warnings = warnings_for(plan, options, legs, radius_m, parts, names);
+  written.warnings = warnings_for(plan, options, legs, lists);
   return written;
 }
 

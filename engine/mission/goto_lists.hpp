@@ -24,8 +24,8 @@ struct GotoListOptions {
   FileOrigin origin{};
 };
 
-/// Within which a waypoint counts as reached unless told otherwise: the largest whole number of metres below half of the
-/// shortest leg, in 10 to 500 m, so that no waypoint is skipped.
+/// Within which a waypoint counts as reached unless told otherwise: the largest whole number of metres below half
+/// of the shortest leg, in 10 to 500 m, so that no waypoint is skipped.
 /// Precondition  two waypoints or more
 [[nodiscard]] core::Metres default_waypoint_radius(const planning::Plan& plan);
 
@@ -35,10 +35,13 @@ struct GotoListOptions {
 /// Length   never more than `max_waypoints` rows; longer plans continue in lists with consecutive numbers,
 ///          and a warning says that the pilot has to send them one after the other. The firmware owns the
 ///          numbers 98 and 99.
-/// Ends     a mission brings the vehicle up where its list is flown: a list ends where the plan lets it surface, or where
-///          nothing is known of the ice, with a warning; never below ice or an iceberg, unless `may_end_below_ice`
-/// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints, more waypoints in a
-///          row below ice or icebergs than a list holds beside its end, a plan that ends below them, options out of range
+/// Ends     a mission brings the vehicle up where its list is flown: a list ends where the plan lets it surface, or
+///          where nothing is known of the ice, with a warning; never below ice or an iceberg, nor nearer to them
+///          than the vehicle may be off, unless `may_end_below_ice`. A list that ends near them gets a smaller
+///          radius than the usual one
+/// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints, more
+///          waypoints in a row below ice or icebergs than a list holds beside its end, a plan or a list that ends
+///          below them or too near to them, options out of range
 /// Threads  may be called from several threads at once
 [[nodiscard]] tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Plan& plan,
                                                                             const GotoListOptions& options);

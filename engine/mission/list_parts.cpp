@@ -1,6 +1,9 @@
 #include "engine/mission/list_parts.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cmath>
+#include <cstdio>
 #include <string>
 
 #include "engine/mission/below_ice.hpp"
@@ -13,47 +16,95 @@ std::string waypoints_text(std::size_t first, std::size_t last) {
                        : "waypoints " + std::to_string(first) + " to " + std::to_string(last);
 }
 
+/// Whether the vehicle may surface wherever it may come up for this end of a list.
+bool is_clear(const planning::Plan& plan, const ListPart& part, core::Metres radius) {
+  if (overhead(plan, part.last) != Overhead::open) return false;
+  const auto end = end_of(plan, part);
+  return !end || end->room() > radius;
+}
+
 /// Of the list that begins with this waypoint.
-std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::size_t max_waypoints) {
-  const std::size_t farthest = std::min(first + max_waypoints, plan.waypoints.size()) - 1;
-  for (const Overhead wanted : {Overhead::open, Overhead::unknown}) {
-    for (std::size_t last = farthest; last >= first; --last) {
-      if (overhead(plan, last) == wanted) return last;
-    }
+std::size_t last_of_list(const planning::Plan& plan, std::size_t first, const ListRules& rules) {
+  const std::size_t farthest = std::min(first + rules.max_waypoints, plan.waypoints.size()) - 1;
+  const auto farthest_where = [&](const auto& suits) -> std::optional<std::size_t> {
+    for (std::size_t last = farthest; last >= first; --last)
+      if (suits(last)) return last;
+    return std::nullopt;
+  };
+  if (const auto clear =
+          farthest_where([&](std::size_t last) { return is_clear(plan, {first, last}, rules.radius); }))
+    return *clear;
+  for (const Overhead wanted : {Overhead::unknown, Overhead::open}) {
+    if (const auto last = farthest_where([&](std::size_t i) { return overhead(plan, i) == wanted; }))
+      return *last;
   }
   return farthest;
 }
 
+/// `is_end`  of the plan
+std::string end_too_near(const ListEnd& end, core::Metres radius, bool is_end) {
+  std::array<char, 300> text{};
+  std::snprintf(text.data(), text.size(),
+                ", %.0f m beyond ice or icebergs, yet the vehicle comes up as soon as it takes itself to be "
+                "within %.0f m of it, and may be off by %.0f m: plan on until it is more than %.0f m beyond "
+                "them",
+                end.open_before.value, radius.value, end.error.value,
+                std::ceil(radius.value + end.error.value));
+  return (is_end ? "is the end of the plan" : "is where a list has to end") + std::string{text.data()} +
+         (is_end ? "" : ", or with fewer waypoints on the way there");
+}
+
 }  // namespace
 
-std::vector<ListPart> part_into_lists(const planning::Plan& plan, std::size_t max_waypoints) {
+bool passes_below(const planning::Plan& plan, const ListPart& part) {
+  if (!plan.surfacing) return false;
+  for (std::size_t i = part.first; i <= part.last; ++i) {
+    const planning::SurfacingState& state = plan.surfacing->waypoints[i];
+    if (state.leg_upper_turn.value_or(state.least_upper_turn).value > 0.0) return true;
+  }
+  return false;
+}
+
+std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part) {
+  if (!passes_below(plan, part)) return std::nullopt;
+  const planning::SurfacingState& before = plan.surfacing->waypoints[part.first - 1];
+  const planning::SurfacingState& last = plan.surfacing->waypoints[part.last];
+  if (!last.open_before || !last.error_without_fix || !before.error_without_fix) return std::nullopt;
+  return ListEnd{*last.open_before, *last.error_without_fix - *before.error_without_fix};
+}
+
+std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRules& rules) {
   std::vector<ListPart> parts;
   for (std::size_t first = 1; first < plan.waypoints.size();) {
-    parts.push_back({first, last_of_list(plan, first, max_waypoints)});
+    parts.push_back({first, last_of_list(plan, first, rules)});
     first = parts.back().last + 1;
   }
   return parts;
 }
 
-core::Violations list_end_violations(const planning::Plan& plan, std::size_t max_waypoints) {
+core::Violations list_end_violations(const planning::Plan& plan, const ListRules& rules) {
   core::Violations found;
   const std::size_t count = plan.waypoints.size();
-  for (std::size_t first = 1; first < count; ++first) {
-    if (overhead(plan, first) != Overhead::closed) continue;
-    std::size_t last = first;
-    while (last + 1 < count && overhead(plan, last + 1) == Overhead::closed) ++last;
-    if (last + 1 == count) {
-      found.push_back({"/waypoints/" + std::to_string(last),
+  std::size_t told = 0;  // the last waypoint below ice that a rule names
+  for (const ListPart& part : part_into_lists(plan, rules)) {
+    const bool is_end = part.last + 1 == count;
+    const Overhead above = overhead(plan, part.last);
+    const std::string place = "/waypoints/" + std::to_string(part.last);
+    if (above == Overhead::open && !is_clear(plan, part, rules.radius))
+      found.push_back({place, end_too_near(*end_of(plan, part), rules.radius, is_end)});
+    if (above != Overhead::closed) continue;
+    if (is_end)
+      found.push_back({place,
                        "is the end of the plan and lies below ice or icebergs, yet the vehicle comes up "
                        "where its list is flown: plan on to open water"});
-    } else if (last - first + 1 >= max_waypoints) {
-      found.push_back(
-          {"/waypoints", "must not be so many below ice or icebergs: " + waypoints_text(first, last) +
-                             " lie there, a list holds " + std::to_string(max_waypoints) +
-                             ", and the vehicle comes up where its list is flown; plan anew with "
-                             "--max-waypoints or a longer --max-leg"});
-    }
-    first = last;
+    if (is_end || part.last <= told) continue;
+    told = part.last;
+    while (told + 1 < count && overhead(plan, told + 1) == Overhead::closed) ++told;
+    found.push_back(
+        {"/waypoints", "must not be so many below ice or icebergs: " + waypoints_text(part.first, told) +
+                           " lie there, a list holds " + std::to_string(rules.max_waypoints) +
+                           ", and the vehicle comes up where its list is flown; plan anew with "
+                           "--max-waypoints or a longer --max-leg"});
   }
   return found;
 }

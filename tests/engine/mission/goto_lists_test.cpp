@@ -277,20 +277,75 @@ TEST(GotoLists, EndWhereNothingIsKnownOfTheIceOnlyIfTheyMustAndSaySo) {
   EXPECT_THAT(lists->warnings, testing::Not(Contains(HasSubstr("goto_l10.ma ends"))));
 }
 
-TEST(GotoLists, WarnWhereTheirLastLegPassesBelowIce) {
+/// Below ice up to 2 km before its goal, where it may be off by 600 m.
+planning::Plan plan_out_of_the_ice() {
   planning::Plan plan = plan_below_ice(3, {1});
-  plan.surfacing->waypoints[1].position_error = core::Metres{1348.0};
-  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{22.0};
+  auto& states = plan.surfacing->waypoints;
+  states[0].error_without_fix = core::Metres{100.0};
+  states[2].leg_upper_turn = core::Metres{22.0};
+  states[2].open_before = core::Metres{2000.0};
+  states[2].error_without_fix = core::Metres{700.0};
+  return plan;
+}
 
-  const auto below = write_goto_lists(plan, {.radius = core::Metres{300.0}});
-  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{0.0};
-  const auto clear = write_goto_lists(plan, {.radius = core::Metres{300.0}});
+TEST(GotoLists, AreRefusedWhereTheVehicleMayComeUpBeforeItIsOutOfTheIce) {
+  planning::Plan plan = plan_out_of_the_ice();
+  plan.surfacing->waypoints[2].open_before = core::Metres{45.0};
 
-  const auto warns =
-      Contains(HasSubstr("within 300 m of it, with an error that was 1348 m a waypoint before"));
-  ASSERT_TRUE(below && clear);
-  EXPECT_THAT(below->warnings, warns);
-  EXPECT_THAT(clear->warnings, testing::Not(warns));
+  const auto lists = write_goto_lists(plan, {});
+
+  ASSERT_FALSE(lists.has_value());
+  EXPECT_THAT(lists.error(), ElementsAre(testing::AllOf(
+                                 Field(&core::Violation::field, "/waypoints/2"),
+                                 Field(&core::Violation::rule, HasSubstr("45 m beyond ice or icebergs")),
+                                 Field(&core::Violation::rule, HasSubstr("more than 610 m beyond them")))));
+  EXPECT_TRUE(write_goto_lists(plan, {.may_end_below_ice = true}).has_value());
+}
+
+TEST(GotoLists, AreRefusedForARadiusThatReachesIntoTheIce) {
+  const planning::Plan plan = plan_out_of_the_ice();
+
+  EXPECT_TRUE(write_goto_lists(plan, {.radius = core::Metres{1390.0}}).has_value());
+  EXPECT_FALSE(write_goto_lists(plan, {.radius = core::Metres{1400.0}}).has_value());
+}
+
+TEST(GotoLists, GetASmallerRadiusWhereTheyEndNearIce) {
+  planning::Plan plan = plan_out_of_the_ice();
+  const auto usual = write_goto_lists(plan, {});
+  plan.surfacing->waypoints[2].open_before = core::Metres{800.0};
+
+  const auto near_ice = write_goto_lists(plan, {});
+
+  ASSERT_TRUE(usual && near_ice);
+  EXPECT_THAT(usual->files.front().text, HasSubstr("list_when_wpt_dist(m) 500\n"));
+  EXPECT_THAT(near_ice->files.front().text, HasSubstr("list_when_wpt_dist(m) 199\n"));
+  EXPECT_THAT(near_ice->warnings,
+              Contains(HasSubstr("800 m beyond ice or icebergs, and the vehicle comes up within 199 m of it, "
+                                 "where it may be off by 600 m")));
+}
+
+TEST(GotoLists, EndEarlierThanTheyMustWhereThatIsFartherFromTheIce) {
+  planning::Plan plan = plan_below_ice(14, {4, 6});
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    plan.surfacing->waypoints[i].open_before = core::Metres{30'000.0};
+    plan.surfacing->waypoints[i].error_without_fix = core::Metres{100.0 * static_cast<double>(i)};
+  }
+  plan.surfacing->waypoints[8].open_before = core::Metres{300.0};
+
+  const auto lists = write_goto_lists(plan, {});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(ends_of(*lists), ElementsAre(7u, 13u));
+}
+
+TEST(GotoLists, OfAPlanThatDoesNotTellHowFarFromIceItEndsSaySo) {
+  planning::Plan plan = plan_out_of_the_ice();
+  for (auto& state : plan.surfacing->waypoints) state.open_before.reset();
+
+  const auto lists = write_goto_lists(plan, {});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(lists->warnings, Contains(HasSubstr("plan it anew before it is flown")));
 }
 
 TEST(GotoLists, NameTheLegsOnTheThruster) {

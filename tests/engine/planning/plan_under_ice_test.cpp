@@ -115,6 +115,33 @@ TEST(PlanUnderIce, TellsHowDeepTheDivesTurnOnALegWhoseEndsLieInOpenWater) {
   EXPECT_EQ(open.surfacing->waypoints.back().leg_upper_turn, core::Metres{0.0});
 }
 
+TEST(PlanUnderIce, TellsHowFarBeyondTheIceItsWaypointsLie) {
+  PlanRequest request = support::eastward_request();
+  request.method = Method::direct;
+  request.refine = false;
+
+  const Plan below = planned(band_of_ice(), request);
+  const Plan open =
+      planned({.ice = support::ice_from([](geo::LonLat, double) { return 0.0; }, {0.0}, 1.0)}, request);
+
+  const SurfacingState& goal = below.surfacing->waypoints.back();
+  const geo::LonLat end = below.waypoints.back().place;
+  const geo::GeodesicLine back = geo::geodesic_between(end, below.waypoints.front().place);
+  double open_m = 0.0;  // looked up in the ice itself
+  while (band_of_ice()
+             .ice->at(geo::geodesic_destination(end, back.course_at_start, {open_m}), below.departure)
+             ->concentration <= request.under_ice.max_concentration_to_surface)
+    open_m += 10.0;
+  EXPECT_LE(goal.open_before->value, open_m + 1.0);
+  EXPECT_GT(goal.open_before->value, open_m - 500.0);
+  EXPECT_NEAR(open.surfacing->waypoints.back().open_before->value, open.distance.value, 1.0);
+  const double through_water_m = request.vehicle.speed_through_water.value * below.travel_time().count();
+  const double by_currents_m = request.under_ice.current_uncertainty.value * below.travel_time().count();
+  EXPECT_NEAR(goal.error_without_fix->value,
+              request.under_ice.dead_reckoning_share * through_water_m + by_currents_m, 1.0);
+  EXPECT_LT(goal.position_error.value, goal.error_without_fix->value);
+}
+
 /// Law: below ice everywhere the vehicle draws what it draws in open water when its dives turn as deep.
 TEST(PlanUnderIce, DrawsWhatDivesDrawThatTurnBelowTheIce) {
   const ocean::Environment thick{.ice =
