@@ -141,7 +141,7 @@ class Flight::State {
                                      std::string{avoidance::text(answer.guidance.reason)});
     }
     if (pilot_.phase() == MissionPilot::Phase::done)
-      return end(pilot_.has_finished() ? FlightEnd::arrived : FlightEnd::gave_up, pilot_.reason());
+      return end(pilot_.has_arrived() ? FlightEnd::arrived : FlightEnd::gave_up, pilot_.reason());
     targets_ = pilot_.targets(known, answer.guidance);
     // The loop turns until the compass shows the heading.
     targets_.heading_rad += targets_.heading_rad - reckoning_.measured_heading_rad(targets_.heading_rad);

@@ -105,10 +105,10 @@ struct SensorLog {
 };
 
 enum class FlightEnd : std::uint8_t {
-  arrived,    // the last waypoint was reached
+  arrived,    // the last waypoint was reached, and the vehicle came up there
   collided,   // with a body or the sea ice
   grounded,   // on the sea bed
-  gave_up,    // the mission or the system on board ended it
+  gave_up,    // the mission or the system on board ended it, or ice at the goal turned the vehicle back
   time_up,    // longer than the settings allow
   battery,    // below the reserve
   left_data,  // where the world is not known

@@ -68,6 +68,8 @@ class MissionPilot {
   /// Of the list under way; as many as there are stops when all are behind.
   [[nodiscard]] std::size_t waypoint() const { return stop_; }
   [[nodiscard]] bool has_finished() const { return stop_ >= path_.stops.size(); }
+  /// Whether the mission ended where it was to end: its lists are flown, and the vehicle came up there.
+  [[nodiscard]] bool has_arrived() const { return has_finished() && !turns_back_; }
   /// Why the mission ended, once the phase is done.
   [[nodiscard]] const std::string& reason() const { return reason_; }
   /// Whether mission or guidance ask for the propeller.
