@@ -59,7 +59,7 @@ planning::SurfacingState parse_state(const json& waypoint) {
           .position_error = {waypoint.at("position_error_m").get<double>()},
           .least_upper_turn = {waypoint.at("least_upper_turn_m").get<double>()},
           .leg_upper_turn = later_metres(waypoint, "leg_upper_turn_m"),
-          .open_before = later_metres(waypoint, "open_before_m"),
+          .ice_free_before = later_metres(waypoint, "ice_free_before_m"),
           .error_without_fix = later_metres(waypoint, "error_without_fix_m")};
 }
 
@@ -73,7 +73,7 @@ void add_surfacing_state(const std::optional<planning::SurfacingPlan>& plan, std
   object["position_error_m"] = state != nullptr ? json(state->position_error.value) : json();
   object["least_upper_turn_m"] = state != nullptr ? json(state->least_upper_turn.value) : json();
   object["leg_upper_turn_m"] = state != nullptr ? metres_or_null(state->leg_upper_turn) : json();
-  object["open_before_m"] = state != nullptr ? metres_or_null(state->open_before) : json();
+  object["ice_free_before_m"] = state != nullptr ? metres_or_null(state->ice_free_before) : json();
   object["error_without_fix_m"] = state != nullptr ? metres_or_null(state->error_without_fix) : json();
 }
 

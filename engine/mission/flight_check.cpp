@@ -7,9 +7,9 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
-#include "engine/mission/argument_rules.hpp"
-#include "engine/mission/behavior_table.hpp"
+#include "engine/mission/behavior_values.hpp"
 #include "engine/mission/document_text.hpp"
+#include "engine/mission/ice_check.hpp"
 #include "engine/mission/line_words.hpp"
 
 namespace floeplan::mission {
@@ -17,22 +17,6 @@ namespace {
 
 void report(Document& document, int line, Severity severity, const char* code, std::string text) {
   document.messages.push_back({line, severity, code, std::move(text)});
-}
-
-/// The value of an argument of a behavior, or the dictionary's default; nothing where neither is known.
-std::optional<double> value_of(const Behavior& behavior, std::string_view name) {
-  if (const Argument* given = behavior.find(name)) {
-    if (given->value >= first_mission_parameter) return std::nullopt;
-    return given->value;
-  }
-  const BehaviorRule* rule = find_behavior(behavior.name);
-  const ArgumentRule* known = rule == nullptr ? nullptr : rule->find(name);
-  return known == nullptr ? std::nullopt : known->by_default;
-}
-
-bool reads_file(const Behavior& behavior) {
-  const Argument* file = behavior.find("args_from_file");
-  return file != nullptr && file->value >= 0.0;
 }
 
 const Behavior* first_of(const Document& document, std::string_view name) {
@@ -105,6 +89,17 @@ void note_timing(Document& document, const planning::Plan& timing) {
   report(document, 0, Severity::note, "route_clear", text);
 }
 
+/// Lists of the route's files that it leaves out.
+void note_recovery_lists(std::vector<Document>& documents, const FlightRoute& route) {
+  for (std::size_t i = 0; i < documents.size(); ++i) {
+    const bool is_flown =
+        std::ranges::find(route.stops, i, &FlightRoute::Stop::document) != route.stops.end();
+    if (!is_flown && is_recovery_list(documents[i]))
+      report(documents[i], 0, Severity::note, "recovery_list",
+             "not part of the way: the firmware flies it to recover");
+  }
+}
+
 /// What the answer rests on: data that are missing or stretched, a battery that falls short.
 void warn_of_grounds(Document& document, const std::vector<std::string>& warnings) {
   for (const std::string& warning : warnings) report(document, 0, Severity::warning, "sea_data", warning);
@@ -139,31 +134,17 @@ void check_sea(std::vector<Document>& documents, const ocean::Environment& envir
            finding.code.c_str(), finding.text);
   }
   warn_of_grounds(first, check.timing ? check.timing->warnings : environment.warnings);
-  if (check.findings.empty() && check.timing) note_timing(first, *check.timing);
+  if (!check.timing) return;
+  TimedRoute timed{*check.timing, {}};
+  for (const std::size_t place : check.places) {
+    timed.rows.push_back(place < before_first ? std::nullopt
+                                              : std::optional{route.stops[place - before_first]});
+  }
+  const bool is_clear = check_below_ice(documents, timed, dive);
+  if (check.findings.empty() && is_clear) note_timing(first, *check.timing);
 }
 
 }  // namespace
-
-std::vector<geo::LonLat> FlightRoute::places() const {
-  std::vector<geo::LonLat> places;
-  places.reserve(stops.size());
-  for (const Stop& stop : stops) places.push_back(stop.place);
-  return places;
-}
-
-FlightRoute route_of(const std::vector<Document>& documents) {
-  FlightRoute route;
-  for (std::size_t i = 0; i < documents.size(); ++i) {
-    const Document& document = documents[i];
-    if (document.verdict() == Verdict::reject || document.waypoints.empty()) continue;
-    const bool list = document.kind == DocumentKind::arguments;
-    for (const WaypointRow& row : document.waypoints) route.stops.push_back({row.place, i, row.line});
-    const auto legs = list ? value_of(document.behaviors.front(), "num_legs_to_run") : std::nullopt;
-    if (legs == -1.0 && document.waypoints.size() > 2)
-      route.stops.push_back({document.waypoints.front().place, i, document.waypoints.front().line});
-  }
-  return route;
-}
 
 std::optional<DiveArguments> dive_of(const std::vector<Document>& documents) {
   for (const Document& document : documents) {
@@ -185,6 +166,7 @@ void check_flight(std::vector<Document>& documents, const ocean::Environment& en
                   std::optional<geo::LonLat> start, planning::PlanRequest request) {
   const FlightRoute route = route_of(documents);
   const auto dive = dive_of(documents);
+  note_recovery_lists(documents, route);
   if (!route.stops.empty()) check_sea(documents, environment, route, start, dive, std::move(request));
   for (Document& document : documents) {
     if (document.kind == DocumentKind::mission && !document.lines.empty())

@@ -3,27 +3,12 @@
 #include <vector>
 
 #include "engine/mission/document.hpp"
+#include "engine/mission/flight_route.hpp"
 #include "engine/mission/route_check.hpp"
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/plan_request.hpp"
 
 namespace floeplan::mission {
-
-/// Rows of the documents' lists as one route: lists are flown one after the other, in the order of the documents,
-/// and a list that goes round for ever returns to its first row once.
-struct FlightRoute {
-  struct Stop {
-    geo::LonLat place;
-    std::size_t document{};
-    int line{};
-  };
-  std::vector<Stop> stops;
-
-  [[nodiscard]] std::vector<geo::LonLat> places() const;
-};
-
-/// Rejected documents have no part in it.
-[[nodiscard]] FlightRoute route_of(const std::vector<Document>& documents);
 
 /// How the documents dive: the yo among them, or the one that a mission gives inline. Nothing without one.
 [[nodiscard]] std::optional<DiveArguments> dive_of(const std::vector<Document>& documents);

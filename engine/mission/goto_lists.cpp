@@ -123,11 +123,7 @@ std::string warning_of_end(const planning::Plan& plan, const List& list) {
            "far "
            "beyond them: plan it anew before it is flown.";
   }
-  return ends +
-         print(
-             ", %.0f m beyond ice or icebergs, and the vehicle comes up within %.0f m of it, where it may "
-             "be off by %.0f m: make sure that the water is open so far to all sides.",
-             end->open_before.value, list.radius.value, end->error.value);
+  return ends + ", " + text_of(*end, list.radius) + ": make sure that the water is open so far to all sides.";
 }
 
 /// Of legs that are planned on the thruster, which no file turns on; empty: there are none.

@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <limits>
 #include <string>
 
 #include "engine/mission/below_ice.hpp"
@@ -14,6 +15,32 @@ namespace {
 std::string waypoints_text(std::size_t first, std::size_t last) {
   return first == last ? "waypoint " + std::to_string(first)
                        : "waypoints " + std::to_string(first) + " to " + std::to_string(last);
+}
+
+core::Metres length_of(const planning::Plan& plan, const ListPart& part) {
+  core::Metres length{0.0};
+  for (std::size_t i = part.first; i <= part.last; ++i)
+    length = length + plan.waypoints[i].leg_length.value_or(core::Metres{0.0});
+  return length;
+}
+
+/// From the last iceberg that the list's way passes under to its end, along it; empty: it passes under none.
+std::optional<core::Metres> beyond_iceberg(const planning::Plan& plan, const ListPart& part) {
+  std::optional<core::Metres> least;
+  const core::UtcTime begins = plan.waypoints[part.first - 1].eta;
+  for (const planning::PassedUnder& under : plan.passed_under) {
+    core::Metres beyond{0.0};
+    std::size_t leg = part.last;
+    for (; leg >= part.first && under.until < plan.waypoints[leg - 1].eta; --leg)
+      beyond = beyond + plan.waypoints[leg].leg_length.value_or(core::Metres{0.0});
+    if (leg < part.first || under.until < begins || under.from > plan.waypoints[part.last].eta) continue;
+    const core::Seconds after = plan.waypoints[leg].eta - under.until;
+    const core::MetresPerSecond speed =
+        plan.waypoints[leg].speed_over_ground.value_or(core::MetresPerSecond{});
+    beyond = beyond + core::Metres{speed.value * std::max(0.0, after.count())};
+    least = least ? std::min(*least, beyond) : beyond;
+  }
+  return least;
 }
 
 /// Whether the vehicle may surface wherever it may come up for this end of a list.
@@ -43,15 +70,15 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, const Li
 
 /// `is_end`  of the plan
 std::string end_too_near(const ListEnd& end, core::Metres radius, bool is_end) {
-  std::array<char, 300> text{};
-  std::snprintf(text.data(), text.size(),
-                ", %.0f m beyond ice or icebergs, yet the vehicle comes up as soon as it takes itself to be "
-                "within %.0f m of it, and may be off by %.0f m: plan on until it is more than %.0f m beyond "
-                "them",
-                end.open_before.value, radius.value, end.error.value,
-                std::ceil(radius.value + end.error.value));
-  return (is_end ? "is the end of the plan" : "is where a list has to end") + std::string{text.data()} +
-         (is_end ? "" : ", or with fewer waypoints on the way there");
+  std::array<char, 120> farther{};
+  if (end.beyond_ice && *end.beyond_ice - end.error <= radius) {
+    std::snprintf(farther.data(), farther.size(), "it is more than %.0f m beyond the ice",
+                  std::ceil((radius + end.error).value));
+  } else {
+    std::snprintf(farther.data(), farther.size(), "it is more than %.0f m beyond the iceberg", radius.value);
+  }
+  return (is_end ? "is the end of the plan, " : "is where a list has to end, ") + text_of(end, radius) +
+         ": plan on until " + farther.data() + (is_end ? "" : ", or with fewer waypoints on the way there");
 }
 
 }  // namespace
@@ -65,12 +92,37 @@ bool passes_below(const planning::Plan& plan, const ListPart& part) {
   return false;
 }
 
+core::Metres ListEnd::room() const {
+  core::Metres least{std::numeric_limits<double>::infinity()};
+  if (beyond_ice) least = *beyond_ice - error;
+  if (beyond_iceberg) least = std::min(least, *beyond_iceberg);
+  return least;
+}
+
 std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part) {
   if (!passes_below(plan, part)) return std::nullopt;
   const planning::SurfacingState& before = plan.surfacing->waypoints[part.first - 1];
   const planning::SurfacingState& last = plan.surfacing->waypoints[part.last];
-  if (!last.open_before || !last.error_without_fix || !before.error_without_fix) return std::nullopt;
-  return ListEnd{*last.open_before, *last.error_without_fix - *before.error_without_fix};
+  if (!last.ice_free_before || !last.error_without_fix || !before.error_without_fix) return std::nullopt;
+  ListEnd end{.beyond_iceberg = beyond_iceberg(plan, part),
+              .error = *last.error_without_fix - *before.error_without_fix};
+  if (*last.ice_free_before < length_of(plan, part)) end.beyond_ice = *last.ice_free_before;
+  return end;
+}
+
+std::string text_of(const ListEnd& end, core::Metres radius) {
+  std::string text;
+  const auto add = [&](const std::optional<core::Metres>& beyond, const char* what) {
+    if (beyond)
+      text += (text.empty() ? "" : " and ") + std::to_string(std::lround(beyond->value)) + " m beyond the " +
+              what;
+  };
+  add(end.beyond_ice, "ice");
+  add(end.beyond_iceberg, "iceberg");
+  text += ", and the vehicle comes up within " + std::to_string(std::lround(radius.value)) + " m of it";
+  if (end.beyond_ice)
+    text += ", where it may be off by " + std::to_string(std::lround(end.error.value)) + " m";
+  return text;
 }
 
 std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRules& rules) {

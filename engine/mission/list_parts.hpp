@@ -2,6 +2,7 @@
 
 #include <cstddef>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "engine/core/units.hpp"
@@ -27,16 +28,22 @@ struct ListRules {
 [[nodiscard]] bool passes_below(const planning::Plan& plan, const ListPart& part);
 
 /// How far from ice and icebergs a list ends whose way passes below them. The vehicle comes up as soon as it takes itself
-/// to be within the radius of the last row, which it may be before it, by the radius and by its error of position.
+/// to be within the radius of the last row, which it may be before it. Of ice, which lies there, its error of position
+/// takes as much again; what is uncertain of an iceberg is in its disc, and where the vehicle is off its way it is as
+/// likely to be farther from it.
 struct ListEnd {
-  core::Metres open_before;  // SurfacingState::open_before
-  core::Metres error;        // grown on the way of the list, on which there is no fix
+  std::optional<core::Metres> beyond_ice{};      // along the way; empty: the way passes below none
+  std::optional<core::Metres> beyond_iceberg{};  // the same
+  core::Metres error{};                          // grown on the way of the list, on which there is no fix
 
-  [[nodiscard]] core::Metres room() const { return open_before - error; }  // for the radius
+  [[nodiscard]] core::Metres room() const;  // for the radius
 };
 
 /// Empty where the list's way passes below nothing, and in plans stored before it was kept.
 [[nodiscard]] std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part);
+
+/// "45 m beyond the ice, and the vehicle comes up within 500 m of it, where it may be off by 1650 m"
+[[nodiscard]] std::string text_of(const ListEnd& end, core::Metres radius);
 
 /// The plan's waypoints after the start in lists of at most `max_waypoints` rows, each as long as it can be and still end
 /// where the vehicle may surface, farther from ice and icebergs than it may be off: there the list is flown, and the

@@ -118,7 +118,10 @@ RouteCheck check_route(const ocean::Environment& environment, const std::vector<
     from_here.depart = rest.depart;
     auto timed = planning::evaluate_route(environment, places, from_here);
     if (timed) {
-      if (check.findings.empty()) check.timing = std::move(*timed);
+      if (check.findings.empty()) {
+        check.timing = std::move(*timed);
+        check.places = std::move(rest.places);
+      }
       break;
     }
     const Infeasible& closed = timed.error();

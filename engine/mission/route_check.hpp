@@ -22,6 +22,8 @@ struct RouteFinding {
 struct RouteCheck {
   std::vector<RouteFinding> findings;
   std::optional<planning::Plan> timing;  // of the whole route, when nothing closes it
+  std::vector<std::size_t>
+      places;  // of the route, for each waypoint of `timing`: those that repeat have none
 };
 
 /// How a mission dives, as far as its files say.

@@ -29,8 +29,9 @@ class Log {
     const core::Metres turn = sea_.least_upper_turn(now.point, now.time);
     const core::Metres step = sea_.ground_length(last.at.point, now.point);
     leg_upper_turn_ = std::max(leg_upper_turn_, turn);
-    open_before_ = turn.value > 0.0 || was_below_ ? core::Metres{0.0} : open_before_ + step;
-    was_below_ = turn.value > 0.0;
+    const bool below_ice = sea_.ice() && sea_.ice()->least_upper_turn(now.point, now.time).value > 0.0;
+    ice_free_before_ = below_ice || was_below_ice_ ? core::Metres{0.0} : ice_free_before_ + step;
+    was_below_ice_ = below_ice;
     if (sea_.ice() && !sea_.ice()->above(now.point, now.time).known)
       plan.unknown_ice = plan.unknown_ice + step;
   }
@@ -57,7 +58,7 @@ class Log {
                          .since_surfacing = time - last_open_.at.time,
                          .position_error = error_at(here_),
                          .least_upper_turn = sea_.least_upper_turn(point, time),
-                         .open_before = open_before_,
+                         .ice_free_before = ice_free_before_,
                          .error_without_fix = here_.error};
     if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
     return state;
@@ -91,10 +92,10 @@ class Log {
   Look here_;
   Look fix_;
   Look last_open_;
-  bool was_open_{true};            // the vehicle starts at the surface
-  core::Metres leg_upper_turn_{};  // the deepest since the last waypoint
-  core::Metres open_before_{};     // counted from the first open look: what lies before it may be closed
-  bool was_below_{false};          // ice or an iceberg, at the last look
+  bool was_open_{true};             // the vehicle starts at the surface
+  core::Metres leg_upper_turn_{};   // the deepest since the last waypoint
+  core::Metres ice_free_before_{};  // counted from the first open look: what lies before it may be closed
+  bool was_below_ice_{false};       // at the last look
 };
 
 void look_while_waiting(Log& log, geo::PlanePoint place, core::Seconds from, core::Seconds until,

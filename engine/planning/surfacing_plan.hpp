@@ -17,9 +17,9 @@ struct SurfacingState {
   /// How deep they must turn where that is deepest on the leg that leads here and in the wait before it; 0 where nothing
   /// is above. Empty at the start, and in plans stored before it was kept.
   std::optional<core::Metres> leg_upper_turn{};
-  /// Length of the way up to here above which there has been neither ice nor an iceberg, back to the start at most; 0
-  /// where there is either. Empty in plans stored before it was kept.
-  std::optional<core::Metres> open_before{};
+  /// Length of the way up to here above which there has been no ice that dives must turn below, back to the start at
+  /// most; 0 where there is. Empty in plans stored before it was kept.
+  std::optional<core::Metres> ice_free_before{};
   /// Of dead reckoning since the start, were there no fix on the way. Empty in plans stored before it was kept.
   std::optional<core::Metres> error_without_fix{};
 };

@@ -90,7 +90,7 @@ planning::Plan plan_with_surfacings() {
                      .position_error = {383.4},
                      .least_upper_turn = {18.0},
                      .leg_upper_turn = core::Metres{21.5},
-                     .open_before = core::Metres{0.0},
+                     .ice_free_before = core::Metres{0.0},
                      .error_without_fix = core::Metres{511.2}}},
       .surfacings = {{.place = {-52.95, 69.0},
                       .time = plan.departure + core::Seconds{1800.0},
@@ -114,7 +114,7 @@ TEST(PlanDocument, SaysOfEachWaypointWhatIceMeansThere) {
   EXPECT_EQ(last.at("position_error_m"), 383.4);
   EXPECT_EQ(last.at("least_upper_turn_m"), 18.0);
   EXPECT_EQ(last.at("leg_upper_turn_m"), 21.5);
-  EXPECT_EQ(last.at("open_before_m"), 0.0);
+  EXPECT_EQ(last.at("ice_free_before_m"), 0.0);
   EXPECT_EQ(last.at("error_without_fix_m"), 511.2);
   EXPECT_TRUE(document.at("waypoints").at(0).at("leg_upper_turn_m").is_null());
   EXPECT_EQ(document.at("surfacing").at("planned").at(0).at("time"), "2027-01-15T08:30:00Z");
@@ -135,14 +135,14 @@ TEST(PlanDocument, WithSurfacingsIsReadBackTheSame) {
 TEST(PlanDocument, FromBeforeLegsToldHowDeepTheirDivesTurnIsStillRead) {
   json document = plan_document(plan_with_surfacings(), "p1", "");
   for (json& waypoint : document.at("waypoints"))
-    for (const char* later : {"leg_upper_turn_m", "open_before_m", "error_without_fix_m"})
+    for (const char* later : {"leg_upper_turn_m", "ice_free_before_m", "error_without_fix_m"})
       waypoint.erase(later);
 
   const planning::Plan plan = parse_plan_document(document);
 
   ASSERT_EQ(plan.surfacing->waypoints.size(), 2U);
   EXPECT_FALSE(plan.surfacing->waypoints[1].leg_upper_turn.has_value());
-  EXPECT_FALSE(plan.surfacing->waypoints[1].open_before.has_value());
+  EXPECT_FALSE(plan.surfacing->waypoints[1].ice_free_before.has_value());
   EXPECT_EQ(plan.surfacing->waypoints[1].least_upper_turn, core::Metres{18.0});
 }
 

@@ -26,7 +26,13 @@ planning::Plan plan_through(const std::vector<geo::LonLat>& places) {
   plan.vehicle = "slocum-g3-200";
   plan.departure = utc("2026-11-20T06:00:00Z");
   plan.arrival = utc("2026-11-21T18:30:00Z");
-  for (const geo::LonLat place : places) plan.waypoints.emplace_back().place = place;
+  for (const geo::LonLat place : places) {
+    planning::Waypoint waypoint;
+    waypoint.place = place;
+    if (!plan.waypoints.empty())
+      waypoint.leg_length = geo::geodesic_between(plan.waypoints.back().place, place).length;
+    plan.waypoints.push_back(waypoint);
+  }
   return plan;
 }
 
@@ -283,22 +289,23 @@ planning::Plan plan_out_of_the_ice() {
   auto& states = plan.surfacing->waypoints;
   states[0].error_without_fix = core::Metres{100.0};
   states[2].leg_upper_turn = core::Metres{22.0};
-  states[2].open_before = core::Metres{2000.0};
+  states[2].ice_free_before = core::Metres{2000.0};
   states[2].error_without_fix = core::Metres{700.0};
   return plan;
 }
 
 TEST(GotoLists, AreRefusedWhereTheVehicleMayComeUpBeforeItIsOutOfTheIce) {
   planning::Plan plan = plan_out_of_the_ice();
-  plan.surfacing->waypoints[2].open_before = core::Metres{45.0};
+  plan.surfacing->waypoints[2].ice_free_before = core::Metres{45.0};
 
   const auto lists = write_goto_lists(plan, {});
 
   ASSERT_FALSE(lists.has_value());
-  EXPECT_THAT(lists.error(), ElementsAre(testing::AllOf(
-                                 Field(&core::Violation::field, "/waypoints/2"),
-                                 Field(&core::Violation::rule, HasSubstr("45 m beyond ice or icebergs")),
-                                 Field(&core::Violation::rule, HasSubstr("more than 610 m beyond them")))));
+  EXPECT_THAT(lists.error(),
+              ElementsAre(testing::AllOf(
+                  Field(&core::Violation::field, "/waypoints/2"),
+                  Field(&core::Violation::rule, HasSubstr("45 m beyond the ice")),
+                  Field(&core::Violation::rule, HasSubstr("more than 610 m beyond the ice")))));
   EXPECT_TRUE(write_goto_lists(plan, {.may_end_below_ice = true}).has_value());
 }
 
@@ -312,7 +319,7 @@ TEST(GotoLists, AreRefusedForARadiusThatReachesIntoTheIce) {
 TEST(GotoLists, GetASmallerRadiusWhereTheyEndNearIce) {
   planning::Plan plan = plan_out_of_the_ice();
   const auto usual = write_goto_lists(plan, {});
-  plan.surfacing->waypoints[2].open_before = core::Metres{800.0};
+  plan.surfacing->waypoints[2].ice_free_before = core::Metres{800.0};
 
   const auto near_ice = write_goto_lists(plan, {});
 
@@ -320,17 +327,17 @@ TEST(GotoLists, GetASmallerRadiusWhereTheyEndNearIce) {
   EXPECT_THAT(usual->files.front().text, HasSubstr("list_when_wpt_dist(m) 500\n"));
   EXPECT_THAT(near_ice->files.front().text, HasSubstr("list_when_wpt_dist(m) 199\n"));
   EXPECT_THAT(near_ice->warnings,
-              Contains(HasSubstr("800 m beyond ice or icebergs, and the vehicle comes up within 199 m of it, "
+              Contains(HasSubstr("800 m beyond the ice, and the vehicle comes up within 199 m of it, "
                                  "where it may be off by 600 m")));
 }
 
 TEST(GotoLists, EndEarlierThanTheyMustWhereThatIsFartherFromTheIce) {
   planning::Plan plan = plan_below_ice(14, {4, 6});
   for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
-    plan.surfacing->waypoints[i].open_before = core::Metres{30'000.0};
+    plan.surfacing->waypoints[i].ice_free_before = core::Metres{30'000.0};
     plan.surfacing->waypoints[i].error_without_fix = core::Metres{100.0 * static_cast<double>(i)};
   }
-  plan.surfacing->waypoints[8].open_before = core::Metres{300.0};
+  plan.surfacing->waypoints[8].ice_free_before = core::Metres{300.0};
 
   const auto lists = write_goto_lists(plan, {});
 
@@ -338,9 +345,33 @@ TEST(GotoLists, EndEarlierThanTheyMustWhereThatIsFartherFromTheIce) {
   EXPECT_THAT(ends_of(*lists), ElementsAre(7u, 13u));
 }
 
+/// What is uncertain of an iceberg is in its disc: the error of position does not count once more.
+TEST(GotoLists, KeepTheirRadiusAloneFromAnIcebergThatTheyPassUnder) {
+  planning::Plan plan = plan_below_ice(3, {});
+  for (std::size_t i = 0; i < 3; ++i) {
+    const double hours = 14.0 * static_cast<double>(i);
+    plan.waypoints[i].eta = plan.departure + core::Seconds{3600.0 * hours};
+    plan.waypoints[i].speed_over_ground = core::MetresPerSecond{0.4};
+    plan.surfacing->waypoints[i].ice_free_before = core::Metres{20'000.0 * static_cast<double>(i)};
+    plan.surfacing->waypoints[i].error_without_fix = core::Metres{4000.0 * static_cast<double>(i)};
+  }
+  plan.surfacing->waypoints[2].leg_upper_turn = core::Metres{50.0};
+  const core::UtcTime until = plan.waypoints[2].eta - core::Seconds{750.0};  // 300 m before the end
+  plan.passed_under = {{"B-17", {{40.0}, true, {50.0}, {69.5}}, until - core::Seconds{3600.0}, until}};
+
+  const auto usual = write_goto_lists(plan, {});
+  const auto wide = write_goto_lists(plan, {.radius = core::Metres{310.0}});
+
+  ASSERT_TRUE(usual.has_value());
+  EXPECT_THAT(usual->files.front().text, HasSubstr("list_when_wpt_dist(m) 299\n"));
+  ASSERT_FALSE(wide.has_value());
+  EXPECT_THAT(wide.error(),
+              ElementsAre(Field(&core::Violation::rule, HasSubstr("300 m beyond the iceberg"))));
+}
+
 TEST(GotoLists, OfAPlanThatDoesNotTellHowFarFromIceItEndsSaySo) {
   planning::Plan plan = plan_out_of_the_ice();
-  for (auto& state : plan.surfacing->waypoints) state.open_before.reset();
+  for (auto& state : plan.surfacing->waypoints) state.ice_free_before.reset();
 
   const auto lists = write_goto_lists(plan, {});
 

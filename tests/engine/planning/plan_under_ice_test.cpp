@@ -132,9 +132,9 @@ TEST(PlanUnderIce, TellsHowFarBeyondTheIceItsWaypointsLie) {
              .ice->at(geo::geodesic_destination(end, back.course_at_start, {open_m}), below.departure)
              ->concentration <= request.under_ice.max_concentration_to_surface)
     open_m += 10.0;
-  EXPECT_LE(goal.open_before->value, open_m + 1.0);
-  EXPECT_GT(goal.open_before->value, open_m - 500.0);
-  EXPECT_NEAR(open.surfacing->waypoints.back().open_before->value, open.distance.value, 1.0);
+  EXPECT_LE(goal.ice_free_before->value, open_m + 1.0);
+  EXPECT_GT(goal.ice_free_before->value, open_m - 500.0);
+  EXPECT_NEAR(open.surfacing->waypoints.back().ice_free_before->value, open.distance.value, 1.0);
   const double through_water_m = request.vehicle.speed_through_water.value * below.travel_time().count();
   const double by_currents_m = request.under_ice.current_uncertainty.value * below.travel_time().count();
   EXPECT_NEAR(goal.error_without_fix->value,

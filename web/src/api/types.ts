@@ -283,7 +283,7 @@ export interface Waypoint {
   position_error_m?: number | null;
   least_upper_turn_m?: number | null;
   leg_upper_turn_m?: number | null; // the deepest on the leg; plans of older servers have none
-  open_before_m?: number | null; // of the way up to here, without ice or icebergs above; newer than the rest
+  ice_free_before_m?: number | null; // of the way up to here; newer than the rest
   error_without_fix_m?: number | null;
 }
 
