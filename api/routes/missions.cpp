@@ -97,7 +97,7 @@ void read_seaglider(const Request& request, MissionRequest& wanted, core::Violat
 /// Writes the mission files and hands them to `answer`; every fault of request or plan is listed instead.
 template <class Answer>
 Response with_files(const Context& context, const Request& request, const PlanRecord& record,
-                    const std::vector<std::string>& warnings, const Answer& answer) {
+                    const Answer& answer) {
   ParameterReader reader{request};
   MissionRequest wanted;
   wanted.number = static_cast<int>(reader.integer("number", 0, 97).value_or(wanted.number));
@@ -115,35 +115,38 @@ Response with_files(const Context& context, const Request& request, const PlanRe
 
   auto files = mission_of(context.db, record, wanted, request.now);
   if (!files) return invalid(request, files.error());
-  files->warnings.insert(files->warnings.begin(), warnings.begin(), warnings.end());
   return answer(*files);
 }
 
 Response show_mission(const Context& context, const Request& request, const PathParameters& path) {
-  return with_plan(
-      context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
-        return with_files(context, request, plan, warnings, [](const mission::MissionFiles& set) {
-          json files = json::array();
-          for (const auto& file : set.files) files.push_back({{"name", file.name}, {"text", file.text}});
-          return json_reply({{"files", std::move(files)}, {"warnings", set.warnings}});
-        });
-      });
+  return with_plan(context, request, path,
+                   [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
+                     return with_files(context, request, plan, [&](const mission::MissionFiles& set) {
+                       json files = json::array();
+                       for (const auto& file : set.files)
+                         files.push_back({{"name", file.name}, {"text", file.text}});
+                       std::vector<std::string> all = warnings;
+                       all.insert(all.end(), set.warnings.begin(), set.warnings.end());
+                       return json_reply({{"files", std::move(files)}, {"warnings", std::move(all)}});
+                     });
+                   });
 }
 
 Response download_zip(const Context& context, const Request& request, const PathParameters& path) {
   const bool seaglider = request.parameter("format") == "seaglider";
   const auto folder = handover_folder(request.parameter("glider").value_or(""), seaglider);
   if (!folder) return invalid(request, {{"?glider", folder.error().rule}});
-  return with_plan(
-      context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>& warnings) {
-        return with_files(context, request, plan, warnings, [&](const mission::MissionFiles& set) {
-          std::vector<codec::ArchivedFile> files;
-          files.reserve(set.files.size());
-          for (const auto& file : set.files) files.push_back({*folder + file.name, file.text});
-          return download(download_stem(plan) + ".zip", "application/zip",
-                          codec::zip_archive(files, request.now));
-        });
-      });
+  return with_plan(context, request, path, [&](const PlanRecord& plan, const std::vector<std::string>&) {
+    return with_files(context, request, plan, [&](const mission::MissionFiles& set) {
+      std::vector<codec::ArchivedFile> files;
+      files.reserve(set.files.size());
+      for (const auto& file : set.files) files.push_back({*folder + file.name, file.text});
+      Response response =
+          download(download_stem(plan) + ".zip", "application/zip", codec::zip_archive(files, request.now));
+      add_warnings(response, set.warnings);
+      return response;
+    });
+  });
 }
 
 /// Answers with the plan in one format that is a single file.

@@ -1,6 +1,8 @@
 #include "api/routes/plan_check.hpp"
 
 #include <algorithm>
+#include <array>
+#include <iterator>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -68,10 +70,26 @@ PlanCheck not_checkable(sqlite::Connection& db, const std::vector<DatasetRef>& u
   return check;
 }
 
-}  // namespace
+/// What the plan knows nothing of for want of data, whoever left them out.
+std::vector<std::string> warnings_of_gaps(const planning::Plan& plan) {
+  struct Gap {
+    const char* kind;
+    const char* consequence;
+  };
+  constexpr std::array<Gap, 3> gaps{{{"bathymetry", "it knows no depths"},
+                                     {"ice", "it takes the water to be open"},
+                                     {"icebergs", "it avoids none"}}};
+  std::vector<std::string> warnings;
+  for (const auto& [kind, consequence] : gaps) {
+    if (std::ranges::find(plan.datasets, kind, &DatasetRef::kind) == plan.datasets.end())
+      warnings.push_back(std::string{"The plan was made without "} + kind + ": " + consequence + ".");
+  }
+  return warnings;
+}
 
-PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record) {
-  const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
+/// What newer data say of the plan.
+PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& record,
+                         const planning::Plan& plan) {
   auto inputs = inputs_of(record);
   if (!inputs) {
     return not_checkable(db, plan.datasets,
@@ -103,6 +121,15 @@ PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& recor
     check.warnings.push_back(
         "The data have changed since the plan was made; in the newest ones it is still clear.");
   }
+  return check;
+}
+
+}  // namespace
+
+PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record) {
+  const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
+  PlanCheck check = in_newest_data(db, record, plan);
+  std::ranges::move(warnings_of_gaps(plan), std::back_inserter(check.warnings));
   return check;
 }
 

@@ -27,7 +27,7 @@ struct ChangedData {
 struct PlanCheck {
   std::vector<ChangedData> changed_data;  // empty: the same request would give the same plan
   std::vector<std::string> dangers;       // the plan must not be flown as it is
-  std::vector<std::string> warnings;      // what could not be found out
+  std::vector<std::string> warnings;      // what could not be found out, and what the plan knows nothing of
 
   [[nodiscard]] bool stale() const { return !changed_data.empty(); }
 };

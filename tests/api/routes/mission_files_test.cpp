@@ -106,6 +106,31 @@ TEST_F(MissionFilesTest, LieInTheArchiveWhereADockserverLooksForThem) {
         << bad;
 }
 
+/// What the response warns of, in the order of its headers.
+std::vector<std::string> warnings_of(const Response& response) {
+  std::vector<std::string> warnings;
+  for (const auto& [name, value] : response.headers)
+    if (name == "Floeplan-Warning") warnings.push_back(value);
+  return warnings;
+}
+
+TEST_F(MissionFilesTest, WarnInTheArchivesHeadersOfAllThatTheyWarnOfByThemselves) {
+  const json set = ask_for("?full=true");
+
+  const auto zip = warnings_of(ask("GET", "/collections/plans/items/p1/mission.zip?full=true"));
+
+  EXPECT_THAT(zip, testing::UnorderedElementsAreArray(set["warnings"].get<std::vector<std::string>>()));
+  EXPECT_THAT(zip, Contains(HasSubstr("Pump and pitch in the yo file")));
+}
+
+TEST_F(MissionFilesTest, SayWhatThePlanWasMadeWithout) {
+  const auto warnings = ask_for("")["warnings"].get<std::vector<std::string>>();
+
+  EXPECT_THAT(warnings, Contains(HasSubstr("made without ice: it takes the water to be open")));
+  EXPECT_THAT(warnings, Contains(HasSubstr("made without bathymetry")));
+  EXPECT_THAT(warnings, testing::Not(Contains(HasSubstr("made without icebergs"))));
+}
+
 TEST_F(MissionFilesTest, AreDownloadedUnderTheNameDepartureAndIdOfThePlan) {
   repository::PlanRecord plan;
   plan.id = {"p1c2d3e4f5a6"};
