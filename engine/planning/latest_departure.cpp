@@ -114,6 +114,7 @@ class LatestDeparture {
     if (!best_) return explained();
     wanted_ = *request_.departures.arrive_by;
     if (!is_late_enough()) best_->warnings.push_back(early_text());
+    if (best_->arrival > wanted_) best_->warnings.push_back(late_text());
     return std::move(*best_);
   }
 
@@ -203,6 +204,14 @@ class LatestDeparture {
     std::snprintf(hours, sizeof hours, "%.1f h", left(*best_).count() / 3600.0);
     return std::string{"this plan is there "} + hours +
            " before the wanted arrival: no later departure was found that is in time";
+  }
+
+  /// Of a plan that is in time by its members and not by itself.
+  [[nodiscard]] std::string late_text() const {
+    return "in the currents that the plan is made with it arrives at " + core::iso8601(best_->arrival) +
+           ", after the wanted arrival: what counts is the " +
+           (request_.uncertainty.objective == RobustObjective::quantile ? "quantile" : "mean") +
+           " of the members, " + core::iso8601(arrival_that_counts(*best_, request_.uncertainty));
   }
 
   /// Why nothing is in time.

@@ -195,6 +195,24 @@ TEST(PlanArrival, IsInTimeInTheShareOfTheMembersThatItIsToBe) {
   EXPECT_NEAR((*request.departures.arrive_by - last).count(), 0.0, 2e-3 * plan->travel_time().count() + 60.0);
 }
 
+/// The first member runs against the vehicle, the others with it.
+TEST(PlanArrival, SaysWhereTheMeanOfTheMembersIsInTimeAndThePlanItselfIsNot) {
+  const auto stream = [](double speed_m_s) {
+    return currents_from([=](geo::LonLat, double) { return geo::VelocityEn{{speed_m_s}, {0.0}}; }, 200);
+  };
+  ocean::Environment sea{.currents = stream(-0.05)};
+  sea.members = {sea.currents, stream(0.05), stream(0.05)};
+  PlanRequest request = arriving_after(120.0);
+  request.uncertainty.objective = RobustObjective::mean;
+
+  const auto plan = plan_arrival(sea, request, {}, {});
+
+  ASSERT_TRUE(plan.has_value()) << plan.error().explanation;
+  EXPECT_GT(plan->arrival, *request.departures.arrive_by);
+  EXPECT_THAT(plan->warnings,
+              testing::Contains(testing::HasSubstr("what counts is the mean of the members")));
+}
+
 TEST(PlanArrival, SaysWhenTheEarliestDepartureArrives) {
   const PlanRequest request = arriving_after(10.0);
 
