@@ -216,6 +216,13 @@ core::Metres default_waypoint_radius(const planning::Plan& plan) {
   return {std::clamp(std::ceil(shortest_m / 2.0) - 1.0, smallest_radius_m, largest_default_radius_m)};
 }
 
+core::Seconds longest_list_time(const planning::Plan& plan, const GotoListOptions& options) {
+  core::Seconds longest{0.0};
+  for (const ListPart& part : part_into_lists(plan, rules_of(options)))
+    longest = std::max(longest, plan.waypoints[part.last].eta - plan.waypoints[part.first - 1].eta);
+  return longest;
+}
+
 tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Plan& plan,
                                                               const GotoListOptions& options) {
   if (core::Violations found = violations_of(plan, options); !found.empty())

@@ -29,6 +29,10 @@ struct GotoListOptions {
 /// Precondition  two waypoints or more
 [[nodiscard]] core::Metres default_waypoint_radius(const planning::Plan& plan);
 
+/// The longest time that one of the lists of write_goto_lists takes: below ice there is no contact before it ends.
+/// Precondition  the options are free of violations
+[[nodiscard]] core::Seconds longest_list_time(const planning::Plan& plan, const GotoListOptions& options);
+
 /// Writes the plan as GliderDOS goto lists (`goto_lNN.ma`), each to be flown once, from first row to last.
 /// Start    left out: the vehicle is there already, and a list holds the places to go to. Were it the first
 ///          row, a vehicle that has drifted on since the plan was made would turn back for it.

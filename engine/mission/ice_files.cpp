@@ -7,6 +7,7 @@
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/flight_files.hpp"
+#include "engine/mission/goto_lists.hpp"
 #include "engine/mission/packed_degrees.hpp"
 
 namespace floeplan::mission {
@@ -88,18 +89,19 @@ core::Violations ice_violations(const planning::Plan& plan, const MissionSetOpti
   return found;
 }
 
-std::vector<std::string> ice_warnings(const planning::Plan& plan) {
+std::vector<std::string> ice_warnings(const planning::Plan& plan, const MissionSetOptions& options) {
   std::vector<std::string> warnings{
       "Under ice the vehicle's own response needs breadcr.mi, freewig.mi and recov.mi on board, with dive "
       "depths for this water; these stock missions are not written here.",
       "goto_l98.ma replaces the list of safe places on board; the firmware writes goto_l99.ma itself."};
-  if (plan.travel_time().count() > watchdog_s) {
+  const double silent_s = longest_list_time(plan, options.lists).count();
+  if (silent_s > watchdog_s) {
     char text[200];
-    std::snprintf(
-        text, sizeof text,
-        "The plan takes %.1f h without contact, yet abend no_cop_tickle_for is left at 13.5 h: make sure "
-        "that u_always_cop_tickle_hardware holds the watchdog off.",
-        plan.travel_time().count() / 3600.0);
+    std::snprintf(text, sizeof text,
+                  "A list takes %.1f h, below ice without contact, yet abend no_cop_tickle_for is left at "
+                  "13.5 h: make sure "
+                  "that u_always_cop_tickle_hardware holds the watchdog off.",
+                  silent_s / 3600.0);
     warnings.emplace_back(text);
   }
   return warnings;

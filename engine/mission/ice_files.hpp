@@ -31,6 +31,7 @@ namespace floeplan::mission {
 [[nodiscard]] core::Violations ice_violations(const planning::Plan& plan, const MissionSetOptions& options);
 
 /// What the vehicle must hold besides these files, for the pilot.
-[[nodiscard]] std::vector<std::string> ice_warnings(const planning::Plan& plan);
+[[nodiscard]] std::vector<std::string> ice_warnings(const planning::Plan& plan,
+                                                    const MissionSetOptions& options);
 
 }  // namespace floeplan::mission

@@ -181,7 +181,7 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
       "before use.");
   if (options.under_ice) {
     std::ranges::move(ice_files(plan, options), std::back_inserter(set.files));
-    std::ranges::move(ice_warnings(plan), std::back_inserter(set.warnings));
+    std::ranges::move(ice_warnings(plan, options), std::back_inserter(set.warnings));
     if (!knows_bed(plan, options))
       set.warnings.emplace_back(
           "Nothing is known of the sea bed on some of the way: make sure that the yo has room there between "

@@ -108,6 +108,19 @@ TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
   EXPECT_THAT(set->warnings, Contains(HasSubstr("recov.mi")));
 }
 
+TEST(MissionSet, UnderIceWaitsForContactAsLongAsTheLongestListTakes) {
+  std::vector<geo::LonLat> places;
+  for (int i = 0; i <= 40; ++i) places.push_back({-53.0 + 0.1 * i, 69.0});
+  MissionSetOptions options = under_ice();
+  options.lists.max_waypoints = 20;  // of 20 h, one hour for each leg
+
+  const auto set = write_mission_set(support::plan_of(places), options);
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 25.0 * 3600.0);
+  EXPECT_THAT(set->warnings, Contains(HasSubstr("A list takes 20.0 h, below ice without contact")));
+}
+
 TEST(MissionSet, OfAPlanUnderAnIcebergTurnsBelowItsKeelAndNeedsTheRulesUnderIce) {
   planning::Plan plan = two_legs();
   plan.passed_under = {
