@@ -6,6 +6,7 @@
 
 #include "engine/mission/behavior_table.hpp"
 #include "engine/mission/code_rules.hpp"
+#include "engine/mission/thruster_yo.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -44,6 +45,24 @@ void check_known(const Argument& argument, const ArgumentRule& rule, Messages& m
     report(messages, argument.line, Severity::note, "value_out_of_dictionary_range",
            argument.name + " " + argument.raw + " lies outside of the dictionary's range");
   }
+}
+
+/// What a thruster's value means, and so its range, its mode says, which stands beside it.
+void check_thruster_value(const Behavior& behavior, const Argument& argument, Messages& messages) {
+  constexpr std::string_view suffix = "thruster_value";
+  if (!argument.name.ends_with(suffix) || argument.value >= first_mission_parameter) return;
+  const std::string prefix = argument.name.substr(0, argument.name.size() - suffix.size());
+  const Argument* mode = behavior.find(prefix + "use_thruster");
+  if (mode == nullptr) return;
+  const bool is_share = mode->value == 1.0 || mode->value == 2.0;
+  const bool is_power = mode->value == thruster_by_power;
+  if (!is_share && !is_power) return;
+  const double least = is_power ? least_thruster_power.value : 0.0;
+  const double most = is_power ? most_thruster_power.value : 100.0;
+  if (argument.value >= least && argument.value <= most) return;
+  report(messages, argument.line, Severity::note, "value_out_of_dictionary_range",
+         argument.name + " " + argument.raw + " lies outside of the dictionary's range for " + mode->name +
+             " " + mode->raw + (is_power ? ", 1 to 9 W" : ", 0 to 100 %"));
 }
 
 void check_file_number(const Behavior& behavior, const Argument& argument, Messages& messages) {
@@ -98,6 +117,7 @@ void check_arguments(const Behavior& behavior, Messages& messages) {
              "the dictionary writes " + argument.name + ", not " + argument.written);
     }
     if (argument.name == "args_from_file") check_file_number(behavior, argument, messages);
+    check_thruster_value(behavior, argument, messages);
     if (const ArgumentRule* known = rule->find(argument.name)) {
       check_known(argument, *known, messages);
     } else {

@@ -7,6 +7,7 @@
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/goto_lists.hpp"
+#include "engine/mission/thruster_yo.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -64,21 +65,28 @@ MissionFile yo_file(const planning::Plan& plan, const MissionSetOptions& options
   const auto& vehicle = options.vehicle;
   const std::string pitch_rad = decimal(vehicle.pitch.value, 4);
   const std::string pump_cc = whole(vehicle.buoyancy.value * 1e6);
-  return file("yo", number, "dives and climbs until the list is flown", origin,
-              {{"start_when", std::string{when_pitch_idle}},
-               {"num_half_cycles_to_do", "-1"},
-               {"d_target_depth", whole(target_depth(vehicle).value)},
-               {"d_target_altitude", whole(std::ceil(vehicle.altimeter_margin.value))},
-               {"d_use_bpump", "2"},  // absolute, in cm3
-               {"d_bpump_value", "-" + pump_cc},
-               {"d_use_pitch", "3"},  // held by the battery's servo, in radians, down is negative
-               {"d_pitch_value", "-" + pitch_rad},
-               {"c_target_depth", whole(climb_target(plan, vehicle).value)},
-               {"c_use_bpump", "2"},
-               {"c_bpump_value", pump_cc},
-               {"c_use_pitch", "3"},
-               {"c_pitch_value", pitch_rad},
-               {"end_action", "2"}});
+  std::vector<ArgumentValue> values{
+      {"start_when", std::string{when_pitch_idle}},
+      {"num_half_cycles_to_do", "-1"},
+      {"d_target_depth", whole(target_depth(vehicle).value)},
+      {"d_target_altitude", whole(std::ceil(vehicle.altimeter_margin.value))},
+      {"d_use_bpump", "2"},  // absolute, in cm3
+      {"d_bpump_value", "-" + pump_cc},
+      {"d_use_pitch", "3"},  // held by the battery's servo, in radians, down is negative
+      {"d_pitch_value", "-" + pitch_rad},
+      {"c_target_depth", whole(climb_target(plan, vehicle).value)},
+      {"c_use_bpump", "2"},
+      {"c_bpump_value", pump_cc},
+      {"c_use_pitch", "3"},
+      {"c_pitch_value", pitch_rad},
+      {"end_action", "2"}};
+  if (const auto power = thruster_of_yo(plan, vehicle)) {
+    for (const std::string_view argument : {"d_use_thruster", "c_use_thruster"})
+      values.push_back({argument, whole(thruster_by_power)});
+    for (const std::string_view argument : {"d_thruster_value", "c_thruster_value"})
+      values.push_back({argument, decimal(power->value, 2)});
+  }
+  return file("yo", number, "dives and climbs until the list is flown", origin, values);
 }
 
 }  // namespace

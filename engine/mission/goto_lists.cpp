@@ -126,16 +126,17 @@ std::string warning_of_end(const planning::Plan& plan, const List& list) {
   return ends + ", " + text_of(*end, list.radius) + ": make sure that the water is open so far to all sides.";
 }
 
-/// Of legs that are planned on the thruster, which no file turns on; empty: there are none.
-std::string warning_of_thruster(const planning::Plan& plan) {
+/// Of legs that are planned on the thruster, where no file turns it on; empty: there are none.
+std::string warning_of_thruster(const planning::Plan& plan, const GotoListOptions& options) {
+  if (options.thruster_in_yo) return "";
   const std::string on_thruster = waypoint_ranges(plan.waypoints.size(), [&](std::size_t i) {
     return plan.waypoints[i].drive == vehicle::Drive::thruster;
   });
   if (on_thruster.empty()) return "";
   return "The legs to waypoints " + on_thruster +
          " are planned on the thruster, which these files do not turn on: without it the vehicle is slower, "
-         "and comes too late to what the plan passes in time. Set use_thruster in the yo, or plan with the "
-         "thruster off.";
+         "and comes too late to what the plan passes in time. Set d_use_thruster and c_use_thruster in the "
+         "yo for them, or plan with the thruster on all legs or on none.";
 }
 
 std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoListOptions& options,
@@ -148,7 +149,8 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
         lists.back().file_name +
         ". The vehicle flies the list its mission names and no other: send the next one when a list ends.");
   }
-  if (std::string text = warning_of_thruster(plan); !text.empty()) warnings.push_back(std::move(text));
+  if (std::string text = warning_of_thruster(plan, options); !text.empty())
+    warnings.push_back(std::move(text));
   for (const List& list : lists) {
     std::string text = warning_of_end(plan, list);
     if (!text.empty()) warnings.push_back(std::move(text));

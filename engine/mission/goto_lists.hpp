@@ -21,6 +21,7 @@ struct GotoListOptions {
   std::optional<core::Metres> radius{};  // in which a waypoint is reached; default: see write_goto_lists
   int initial_waypoint{0};  // of the first list: its row from 0, -1 after the last achieved, -2 the closest
   bool may_end_below_ice{false};  // of lists that no vehicle flies
+  bool thruster_in_yo{false};     // the yo that they are flown with turns it on for every leg
   FileOrigin origin{};
 };
 

@@ -10,6 +10,7 @@
 #include "engine/mission/flight_files.hpp"
 #include "engine/mission/ice_files.hpp"
 #include "engine/mission/line_words.hpp"
+#include "engine/mission/thruster_yo.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -164,7 +165,9 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
   core::Violations found = violations_of(plan, options);
   std::ranges::move(violations_below_ice(plan, options), std::back_inserter(found));
   std::ranges::move(violations_of_yo(plan, options), std::back_inserter(found));
-  auto lists = write_goto_lists(plan, options.lists);
+  GotoListOptions of_lists = options.lists;
+  of_lists.thruster_in_yo = thruster_of_yo(plan, options.vehicle).has_value();
+  auto lists = write_goto_lists(plan, of_lists);
   if (!lists) std::ranges::copy(lists.error(), std::back_inserter(found));
   if (!found.empty()) return tl::unexpected(std::move(found));
 
@@ -176,9 +179,8 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
   if (target_depth(options.vehicle) < core::Metres{std::floor(options.vehicle.dive_depth.value)})
     set.warnings.push_back(shallower_target_warning(options.vehicle));
   set.warnings.push_back(
-      "Pump and pitch in the yo file are those of the vehicle profile, and ballast is not checked: look at "
-      "it "
-      "before use.");
+      std::string{of_lists.thruster_in_yo ? "Pump, pitch and thruster" : "Pump and pitch"} +
+      " in the yo file are those of the vehicle profile, and ballast is not checked: look at it before use.");
   if (options.under_ice) {
     std::ranges::move(ice_files(plan, options), std::back_inserter(set.files));
     std::ranges::move(ice_warnings(plan, options), std::back_inserter(set.warnings));

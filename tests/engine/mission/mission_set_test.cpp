@@ -65,6 +65,59 @@ TEST(MissionSet, HoldsEveryFileThatItsMissionAsksFor) {
   for (const std::string& name : files_referenced(mission)) EXPECT_THAT(names_of(*set), Contains(name));
 }
 
+planning::Plan on_drives(planning::Plan plan, const vehicle::GliderProfile& vehicle,
+                         const std::vector<vehicle::Drive>& drives) {
+  for (std::size_t i = 1; i < plan.waypoints.size(); ++i) {
+    plan.waypoints[i].drive = drives[i - 1];
+    plan.waypoints[i].speed_through_water =
+        drives[i - 1] == vehicle::Drive::thruster ? vehicle.thruster->speed : vehicle.speed_through_water;
+  }
+  return plan;
+}
+
+constexpr vehicle::Drive thruster = vehicle::Drive::thruster;
+constexpr vehicle::Drive buoyancy = vehicle::Drive::buoyancy;
+const auto warns_of_thruster = Contains(HasSubstr("planned on the thruster"));
+
+TEST(MissionSet, RunsTheThrusterAtThePowerOfTheVehicleWhereAllLegsAreOnIt) {
+  const MissionSetOptions options = options_for("slocum-g3-200-thruster");
+
+  const auto set = write_mission_set(on_drives(two_legs(), options.vehicle, {thruster, thruster}), options);
+
+  ASSERT_TRUE(set.has_value());
+  const Document yo = read_of(*set, "yo10.ma");
+  for (const char* mode : {"d_use_thruster", "c_use_thruster"}) EXPECT_EQ(value_of(yo, mode), 4.0);
+  for (const char* power : {"d_thruster_value", "c_thruster_value"})
+    EXPECT_NEAR(value_of(yo, power), options.vehicle.thruster->power.value, 0.005);
+  EXPECT_THAT(yo.messages, IsEmpty());
+  EXPECT_THAT(set->warnings, Not(warns_of_thruster));
+}
+
+TEST(MissionSet, LeavesTheThrusterOffWhereOneYoCannotFlyThePlanOnIt) {
+  const MissionSetOptions options = options_for("slocum-g3-200-thruster");
+  MissionSetOptions stronger = options;
+  stronger.vehicle.thruster->power = core::Watts{9.5};
+  MissionSetOptions faster = options;
+  faster.vehicle.thruster->speed = core::MetresPerSecond{0.6};
+  const planning::Plan mixed = on_drives(two_legs(), options.vehicle, {buoyancy, thruster});
+  const planning::Plan fast = on_drives(two_legs(), options.vehicle, {thruster, thruster});
+  const planning::Plan slow = on_drives(two_legs(), options.vehicle, {buoyancy, buoyancy});
+
+  const auto is_off = [](const tl::expected<MissionFiles, core::Violations>& set) {
+    return value_of(read_of(set.value(), "yo10.ma"), "d_use_thruster") == -9e9;
+  };
+
+  for (const auto& set :
+       {write_mission_set(mixed, options), write_mission_set(fast, stronger), write_mission_set(fast, faster),
+        write_mission_set(fast, options_for("slocum-g3-200"))}) {
+    ASSERT_TRUE(set.has_value());
+    EXPECT_TRUE(is_off(set));
+    EXPECT_THAT(set->warnings, warns_of_thruster);
+  }
+  EXPECT_TRUE(is_off(write_mission_set(slow, options)));
+  EXPECT_THAT(write_mission_set(slow, options)->warnings, Not(warns_of_thruster));
+}
+
 TEST(MissionSet, TakesDepthsAndDistancesFromVehicleAndPlan) {
   const auto set = write_mission_set(two_legs(), options_for("slocum-g3-1000"));
 

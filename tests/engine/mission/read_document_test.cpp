@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "engine/mission/document_text.hpp"
 #include "tests/support/property.hpp"
 
@@ -190,6 +192,27 @@ TEST(ReadDocument, FindsPlacesThatAMissionGivesInline) {
   EXPECT_DOUBLE_EQ(mission.waypoints[0].place.lon_deg, -73.8);
   EXPECT_THAT(mission.messages, has("local_coordinates", Severity::note, 8));
   EXPECT_THAT(mission.messages, has("out_of_range", Severity::error, 12));
+}
+
+TEST(ReadDocument, JudgesTheValueOfAThrusterByItsMode) {
+  const auto noted = [](const std::string& mode, const std::string& value) {
+    const Document yo =
+        read_document("yo10.ma", "behavior_name=yo\n<start:b_arg>\nb_arg: d_use_thruster(enum) " + mode +
+                                     "\nb_arg: d_thruster_value(X) " + value + "\n<end:b_arg>\n");
+    return std::ranges::any_of(
+        yo.messages, [](const Message& message) { return message.code == "value_out_of_dictionary_range"; });
+  };
+
+  for (const char* power : {"1", "6.28", "9"}) EXPECT_FALSE(noted("4", power)) << power;
+  for (const char* power : {"0", "0.9", "9.5", "62.8"}) EXPECT_TRUE(noted("4", power)) << power;
+  for (const char* share : {"1", "2"}) {
+    EXPECT_FALSE(noted(share, "62.8"));
+    EXPECT_TRUE(noted(share, "101"));
+    EXPECT_TRUE(noted(share, "-1"));
+  }
+  EXPECT_FALSE(noted("3", "-0.05")) << "a depth rate has a sign";
+  EXPECT_FALSE(noted("4", "1000006")) << "names a mission parameter";
+  EXPECT_TRUE(noted("6", "0")) << "no such mode";
 }
 
 TEST(ReadDocument, TakesAVehiclesConfiguration) {
