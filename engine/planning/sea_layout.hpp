@@ -11,6 +11,7 @@
 #include "engine/planning/iceberg_discs.hpp"
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/plane_currents.hpp"
+#include "engine/planning/timed_zones.hpp"
 #include "engine/planning/under_ice.hpp"
 #include "engine/planning/zone_rules.hpp"
 
@@ -20,6 +21,11 @@ namespace floeplan::planning {
 
 /// The rules of the environment's zones and of the request's own.
 [[nodiscard]] ZoneRules lay_out_zones(const ocean::Environment& environment, const PlanRequest& request);
+
+/// A way that is searched for keeps room from them, one that is given is judged as it is.
+[[nodiscard]] TimedZones lay_out_timed_zones(const std::vector<ocean::Zone>& timed,
+                                             const PlanRequest& request,
+                                             const geo::LocalProjection& projection, const PlaneBox& area);
 
 /// How long icebergs drift while a vehicle is on its way, at most: six times the straight way from stop to
 /// stop, for detours and head currents, and a day; whole days, so that ways of about one length have the

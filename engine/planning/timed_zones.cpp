@@ -1,6 +1,7 @@
 #include "engine/planning/timed_zones.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <iterator>
 #include <utility>
@@ -33,7 +34,8 @@ double way_at(const motion::EdgePiece& piece, double t_s) {
 }  // namespace
 
 TimedZones::TimedZones(const std::vector<ocean::Zone>& zones, const geo::LocalProjection& projection,
-                       const PlaneBox& area, core::UtcTime epoch) {
+                       const PlaneBox& area, core::UtcTime epoch, Room room)
+    : room_{room} {
   for (const ocean::Zone& zone : zones) {
     Areas& areas = zone.kind == ocean::ZoneKind::no_go ? no_go_ : stay_in_;
     areas.add({PlanePolygon{zone.area, projection}, span_of(zone, epoch)});
@@ -80,7 +82,7 @@ bool TimedZones::confined_at(core::Seconds time) const {
 }
 
 template <class PlaceAt>
-bool TimedZones::forbid_during(TimeSpan during, const PlaceAt& place_at) const {
+bool TimedZones::breaks_rule(TimeSpan during, const PlaceAt& place_at) const {
   const auto breaks_no_go = [&](const Area& area) {
     if (!overlap(area.in_force, during)) return false;
     const TimeSpan inside = common(area.in_force, during);
@@ -107,6 +109,42 @@ bool TimedZones::forbid_during(TimeSpan during, const PlaceAt& place_at) const {
   }
 }
 
+bool TimedZones::is_near(TimeSpan during, geo::PlanePoint a, geo::PlanePoint b) const {
+  if (!stay_in_.empty()) return true;
+  const TimeSpan with_room{during.from - room_.time, during.until + room_.time};
+  PlaneBox box{a, a};
+  box.include(b);
+  const PlaneBox around = box.grown(room_.aside.value);
+  return no_go_.any_near(around.low, around.high,
+                         [&](const Area& area) { return overlap(area.in_force, with_room); });
+}
+
+template <class PlaceAt>
+bool TimedZones::forbid_during(TimeSpan during, const PlaceAt& place_at) const {
+  if (breaks_rule(during, place_at)) return true;
+  const geo::PlanePoint a = place_at(during.from);
+  const geo::PlanePoint b = place_at(during.until);
+  if (room_.is_none() || !is_near(during, a, b)) return false;
+
+  const double length_m = geo::distance_m(a, b);
+  const auto breaks_beside = [&](double x_m, double y_m) {
+    return std::ranges::any_of(std::array{room_.time, -room_.time}, [&](core::Seconds later) {
+      return breaks_rule({during.from + later, during.until + later}, [&](core::Seconds time) {
+        const geo::PlanePoint place = place_at(std::clamp(time - later, during.from, during.until));
+        return geo::PlanePoint{place.x_m + x_m, place.y_m + y_m};
+      });
+    });
+  };
+  const double aside_m = room_.aside.value;
+  if (length_m <= 0.0) {
+    return breaks_beside(aside_m, 0.0) || breaks_beside(-aside_m, 0.0) || breaks_beside(0.0, aside_m) ||
+           breaks_beside(0.0, -aside_m);
+  }
+  const double x_m = -aside_m * (b.y_m - a.y_m) / length_m;
+  const double y_m = aside_m * (b.x_m - a.x_m) / length_m;
+  return breaks_beside(x_m, y_m) || breaks_beside(-x_m, -y_m);
+}
+
 bool TimedZones::forbid(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const {
   return forbid_during({core::Seconds{piece.t0_s}, core::Seconds{piece.t1_s}}, [&](core::Seconds time) {
     const double share = std::min(way_at(piece, time.count()) / edge.ground_length.value, 1.0);
@@ -124,6 +162,18 @@ bool TimedZones::forbid(geo::PlanePoint a, geo::PlanePoint b, TimeSpan during) c
 }
 
 std::vector<TimeSpan> TimedZones::closed_times(geo::PlanePoint point) const {
+  if (room_.is_none()) return closed_times_at(point);
+  std::vector<TimeSpan> closed;
+  const double aside_m = room_.aside.value;
+  for (const auto& [x_m, y_m] :
+       {std::pair{0.0, 0.0}, {aside_m, 0.0}, {-aside_m, 0.0}, {0.0, aside_m}, {0.0, -aside_m}}) {
+    for (const TimeSpan& span : closed_times_at({point.x_m + x_m, point.y_m + y_m}))
+      closed.push_back({span.from - room_.time, span.until + room_.time});
+  }
+  return joined(std::move(closed));
+}
+
+std::vector<TimeSpan> TimedZones::closed_times_at(geo::PlanePoint point) const {
   std::vector<TimeSpan> closed;
   no_go_.any_near(point, point, [&](const Area& area) {
     if (area.polygon.contains(point)) closed.push_back(area.in_force);

@@ -13,14 +13,24 @@
 
 namespace floeplan::planning {
 
+/// What a way keeps from breaking a rule.
+struct Room {
+  core::Metres aside{0.0};  // metres of the plane
+  core::Seconds time{0.0};  // earlier and later
+
+  [[nodiscard]] bool is_none() const { return aside.value <= 0.0 && time.count() <= 0.0; }
+};
+
 /// Zones whose rule is in force for a while, tested along the drive itself, not at sample points.
+/// Room     a drive must keep the rules also a little beside its way, to either side, a little earlier and later; so
+///          must a vehicle that stands still, to all sides. Zones that overlap or touch count as one area
 /// Time     counted from `epoch`
 /// Threads  const members may be called from several threads at once
 class TimedZones {
  public:
   /// `area`: where questions will be asked; the answers are right outside it too.
   TimedZones(const std::vector<ocean::Zone>& zones, const geo::LocalProjection& projection,
-             const PlaneBox& area, core::UtcTime epoch);
+             const PlaneBox& area, core::UtcTime epoch, Room room = {});
 
   [[nodiscard]] bool empty() const { return no_go_.empty() && stay_in_.empty(); }
   /// Whether a vehicle that drives this piece of the edge breaks a rule on it.
@@ -58,10 +68,16 @@ class TimedZones {
     DiscIndex index_;
   };
   template <class PlaceAt>
+  [[nodiscard]] bool breaks_rule(TimeSpan during, const PlaceAt& place_at) const;
+  /// Whether any zone is so near that a way with room may break its rule though the way itself does not.
+  [[nodiscard]] bool is_near(TimeSpan during, geo::PlanePoint a, geo::PlanePoint b) const;
+  [[nodiscard]] std::vector<TimeSpan> closed_times_at(geo::PlanePoint point) const;
+  template <class PlaceAt>
   [[nodiscard]] bool forbid_during(TimeSpan during, const PlaceAt& place_at) const;
   /// Whether the vehicle may only be inside some zone then.
   [[nodiscard]] bool confined_at(core::Seconds time) const;
 
+  Room room_;
   Areas no_go_;
   Areas stay_in_;
   std::vector<double> changes_s_;   // when the set of stay-in zones in force changes, ascending

@@ -38,6 +38,89 @@ ocean::Environment strewn(std::mt19937_64& rng, const PlanRequest& request) {
   return environment;
 }
 
+/// A triangle or a quadrangle about the place.
+geo::Polygon corners_about(std::mt19937_64& rng, geo::LonLat place, double size_deg) {
+  geo::Polygon polygon;
+  const int corners = uniform_int(rng, 3, 4);
+  const double turned = uniform(rng, 0.0, 6.28);
+  for (int i = 0; i < corners; ++i) {
+    const double angle = turned + (i + uniform(rng, 0.0, 0.6)) * 6.28 / corners;
+    polygon.outer.push_back({place.lon_deg + size_deg * std::cos(angle),
+                             place.lat_deg + 0.36 * size_deg * std::sin(angle)});  // as long as wide at 69 N
+  }
+  return polygon;
+}
+
+/// Areas closed for a while on the way, whose corners a fast route rounds, or one to stay in with such a bite in it.
+std::vector<ocean::Zone> timed_zones(std::mt19937_64& rng, const PlanRequest& request) {
+  const auto in_force = [&](ocean::ZoneKind kind, geo::Polygon area) {
+    return ocean::Zone{.name = "",
+                       .kind = kind,
+                       .area = std::move(area),
+                       .from = request.depart - core::Seconds{3600.0 * uniform(rng, 0.0, 5.0)},
+                       .until = request.depart + core::Seconds{3600.0 * uniform(rng, 8.0, 90.0)}};
+  };
+  const double lon = request.to.lon_deg - request.from.lon_deg;
+  const auto on_the_way = [&](double share) {
+    return geo::LonLat{request.from.lon_deg + share * lon, request.from.lat_deg + uniform(rng, -0.02, 0.02)};
+  };
+  std::vector<ocean::Zone> zones;
+  if (uniform_int(rng, 0, 3) == 0) {
+    geo::Polygon area{.outer = {{request.from.lon_deg - 0.3, request.from.lat_deg - 0.2},
+                                {request.to.lon_deg + 0.3, request.from.lat_deg - 0.2},
+                                {request.to.lon_deg + 0.3, request.from.lat_deg + 0.2},
+                                {request.from.lon_deg - 0.3, request.from.lat_deg + 0.2}},
+                      .holes = {}};
+    area.holes.push_back(corners_about(rng, on_the_way(0.5), uniform(rng, 0.05, 0.2)).outer);
+    zones.push_back(in_force(ocean::ZoneKind::stay_in, std::move(area)));
+    return zones;
+  }
+  for (const double share : {0.3, 0.5, 0.7}) {
+    if (!zones.empty() && uniform_int(rng, 0, 1) == 0) continue;
+    zones.push_back(
+        in_force(ocean::ZoneKind::no_go, corners_about(rng, on_the_way(share), uniform(rng, 0.03, 0.15))));
+  }
+  return zones;
+}
+
+TEST(PlanAgain, APlanRoundAreasThatAreClosedForAWhileIsTheSameWhereItIsWritten) {
+  int planned = 0;
+  support::for_each_seed(24, [&](std::mt19937_64& rng) {
+    PlanRequest request = eastward_request();
+    request.vehicle = *vehicle::find_profile("slocum-g3-200-thruster");
+    request.energy.thruster = uniform_int(rng, 0, 1) == 0 ? ThrusterUse::on : ThrusterUse::off;
+    request.spacing_along = core::Metres{uniform(rng, 4000.0, 7000.0)};
+    request.optimality_gap = false;
+    request.from.lat_deg = request.to.lat_deg = uniform(rng, 68.0, 70.0);
+    request.zones = timed_zones(rng, request);
+    ocean::Environment environment;
+    const bool flows = uniform_int(rng, 0, 9) == 0;
+    if (flows) {
+      const double seed = uniform(rng, 0.0, 6.0);
+      environment.currents = support::currents_from(
+          [=](geo::LonLat p, double hour) {
+            const double m_s = 0.1 * std::sin(seed + 9.0 * p.lon_deg + 20.0 * p.lat_deg + 0.2 * hour);
+            return geo::VelocityEn{{m_s}, {0.5 * m_s}};
+          },
+          90);
+    }
+
+    const auto found = plan_route(environment, request, {}, {});
+    if (!found) return;  // an area round start or goal
+    ++planned;
+
+    const auto again = evaluate_route(environment, written(*found, 1e7), request);
+    ASSERT_TRUE(again.has_value()) << again.error().explanation;
+    // Each leg through currents is integrated to the tolerance of an edge, in another plane.
+    const double agreement = flows ? 0.5 * request.edge_tolerance : 1e-6;
+    EXPECT_NEAR(again->travel_time().count(), found->travel_time().count(),
+                agreement * found->travel_time().count());
+    const auto rounded = evaluate_route(environment, written(*found, 600'000.0), request);
+    EXPECT_TRUE(rounded.has_value()) << "as mission files hold it: " << rounded.error().explanation;
+  });
+  EXPECT_GT(planned, 20);
+}
+
 TEST(PlanAgain, APlanIsNotRefusedWhereItsRouteIsJudgedOnTheSameData) {
   int planned = 0;
   support::for_each_seed(20, [&](std::mt19937_64& rng) {

@@ -137,6 +137,54 @@ TEST(TimedZones, CloseAPointWheneverStandingThereBreaksARule) {
   });
 }
 
+TEST(TimedZones, WithRoomLetNoDrivePassThatBreaksARuleALittleBesideEarlierOrLater) {
+  constexpr Room room{core::Metres{40.0}, Seconds{300.0}};
+  int passed = 0;
+  int kept_off = 0;
+  support::for_each_seed(2000, [&](std::mt19937_64& rng) {
+    const std::vector<Zone> zones = random_zones(rng);
+    const TimedZones exact{zones, projection, area, epoch};
+    const TimedZones roomy{zones, projection, area, epoch, room};
+    const auto coordinate = [&] { return support::uniform(rng, -6000.0, 6000.0); };
+    const geo::PlanePoint a{coordinate(), coordinate()};
+    const geo::PlanePoint b{a.x_m + support::uniform(rng, -900.0, 900.0),
+                            a.y_m + support::uniform(rng, -900.0, 900.0)};
+    const double depart_s = support::uniform(rng, 0.0, 10'000.0);
+    const TimeSpan during{Seconds{depart_s}, Seconds{depart_s + 1500.0}};
+    const bool forbidden = roomy.forbid(a, b, during);
+    kept_off += forbidden && !exact.forbid(a, b, during) ? 1 : 0;
+    if (forbidden) return;
+    ++passed;
+    const double length_m = geo::distance_m(a, b);
+    for (int i = 0; i < 8; ++i) {
+      const double aside = support::uniform(rng, -room.aside.value, room.aside.value) / length_m;
+      const Seconds later{support::uniform(rng, -room.time.count(), room.time.count())};
+      const auto beside = [&](geo::PlanePoint p) {
+        return geo::PlanePoint{p.x_m - aside * (b.y_m - a.y_m), p.y_m + aside * (b.x_m - a.x_m)};
+      };
+      EXPECT_FALSE(exact.forbid(beside(a), beside(b), {during.from + later, during.until + later}));
+    }
+  });
+  EXPECT_GT(passed, 300);
+  EXPECT_GT(kept_off, 20);
+}
+
+TEST(TimedZones, WithRoomCloseAPointAlsoWhereAndWhenARuleIsNear) {
+  constexpr Room room{core::Metres{40.0}, Seconds{300.0}};
+  const TimedZones roomy{
+      {zone(ZoneKind::no_go, square({0.0, 0.0}, 1000.0), 1000.0, 2000.0)}, projection, area, epoch, room};
+
+  for (const geo::PlanePoint near : {geo::PlanePoint{0.0, 0.0}, {1020.0, 0.0}, {0.0, -1020.0}}) {
+    const std::vector<TimeSpan> closed = roomy.closed_times(near);
+    ASSERT_EQ(closed.size(), 1U);
+    EXPECT_DOUBLE_EQ(closed.front().from.count(), 700.0);
+    EXPECT_DOUBLE_EQ(closed.front().until.count(), 2300.0);
+    EXPECT_TRUE(roomy.forbid(near, near, {Seconds{2200.0}, Seconds{2250.0}}));
+    EXPECT_FALSE(roomy.forbid(near, near, {Seconds{2301.0}, Seconds{2400.0}}));
+  }
+  EXPECT_TRUE(roomy.closed_times({1060.0, 0.0}).empty());
+}
+
 TEST(TimedZones, FollowTheCubicOfThePieceAndNotItsChord) {
   // The vehicle stands almost still for most of the piece and has left the zone's square late.
   const TimedZones timed{
