@@ -79,6 +79,23 @@ std::optional<planning::PlanEnergy> parse_energy(const json& document) {
                               .usable = {found->at("usable_j").get<double>()}};
 }
 
+/// Empty where there is none, and in plans stored by versions that did not write it.
+template <class Quantity>
+std::optional<Quantity> stored_quantity(const json& object, const char* key) {
+  if (!object.contains(key)) return std::nullopt;
+  const auto number = stored_number(object, key);
+  return number ? std::optional{Quantity{*number}} : std::nullopt;
+}
+
+/// Likewise; of the start, which no leg leads to, there is none.
+std::optional<vehicle::Drive> stored_drive(const json& object) {
+  const auto name = object.find("propulsion");
+  if (name == object.end() || name->is_null()) return std::nullopt;
+  for (const vehicle::Drive drive : {vehicle::Drive::buoyancy, vehicle::Drive::thruster})
+    if (*name == planning::drive_name(drive)) return drive;
+  throw std::runtime_error{"a stored plan has a leg with an unknown propulsion"};
+}
+
 planning::Waypoint parse_waypoint(const json& object) {
   planning::Waypoint waypoint{.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
                               .eta = stored_time(object, "eta"),
@@ -95,6 +112,9 @@ planning::Waypoint parse_waypoint(const json& object) {
   if (object.contains("iceberg_encounters")) {
     waypoint.iceberg_encounters = stored_number(object, "iceberg_encounters");
   }
+  waypoint.drive = stored_drive(object);
+  waypoint.speed_through_water = stored_quantity<core::MetresPerSecond>(object, "speed_through_water_m_s");
+  waypoint.energy = stored_quantity<core::Joules>(object, "energy_j");
   return waypoint;
 }
 

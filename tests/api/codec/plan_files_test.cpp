@@ -55,6 +55,34 @@ TEST(PlanDocument, KeepsWhatTheSearchSawOpenTooLate) {
   EXPECT_EQ(plan_document(read, "p-01", ""), document);
 }
 
+TEST(PlanDocument, KeepsTheDrivesOfTheLegsAndWhatTheyDraw) {
+  planning::Plan plan = two_legs();
+  plan.waypoints.push_back(plan.waypoints[1]);
+  plan.waypoints[0].energy = core::Joules{0.0};
+  plan.waypoints[1].drive = vehicle::Drive::thruster;
+  plan.waypoints[1].speed_through_water = core::MetresPerSecond{0.5144444444444445};
+  plan.waypoints[1].energy = core::Joules{31299.20354153268};
+  plan.waypoints[2].drive = vehicle::Drive::buoyancy;
+  plan.waypoints[2].speed_through_water = core::MetresPerSecond{0.35};
+  plan.waypoints[2].energy = core::Joules{40000.5};
+
+  json document = plan_document(plan, "p-01", "");
+  const planning::Plan read = parse_plan_document(document);
+
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    EXPECT_EQ(read.waypoints[i].drive, plan.waypoints[i].drive);
+    EXPECT_EQ(read.waypoints[i].speed_through_water, plan.waypoints[i].speed_through_water);
+    EXPECT_EQ(read.waypoints[i].energy, plan.waypoints[i].energy);
+  }
+  EXPECT_EQ(plan_document(read, "p-01", ""), document);
+
+  for (json& waypoint : document.at("waypoints"))
+    for (const char* newer : {"propulsion", "speed_through_water_m_s", "energy_j"}) waypoint.erase(newer);
+  EXPECT_FALSE(parse_plan_document(document).waypoints[1].drive.has_value()) << "of an older version";
+  document.at("waypoints")[1]["propulsion"] = "sail";
+  EXPECT_THROW(parse_plan_document(document), std::runtime_error);
+}
+
 TEST(PlanDocument, TellsWhetherTheSearchWasCutShort) {
   planning::Plan plan = two_legs();
   EXPECT_EQ(plan_document(plan, "p-01", "").at("search").at("cut_short"), false);
