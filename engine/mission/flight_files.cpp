@@ -6,7 +6,6 @@
 
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
-#include "engine/mission/goto_lists.hpp"
 #include "engine/mission/thruster_yo.hpp"
 
 namespace floeplan::mission {
@@ -103,8 +102,9 @@ core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOption
   const bool shallow = options.vehicle.depth_rating.value <= shallow_vehicle_m;
   const double in_the_open_s = shallow ? silence_shallow_s : silence_deep_s;
   if (!options.under_ice) return core::Seconds{in_the_open_s};
-  // Under ice there is no contact to be had on the way; whole hours above the time that the longest list takes.
-  const double planned_s = silence_under_ice_share * longest_list_time(plan, options.lists).count();
+  // Under ice there is no contact to be had on the way, and a list may go on from another without it; whole hours above
+  // the time that the plan takes.
+  const double planned_s = silence_under_ice_share * plan.travel_time().count();
   return core::Seconds{std::max(in_the_open_s, 3600.0 * std::ceil(planned_s / 3600.0))};
 }
 

@@ -161,7 +161,7 @@ TEST(MissionSet, UnderIceHoldsTheSafePlacesAndDoesNotComeUpAtWaypoints) {
   EXPECT_THAT(set->warnings, Contains(HasSubstr("recov.mi")));
 }
 
-TEST(MissionSet, UnderIceWaitsForContactAsLongAsTheLongestListTakes) {
+TEST(MissionSet, UnderIceWaitsForContactLongerThanThePlanTakesAndTellsTheLongestList) {
   std::vector<geo::LonLat> places;
   for (int i = 0; i <= 40; ++i) places.push_back({-53.0 + 0.1 * i, 69.0});
   MissionSetOptions options = under_ice();
@@ -170,7 +170,7 @@ TEST(MissionSet, UnderIceWaitsForContactAsLongAsTheLongestListTakes) {
   const auto set = write_mission_set(support::plan_of(places), options);
 
   ASSERT_TRUE(set.has_value());
-  EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 25.0 * 3600.0);
+  EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 50.0 * 3600.0);
   EXPECT_THAT(set->warnings, Contains(HasSubstr("A list takes 20.0 h, below ice without contact")));
 }
 
