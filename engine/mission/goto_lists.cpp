@@ -50,7 +50,9 @@ core::Metres radius_of(const planning::Plan& plan, const ListPart& part, const G
   const core::Metres usual = default_waypoint_radius(plan);
   const auto end = end_of(plan, part);
   if (!end) return usual;
-  return {std::clamp(std::ceil(end->room().value) - 1.0, smallest_radius_m, usual.value)};
+  const bool is_sure = end->sure_room().value > smallest_radius_m;
+  const core::Metres room = is_sure ? end->sure_room() : end->room();
+  return {std::clamp(std::ceil(room.value) - 1.0, smallest_radius_m, usual.value)};
 }
 
 core::Violations violations_of(const planning::Plan& plan, const GotoListOptions& options) {
@@ -123,7 +125,15 @@ std::string warning_of_end(const planning::Plan& plan, const List& list) {
            "far "
            "beyond them: plan it anew before it is flown.";
   }
-  return ends + ", " + text_of(*end, list.radius) + ": make sure that the water is open so far to all sides.";
+  std::string text = ends + ", " + text_of(*end, list.radius);
+  if (end->sure_room() <= list.radius) {
+    return text +
+           print(
+               ": it may come up below the ice. Plan on until it is more than %.0f m beyond it, or with the "
+               "dead_reckoning_share and current_uncertainty of a vehicle that knows its place better.",
+               std::ceil((list.radius + end->error).value));
+  }
+  return text + ": make sure that the water is open so far to all sides.";
 }
 
 /// Of legs that are planned on the thruster, where no file turns it on; empty: there are none.

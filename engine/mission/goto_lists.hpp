@@ -41,9 +41,9 @@ struct GotoListOptions {
 ///          and a warning says that the pilot has to send them one after the other. The firmware owns the
 ///          numbers 98 and 99.
 /// Ends     a mission brings the vehicle up where its list is flown: a list ends where the plan lets it surface, or
-///          where nothing is known of the ice, with a warning; never below ice or an iceberg, nor nearer to them
-///          than the vehicle may be off, unless `may_end_below_ice`. A list that ends near them gets a smaller
-///          radius than the usual one
+///          where nothing is known of the ice, with a warning; never below ice or an iceberg, nor within the radius
+///          of them, unless `may_end_below_ice`. A list that ends near them gets a smaller radius than the usual one,
+///          and a warning where its error of position may still bring it up below ice
 /// Errors   every violation at once: a place beyond 89 degrees of latitude, fewer than two waypoints, more
 ///          waypoints in a row below ice or icebergs than a list holds beside its end, a plan or a list that ends
 ///          below them or too near to them, options out of range

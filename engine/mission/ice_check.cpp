@@ -144,8 +144,9 @@ class IceCheck {
       } else if (overhead(plan_, last) == Overhead::unknown) {
         at_row(last, Severity::warning, "list_end_unknown",
                "the list ends here, where the vehicle comes up, and nothing is known of the ice");
-      } else if (const auto end = end_of(plan_, list.part); end && end->room() <= list.radius) {
-        at_row(last, Severity::error, "list_ends_near_ice",
+      } else if (const auto end = end_of(plan_, list.part); end && end->sure_room() <= list.radius) {
+        const bool is_sure_to = end->room() <= list.radius;
+        at_row(last, is_sure_to ? Severity::error : Severity::warning, "list_ends_near_ice",
                "the list ends here, " + text_of(*end, list.radius));
       }
     }

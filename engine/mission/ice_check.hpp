@@ -19,8 +19,9 @@ struct TimedRoute {
 
 /// Judges what files that fly together make the vehicle do below ice and icebergs, and adds to their messages.
 /// Yo          error where it climbs higher than what is above a leg lets it turn
-/// Lists       errors where they end below ice or icebergs, or nearer to them than the vehicle may be off, for it comes up
-///             there; a list that goes round for ever does not end. A warning where nothing is known of the ice
+/// Lists       errors where they end below ice or icebergs, or within their radius of them, for the vehicle comes up
+///             there; a list that goes round for ever does not end. A warning where its error of position may bring it up
+///             below ice, and where nothing is known of the ice
 /// Surfacings  errors for those at waypoints below ice or as near to it, for those after a time where the way passes below
 ///             ice, and for want of contact where that lasts so long below ice. A warning for those that may come at any
 ///             time. With a mission among the files only those that it asks for

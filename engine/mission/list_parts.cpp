@@ -1,9 +1,7 @@
 #include "engine/mission/list_parts.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <limits>
 #include <string>
 
@@ -43,11 +41,12 @@ std::optional<core::Metres> beyond_iceberg(const planning::Plan& plan, const Lis
   return least;
 }
 
-/// Whether the vehicle may surface wherever it may come up for this end of a list.
-bool is_clear(const planning::Plan& plan, const ListPart& part, core::Metres radius) {
+/// Whether the list may end there with room for more than so much.
+bool has_room(const planning::Plan& plan, const ListPart& part, core::Metres (ListEnd::*room)() const,
+              core::Metres radius) {
   if (overhead(plan, part.last) != Overhead::open) return false;
   const auto end = end_of(plan, part);
-  return !end || end->room() > radius;
+  return !end || ((*end).*room)() > radius;
 }
 
 /// Of the list that begins with this waypoint.
@@ -58,9 +57,11 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, const Li
       if (suits(last)) return last;
     return std::nullopt;
   };
-  if (const auto clear =
-          farthest_where([&](std::size_t last) { return is_clear(plan, {first, last}, rules.radius); }))
-    return *clear;
+  for (const auto room : {&ListEnd::sure_room, &ListEnd::room}) {
+    if (const auto last =
+            farthest_where([&](std::size_t i) { return has_room(plan, {first, i}, room, rules.radius); }))
+      return *last;
+  }
   for (const Overhead wanted : {Overhead::unknown, Overhead::open}) {
     if (const auto last = farthest_where([&](std::size_t i) { return overhead(plan, i) == wanted; }))
       return *last;
@@ -70,15 +71,9 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, const Li
 
 /// `is_end`  of the plan
 std::string end_too_near(const ListEnd& end, core::Metres radius, bool is_end) {
-  std::array<char, 120> farther{};
-  if (end.beyond_ice && *end.beyond_ice - end.error <= radius) {
-    std::snprintf(farther.data(), farther.size(), "it is more than %.0f m beyond the ice",
-                  std::ceil((radius + end.error).value));
-  } else {
-    std::snprintf(farther.data(), farther.size(), "it is more than %.0f m beyond the iceberg", radius.value);
-  }
   return (is_end ? "is the end of the plan, " : "is where a list has to end, ") + text_of(end, radius) +
-         ": plan on until " + farther.data() + (is_end ? "" : ", or with fewer waypoints on the way there");
+         ": plan on until it is more than " + std::to_string(std::lround(std::ceil(radius.value))) +
+         " m beyond them" + (is_end ? "" : ", or with fewer waypoints on the way there");
 }
 
 }  // namespace
@@ -94,9 +89,13 @@ bool passes_below(const planning::Plan& plan, const ListPart& part) {
 
 core::Metres ListEnd::room() const {
   core::Metres least{std::numeric_limits<double>::infinity()};
-  if (beyond_ice) least = *beyond_ice - error;
+  if (beyond_ice) least = *beyond_ice;
   if (beyond_iceberg) least = std::min(least, *beyond_iceberg);
   return least;
+}
+
+core::Metres ListEnd::sure_room() const {
+  return beyond_ice ? std::min(room(), *beyond_ice - error) : room();
 }
 
 std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part) {
@@ -142,7 +141,7 @@ core::Violations list_end_violations(const planning::Plan& plan, const ListRules
     const bool is_end = part.last + 1 == count;
     const Overhead above = overhead(plan, part.last);
     const std::string place = "/waypoints/" + std::to_string(part.last);
-    if (above == Overhead::open && !is_clear(plan, part, rules.radius))
+    if (above == Overhead::open && !has_room(plan, part, &ListEnd::room, rules.radius))
       found.push_back({place, end_too_near(*end_of(plan, part), rules.radius, is_end)});
     if (above != Overhead::closed) continue;
     if (is_end)

@@ -28,15 +28,16 @@ struct ListRules {
 [[nodiscard]] bool passes_below(const planning::Plan& plan, const ListPart& part);
 
 /// How far from ice and icebergs a list ends whose way passes below them. The vehicle comes up as soon as it takes itself
-/// to be within the radius of the last row, which it may be before it. Of ice, which lies there, its error of position
-/// takes as much again; what is uncertain of an iceberg is in its disc, and where the vehicle is off its way it is as
+/// to be within the radius of the last row, which it may be before it. Of ice, which lies there, its error of position may
+/// take as much again; what is uncertain of an iceberg is in its disc, and where the vehicle is off its way it is as
 /// likely to be farther from it.
 struct ListEnd {
   std::optional<core::Metres> beyond_ice{};      // along the way; empty: the way passes below none
   std::optional<core::Metres> beyond_iceberg{};  // the same
-  core::Metres error{};                          // grown on the way of the list, on which there is no fix
+  core::Metres error{};  // at most, grown on the way of the list, on which there is no fix
 
-  [[nodiscard]] core::Metres room() const;  // for the radius
+  [[nodiscard]] core::Metres room() const;       // for the radius, of a vehicle that knows where it is
+  [[nodiscard]] core::Metres sure_room() const;  // the same, however far it is off; may be negative
 };
 
 /// Empty where the list's way passes below nothing, and in plans stored before it was kept.
@@ -46,13 +47,13 @@ struct ListEnd {
 [[nodiscard]] std::string text_of(const ListEnd& end, core::Metres radius);
 
 /// The plan's waypoints after the start in lists of at most `max_waypoints` rows, each as long as it can be and still end
-/// where the vehicle may surface, farther from ice and icebergs than it may be off: there the list is flown, and the
-/// mission brings the vehicle up. Where no such waypoint is within reach a list ends where nothing is known of the ice,
-/// then where the vehicle may surface just there, and below the ice only where list_end_violations says so.
+/// where the vehicle may surface: there the list is flown, and the mission brings the vehicle up. Farther from ice and
+/// icebergs than it may be off where such a waypoint is within reach, else farther than the radius; else where nothing is
+/// known of the ice, and nearer to it or below it only where list_end_violations says so.
 [[nodiscard]] std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRules& rules);
 
 /// Where the plan cannot be parted so: more waypoints in a row below ice or icebergs than a list holds beside its end, an
-/// end of the plan below them, and an end of a list that is no farther from them than the vehicle may be off.
+/// end of the plan below them, and an end of a list within the radius of them.
 [[nodiscard]] core::Violations list_end_violations(const planning::Plan& plan, const ListRules& rules);
 
 }  // namespace floeplan::mission

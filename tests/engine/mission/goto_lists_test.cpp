@@ -294,26 +294,37 @@ planning::Plan plan_out_of_the_ice() {
   return plan;
 }
 
-TEST(GotoLists, AreRefusedWhereTheVehicleMayComeUpBeforeItIsOutOfTheIce) {
+TEST(GotoLists, AreRefusedWhereTheVehicleComesUpBeforeItIsOutOfTheIce) {
   planning::Plan plan = plan_out_of_the_ice();
-  plan.surfacing->waypoints[2].ice_free_before = core::Metres{45.0};
+  plan.surfacing->waypoints[2].ice_free_before = core::Metres{8.0};
 
   const auto lists = write_goto_lists(plan, {});
 
   ASSERT_FALSE(lists.has_value());
-  EXPECT_THAT(lists.error(),
-              ElementsAre(testing::AllOf(
-                  Field(&core::Violation::field, "/waypoints/2"),
-                  Field(&core::Violation::rule, HasSubstr("45 m beyond the ice")),
-                  Field(&core::Violation::rule, HasSubstr("more than 610 m beyond the ice")))));
+  EXPECT_THAT(lists.error(), ElementsAre(testing::AllOf(
+                                 Field(&core::Violation::field, "/waypoints/2"),
+                                 Field(&core::Violation::rule, HasSubstr("8 m beyond the ice")),
+                                 Field(&core::Violation::rule, HasSubstr("more than 10 m beyond them")))));
   EXPECT_TRUE(write_goto_lists(plan, {.may_end_below_ice = true}).has_value());
 }
 
 TEST(GotoLists, AreRefusedForARadiusThatReachesIntoTheIce) {
   const planning::Plan plan = plan_out_of_the_ice();
 
-  EXPECT_TRUE(write_goto_lists(plan, {.radius = core::Metres{1390.0}}).has_value());
-  EXPECT_FALSE(write_goto_lists(plan, {.radius = core::Metres{1400.0}}).has_value());
+  EXPECT_TRUE(write_goto_lists(plan, {.radius = core::Metres{1990.0}}).has_value());
+  EXPECT_FALSE(write_goto_lists(plan, {.radius = core::Metres{2000.0}}).has_value());
+}
+
+TEST(GotoLists, WarnWhereTheVehicleMayBeOffSoFarThatItComesUpBelowTheIce) {
+  planning::Plan plan = plan_out_of_the_ice();
+  plan.surfacing->waypoints[2].ice_free_before = core::Metres{300.0};
+
+  const auto lists = write_goto_lists(plan, {});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(lists->files.front().text, HasSubstr("list_when_wpt_dist(m) 299\n"));
+  EXPECT_THAT(lists->warnings, Contains(testing::AllOf(HasSubstr("it may come up below the ice"),
+                                                       HasSubstr("more than 899 m beyond it"))));
 }
 
 TEST(GotoLists, GetASmallerRadiusWhereTheyEndNearIce) {
