@@ -40,3 +40,25 @@ test('a plan is exported with the keyboard alone', async ({ page, request }) => 
   await page.keyboard.press('Escape');
   await expect(button).toBeFocused();
 });
+
+test('a refused export lists every fault that the server names', async ({ page, request }) => {
+  const { start, goal } = await findPlaces(request);
+  await open(page);
+  await planByTyping(page, start, goal);
+  const refusal = {
+    title: 'Invalid request',
+    status: 400,
+    detail: 'The request has faults; each is listed under "errors".',
+    errors: [
+      { pointer: '/waypoints', detail: 'must not be so many below ice or icebergs: waypoints 4 to 14 lie there' },
+      { pointer: '/waypoints', detail: 'must not be so many below ice or icebergs: waypoints 17 to 25 lie there' },
+    ],
+  };
+  await page.route('**/mission?number=*', (route) => route.fulfill({ status: 400, json: refusal, contentType: 'application/problem+json' }));
+
+  await page.getByRole('button', { name: 'Export mission' }).click();
+  const refused = page.getByRole('dialog').getByRole('alert');
+  await expect(refused).toContainText('No mission files are written');
+  await expect(refused.getByRole('listitem')).toHaveText(refusal.errors.map(({ detail }) => `Waypoints ${detail}.`));
+  await expect(page.getByRole('dialog').locator('pre')).toBeHidden();
+});

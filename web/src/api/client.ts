@@ -6,9 +6,9 @@ import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './si
 import { decodeGrid, type Grid } from '../geo/grid';
 import type { IcebergChoice } from '../model/iceberg_choice';
 import type { Caller } from '../model/login';
-import { address, ApiError, json, noteRefusal, request, silence } from './http';
+import { address, ApiError, faultsOf, json, noteRefusal, request, silence, wordsOf } from './http';
 
-export { ApiError };
+export { ApiError, faultsOf, wordsOf };
 
 async function grid(path: string, signal?: AbortSignal): Promise<Grid> {
   return decodeGrid(await (await request(path, { signal: signal ?? null })).arrayBuffer());

@@ -12,8 +12,6 @@ import type { Plan, PlanInputs } from './types';
 const pause_ms = 80;
 const quick_ms = 300;
 
-const textOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
-
 /** Asks the server anew whenever the route under change has changed; a newer question ends the older. Call once. */
 export function followRouteEdit(): void {
   let asked: string | undefined;
@@ -55,15 +53,9 @@ async function evaluate(edit: RouteEdit, signal: AbortSignal): Promise<void> {
       : { state: 'infeasible', answer: evaluation };
   } catch (error) {
     if (signal.aborted) return;
-    verdict = { state: 'failed', detail: detailOf(error) };
+    verdict = { state: 'failed', detail: api.wordsOf(error) };
   }
   if (deliver(edit.number, verdict)) announce(spoken(verdict, edit));
-}
-
-function detailOf(error: unknown): string {
-  if (!(error instanceof api.ApiError)) return textOf(error);
-  const faults = (error.problem.errors ?? []).map(({ pointer, detail }) => `${pointer.replace('/inputs/', '')} ${detail}`);
-  return faults.length > 0 ? faults.join('; ') : error.message;
 }
 
 function spoken(verdict: Verdict, { origin }: RouteEdit): string {
@@ -105,7 +97,7 @@ export async function saveEdit(): Promise<boolean> {
     announce(`Stored as ${titleOf(plan)}.`);
     return true;
   } catch (error) {
-    deliver(edit.number, { state: 'failed', detail: detailOf(error) });
+    deliver(edit.number, { state: 'failed', detail: api.wordsOf(error) });
     return false;
   }
 }

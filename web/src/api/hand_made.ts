@@ -15,12 +15,6 @@ const changedMeanwhile = 412;
 
 const statusOf = (error: unknown): number => (error instanceof api.ApiError ? error.problem.status : 0);
 
-function wordsOf(error: unknown): string {
-  if (!(error instanceof api.ApiError)) return error instanceof Error ? error.message : String(error);
-  const faults = (error.problem.errors ?? []).map(({ pointer, detail }) => `${pointer.replace(/^\/(properties\/)?/, '')} ${detail}`);
-  return faults.join('; ') || error.message;
-}
-
 /** Keeps the lists in step with the store: read again whenever its datasets have changed. Call once. */
 export function followHandMade(): void {
   let known = '';
@@ -39,7 +33,7 @@ async function readLists(hasBergs: boolean, hasZones: boolean): Promise<void> {
     bergsByHand.value = reported?.features ?? [];
     zones.value = stored?.features ?? [];
   } catch (error) {
-    handFault.value = `The zones and icebergs made by hand could not be read: ${wordsOf(error)}`;
+    handFault.value = `The zones and icebergs made by hand could not be read: ${api.wordsOf(error)}`;
   }
 }
 
@@ -55,7 +49,7 @@ export async function openExisting(kind: HandMadeKind, feature: HandMade): Promi
     const now = await api.feature(kind, feature.id);
     openForm.value = formOf(kind, now.feature, now.tag);
   } catch (error) {
-    handFault.value = `${nameOf(feature)}: ${wordsOf(error)}`;
+    handFault.value = `${nameOf(feature)}: ${api.wordsOf(error)}`;
     if (statusOf(error) === gone) await readStore();
   }
 }
@@ -94,7 +88,7 @@ function faultOf(error: unknown): { state: 'conflict' | 'removed' | 'failed'; de
   switch (statusOf(error)) {
     case changedMeanwhile: return { state: 'conflict', detail: 'Somebody else has changed it since you opened it.' };
     case gone: return { state: 'removed', detail: 'Somebody else has removed it since you opened it.' };
-    default: return { state: 'failed', detail: wordsOf(error) };
+    default: return { state: 'failed', detail: api.wordsOf(error) };
   }
 }
 
@@ -125,7 +119,7 @@ export async function retire(kind: HandMadeKind, shown: HandMade): Promise<void>
       announce(`${nameOf(shown)} is retired.`);
     }
   } catch (error) {
-    handFault.value = `${nameOf(shown)}: ${wordsOf(error)}`;
+    handFault.value = `${nameOf(shown)}: ${api.wordsOf(error)}`;
   }
   await readStore();
 }
@@ -161,7 +155,7 @@ async function turn(from: 'done' | 'undone', to: 'done' | 'undone'): Promise<voi
     handChanges.value = { ...piles, [from]: follow(piles[from].slice(0, -1)), [to]: [...follow(piles[to]), reverse] };
     tell(from === 'done' ? `Undone: ${change.title}.` : `Done again: ${change.title}.`);
   } catch (error) {
-    const why = statusOf(error) === changedMeanwhile ? 'somebody else has changed it since' : wordsOf(error);
+    const why = statusOf(error) === changedMeanwhile ? 'somebody else has changed it since' : api.wordsOf(error);
     handFault.value = `${change.title} cannot be ${from === 'done' ? 'undone' : 'done again'}: ${why}.`;
     handChanges.value = { ...handChanges.value, [from]: handChanges.value[from].slice(0, -1) };
   } finally {

@@ -8,6 +8,17 @@ export class ApiError extends Error {
   }
 }
 
+/** What the server found wrong, each behind the name of its place; what went wrong where it lists nothing. */
+export function faultsOf(error: unknown): string[] {
+  if (!(error instanceof ApiError)) return [error instanceof Error ? error.message : String(error)];
+  const placeOf = (pointer: string): string => pointer.replace(/^\/(inputs\/|properties\/)?/, '');
+  const listed = (error.problem.errors ?? []).map(({ pointer, detail }) => `${placeOf(pointer)} ${detail}`.trim());
+  return listed.length > 0 ? listed : [error.message];
+}
+
+/** The same in one line. */
+export const wordsOf = (error: unknown): string => faultsOf(error).join('; ');
+
 type Query = Record<string, string | number | boolean | undefined>;
 
 /** Addresses are relative to the origin that served the page: no other host is ever named. */

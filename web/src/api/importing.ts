@@ -9,7 +9,6 @@ import type { FileReport, IngestOptions, Upload } from './types';
 /** Small enough that the page stays lively between two pieces. */
 const piece_bytes = 1 << 20;
 
-const wordsOf = (error: unknown): string => (error instanceof Error ? error.message : String(error));
 
 const running = new Map<number, AbortController>();
 
@@ -89,8 +88,8 @@ async function carryOut(number: number, work: (signal: AbortSignal) => Promise<v
   try {
     await work(controller.signal);
   } catch (error) {
-    changeImport(number, { state: controller.signal.aborted ? { stage: 'cancelled' } : { stage: 'failed', detail: wordsOf(error) } });
-    announce(controller.signal.aborted ? 'The import was cancelled.' : `The import failed: ${wordsOf(error)}`);
+    changeImport(number, { state: controller.signal.aborted ? { stage: 'cancelled' } : { stage: 'failed', detail: api.wordsOf(error) } });
+    announce(controller.signal.aborted ? 'The import was cancelled.' : `The import failed: ${api.wordsOf(error)}`);
   } finally {
     running.delete(number);
   }
@@ -116,7 +115,7 @@ async function send(number: number, index: number, file: File, name: string, sig
 function faultOf(error: unknown): string {
   if (error instanceof api.ApiError) return error.problem.errors?.map(({ detail }) => detail).join('; ') ?? error.message;
   if (error instanceof DOMException) return 'It cannot be read; it may be a folder, or have changed since it was chosen.';
-  return wordsOf(error);
+  return api.wordsOf(error);
 }
 
 async function digestOf(file: File, signal: AbortSignal, tell: (bytes: number) => void): Promise<string> {

@@ -36,8 +36,7 @@ export async function showReach(): Promise<void> {
     announce(`Reach shown for ${hours.join(', ')} hours.`);
   } catch (error) {
     if (signal.aborted) return;
-    const faults = error instanceof api.ApiError ? (error.problem.errors ?? []).map(({ pointer, detail }) => `${pointer.replace('/inputs/', '')} ${detail}`) : [];
-    reach.value = { state: 'failed', detail: faults.join('; ') || (error instanceof Error ? error.message : String(error)) };
+    reach.value = { state: 'failed', detail: api.wordsOf(error) };
   }
 }
 

@@ -9,14 +9,6 @@ import type { Plan } from './types';
 
 let cancelled: AbortController | undefined;
 
-function wordsOf(error: unknown): string {
-  if (error instanceof api.ApiError) {
-    const faults = (error.problem.errors ?? []).map(({ pointer, detail }) => `${pointer.replace('/inputs/', '')} ${detail}`);
-    return faults.length > 0 ? faults.join('; ') : error.message;
-  }
-  return error instanceof Error ? error.message : String(error);
-}
-
 /** Flies a plan as the form asks, and opens what came of it. */
 export async function fly(plan: Plan): Promise<void> {
   if (flying.value) return;
@@ -43,7 +35,7 @@ export async function fly(plan: Plan): Promise<void> {
     await openSimulation(simulation.simulation_id);
     announce(`Flown: ${simulation.arrived} of ${simulation.runs} arrived, ${simulation.collisions} collided.`);
   } catch (error) {
-    if (!signal.aborted) flyingFault.value = wordsOf(error);
+    if (!signal.aborted) flyingFault.value = api.wordsOf(error);
   } finally {
     flying.value = undefined;
   }
@@ -64,7 +56,7 @@ export async function listSimulations(planId: string): Promise<void> {
     const { simulations } = await api.simulations(planId);
     stored.value = { ...stored.value, [planId]: simulations };
   } catch (error) {
-    flyingFault.value = wordsOf(error);
+    flyingFault.value = api.wordsOf(error);
   }
 }
 
@@ -76,7 +68,7 @@ export async function openSimulation(id: string): Promise<void> {
     playedFlight.value = undefined;
     if (simulation.tracks > 0) await playFlight(id, 0);
   } catch (error) {
-    flyingFault.value = wordsOf(error);
+    flyingFault.value = api.wordsOf(error);
   }
 }
 
@@ -87,7 +79,7 @@ export async function playFlight(id: string, run: number): Promise<void> {
     playedFlight.value = flight;
     announce(`Flight ${run + 1}: ${endTitles[flight.end]}. ${flight.end_reason}`);
   } catch (error) {
-    flyingFault.value = wordsOf(error);
+    flyingFault.value = api.wordsOf(error);
   }
 }
 
@@ -97,6 +89,6 @@ export async function removeSimulation(planId: string, id: string): Promise<void
     if (opened.value?.simulation_id === id) closeSimulation();
     await listSimulations(planId);
   } catch (error) {
-    flyingFault.value = wordsOf(error);
+    flyingFault.value = api.wordsOf(error);
   }
 }

@@ -1,7 +1,8 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
-import { downloadAddress, mission, type ExportFormat } from '../../api/client';
+import { downloadAddress, faultsOf, mission, type ExportFormat } from '../../api/client';
 import type { MissionPreview, Plan } from '../../api/types';
+import { asSentence } from '../../model/page_words';
 import { selectedPlan, titleOf } from '../../model/plans';
 import { Icon } from '../common/icon';
 import { Modal } from '../common/modal';
@@ -25,7 +26,7 @@ function Export({ plan }: { plan: Plan }): VNode {
   const number = Number(numberText);
   const valid = Number.isInteger(number) && number >= 0 && number <= last_list;
   const [preview, setPreview] = useState<MissionPreview | undefined>(undefined);
-  const [fault, setFault] = useState<string | undefined>(undefined);
+  const [faults, setFaults] = useState<string[]>([]);
   const [file, setFile] = useState(0);
 
   useEffect(() => {
@@ -35,11 +36,13 @@ function Export({ plan }: { plan: Plan }): VNode {
       .then((answer) => {
         if (!wanted) return;
         setPreview(answer);
-        setFault(undefined);
+        setFaults([]);
         setFile(0);
       })
       .catch((error: unknown) => {
-        if (wanted) setFault(error instanceof Error ? error.message : String(error));
+        if (!wanted) return;
+        setPreview(undefined);
+        setFaults(faultsOf(error));
       });
     return () => {
       wanted = false;
@@ -63,7 +66,7 @@ function Export({ plan }: { plan: Plan }): VNode {
         </div>
       </div>
       <Warnings warnings={[...new Set([...(preview?.warnings ?? []), ...plan.warnings])]} />
-      {fault && <p class="fault" role="alert">{fault}</p>}
+      <Refusal faults={faults} />
       {preview && preview.files.length > 1 && (
         <div class="file-tabs" role="group" aria-label="Files">
           {preview.files.map(({ name }, i) => (
@@ -77,10 +80,21 @@ function Export({ plan }: { plan: Plan }): VNode {
           <pre tabIndex={0} aria-label={`Text of ${shown.name}`}>{shown.text}</pre>
         </figure>
       ) : (
-        !fault && <p class="quiet">Asking the server for the files …</p>
+        faults.length === 0 && <p class="quiet">Asking the server for the files …</p>
       )}
       <p class="hint">Not for navigation as it is: check the files before they fly.</p>
     </Modal>
+  );
+}
+
+/** Why the server writes no mission files of the plan: the other downloads are only its route. */
+function Refusal({ faults }: { faults: string[] }): VNode | null {
+  if (faults.length === 0) return null;
+  return (
+    <section class="fault" role="alert">
+      <h3>No mission files are written</h3>
+      <ul>{faults.map((text) => <li key={text}>{asSentence(text)}</li>)}</ul>
+    </section>
   );
 }
 
