@@ -78,7 +78,7 @@ double cost_along(const Sea& sea, const std::vector<geo::PlanePoint>& path, cons
                   const Beginning& beginning, vehicle::Drive drive) {
   if (path.empty()) return INFINITY;
   const DrivenRoute route{.points = path, .fixed = {}, .drives = std::vector(path.size() - 1, drive)};
-  const auto times = drive_along(sea, route, beginning.depart, beginning.since_surfacing);
+  const auto times = drive_along(sea, route, beginning.depart, beginning.since_surfacing, Dives::over_map);
   return times ? times->cost(objective) : INFINITY;
 }
 

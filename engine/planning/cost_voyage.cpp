@@ -55,9 +55,10 @@ tl::expected<Sea::MeteredLeg, motion::EdgeClosed> CostVoyage::travel(geo::PlaneP
   const core::Seconds now{arrival_s};
   if (longest_without_surfacing_) {
     return sea_.metered_leg(tail, head, now, core::Seconds{arrival_s - surfaced_s}, core::Seconds{INFINITY},
-                            drive);
+                            drive, Dives::over_map);
   }
-  return sea_.metered_leg(tail, head, now, core::Seconds{0.0}, core::Seconds{latest_s}, drive);
+  return sea_.metered_leg(tail, head, now, core::Seconds{0.0}, core::Seconds{latest_s}, drive,
+                          Dives::over_map);
 }
 
 bool CostVoyage::can_surface_in_time(graph::Vertex v, core::Seconds since_surfacing) const {

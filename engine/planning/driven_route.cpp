@@ -54,15 +54,16 @@ std::optional<Shorter> without_cheapest(const Sea& sea, const DrivenRoute& route
 }  // namespace
 
 tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea, const DrivenRoute& route,
-                                                          core::Seconds depart,
-                                                          core::Seconds since_surfacing) {
+                                                          core::Seconds depart, core::Seconds since_surfacing,
+                                                          Dives dives) {
   DrivenTimes times{.arrivals = {depart}, .energy = {}, .encounters = 0.0};
   for (std::size_t i = 1; i < route.points.size(); ++i) {
     const geo::PlanePoint from = route.points[i - 1];
     const geo::PlanePoint to = route.points[i];
     const vehicle::Drive drive = route.drives[i - 1];
     const core::Seconds leaves = times.arrivals.back();
-    const auto driven = sea.metered_leg(from, to, leaves, since_surfacing, core::Seconds{INFINITY}, drive);
+    const auto driven =
+        sea.metered_leg(from, to, leaves, since_surfacing, core::Seconds{INFINITY}, drive, dives);
     if (!driven) return tl::unexpected(driven.error());
     since_surfacing = driven->leg.since_surfacing;
     times.encounters += sea.encounters(from, to, leaves, driven->leg.time);

@@ -7,6 +7,9 @@ namespace floeplan::planning {
 namespace {
 
 constexpr double most_cells_a_side = 256.0;
+constexpr core::Metres least_look{
+    1.0};  // along a line: no smaller cells of a bathymetry are worth telling apart
+constexpr double looks_in_cell[] = {0.25, 0.75};  // of the raster, along either axis
 
 /// One cell where no sea bed is known.
 core::Metres cell_of(const FlownDepths& depths, const PlaneBox& area) {
@@ -29,6 +32,7 @@ EnergyMap::EnergyMap(const vehicle::GliderProfile& profile, const FlownDepths& d
                      const std::stop_token& stop)
     : model_{profile.energy},
       buoyancy_volume_{profile.buoyancy},
+      limits_{depths.limits()},
       raster_{area, cell_of(depths, area)},
       // The deeper the band, the less is pumped for each metre: the fixed costs of a turn weigh less.
       least_pump_j_m_{
@@ -41,21 +45,37 @@ EnergyMap::EnergyMap(const vehicle::GliderProfile& profile, const FlownDepths& d
     thruster_.vertical = profile.vertical_speed(profile.thruster->speed);
     thruster_.thruster = profile.thruster->power;
   }
+  if (depths.bathymetry()) {
+    bed_.emplace(depths.bathymetry(), projection, area, stop);
+    look_ = std::max(depths.bathymetry()->grid().spacing(), least_look);
+    is_even_ = bed_->least_depth() >= limits_.dive_to + limits_.altimeter_margin;
+  }
   places_.reserve(raster_.size());
   for (std::int64_t iy = 0; iy < raster_.ny(); ++iy) {
     if (stop.stop_requested()) return;
     for (std::int64_t ix = 0; ix < raster_.nx(); ++ix) {
-      const geo::PlanePoint centre{
-          raster_.area().low.x_m + (static_cast<double>(ix) + 0.5) * raster_.cell_m(),
-          raster_.area().low.y_m + (static_cast<double>(iy) + 0.5) * raster_.cell_m()};
-      const vehicle::DiveBand band = depths.bathymetry() ? depths.at(projection.to_lon_lat(centre))
-                                                         : vehicle::flown_band(depths.limits(), std::nullopt);
-      const double pump = pump_j_m(profile.energy, profile.buoyancy, band);
-      is_even_ = is_even_ && pump == least_pump_j_m_;
-      places_.push_back({static_cast<float>(pump), static_cast<float>(1.0 / band.thickness().value),
-                         static_cast<float>(band.top.value), static_cast<float>(band.bottom.value)});
+      places_.push_back(place_of_cell(ix, iy));
     }
   }
+}
+
+EnergyMap::Place EnergyMap::place_of_cell(std::int64_t ix, std::int64_t iy) const {
+  const vehicle::DiveBand deepest = vehicle::flown_band(limits_, std::nullopt);
+  double turns_m = 1.0 / deepest.thickness().value;
+  if (bed_) {
+    turns_m = 0.0;
+    for (const double fy : looks_in_cell) {
+      for (const double fx : looks_in_cell) {
+        const geo::PlanePoint here{
+            raster_.area().low.x_m + (static_cast<double>(ix) + fx) * raster_.cell_m(),
+            raster_.area().low.y_m + (static_cast<double>(iy) + fy) * raster_.cell_m()};
+        turns_m += 0.25 / vehicle::flown_band(limits_, bed_->depth(here)).thickness().value;
+      }
+    }
+  }
+  const vehicle::DiveBand mean{deepest.top, deepest.top + core::Metres{1.0 / turns_m}};
+  return {static_cast<float>(pump_j_m(model_, buoyancy_volume_, mean)), static_cast<float>(turns_m),
+          static_cast<float>(mean.top.value), static_cast<float>(mean.bottom.value)};
 }
 
 const EnergyMap::Place& EnergyMap::place(std::int64_t ix, std::int64_t iy) const {
@@ -99,12 +119,25 @@ EnergyUse EnergyMap::use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds tim
     from = until;
     return !is_even_;
   });
+  return drawn(pump_j_m, inflections_m, time, drive);
+}
+
+EnergyUse EnergyMap::use(const vehicle::DiveBand& band, core::Seconds time, vehicle::Drive drive) const {
+  return drawn(pump_j_m(model_, buoyancy_volume_, band), 1.0 / band.thickness().value, time, drive);
+}
+
+EnergyUse EnergyMap::drawn(double pump_j_m, double inflections_m, core::Seconds time,
+                           vehicle::Drive drive) const {
   const DriveCost& drive_cost = cost(drive);
   const double depth_changed_m = drive_cost.vertical.value * time.count();
   return {.hotel = drive_cost.power * time,
           .pump = {pump_j_m * depth_changed_m},
           .thruster = drive_cost.thruster * time,
           .inflections = inflections_m * depth_changed_m};
+}
+
+DiveLine EnergyMap::dives_along(geo::PlanePoint a, geo::PlanePoint b) const {
+  return {limits_, bed_ && !is_even_ ? &*bed_ : nullptr, look_, a, b};
 }
 
 core::Watts EnergyMap::least_power(vehicle::Drive drive) const {

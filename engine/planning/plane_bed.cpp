@@ -27,4 +27,53 @@ std::optional<core::Metres> PlaneBed::depth(geo::PlanePoint point) const {
   return core::Metres{std::min({depth_m, node(sw), node(sw + 1), node(sw + nx), node(sw + nx + 1)})};
 }
 
+std::vector<double> PlaneBed::bends(geo::PlanePoint a, geo::PlanePoint b, core::Metres look) const {
+  constexpr double most_looks = 65'536.0;
+  constexpr double most_cells = 16.0;  // between looks; more only where longitudes jump, beyond a pole
+  constexpr double apart = 1e-9;       // of the line
+  const double looks = std::clamp(std::ceil(geo::distance_m(a, b) / look.value), 1.0, most_looks);
+  std::vector<double> shares;
+  const auto add = [&](double share) {
+    if (share > (shares.empty() ? 0.0 : shares.back()) + apart && share < 1.0 - apart)
+      shares.push_back(share);
+  };
+  std::vector<double> borders;
+  const auto add_borders = [&](double from, double until, double begins) {
+    if (!(std::abs(until - from) <= most_cells)) return;
+    const auto [low, high] = std::minmax(from, until);
+    for (double line = std::ceil(low); line <= high && high > low; ++line)
+      borders.push_back((begins + (line - from) / (until - from)) / looks);
+  };
+  auto here = grid_.place_among_nodes(a);
+  for (double i = 0.0; i < looks; ++i) {
+    const double share = (i + 1.0) / looks;
+    const auto next =
+        grid_.place_among_nodes({a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)});
+    borders.clear();
+    if (here && next) {
+      add_borders(here->x, next->x, i);
+      add_borders(here->y, next->y, i);
+    }
+    std::ranges::sort(borders);
+    for (const double border : borders) add(border);
+    add(share);
+    here = next;
+  }
+  shares.push_back(1.0);
+  return shares;
+}
+
+core::Metres PlaneBed::least_depth() const {
+  double least_m = INFINITY;
+  const std::size_t columns = bathymetry_->grid().x().size();
+  for (std::size_t iy = 0; iy < grid_.ny(); ++iy) {
+    const float* row = bathymetry_->shoalest_m().data() + grid_.row(iy) * columns;
+    for (std::size_t ix = 0; ix < grid_.nx(); ++ix) {
+      const double depth_m = row[grid_.column(ix)];
+      if (depth_m < least_m) least_m = depth_m;
+    }
+  }
+  return {least_m};
+}
+
 }  // namespace floeplan::planning

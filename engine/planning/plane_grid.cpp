@@ -36,6 +36,13 @@ std::optional<PlaneGrid::Corner> PlaneGrid::corner(geo::PlanePoint point) const 
   return Corner{y->cell * x_.size() + x->cell, x->share, y->share};
 }
 
+std::optional<geo::GridPoint> PlaneGrid::place_among_nodes(geo::PlanePoint point) const {
+  const auto cell = corner(point);
+  if (!cell) return std::nullopt;
+  return geo::GridPoint{static_cast<double>(cell->first % x_.size()) + cell->fx,
+                        static_cast<double>(cell->first / x_.size()) + cell->fy};
+}
+
 double PlaneGrid::least_cell_m() const {
   if (lookup_.has_jump()) return 0.0;
   const geo::GridPoint steepest = lookup_.steepest();

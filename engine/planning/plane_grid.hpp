@@ -37,6 +37,8 @@ class PlaneGrid {
   [[nodiscard]] std::size_t row(std::size_t iy) const { return first_row_ + iy; }
   /// Empty beyond the data's nodes, and where they have a single column or row.
   [[nodiscard]] std::optional<Corner> corner(geo::PlanePoint point) const;
+  /// Column and row of the nodes around the area, whole ones on the nodes; empty as `corner`.
+  [[nodiscard]] std::optional<geo::GridPoint> place_among_nodes(geo::PlanePoint point) const;
   /// Metres of the plane: no way from one side of a cell to the opposite one is shorter. Zero where the data's
   /// longitudes jump, for nothing can be said there.
   [[nodiscard]] double least_cell_m() const;

@@ -120,7 +120,7 @@ bool Sea::open_about(geo::PlanePoint point, core::Metres reach) const {
 EnergyUse Sea::energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds time,
                             vehicle::Drive drive) const {
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
-  EnergyMeter meter{*this, edge, depart, drive};
+  EnergyMeter meter{*this, edge, depart, drive, Dives::over_bed};
   (void)drive_time(edge, depart, core::Seconds{INFINITY}, speed(drive),
                    [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                      meter.add(piece);
@@ -292,15 +292,15 @@ tl::expected<Sea::Leg, motion::EdgeClosed> Sea::leg(geo::PlanePoint a, geo::Plan
 tl::expected<Sea::MeteredLeg, motion::EdgeClosed> Sea::metered_leg(geo::PlanePoint a, geo::PlanePoint b,
                                                                    core::Seconds depart,
                                                                    core::Seconds since_surfacing,
-                                                                   core::Seconds latest,
-                                                                   vehicle::Drive drive) const {
+                                                                   core::Seconds latest, vehicle::Drive drive,
+                                                                   Dives dives) const {
   if (const auto closed = closed_between(a, b)) return tl::unexpected(*closed);
   const motion::PlaneEdge edge{a, b, ground_length(a, b)};
   const double error_m = edge_tolerance_ * geo::distance_m(a, b);
   const bool below_ice = ice_ && ice_->may_be_dense_along(a, b);
   std::optional<SurfacingWatch> watch;
   if (bounds_surfacing()) watch.emplace(*this, edge, since_surfacing);
-  EnergyMeter meter{*this, edge, depart, drive};
+  EnergyMeter meter{*this, edge, depart, drive, dives};
   const auto time = drive_time(edge, depart, latest, speed(drive),
                                [&](const motion::EdgePiece& piece) -> std::optional<motion::EdgeClosed> {
                                  if (const auto closed = closed_then(edge, piece, error_m)) return closed;

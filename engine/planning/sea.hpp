@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <optional>
 #include <stop_token>
@@ -23,6 +24,9 @@
 #include "engine/vehicle/drive.hpp"
 
 namespace floeplan::planning {
+
+/// What the dives of a way are taken from that is metered: the sea bed itself, or its map for searches; see `EnergyMap`.
+enum class Dives : std::uint8_t { over_bed, over_map };
 
 /// The environment of one request laid out in its local plane: the one cost function that searches,
 /// refinement and published plans share. Times are counted from the request's departure.
@@ -59,7 +63,7 @@ class Sea {
   /// What the straight leg draws that is left then and takes so long, or a wait: the power at each place over the time
   /// that the drive really spends there. Below ice and icebergs the dives turn as deep as they have to, and so more often.
   /// Where the drive does not get on, what is left of the time goes evenly on what is left of the way.
-  /// Accuracy  as `EnergyMeter`
+  /// Accuracy  as `EnergyMeter`, over the bed
   [[nodiscard]] EnergyUse energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
                                        core::Seconds time, vehicle::Drive drive) const;
   /// Whether every place costs the same at every time, so that energy is power times time.
@@ -110,11 +114,9 @@ class Sea {
     Leg leg;
     EnergyUse energy;
   };
-  [[nodiscard]] tl::expected<MeteredLeg, motion::EdgeClosed> metered_leg(geo::PlanePoint a, geo::PlanePoint b,
-                                                                         core::Seconds depart,
-                                                                         core::Seconds since_surfacing,
-                                                                         core::Seconds latest,
-                                                                         vehicle::Drive drive) const;
+  [[nodiscard]] tl::expected<MeteredLeg, motion::EdgeClosed> metered_leg(
+      geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds since_surfacing,
+      core::Seconds latest, vehicle::Drive drive, Dives dives = Dives::over_bed) const;
   /// As `leg` for a vehicle that is to be at the leg's end at `arrive` and may surface `until_surfacing` later; the time
   /// until it may, at the leg's beginning. too_late when it would certainly have to leave before `earliest`.
   struct LegBack {

@@ -52,10 +52,11 @@ struct BruteForce {
       for (const vehicle::Drive drive : sea.drives()) {
         const geo::PlanePoint a = open.grid.point(v);
         const geo::PlanePoint b = open.grid.point(edge.head);
-        const auto time = sea.leg_time(a, b, core::Seconds{now_s}, core::Seconds{INFINITY}, drive);
-        if (!time) continue;
-        const core::Joules energy = sea.energy_along(a, b, core::Seconds{now_s}, *time, drive).total();
-        go_on(edge.head, now_s + time->count(), cost + objective.cost(*time, energy));
+        const auto driven = sea.metered_leg(a, b, core::Seconds{now_s}, core::Seconds{0.0},
+                                            core::Seconds{INFINITY}, drive, Dives::over_map);
+        if (!driven) continue;
+        const core::Seconds time = driven->leg.time;
+        go_on(edge.head, now_s + time.count(), cost + objective.cost(time, driven->energy.total()));
       }
     });
     on_way.erase(v);
@@ -139,19 +140,9 @@ double share_of_plain_cost(const ocean::Environment& environment, const Objectiv
   EXPECT_EQ(plain.goal.has_value(), found.has_value());
   if (!plain.goal || !found) return 1.0;
   EXPECT_LE(found->statistics.expansions, plain.counters.expansions);
-  double cost = 0.0;
-  core::Seconds now{0.0};
-  const DrivenRoute& route = found->route;
-  for (std::size_t i = 1; i < route.points.size(); ++i) {
-    const auto time =
-        sea.leg_time(route.points[i - 1], route.points[i], now, core::Seconds{INFINITY}, route.drives[i - 1]);
-    if (!time) return INFINITY;
-    cost += objective.cost(
-        *time,
-        sea.energy_along(route.points[i - 1], route.points[i], now, *time, route.drives[i - 1]).total());
-    now += *time;
-  }
-  return cost / plain.labels[*plain.goal].state.cost;
+  const auto times = drive_along(sea, found->route, core::Seconds{0.0}, core::Seconds{0.0}, Dives::over_map);
+  if (!times) return INFINITY;
+  return times->cost(objective) / plain.labels[*plain.goal].state.cost;
 }
 
 TEST(SearchLeastCost, FindsWithItsLimitsWhatASearchWithoutThemFinds) {
@@ -190,7 +181,8 @@ struct LargeGrid {
                                    CostVoyage::State{.surfaced_s = now_s}, voyage, 1'000'000, {});
   }
   [[nodiscard]] double cost_of(const CostWay& way, core::Seconds depart) const {
-    return drive_along(sea, way.route, depart)->cost(request.objective());
+    return drive_along(sea, way.route, depart, core::Seconds{0.0}, Dives::over_map)
+        ->cost(request.objective());
   }
 };
 
