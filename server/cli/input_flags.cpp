@@ -32,10 +32,22 @@ void set_robust(json& uncertainty, const std::string& text) {
   if (numbers) uncertainty["quantile"] = numbers->front();
 }
 
+/// "time", "energy" or "weighted:W"; another word goes on, to be refused with the rest of the inputs.
+json objective_of(const std::string& text) {
+  const std::string weighted = "weighted:";
+  if (!text.starts_with(weighted)) return text;
+  const auto weight = parse_numbers(text.substr(weighted.size()));
+  if (!weight || weight->size() != 1) {
+    throw CLI::ValidationError{"--objective", text + " has no weight; as weighted:0.5"};
+  }
+  return {{"time", 1.0}, {"energy", weight->front()}};
+}
+
 /// Sixteen times what the server takes by default: a longer text takes seconds to read before its content is refused.
 constexpr std::size_t most_bytes = 16UL * 1024 * 1024;
 
-/// `what` names the file in a message.
+}  // namespace
+
 json read_object(const std::string& file, const std::string& what) {
   const std::string subject = "the " + what + " " + file;
   std::ifstream stream{file, std::ios::binary};
@@ -61,19 +73,6 @@ json read_object(const std::string& file, const std::string& what) {
   if (!object.is_object()) throw std::runtime_error{subject + " is not a JSON object"};
   return object;
 }
-
-/// "time", "energy" or "weighted:W"; another word goes on, to be refused with the rest of the inputs.
-json objective_of(const std::string& text) {
-  const std::string weighted = "weighted:";
-  if (!text.starts_with(weighted)) return text;
-  const auto weight = parse_numbers(text.substr(weighted.size()));
-  if (!weight || weight->size() != 1) {
-    throw CLI::ValidationError{"--objective", text + " has no weight; as weighted:0.5"};
-  }
-  return {{"time", 1.0}, {"energy", weight->front()}};
-}
-
-}  // namespace
 
 json file_member(const std::string& file) {
   std::ifstream stream{file, std::ios::binary};

@@ -100,6 +100,10 @@ class InputFlags {
   std::optional<std::string> name_;
 };
 
+/// The JSON object that a file holds; `what` names the file in a message. Throws std::runtime_error where the server would
+/// not take its text, and when it cannot be read or is longer than 16 MB.
+[[nodiscard]] nlohmann::json read_object(const std::string& file, const std::string& what);
+
 /// A file as the inputs take it: {"name": ..., "text": ...}. Throws std::runtime_error when it cannot be read.
 [[nodiscard]] nlohmann::json file_member(const std::string& file);
 

@@ -57,13 +57,7 @@ void set(json& inputs, const char* key, const std::optional<Value>& value) {
 
 /// The flags over the members of the request file.
 json inputs_of(const Flags& flags) {
-  json inputs = json::object();
-  if (flags.request_file) {
-    inputs = json::parse(file_member(*flags.request_file).at("text").get<std::string>(), nullptr, false);
-    if (!inputs.is_object())
-      throw std::runtime_error{*flags.request_file +
-                               " is no JSON object; it holds the inputs of simulate-plan"};
-  }
+  json inputs = flags.request_file ? read_object(*flags.request_file, "request file") : json::object();
   inputs["plan_id"] = flags.plan_id;
   set(inputs, "runs", flags.runs);
   set(inputs, "seed", flags.seed);

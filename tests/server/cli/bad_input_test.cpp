@@ -79,10 +79,12 @@ TEST(BadInput, ARequestFileThatNamesAnInputTwiceSaysWhich) {
   const Program program;
   write(program.folder() / "twice.json", R"({"from": [-53, 69], "speed_m_s": 0.3, "speed_m_s": 0.6})");
 
-  const Outcome twice = program.run(plan({"--request", (program.folder() / "twice.json").string()}));
-
-  EXPECT_EQ(twice.exit_code, 1);
-  EXPECT_THAT(twice.err, HasSubstr("/speed_m_s"));
+  const std::string file = (program.folder() / "twice.json").string();
+  for (const Outcome& twice : {program.run(plan({"--request", file})),
+                               program.run({"simulate", "p0123456789ab", "--request", file})}) {
+    EXPECT_EQ(twice.exit_code, 1);
+    EXPECT_THAT(twice.err, HasSubstr("/speed_m_s"));
+  }
 }
 
 TEST(BadInput, ASpeedThatIsNotFiniteIsNamedAsSuch) {
