@@ -17,11 +17,6 @@ constexpr double least_slot_s = 3600.0;    // the step of the forecast
 constexpr double most_index_cells = 64.0;  // a side
 constexpr double least_index_cells = 8.0;
 
-bool overlap(const PlaneBox& a, const PlaneBox& b) {
-  return a.low.x_m <= b.high.x_m && b.low.x_m <= a.high.x_m && a.low.y_m <= b.high.y_m &&
-         b.low.y_m <= a.high.y_m;
-}
-
 PlaneBox box_of(const motion::EvenMove& move) {
   PlaneBox box{move.from, move.from};
   box.include(move.to);

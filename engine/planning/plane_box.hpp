@@ -30,4 +30,10 @@ struct PlaneBox {
   }
 };
 
+/// Whether they have a point in common.
+[[nodiscard]] inline bool overlap(const PlaneBox& a, const PlaneBox& b) {
+  return a.low.x_m <= b.high.x_m && b.low.x_m <= a.high.x_m && a.low.y_m <= b.high.y_m &&
+         b.low.y_m <= a.high.y_m;
+}
+
 }  // namespace floeplan::planning

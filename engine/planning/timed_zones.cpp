@@ -115,16 +115,18 @@ bool TimedZones::is_near(TimeSpan during, geo::PlanePoint a, geo::PlanePoint b) 
   PlaneBox box{a, a};
   box.include(b);
   const PlaneBox around = box.grown(room_.aside.value);
-  return no_go_.any_near(around.low, around.high,
-                         [&](const Area& area) { return overlap(area.in_force, with_room); });
+  return no_go_.any_near(around.low, around.high, [&](const Area& area) {
+    return overlap(area.in_force, with_room) && overlap(area.polygon.box(), around);
+  });
 }
 
 template <class PlaceAt>
 bool TimedZones::forbid_during(TimeSpan during, const PlaceAt& place_at) const {
-  if (breaks_rule(during, place_at)) return true;
   const geo::PlanePoint a = place_at(during.from);
   const geo::PlanePoint b = place_at(during.until);
-  if (room_.is_none() || !is_near(during, a, b)) return false;
+  if (!is_near(during, a, b)) return false;
+  if (breaks_rule(during, place_at)) return true;
+  if (room_.is_none()) return false;
 
   const double length_m = geo::distance_m(a, b);
   const auto breaks_beside = [&](double x_m, double y_m) {
