@@ -51,8 +51,9 @@ bool append(DrivenRoute& route, const Sea& sea, const RouteGrid& grid, const Way
 /// The way of the earliest arrival, all on the first drive.
 Result<CostWay> earliest_way(const Sea& sea, const std::vector<OpenGrid>& grids, const PlanRequest& request,
                              core::Seconds depart, const std::stop_token& stop,
-                             const std::function<void(double)>& report_fraction) {
-  auto found = search_voyage(sea, grids, request, depart, stop, report_fraction);
+                             const std::function<void(double)>& report_fraction,
+                             const RouteSearch* first = nullptr) {
+  auto found = search_voyage(sea, grids, request, depart, stop, report_fraction, {.first = first});
   if (!found) return tl::unexpected(std::move(found.error()));
   const std::size_t legs = found->route.points.size() - 1;
   return CostWay{.route = {.points = std::move(found->route.points),
@@ -82,6 +83,30 @@ double cost_along(const Sea& sea, const std::vector<geo::PlanePoint>& path, cons
   return times ? times->cost(objective) : INFINITY;
 }
 
+/// Whether the goal is closed from before anybody can be there until then.
+bool is_closed_until(const Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds opens) {
+  const geo::PlanePoint goal = open.grid.point(open.grid.goal);
+  const core::Seconds earliest = depart + sea.least_time(open.grid.point(open.grid.start), goal);
+  return std::ranges::any_of(sea.closed_times(goal), [&](const TimeSpan& closed) {
+    return closed.until == opens && closed.from <= earliest;
+  });
+}
+
+/// Whether no way need be looked for, on whatever drive, where the search for the fastest one found none: nobody
+/// is at the goal before the data end, or it opens too late for the fastest way, which all are measured by, and
+/// nobody is there before it closes.
+bool leaves_no_hope(const RouteSearch& fastest, const Sea& sea, const OpenGrid& open, core::Seconds depart,
+                    CostGuide& guide, const std::stop_token& stop) {
+  if (!fastest.path.empty()) return false;
+  const auto& later = fastest.opens_later;
+  const bool opens_too_late = later && later->end_opens;
+  if (opens_too_late && is_closed_until(sea, open, depart, *later->end_opens)) return true;
+  const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+  if (!end) return false;
+  constexpr std::size_t one_rung = 1;
+  return !ArrivalLadder{guide.foresight(), guide.closures(), open, depart, *end, stop, one_rung}.has_hope();
+}
+
 /// What the fastest way over a grid tells a search for the cheapest: no more than its cost need be spent, and no more
 /// time than so much can buy.
 class KnownLimit {
@@ -93,9 +118,12 @@ class KnownLimit {
     PlanRequest by_time = request;
     by_time.method = Method::astar;
     const core::Seconds depart = beginning.depart;
-    const RouteSearch fastest = search_route(
+    fastest_ = search_route(
         sea, open, by_time, depart, stop, [](double) {}, core::Seconds{INFINITY}, beginning.since_surfacing,
         &guide.foresight());
+    if (stop.stop_requested()) return;
+    const RouteSearch& fastest = *fastest_;
+    is_hopeless_ = leaves_no_hope(fastest, sea, open, depart, guide, stop);
     double cost = INFINITY;
     for (const vehicle::Drive drive : sea.drives()) {
       cost = std::min(cost, cost_along(sea, fastest.path, request.objective(), beginning, drive));
@@ -111,6 +139,10 @@ class KnownLimit {
   KnownLimit(const KnownLimit&) = delete;
   KnownLimit& operator=(const KnownLimit&) = delete;
 
+  /// The search for the fastest way by A*; empty where nothing is known beforehand.
+  [[nodiscard]] const std::optional<RouteSearch>& fastest() const { return fastest_; }
+  /// Whether no way need be looked for, on whatever drive.
+  [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
   [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
   /// Null without a limit.
   [[nodiscard]] const ArrivalLadder* ladder() const { return limit_ ? &*ladder_ : nullptr; }
@@ -124,6 +156,8 @@ class KnownLimit {
   std::optional<ArrivalLadder> ladder_;
   std::optional<CostVoyage::Limit> limit_;
   core::Seconds last_{};
+  std::optional<RouteSearch> fastest_;
+  bool is_hopeless_{false};
 };
 
 }  // namespace
@@ -153,11 +187,18 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
   found.route.points.push_back(grids.front().grid.point(grids.front().grid.start));
   found.route.fixed.push_back(true);
   Beginning beginning{depart};
+  std::optional<RouteSearch> first;  // on the first grid, as the earliest way has it
+  const auto earliest_of_all = [&] {
+    return earliest_way(sea, grids, request, depart, stop, report_fraction, first ? &*first : nullptr);
+  };
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const OpenGrid& open = grids[i];
     std::optional<CostGuide> own_guide;
     CostGuide& guide = guides != nullptr ? (*guides)[i] : own_guide.emplace(sea, open);
     KnownLimit known{sea, open, request, beginning, guide, stop};
+    if (i == 0 && request.method == Method::astar) first = known.fastest();
+    if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+    if (known.is_hopeless()) return earliest_of_all();
     std::optional<Openings> openings;
     if (sea.has_timed_closures())
       openings.emplace(sea, open, core::Seconds{INFINITY}, stop, &guide.closures(), known.ladder());
@@ -182,7 +223,7 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
     const auto way = search.goal ? graph::way_to(search, *search.goal) : Way{};
     if (way.empty() ||
         circles_too_long(sea, open, points_of(open.grid, way), beginning.depart, std::nullopt, stop)) {
-      auto earliest = earliest_way(sea, grids, request, depart, stop, report_fraction);
+      auto earliest = earliest_of_all();
       if (earliest) earliest->statistics.cut_short = search.full;
       return earliest;
     }

@@ -131,11 +131,12 @@ std::optional<OpensLater> goal_opens_later(const Sea& sea, const OpenGrid& open,
 /// Whether the goal opens too late for any way there that may be flown; the result then says so.
 bool is_refused_for_late_goal(RouteSearch& result, const Sea& sea, const OpenGrid& open,
                               const AtOnce& at_once, core::Seconds depart) {
-  const auto circling = end_opens_too_late(sea, open.grid.point(open.grid.goal), depart, at_once.arrival);
+  const geo::PlanePoint end = open.grid.point(open.grid.goal);
+  const auto circling = end_opens_too_late(sea, end, depart, at_once.arrival);
   if (!circling) return false;
   const auto closed = closed_at_once(sea, at_once.path, depart);
   if (!closed) return false;
-  result.opens_later = OpensLater{*closed, *circling};
+  result.opens_later = OpensLater{*closed, *circling, opens_at(sea, end, at_once.arrival)};
   result.path.clear();
   return true;
 }

@@ -31,6 +31,8 @@ struct TimeKilled {
 struct OpensLater {
   RouteClosed closed;
   core::Seconds circling{};
+  /// When the end of the way opens, where that is too late for any way there (`end_opens_too_late`).
+  std::optional<core::Seconds> end_opens{};
 };
 
 /// When a place that is closed at some time opens again; empty where it is open then, and where it stays closed.

@@ -9,7 +9,6 @@
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/late_openings.hpp"
 #include "engine/planning/route_cost.hpp"
-#include "engine/planning/route_search.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -94,7 +93,8 @@ class Parts {
   std::optional<Infeasible> search_all(core::Seconds depart) {
     end_ = {depart, core::Seconds{0.0}};
     for (std::size_t i = 0; i < grids_.size(); ++i) {
-      RouteSearch search = search_from(grids_[i], i, end_);
+      RouteSearch search =
+          i == 0 && others_.first != nullptr ? *others_.first : search_from(grids_[i], i, end_);
       if (search.path.empty() && !search.cancelled && is_for_want_of_surfacing(search))
         search = search_with_more_left(std::move(search), i);
       if (search.cancelled) return explain_cancelled(request_);

@@ -9,6 +9,7 @@
 #include "engine/planning/open_grid.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/route_search.hpp"
 #include "engine/planning/sea.hpp"
 #include "engine/planning/straightening.hpp"
 
@@ -22,10 +23,11 @@ struct FoundWay {
   bool touches_rim{false};  // it keeps to the rim of a grid, beyond which a better way may lie
 };
 
-/// What is known from the departures before, on the same grids.
+/// What is known from the departures before, or from other searches, on the same grids.
 struct OtherDepartures {
   const FoundWay* way{};                 // of one of them
   std::vector<Foresight>* foresights{};  // one for each grid
+  const RouteSearch* first{};            // of the first grid, by the same method from the same departure
 };
 
 /// Searches grid after grid with the request's method (not Method::direct), from `depart` on (counted from the

@@ -209,6 +209,78 @@ TEST(SearchLeastCost, IsSteeredOverLargeGridsToAboutTheLeastCost) {
   EXPECT_LT(10 * found->statistics.expansions, plain.counters.expansions);
 }
 
+/// Some 40 km at up to 0.25 m/s with a current and 0.51 m/s by thruster, on a grid of 2 km.
+struct LateScene {
+  ocean::Environment environment;
+  PlanRequest request{hybrid_request(energy_objective)};
+  RouteGrid grid{
+      lay_grid({-20'000.0, 0.0}, {20'000.0, 0.0}, {core::Metres{2000.0}, core::Metres{2000.0}}, {0.5, 0.25})};
+  geo::LocalProjection projection{{-53.0, 69.0}};
+
+  explicit LateScene(int hours_of_data) {
+    std::mt19937_64 rng{13};
+    environment = tidal_sea(rng, {{0.1}, {0.1}}, hours_of_data);
+  }
+  void close_goal(double from_h, double until_h) {
+    const geo::LonLat goal = projection.to_lon_lat({20'000.0, 0.0});
+    const auto corner = [&](double east, double north) {
+      return geo::LonLat{goal.lon_deg + 0.07 * east, goal.lat_deg + 0.027 * north};
+    };
+    const auto hour = [&](double h) { return request.depart + core::Seconds{3600.0 * h}; };
+    request.zones = {
+        {.name = "trawlers",
+         .kind = ocean::ZoneKind::no_go,
+         .area = {.outer = {corner(-1, -1), corner(1, -1), corner(1, 1), corner(-1, 1)}, .holes = {}},
+         .from = hour(from_h),
+         .until = hour(until_h)}};
+  }
+  struct Outcome {
+    Result<CostWay> way;
+    int reports{};  // of the searches for the least cost and for the earliest way
+  };
+  [[nodiscard]] Outcome search() const {
+    const Sea sea{environment, request, projection, grid.bounds().grown(2500.0), core::Metres{800.0}};
+    std::vector<OpenGrid> grids;
+    grids.push_back(open_grid(sea, grid, request.sectors, {}));
+    int reports = 0;
+    auto way = search_least_cost(sea, grids, request, core::Seconds{0.0}, {}, [&](double) { ++reports; });
+    return {std::move(way), reports};
+  }
+};
+
+TEST(SearchLeastCost, LooksForNoWayToAGoalThatOpensTooLateForAnyDrive) {
+  LateScene scene{144};
+  scene.close_goal(0.0, 110.0);
+
+  const auto [way, reports] = scene.search();
+
+  ASSERT_FALSE(way);
+  EXPECT_EQ(way.error().reason, Reason::goal_in_zone);
+  ASSERT_TRUE(way.error().postponed);
+  EXPECT_EQ(reports, 0) << "one search for the fastest way tells it all";
+}
+
+TEST(SearchLeastCost, LooksForAWayToAGoalThatTheThrusterReachesBeforeItCloses) {
+  LateScene scene{144};
+  scene.close_goal(26.0, 110.0);
+
+  const auto [way, reports] = scene.search();
+
+  ASSERT_TRUE(way) << way.error().explanation;
+  EXPECT_TRUE(std::ranges::count(way->route.drives, vehicle::Drive::thruster) > 0);
+  EXPECT_GT(reports, 0);
+}
+
+TEST(SearchLeastCost, LooksForNoWayThatEndsAfterTheData) {
+  const LateScene scene{12};
+
+  const auto [way, reports] = scene.search();
+
+  ASSERT_FALSE(way);
+  EXPECT_EQ(way.error().binding, Constraint::data_period);
+  EXPECT_EQ(reports, 0);
+}
+
 TEST(CostGuide, ServesOneDepartureAfterTheOther) {
   std::mt19937_64 rng{12};
   const LargeGrid large{rng, hybrid_request({1.0, 0.2}), core::Metres{800.0}};
