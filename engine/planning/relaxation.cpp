@@ -283,10 +283,11 @@ class Relaxation {
   }
 
   void refine_the_grid() {
-    trials_.begin_input();
     if (!request_.spacing_along) return;
     const double now = request_.spacing_along->value;
     for (const double share : {0.5, 0.25}) {
+      // Of few and very long steps a finer grid, which covers less, may take less work.
+      trials_.begin_input();
       PlanRequest changed = request_;
       changed.spacing_along = core::Metres{share * now};
       if (request_.spacing_across)

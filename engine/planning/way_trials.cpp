@@ -26,6 +26,7 @@ constexpr std::int64_t work_of_a_label = 600;   // all legs from it
 constexpr std::int64_t work_of_a_berg = 2000;   // its forecast
 constexpr double work_of_a_vertex = 10.0;       // its part of the maps, and which of its edges are open
 constexpr double work_of_a_value = 1.0 / 50.0;  // of the currents, to average them over the depths flown
+constexpr double work_of_a_node = 2.0;          // of a table through which data are looked up
 constexpr std::size_t most_labels_of_a_trial = 100'000;
 
 /// Towards the goal by what no vehicle is faster than: the search finds the earliest way.
@@ -214,6 +215,14 @@ std::optional<Route> search_all(const Sea& sea, const std::vector<RouteGrid>& gr
   return route;
 }
 
+/// About as a GridLookup lays it over the area.
+double nodes_of_a_table(const PlaneBox& area) {
+  constexpr double step_m = 2000.0;
+  constexpr double most_a_side = 1000.0;
+  const double step = std::max(step_m, std::max(area.width_m(), area.height_m()) / most_a_side);
+  return area.width_m() / step * (area.height_m() / step);
+}
+
 }  // namespace
 
 PlanRequest for_any_way(const PlanRequest& request) {
@@ -242,9 +251,14 @@ TrialOutcome WayTrials::operator()(const PlanRequest& request) {
 std::int64_t WayTrials::work_of_a_chart(const PlanRequest& request, const Layout& layout) const {
   double work = static_cast<double>(environment_.icebergs.size()) * static_cast<double>(work_of_a_berg);
   for (const RouteGrid& grid : layout.grids) work += work_of_a_vertex * grid.vertex_count();
+  double tables = 0.0;
+  if (environment_.bathymetry) tables += 2.0;  // what is closed, and how deep dives are
+  if (environment_.ice) tables += 1.0;
   if (environment_.currents && !shelf_.holds(request, layout.projection, layout.area())) {
     work += work_of_a_value * static_cast<double>(environment_.currents->samples().u.size());
+    tables += 1.0;
   }
+  work += tables * work_of_a_node * nodes_of_a_table(layout.area());
   return std::llround(std::min(work, 1e15));
 }
 

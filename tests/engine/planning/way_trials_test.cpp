@@ -72,6 +72,23 @@ TEST(WayTrials, NeverDoMoreWorkThanTheyMay) {
   });
 }
 
+TEST(WayTrials, LayOutNoSeaThatTakesMoreThanTheirShare) {
+  // Ten steps of 100 km to either side: the few places of the grid lie far apart, but data are looked up in between.
+  std::mt19937_64 rng{7};
+  ocean::Environment environment = eddies(rng);
+  environment.bathymetry = support::bathymetry_from([](geo::LonLat) { return 300.0; });
+  PlanRequest wide = plain_request(0.12);
+  wide.spacing_along = core::Metres{100'000.0};
+  constexpr std::int64_t most_work = 8'000'000;
+  WayTrials trials{environment, {}, most_work};
+
+  EXPECT_EQ(trials(wide), TrialOutcome::not_known);
+
+  EXPECT_EQ(trials.left(), most_work) << "told before anything is laid out";
+  wide.spacing_along = core::Metres{2000.0};
+  EXPECT_NE(trials(wide), TrialOutcome::not_known);
+}
+
 TEST(WayTrials, SpendTheSameOnTheSameTrial) {
   support::for_each_seed(2, [](std::mt19937_64& rng) {
     const ocean::Environment environment = eddies(rng);
