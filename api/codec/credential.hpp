@@ -7,8 +7,8 @@
 namespace floeplan::codec {
 
 /// What somebody shows to prove who it is, "floeplan_<key>_<secret>": the key finds the record in the store, the secret
-/// proves the right to it. Of the secret the store keeps SHA-256 alone. A slow key derivation would add nothing: it makes
-/// guessing words that people choose expensive, and a secret of 256 random bits is none.
+/// proves the right to it. Of the secret the store keeps SHA-256 alone. A slow key derivation would add nothing: it
+/// makes guessing words that people choose expensive, and a secret of 256 random bits is none.
 struct Credential {
   std::string key;     // 64 random bits as 16 hexadecimal digits
   std::string secret;  // 256 random bits as 64 hexadecimal digits

@@ -8,8 +8,8 @@
 
 namespace floeplan::codec {
 
-/// A simulated flight as it is stored and shown: places in degrees, track and sensors' log column by column, times as seconds
-/// since the departure. Numbers are rounded to what they can mean (1e-7 degrees, centimetres, 0.01 degrees of
+/// A simulated flight as it is stored and shown: places in degrees, track and sensors' log column by column, times as
+/// seconds since the departure. Numbers are rounded to what they can mean (1e-7 degrees, centimetres, 0.01 degrees of
 /// attitude), so that the text is the same on every processor.
 /// `projection` is that of the frame that the flight was simulated in.
 [[nodiscard]] nlohmann::json flight_document(const simulation::FlightRecord& record,

@@ -12,8 +12,8 @@ namespace floeplan::codec {
 /// A sighting as a GeoJSON Feature; lengths that are not known are null.
 [[nodiscard]] nlohmann::json iceberg_feature(const repository::StoredSighting& sighting);
 
-/// A sighting from a GeoJSON Feature with a Point. Properties: berg_id and observed are required, size, length_m, draft_m,
-/// position_uncertainty_m, shape and method may be there; others are left alone.
+/// A sighting from a GeoJSON Feature with a Point. Properties: berg_id and observed are required, size, length_m,
+/// draft_m, position_uncertainty_m, shape and method may be there; others are left alone.
 /// Errors   every violation, with its JSON pointer inside the feature
 [[nodiscard]] tl::expected<ocean::Iceberg, core::Violations> parse_iceberg_feature(
     const nlohmann::json& feature);

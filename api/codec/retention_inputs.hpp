@@ -15,8 +15,8 @@ struct RetentionInputs {
   bool dry_run{false};
 };
 
-/// Reads {"older_than": "P30D", "max_bytes": 20000000000, "kind": "currents", "dry_run": true}; one of the first two must
-/// be there.
+/// Reads {"older_than": "P30D", "max_bytes": 20000000000, "kind": "currents", "dry_run": true}; one of the first two
+/// must be there.
 /// Errors   every violation, with its JSON pointer
 [[nodiscard]] tl::expected<RetentionInputs, core::Violations> parse_retention_inputs(
     const nlohmann::json& inputs);

@@ -9,7 +9,8 @@ namespace {
 
 constexpr std::size_t max_bytes = 1 << 20;
 
-/// A list or mission of a Slocum, or the targets of a Seaglider. Decimal degrees are refused: nobody should fly what they would be taken for.
+/// A list or mission of a Slocum, or the targets of a Seaglider. Decimal degrees are refused: nobody should fly what
+/// they would be taken for.
 tl::expected<RouteFile, core::Violations> read_mission(const std::string& name, std::string_view bytes) {
   const mission::Document document = mission::read_document(name, bytes);
   RouteFile route;

@@ -29,7 +29,8 @@ using RoutePlaces = tl::expected<std::vector<geo::LonLat>, core::Violations>;
 /// CSV with a header that names columns for longitude and latitude, between commas, semicolons or tabs.
 [[nodiscard]] RoutePlaces read_csv(std::string_view bytes);
 
-/// NMEA 0183: the waypoints of the sentences WPL in the order of the RTE sentences, or in their own where there are none.
+/// NMEA 0183: the waypoints of the sentences WPL in the order of the RTE sentences, or in their own where there are
+/// none.
 /// Other sentences are passed over.
 /// Errors   a check sum that does not fit, several routes, a waypoint of the route or its place that is not there
 [[nodiscard]] RoutePlaces read_nmea(std::string_view bytes);

@@ -52,7 +52,8 @@ void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
   route.places = std::move(kept);
 }
 
-/// A file that came with a request as {"name": ..., "text": ...}; nothing where it cannot be read, and what is wrong is noted.
+/// A file that came with a request as {"name": ..., "text": ...}; nothing where it cannot be read, and what is wrong is
+/// noted.
 std::optional<RouteFile> read_file_member(InputReader& reader, const std::string& key) {
   const json* file = reader.member(key);
   if (file == nullptr) return std::nullopt;

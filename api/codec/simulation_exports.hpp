@@ -13,8 +13,8 @@ namespace floeplan::codec {
 [[nodiscard]] std::string simulation_netcdf(const nlohmann::json& simulation,
                                             const std::vector<nlohmann::json>& flights);
 
-/// The same as GeoJSON: for each flight the true and the estimated track as lines, its events and its closest approaches as
-/// points. Lines are cut where they cross the antimeridian.
+/// The same as GeoJSON: for each flight the true and the estimated track as lines, its events and its closest
+/// approaches as points. Lines are cut where they cross the antimeridian.
 [[nodiscard]] nlohmann::json simulation_geojson(const nlohmann::json& simulation,
                                                 const std::vector<nlohmann::json>& flights);
 

@@ -22,7 +22,8 @@ struct Doors {
 /// ask across sites; writes down who did what.
 ///
 /// A credential comes in the Authorization header (scripts) or as a cookie (browsers). A cookie alone changes nothing
-/// unless the browser says that the page is ours: SameSite keeps it home already, the Origin header is looked at as well.
+/// unless the browser says that the page is ours: SameSite keeps it home already, the Origin header is looked at as
+/// well.
 /// Without tokens, names that are not this machine's are refused to pages, which could otherwise reach a server on
 /// loopback through a name of their own.
 /// Threads  any number at once

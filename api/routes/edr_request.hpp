@@ -18,7 +18,8 @@ struct Wanted {
   std::vector<std::size_t> parameters;  // indices
 };
 
-/// The parameter z: "R4/0/50": four levels from 0 on, 50 apart; "0/200": the levels of the data in between; "0,50,100"; "0".
+/// The parameter z: "R4/0/50": four levels from 0 on, 50 apart; "0/200": the levels of the data in between; "0,50,100";
+/// "0".
 struct EdrLevels {
   std::vector<double> values;
   std::optional<std::pair<double, double>> between;

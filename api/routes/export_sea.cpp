@@ -11,8 +11,8 @@ namespace {
 using repository::DatasetChoice;
 using repository::EnvironmentQuery;
 
-/// Around a safe place: what a coarse grid of ice has next to it, the coast, and icebergs that may drift there; how near
-/// those must be to be told is a judgement.
+/// Around a safe place: what a coarse grid of ice has next to it, the coast, and icebergs that may drift there; how
+/// near those must be to be told is a judgement.
 constexpr core::Metres around_place{10'000.0};
 
 /// Nothing of what moves or is forbidden.

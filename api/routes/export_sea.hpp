@@ -11,8 +11,8 @@
 
 namespace floeplan::routes {
 
-/// The least water on the legs of a stored plan, by the newest of the depths that it chose; empty where there are none, or
-/// the choice cannot be read any more.
+/// The least water on the legs of a stored plan, by the newest of the depths that it chose; empty where there are none,
+/// or the choice cannot be read any more.
 [[nodiscard]] std::vector<std::optional<mission::Shoal>> shoals_of(sqlite::Connection& db,
                                                                    const repository::PlanRecord& record,
                                                                    const planning::Plan& plan);

@@ -11,8 +11,8 @@
 namespace floeplan::routes {
 
 /// Slows down whoever guesses credentials. An address may be wrong `burst` times; then nothing it shows is looked at
-/// until it has been quiet for a while, one more try for every `interval`. What was right from there before is looked at
-/// all the same: nobody is locked out by a neighbour behind the same address.
+/// until it has been quiet for a while, one more try for every `interval`. What was right from there before is looked
+/// at all the same: nobody is locked out by a neighbour behind the same address.
 /// Memory   bounded; the addresses that were wrong longest ago are forgotten first
 /// Threads  any number at once
 class GuessGuard {

@@ -22,8 +22,8 @@ std::string fingerprint(const JobRecord& job) {
   return repository::status_name(job.status) + "|" + job.stage + "|" + std::to_string(job.progress);
 }
 
-/// Which jobs a client wants, by the parameters of OGC API - Processes, Part 1, 7.15. A job is of every type and process
-/// that it names, the last of repeated ones counts.
+/// Which jobs a client wants, by the parameters of OGC API - Processes, Part 1, 7.15. A job is of every type and
+/// process that it names, the last of repeated ones counts.
 repository::JobFilter read_filter(ParameterReader& reader, const Request& request) {
   repository::JobFilter filter;
   if (const auto name = reader.one_of("status", {"accepted", "running", "successful", "failed", "dismissed"}))

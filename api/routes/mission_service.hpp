@@ -40,8 +40,8 @@ struct MissionRequest {
     sqlite::Connection& db, const repository::PlanRecord& record, const MissionRequest& request,
     core::UtcTime generated);
 
-/// Where a shore station looks for the files that a glider shall fetch: a dockserver in "gliders/amadeus/to-glider/" below
-/// its data, a Seaglider's base station in the home folder of the glider, "sg123/". No glider, no folder.
+/// Where a shore station looks for the files that a glider shall fetch: a dockserver in "gliders/amadeus/to-glider/"
+/// below its data, a Seaglider's base station in the home folder of the glider, "sg123/". No glider, no folder.
 /// Source   the Slocum vendor's training material, folders of the shore server; iop-apl-uw/basestation3, folder sg000
 /// Errors   a violation for a name that is no plain folder
 [[nodiscard]] tl::expected<std::string, core::Violation> handover_folder(const std::string& glider,

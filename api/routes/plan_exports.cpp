@@ -78,8 +78,8 @@ std::string bytes_of(sqlite::Connection& db, const PlanRecord& record, const pla
   throw std::invalid_argument{"export_plan: no format " + format.name};
 }
 
-/// Files that somebody flies a vehicle by, and that hold no depths of turns. The GeoJSON has them with each waypoint, the
-/// printed page says them.
+/// Files that somebody flies a vehicle by, and that hold no depths of turns. The GeoJSON has them with each waypoint,
+/// the printed page says them.
 bool lacks_upper_turns(const ExportFormat& format) {
   constexpr std::array<std::string_view, 5> lacking{"gpx", "kml", "csv", "nmea", "imc"};
   return std::ranges::find(lacking, format.name) != lacking.end();

@@ -25,8 +25,8 @@ struct ExportFormat {
 /// `stem`  what the plan is called, where the format does not name its file
 [[nodiscard]] std::string export_file_name(const ExportFormat& format, const std::string& stem);
 
-/// What a person finds a downloaded plan by among others, as far as a file can be called so: its name, its departure and
-/// its id, "Kangia-20261122T0600Z-p1c2d3e4f5a6".
+/// What a person finds a downloaded plan by among others, as far as a file can be called so: its name, its departure
+/// and its id, "Kangia-20261122T0600Z-p1c2d3e4f5a6".
 [[nodiscard]] std::string download_stem(const repository::PlanRecord& record);
 
 /// A plan in some format, and what the pilot has to know of the file.

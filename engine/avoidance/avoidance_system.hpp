@@ -57,8 +57,8 @@ struct AvoidanceCounters {
 ///          reactive -> path, mission   nothing was too close for `settled`
 ///          path, reactive -> mission   the route has been clear for `settled`
 ///          path, reactive -> given_up  has evaded for `give_up` and come no nearer to the goal; it stays so
-/// Use      `step` once for each new state, about every second. The reactive loop alone is `react`: it does not allocate
-///          and its time is bounded. `plan_path` may run between two of them, or not at all
+/// Use      `step` once for each new state, about every second. The reactive loop alone is `react`: it does not
+///          allocate and its time is bounded. `plan_path` may run between two of them, or not at all
 /// Threads  one at a time
 class AvoidanceSystem {
  public:

@@ -21,8 +21,9 @@ struct LookAhead {
   bool takes_guesses{};  // what may lie behind the surfaces seen, too
 };
 
-/// The obstacles' discs during one look ahead, made once for all the moves that are tried in it. Neighbours of one object are
-/// held by a disc about them, so that most are passed over by the eight; those that nobody gets near are left out.
+/// The obstacles' discs during one look ahead, made once for all the moves that are tried in it. Neighbours of one
+/// object are held by a disc about them, so that most are passed over by the eight; those that nobody gets near are
+/// left out.
 /// Memory   fixed; no member allocates
 /// Threads  one at a time
 class DiscSet {

@@ -27,8 +27,8 @@ class EchoConfirmation {
   static constexpr double gate_m = 6.0;
 
   void begin_ping() { ++ping_; }
-  /// The mean of the echoes that confirm each other, this one the last of them, with the depths that all of them can come
-  /// from; empty: not yet.
+  /// The mean of the echoes that confirm each other, this one the last of them, with the depths that all of them can
+  /// come from; empty: not yet.
   [[nodiscard]] std::optional<Echo> take(const Echo& echo);
 
  private:

@@ -23,7 +23,8 @@ struct EvasivePath {
 /// The fastest way from the vehicle to a place on the ground past the detected objects in the measured current: the
 /// search of the mission planner on a small grid laid along the line between both, with moving discs closing edges at
 /// the times at which they are travelled; then straightened where that costs no time.
-/// Budget   `most_expansions` of the settings (1024 at least, which is how often the search looks), and `stop` for a limit in time that the vehicle's computer keeps
+/// Budget   `most_expansions` of the settings (1024 at least, which is how often the search looks), and `stop` for a
+///          limit in time that the vehicle's computer keeps
 /// Memory   grows with the grid, at most 8192 vertices. Allocates: not for the reactive loop
 /// Source   Eichhorn 2009, section III (search and edge cost); moving obstacles as in engine/motion/disc_encounter.hpp
 [[nodiscard]] EvasivePath plan_evasion(const Going& going, geo::PlanePoint goal, const WaterFrame& water,

@@ -53,8 +53,8 @@ void ObjectMap::take(std::span<const Echo> ping, const OwnState& own, geo::Plane
   look_past(own, own_in_water);
 }
 
-/// Below keels and above tops. A top counts as looked over where the highest row of beams looks a row's height above it: an
-/// echo of that row itself may be the foot of what goes on above.
+/// Below keels and above tops. A top counts as looked over where the highest row of beams looks a row's height above
+/// it: an echo of that row itself may be the foot of what goes on above.
 void ObjectMap::look_past(const OwnState& own, geo::PlanePoint own_in_water) {
   const SonarView& view = settings_.sonar;
   const double pitch = own.attitude.pitch.value;

@@ -13,8 +13,8 @@ struct SonarView {
   core::Radians tilt{0.0};              // of its middle above the plane of forward and starboard
   core::Radians half_height{0.6109};    // above and below its middle: 35 degrees
   core::Radians beam_half_height{0.0};  // of one beam: so far above or below its axis an echo may come from
-  /// Beams whose axes are at least so far above or below the middle are the outermost. Beyond them none hears better, so
-  /// that outwards their echoes may come from farther off their axes.
+  /// Beams whose axes are at least so far above or below the middle are the outermost. Beyond them none hears better,
+  /// so that outwards their echoes may come from farther off their axes.
   core::Radians edge{0.6109};
   core::Radians edge_half_height{0.0};  // outwards, of the outermost beams; no less than `beam_half_height`
   core::Metres range_sigma{1.0};

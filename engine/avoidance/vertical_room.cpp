@@ -28,7 +28,8 @@ constexpr double least_slope = 0.35;     // of a glider's way: 20 degrees
 constexpr double turning_way_m = 15.0;   // from the order to climb to climbing: half a minute of pumping
 constexpr double rise_over_m = 15.0;     // of way, that the bed's rise is taken from
 constexpr double rise_within_s = 300.0;
-/// The altimeter looks straight down in a dive; looking ahead in a climb, its beam's near edge makes the bed an eighth shoaler.
+/// The altimeter looks straight down in a dive; looking ahead in a climb, its beam's near edge makes the bed an eighth
+/// shoaler.
 constexpr double straight_down_pitch = -0.35;
 constexpr double least_rise = 0.03;  // the altimeter's noise makes 0.01 of it
 constexpr double shoal_watch_m = 80.0;
@@ -82,8 +83,8 @@ void VerticalRoom::look_for_shoal(const Sounding& below) {
   shoal_ = edge;
 }
 
-/// Where the altimeter hears nothing the bed is far below, and no slope leads up from there to what was taken for one: the
-/// foot of a berg.
+/// Where the altimeter hears nothing the bed is far below, and no slope leads up from there to what was taken for one:
+/// the foot of a berg.
 void VerticalRoom::unlearn_bed() {
   const auto is_none = [&](const Sounding& bed) {
     return bed.depth_m < depth_m_ + heard_from_m - steepest * distance_m(bed.place, place_);

@@ -20,8 +20,8 @@ namespace floeplan::avoidance {
 /// round because it passes above or below what they come from.
 /// Sonar    an echo comes from anywhere within the height of its beam. What it can come from, it counts as: a bed or an
 ///          underside known near by; and a bed limits the depth as far as it must, which near by is where it is
-/// Shoals   where the altimeter finds the bed rising towards less than the least water, the edge of the shoal is a thing to
-///          go round; nothing else hears a bed that lies close below
+/// Shoals   where the altimeter finds the bed rising towards less than the least water, the edge of the shoal is a
+///          thing to go round; nothing else hears a bed that lies close below
 /// Frame    water
 /// Memory   fixed; no member allocates
 class VerticalRoom {
@@ -40,9 +40,10 @@ class VerticalRoom {
   void begin_ping(std::span<const Echo> ping);
   /// Whether the echo is one to go round. It is not:
   /// - from below the saw-tooth;
-  /// - from a sea bed that a lower saw-tooth passes over, and that the vehicle is above by the time it gets there. A bed is
-  ///   told from a wall by soundings, the altimeter's and echoes from steeply below: it rises by no more than 1 in 5 from the
-  ///   nearest;
+  /// - from a sea bed that a lower saw-tooth passes over, and that the vehicle is above by the time it gets there. A
+  /// bed is
+  ///   told from a wall by soundings, the altimeter's and echoes from steeply below: it rises by no more than 1 in 5
+  ///   from the nearest;
   /// - from the underside of a cover of ice that a deeper saw-tooth passes under, told from a wall in the same way. Its
   ///   first soundings are echoes from steeply above that nothing stands below, and covers recognised from afar.
   /// A bed or a cover that leaves no room is a thing to go round. One that does limits the depth from now on,
@@ -53,15 +54,15 @@ class VerticalRoom {
   /// it, and the vehicle gets below it in time.
   void take_covers(ObjectMap& objects);
 
-  /// Takes out the objects that turn out to be a bed that is passed over: what the sonar saw of a known bed before there was
-  /// a sounding, and what rises steeply but ends below, the sonar having looked over its top for long enough.
+  /// Takes out the objects that turn out to be a bed that is passed over: what the sonar saw of a known bed before
+  /// there was a sounding, and what rises steeply but ends below, the sonar having looked over its top for long enough.
   void take_beds(ObjectMap& objects);
 
   /// The edge of a shoal ahead, when the altimeter has just found one.
   [[nodiscard]] std::optional<ShoalEdge> take_shoal() { return std::exchange(shoal_, std::nullopt); }
 
-  /// Where to inflect at the latest, climbing and diving; empty: as the mission says. Where ice and bed leave less than the
-  /// least band, or seem to, that band midway between them.
+  /// Where to inflect at the latest, climbing and diving; empty: as the mission says. Where ice and bed leave less than
+  /// the least band, or seem to, that band midway between them.
   [[nodiscard]] std::optional<core::Metres> shallowest() const { return band().top; }
   [[nodiscard]] std::optional<core::Metres> deepest() const { return band().bottom; }
 

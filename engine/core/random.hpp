@@ -6,8 +6,8 @@
 
 namespace floeplan::core {
 
-/// The generator of one stream of chance. Each source of chance of a run has a name and its own stream, so that one that
-/// draws more or fewer numbers changes no other.
+/// The generator of one stream of chance. Each source of chance of a run has a name and its own stream, so that one
+/// that draws more or fewer numbers changes no other.
 /// Source   the name's 64 bits by FNV-1a (Fowler, Noll, Vo; RFC 9923), mixed with the seed by SplitMix64 (Steele, Lea
 ///          and Flood 2014, Fast splittable pseudorandom number generators, OOPSLA)
 [[nodiscard]] std::mt19937_64 random_stream(std::uint64_t seed, std::string_view name);

@@ -25,8 +25,8 @@ struct Unrolled {
   double turn_deg{};  // how far round the globe the ring goes: 0, or a turn east or west round a pole
 };
 
-/// On the antimeridian, or a whole number of turns from it, where only rounding keeps it from there: slivers so narrow are
-/// more than cutting and joining can be trusted with.
+/// On the antimeridian, or a whole number of turns from it, where only rounding keeps it from there: slivers so narrow
+/// are more than cutting and joining can be trusted with.
 double snapped(double lon_deg) {
   constexpr double rounding_deg = 1e-9;  // a tenth of a millimetre
   const double nearest_deg = 180.0 + 360.0 * std::round((lon_deg - 180.0) / 360.0);

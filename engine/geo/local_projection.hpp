@@ -17,7 +17,8 @@ struct PlanePoint {
   friend bool operator==(PlanePoint, PlanePoint) = default;
 };
 
-/// Metres of the plane. Without std::hypot, which takes longer to guard against squares that no sea's coordinates overflow.
+/// Metres of the plane. Without std::hypot, which takes longer to guard against squares that no sea's coordinates
+/// overflow.
 [[nodiscard]] inline double distance_m(PlanePoint a, PlanePoint b) {
   const double dx_m = b.x_m - a.x_m;
   const double dy_m = b.y_m - a.y_m;

@@ -7,8 +7,8 @@
 namespace floeplan::geo {
 namespace {
 
-/// Whether the edge from a to b crosses the meridian of the place north of it. Longitudes are taken relative to the place,
-/// so the antimeridian is no seam.
+/// Whether the edge from a to b crosses the meridian of the place north of it. Longitudes are taken relative to the
+/// place, so the antimeridian is no seam.
 /// A corner's side of that meridian is the same for both of its edges: otherwise a corner on it would be
 /// crossed once.
 bool passes_north_of(LonLat place, LonLat a, LonLat b) {

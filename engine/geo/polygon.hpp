@@ -26,8 +26,8 @@ struct Polygon {
 };
 
 [[nodiscard]] bool contains(const Polygon& polygon, LonLat place);
-/// Of each place, whether any of the polygons contains it: many places in a coastline of many corners take little longer
-/// than one.
+/// Of each place, whether any of the polygons contains it: many places in a coastline of many corners take little
+/// longer than one.
 [[nodiscard]] std::vector<bool> contained_in_any(std::span<const Polygon> polygons,
                                                  std::span<const LonLat> places);
 /// The smallest box round the outline with all its edges; the whole circle where they lead all the way round.

@@ -86,8 +86,8 @@ double order_of(const M& model, Vertex v, double arrival_s) {
 /// vertex, of which none dominates another, expanded by ascending key, of equal keys by ascending order and then as the
 /// labels were made.
 /// `goal`: empty: everywhere, as far as the model goes.
-/// `slack`: in units of the key, a way that costs no more than the best by so much will do; exact under the model's laws
-/// without it.
+/// `slack`: in units of the key, a way that costs no more than the best by so much will do; exact under the model's
+/// laws without it.
 /// Stops    early, and says so in the result, once `stop` is requested or `most_labels` have been made; in the second
 ///          case with the best way to the goal so far, if there is one
 /// Source   Martins 1984, On a multicriteria shortest path problem, doi:10.1016/0377-2217(84)90077-8 (label

@@ -20,8 +20,8 @@ bool has_no_opening(const planning::Plan& plan, std::size_t waypoint) {
   return !state.may_surface && state.since_surfacing + rounding >= under_way;
 }
 
-/// Whether ice may be what makes the dives turn where they do on the leg to this waypoint: the plan knows of ice, or passes
-/// under no iceberg there.
+/// Whether ice may be what makes the dives turn where they do on the leg to this waypoint: the plan knows of ice, or
+/// passes under no iceberg there.
 bool may_be_below_ice(const planning::Plan& plan, std::size_t waypoint) {
   const core::UtcTime from = plan.waypoints[waypoint == 0 ? 0 : waypoint - 1].eta;
   const core::UtcTime until = plan.waypoints[waypoint].eta + plan.waypoints[waypoint].wait;

@@ -9,12 +9,12 @@
 
 namespace floeplan::mission {
 
-/// The depth above which no dive of the plan may turn, because a yo knows no places: the deepest that ice or icebergs ask
-/// for anywhere on its legs. Zero where nothing is above.
+/// The depth above which no dive of the plan may turn, because a yo knows no places: the deepest that ice or icebergs
+/// ask for anywhere on its legs. Zero where nothing is above.
 [[nodiscard]] core::Metres least_upper_turn(const planning::Plan& plan);
 
-/// How deep the ice and the icebergs reach that the plan passes below: never less, and exact but where it may pass below
-/// ice and an iceberg on one leg, of which the plan keeps the deeper turn alone. Zero where nothing is above.
+/// How deep the ice and the icebergs reach that the plan passes below: never less, and exact but where it may pass
+/// below ice and an iceberg on one leg, of which the plan keeps the deeper turn alone. Zero where nothing is above.
 /// `margin_below_ice`  that the plan's turns keep below the keels of ice
 [[nodiscard]] core::Metres deepest_keel(const planning::Plan& plan, core::Metres margin_below_ice);
 

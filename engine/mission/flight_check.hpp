@@ -17,7 +17,8 @@ namespace floeplan::mission {
 /// Together  argument files that a mission asks for and that are not among them; arguments that abort the mission
 ///           (a target below `overdepth`, a leg beyond `max_wpt_distance`, a list without a yo and the reverse)
 /// Sea       every leg from `start` (or the first row) at the time at which the vehicle is on it: errors for what
-///           endangers the vehicle, warnings for what is not known and for data that are missing, a note with the times when all is clear
+///           endangers the vehicle, warnings for what is not known and for data that are missing, a note with the times
+///           when all is clear
 /// `request` departure, vehicle and margins; the target depth of a yo among the files replaces the vehicle's
 void check_flight(std::vector<Document>& documents, const ocean::Environment& environment,
                   std::optional<geo::LonLat> start, planning::PlanRequest request);

@@ -27,10 +27,10 @@ struct ListRules {
 /// Whether ice or an iceberg is above somewhere on the way of the list.
 [[nodiscard]] bool passes_below(const planning::Plan& plan, const ListPart& part);
 
-/// How far from ice and icebergs a list ends whose way passes below them. The vehicle comes up as soon as it takes itself
-/// to be within the radius of the last row, which it may be before it. Of ice, which lies there, its error of position may
-/// take as much again; what is uncertain of an iceberg is in its disc, and where the vehicle is off its way it is as
-/// likely to be farther from it.
+/// How far from ice and icebergs a list ends whose way passes below them. The vehicle comes up as soon as it takes
+/// itself to be within the radius of the last row, which it may be before it. Of ice, which lies there, its error of
+/// position may take as much again; what is uncertain of an iceberg is in its disc, and where the vehicle is off its
+/// way it is as likely to be farther from it.
 struct ListEnd {
   std::optional<core::Metres> beyond_ice{};      // along the way; empty: the way passes below none
   std::optional<core::Metres> beyond_iceberg{};  // the same
@@ -46,14 +46,14 @@ struct ListEnd {
 /// "45 m beyond the ice, and the vehicle comes up within 500 m of it, where it may be off by 1650 m"
 [[nodiscard]] std::string text_of(const ListEnd& end, core::Metres radius);
 
-/// The plan's waypoints after the start in lists of at most `max_waypoints` rows, each as long as it can be and still end
-/// where the vehicle may surface: there the list is flown, and the mission brings the vehicle up. Farther from ice and
-/// icebergs than it may be off where such a waypoint is within reach, else farther than the radius; else where nothing is
-/// known of the ice, and nearer to it or below it only where list_end_violations says so.
+/// The plan's waypoints after the start in lists of at most `max_waypoints` rows, each as long as it can be and still
+/// end where the vehicle may surface: there the list is flown, and the mission brings the vehicle up. Farther from ice
+/// and icebergs than it may be off where such a waypoint is within reach, else farther than the radius; else where
+/// nothing is known of the ice, and nearer to it or below it only where list_end_violations says so.
 [[nodiscard]] std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRules& rules);
 
-/// Where the plan cannot be parted so: more waypoints in a row below ice or icebergs than a list holds beside its end, an
-/// end of the plan below them, and an end of a list within the radius of them.
+/// Where the plan cannot be parted so: more waypoints in a row below ice or icebergs than a list holds beside its end,
+/// an end of the plan below them, and an end of a list within the radius of them.
 [[nodiscard]] core::Violations list_end_violations(const planning::Plan& plan, const ListRules& rules);
 
 }  // namespace floeplan::mission

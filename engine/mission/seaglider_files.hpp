@@ -16,8 +16,8 @@
 
 namespace floeplan::mission {
 
-/// Why no Seaglider may fly the plan: it comes up after every dive, and the plan passes below ice or icebergs, or does not
-/// tell whether it does.
+/// Why no Seaglider may fly the plan: it comes up after every dive, and the plan passes below ice or icebergs, or does
+/// not tell whether it does.
 [[nodiscard]] std::optional<core::Violation> closed_to_seagliders(const planning::Plan& plan);
 
 /// The plan as a Seaglider `targets` file: every place but the start, each leading to the next, the last to itself.
@@ -35,14 +35,15 @@ struct SeagliderOptions {
   std::vector<std::optional<Shoal>> shoals{};  // of each leg, as shoals_along gives them; empty: not known
 };
 
-/// What a Seaglider needs to fly the plan: `targets`; a `cmdfile` with the depth and the time of a dive and the directive
-/// to carry on as before; and a `science` file where bands are given, since which sensors a vehicle has is known to its
-/// pilot alone.
+/// What a Seaglider needs to fly the plan: `targets`; a `cmdfile` with the depth and the time of a dive and the
+/// directive to carry on as before; and a `science` file where bands are given, since which sensors a vehicle has is
+/// known to its pilot alone.
 /// Values    $D_TGT is the depth of the plan's dives, $T_DIVE how long one takes at the vehicle's rate of depth, both
 ///           rounded up to whole metres and minutes. Nothing else is set. A warning names the shoalest water where it
 ///           is shoaler than $D_TGT and the altimeter's margin
 /// Source    iop-apl-uw/basestation3 validate.py and parmdata.py
-/// Errors    every violation at once: a plan without a leg, or that passes below ice or icebergs, a depth or time that no Seaglider takes, faulty bands
+/// Errors    every violation at once: a plan without a leg, or that passes below ice or icebergs, a depth or time that
+///           no Seaglider takes, faulty bands
 [[nodiscard]] tl::expected<MissionFiles, core::Violations> write_seaglider_set(
     const planning::Plan& plan, const SeagliderOptions& options);
 

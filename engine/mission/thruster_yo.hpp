@@ -10,14 +10,15 @@ namespace floeplan::mission {
 
 /// The `use_thruster` that holds an input power in W, and the powers that it takes.
 /// Source   comments of the vendor's argument files as fisheries scientists fly them (SWFSC/standard-glider-files,
-///          drift_20.ma and yo20_processor.ma): "4 Command input power", "watt, desired input power, between [1, 9] Watts"
+///          drift_20.ma and yo20_processor.ma): "4 Command input power", "watt, desired input power, between [1, 9]
+///          Watts"
 inline constexpr int thruster_by_power = 4;
 inline constexpr core::Watts least_thruster_power{1.0};
 inline constexpr core::Watts most_thruster_power{9.0};
 
-/// The input power of the thruster with which one yo flies all of the plan: that of the vehicle, which holds the planned
-/// speed. Empty where not every leg is on the thruster, where the vehicle has none or one of another speed than planned,
-/// and where the firmware takes no such power.
+/// The input power of the thruster with which one yo flies all of the plan: that of the vehicle, which holds the
+/// planned speed. Empty where not every leg is on the thruster, where the vehicle has none or one of another speed than
+/// planned, and where the firmware takes no such power.
 /// Threads  may be called from several threads at once
 [[nodiscard]] std::optional<core::Watts> thruster_of_yo(const planning::Plan& plan,
                                                         const vehicle::GliderProfile& vehicle);

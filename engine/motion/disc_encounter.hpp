@@ -54,7 +54,8 @@ struct HalvedPiece {
 [[nodiscard]] HalvedPiece halve(const EdgePiece& piece);
 
 /// Calls `visit(move, deviation_m)` for even moves that follow the piece one after the other, each within
-/// `most_deviation_m` of it; precondition: the edge has a length. Ends with the first answer of `visit` that is not empty, and returns it.
+/// `most_deviation_m` of it; precondition: the edge has a length. Ends with the first answer of `visit` that is not
+/// empty, and returns it.
 template <class Visit>
 auto follow_piece(const PlaneEdge& edge, const EdgePiece& piece, double most_deviation_m, Visit&& visit)
     -> decltype(visit(EvenMove{}, 0.0)) {

@@ -17,7 +17,8 @@ namespace floeplan::ocean {
 /// Shape    u and v are [time][depth][y][x], last index fastest, m/s towards true east and true north (never along
 ///          the axes of a projected grid). NaN marks a missing sample inside the arrays; it never leaves the class
 /// Outside  nullopt where any of the nodes needed is missing, beyond the grid, its depths and its times. From the
-///          surface to the first level the current is that level's, as in a CurrentColumn. Data without a depth axis (`depths` empty) answer for every depth: they say nothing of depth
+///          surface to the first level the current is that level's, as in a CurrentColumn. Data without a depth axis
+///          (`depths` empty) answer for every depth: they say nothing of depth
 /// Tide     where tidal currents are added, the steps of time are theirs: the data, linear between their own times
 ///          (steady when they have one), and the tide at each of its steps; nullopt also where the tide is missing
 /// Threads  const members may be called from several threads at once
@@ -51,8 +52,8 @@ class CurrentGrid : public CurrentField {
   /// The steps of time that a `time_index` counts.
   [[nodiscard]] const Axis& times_s() const { return tide_ ? tide_->times_s() : samples_.times_s; }
   [[nodiscard]] const std::shared_ptr<const TidalCurrents>& tide() const { return tide_; }
-  /// Whether the same samples are missing at every time; not told of grids with a tide. The first to ask has all samples
-  /// looked at.
+  /// Whether the same samples are missing at every time; not told of grids with a tide. The first to ask has all
+  /// samples looked at.
   [[nodiscard]] bool has_steady_gaps() const;
   /// The mean over all times, without the tide, as a field with a single time; a node is missing where it is missing
   /// at any time.

@@ -8,7 +8,8 @@
 
 namespace floeplan::ocean {
 
-/// The mean of several realisations of the same currents, sample by sample; a sample that one of them misses is missing.
+/// The mean of several realisations of the same currents, sample by sample; a sample that one of them misses is
+/// missing.
 /// Returns  empty where they are not on the same nodes of place, depth and time, or carry tides of their own
 /// Errors   std::invalid_argument for none
 [[nodiscard]] std::optional<CurrentGrid> ensemble_mean(

@@ -50,13 +50,13 @@ struct GliderTrack {
 /// Errors   std::invalid_argument for a track without any
 [[nodiscard]] geo::BoundingBox bounding_box(const GliderTrack& track);
 
-/// At most `most` of the points: the first and the last, and of each of as many equal parts as fit the shallowest and the
-/// deepest, so that the dives keep their depth.
+/// At most `most` of the points: the first and the last, and of each of as many equal parts as fit the shallowest and
+/// the deepest, so that the dives keep their depth.
 /// Edges    a point without a depth counts as shallow; `most` below 4 gives the ends alone
 [[nodiscard]] std::vector<TrackPoint> thinned(const std::vector<TrackPoint>& points, std::size_t most);
 
-/// Depths of all points in metres: those that are not known in proportion to time between the two that are, or as the only
-/// one beside them.
+/// Depths of all points in metres: those that are not known in proportion to time between the two that are, or as the
+/// only one beside them.
 /// Outside  empty where no depth is known
 [[nodiscard]] std::vector<double> depths_along(const std::vector<TrackPoint>& points);
 

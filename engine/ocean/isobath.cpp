@@ -86,7 +86,8 @@ class Tracer {
     const bool joined = sum_m / 4.0 >= level_;
     for (unsigned in = 0; in < 4; ++in) {
       if (!turns_shallow(deep, in)) continue;
-      // Parted deep corners are each cut off by themselves, which is the way back; joined ones leave the shallow corner.
+      // Parted deep corners are each cut off by themselves, which is the way back; joined ones leave the shallow
+      // corner.
       const unsigned step = is_saddle(deep) && !joined ? 3 : 1;
       unsigned out = (in + step) % 4;
       while (!turns_deep(deep, out)) out = (out + step) % 4;

@@ -8,18 +8,18 @@
 
 namespace floeplan::planning {
 
-/// Bounds on when a vehicle that left the start at a given time is at the goal, by where it is and when: for one arrival
-/// after the other, the rungs, a sweep of the foresight tells until when each vertex is of use, and who is there later
-/// is not at the goal by then. So the bound knows the hour, where a bound on the rest of the way alone would have to
-/// hold in every current to come.
+/// Bounds on when a vehicle that left the start at a given time is at the goal, by where it is and when: for one
+/// arrival after the other, the rungs, a sweep of the foresight tells until when each vertex is of use, and who is
+/// there later is not at the goal by then. So the bound knows the hour, where a bound on the rest of the way alone
+/// would have to hold in every current to come.
 /// Law      never later than the arrival of any way of open legs; later at a place, never an earlier bound
 /// Threads  one at a time
 class ArrivalLadder {
  public:
-  /// `foresight` is borrowed and outlives the ladder; precondition: it is useful. `last`: an arrival after which nothing
-  /// is of use. Once `stop` is requested the ladder stays incomplete and must not be used.
-  /// `closures`: of the grid's vertices. `rungs`: at most so many, a sweep each; with one alone the ladder tells until when
-  /// a vertex is of use, and little else.
+  /// `foresight` is borrowed and outlives the ladder; precondition: it is useful. `last`: an arrival after which
+  /// nothing is of use. Once `stop` is requested the ladder stays incomplete and must not be used.
+  /// `closures`: of the grid's vertices. `rungs`: at most so many, a sweep each; with one alone the ladder tells until
+  /// when a vertex is of use, and little else.
   ArrivalLadder(Foresight& foresight, VertexClosures& closures, const OpenGrid& open, core::Seconds depart,
                 core::Seconds last, const std::stop_token& stop, std::size_t rungs = most_rungs);
 

@@ -40,8 +40,8 @@ class WetLevels {
   std::vector<std::uint32_t> counts_;  // [y][x]
 };
 
-/// Mean currents over the depths flown at places, each a weighted sum of samples: each node's column by itself, bilinear
-/// between the nodes. As long as the same levels have water, the sums are the same at every time.
+/// Mean currents over the depths flown at places, each a weighted sum of samples: each node's column by itself,
+/// bilinear between the nodes. As long as the same levels have water, the sums are the same at every time.
 /// Coast  a node without water takes the mean of its neighbours with water, one ring deep, because a model's
 ///        land mask is coarser than the coast
 class BandMeans {

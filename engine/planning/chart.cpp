@@ -43,8 +43,8 @@ std::optional<motion::EdgeClosed> closed_then(const Sea& sea, geo::PlanePoint pl
   return std::nullopt;
 }
 
-/// The stop moved to where the vehicle may be: to the nearest place from which it comes to another stop, or the nearest of
-/// all.
+/// The stop moved to where the vehicle may be: to the nearest place from which it comes to another stop, or the nearest
+/// of all.
 std::vector<Change> moves_of(const Sea& sea, const Layout& layout, std::size_t stop,
                              const std::stop_token& token) {
   const geo::PlanePoint other = stop == 0 ? layout.points.back() : layout.points.front();

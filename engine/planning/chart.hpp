@@ -23,8 +23,8 @@ struct Chart {
 /// without.
 enum class Moves : std::uint8_t { looked_for, left_out };
 
-/// Where the departure is left open, by a window or a wanted arrival, a start that is closed for a while is no error: see
-/// `closed_start`.
+/// Where the departure is left open, by a window or a wanted arrival, a start that is closed for a while is no error:
+/// see `closed_start`.
 /// Errors   Reason::too_large for a grid beyond bounded memory (a direct way needs none); why a stop cannot be
 ///          used; Reason::cancelled once `stop` is requested
 /// `environment` and `request` are borrowed and outlive the chart; `shelf` as in `Sea`.
@@ -37,8 +37,8 @@ enum class Moves : std::uint8_t { looked_for, left_out };
 [[nodiscard]] std::optional<Infeasible> closed_start(const Chart& chart, const PlanRequest& request,
                                                      core::Seconds after);
 
-/// The chart of a request on a sea that was laid out for it or for one like it: opened where the request's stops lie and,
-/// for a direct way, along it.
+/// The chart of a request on a sea that was laid out for it or for one like it: opened where the request's stops lie
+/// and, for a direct way, along it.
 /// Errors   why a stop cannot be used
 [[nodiscard]] Result<Chart> chart_on(Sea sea, Layout layout, const PlanRequest& request,
                                      const std::stop_token& stop = {}, Moves moves = Moves::left_out);

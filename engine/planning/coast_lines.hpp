@@ -8,8 +8,8 @@
 
 namespace floeplan::planning {
 
-/// Calls `visit(a, b)` for the lines of a closed ring in the plane. A ring's edges are straight in longitude and latitude
-/// and bend in the plane, so long ones come in pieces of at most 0.1 degrees.
+/// Calls `visit(a, b)` for the lines of a closed ring in the plane. A ring's edges are straight in longitude and
+/// latitude and bend in the plane, so long ones come in pieces of at most 0.1 degrees.
 template <class Visit>
 void for_each_coast_line(const geo::Ring& ring, const geo::LocalProjection& projection, Visit&& visit) {
   constexpr double longest_piece_deg = 0.1;  // bends by about a metre at 70 degrees

@@ -12,11 +12,12 @@
 
 namespace floeplan::planning {
 
-/// About what the rest of a voyage costs by an objective of time and energy, from each vertex of a grid at any time: what
-/// a search for the least cost steers by. Worked out backwards from the goal, slice of time by slice of time, from quick
-/// estimates of all edges. Leaves out closures between vertices and what encounters cost.
+/// About what the rest of a voyage costs by an objective of time and energy, from each vertex of a grid at any time:
+/// what a search for the least cost steers by. Worked out backwards from the goal, slice of time by slice of time, from
+/// quick estimates of all edges. Leaves out closures between vertices and what encounters cost.
 /// Accuracy  mostly within some hundredths of what the grid's edges cost, either way: no bound
-/// Source    Bellman 1957, Dynamic Programming: value iteration, on a grid of places and times, linear between the times
+/// Source    Bellman 1957, Dynamic Programming: value iteration, on a grid of places and times, linear between the
+///           times
 /// Threads   const members may be called from several threads at once
 class CostOutlook {
  public:

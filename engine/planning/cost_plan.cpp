@@ -37,8 +37,8 @@ DrivenRoute straight_way(const Layout& layout, vehicle::Drive drive) {
           .drives = std::vector<vehicle::Drive>(points - 1, drive)};
 }
 
-/// The straight way on the drives that make the whole cost least, begun from each drive on all legs: on one of them alone
-/// it may be closed.
+/// The straight way on the drives that make the whole cost least, begun from each drive on all legs: on one of them
+/// alone it may be closed.
 DrivenRoute best_straight_way(const Sea& sea, const Layout& layout, const Objective& objective,
                               const std::stop_token& stop) {
   DrivenRoute best = straight_way(layout, sea.drives().front());
@@ -185,8 +185,8 @@ Result<Plan> better_of(Result<Plan> known, Result<Plan> found, const Objective& 
   return known;
 }
 
-/// What searches on the request's grids find: for all drives, and for some by themselves, which takes little and is often
-/// better where a search for all does not look at everything.
+/// What searches on the request's grids find: for all drives, and for some by themselves, which takes little and is
+/// often better where a search for all does not look at everything.
 Result<Plan> best_on_grids(const ocean::Environment& environment, const PlanRequest& request,
                            const std::vector<vehicle::Drive>& alone, const std::stop_token& stop,
                            const core::ProgressCallback& progress, const core::SteadyClock& clock) {
@@ -229,8 +229,8 @@ Result<Plan> search_least_cost_plan(const KnownPlan& known, const ocean::Environ
   PlanRequest on_the_move = request;
   on_the_move.max_loiter = core::Seconds{0.0};
   const Objective objective = request.objective();
-  // Refinement makes up for larger steps, and a search takes a third of the time on them or less. They may close passages,
-  // though, that the known plan takes: a way that costs more than that by much, a judgement, is no evidence.
+  // Refinement makes up for larger steps, and a search takes a third of the time on them or less. They may close
+  // passages, though, that the known plan takes: a way that costs more than that by much, a judgement, is no evidence.
   constexpr double much = 0.01;
   const bool may_be_coarse =
       known.plan && request.refine && request.method != Method::direct && !request.spacing_along;

@@ -11,8 +11,8 @@ namespace floeplan::planning {
 namespace {
 
 constexpr core::Seconds at_departure{0.0};
-/// Share of the cost that all points must save which a longer refinement might have taken out: of the size of what twice
-/// as many legs must gain.
+/// Share of the cost that all points must save which a longer refinement might have taken out: of the size of what
+/// twice as many legs must gain.
 constexpr double worth_points = 1e-3;
 
 /// What asks the sea, in the shape that refinement wants.

@@ -19,7 +19,8 @@ namespace {
 constexpr std::size_t most_labels = 200'000;  // some seconds, and about 20 MB with their lists and the queue
 /// On larger grids a search for the least cost is steered: one that is not would mostly meet its bound on labels.
 constexpr std::int64_t few_vertices = 2'500;
-/// A steered search that has looked so often at each place on the average looks in vain, mostly where things open and close.
+/// A steered search that has looked so often at each place on the average looks in vain, mostly where things open and
+/// close.
 constexpr std::int64_t labels_a_vertex = 4;
 constexpr std::int64_t fewest_labels = 50'000;
 /// On still larger ones an outlook takes too long between looks at a stop, and keeps too few times in its memory.

@@ -32,7 +32,8 @@ class CostGuide {
 
   [[nodiscard]] Foresight& foresight() { return foresight_; }
   [[nodiscard]] VertexClosures& closures() { return closures_; }
-  /// For voyages from `depart` to `last`; made when it is first asked for, and again for voyages that it does not cover.
+  /// For voyages from `depart` to `last`; made when it is first asked for, and again for voyages that it does not
+  /// cover.
   /// Precondition: the foresight is useful. Once `stop` is requested the guide must not be used.
   [[nodiscard]] const CostOutlook& outlook(const Objective& objective, core::Seconds depart,
                                            core::Seconds last, const std::stop_token& stop);

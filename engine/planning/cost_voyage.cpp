@@ -7,8 +7,8 @@
 namespace floeplan::planning {
 namespace {
 
-/// Parts of the bound on the time without surfacing that arrivals are told apart by: a way loses no more than one of them
-/// from one surfacing to the next.
+/// Parts of the bound on the time without surfacing that arrivals are told apart by: a way loses no more than one of
+/// them from one surfacing to the next.
 constexpr double parts_of_bound = 6.0;
 
 }  // namespace

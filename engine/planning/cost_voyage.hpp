@@ -37,8 +37,8 @@ class CostVoyage {
 
   /// `sea` and the grid are borrowed and outlive the voyage.
   /// `openings`: where and when it matters that something opens again, borrowed likewise; null: everywhere.
-  /// `outlook`: steers the search, borrowed likewise. The way is found soon then, and costs more than the least by no more
-  /// than the outlook is off.
+  /// `outlook`: steers the search, borrowed likewise. The way is found soon then, and costs more than the least by no
+  /// more than the outlook is off.
   CostVoyage(const Sea& sea, const OpenGrid& open, const Objective& objective,
              const Openings* openings = nullptr, const std::optional<Limit>& limit = std::nullopt,
              const CostOutlook* outlook = nullptr);

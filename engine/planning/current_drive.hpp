@@ -19,8 +19,8 @@ namespace floeplan::planning {
   return accuracy;
 }
 
-/// Travel time along an edge in the currents, or in still water where they are null: the one integration, whoever looks at
-/// its pieces.
+/// Travel time along an edge in the currents, or in still water where they are null: the one integration, whoever looks
+/// at its pieces.
 /// Errors   as `motion::edge_time`; in still water only what `visit` answers
 template <motion::EdgePieceVisitor VisitPiece = motion::VisitNoPiece>
 [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> drive_time(

@@ -20,8 +20,8 @@ struct DepartureOutcome {
   std::optional<core::Seconds> travel_time{};  // of the grid's way, before refinement; empty: there is none
   std::optional<core::Joules> energy{};        // drawn on that way; empty likewise
   std::optional<Infeasible> closed{};          // why there is none
-  /// What a robust objective counts of the costs of the best ways in all members; infinite where too few have one, empty
-  /// without such an objective.
+  /// What a robust objective counts of the costs of the best ways in all members; infinite where too few have one,
+  /// empty without such an objective.
   std::optional<double> robust_cost{};
   std::size_t members_closed{};  // in which there is no way, with such an objective
 
@@ -52,8 +52,8 @@ struct WindowPlan {
                                      const std::stop_token& stop, const core::ProgressCallback& progress,
                                      const core::SteadyClock& clock = {});
 
-/// The departure that costs least by the objective, the first of equals; with a robust objective of those that most members
-/// let through. Empty when every one is closed.
+/// The departure that costs least by the objective, the first of equals; with a robust objective of those that most
+/// members let through. Empty when every one is closed.
 [[nodiscard]] std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes,
                                                         const Objective& objective = time_objective);
 

@@ -8,8 +8,8 @@
 namespace floeplan::planning {
 
 /// The dives along a straight line of the plane by the sea bed under it: the lower they are, the more often they turn.
-/// Accuracy  the bed to a two-hundredth of the dives' thickness: a parabola within each cell of the data that the line comes
-///           into, and between looks where these are closer together
+/// Accuracy  the bed to a two-hundredth of the dives' thickness: a parabola within each cell of the data that the line
+///           comes into, and between looks where these are closer together
 /// Threads   const members may be called from several threads at once
 class DiveLine {
  public:

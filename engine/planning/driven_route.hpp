@@ -36,8 +36,8 @@ struct DrivenTimes {
     const Sea& sea, const DrivenRoute& route, core::Seconds depart,
     core::Seconds since_surfacing = core::Seconds{0.0}, Dives dives = Dives::over_bed);
 
-/// The same; where every leg is on the sea's first drive the vehicle waits where the request allows it and that brings it
-/// through.
+/// The same; where every leg is on the sea's first drive the vehicle waits where the request allows it and that brings
+/// it through.
 [[nodiscard]] tl::expected<DrivenTimes, motion::EdgeClosed> drive_in_time(const Sea& sea,
                                                                           const DrivenRoute& route,
                                                                           core::Seconds depart);

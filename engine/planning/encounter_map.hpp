@@ -7,8 +7,8 @@
 
 namespace floeplan::planning {
 
-/// How often a vehicle meets icebergs where and when, for searches that weigh it: what `IcebergDiscs` expects of a move,
-/// read from a lattice.
+/// How often a vehicle meets icebergs where and when, for searches that weigh it: what `IcebergDiscs` expects of a
+/// move, read from a lattice.
 /// Accuracy  positions count as no better known than a cell of the lattice is wide, and bergs as standing against the
 ///           vehicle's speed; what a plan states is reckoned without it
 /// Threads   const members may be called from several threads at once

@@ -27,7 +27,8 @@ class EnergyMap {
   EnergyMap(const vehicle::GliderProfile& profile, const FlownDepths& depths,
             const geo::LocalProjection& projection, const PlaneBox& area, const std::stop_token& stop);
 
-  /// By the raster, of the straight and even move from a to b in this time; a drive in currents is none, but many of them.
+  /// By the raster, of the straight and even move from a to b in this time; a drive in currents is none, but many of
+  /// them.
   /// `upper_turn`: no dive turns above it; where that leaves less than the lowest saw-tooth, as in that.
   [[nodiscard]] EnergyUse use(geo::PlanePoint a, geo::PlanePoint b, core::Seconds time, vehicle::Drive drive,
                               core::Metres upper_turn = {}) const;

@@ -59,8 +59,8 @@ EscapeWay describe(const Sea& sea, const TimedWay& timed) {
   return escape;
 }
 
-/// Along the route from one of its points to where the vehicle may first surface, by `latest`; empty where it may not, or
-/// where the route is not driven at once.
+/// Along the route from one of its points to where the vehicle may first surface, by `latest`; empty where it may not,
+/// or where the route is not driven at once.
 std::optional<TimedWay> way_onwards(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                     const std::vector<core::Seconds>& arrivals,
                                     const std::vector<vehicle::Drive>& drives, std::size_t from,

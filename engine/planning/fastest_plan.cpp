@@ -127,8 +127,8 @@ bool was_cut_short(const Attempt& attempt) {
   return attempt.plan ? attempt.plan->search.cut_short : attempt.plan.error().search_cut_short;
 }
 
-/// On grids as fine as asked for. Where that was left open and a search with surfacings came to no end, on coarser ones,
-/// too, on which it comes further.
+/// On grids as fine as asked for. Where that was left open and a search with surfacings came to no end, on coarser
+/// ones, too, on which it comes further.
 Result<Plan> plan_on_grids(const ocean::Environment& environment, const PlanRequest& request,
                            const std::stop_token& stop, const core::ProgressCallback& progress,
                            const core::SteadyClock& clock) {

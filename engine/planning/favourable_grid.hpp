@@ -69,8 +69,8 @@ class FavourableGrid {
   std::optional<CurrentEnvelope> envelope_;  // empty: still water
 };
 
-/// Lowers the times of vertices by those of others, until nothing is lowered any more: each vertex that has a time hands
-/// it on by for_each_next(vertex, time_s, visit), which calls visit(next, its_time_s).
+/// Lowers the times of vertices by those of others, until nothing is lowered any more: each vertex that has a time
+/// hands it on by for_each_next(vertex, time_s, visit), which calls visit(next, its_time_s).
 /// Stops  early once `stop` is requested; the times must then not be used
 template <class ForEachNext>
 void lower_times(std::vector<double>& times_s, double latest_s, const std::stop_token& stop,

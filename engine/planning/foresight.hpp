@@ -51,7 +51,8 @@ class Foresight {
                                              const std::stop_token& stop, VertexClosures& closures,
                                              const graph::SearchTree& earliest);
 
-  /// About how long each edge out of a vertex takes, by its step, for who leaves then on this drive; on a closed one long.
+  /// About how long each edge out of a vertex takes, by its step, for who leaves then on this drive; on a closed one
+  /// long.
   /// Returns  borrowed, until the next question of any kind; null where nothing is known of the water
   [[nodiscard]] const motion::FanTimes* estimates(graph::Vertex v, core::Seconds depart,
                                                   vehicle::Drive drive);

@@ -21,17 +21,17 @@ enum class NoFreeWay {
   cancelled
 };
 
-/// A way of 16 legs towards the fastest one near the start, or the start where legs so long cannot be travelled: far steps
-/// are taken with few legs, which are soon timed.
+/// A way of 16 legs towards the fastest one near the start, or the start where legs so long cannot be travelled: far
+/// steps are taken with few legs, which are soon timed.
 [[nodiscard]] TimedWay find_rough_free_way(const TimedWay& start, const LegTimer& leg_timer,
                                            const std::stop_token& stop = {});
 
-/// Whether two rough ways lie within a quarter of a leg of each other all along: what they lead to differs by less than what
-/// is asked of a limit.
+/// Whether two rough ways lie within a quarter of a leg of each other all along: what they lead to differs by less than
+/// what is asked of a limit.
 [[nodiscard]] bool lead_to_one_way(const TimedWay& a, const TimedWay& b);
 
-/// The fastest way near the start of the 64 legs that `find_free_way` begins with: it tells where that will lead, and is a
-/// good start for it.
+/// The fastest way near the start of the 64 legs that `find_free_way` begins with: it tells where that will lead, and
+/// is a good start for it.
 /// Stops    with NoFreeWay::cancelled once `stop` is requested
 [[nodiscard]] tl::expected<TimedWay, NoFreeWay> find_coarse_free_way(const TimedWay& rough,
                                                                      const LegTimer& leg_timer,

@@ -13,7 +13,8 @@ struct IcebergRules {
   /// the plan states, because within a day it would close the whole sea.
   core::Metres max_inflation{5000.0};
 
-  /// Seconds of travel that one expected encounter counts as in the objective. Zero: encounters are stated, not avoided.
+  /// Seconds of travel that one expected encounter counts as in the objective. Zero: encounters are stated, not
+  /// avoided.
   core::Seconds encounter_weight{0.0};
   /// Whether the vehicle may pass under icebergs of known size whose keels end above its dives. All the way across the
   /// disc its dives then turn below the keel, and it must not come to the surface.

@@ -83,10 +83,10 @@ Route waiting_instead(const Sea& sea, Route route, const std::stop_token& stop) 
   return route;
 }
 
-/// Whether the route is open as a whole, for what is right of each leg alone need not be of all. Where the time without a
-/// possible surfacing is bounded, the drive along other legs is looked at in other places, which may count a little more
-/// time under ice; where the vehicle waits, there must be places to wait at; and a leg that was joined is followed in
-/// longer pieces, which keep somewhat more from icebergs.
+/// Whether the route is open as a whole, for what is right of each leg alone need not be of all. Where the time without
+/// a possible surfacing is bounded, the drive along other legs is looked at in other places, which may count a little
+/// more time under ice; where the vehicle waits, there must be places to wait at; and a leg that was joined is followed
+/// in longer pieces, which keep somewhat more from icebergs.
 bool stays_open(const Sea& sea, const Route& route) {
   return arrivals_along(sea, route.points, at_departure).has_value();
 }

@@ -172,7 +172,8 @@ class LatestDeparture {
     }
   }
 
-  /// The curve of the departures after the best one, or of all: from the last one on it that is in time the search goes on.
+  /// The curve of the departures after the best one, or of all: from the last one on it that is in time the search goes
+  /// on.
   void look_through_the_rest() {
     PlanRequest window = request_;
     if (best_) window.depart = best_->departure;

@@ -91,8 +91,8 @@ geo::BoundingBox planning_area(const PlanRequest& request) {
 }
 
 PlanRequest on_coarser_grids(const PlanRequest& request) {
-  // Of the usual steps. Across 75 km of ice with 8 to 40 holes and a bound on the time without surfacing, 1000 m instead
-  // of 400 gave ways that were earlier by 1 to 6 %.
+  // Of the usual steps. Across 75 km of ice with 8 to 40 holes and a bound on the time without surfacing, 1000 m
+  // instead of 400 gave ways that were earlier by 1 to 6 %.
   constexpr double coarser = 2.5;
   const Layout layout = lay_out(request, first_reach);
   double way_m = 0.0;

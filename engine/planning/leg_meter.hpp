@@ -19,8 +19,8 @@ struct RefinementBudget {
   std::stop_token stop{};
 };
 
-/// Times legs, adds up what they cost, and keeps count. Once the budget has ended every leg counts as closed, so that nothing which
-/// is found afterwards can be taken.
+/// Times legs, adds up what they cost, and keeps count. Once the budget has ended every leg counts as closed, so that
+/// nothing which is found afterwards can be taken.
 /// Threads  one at a time
 template <CostedLeg Leg>
 class LegMeter {

@@ -36,8 +36,8 @@ struct WaitedLeg {
 /// longest, that lets it through what is closed for a while.
 /// `not_before`: an earliest departure beside the arrival.
 /// Errors    as Sea::leg_time, for the departure at once
-/// Accuracy  the wait may be longer than the least by `fineness_of_waits`; a leg that is open for less than a quarter of
-///           an hour may be overlooked
+/// Accuracy  the wait may be longer than the least by `fineness_of_waits`; a leg that is open for less than a quarter
+///           of an hour may be overlooked
 [[nodiscard]] tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(
     const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
     core::Seconds latest = core::Seconds{INFINITY}, core::Seconds not_before = core::Seconds{0.0});

@@ -6,8 +6,8 @@
 
 namespace floeplan::planning {
 
-/// A figure of one route over the members of uncertain currents, of which less is better. A member in which the route is
-/// not possible has none: it counts as more than every other.
+/// A figure of one route over the members of uncertain currents, of which less is better. A member in which the route
+/// is not possible has none: it counts as more than every other.
 class MemberSpread {
  public:
   /// The figure in each member, empty where the route is not possible.

@@ -8,8 +8,8 @@ namespace floeplan::planning {
 namespace {
 
 constexpr std::size_t most_reach = 8;  // in cells
-// In cells, chosen: a search meets a few per cent of the data, and a smaller tile would look at more of its neighbours' cells
-// than of its own.
+// In cells, chosen: a search meets a few per cent of the data, and a smaller tile would look at more of its neighbours'
+// cells than of its own.
 constexpr std::size_t tile_side = 16;
 constexpr std::size_t most_nodes = 1U << 23U;  // 256 MB of boxes for a voyage as long as the data
 constexpr double beside_chord = 2.5e-4;  // of a cell: how far CurrentLine strays from the data's coordinates

@@ -18,8 +18,8 @@ struct OpenGrid {
   std::int64_t edges{};     // directed, between them
   /// From the goal to where the vehicle may surface or has come to its last stop, at least; where that is bounded.
   core::Seconds least_after_goal{};
-  /// Of the bound on the time without surfacing, how much has to be left at the goal for the way on from there; minded by
-  /// searches for the earliest arrival.
+  /// Of the bound on the time without surfacing, how much has to be left at the goal for the way on from there; minded
+  /// by searches for the earliest arrival.
   core::Seconds left_at_goal{};
 };
 

@@ -146,7 +146,8 @@ Optimality rate_route(const Sea& sea, const Route& route, const std::stop_token&
     const auto starts = coarse_ways(section, least, timer, stop);
     if (water.is_exhausted()) return {std::nullopt, took_too_long};
     if (!starts) return {std::nullopt, describe(starts.error())};
-    // Where few legs lead over land or ice, so would more of them: what they cut off is far less than such obstacles measure.
+    // Where few legs lead over land or ice, so would more of them: what they cut off is far less than such obstacles
+    // measure.
     core::Seconds till_there = since_surfacing;
     if (const auto closed = closure(sea, starts->front(), till_there))
       return {std::nullopt, describe(*closed)};

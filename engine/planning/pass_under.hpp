@@ -11,8 +11,8 @@
 namespace floeplan::planning {
 
 /// Whether and where a vehicle may pass under icebergs: all the way across a berg's disc its dives stay below the keel,
-/// and it needs as much water from their upper turn to the sea bed as it otherwise needs from the surface, with room for a
-/// saw-tooth above the altimeter's margin.
+/// and it needs as much water from their upper turn to the sea bed as it otherwise needs from the surface, with room
+/// for a saw-tooth above the altimeter's margin.
 /// Draft    of a berg whose size nobody told, neither length nor draft nor class, nothing is expected: it is never
 ///          passed under
 /// Edges    no bathymetry: every depth will do; where the bed is not known there is no room

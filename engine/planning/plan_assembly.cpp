@@ -127,8 +127,8 @@ std::optional<core::Metres> bottom_clearance(const Sea& sea, const ocean::Enviro
   return least;
 }
 
-/// Least distance from the route to the lines of the coast. Looked for ever further out, so that what is far away is hardly
-/// looked at.
+/// Least distance from the route to the lines of the coast. Looked for ever further out, so that what is far away is
+/// hardly looked at.
 std::optional<core::Metres> land_clearance(const Sea& sea, const ocean::Environment& environment,
                                            const std::vector<geo::PlanePoint>& route) {
   constexpr core::Metres first_look{4000.0};

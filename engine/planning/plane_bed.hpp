@@ -21,11 +21,11 @@ class PlaneBed {
 
   /// Positive down; empty where it is not known.
   [[nodiscard]] std::optional<core::Metres> depth(geo::PlanePoint point) const;
-  /// Whether the depth is the same all over a cell between the data's nodes and jumps from one cell to the next; else it
-  /// goes over smoothly and only bends there.
+  /// Whether the depth is the same all over a cell between the data's nodes and jumps from one cell to the next; else
+  /// it goes over smoothly and only bends there.
   [[nodiscard]] bool is_stepped() const { return bathymetry_->knows_shoaler_cells(); }
-  /// Where the straight line from a to b comes into another cell, and places no further apart than `look`: shares of its
-  /// length, strictly ascending, from the first after 0 to 1.
+  /// Where the straight line from a to b comes into another cell, and places no further apart than `look`: shares of
+  /// its length, strictly ascending, from the first after 0 to 1.
   [[nodiscard]] std::vector<double> bends(geo::PlanePoint a, geo::PlanePoint b, core::Metres look) const;
   /// Of all nodes on and around the area; infinite where none is known.
   [[nodiscard]] core::Metres least_depth() const;

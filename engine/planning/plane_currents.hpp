@@ -27,8 +27,8 @@ class UpperTurns;
 /// Depths   each column of the data is averaged over the band that is flown at the place asked for, not at the
 ///          column, so that a bank inside a cell of the data changes the field. Where the bands differ, a cell
 ///          is cut into as many parts as the bathymetry has, up to four a side; in between, linear
-/// Ice      under ice through which the vehicle may not surface the band begins where the dives must turn there and then,
-///          as at the nearest node of the data; in currents that are steady, as at `epoch`
+/// Ice      under ice through which the vehicle may not surface the band begins where the dives must turn there and
+///          then, as at the nearest node of the data; in currents that are steady, as at `epoch`
 /// Interpolation
 ///          the data's own: bilinear between its nodes, linear between its times
 /// Coast    a node without water takes the mean of its neighbours with water, one ring deep, because a model's

@@ -24,8 +24,8 @@ namespace floeplan::planning {
 /// What the search and the refinement of the plan say for themselves.
 void add_warnings(Plan& plan, const PlanRequest& request);
 
-/// Adds the ways to where the vehicle may surface, where they were asked for; `arrivals` are those at the `points` of the
-/// plan's waypoints, `drives` those of its legs. Answers why there are none, or that the battery does not carry the
+/// Adds the ways to where the vehicle may surface, where they were asked for; `arrivals` are those at the `points` of
+/// the plan's waypoints, `drives` those of its legs. Answers why there are none, or that the battery does not carry the
 /// vehicle along one; empty: all is well.
 [[nodiscard]] std::optional<Infeasible> add_escapes(Plan& plan, const Chart& chart,
                                                     const PlanRequest& request,

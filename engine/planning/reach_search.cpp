@@ -16,8 +16,8 @@ using Direction = ReachRequest::Direction;
 constexpr std::size_t most_arrivals = 4'000'000;
 constexpr double spans_in_bound = 100.0;  // how finely last surfacings are told apart
 
-/// A voyage to wherever the bound on the time without surfacing lets it come: the model of `graph::find_best_labels`, on
-/// the clock of the search.
+/// A voyage to wherever the bound on the time without surfacing lets it come: the model of `graph::find_best_labels`,
+/// on the clock of the search.
 class BoundedVoyage {
  public:
   struct State {

@@ -15,8 +15,8 @@
 
 namespace floeplan::planning {
 
-/// A vehicle at a place, on the clock of a search for reach: forwards it shows the time since the sea's epoch; backwards
-/// it is that of the film run backwards, and what was the last possible surfacing is the next one.
+/// A vehicle at a place, on the clock of a search for reach: forwards it shows the time since the sea's epoch;
+/// backwards it is that of the film run backwards, and what was the last possible surfacing is the next one.
 struct Presence {
   core::Seconds when{};
   core::Seconds from_surfacing{};  // zero where the time without one is not bounded
@@ -49,9 +49,9 @@ struct Reached {
 };
 
 /// Searches a grid from its start at `begin` on, as far as vehicles come by `latest`.
-/// Accuracy  where the time without surfacing is bounded, an arrival that is earlier and whose last possible surfacing lies
-///           no longer ago is held to be better, also where a later one would meet a faster current; last surfacings are
-///           told apart to a hundredth of the bound, and a way that needs all of it may be left out
+/// Accuracy  where the time without surfacing is bounded, an arrival that is earlier and whose last possible surfacing
+///           lies no longer ago is held to be better, also where a later one would meet a faster current; last
+///           surfacings are told apart to a hundredth of the bound, and a way that needs all of it may be left out
 /// Stops     early and says so once `stop` is requested, or when some million arrivals with a bound are kept, some
 ///           hundred megabytes
 [[nodiscard]] Reached search_reach(const Sea& sea, const OpenGrid& open, ReachRequest::Direction direction,

@@ -22,8 +22,8 @@ struct FoundChanges {
 /// Single changes of a request's inputs that make it possible: for each input that can help against the binding
 /// constraint the smallest one found, by halving an interval between the request's value and the most generous one,
 /// or by trying one after the other where less is not always easier.
-/// `why`    the request is not possible: what binds; where that opens again, leaving later, waiting and another goal are
-///          tried first. Its changes are moves of a stop that helped already
+/// `why`    the request is not possible: what binds; where that opens again, leaving later, waiting and another goal
+///          are tried first. Its changes are moves of a stop that helped already
 /// `without_stored_zones`  tells of the request in the same sea without the environment's zones; empty: not tried
 /// Accuracy a hundredth of the interval; a change is only named when its trial succeeded. A trial that tells nothing
 ///          counts as one that failed, and the result says so

@@ -27,7 +27,8 @@ std::vector<geo::LonLat> places_of(const Plan& plan) {
   return places;
 }
 
-/// The plan's legs on the drives that it has in the first currents: they are what is flown, whichever currents come true.
+/// The plan's legs on the drives that it has in the first currents: they are what is flown, whichever currents come
+/// true.
 DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& projection) {
   DrivenRoute route;
   for (const Waypoint& waypoint : plan.waypoints) {
@@ -38,9 +39,9 @@ DrivenRoute route_of(const Plan& plan, const geo::LocalProjection& projection) {
   return route;
 }
 
-/// How the plans fare in one sea, on the charts that plans are made on: on the nearer one, and those that leave it or are
-/// closed there on the wider one. A chart is opened along the routes: its cells may fall otherwise than those that a route
-/// was found on, and must not close a passage out of caution.
+/// How the plans fare in one sea, on the charts that plans are made on: on the nearer one, and those that leave it or
+/// are closed there on the wider one. A chart is opened along the routes: its cells may fall otherwise than those that
+/// a route was found on, and must not close a passage out of caution.
 std::vector<std::optional<DrivenTimes>> drive_all(const ocean::Environment& environment,
                                                   const PlanRequest& request, const std::vector<Plan>& plans,
                                                   const std::stop_token& stop) {
@@ -141,7 +142,8 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
     report(0.0, member);
     add_candidate(members.environment(member));
   }
-  // Between the members' own ways there may be one that is good in all of them: that in their mean is most likely to be.
+  // Between the members' own ways there may be one that is good in all of them: that in their mean is most likely to
+  // be.
   if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
   if (rules.objective != RobustObjective::none && rules.drawn_members == 0) {
     if (auto mean = ocean::ensemble_mean(environment.members)) {

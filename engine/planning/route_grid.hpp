@@ -11,7 +11,8 @@ namespace floeplan::planning {
 struct GridReach {
   double across{0.5};   // to either side of the straight line
   double beyond{0.25};  // behind the start and past the goal
-  /// On every side, however short the distance: what a short way has to go round is no smaller than what a long one has.
+  /// On every side, however short the distance: what a short way has to go round is no smaller than what a long one
+  /// has.
   /// Of a fine grid no more than `most_steps_of_least` steps.
   core::Metres at_least{0.0};
 

@@ -42,8 +42,8 @@ struct RouteSite {
 /// Threads  const members may be called from several threads at once
 class RouteGround {
  public:
-  /// `on_route` is one of those requests, `site` its site. Once `stop` is requested the ground stays incomplete and must
-  /// not be used.
+  /// `on_route` is one of those requests, `site` its site. Once `stop` is requested the ground stays incomplete and
+  /// must not be used.
   RouteGround(ocean::Environment environment, const PlanRequest& on_route, RouteSite site,
               const std::stop_token& stop);
   RouteGround(const RouteGround&) = delete;

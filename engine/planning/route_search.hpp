@@ -35,7 +35,8 @@ struct RouteSearch {
 /// something that is closed for a while opens again before that arrival, also for ways that arrive somewhere later
 /// than they could, but none that circles for too long (time_killing.hpp). Where the time without surfacing is bounded
 /// and the best way does not keep that bound, by search_with_surfacings whatever the method.
-/// `latest`: when the goal can certainly be reached by then, later ways need not be looked at, nor legs that open later.
+/// `latest`: when the goal can certainly be reached by then, later ways need not be looked at, nor legs that open
+/// later.
 /// `since_surfacing`: at the start, when that time is bounded.
 /// `foresight`: of this grid, kept from search to search; without it one is made. Changes no result.
 [[nodiscard]] RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest& request,

@@ -22,9 +22,9 @@ struct StandingZones {
   bool confined{false};  // the vehicle must stay in one of `stay_in`, also when there is none
 };
 
-/// Where the water is deep enough and the rules allow it, as a raster over the plane. A cell is closed when any part of it that the
-/// data know of is: its corners, the nodes of the bathymetry inside it, a coast or a zone's border that runs
-/// through it; stay-in zones that only touch each other leave a closed seam between them.
+/// Where the water is deep enough and the rules allow it, as a raster over the plane. A cell is closed when any part of
+/// it that the data know of is: its corners, the nodes of the bathymetry inside it, a coast or a zone's border that
+/// runs through it; stay-in zones that only touch each other leave a closed seam between them.
 /// Cautious by up to one cell.
 /// Edges    bathymetry given but not known in a cell: closed (outside_data). No bathymetry: every depth will
 ///          do
@@ -38,8 +38,8 @@ class SafetyMap {
 
   /// Why the straight line from a to b is closed, by the first closed cell on it; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_between(geo::PlanePoint a, geo::PlanePoint b) const;
-  /// Whether every straight line from a point of the map that goes no further than `reach` along either axis is open: certainly
-  /// so when true.
+  /// Whether every straight line from a point of the map that goes no further than `reach` along either axis is open:
+  /// certainly so when true.
   [[nodiscard]] bool open_about(geo::PlanePoint point, core::Metres reach) const;
   /// Why a place is closed by the data themselves, not by its cell; empty when it is open.
   [[nodiscard]] std::optional<motion::EdgeClosed> closed_at(geo::LonLat place) const;

@@ -25,7 +25,8 @@
 
 namespace floeplan::planning {
 
-/// What the dives of a way are taken from that is metered: the sea bed itself, or its map for searches; see `EnergyMap`.
+/// What the dives of a way are taken from that is metered: the sea bed itself, or its map for searches; see
+/// `EnergyMap`.
 enum class Dives : std::uint8_t { over_bed, over_map };
 
 /// The environment of one request laid out in its local plane: the one cost function that searches,
@@ -33,7 +34,8 @@ enum class Dives : std::uint8_t { over_bed, over_map };
 /// Threads  const members may be called from several threads at once
 class Sea {
  public:
-  /// `cell`: step of the safety map. Once `stop` is requested the sea stays incomplete and must not be used. `environment` and `request` are borrowed and outlive the sea.
+  /// `cell`: step of the safety map. Once `stop` is requested the sea stays incomplete and must not be used.
+  /// `environment` and `request` are borrowed and outlive the sea.
   /// `shelf`: where the currents are taken from, if not null; of the same environment, and not needed afterwards.
   Sea(const ocean::Environment& environment, const PlanRequest& request,
       const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
@@ -61,7 +63,8 @@ class Sea {
   }
   [[nodiscard]] const EnergyMap& energy() const { return energy_; }
   /// What the straight leg draws that is left then and takes so long, or a wait: the power at each place over the time
-  /// that the drive really spends there. Below ice and icebergs the dives turn as deep as they have to, and so more often.
+  /// that the drive really spends there. Below ice and icebergs the dives turn as deep as they have to, and so more
+  /// often.
   /// Where the drive does not get on, what is left of the time goes evenly on what is left of the way.
   /// Accuracy  as `EnergyMeter`, over the bed
   [[nodiscard]] EnergyUse energy_along(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart,
@@ -117,8 +120,8 @@ class Sea {
   [[nodiscard]] tl::expected<MeteredLeg, motion::EdgeClosed> metered_leg(
       geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart, core::Seconds since_surfacing,
       core::Seconds latest, vehicle::Drive drive, Dives dives = Dives::over_bed) const;
-  /// As `leg` for a vehicle that is to be at the leg's end at `arrive` and may surface `until_surfacing` later; the time
-  /// until it may, at the leg's beginning. too_late when it would certainly have to leave before `earliest`.
+  /// As `leg` for a vehicle that is to be at the leg's end at `arrive` and may surface `until_surfacing` later; the
+  /// time until it may, at the leg's beginning. too_late when it would certainly have to leave before `earliest`.
   struct LegBack {
     core::Seconds time;
     core::Seconds until_surfacing;

@@ -40,8 +40,9 @@ std::optional<PassUnder> lay_out_under(const ocean::Environment& environment, co
   return PassUnder{environment, request.icebergs, request.vehicle, projection, area, stop};
 }
 
-/// What a way that is searched for keeps from the rims of icebergs and zones beside what is asked: a route that just touches one is
-/// judged again from written positions, in a plane of its own. Mission files round to a ten-thousandth of a minute, 0.19 m.
+/// What a way that is searched for keeps from the rims of icebergs and zones beside what is asked: a route that just
+/// touches one is judged again from written positions, in a plane of its own. Mission files round to a ten-thousandth
+/// of a minute, 0.19 m.
 core::Metres kept_for_rounding(const PlanRequest& request) {
   return core::Metres{request.method == Method::direct ? 0.0 : 0.3};
 }
@@ -80,7 +81,8 @@ ZoneRules lay_out_zones(const ocean::Environment& environment, const PlanRequest
 TimedZones lay_out_timed_zones(const std::vector<ocean::Zone>& timed, const PlanRequest& request,
                                const geo::LocalProjection& projection, const PlaneBox& area) {
   if (request.method == Method::direct) return {timed, projection, area, request.depart};
-  // Times over ground of one route agree in two planes to a few parts in a million; the rest is what rounding moves a place.
+  // Times over ground of one route agree in two planes to a few parts in a million; the rest is what rounding moves a
+  // place.
   constexpr double of_the_way = 1e-5;
   constexpr core::Seconds of_rounding{1.0};
   constexpr core::Seconds most{60.0};

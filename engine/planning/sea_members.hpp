@@ -10,8 +10,8 @@ namespace floeplan::planning {
 /// Whether there are several currents to plan for: members of an ensemble or an error model.
 [[nodiscard]] bool has_uncertain_currents(const ocean::Environment& environment, const PlanRequest& request);
 
-/// The environments of an ensemble's members, or of an error model's, drawn one at a time: only those that are asked for
-/// are in memory.
+/// The environments of an ensemble's members, or of an error model's, drawn one at a time: only those that are asked
+/// for are in memory.
 /// Threads  const members may be called from several threads at once
 class SeaMembers {
  public:

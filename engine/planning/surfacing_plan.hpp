@@ -14,8 +14,8 @@ struct SurfacingState {
   core::Seconds since_surfacing{};  // since the last place where it might have surfaced
   core::Metres position_error{};    // of dead reckoning since the last fix
   core::Metres least_upper_turn{};  // how deep the dives must turn here; 0 where the vehicle may surface
-  /// How deep they must turn where that is deepest on the leg that leads here and in the wait before it; 0 where nothing
-  /// is above. Empty at the start, and in plans stored before it was kept.
+  /// How deep they must turn where that is deepest on the leg that leads here and in the wait before it; 0 where
+  /// nothing is above. Empty at the start, and in plans stored before it was kept.
   std::optional<core::Metres> leg_upper_turn{};
   /// Length of the way up to here above which there has been no ice that dives must turn below, back to the start at
   /// most; 0 where there is. Empty in plans stored before it was kept.

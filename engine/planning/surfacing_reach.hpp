@@ -15,14 +15,15 @@ namespace floeplan::planning {
 [[nodiscard]] std::vector<double> least_until_surfacing_s(const Sea& sea, const OpenGrid& open,
                                                           const std::stop_token& stop);
 
-/// Where on a grid the bound on the time without surfacing leaves a way at all: how long ago the last possible surfacing
-/// lies at each vertex at least, and how long it takes to the next one, with the strongest current about each place
-/// astern, in the ice of the whole period; then hour by hour. What is closed to such a vehicle is closed to every one.
+/// Where on a grid the bound on the time without surfacing leaves a way at all: how long ago the last possible
+/// surfacing lies at each vertex at least, and how long it takes to the next one, with the strongest current about each
+/// place astern, in the ice of the whole period; then hour by hour. What is closed to such a vehicle is closed to every
+/// one.
 /// Threads  const members may be called from several threads at once
 class SurfacingReach {
  public:
-  /// `since_surfacing`: at the start, when it is left. Precondition: the sea bounds that time. Once `stop` is requested this stays
-  /// incomplete and must not be used.
+  /// `since_surfacing`: at the start, when it is left. Precondition: the sea bounds that time. Once `stop` is requested
+  /// this stays incomplete and must not be used.
   SurfacingReach(const Sea& sea, const OpenGrid& open, core::Seconds depart, core::Seconds since_surfacing,
                  const std::stop_token& stop);
 

@@ -26,8 +26,8 @@ struct Pass {
   double share_of_bound;  // as above
   double weight;          // of the rest of the way, see SurfacingVoyage
 };
-/// Ever finer, each in haste but for the last. Among forty holes in 75 km of ice, for bounds of 12 to 24 h, they come to
-/// within 1 % of the best way; passes without haste run out of memory up to 7 % from it.
+/// Ever finer, each in haste but for the last. Among forty holes in 75 km of ice, for bounds of 12 to 24 h, they come
+/// to within 1 % of the best way; passes without haste run out of memory up to 7 % from it.
 constexpr Pass passes[] = {{1.0 / 6.0, 1.2}, {1.0 / 24.0, 1.1}, {1.0 / 100.0, 1.0}};
 
 /// Where no way keeps the bound: with so many arrivals, of which those towards the goal come first, it shows where ways

@@ -39,7 +39,8 @@ class SurfacingFronts {
 /// Resolution  of two arrivals the earlier one is the better unless its last possible surfacing lies in an earlier span
 ///          of time. Below ice that moment stays what it is, so that a way loses the width of one span at most
 ///          from one surfacing to the next, however many arrivals give way to each other
-/// Closures  near what opens again, only within the same span of time, the time the vehicle needs for a step of the grid
+/// Closures  near what opens again, only within the same span of time, the time the vehicle needs for a step of the
+///           grid
 /// Threads  one search at a time
 class SurfacingVoyage {
  public:

@@ -30,16 +30,16 @@ class SurfacingWatch {
   double since_s_;
 };
 
-/// The same drive seen from its end: how long it is from its beginning to the next possible surfacing. Whoever goes there
-/// and is watched meanwhile finds the same times without one.
+/// The same drive seen from its end: how long it is from its beginning to the next possible surfacing. Whoever goes
+/// there and is watched meanwhile finds the same times without one.
 class SurfacingOutlook {
  public:
   /// `sea` and `edge` are borrowed.
   SurfacingOutlook(const Sea& sea, const motion::PlaneEdge& edge, core::Seconds depart);
 
   std::optional<motion::EdgeClosed> operator()(const motion::EdgePiece& piece);
-  /// For a vehicle that may surface so long after the drive's end; no_surfacing where the time without one becomes longer
-  /// than the sea allows.
+  /// For a vehicle that may surface so long after the drive's end; no_surfacing where the time without one becomes
+  /// longer than the sea allows.
   [[nodiscard]] tl::expected<core::Seconds, motion::EdgeClosed> until_surfacing(core::Seconds at_end) const;
 
  private:

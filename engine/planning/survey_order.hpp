@@ -21,8 +21,8 @@ struct EstimatedOrder {
                                                            const PlanRequest& request,
                                                            const std::stop_token& stop);
 
-/// The orders that are likely to reach the goal early, for who found no way along the best one, which is among them or not;
-/// of more than five vias one at most.
+/// The orders that are likely to reach the goal early, for who found no way along the best one, which is among them or
+/// not; of more than five vias one at most.
 /// `most`   orders, at least one
 /// Returns  the earliest first; fewer once `stop` is requested
 [[nodiscard]] std::vector<EstimatedOrder> promising_via_orders(const ocean::Environment& environment,

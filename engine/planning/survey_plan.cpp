@@ -16,7 +16,8 @@ namespace {
 /// Of travel times on coarse grids; a plan that takes longer than that met what they do not tell.
 constexpr double accuracy = 0.03;
 
-/// Beside the best one. A judgement: each takes a plan; with a bound on the time without surfacing that may be a minute.
+/// Beside the best one. A judgement: each takes a plan; with a bound on the time without surfacing that may be a
+/// minute.
 constexpr std::size_t most_other_orders = 4;
 constexpr std::size_t most_other_orders_with_surfacings = 1;
 

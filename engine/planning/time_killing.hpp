@@ -22,8 +22,8 @@ struct TimeKilled {
 };
 
 /// The part that kills most time, where that is ten minutes at least; empty without one, and where nothing opens later.
-/// A part leads past no fixed point, which is visited for its own sake. A way round something that stays closed is none,
-/// nor is one at whose beginning the vehicle cannot stay.
+/// A part leads past no fixed point, which is visited for its own sake. A way round something that stays closed is
+/// none, nor is one at whose beginning the vehicle cannot stay.
 [[nodiscard]] std::optional<TimeKilled> longest_killing_of_time(const Sea& sea, const Route& route,
                                                                 const Schedule& schedule);
 

@@ -53,8 +53,8 @@ class TimedZones {
     void index(const PlaneBox& within);
     [[nodiscard]] bool empty() const { return areas_.empty(); }
     [[nodiscard]] const std::vector<Area>& all() const { return areas_; }
-    /// Calls `visit(area)` for all that may meet the straight line from a to b, for some more than once; ends with true as
-    /// soon as `visit` answers true.
+    /// Calls `visit(area)` for all that may meet the straight line from a to b, for some more than once; ends with true
+    /// as soon as `visit` answers true.
     template <class Visit>
     bool any_near(geo::PlanePoint a, geo::PlanePoint b, const Visit& visit) const {
       PlaneBox box{a, a};

@@ -26,8 +26,9 @@ class TourLegs {
 
   /// Empty when there is no way then, or once it is to stop.
   [[nodiscard]] std::optional<core::Seconds> time(std::size_t from, std::size_t to, core::Seconds depart);
-  /// The same with what closes and opens on the way, the time that is left to leave a place before it closes for instance,
-  /// and empty also where the vehicle would have to circle until the place opens for longer than any pilot would let it.
+  /// The same with what closes and opens on the way, the time that is left to leave a place before it closes for
+  /// instance, and empty also where the vehicle would have to circle until the place opens for longer than any pilot
+  /// would let it.
   /// No FIFO: who leaves later may have less to circle.
   [[nodiscard]] std::optional<core::Seconds> bearable_time(std::size_t from, std::size_t to,
                                                            core::Seconds depart);
@@ -53,8 +54,8 @@ class TourLegs {
   template <class TravelTime>
   [[nodiscard]] graph::SearchTree earliest_arrivals(const OpenGrid& open, core::Seconds depart,
                                                     const TravelTime& travel_time) const;
-  /// When the vehicle can be at the end of a leg that it could be at `at_once` if nothing closed and opened in time, and
-  /// that is not closed at `opens`.
+  /// When the vehicle can be at the end of a leg that it could be at `at_once` if nothing closed and opened in time,
+  /// and that is not closed at `opens`.
   [[nodiscard]] std::optional<core::Seconds> arrival_past_closures(Pair pair, core::Seconds depart,
                                                                    core::Seconds at_once,
                                                                    core::Seconds opens);

@@ -13,8 +13,8 @@ namespace floeplan::planning {
 [[nodiscard]] std::optional<geo::LonLat> nearest_usable_place(const Sea& sea, geo::PlanePoint around,
                                                               core::Seconds when = core::Seconds{0.0});
 
-/// The same among the places from which open water leads to `other` in steps of those cells, whatever closes for a while
-/// only; empty when there is none, or once `stop` is requested.
+/// The same among the places from which open water leads to `other` in steps of those cells, whatever closes for a
+/// while only; empty when there is none, or once `stop` is requested.
 [[nodiscard]] std::optional<geo::LonLat> nearest_usable_place_towards(const Sea& sea, geo::PlanePoint around,
                                                                       geo::PlanePoint other,
                                                                       const std::stop_token& stop);

@@ -38,8 +38,8 @@ inline constexpr std::size_t most_places_ordered_exactly = 12;
                                                                const TourLegTime& leg_time,
                                                                const std::stop_token& stop);
 
-/// As many places are ordered exactly where leaving later may lead further. A judgement: each of their 120 orders asks for
-/// legs at departures of its own, of which a search takes some milliseconds.
+/// As many places are ordered exactly where leaving later may lead further. A judgement: each of their 120 orders asks
+/// for legs at departures of its own, of which a search takes some milliseconds.
 inline constexpr std::size_t most_places_tried_in_all_orders = 5;
 
 /// The same for times that do not keep the law: up to 5 places by trying all orders, of which as many as asked for are

@@ -25,8 +25,8 @@ struct VoyageState {
 ///           time the vehicle needs for a step of the grid; elsewhere always. So arriving later can be the only way
 ///           through, and is found to within that span
 /// Waits     where the request allows them, an earlier arrival also dominates a later one if the vehicle can stay until
-///           then, although that leaves less of the longest wait for what follows; the wait before a leg is the least that lets it through, or into a later of its end's times between
-///           closures
+///           then, although that leaves less of the longest wait for what follows; the wait before a leg is the least
+///           that lets it through, or into a later of its end's times between closures
 /// Threads   one search at a time
 class Voyage {
  public:

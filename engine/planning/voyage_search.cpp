@@ -45,8 +45,8 @@ core::Seconds arrival_by(const Sea& sea, const FoundWay& other, std::size_t part
   return arrivals->back() + slack * (arrivals->back() - depart);
 }
 
-/// How long a vehicle that leaves after a surfacing is under way until it may surface again, give or take the edge on which
-/// it does; until the way's end where it may not before.
+/// How long a vehicle that leaves after a surfacing is under way until it may surface again, give or take the edge on
+/// which it does; until the way's end where it may not before.
 core::Seconds until_first_surfacing(const Sea& sea, const std::vector<geo::PlanePoint>& way,
                                     core::Seconds depart) {
   constexpr core::Seconds just_now{0.0};
@@ -136,8 +136,8 @@ class Parts {
            !search.opens_later;
   }
 
-  /// As if the vehicle had just surfaced at the stop: what that way needs until the next surfacing has to be left there, and
-  /// more where what is above has changed until then. Replaces the part before where that leads on.
+  /// As if the vehicle had just surfaced at the stop: what that way needs until the next surfacing has to be left
+  /// there, and more where what is above has changed until then. Replaces the part before where that leads on.
   /// `failed`: is given back where it does not
   RouteSearch search_with_more_left(RouteSearch failed, std::size_t i) {
     const core::Seconds longest = *sea_.longest_without_surfacing();

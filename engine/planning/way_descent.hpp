@@ -29,8 +29,8 @@ struct WayDescent {
 [[nodiscard]] WayDescent descend_with_legs(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
                                            const std::stop_token& stop = {});
 
-/// The same, cut anew once, until by the quadratic model less than 1e-4 of the duration is left to gain: a start for more
-/// legs.
+/// The same, cut anew once, until by the quadratic model less than 1e-4 of the duration is left to gain: a start for
+/// more legs.
 [[nodiscard]] WayDescent descend_roughly(const TimedWay& start, std::size_t legs, const LegTimer& leg_timer,
                                          const std::stop_token& stop = {});
 

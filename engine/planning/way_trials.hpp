@@ -15,8 +15,8 @@ namespace floeplan::planning {
 [[nodiscard]] PlanRequest for_any_way(const PlanRequest& request);
 
 /// Finds out of one request after the other in the same sea whether it has a plan at all, with a bounded amount of work
-/// for all of them together: each may take a quarter of what is left, so that one that is hard to decide does not keep the
-/// others from being tried.
+/// for all of them together: each may take a quarter of what is left, so that one that is hard to decide does not keep
+/// the others from being tried.
 /// Law      where the answer is `possible`, `plan_route` finds a plan, too
 /// Work     counted in timed legs and laid out data, half a microsecond a unit, and not by a clock: the same trials
 ///          give the same answers on every machine

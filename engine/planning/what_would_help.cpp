@@ -12,8 +12,8 @@
 namespace floeplan::planning {
 namespace {
 
-/// The first of the moves that helps. Where none does, the goal may be moved to where the search for it came nearest. A stop
-/// is tried by a whole plan: what becomes of the request is known then, and few are tried.
+/// The first of the moves that helps. Where none does, the goal may be moved to where the search for it came nearest. A
+/// stop is tried by a whole plan: what becomes of the request is known then, and few are tried.
 std::optional<Change> move_that_helps(const ocean::Environment& environment, const PlanRequest& request,
                                       const std::vector<Change>& moves, const std::stop_token& stop) {
   const auto arrives = [&](const Result<Plan>& plan) {

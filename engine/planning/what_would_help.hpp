@@ -9,8 +9,8 @@
 
 namespace floeplan::planning {
 
-/// Why the request is not possible, with the single changes that would make it so, each of them tried: where an arrival is
-/// wanted, to leave at its departure and be there by then.
+/// Why the request is not possible, with the single changes that would make it so, each of them tried: where an arrival
+/// is wanted, to leave at its departure and be there by then.
 /// None where a single plan, at the request's departure and in the order given, is possible as it is.
 /// `why`    its changes are kept where it names some already
 /// Stops    with Reason::cancelled once `stop` is requested

@@ -32,13 +32,14 @@ struct AdcpMoment {
 /// bins and dependence on attitude as `simulate_adcp_beams`, for the cost of about one of its pings.
 /// Model    One ping stands for the mean of all. The water of each bin is taken once, on the vehicle's vertical; what
 ///          cells, bin mapping and the vehicle's way through the profile smooth away is the profile's second derivative
-///          times half their variance in depth. The noise is that of the mean over the pings, one deviate for each cell.
+///          times half their variance in depth. The noise is that of the mean over the pings, one deviate for each
+///          cell.
 ///          The attitude as sensed, its constant errors and the mean of its noise, does bin mapping and turning as in
-///          the detection; what it does wrong is its error: the velocity relative to the vehicle turned, the shear taken
-///          at the wrong depth. The reference's error is the same in all bins.
+///          the detection; what it does wrong is its error: the velocity relative to the vehicle turned, the shear
+///          taken at the wrong depth. The reference's error is the same in all bins.
 /// Left out sway to second order, differences between the beams' places, cells that fade
-/// Cost     water is taken bins + 2 times, and 4 (cells + 1) + 3 deviates are drawn; the beams take water 20 times cells
-///          times pings and draw (4 (cells + 1) + 6) times pings
+/// Cost     water is taken bins + 2 times, and 4 (cells + 1) + 3 deviates are drawn; the beams take water 20 times
+///          cells times pings and draw (4 (cells + 1) + 6) times pings
 /// Memory   none taken after construction
 /// Threads  one at a time: it keeps room for a profile
 class AdcpErrorModel {

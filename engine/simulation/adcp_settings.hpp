@@ -6,11 +6,13 @@ namespace floeplan::simulation {
 
 /// An acoustic Doppler current profiler with four beams in Janus geometry, looking down along the hull's down axis, and
 /// what is done with its data on board.
-/// Source of the defaults: a 600 kHz profiler with 4 m cells measures the horizontal velocity with 0.03 to 0.07 m/s from
+/// Source of the defaults: a 600 kHz profiler with 4 m cells measures the horizontal velocity with 0.03 to 0.07 m/s
+/// from
 ///         a single ping, which is 0.03 m/s along a beam, and neighbouring cells share 15 % of their noise (Teledyne RD
-///         Instruments, Acoustic Doppler current profiler: principles of operation, 3rd ed. 2011, sections 4 and 7). The
-///         reference, the vehicle's velocity over ground, is known to a few cm/s from depth-averaged currents (Todd,
-///         Rudnick, Sherman, Owens and George 2017, J. Atmos. Oceanic Technol. 34, doi:10.1175/JTECH-D-16-0156.1).
+///         Instruments, Acoustic Doppler current profiler: principles of operation, 3rd ed. 2011, sections 4 and 7).
+///         The reference, the vehicle's velocity over ground, is known to a few cm/s from depth-averaged currents
+///         (Todd, Rudnick, Sherman, Owens and George 2017, J. Atmos. Oceanic Technol. 34,
+///         doi:10.1175/JTECH-D-16-0156.1).
 ///         Chosen for want of a source: beams between the usual 20 and 30 degrees; fifteen cells, the 60 m that such a
 ///         profiler reaches; half a minute of pings in each minute, to save the battery; attitude as a compass module
 ///         senses it, and a hull that sways little more; a reference that is another one after an hour, about a dive

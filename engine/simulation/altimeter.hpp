@@ -16,9 +16,9 @@ namespace floeplan::simulation {
 /// A single beam that looks down and hears the nearest echo in it.
 /// Source of the defaults: the vendor's altimeter of a Slocum works at 170 kHz up to about 100 m and is mounted so that
 ///         it looks straight down at a dive's pitch of 26 degrees (Teledyne Webb Research, Slocum G2 operators manual,
-///         section on the altimeter); level and width are those of a common transducer of that frequency. A ping for each
-///         cycle of the vehicle's computer, 4 s. Chosen for want of a source: a pulse about as long as the range is
-///         uncertain, blindness for four of them, and a threshold above which noise as good as never comes
+///         section on the altimeter); level and width are those of a common transducer of that frequency. A ping for
+///         each cycle of the vehicle's computer, 4 s. Chosen for want of a source: a pulse about as long as the range
+///         is uncertain, blindness for four of them, and a threshold above which noise as good as never comes
 struct AltimeterSettings {
   double frequency_khz{170.0};
   double source_level_db{190.0};

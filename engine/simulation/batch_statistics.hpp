@@ -58,7 +58,8 @@ struct Distribution {
 
 /// Nothing for no values.
 /// Quantile between the two values next to share * (n - 1), linearly (type 7 of Hyndman and Fan 1996, Am. Stat. 50)
-/// Interval of a quantile: order statistics by the binomial distribution, whatever the quantity's own is (David and Nagaraja
+/// Interval of a quantile: order statistics by the binomial distribution, whatever the quantity's own is (David and
+/// Nagaraja
 ///          2003, Order statistics, 3rd ed., section 7.1); of the mean: Student's t, by the expansion of Abramowitz and
 ///          Stegun 1964, 26.7.5
 [[nodiscard]] std::optional<Distribution> distribution_of(std::vector<double> values);

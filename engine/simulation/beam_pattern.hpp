@@ -2,8 +2,8 @@
 
 namespace floeplan::simulation {
 
-/// Sensitivity of a beam of a rectangular array, the same for sending and for hearing. The array is shaded, as sonars are
-/// that must not hear the bed below in a beam that looks ahead: outside its main lobe it hears evenly and little.
+/// Sensitivity of a beam of a rectangular array, the same for sending and for hearing. The array is shaded, as sonars
+/// are that must not hear the bed below in a beam that looks ahead: outside its main lobe it hears evenly and little.
 struct BeamPattern {
   double width_rad{};   // between the points of half power, horizontally
   double height_rad{};  // the same vertically
@@ -14,7 +14,8 @@ struct BeamPattern {
   friend bool operator==(const BeamPattern&, const BeamPattern&) = default;
 };
 
-/// One-way power in a direction, 1 on the axis: the product of two line arrays' sin(x) / x squared up to its first zero.
+/// One-way power in a direction, 1 on the axis: the product of two line arrays' sin(x) / x squared up to its first
+/// zero.
 /// Arguments  sines of the angles from the axis, in the plane of the width and in that of the height
 /// Source     Urick 1983, Principles of underwater sound, 3rd ed., section 3.9: beam pattern of a continuous line, and
 ///            3.10: shading, which trades its side lobes for a few tenths of width

@@ -25,12 +25,12 @@ struct NavigationErrors {
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };
 
-/// Where the vehicle takes itself to be: its fixes, and between them heading and speed summed up with the current that it
-/// measured over the dive before.
+/// Where the vehicle takes itself to be: its fixes, and between them heading and speed summed up with the current that
+/// it measured over the dive before.
 /// Current  depth-averaged as a Slocum computes it: from the error of the dead reckoning at the place of surfacing over
 ///          the time under water; that place is the first fix less the drift until then, known from the next fix
-/// Source   Merckelbach, Briggs, Smeed and Griffiths 2008, Current measurements from autonomous underwater gliders, IEEE
-///          9th Working Conference on Current Measurement Technology; logs of comet (21 August 2019), whose first
+/// Source   Merckelbach, Briggs, Smeed and Griffiths 2008, Current measurements from autonomous underwater gliders,
+///          IEEE 9th Working Conference on Current Measurement Technology; logs of comet (21 August 2019), whose first
 ///          estimate lacks the drift and whose final one has it
 class DeadReckoning {
  public:

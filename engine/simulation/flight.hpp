@@ -71,7 +71,8 @@ concept OnBoard = requires(T& on_board, const FlightView& view) {
   { on_board.step(view) } -> std::convertible_to<OnBoardAnswer>;
 };
 
-/// A vehicle as it is delivered: an altimeter that hears the bed straight below within its range, and no system on board.
+/// A vehicle as it is delivered: an altimeter that hears the bed straight below within its range, and no system on
+/// board.
 struct BareVehicle {
   core::Metres altimeter_range{100.0};  // of the usual altimeter; farther there is no echo
 

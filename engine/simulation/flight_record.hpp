@@ -12,7 +12,8 @@
 #include "engine/simulation/space.hpp"
 #include "engine/simulation/true_state.hpp"
 
-/// What one simulated flight leaves behind. Places are in the frame of the flight's world, energy is drawn since the start.
+/// What one simulated flight leaves behind. Places are in the frame of the flight's world, energy is drawn since the
+/// start.
 namespace floeplan::simulation {
 
 /// A moment of the track.

@@ -127,8 +127,8 @@ class Reader {
     return geo::VelocityEn{{*east}, {*north}};
   }
 
-  /// What the vehicle says of this dive's current once it is up: the final estimate where it changed after the dive, else
-  /// the first one.
+  /// What the vehicle says of this dive's current once it is up: the final estimate where it changed after the dive,
+  /// else the first one.
   [[nodiscard]] std::optional<geo::VelocityEn> depth_averaged(const Span& span) const {
     const std::size_t last = last_row_at_surface(span);
     for (const char* stem : {"m_final_water", "m_initial_water"}) {

@@ -54,8 +54,8 @@ struct LoggedSegment {
 /// Edges    a dive that the log does not follow to a fix after it is left out
 /// Errors   every violation at once: columns that are missing, rows that are not numbers, no whole dive
 /// Bounds   256 MiB of text
-/// Source   x_dr_state 1: under water, 2: waits for the first fix, 3: for the next, 4: ready to dive, of the vendor's data
-///          dictionary of firmware 10.5
+/// Source   x_dr_state 1: under water, 2: waits for the first fix, 3: for the next, 4: ready to dive, of the vendor's
+///          data dictionary of firmware 10.5
 [[nodiscard]] tl::expected<std::vector<LoggedSegment>, core::Violations> read_glider_log(
     std::string_view text);
 

@@ -12,9 +12,9 @@ namespace floeplan::simulation {
 /// What the motion of a hull needs beside its glide: inertia, and how fast its actuators are.
 /// Source   mass: comet, a shallow Slocum, by the public record of its trim in July 2019
 ///          (github.com/smerckel/glidersim). Added masses of a tenth and 1.4 times the mass: Graver 2005, Underwater
-///          gliders: dynamics, control and design, Princeton, 5 and 70 kg for a Slocum of 50 kg. Pump and pitch: logs of
-///          the inflections of comet (21 August 2019) and amadeus (24 July 2014). Turn: Davis, Eriksen and Jones 2002,
-///          Autonomous buoyancy-driven underwater gliders, 7 m with the rudder of a Slocum
+///          gliders: dynamics, control and design, Princeton, 5 and 70 kg for a Slocum of 50 kg. Pump and pitch: logs
+///          of the inflections of comet (21 August 2019) and amadeus (24 July 2014). Turn: Davis, Eriksen and Jones
+///          2002, Autonomous buoyancy-driven underwater gliders, 7 m with the rudder of a Slocum
 struct HullMotion {
   double mass_kg{73.3};
   double added_forward_share{0.1};  // of the mass, along the hull
@@ -34,11 +34,12 @@ struct HullMotion {
 /// second, an assumption, for no public log was at hand.
 [[nodiscard]] HullMotion hull_motion_for(const vehicle::GliderProfile& profile);
 
-/// The vehicle as it is flown: with the parasite drag at which its pump and pitch make the speed that its profile states.
+/// The vehicle as it is flown: with the parasite drag at which its pump and pitch make the speed that its profile
+/// states.
 /// Empty where no drag between 0.01 and 2 does.
-/// Why     plans count on the speed, which pilots know of each vehicle; of its drag only the order is known. The usual 0.15
-///         would make a profile of 0.35 m/s fly 0.31; what it takes instead, 0.12, is what a log of amadeus tells (0.13;
-///         one of comet 0.20)
+/// Why     plans count on the speed, which pilots know of each vehicle; of its drag only the order is known. The usual
+///         0.15 would make a profile of 0.35 m/s fly 0.31; what it takes instead, 0.12, is what a log of amadeus tells
+///         (0.13; one of comet 0.20)
 [[nodiscard]] std::optional<vehicle::GliderProfile> flown_vehicle(const vehicle::GliderProfile& profile);
 
 /// What the autopilot's loops ask of the actuators.

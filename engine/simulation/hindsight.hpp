@@ -22,11 +22,11 @@ struct ForesightSettings {
 /// Whether a flight that ended at a body, the ice or the sea bed could have been saved by full knowledge from the first
 /// moment at which its sonar could have had an echo of what it touched: when that came within the sonar's range, in
 /// whatever direction.
-/// Model    the vehicle turns at once to any of 36 headings and, after one, three or six minutes, to a second one; it is
-///          saved when it meets nothing for 20 minutes from then on. Bodies are met at any depth of the saw-tooth, the
-///          sea bed where it is shoaler than the top of it. The vehicle is carried by the true current
-/// Returns  empty for a flight that touched nothing; false where no such way is clear, and where nothing was within range
-///          before the contact
+/// Model    the vehicle turns at once to any of 36 headings and, after one, three or six minutes, to a second one; it
+///          is saved when it meets nothing for 20 minutes from then on. Bodies are met at any depth of the saw-tooth,
+///          the sea bed where it is shoaler than the top of it. The vehicle is carried by the true current
+/// Returns  empty for a flight that touched nothing; false where no such way is clear, and where nothing was within
+///          range before the contact
 /// Stops    with false once `stop` is requested
 [[nodiscard]] std::optional<bool> could_be_saved(const World& world, const FlightRecord& record,
                                                  const ForesightSettings& settings,

@@ -18,8 +18,8 @@ using JanusBeams = std::array<Vector, janus_beams>;
 /// Range along a beam to the middle of a cell.
 [[nodiscard]] double cell_range_m(const AdcpSettings& settings, double cell);
 
-/// How the velocity at one height below the vehicle comes from the beams: each that reaches it is read there between two
-/// of its cells (bin mapping), and the velocity fits them best (least squares; exact for three beams).
+/// How the velocity at one height below the vehicle comes from the beams: each that reaches it is read there between
+/// two of its cells (bin mapping), and the velocity fits them best (least squares; exact for three beams).
 struct BinMapping {
   struct Reading {
     bool used{};

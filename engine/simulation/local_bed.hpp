@@ -10,10 +10,10 @@
 
 namespace floeplan::simulation {
 
-/// The sea bed about a vehicle on a grid of 5 m: a ping asks for it thousands of times, and on a grid the answer is quick and
-/// its steepest slope is known.
-/// Frame    that of the world; nodes lie at whole multiples of the spacing, so that the bed is the same wherever the grid
-///          was laid from; bilinear between them
+/// The sea bed about a vehicle on a grid of 5 m: a ping asks for it thousands of times, and on a grid the answer is
+/// quick and its steepest slope is known.
+/// Frame    that of the world; nodes lie at whole multiples of the spacing, so that the bed is the same wherever the
+///          grid was laid from; bilinear between them
 /// Memory   laid anew when the vehicle has moved 100 m; in between no member allocates
 /// Threads  one instance for each flight
 class LocalBed {

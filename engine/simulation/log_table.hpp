@@ -13,7 +13,8 @@
 
 namespace floeplan::simulation {
 
-/// Columns of a log as comma-separated text, or as the vendor's dbd2asc writes it, by the name of their sensor; a field that is empty or no number of the sea (nan) is not there.
+/// Columns of a log as comma-separated text, or as the vendor's dbd2asc writes it, by the name of their sensor; a field
+/// that is empty or no number of the sea (nan) is not there.
 class LogTable {
  public:
   using Column = std::vector<std::optional<double>>;

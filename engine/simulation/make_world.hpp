@@ -25,7 +25,8 @@ struct WorldSettings {
 
 /// A real sea that agrees with the data of an environment but for the errors of the settings.
 /// Frame    about the first place of the route
-/// Icebergs each with a form and a draft as likely for what was sighted, on the forecast of its drift and off it by what
+/// Icebergs each with a form and a draft as likely for what was sighted, on the forecast of its drift and off it by
+/// what
 ///          the current's error carries it over its keel from `begin` on; those that come nowhere near the route are
 ///          left out
 /// Edges    beyond the margin nothing is known of the sea bed, and the ice counts as none

@@ -74,10 +74,10 @@ struct MissionOrders {
   std::vector<std::string> notes;              // what is not simulated or was filled in, for the pilot
 };
 
-/// Reads the orders of a whole mission: a `.mi` with all argument files that it names, or argument files alone, in which
-/// case a yo as in the profile and a surfacing at the end of the list stand in for those missing. Where several goto
-/// lists are given, they are flown one after the other, as a pilot sends them; of a mission the one that it names and
-/// those numbered on from it, up to the numbers of the firmware.
+/// Reads the orders of a whole mission: a `.mi` with all argument files that it names, or argument files alone, in
+/// which case a yo as in the profile and a surfacing at the end of the list stand in for those missing. Where several
+/// goto lists are given, they are flown one after the other, as a pilot sends them; of a mission the one that it names
+/// and those numbered on from it, up to the numbers of the firmware.
 /// Vehicle  a depth or a pump volume beyond the vehicle, a thruster that it has not, files of another make: refused
 /// Errors   every violation at once: rejected documents by their errors, files that are named and missing, no list, a
 ///          reason to come up that is not simulated

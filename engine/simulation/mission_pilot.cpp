@@ -18,15 +18,15 @@ constexpr core::Seconds postfix{60.0};
 /// Height of the saw-teeth of a vehicle that waits below ice to come up.
 constexpr double held_tooth_m = 10.0;
 
-/// Until pump and pitch have turned a shallow vehicle round (HullMotion): it does not turn again before, so that where bed and
-/// surface leave no room it does not drain its battery by turning every second.
+/// Until pump and pitch have turned a shallow vehicle round (HullMotion): it does not turn again before, so that where
+/// bed and surface leave no room it does not drain its battery by turning every second.
 constexpr core::Seconds turning_time{15.0};
 
 /// Who moves up and down by less neither saw-tooths nor gets on.
 constexpr core::Metres same_depth = vehicle::lowest_tooth;
 
-/// Who has looked for a way up through ice for so long goes back to where there was one: half an hour of drifting floes is
-/// enough to tell a lead from a cover.
+/// Who has looked for a way up through ice for so long goes back to where there was one: half an hour of drifting floes
+/// is enough to tell a lead from a cover.
 constexpr core::Seconds looks_for_a_lead{1800.0};
 
 double level_distance(Vector a, Vector b) { return std::hypot(a.east - b.east, a.north - b.north); }

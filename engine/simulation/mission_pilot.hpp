@@ -31,11 +31,11 @@ struct FlightPath {
 
 /// Runs the mission's behaviours as the vehicle's computer does: which waypoint to steer for, when to turn in the
 /// saw-tooth, when to come up and what to do there. Knows only what the vehicle knows.
-/// Ends     a mission that cannot go on is aborted, and the vehicle comes up: below the depth or beyond the distance of abend,
-///          held at one depth, given up by the system on board. Where ice that the system knows lies above, it looks for a
-///          lead for half an hour and then goes back to where it last was at the surface
-/// Aim      along the course to the waypoint at the vehicle's speed less the current it reckons with: so steers comet in
-///          its log of 21 August 2019, also where no heading would hold the course
+/// Ends     a mission that cannot go on is aborted, and the vehicle comes up: below the depth or beyond the distance of
+///          abend, held at one depth, given up by the system on board. Where ice that the system knows lies above, it
+///          looks for a lead for half an hour and then goes back to where it last was at the surface
+/// Aim      along the course to the waypoint at the vehicle's speed less the current it reckons with: so steers comet
+///          in its log of 21 August 2019, also where no heading would hold the course
 class MissionPilot {
  public:
   enum class Phase { at_surface, diving, climbing, surfacing, done };

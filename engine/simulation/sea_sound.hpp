@@ -22,16 +22,17 @@ struct SoundWater {
 [[nodiscard]] double absorption_db_m(double frequency_khz, const SoundWater& water);
 
 /// Noise of the sea, spectrum level in dB re 1 uPa^2/Hz: wind on open water and the thermal motion of the water.
-/// Source   Coates 1990, Underwater acoustic systems, as quoted by Stojanovic 2007, On the relationship between capacity
-///          and distance in an underwater acoustic channel, Mob. Comput. Commun. Rev. 11, section 2.2 (formulas after
-///          Wenz 1962)
+/// Source   Coates 1990, Underwater acoustic systems, as quoted by Stojanovic 2007, On the relationship between
+///          capacity and distance in an underwater acoustic channel, Mob. Comput. Commun. Rev. 11, section 2.2
+///          (formulas after Wenz 1962)
 [[nodiscard]] double noise_spectrum_db(double frequency_khz, double wind_m_s);
 
 /// Power that the sea surface sends back from each square metre into the direction that it came from, as a share of
 /// the intensity that reaches it, by the angle at which sound grazes it.
 /// Source   Chapman and Harris 1962, Surface backscattering strengths measured with explosive sound sources, J.
 ///          Acoust. Soc. Am. 34, doi:10.1121/1.1909057
-/// Differences the fit is of 0.4 to 6.4 kHz; above, where nearly constant strengths are measured, it is taken at 6.4 kHz,
+/// Differences the fit is of 0.4 to 6.4 kHz; above, where nearly constant strengths are measured, it is taken at 6.4
+/// kHz,
 ///          and it never exceeds the share of a Lambert surface that sends back everything, sin^2 / pi
 [[nodiscard]] double surface_backscatter(double sine_of_grazing, double frequency_khz, double wind_m_s);
 

@@ -36,8 +36,8 @@ struct SegmentComparison {
 };
 
 /// Whose parasite drag a logged dive is flown with: of the log, where its rates of depth tell one, or of the profile.
-/// Source   fitting drag to the rates of depth: Merckelbach, Smeed and Griffiths 2010, doi:10.1175/2009JTECHO710.1. Between
-///          two vehicles of one kind it differs by a third, by growth, sensors and trim
+/// Source   fitting drag to the rates of depth: Merckelbach, Smeed and Griffiths 2010, doi:10.1175/2009JTECHO710.1.
+///          Between two vehicles of one kind it differs by a third, by growth, sensors and trim
 enum class DragOf { log, profile };
 
 /// Flies a logged dive again: its start, waypoints, dive settings and trim, in water that moves as the vehicle's own

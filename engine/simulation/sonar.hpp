@@ -27,11 +27,14 @@ concept CastRay = requires(const F& cast, Vector origin, Vector direction, doubl
 ///          pattern of every beam, with TL = 20 lg r + absorption r. Echoes of one beam and one
 ///          range cell add up in power. Against them stand noise, volume reverberation, the echo of the open surface in
 ///          the same cell and what side lobes hear of all echoes there. The receiver knows this background, and its
-///          threshold lies so high above it that the stated number of false alarms is met. Echo and background fluctuate as sums of many scatterers do
-///          (Rayleigh), so an echo of mean signal-to-background ratio s is heard with probability Pfa^(1 / (1 + s)).
-/// Direction an echo belongs to the beams that hear it best: one that hears it 6 dB weaker than a beam next to it gives no
+///          threshold lies so high above it that the stated number of false alarms is met. Echo and background
+///          fluctuate as sums of many scatterers do (Rayleigh), so an echo of mean signal-to-background ratio s is
+///          heard with probability Pfa^(1 / (1 + s)).
+/// Direction an echo belongs to the beams that hear it best: one that hears it 6 dB weaker than a beam next to it gives
+/// no
 ///          return, as receivers look for peaks across their beams
-/// Returns  ranges are the middles of range cells; neighbouring cells above the threshold give one return, at the nearest
+/// Returns  ranges are the middles of range cells; neighbouring cells above the threshold give one return, at the
+///          nearest
 /// Left out refraction, multipath, motion while the ping is under way
 /// Memory   none taken after construction
 /// Threads  one at a time: it keeps room for a ping

@@ -9,13 +9,14 @@ namespace floeplan::simulation {
 /// A forward-looking sonar of many beams that all look at once: rows of beams side by side, one row above the other.
 /// Source of the defaults: no sonar of a glider is prescribed. Frequency, source level, widths and listening range are
 ///         those of small commercial forward-looking sonars of 200 to 450 kHz; five rows reach 30 degrees up and
-///         down, so that some look level at the pitch of 26 degrees at which a Slocum dives and climbs. Strengths of the faces: rough rock sends back -30 to -20
-///         dB (Olson, Lyons and Saebo 2016, J. Acoust. Soc. Am. 139, doi:10.1121/1.4944644), ice is taken alike; sea bed
-///         -27 dB, Mackenzie 1961, J. Acoust. Soc. Am. 33; volume -70 dB, Urick 1983, section 8.5.
-///         Chosen for want of a source: a ping a second, four times as long as the echo from 200 m takes; a pulse that resolves
-///         half a metre, finer than any surface is mapped; blind for twice its length, while the transducer rings; a
-///         receiver that adds nothing to the sea's noise; false alarms so seldom that confirmed ones are rarer than one
-///         an hour (avoidance::EchoConfirmation), and two returns a beam, the nearest surface and one behind
+///         down, so that some look level at the pitch of 26 degrees at which a Slocum dives and climbs. Strengths of
+///         the faces: rough rock sends back -30 to -20 dB (Olson, Lyons and Saebo 2016, J. Acoust. Soc. Am. 139,
+///         doi:10.1121/1.4944644), ice is taken alike; sea bed -27 dB, Mackenzie 1961, J. Acoust. Soc. Am. 33; volume
+///         -70 dB, Urick 1983, section 8.5.
+///         Chosen for want of a source: a ping a second, four times as long as the echo from 200 m takes; a pulse that
+///         resolves half a metre, finer than any surface is mapped; blind for twice its length, while the transducer
+///         rings; a receiver that adds nothing to the sea's noise; false alarms so seldom that confirmed ones are rarer
+///         than one an hour (avoidance::EchoConfirmation), and two returns a beam, the nearest surface and one behind
 struct SonarSettings {
   double frequency_khz{260.0};
   double source_level_db{200.0};  // re 1 uPa at 1 m

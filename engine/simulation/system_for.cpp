@@ -13,8 +13,8 @@ constexpr int most_times = 48;
 constexpr double least_spacing_m = 500.0;
 constexpr double around_route_m = 5000.0;  // far beyond any detour
 constexpr core::Seconds least_time_step{1800.0};
-/// How far off its axis a beam reports an echo, of its height: half, and a quarter on while the next row, which then hears it
-/// better, hears it less than 6 dB better (simulation::Sonar).
+/// How far off its axis a beam reports an echo, of its height: half, and a quarter on while the next row, which then
+/// hears it better, hears it less than 6 dB better (simulation::Sonar).
 constexpr double heard_beside_axis = 0.75;
 
 std::vector<geo::LonLat> waypoints_of(const MissionOrders& orders) {

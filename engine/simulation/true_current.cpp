@@ -7,8 +7,8 @@
 namespace floeplan::simulation {
 namespace {
 
-/// Where water is sought beside a place that has none, cell by cell outwards: as far as plans extend a model's currents beyond
-/// its land mask, which is coarser than the coast (planning::PlaneCurrents).
+/// Where water is sought beside a place that has none, cell by cell outwards: as far as plans extend a model's currents
+/// beyond its land mask, which is coarser than the coast (planning::PlaneCurrents).
 constexpr std::array<std::array<Vector, 4>, 4> rings{
     {{{{1.0, 0.0, 0.0}, {-1.0, 0.0, 0.0}, {0.0, 1.0, 0.0}, {0.0, -1.0, 0.0}}},
      {{{1.0, 1.0, 0.0}, {-1.0, 1.0, 0.0}, {1.0, -1.0, 0.0}, {-1.0, -1.0, 0.0}}},

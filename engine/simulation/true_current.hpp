@@ -14,9 +14,10 @@ namespace floeplan::simulation {
 /// Frame    east and north of the flight's frame, m/s; never up or down
 /// Depth    above the forecast's first level as at it, below its last as at that; where the model has no water that
 ///          deep, as at its deepest water
-/// Coast    where a node is missing, as at the nearest places that have water, one cell aside or two, for models' coasts are
-///          coarse
-/// Outside  empty beyond the forecast's area (and those cells) and period; a forecast held steady answers for every time
+/// Coast    where a node is missing, as at the nearest places that have water, one cell aside or two, for models'
+///          coasts are coarse
+/// Outside  empty beyond the forecast's area (and those cells) and period; a forecast held steady answers for every
+///          time
 /// Threads  const members may be called from several threads at once
 class TrueCurrent {
  public:

@@ -6,8 +6,8 @@
 namespace floeplan::simulation {
 namespace {
 
-/// How long and how far a search for bodies holds. A minute of a glider is some thirty metres, so that the margin costs a
-/// few bodies and the search, one look at each body of the world, is spread over many pings.
+/// How long and how far a search for bodies holds. A minute of a glider is some thirty metres, so that the margin costs
+/// a few bodies and the search, one look at each body of the world, is spread over many pings.
 constexpr core::Seconds search_holds{60.0};
 constexpr double search_margin_m = 100.0;
 

@@ -23,9 +23,9 @@ struct MeanLongitudes {
 };
 
 /// Accuracy the time scale is UTC throughout: neglecting its minute to dynamical time turns the moon by 0.01 degrees
-/// Source   mean longitudes of Moon, Sun, perigee and node: Meeus 1998, Astronomical algorithms, equations (47.1), (25.2)
-///          and (47.7) and chapter 22; perigee of the Sun: Simon and others 1994, Numerical expressions for precession
-///          formulae and mean elements for the Moon and the planets, Astron. Astrophys. 282
+/// Source   mean longitudes of Moon, Sun, perigee and node: Meeus 1998, Astronomical algorithms, equations (47.1),
+///          (25.2) and (47.7) and chapter 22; perigee of the Sun: Simon and others 1994, Numerical expressions for
+///          precession formulae and mean elements for the Moon and the planets, Astron. Astrophys. 282
 [[nodiscard]] MeanLongitudes mean_longitudes(core::UtcTime time);
 
 }  // namespace floeplan::tide

@@ -20,7 +20,8 @@ struct MinorConstituent {
 /// The up to 16 minor lines that models of the eight major ones leave out, for these lines: those that are not already
 /// among them. The response of the sea changes little between neighbouring frequencies.
 /// Returns  empty when one of Q1, O1, K1, N2, M2, S2 is missing
-/// Source   weights: R. D. Ray, perth2, as in the Tide Model Driver (Padman and Erofeeva 2005, Tide Model Driver manual)
+/// Source   weights: R. D. Ray, perth2, as in the Tide Model Driver (Padman and Erofeeva 2005, Tide Model Driver
+///          manual)
 [[nodiscard]] std::vector<MinorConstituent> inferable_minors(std::span<const Constituent> majors);
 
 /// The constants with those of the minor lines that can be inferred from them at the end.

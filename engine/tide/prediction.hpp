@@ -26,7 +26,8 @@ struct HarmonicConstant {
 
 /// What multiplies each line's constant at evenly spaced times, the same at every place: the tide there and then is
 /// the real part of the sum of the products. Laid out once, so that a place costs one multiplication a line.
-/// Accuracy nodal corrections stand still for a day at a time: within 3e-4 of the amplitude, 1e-3 for M1 and L2, which the
+/// Accuracy nodal corrections stand still for a day at a time: within 3e-4 of the amplitude, 1e-3 for M1 and L2, which
+/// the
 ///          perigee changes faster, and for lines of shallow water the sum over their parents
 /// Threads  const members may be called from several threads at once
 class PhasorTable {

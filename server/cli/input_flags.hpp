@@ -8,8 +8,8 @@
 
 namespace floeplan::cli {
 
-/// The flags of `plan`, `evaluate`, `check` and `reach` that are members of a process's `inputs`, under the same names with
-/// underscores. Flags win over the members of a request file.
+/// The flags of `plan`, `evaluate`, `check` and `reach` that are members of a process's `inputs`, under the same names
+/// with underscores. Flags win over the members of a request file.
 class InputFlags {
  public:
   /// Departure, vehicle, margin and data: what all of them take.
@@ -100,8 +100,8 @@ class InputFlags {
   std::optional<std::string> name_;
 };
 
-/// The JSON object that a file holds; `what` names the file in a message. Throws std::runtime_error where the server would
-/// not take its text, and when it cannot be read or is longer than 16 MB.
+/// The JSON object that a file holds; `what` names the file in a message. Throws std::runtime_error where the server
+/// would not take its text, and when it cannot be read or is longer than 16 MB.
 [[nodiscard]] nlohmann::json read_object(const std::string& file, const std::string& what);
 
 /// A file as the inputs take it: {"name": ..., "text": ...}. Throws std::runtime_error when it cannot be read.

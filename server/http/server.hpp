@@ -54,7 +54,8 @@ struct Equipment {
 /// their own, except for what is to be answered at once.
 /// When there are too many connections, of one address or in all, the one that has been waiting longest for its client
 /// makes room; those that are being answered are never ended, and a new one is refused when there are no others.
-/// Errors   std::runtime_error from the constructor when the address cannot be listened on or the certificate not be used
+/// Errors   std::runtime_error from the constructor when the address cannot be listened on or the certificate not be
+///          used
 class Server {
  public:
   Server(const ListenAddress& address, routes::Handler handler, std::size_t handler_threads,

@@ -55,8 +55,8 @@ Response too_many_streams() {
   return response;
 }
 
-/// Status line and fields in one piece: Beast's serializer hands each field to the system as four, and gathering some fifty
-/// of them costs more than their few hundred bytes.
+/// Status line and fields in one piece: Beast's serializer hands each field to the system as four, and gathering some
+/// fifty of them costs more than their few hundred bytes.
 std::string head_of(const Response& response, bool keep_alive) {
   beast::http::response<beast::http::empty_body> message;
   message.version(11);

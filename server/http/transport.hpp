@@ -15,8 +15,8 @@
 
 namespace floeplan::http {
 
-/// One connection's way for bytes, in the clear or by TLS: an AsyncReadStream and AsyncWriteStream as Beast wants them, with
-/// a time limit over whatever is under way.
+/// One connection's way for bytes, in the clear or by TLS: an AsyncReadStream and AsyncWriteStream as Beast wants them,
+/// with a time limit over whatever is under way.
 /// Threads  the I/O thread alone
 class Transport {
  public:

@@ -20,8 +20,8 @@ struct GroundKey {
   friend bool operator==(const GroundKey&, const GroundKey&) = default;
 };
 
-/// What jobs on one store keep for those after them: reading and laying out a sea takes most of the time of a small job,
-/// and whoever moves a waypoint asks for nearly the same again.
+/// What jobs on one store keep for those after them: reading and laying out a sea takes most of the time of a small
+/// job, and whoever moves a waypoint asks for nearly the same again.
 /// Threads  all members may be used from several threads at once
 struct KeptWork {
   repository::CurrentGridCache currents;

@@ -12,8 +12,8 @@
 
 namespace floeplan::jobs {
 
-/// Calls `run(i, stop)` for every i below `count`, on so many threads at once; each call writes to its own place only. `report`
-/// is told on the calling thread how many are done.
+/// Calls `run(i, stop)` for every i below `count`, on so many threads at once; each call writes to its own place only.
+/// `report` is told on the calling thread how many are done.
 /// Stops    begins no further run once `stop` is requested, and returns when those under way have ended
 /// Errors   rethrows the first exception of a run, after the others have been stopped
 template <class Run, class Report>

@@ -23,8 +23,9 @@ namespace {
 
 using nlohmann::json;
 
-/// The same inputs on the same data have the same id as long as the same plan comes of them. Another program, or a machine
-/// that is too slow for the whole refinement, may come to another one, and nobody is to be given the old one for it.
+/// The same inputs on the same data have the same id as long as the same plan comes of them. Another program, or a
+/// machine that is too slow for the whole refinement, may come to another one, and nobody is to be given the old one
+/// for it.
 std::string plan_id(const json& inputs, const ocean::Environment& environment, const planning::Plan& plan) {
   std::string text = inputs.dump();
   for (const auto& dataset : environment.datasets) text += "\n" + dataset.id + " " + dataset.sha256;

@@ -67,9 +67,9 @@ bool may_pass(const sqlite::Failure& failure) {
   return false;
 }
 
-/// Writes down how a job ended. The work is done and must not be lost because the disk or the memory is full for a while:
-/// what fails is tried again until it can be done, or until the server stops, which hands the job back when it starts
-/// again.
+/// Writes down how a job ended. The work is done and must not be lost because the disk or the memory is full for a
+/// while: what fails is tried again until it can be done, or until the server stops, which hands the job back when it
+/// starts again.
 template <class Write>
 void keep_trying(sqlite::Connection& db, const repository::JobId& id, const Write& write,
                  const std::stop_token& stop) {

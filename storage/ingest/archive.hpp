@@ -8,8 +8,8 @@
 
 namespace floeplan::ingest {
 
-/// Whether a file is an archive (zip, and so KMZ; tar) or one compressed file (gzip, bzip2, xz, zstd, compress), told by
-/// its first bytes.
+/// Whether a file is an archive (zip, and so KMZ; tar) or one compressed file (gzip, bzip2, xz, zstd, compress), told
+/// by its first bytes.
 [[nodiscard]] bool is_archive(const std::filesystem::path& file);
 
 /// What came out of an archive.

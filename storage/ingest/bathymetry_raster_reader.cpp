@@ -132,8 +132,8 @@ Checked<OGRSpatialReference> crs_of(GDALDataset& dataset, std::string_view drive
 
 using DatasetPtr = std::unique_ptr<GDALDataset>;
 
-/// Longitude and latitude; a polar plane for what lies round a pole or across the antimeridian, where degrees have a seam
-/// and grow too narrow. Only of what lies in high latitudes, so that the plane stays true.
+/// Longitude and latitude; a polar plane for what lies round a pole or across the antimeridian, where degrees have a
+/// seam and grow too narrow. Only of what lies in high latitudes, so that the plane stays true.
 const char* target_crs_for(GDALDataset& dataset, const OGRSpatialReference& crs) {
   constexpr double least_lat_deg = 45.0;
   constexpr int parts = 32;  // of each side

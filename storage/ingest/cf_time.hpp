@@ -14,8 +14,8 @@ enum class CfCalendar { standard, proleptic_gregorian, julian, no_leap, all_leap
 /// Decodes the time axis of a NetCDF file: "<unit> since <date>" in a calendar.
 /// Units    weeks, days, hours, minutes, seconds, milliseconds; months and years are refused: their length
 ///          varies
-/// Edges    a date in a model's own calendar, or in the Julian one, becomes the same date in ours; one that ours lacks (30 February,
-///          29 February of a common year) is refused. "standard" is Julian before 15 October 1582; year 0
+/// Edges    a date in a model's own calendar, or in the Julian one, becomes the same date in ours; one that ours lacks
+///          (30 February, 29 February of a common year) is refused. "standard" is Julian before 15 October 1582; year 0
 ///          exists
 /// Source   CF conventions 1.8, section 4.4; UDUNITS-2 for the spelling of the reference date
 class CfTime {
@@ -27,8 +27,8 @@ class CfTime {
   [[nodiscard]] Checked<core::UtcTime> at(double value) const;
   /// True when the calendar is not the one the world uses, so dates drift against the sun and the moon.
   [[nodiscard]] bool is_model_calendar() const;
-  /// True when the file states the Julian calendar. Producers of today who do mean the dates that it gives, not the days:
-  /// OSCAR and models of GFDL would otherwise lie 13 days in the future.
+  /// True when the file states the Julian calendar. Producers of today who do mean the dates that it gives, not the
+  /// days: OSCAR and models of GFDL would otherwise lie 13 days in the future.
   [[nodiscard]] bool is_julian() const;
 
  private:

@@ -14,8 +14,8 @@ class DelimitedText {
   /// A mark of the byte order before the header is no part of it.
   explicit DelimitedText(std::string_view header);
 
-  /// Letters and digits in lower case, an underscore for whatever is between them: "Length (m)" is "length_m", "#Lon" is
-  /// "lon".
+  /// Letters and digits in lower case, an underscore for whatever is between them: "Length (m)" is "length_m", "#Lon"
+  /// is "lon".
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
   /// The only column with one of the names; empty when none has, or several.
   [[nodiscard]] std::optional<std::size_t> column(const std::vector<std::string_view>& names) const;

@@ -62,8 +62,8 @@ Checked<std::vector<double>> values_beside(const NetcdfFile& file, const NetcdfV
   return values;
 }
 
-/// The variable that says when or where the currents were met: by its name, or that of the rows where the currents have a
-/// value for each row.
+/// The variable that says when or where the currents were met: by its name, or that of the rows where the currents have
+/// a value for each row.
 const NetcdfVariable* beside(const NetcdfFile& file, const std::vector<std::string_view>& names,
                              std::string_view of_rows, const NetcdfVariable& current) {
   if (const NetcdfVariable* own = find_measured(file, names, {})) return own;

@@ -28,8 +28,8 @@ struct GribField {
 /// Walks through the octets of a GRIB2 file. GDAL decodes the values, but it hides what vectors are relative to, and it
 /// does not say when a file ends early.
 /// Errors   GRIB of edition 1; lengths that do not fit the file; a time unit or a product that is not known
-/// Source   WMO Manual on Codes No. 306, volume I.2, part B, FM 92 GRIB edition 2: templates 3.0, 3.1, 3.10, 3.20, 3.30,
-///          4.0, 4.8; flag table 3.3; code tables 4.4 and 4.5
+/// Source   WMO Manual on Codes No. 306, volume I.2, part B, FM 92 GRIB edition 2: templates 3.0, 3.1, 3.10, 3.20,
+///          3.30, 4.0, 4.8; flag table 3.3; code tables 4.4 and 4.5
 [[nodiscard]] Checked<std::vector<GribField>> grib_fields(const std::filesystem::path& file);
 
 }  // namespace floeplan::ingest

@@ -8,7 +8,8 @@ struct gzFile_s;
 
 namespace floeplan::ingest {
 
-/// A file that gzip compressed, unpacked for an archive reader with its checksums compared, which libarchive leaves out.
+/// A file that gzip compressed, unpacked for an archive reader with its checksums compared, which libarchive leaves
+/// out.
 class GzipStream {
  public:
   explicit GzipStream(const std::filesystem::path& file);

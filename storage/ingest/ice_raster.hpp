@@ -25,9 +25,9 @@ struct IceRaster {
   std::vector<float> thickness_m;
 };
 
-/// Lays polygons in longitude and latitude (of which long edges are divided already) or in a reference system on a polar
-/// stereographic grid, true to scale at 70 degrees, of at most two million nodes; the greatest value of all polygons that
-/// touch a cell or one beside it counts.
+/// Lays polygons in longitude and latitude (of which long edges are divided already) or in a reference system on a
+/// polar stereographic grid, true to scale at 70 degrees, of at most two million nodes; the greatest value of all
+/// polygons that touch a cell or one beside it counts.
 /// Errors   corners that the projection cannot take, polygons on both hemispheres
 [[nodiscard]] Checked<IceRaster> lay_on_grid(std::vector<IcePolygon> polygons);
 

@@ -18,8 +18,8 @@ bool is_one_of(const std::string& unit, std::initializer_list<std::string_view> 
   return std::find(words.begin(), words.end(), unit) != words.end();
 }
 
-/// Models that take up observations may overshoot: files of the reanalysis GLORYS12 reach 1.0096 and declare values up to
-/// 1.043 valid. So much more is possible as the variable's own valid_max says, not beyond this.
+/// Models that take up observations may overshoot: files of the reanalysis GLORYS12 reach 1.0096 and declare values up
+/// to 1.043 valid. So much more is possible as the variable's own valid_max says, not beyond this.
 constexpr double most_overshoot = 0.05;
 
 IceUnit unit_with(double factor) {

@@ -15,7 +15,8 @@ namespace floeplan::ingest {
 /// Icebergs out of a table with the columns that a GeoJSON point has as properties:
 ///  id (name, berg, iceberg, berg_id, iceberg_id)                 required
 ///  lat (latitude), lon (long, longitude)                         required, degrees
-///  observed (time, timestamp, datetime, date, last_seen)         required; ISO 8601 with its zone or a day alone; times in
+///  observed (time, timestamp, datetime, date, last_seen)         required; ISO 8601 with its zone or a day alone;
+///  times in
 ///                                                                a column whose name ends in "_utc" may leave it out
 ///  length_m, draft_m, position_uncertainty_m, size, shape,
 ///  method                                                        optional

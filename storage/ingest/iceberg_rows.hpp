@@ -16,7 +16,8 @@ inline constexpr double least_certain_m = 1e6;  // the widest error of a positio
 
 enum class Zero : std::uint8_t { allowed, refused };
 
-/// A length in metres out of a text, empty where that is; or why it is none. `value`: the number that the text is, if any.
+/// A length in metres out of a text, empty where that is; or why it is none. `value`: the number that the text is, if
+/// any.
 [[nodiscard]] Checked<std::optional<core::Metres>> metres_of(const std::string& name, const std::string& text,
                                                              std::optional<double> value, double most_m,
                                                              Zero zero = Zero::refused);

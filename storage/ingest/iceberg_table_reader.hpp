@@ -14,9 +14,11 @@ namespace floeplan::ingest {
 [[nodiscard]] bool is_iceberg_list_json(std::string_view head);
 
 /// Icebergs out of a table, told by its columns:
-///  - the list of the US National Ice Center, with and without areas and remarks: lengths in nautical miles, one position
+///  - the list of the US National Ice Center, with and without areas and remarks: lengths in nautical miles, one
+///  position
 ///    for each berg, dates M/D/YYYY. A berg that its remarks call grounded has the shape "grounded"
-///  - a consolidated track of BYU and the Ice Center: one berg, named by the file; days YYYYDDD; for each sensor latitude,
+///  - a consolidated track of BYU and the Ice Center: one berg, named by the file; days YYYYDDD; for each sensor
+///  latitude,
 ///    longitude and whether it was seen (1) or interpolated (0), all zero where missing. A day makes one sighting: seen
 ///    before interpolated, then in the order of the sensors. A size holds until the next one is stated
 ///  - a beacon's track of the Canadian Ice Service: times with their zone, and the class of the Argos position

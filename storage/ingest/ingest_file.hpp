@@ -42,8 +42,8 @@ struct IngestReport {
   FileGroup files{};                // what `file` names; set by guarded_ingest
 };
 
-/// Reads a file into the store: recognises it by content, checks it, normalises it (WGS84, UTC, SI, depth positive down,
-/// currents towards true east and north) and stores it in one transaction, or stores nothing and says why.
+/// Reads a file into the store: recognises it by content, checks it, normalises it (WGS84, UTC, SI, depth positive
+/// down, currents towards true east and north) and stores it in one transaction, or stores nothing and says why.
 /// A file whose content is already stored under the same kind is "unchanged".
 /// Errors   std::runtime_error only when the store itself fails
 [[nodiscard]] std::vector<IngestReport> ingest_file(sqlite::Connection& db, const std::filesystem::path& file,

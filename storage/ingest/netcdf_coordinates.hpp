@@ -10,8 +10,9 @@
 namespace floeplan::ingest {
 
 /// The coordinate variable of a dimension: one-dimensional and of the dimension's own name; where nothing has that
-/// name, the only variable along it that standard name, axis or unit make a coordinate ("xgrid" along "x", OSCAR's "lat"
-/// along "latitude"). GDAL's own indexing variable is not asked: it may be a two-dimensional table or belong to the other axis.
+/// name, the only variable along it that standard name, axis or unit make a coordinate ("xgrid" along "x", OSCAR's
+/// "lat" along "latitude"). GDAL's own indexing variable is not asked: it may be a two-dimensional table or belong to
+/// the other axis.
 /// Returns  null when there is none
 [[nodiscard]] const NetcdfVariable* coordinate_of(const NetcdfFile& file, const NetcdfDimension& dimension);
 

@@ -46,7 +46,8 @@ class NetcdfVariable {
                                                          const std::vector<std::size_t>& count) const;
   /// All values of a small variable (coordinates), scale and offset applied, fill as NaN.
   [[nodiscard]] Checked<std::vector<double>> read_all() const;
-  /// All texts of a variable of characters, trimmed; empty of numbers, of a text without dimensions, of over 1000 texts.
+  /// All texts of a variable of characters, trimmed; empty of numbers, of a text without dimensions, of over 1000
+  /// texts.
   [[nodiscard]] std::vector<std::string> texts() const;
   /// What a packed value stands for: scale and offset applied; NaN where it is the fill or the missing value.
   /// The fill is compared with the packed value, in the variable's own precision.
@@ -74,8 +75,8 @@ class NetcdfVariable {
   double offset_{0.0};
 };
 
-/// An open NetCDF file (any variant) or Zarr store, seen through its root group. Coordinates are never taken from GDAL's
-/// own guesses.
+/// An open NetCDF file (any variant) or Zarr store, seen through its root group. Coordinates are never taken from
+/// GDAL's own guesses.
 /// Threads  one thread at a time
 class NetcdfFile {
  public:

@@ -49,16 +49,16 @@ class PolygonShapes {
   bool straight_{true};  // edges are straight in longitude and latitude
 };
 
-/// Counts the longitudes of every ring on, beyond 180 degrees, where it crosses the antimeridian with a jump. What leads
-/// along a whole parallel or along a pole stays as it is.
+/// Counts the longitudes of every ring on, beyond 180 degrees, where it crosses the antimeridian with a jump. What
+/// leads along a whole parallel or along a pole stays as it is.
 void remove_jumps(OGRGeometry& geometry);
 
 /// A ring that leads round a pole, cut open along the antimeridian and closed round that pole; else as it is.
 /// Errors   a ring round the Earth on both sides of the equator: which side is its inside is not known
 [[nodiscard]] Checked<geo::Ring> closed_over_pole(geo::Ring ring);
 
-/// Why an outline in longitude and latitude is not clear: it leads round a pole, or it has edges so long that they could
-/// lead round the Earth either way; empty when it is clear.
+/// Why an outline in longitude and latitude is not clear: it leads round a pole, or it has edges so long that they
+/// could lead round the Earth either way; empty when it is clear.
 [[nodiscard]] std::string doubt_in_turns(const geo::Polygon& polygon);
 
 /// The reference system of a layer, or the one stated for layers without one, longitudes and eastings first.

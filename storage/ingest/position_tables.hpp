@@ -33,7 +33,8 @@ struct PlaneDimensions {
 
 /// Positions from two-dimensional tables of longitude and latitude, which the variable names ("coordinates"), or which
 /// lie on its own dimensions and are called as its points are in NEMO, ROMS, MOM and POP; else from plain axes of
-/// longitude and latitude, or from a projection on which no grid of the store lies. Tables that hold one value everywhere do not count: some producers leave them empty.
+/// longitude and latitude, or from a projection on which no grid of the store lies. Tables that hold one value
+/// everywhere do not count: some producers leave them empty.
 /// Returns  nullopt when there are none
 /// Errors   tables of more points than this program accepts, or that are damaged
 [[nodiscard]] Checked<std::optional<Positions>> positions_of(const NetcdfFiles& files, const NetcdfFile& file,

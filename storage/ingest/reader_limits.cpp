@@ -44,8 +44,8 @@ ReaderLimits limits_for(const std::vector<std::filesystem::path>& files) {
   std::uint64_t bytes = 0;
   for (const std::filesystem::path& file : files) bytes += size_of(file);
   // Seconds: for a small file half of the 10 s after which a damaged one has to be given up by the clock, because a
-  // machine may be busy with other things. For each megabyte a tenth of the rate at which files of currents, the largest
-  // there are, are read on one slow core.
+  // machine may be busy with other things. For each megabyte a tenth of the rate at which files of currents, the
+  // largest there are, are read on one slow core.
   const std::uint64_t cpu_s = (sanitized ? 60 : 5) + bytes / megabyte / (sanitized ? 1 : 2);
   return {.memory_bytes = 480 * megabyte,
           .address_bytes = 4'000 * megabyte,  // libraries alone map about 500 MB

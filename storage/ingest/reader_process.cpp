@@ -22,8 +22,8 @@ constexpr std::size_t longest_line = 4'000'000;  // a report with thousands of r
 
 std::system_error failure(int number, const char* what) { return {number, std::generic_category(), what}; }
 
-/// Where libraries find their own data, and the options of sanitizers. Nothing that could make GDAL load a plugin, speak
-/// to the network or change how it reads a file.
+/// Where libraries find their own data, and the options of sanitizers. Nothing that could make GDAL load a plugin,
+/// speak to the network or change how it reads a file.
 std::vector<std::string> environment() {
   std::vector<std::string> kept{"LC_ALL=C.UTF-8"};
   for (const char* name : {"PATH", "TMPDIR", "GDAL_DATA", "PROJ_LIB", "PROJ_DATA", "LD_LIBRARY_PATH",

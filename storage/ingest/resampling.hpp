@@ -13,9 +13,9 @@
 
 namespace floeplan::ingest {
 
-/// Brings currents, or plain numbers, from the points of a mesh to the nodes of a regular grid: bilinear in four-sided cells, linear in
-/// triangles. Vectors are carried along the great circle from point to node, so that meridians that converge do not
-/// turn them.
+/// Brings currents, or plain numbers, from the points of a mesh to the nodes of a regular grid: bilinear in four-sided
+/// cells, linear in triangles. Vectors are carried along the great circle from point to node, so that meridians that
+/// converge do not turn them.
 /// Edges    a node outside every cell is missing, and so is one less than half of whose weight lies on points with
 ///          water; of cells that overlap the first counts
 /// Threads  const members may be called from several threads at once

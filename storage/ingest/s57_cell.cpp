@@ -50,8 +50,8 @@ std::optional<double> number_of(const OGRFeature& feature, const char* field) {
   return feature.GetFieldAsDouble(index);
 }
 
-/// How many records a base cell has by its own word: its description, its identification, its parameters, and all that it
-/// counts.
+/// How many records a base cell has by its own word: its description, its identification, its parameters, and all that
+/// it counts.
 std::size_t records_stated(const OGRFeature& dsid) {
   double records = 3.0;
   for (const char* count : {"DSSI_NOMR", "DSSI_NOCR", "DSSI_NOGR", "DSSI_NOLR", "DSSI_NOIN", "DSSI_NOCN",

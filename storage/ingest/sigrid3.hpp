@@ -23,8 +23,8 @@ inline constexpr double ice_shelf_thickness_m = 1000.0;
 
 /// Reads total concentration (CT), stages of development (SA, SB, SC, SD, CD, CN) and kind of polygon (POLY_TYPE). Of a
 /// range its upper end, and of single tenths, which are rounded, half a tenth more.
-/// Source   SIGRID-3: A Vector Archive Format for Sea Ice Georeferenced Information and Data, JCOMM Technical Report 23,
-///          code tables for concentration and stage of development
+/// Source   SIGRID-3: A Vector Archive Format for Sea Ice Georeferenced Information and Data, JCOMM Technical Report
+///          23, code tables for concentration and stage of development
 /// Returns  nothing of land and of what was not looked at
 /// Errors   codes that the tables do not have
 [[nodiscard]] Checked<std::optional<IceOfPolygon>> read_ice_codes(const OGRFeature& feature);

@@ -9,11 +9,14 @@
 namespace floeplan::ingest {
 
 /// Follows the rows of a Slocum's logs, segment after segment, from dive to dive.
-/// Places   fixes of the receiver, else the vehicle's own reckoning, which jumps where a fix corrects it. What it reckons
-///          before its first fix may be where it was switched off: what no glider could reach from there is left out
-/// Currents the vehicle knows the current of a dive once it is up: m_initial_water right after it surfaced, m_final_water
+/// Places   fixes of the receiver, else the vehicle's own reckoning, which jumps where a fix corrects it. What it
+///          reckons before its first fix may be where it was switched off: what no glider could reach from there is
+///          left out
+/// Currents the vehicle knows the current of a dive once it is up: m_initial_water right after it surfaced,
+/// m_final_water
 ///          after the drift at the surface, in the next segment. What changed between this dive and the next is of this
-///          dive, the final one before the first; what it dived with (m_water) was of an earlier one. East and north, true
+///          dive, the final one before the first; what it dived with (m_water) was of an earlier one. East and north,
+///          true
 /// Source   x_dr_state 1: under water, of the vendor's data dictionary of firmware 10.5; m_gps_status 0: a valid fix
 class SlocumDives {
  public:

@@ -12,7 +12,8 @@
 
 namespace floeplan::ingest {
 
-/// Whether the first bytes of a file are those of a Slocum's binary log (dbd, sbd, mbd and the like), unpacked where it was compressed.
+/// Whether the first bytes of a file are those of a Slocum's binary log (dbd, sbd, mbd and the like), unpacked where it
+/// was compressed.
 [[nodiscard]] bool is_slocum_binary(std::string_view head);
 [[nodiscard]] bool holds_slocum_binary(const std::filesystem::path& file);
 

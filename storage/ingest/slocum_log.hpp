@@ -66,8 +66,8 @@ struct SlocumLog {
 /// Whether a text is a log: comma-separated with the names of sensors, or as the vendor's dbd2asc writes it.
 [[nodiscard]] bool is_slocum_text(std::string_view head);
 
-/// Reads a log as text. `take` gets the rows in the order of the file. A last line without its end may have lost digits;
-/// it is refused and counted.
+/// Reads a log as text. `take` gets the rows in the order of the file. A last line without its end may have lost
+/// digits; it is refused and counted.
 /// Bounds   128 MB of text
 /// Errors   lines that are no row; no line of names
 [[nodiscard]] Checked<SlocumLog> read_slocum_text(const std::filesystem::path& file,

@@ -10,7 +10,8 @@
 namespace floeplan::ingest {
 
 /// Harmonic constants of a tide model on a grid, elevations and currents, in the first of the files. Transports are
-/// divided by the depth of the water column, there or in another of the files; components between the nodes (C-grid) are brought to the nodes of the elevations.
+/// divided by the depth of the water column, there or in another of the files; components between the nodes (C-grid)
+/// are brought to the nodes of the elevations.
 /// Errors   see the refusals of find_tides, tide_layout_of and tide_names; a constituent that this program does not
 ///          know; transports without depths; elevations over 20 m or currents over 10 m/s; nothing but missing values
 [[nodiscard]] Checked<PreparedDataset> read_tides(const NetcdfFiles& files, const std::filesystem::path& path,

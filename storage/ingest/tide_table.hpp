@@ -16,8 +16,8 @@ namespace floeplan::ingest {
 [[nodiscard]] bool is_tide_table(std::string_view head);
 [[nodiscard]] bool is_otps_extract(std::string_view head);
 
-/// Harmonic constants of stations, elevations only. A list without a place needs --at; one without a unit --unit. Phases
-/// are behind Greenwich; a stated speed has to be that of the constituent within 0.001 degrees an hour.
+/// Harmonic constants of stations, elevations only. A list without a place needs --at; one without a unit --unit.
+/// Phases are behind Greenwich; a stated speed has to be that of the constituent within 0.001 degrees an hour.
 /// Errors   no constituent, an amplitude over 20 m, a speed that belongs to another constituent, no place or no unit
 [[nodiscard]] Checked<PreparedDataset> read_tide_json(const std::filesystem::path& file,
                                                       const IngestOptions& options);

@@ -37,7 +37,8 @@ const NetcdfVariable* field_named(const NetcdfFile& file, const std::string& low
   return nullptr;
 }
 
-/// Whether a file has both parts of a pair. Winds and geostrophic currents are named ua and ug, too: a phase is an angle.
+/// Whether a file has both parts of a pair. Winds and geostrophic currents are named ua and ug, too: a phase is an
+/// angle.
 bool has_pair(const NetcdfFile& file, const KnownPair& pair) {
   const NetcdfVariable* second = field_named(file, pair.second);
   if (field_named(file, pair.first) == nullptr || second == nullptr) return false;

@@ -32,8 +32,9 @@ struct TideVariables {
 /// The component of a tidal current that a file holds without the other; nullopt: both, or none.
 [[nodiscard]] std::optional<ocean::TideQuantity> lone_tide_component(const NetcdfFile& file);
 
-/// What a file holds, elevations first. Known are the names of TPXO and OTIS (hRe, hIm, uRe, uIm, vRe, vIm), TMD 3 (URe,
-/// ...), FES (amplitude, phase, Ua, Ug, Va, Vg), FES2012 (Ha, Hg) and HAMTIDE (AMPL, PHAS, UAMP, UPHA, VAMP, VPHA).
+/// What a file holds, elevations first. Known are the names of TPXO and OTIS (hRe, hIm, uRe, uIm, vRe, vIm), TMD 3
+/// (URe, ...), FES (amplitude, phase, Ua, Ug, Va, Vg), FES2012 (Ha, Hg) and HAMTIDE (AMPL, PHAS, UAMP, UPHA, VAMP,
+/// VPHA).
 /// One component of the current may stand alone: the other is then in a file of its own.
 /// Errors   a tidal forcing of ROMS; half of a pair; a unit that is none
 [[nodiscard]] Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file);

@@ -24,8 +24,8 @@ bool is_undeclared_fill(double value, double factor) {
 }
 
 /// The declared range, unpacked. CF has it packed; ends that could be speeds of water or air as they stand are taken as
-/// such, because many files state them so and none packs a speed in so few steps. A range on one side of zero is none of
-/// a component.
+/// such, because many files state them so and none packs a speed in so few steps. A range on one side of zero is none
+/// of a component.
 Extent valid_range_of(const NetcdfVariable& variable, double factor) {
   constexpr double infinite = std::numeric_limits<double>::infinity();
   constexpr double most_m_s = 300.0;

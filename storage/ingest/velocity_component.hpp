@@ -32,8 +32,8 @@ class VelocityComponent {
   [[nodiscard]] std::size_t rows() const { return layout_.y.source.size(); }
   /// In metres per second; of numbers that are not packed whole ones.
   [[nodiscard]] repository::SampleSteps steps() const;
-  /// Numbers that producers write for "missing" without declaring them, and those outside the variable's valid range, are
-  /// missing and counted.
+  /// Numbers that producers write for "missing" without declaring them, and those outside the variable's valid range,
+  /// are missing and counted.
   [[nodiscard]] Checked<ComponentSlice> read(std::size_t time, std::size_t level) const;
 
  private:

@@ -20,8 +20,8 @@ struct Zarr3Array {
   std::string attributes_text;  // .zattrs
 };
 
-/// Takes the description of an array apart, `zarr.json` as text. A fill of zero is what chunks hold that were not written;
-/// any other also marks missing values, beside the one that the attribute _FillValue states.
+/// Takes the description of an array apart, `zarr.json` as text. A fill of zero is what chunks hold that were not
+/// written; any other also marks missing values, beside the one that the attribute _FillValue states.
 /// Returns  nothing of a group, and of an array of texts or other things that are no numbers
 /// Source   Zarr core specification version 3.0 and version 2; _FillValue of floating-point arrays in base64 as xarray
 ///          writes it

@@ -9,8 +9,8 @@
 
 namespace floeplan::repository {
 
-/// The one variable of a coastline dataset that holds ice shelves and no land: it is used beside the newest coastline and
-/// does not replace it.
+/// The one variable of a coastline dataset that holds ice shelves and no land: it is used beside the newest coastline
+/// and does not replace it.
 inline constexpr const char* ice_shelves_alone = "ice_shelf";
 
 /// Leaves the first coastline of a list and every dataset of ice shelves, which say nothing of other land.

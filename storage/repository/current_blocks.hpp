@@ -9,7 +9,8 @@
 
 namespace floeplan::repository {
 
-/// Which samples of a dataset of currents. A row number is never given twice, and what is stored under it never changes.
+/// Which samples of a dataset of currents. A row number is never given twice, and what is stored under it never
+/// changes.
 struct CurrentBlock {
   std::int64_t dataset_row{};
   std::vector<NodeRun> x;

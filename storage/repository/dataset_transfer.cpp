@@ -91,7 +91,8 @@ struct Arrival {
   std::int64_t here{};
 };
 
-/// Rows that are copied before the dataset is shown: its grid, and the samples on it that make up nearly all of its size.
+/// Rows that are copied before the dataset is shown: its grid, and the samples on it that make up nearly all of its
+/// size.
 constexpr const char* early_table = "grid";
 constexpr const char* large_table = "field_chunk";
 /// About 10 MB of samples: the lock on writing is held for some tens of milliseconds.

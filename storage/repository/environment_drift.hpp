@@ -18,8 +18,8 @@ inline constexpr core::Metres reach_of_drift{100'000.0};
 [[nodiscard]] std::optional<CurrentsBox> drift_box(const EnvironmentDraft& draft, const Dataset& dataset,
                                                    std::size_t steps, std::size_t most_samples);
 
-/// Counts the icebergs that were seen before their currents begin, and names those whose currents are not known all the way
-/// from then, or from the sighting, to the departure.
+/// Counts the icebergs that were seen before their currents begin, and names those whose currents are not known all the
+/// way from then, or from the sighting, to the departure.
 void warn_of_unknown_drift(EnvironmentDraft& draft);
 
 }  // namespace floeplan::repository

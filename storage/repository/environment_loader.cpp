@@ -24,8 +24,8 @@
 namespace floeplan::repository {
 namespace {
 
-/// Areas that are all ice, such as fast ice, of a chart without codes: the variable that ingest names then. Outside them
-/// nothing is known, so that as the newest ice they would hide a concentration that is.
+/// Areas that are all ice, such as fast ice, of a chart without codes: the variable that ingest names then. Outside
+/// them nothing is known, so that as the newest ice they would hide a concentration that is.
 bool is_areas_alone(const Dataset& dataset) { return dataset.variables == std::vector<std::string>{"ice"}; }
 
 void adopt_ice(EnvironmentDraft& draft, const Dataset& dataset, ocean::IceField ice) {

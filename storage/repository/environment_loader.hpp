@@ -17,8 +17,8 @@
 namespace floeplan::repository {
 
 /// Icebergs last seen longer ago than this are left out unless the query says otherwise, by whole UTC days, and the
-/// plan names them: forecasts of their drift lose about 0.75 km an hour (C-CORE hindcast of 340 displacements, 2023-24),
-/// 50 km in this time.
+/// plan names them: forecasts of their drift lose about 0.75 km an hour (C-CORE hindcast of 340 displacements,
+/// 2023-24), 50 km in this time.
 inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 
 /// The last moment that the data have to cover, and the input that asks for it.

@@ -34,8 +34,8 @@ struct Period {
 };
 
 /// Gridded data in compressed chunks, so that a job reads only its area and period.
-/// Variables are "depth_m" and (where cells are known to be shoaler) "shoalest_m" for bathymetry, "u_m_s" and "v_m_s" for currents, "concentration" and (where known)
-/// "thickness_m" for ice.
+/// Variables are "depth_m" and (where cells are known to be shoaler) "shoalest_m" for bathymetry, "u_m_s" and "v_m_s"
+/// for currents, "concentration" and (where known) "thickness_m" for ice.
 /// Stops    reading early once `stop` is requested; what is returned then is incomplete and must not be used
 /// Threads  as the connection: one thread at a time
 class FieldRepository {
@@ -59,14 +59,14 @@ class FieldRepository {
   [[nodiscard]] std::optional<FieldShape> shape(const DatasetId& id) const;
 
   /// The nodes around `area` (one more on each side), the times around `period` and the levels down to the first at or
-  /// below `deepest`, from the last level at or above `shallowest` on. nullopt when the dataset is unknown or shares no node with the area, or no
-  /// time with the period. A dataset whose period ends before or begins after `period` yields nullopt;
-  /// `period` empty means all times.
+  /// below `deepest`, from the last level at or above `shallowest` on. nullopt when the dataset is unknown or shares no
+  /// node with the area, or no time with the period. A dataset whose period ends before or begins after `period` yields
+  /// nullopt; `period` empty means all times.
   [[nodiscard]] std::optional<ocean::CurrentGrid> load_currents(
       const DatasetId& id, const geo::BoundingBox& area, std::optional<Period> period,
       std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest = {}) const;
-  /// The same about a place, with all the nodes that are packed together with those around it: they are unpacked in any case,
-  /// and who asks for one place asks for those beside it next. null: as above.
+  /// The same about a place, with all the nodes that are packed together with those around it: they are unpacked in any
+  /// case, and who asks for one place asks for those beside it next. null: as above.
   [[nodiscard]] std::shared_ptr<const ocean::CurrentGrid> load_currents_at(
       const DatasetId& id, geo::LonLat place, std::optional<Period> period,
       std::optional<core::Metres> deepest, std::optional<core::Metres> shallowest, CurrentBlocks& kept) const;

@@ -44,8 +44,8 @@ struct GridWindow {
 [[nodiscard]] std::optional<GridWindow> window_around(const ocean::HorizontalGrid& grid,
                                                       const geo::BoundingBox& area);
 
-/// The window widened to the blocks of `side` nodes a side that it lies in, counted from the grid's first node; along an
-/// axis on which it crosses the seam of the globe it stays as it is.
+/// The window widened to the blocks of `side` nodes a side that it lies in, counted from the grid's first node; along
+/// an axis on which it crosses the seam of the globe it stays as it is.
 [[nodiscard]] GridWindow in_whole_blocks(const GridWindow& window, const ocean::HorizontalGrid& grid,
                                          std::size_t side);
 

@@ -18,8 +18,8 @@ struct JoinedBathymetry {
       datasets;  // that are used, the one that comes first where several know a depth in front
 };
 
-/// The depths of an area for those who look at it from afar: of all bathymetry stored, the finest first as for plans, on no
-/// more than about `most_nodes` nodes. Where a dataset has several nodes in a cell, the depth is their mean.
+/// The depths of an area for those who look at it from afar: of all bathymetry stored, the finest first as for plans,
+/// on no more than about `most_nodes` nodes. Where a dataset has several nodes in a cell, the depth is their mean.
 /// Outside  nullopt when no dataset has a node there
 [[nodiscard]] std::optional<JoinedBathymetry> joined_bathymetry(sqlite::Connection& db,
                                                                 const geo::BoundingBox& area,

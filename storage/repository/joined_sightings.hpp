@@ -13,8 +13,8 @@ namespace floeplan::repository {
 /// Two sightings under one name that lie farther apart than a berg drifts in the time between them are of two bergs;
 /// feeds number theirs anew.
 /// `max_age`  of sightings before `as_of`
-/// Returns    in the order of the datasets, then by row; those in the area; with `earlier` fixes no older than `track_age`
-///            before each, none where that is zero
+/// Returns    in the order of the datasets, then by row; those in the area; with `earlier` fixes no older than
+///            `track_age` before each, none where that is zero
 [[nodiscard]] std::vector<StoredSighting> joined_sightings(sqlite::Connection& db,
                                                            const std::vector<Dataset>& datasets,
                                                            const geo::BoundingBox& area, core::UtcTime as_of,

@@ -31,8 +31,9 @@ struct KnownIcebergs {
   [[nodiscard]] bool speaks_here(const DatasetId& dataset) const;
 };
 
-/// Without a word on datasets every file with sightings young enough to count is consulted, wherever they lie: a berg may
-/// have left the area since the one that saw it here; where none of them speaks of the area, the newest that does as well.
+/// Without a word on datasets every file with sightings young enough to count is consulted, wherever they lie: a berg
+/// may have left the area since the one that saw it here; where none of them speaks of the area, the newest that does
+/// as well.
 /// What people reported by hand is always consulted.
 /// Errors   adds the violations of `candidates`
 [[nodiscard]] KnownIcebergs known_icebergs(sqlite::Connection& db, const std::vector<Dataset>& stored,

@@ -10,8 +10,8 @@
 namespace floeplan::repository {
 
 /// What took long to make, for others who want just the same.
-/// Memory   at most so many bytes, by what whoever keeps a value says of it: those that were used last; a larger value is
-///          not kept. Whoever uses a value keeps it alive beyond that
+/// Memory   at most so many bytes, by what whoever keeps a value says of it: those that were used last; a larger value
+///          is not kept. Whoever uses a value keeps it alive beyond that
 /// Threads  all members may be called from several threads at once
 template <class Key, class Value>
 class RecentlyUsed {

@@ -38,8 +38,8 @@ class SimulationRepository {
  public:
   explicit SimulationRepository(sqlite::Connection& db) : db_{db} {}
 
-  /// Stores the simulation with those of its flights that are kept whole, all or nothing; one with the same id is left as it is
-  /// (the id is a digest of inputs and data). Returns its row.
+  /// Stores the simulation with those of its flights that are kept whole, all or nothing; one with the same id is left
+  /// as it is (the id is a digest of inputs and data). Returns its row.
   std::int64_t insert(const SimulationRecord& simulation, const std::vector<SimulatedFlight>& flights);
   [[nodiscard]] std::optional<SimulationRecord> find(const SimulationId& id) const;
   /// Those of one plan, or all.

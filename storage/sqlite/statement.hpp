@@ -20,7 +20,8 @@ namespace floeplan::sqlite {
 /// Runs a script of several statements that take no values and give no rows.
 void execute(Connection& db, const std::string& script);
 
-/// One prepared statement, lent by the connection's store of them. Parameters count from 1, columns from 0, as in SQL itself.
+/// One prepared statement, lent by the connection's store of them. Parameters count from 1, columns from 0, as in SQL
+/// itself.
 /// Edges    an empty optional is NULL; text and blobs are copied when bound
 /// Threads  as the connection: one thread at a time
 /// Errors   Failure when the database refuses; std::invalid_argument for a NaN, which SQL would take for NULL

@@ -19,8 +19,8 @@ using support::Flight;
 using support::FlightResult;
 using support::random_icebergs;
 
-/// FLOEPLAN_ICEBERG_FIELDS asks for more than the few that every run of the tests flies, FLOEPLAN_ICEBERG_SEED for other
-/// ones than from 1.
+/// FLOEPLAN_ICEBERG_FIELDS asks for more than the few that every run of the tests flies, FLOEPLAN_ICEBERG_SEED for
+/// other ones than from 1.
 std::uint64_t asked(const char* name, std::uint64_t otherwise) {
   const char* const text = std::getenv(name);
   return text != nullptr ? std::strtoull(text, nullptr, 10) : otherwise;

@@ -144,8 +144,8 @@ TEST(SplitAtAntimeridian, CoversTheSamePlaces) {
   });
 }
 
-/// Law: an area round a pole is one piece that holds the pole and its middle, also where corners lie on the antimeridian
-/// but for rounding.
+/// Law: an area round a pole is one piece that holds the pole and its middle, also where corners lie on the
+/// antimeridian but for rounding.
 TEST(SplitAtAntimeridian, LeavesAnAreaRoundAPoleWhole) {
   for (const double lat_deg : {90.0, 89.99, 89.95, -89.95, -89.99, -90.0}) {
     for (const double lon_deg : {0.0, 180.0, -90.0, 37.0}) {

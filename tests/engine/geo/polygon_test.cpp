@@ -52,7 +52,8 @@ TEST(Polygon, ThatIsWideHasABoxAcrossItsWidestEdge) {
   EXPECT_EQ(bounding_box(wide), (BoundingBox{-100.0, 60.0, 100.0, 80.0}));
 }
 
-/// Law: of many places at once it says what it says of each; also on its corners' meridians and across the antimeridian.
+/// Law: of many places at once it says what it says of each; also on its corners' meridians and across the
+/// antimeridian.
 TEST(Polygon, HoldsOfManyPlacesThoseThatItHoldsOneByOne) {
   support::for_each_seed(300, [](std::mt19937_64& rng) {
     const double middle_deg = support::uniform(rng, -180.0, 180.0);

@@ -24,8 +24,8 @@ using testing::Not;
 
 const geo::LonLat start{-54.0, 69.0};
 
-/// Ice of 90 % in the middle third of the way eastwards along 69 N to 51 W, its keels 18 m deep with the margin. In open
-/// water otherwise, which ends abruptly: from one node of the grid to the next.
+/// Ice of 90 % in the middle third of the way eastwards along 69 N to 51 W, its keels 18 m deep with the margin. In
+/// open water otherwise, which ends abruptly: from one node of the grid to the next.
 ocean::Environment sea_with_ice(double from_deg = -53.05, double to_deg = -51.95) {
   ocean::Environment sea;
   sea.bathymetry = support::bathymetry_from([](geo::LonLat) { return 500.0; });

@@ -41,8 +41,8 @@ inline bool is_under(const Plan& plan, const std::string& berg, core::UtcTime ti
 }
 
 /// Least distance of the plan's vehicle from the rim of any disc, by a simulation of its own in steps of a second:
-/// the vehicle moves evenly between its waypoints and stays there while it waits, each berg evenly along its observed drift. Bergs are seen at the
-/// start.
+/// the vehicle moves evenly between its waypoints and stays there while it waits, each berg evenly along its observed
+/// drift. Bergs are seen at the start.
 inline double least_gap_m(const Plan& plan, const ocean::Environment& environment,
                           const IcebergRules& rules) {
   const geo::LocalProjection projection{plan.waypoints.front().place};

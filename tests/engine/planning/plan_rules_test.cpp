@@ -13,8 +13,8 @@
 #include "engine/planning/plan_route.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
 
-/// Every way of making a plan keeps every rule of the request. The water is still, so that a plan's vehicle moves evenly from
-/// waypoint to waypoint and can be followed here without the planner.
+/// Every way of making a plan keeps every rule of the request. The water is still, so that a plan's vehicle moves
+/// evenly from waypoint to waypoint and can be followed here without the planner.
 namespace floeplan::planning {
 namespace {
 

@@ -69,8 +69,8 @@ TEST(PlanSurvey, VisitsAPlaceBesideAnIcebergOnceItHasDriftedAway) {
   })) << "it comes back to its start because it has places to visit";
 }
 
-/// Every order ends when the iceberg has left the goal; one that comes to the goal from the far place has so much of its
-/// time under way that the rest may be circled away.
+/// Every order ends when the iceberg has left the goal; one that comes to the goal from the far place has so much of
+/// its time under way that the rest may be circled away.
 TEST(PlanSurvey, TakesAnOrderThatCanBeFlownWhereAnotherWouldCircleForTooLong) {
   const auto northwards = [](geo::LonLat, double) { return geo::VelocityEn{{0.0}, {0.03}}; };
   const geo::LonLat goal{-53.4, 69.0};

@@ -265,8 +265,8 @@ TEST(PlanUnderIce, SurfacesBeforeAPlaceToPassWhereItMustGoOnBelowTheIce) {
   }
 }
 
-/// What the way on from the place to pass takes at least, with the tide's strongest current astern, is much less than it
-/// does take.
+/// What the way on from the place to pass takes at least, with the tide's strongest current astern, is much less than
+/// it does take.
 TEST(PlanUnderIce, LeavesAsMuchOfTheBoundAtAPlaceToPassAsTheWayOnTakesInATide) {
   const geo::LonLat hole{-53.25, 69.06};
   const auto tide = [](geo::LonLat, double hour) {

@@ -164,8 +164,8 @@ TEST(LegBack, ClosesAWayForTheSameVehiclesAsTheLegsForwards) {
   EXPECT_GT(broken, 10);
 }
 
-/// The least time since a possible surfacing at each vertex over all walks from the start: in still water under ice that
-/// does not change, a vertex can be reached at all, and the start from it, if and only if this is finite.
+/// The least time since a possible surfacing at each vertex over all walks from the start: in still water under ice
+/// that does not change, a vertex can be reached at all, and the start from it, if and only if this is finite.
 std::vector<double> least_since(const Sea& sea, const OpenGrid& open) {
   constexpr double never = std::numeric_limits<double>::infinity();
   std::vector<double> least(open.graph.size(), never);

@@ -11,7 +11,8 @@
 namespace floeplan::simulation {
 namespace {
 
-/// Francois and Garrison 1982, J. Acoust. Soc. Am. 72, doi:10.1121/1.388673: equations 1 to 13, total absorption, dB/km.
+/// Francois and Garrison 1982, J. Acoust. Soc. Am. 72, doi:10.1121/1.388673: equations 1 to 13, total absorption,
+/// dB/km.
 double francois_garrison_db_km(double f_khz, double t, double s, double depth_m, double ph) {
   const double c = 1412.0 + 3.21 * t + 1.19 * s + 0.0167 * depth_m;
   const double a1 = 8.86 / c * std::pow(10.0, 0.78 * ph - 5.0);

@@ -9,8 +9,8 @@
 #include "tests/engine/simulation/graded_bed.hpp"
 #include "tests/engine/simulation/guided.hpp"
 
-/// Situations made by hand in which a simpler system is lost, in the closed loop of flight model, sensors, mission and the
-/// system on board.
+/// Situations made by hand in which a simpler system is lost, in the closed loop of flight model, sensors, mission and
+/// the system on board.
 namespace floeplan::simulation {
 namespace {
 

@@ -5,8 +5,9 @@
 namespace floeplan::cli {
 namespace {
 
-/// A dozen kills, a full disk, a store that cannot be written or is damaged, and too little memory, by the script that also
-/// does it hundreds of times (deploy/test.sh --full). Takes longer than other tests: a server starts some twenty times.
+/// A dozen kills, a full disk, a store that cannot be written or is damaged, and too little memory, by the script that
+/// also does it hundreds of times (deploy/test.sh --full). Takes longer than other tests: a server starts some twenty
+/// times.
 TEST(Faults, LoseNothingThatWasPromised) {
   if (std::system("python3 --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "install the package python3 to run this test";

@@ -133,7 +133,8 @@ TEST_F(BathymetryTraps, ASurveyMayBeAsShoalAsItsUncertaintyAllows) {
   EXPECT_NEAR(sea.shoalest_m()[node], 59.3783569F - 0.4645371F, 1e-4F);
 }
 
-/// Its description says EPSG 6339, UTM of zone 10 north; the south-west corner was brought to degrees with gdaltransform.
+/// Its description says EPSG 6339, UTM of zone 10 north; the south-west corner was brought to degrees with
+/// gdaltransform.
 TEST_F(BathymetryTraps, ABagThatNamesItsReferenceSystemByItsCodeIsPlacedByIt) {
   if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
   const auto sea = stored(sample_folder() / "bathymetry/Sample_VR_BAG-gzip.bag");

@@ -166,8 +166,8 @@ class HostileFiles : public StoreFixture {
     return path("damaged" + file.extension().string());
   }
 
-  /// Reads a damaged file in the process that is made for it. Whatever comes of it lies in the store whole or not at all,
-  /// and is possible.
+  /// Reads a damaged file in the process that is made for it. Whatever comes of it lies in the store whole or not at
+  /// all, and is possible.
   std::vector<IngestReport> guarded(const std::filesystem::path& file) {
     const auto began = std::chrono::steady_clock::now();
     auto reports =

@@ -22,7 +22,8 @@ struct ModelGrid {
   std::size_t columns{40};  // of centres
   std::size_t rows{30};
   /// A cap with two poles at 60 N on the meridian of the origin and opposite, as ORCA's north: rows are ellipses round
-  /// both, the last but one is the fold between them, the last lies beyond it, and the last two columns are the first two.
+  /// both, the last but one is the fold between them, the last lies beyond it, and the last two columns are the first
+  /// two.
   bool two_poles{false};
 
   [[nodiscard]] geo::LonLat place(double i, double j) const;

@@ -44,8 +44,8 @@ class StoreFixture : public testing::Test {
 /// The folder of real sample files; empty when it is not on this machine.
 [[nodiscard]] std::filesystem::path sample_folder();
 
-/// How many damaged variants of a file a test tries: `in_every_run`, or as many as FLOEPLAN_DAMAGED_FILES says in a long
-/// run.
+/// How many damaged variants of a file a test tries: `in_every_run`, or as many as FLOEPLAN_DAMAGED_FILES says in a
+/// long run.
 [[nodiscard]] std::uint64_t damaged_variants(std::uint64_t in_every_run);
 
 /// Everything a report says, for the message of a failed test.

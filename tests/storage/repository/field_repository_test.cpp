@@ -127,8 +127,8 @@ TEST_F(FieldRepositoryTest, KeepsEverySampleToTheBit) {
   EXPECT_EQ(loaded->samples().grid.x().nodes(), grid.x().nodes());
 }
 
-/// Law: at its place and depth a block answers as the nodes around it do, to the bit, on a grid with an end and on one that
-/// goes round the globe.
+/// Law: at its place and depth a block answers as the nodes around it do, to the bit, on a grid with an end and on one
+/// that goes round the globe.
 TEST_F(FieldRepositoryTest, ABlockAnswersAtAPlaceAsTheNodesAroundItDo) {
   std::mt19937_64 rng{1};
   for (const auto& x : {axis(-60.0, 0.1, 131), axis(-180.0, 4.0, 90)}) {
