@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/planning/refinement.hpp"
+#include "engine/planning/shortening.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -75,7 +76,7 @@ RefinedDrive refine_drive(const Sea& sea, const DrivenRoute& route, const Object
   const auto start = legs.timed({route.points, route.fixed}, at_departure);
   if (!start) return result;
   std::vector<Itinerary> shorter;
-  if (most_legs) shorter.push_back(thin_to(legs, *start, *most_legs));
+  if (most_legs) shorter.push_back(shorten_to(legs, *start, *most_legs));
   Refined refined = refine_route(leg, *start, {.most_legs = most_legs}, budget, shorter);
   result.report.evaluations = refined.report.evaluations;
   result.report.end = refined.report.end;

@@ -8,6 +8,7 @@
 #include "engine/planning/refinement.hpp"
 #include "engine/planning/refinement_budget.hpp"
 #include "engine/planning/route_cost.hpp"
+#include "engine/planning/shortening.hpp"
 #include "engine/planning/straightening.hpp"
 #include "engine/planning/time_killing.hpp"
 
@@ -50,7 +51,7 @@ Improved refined(const Sea& sea, const Route& way, const PlanRequest& request, c
   if (!on_grid || !start) return {way, std::nullopt};
   const auto most = most_legs(request);
   std::vector<Itinerary> shorter;
-  if (most) shorter = {thin_to(legs, *start, *most), thin_to(legs, *on_grid, *most)};
+  if (most) shorter = {shorten_to(legs, *start, *most), shorten_to(legs, *on_grid, *most)};
   Refined result =
       refine_route(timer, *start, {.most_legs = most}, budget_of(sea, request, stop, clock), shorter);
   result.report.before = on_grid->travel_time();
@@ -61,7 +62,7 @@ Route thinned(const Sea& sea, const Route& route, std::size_t most, const std::s
   const SeaTimer timer{sea};
   LegMeter legs{timer, {.stop = stop}};
   auto timed = legs.timed(route, at_departure);
-  return timed ? thin_to(legs, std::move(*timed), most).route : route;
+  return timed ? shorten_to(legs, std::move(*timed), most).route : route;
 }
 
 /// The route with a wait and a straight leg for each part that only kills time, as long as it arrives no later.

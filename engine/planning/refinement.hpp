@@ -133,8 +133,7 @@ class Refiner {
 /// Moves the free points of a route until its cost stops falling: first with many legs, then with
 /// fewer and fewer, each time from the best way with more of them.
 /// `shorter`  routes with no more legs than `most_legs`: without them the points of many legs, thinned to few, may
-///            settle
-///          far from the best
+///            settle far from the best
 /// Returns  the route with the fewest legs of which twice as many would not gain `least_gain`; fixed points
 ///          stay, no leg is closed, and it costs no more than the route that came unless `most_legs` forces it, and no
 ///          more than any of the shorter ones

@@ -253,6 +253,26 @@ TEST(PlanRoute, RefinesToTheNumberOfWaypointsAskedFor) {
   }));
 }
 
+TEST(PlanRoute, GoesRoundAnAreaByOnePointWhereNoMoreAreAskedFor) {
+  PlanRequest request = eastward_request();
+  request.optimality_gap = false;
+  ocean::Zone zone;
+  zone.area.outer = {{-53.08, 68.97}, {-52.92, 68.97}, {-52.92, 69.04}, {-53.08, 69.04}};
+  request.zones = {zone};
+  for (const Objective& objective : {time_objective, energy_objective}) {
+    request.energy.objective = objective;
+    request.max_waypoints.reset();
+    const auto best = plan({}, request);
+    request.max_waypoints = 3;
+    const auto few = plan({}, request);
+
+    ASSERT_TRUE(best && few);
+    EXPECT_GT(best->waypoints.size(), 3U) << "its corners";
+    EXPECT_EQ(few->waypoints.size(), 3U);
+    EXPECT_LT(few->travel_time(), 1.2 * best->travel_time());
+  }
+}
+
 /// Law: with few waypoints, too, a refined plan is no slower than one that is not.
 TEST(PlanRoute, IsNoSlowerForBeingRefinedToFewWaypoints) {
   const ocean::Environment environment{.currents = currents_from(tide, 96)};
