@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/planning/place_between.hpp"
+
 namespace floeplan::planning {
 namespace {
 
@@ -30,8 +32,7 @@ DiveLine::DiveLine(const vehicle::DiveLimits& limits, const PlaneBed* bed, core:
   const core::Metres deepest = std::max(limits.dive_to, shoalest);
   // Where the bed alone would turn the dives.
   const auto turn = [&](double share) {
-    const geo::PlanePoint here{between(a.x_m, b.x_m, share), between(a.y_m, b.y_m, share)};
-    const auto depth = bed != nullptr ? bed->depth(here) : std::nullopt;
+    const auto depth = bed != nullptr ? bed->depth(place_between(a, b, share)) : std::nullopt;
     return depth ? *depth - limits.altimeter_margin : deepest;
   };
   const auto flown = [&](core::Metres asked) { return std::clamp(asked, shoalest, deepest); };

@@ -3,6 +3,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/planning/place_between.hpp"
+
 namespace floeplan::planning {
 namespace {
 
@@ -70,10 +72,7 @@ EnergyUse EnergyMeter::use(const motion::EvenMove& move) const {
   const core::Seconds time{move.t1_s - move.t0_s};
   const double wanted = std::ceil(geo::distance_m(move.from, move.to) / sea_.surfacing_look().value);
   const int looks = static_cast<int>(std::clamp(wanted, 1.0, most_looks));
-  const auto at = [&](double part) {
-    return geo::PlanePoint{move.from.x_m + part * (move.to.x_m - move.from.x_m),
-                           move.from.y_m + part * (move.to.y_m - move.from.y_m)};
-  };
+  const auto at = [&](double part) { return place_between(move.from, move.to, part); };
   EnergyUse drawn;
   for (int i = 0; i < looks; ++i) {
     const double middle = (i + 0.5) / looks;

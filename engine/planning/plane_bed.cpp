@@ -4,6 +4,8 @@
 #include <cmath>
 #include <utility>
 
+#include "engine/planning/place_between.hpp"
+
 namespace floeplan::planning {
 
 PlaneBed::PlaneBed(std::shared_ptr<const ocean::Bathymetry> bathymetry,
@@ -47,8 +49,7 @@ std::vector<double> PlaneBed::bends(geo::PlanePoint a, geo::PlanePoint b, core::
   auto here = grid_.place_among_nodes(a);
   for (double i = 0.0; i < looks; ++i) {
     const double share = (i + 1.0) / looks;
-    const auto next =
-        grid_.place_among_nodes({a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)});
+    const auto next = grid_.place_among_nodes(place_between(a, b, share));
     borders.clear();
     if (here && next) {
       add_borders(here->x, next->x, i);

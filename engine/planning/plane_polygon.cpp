@@ -4,13 +4,10 @@
 #include <limits>
 
 #include "engine/planning/coast_lines.hpp"
+#include "engine/planning/place_between.hpp"
 
 namespace floeplan::planning {
 namespace {
-
-geo::PlanePoint between(geo::PlanePoint a, geo::PlanePoint b, double share) {
-  return {a.x_m + share * (b.x_m - a.x_m), a.y_m + share * (b.y_m - a.y_m)};
-}
 
 constexpr double infinite = std::numeric_limits<double>::infinity();
 
@@ -36,7 +33,7 @@ bool PlanePolygon::contains(geo::PlanePoint point) const {
   for (const Line& line : lines_) {
     if ((line.from.y_m > point.y_m) == (line.to.y_m > point.y_m)) continue;
     const double share = (point.y_m - line.from.y_m) / (line.to.y_m - line.from.y_m);
-    if (between(line.from, line.to, share).x_m > point.x_m) inside = !inside;
+    if (place_between(line.from, line.to, share).x_m > point.x_m) inside = !inside;
   }
   return inside;
 }
@@ -76,7 +73,7 @@ bool covered(const std::vector<const PlanePolygon*>& polygons, geo::PlanePoint a
   std::ranges::sort(shares);
   for (std::size_t i = 1; i < shares.size(); ++i) {
     if (i > 1 && shares[i] <= shares[i - 1]) continue;
-    const geo::PlanePoint middle = between(a, b, 0.5 * (shares[i - 1] + shares[i]));
+    const geo::PlanePoint middle = place_between(a, b, 0.5 * (shares[i - 1] + shares[i]));
     const auto holds = [&](const PlanePolygon* polygon) { return polygon->contains(middle); };
     if (std::ranges::none_of(polygons, holds)) return false;
   }

@@ -2,12 +2,10 @@
 
 #include <cmath>
 
+#include "engine/planning/place_between.hpp"
+
 namespace floeplan::planning {
 namespace {
-
-geo::PlanePoint along(geo::PlanePoint from, geo::PlanePoint to, double share) {
-  return {from.x_m + share * (to.x_m - from.x_m), from.y_m + share * (to.y_m - from.y_m)};
-}
 
 double cross(geo::PlanePoint a, geo::PlanePoint b, geo::PlanePoint c, geo::PlanePoint d) {
   return (b.x_m - a.x_m) * (d.y_m - c.y_m) - (b.y_m - a.y_m) * (d.x_m - c.x_m);
@@ -23,7 +21,7 @@ std::optional<geo::PlanePoint> meeting(geo::PlanePoint a, geo::PlanePoint p, geo
   const double from_a = cross(a, b, b, q) / turn;
   const double from_b = cross(a, b, a, p) / turn;
   if (!(from_a >= 1.0 && from_b >= 1.0 && from_a <= far && from_b <= far)) return std::nullopt;
-  return along(a, p, from_a);
+  return place_between(a, p, from_a);
 }
 
 }  // namespace
@@ -34,13 +32,13 @@ std::vector<geo::PlanePoint> places_for_both(geo::PlanePoint a, geo::PlanePoint 
   constexpr double outwards[] = {1.0, 1.25, 1.5, 2.0, 3.0, 5.0};
   std::vector<geo::PlanePoint> places;
   if (const auto both_lead_there = meeting(a, p, q, b)) places.push_back(*both_lead_there);
-  const geo::PlanePoint middle = along(p, q, 0.5);
+  const geo::PlanePoint middle = place_between(p, q, 0.5);
   const double chord2 = (b.x_m - a.x_m) * (b.x_m - a.x_m) + (b.y_m - a.y_m) * (b.y_m - a.y_m);
   if (chord2 == 0.0) return places;
   const double share =
       ((middle.x_m - a.x_m) * (b.x_m - a.x_m) + (middle.y_m - a.y_m) * (b.y_m - a.y_m)) / chord2;
-  const geo::PlanePoint foot = along(a, b, share);
-  for (const double further : outwards) places.push_back(along(foot, middle, further));
+  const geo::PlanePoint foot = place_between(a, b, share);
+  for (const double further : outwards) places.push_back(place_between(foot, middle, further));
   return places;
 }
 
