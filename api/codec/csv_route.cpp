@@ -1,6 +1,7 @@
 #include <algorithm>
 
 #include "api/codec/route_formats.hpp"
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/line_words.hpp"
 
 namespace floeplan::codec {
@@ -17,7 +18,7 @@ std::vector<std::string> cells_of(std::string_view line) {
     const std::size_t first = cell.find_first_not_of(" \"\r");
     cell =
         first == std::string_view::npos ? "" : cell.substr(first, cell.find_last_not_of(" \"\r") - first + 1);
-    cells.push_back(mission::lower_case(cell));
+    cells.push_back(core::lower_case(cell));
     if (end == std::string_view::npos) return cells;
     line.remove_prefix(end + 1);
   }

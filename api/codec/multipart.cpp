@@ -3,12 +3,12 @@
 #include <algorithm>
 #include <optional>
 
-#include "engine/mission/line_words.hpp"
+#include "engine/core/letter_case.hpp"
 
 namespace floeplan::codec {
 namespace {
 
-using mission::lower_case;
+using core::lower_case;
 
 constexpr std::size_t most_parts = 1000;
 constexpr std::size_t longest_boundary = 70;  // RFC 2046, section 5.1.1

@@ -1,7 +1,7 @@
 #include "api/codec/route_file.hpp"
 
 #include "api/codec/route_formats.hpp"
-#include "engine/mission/line_words.hpp"
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/read_document.hpp"
 
 namespace floeplan::codec {
@@ -36,9 +36,9 @@ bool looks_like_targets(std::string_view bytes) {
 }
 
 bool looks_like_mission(const std::string& name, std::string_view bytes) {
-  const std::string lower = mission::lower_case(name);
+  const std::string lower = core::lower_case(name);
   return lower.ends_with(".ma") || lower.ends_with(".mi") ||
-         mission::lower_case(bytes.substr(0, 4096)).find("behavior") != std::string::npos;
+         core::lower_case(bytes.substr(0, 4096)).find("behavior") != std::string::npos;
 }
 
 tl::expected<RouteFile, core::Violations> checked(RoutePlaces places) {

@@ -2,16 +2,12 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/letter_case.hpp"
+
 namespace floeplan::routes {
 namespace {
 
 using nlohmann::json;
-
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
 
 /// Patterns and templates differ where a parameter takes the rest of the path, and where one operation serves several
 /// templates ("/processes/{process_id}/execution").
@@ -47,7 +43,7 @@ void describe(json& operation, const Route& route) {
 void describe_doors(json& document, const std::vector<Route>& routes) {
   for (auto& [path, operations] : document["paths"].items()) {
     for (const Route& route : routes) {
-      const auto operation = operations.find(lower_case(route.method));
+      const auto operation = operations.find(core::lower_case(route.method));
       if (operation != operations.end() && is_template_of(route, path)) describe(*operation, route);
     }
   }

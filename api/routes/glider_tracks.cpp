@@ -9,7 +9,8 @@ namespace {
 using nlohmann::json;
 using repository::GliderTrackRepository;
 
-tl::expected<FeaturePage, codec::Problem> list(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, codec::Problem> list_glider_tracks(const Context& context,
+                                                             const FeatureQuery& query) {
   repository::GliderTrackFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   if (const auto glider = query.filters.find("glider"); glider != query.filters.end())
     filter.glider = glider->second;
@@ -22,13 +23,13 @@ tl::expected<FeaturePage, codec::Problem> list(const Context& context, const Fea
   return page;
 }
 
-std::optional<json> find(const Context& context, const std::string& id) {
+std::optional<json> find_glider_track(const Context& context, const std::string& id) {
   const auto row = key_of(id);
   const auto track = row ? GliderTrackRepository{context.db}.find(*row) : std::nullopt;
   return track ? std::optional{codec::glider_track_feature(*track)} : std::nullopt;
 }
 
-FeatureExtent extent(sqlite::Connection& db) {
+FeatureExtent glider_track_extent(sqlite::Connection& db) {
   return extent_of_kind(db, repository::DatasetKind::glider_tracks);
 }
 
@@ -41,9 +42,9 @@ FeatureCollection glider_track_collection() {
           .schema = "GliderTrack",
           .item_name = "track_id",
           .filters = {"glider"},
-          .extent = extent,
-          .list = list,
-          .find = find};
+          .extent = glider_track_extent,
+          .list = list_glider_tracks,
+          .find = find_glider_track};
 }
 
 }  // namespace floeplan::routes

@@ -9,7 +9,8 @@ namespace {
 using nlohmann::json;
 using repository::IcebergTrackRepository;
 
-tl::expected<FeaturePage, codec::Problem> list(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, codec::Problem> list_iceberg_tracks(const Context& context,
+                                                              const FeatureQuery& query) {
   repository::TrackFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   if (const auto berg = query.filters.find("berg_id"); berg != query.filters.end())
     filter.berg_id = berg->second;
@@ -22,13 +23,15 @@ tl::expected<FeaturePage, codec::Problem> list(const Context& context, const Fea
   return page;
 }
 
-std::optional<json> find(const Context& context, const std::string& id) {
+std::optional<json> find_iceberg_track(const Context& context, const std::string& id) {
   const auto row = key_of(id);
   const auto track = row ? IcebergTrackRepository{context.db}.find(*row) : std::nullopt;
   return track ? std::optional{codec::iceberg_track_feature(*track)} : std::nullopt;
 }
 
-FeatureExtent extent(sqlite::Connection& db) { return extent_of_kind(db, repository::DatasetKind::icebergs); }
+FeatureExtent iceberg_track_extent(sqlite::Connection& db) {
+  return extent_of_kind(db, repository::DatasetKind::icebergs);
+}
 
 }  // namespace
 
@@ -39,9 +42,9 @@ FeatureCollection iceberg_track_collection() {
           .schema = "IcebergTrack",
           .item_name = "track_id",
           .filters = {"berg_id"},
-          .extent = extent,
-          .list = list,
-          .find = find};
+          .extent = iceberg_track_extent,
+          .list = list_iceberg_tracks,
+          .find = find_iceberg_track};
 }
 
 }  // namespace floeplan::routes

@@ -104,7 +104,7 @@ tl::expected<std::optional<Latest>, codec::Problem> read_latest(const FeatureQue
   return latest;
 }
 
-tl::expected<FeaturePage, codec::Problem> list(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, codec::Problem> list_icebergs(const Context& context, const FeatureQuery& query) {
   const auto latest = read_latest(query);
   if (!latest) return tl::unexpected(latest.error());
   for (const auto& id : datasets_of(query)) {
@@ -132,13 +132,13 @@ tl::expected<FeaturePage, codec::Problem> list(const Context& context, const Fea
   return page;
 }
 
-std::optional<json> find(const Context& context, const std::string& id) {
+std::optional<json> find_iceberg(const Context& context, const std::string& id) {
   const auto row = key_of(id);
   const auto sighting = row ? IcebergRepository{context.db}.find(*row) : std::nullopt;
   return sighting ? std::optional{codec::iceberg_feature(*sighting)} : std::nullopt;
 }
 
-FeatureExtent extent(sqlite::Connection& db) { return extent_of_kind(db, DatasetKind::icebergs); }
+FeatureExtent iceberg_extent(sqlite::Connection& db) { return extent_of_kind(db, DatasetKind::icebergs); }
 
 tl::expected<std::string, core::Violations> create(const Context& context, const json& feature,
                                                    core::UtcTime now) {
@@ -178,9 +178,9 @@ FeatureCollection iceberg_collection() {
           .schema = "Iceberg",
           .item_name = "row",
           .filters = {"dataset", "latest", "max_sighting_age_days", "berg_id"},
-          .extent = extent,
-          .list = list,
-          .find = find,
+          .extent = iceberg_extent,
+          .list = list_icebergs,
+          .find = find_iceberg,
           .editing = FeatureEditing{create, replace, remove, objection}};
 }
 

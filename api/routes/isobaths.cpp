@@ -54,11 +54,11 @@ std::optional<int> read_depth(const std::string& text) {
   return whole && depth_m > 0 && depth_m <= deepest_m ? std::optional{depth_m} : std::nullopt;
 }
 
-FeatureExtent extent(sqlite::Connection& db) {
+FeatureExtent isobath_extent(sqlite::Connection& db) {
   return extent_of_kind(db, repository::DatasetKind::bathymetry);
 }
 
-tl::expected<FeaturePage, codec::Problem> list(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, codec::Problem> list_isobaths(const Context& context, const FeatureQuery& query) {
   std::vector<int> depths_m{usual_depths_m.begin(), usual_depths_m.end()};
   if (const auto wanted = query.filters.find("depth_m"); wanted != query.filters.end()) {
     const auto depth_m = read_depth(wanted->second);
@@ -74,8 +74,8 @@ tl::expected<FeaturePage, codec::Problem> list(const Context& context, const Fea
   }
   FeaturePage page;
   page.matched = 0;
-  const auto joined =
-      repository::joined_bathymetry(context.db, query.area.value_or(extent(context.db).area), most_nodes);
+  const auto joined = repository::joined_bathymetry(
+      context.db, query.area.value_or(isobath_extent(context.db).area), most_nodes);
   if (!joined) return page;
   for (const int depth_m : depths_m) {
     auto feature = isobath_feature(*joined, depth_m);
@@ -91,10 +91,11 @@ tl::expected<FeaturePage, codec::Problem> list(const Context& context, const Fea
   return page;
 }
 
-std::optional<json> find(const Context& context, const std::string& id) {
+std::optional<json> find_isobath(const Context& context, const std::string& id) {
   const auto depth_m = read_depth(id);
   const auto joined =
-      depth_m ? repository::joined_bathymetry(context.db, extent(context.db).area, most_nodes) : std::nullopt;
+      depth_m ? repository::joined_bathymetry(context.db, isobath_extent(context.db).area, most_nodes)
+              : std::nullopt;
   return joined ? isobath_feature(*joined, *depth_m) : std::nullopt;
 }
 
@@ -110,9 +111,9 @@ FeatureCollection isobath_collection() {
           .schema = "Isobath",
           .item_name = "depth_m",
           .filters = {"depth_m"},
-          .extent = extent,
-          .list = list,
-          .find = find};
+          .extent = isobath_extent,
+          .list = list_isobaths,
+          .find = find_isobath};
 }
 
 }  // namespace floeplan::routes

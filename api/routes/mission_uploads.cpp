@@ -3,7 +3,7 @@
 #include "api/codec/input_reader.hpp"
 #include "api/codec/json_text.hpp"
 #include "api/codec/multipart.hpp"
-#include "engine/mission/line_words.hpp"
+#include "engine/core/letter_case.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -77,7 +77,7 @@ Read read_alone(const Request& request) {
 }  // namespace
 
 Read read_uploads(const Request& request) {
-  const std::string type = mission::lower_case(request.header("content-type"));
+  const std::string type = core::lower_case(request.header("content-type"));
   Read uploads = type.starts_with("multipart/form-data") ? read_form(request)
                  : type.starts_with("application/json")  ? read_json(request)
                                                          : read_alone(request);

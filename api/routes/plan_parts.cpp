@@ -63,7 +63,7 @@ std::optional<json> find_part(const Context& context, const std::string& id, Par
   return std::move(parts[static_cast<std::size_t>(*index)].feature);
 }
 
-FeatureExtent extent(sqlite::Connection&) { return {}; }
+FeatureExtent plan_part_extent(sqlite::Connection&) { return {}; }
 
 tl::expected<FeaturePage, codec::Problem> list_legs(const Context& context, const FeatureQuery& query) {
   return parts_page(context, query, codec::plan_legs);
@@ -87,7 +87,7 @@ FeatureCollection plan_leg_collection() {
           .schema = "PlanLeg",
           .item_name = "leg_id",
           .filters = {"plan_id"},
-          .extent = extent,
+          .extent = plan_part_extent,
           .list = list_legs,
           .find = find_leg};
 }
@@ -99,7 +99,7 @@ FeatureCollection waypoint_collection() {
           .schema = "PlanWaypoint",
           .item_name = "waypoint_id",
           .filters = {"plan_id"},
-          .extent = extent,
+          .extent = plan_part_extent,
           .list = list_waypoints,
           .find = find_waypoint};
 }

@@ -12,9 +12,9 @@ namespace {
 using nlohmann::json;
 using repository::PlanRepository;
 
-FeatureExtent extent(sqlite::Connection&) { return {}; }
+FeatureExtent plan_extent(sqlite::Connection&) { return {}; }
 
-tl::expected<FeaturePage, codec::Problem> list(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, codec::Problem> list_plans(const Context& context, const FeatureQuery& query) {
   const PlanRepository plans{context.db};
   const repository::PlanFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   FeaturePage page;
@@ -25,7 +25,7 @@ tl::expected<FeaturePage, codec::Problem> list(const Context& context, const Fea
   return page;
 }
 
-std::optional<json> find(const Context& context, const std::string& id) {
+std::optional<json> find_plan(const Context& context, const std::string& id) {
   const auto plan = PlanRepository{context.db}.find({id});
   if (!plan) return std::nullopt;
   json feature = codec::plan_feature(*plan);
@@ -80,9 +80,9 @@ FeatureCollection plan_collection() {
           .schema = "PlanFeature",
           .item_name = "plan_id",
           .filters = {},
-          .extent = extent,
-          .list = list,
-          .find = find};
+          .extent = plan_extent,
+          .list = list_plans,
+          .find = find_plan};
 }
 
 std::vector<Route> plan_routes() {

@@ -1,5 +1,6 @@
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/core/letter_case.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/upload_repository.hpp"
 
@@ -20,25 +21,18 @@ json upload_document(const Upload& upload, const std::string& public_url) {
           {"links", json::array({link("self", "application/json", public_url + "/uploads/" + upload.id)})}};
 }
 
-/// Digits in either case, as tools print them.
-std::string lower_case(std::string text) {
-  for (char& c : text)
-    if (c >= 'A' && c <= 'Z') c = static_cast<char>(c - 'A' + 'a');
-  return text;
-}
-
 core::Violations faults_of(const Request& request) {
   constexpr std::size_t longest_name = 200;
   core::Violations faults;
   const auto sha256 = request.parameter("sha256");
   const bool is_digest = sha256 && sha256->size() == 64 &&
-                         lower_case(*sha256).find_first_not_of("0123456789abcdef") == std::string::npos;
+                         core::lower_case(*sha256).find_first_not_of("0123456789abcdef") == std::string::npos;
   if (sha256 && !is_digest) faults.push_back({"?sha256", "must be 64 hexadecimal digits"});
   if (request.parameter("name").value_or("").size() > longest_name)
     faults.push_back({"?name", "must be a file name of at most 200 characters"});
   if (!request.body_file) {
     faults.push_back({"", "must have the file as its body"});
-  } else if (is_digest && lower_case(*sha256) != request.body_file->sha256) {
+  } else if (is_digest && core::lower_case(*sha256) != request.body_file->sha256) {
     faults.push_back(
         {"?sha256", "the file arrived with another digest, " + request.body_file->sha256 +
                         "; it was damaged on its way or is not the one that was meant; send it again"});

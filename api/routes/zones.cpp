@@ -10,7 +10,7 @@ using nlohmann::json;
 using repository::DatasetKind;
 using repository::ZoneRepository;
 
-tl::expected<FeaturePage, codec::Problem> list(const Context& context, const FeatureQuery& query) {
+tl::expected<FeaturePage, codec::Problem> list_zones(const Context& context, const FeatureQuery& query) {
   repository::ZoneFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   if (const auto found = query.filters.find("kind"); found != query.filters.end())
     filter.kind = found->second;
@@ -25,13 +25,13 @@ tl::expected<FeaturePage, codec::Problem> list(const Context& context, const Fea
   return page;
 }
 
-std::optional<json> find(const Context& context, const std::string& id) {
+std::optional<json> find_zone(const Context& context, const std::string& id) {
   const auto row = key_of(id);
   const auto zone = row ? ZoneRepository{context.db}.find(*row) : std::nullopt;
   return zone ? std::optional{codec::zone_feature(*zone)} : std::nullopt;
 }
 
-FeatureExtent extent(sqlite::Connection& db) { return extent_of_kind(db, DatasetKind::zones); }
+FeatureExtent zone_extent(sqlite::Connection& db) { return extent_of_kind(db, DatasetKind::zones); }
 
 tl::expected<std::string, core::Violations> create(const Context& context, const json& feature,
                                                    core::UtcTime now) {
@@ -70,9 +70,9 @@ FeatureCollection zone_collection() {
           .schema = "Zone",
           .item_name = "zone_id",
           .filters = {"kind", "name"},
-          .extent = extent,
-          .list = list,
-          .find = find,
+          .extent = zone_extent,
+          .list = list_zones,
+          .find = find_zone,
           .editing = FeatureEditing{create, replace, remove, objection}};
 }
 

@@ -12,14 +12,15 @@ namespace {
 
 constexpr double least_speed_m_s = 0.02;  // over ground: who makes less is held to stand still
 
-bool is_finite(geo::PlanePoint p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
+bool is_finite_place(geo::PlanePoint p) { return std::isfinite(p.x_m) && std::isfinite(p.y_m); }
 
 }  // namespace
 
 MissionRoute::MissionRoute(std::vector<geo::PlanePoint> waypoints, core::Metres reached_within)
     : waypoints_{std::move(waypoints)}, reached_within_m_{reached_within.value} {
   if (waypoints_.empty()) throw std::invalid_argument{"a mission needs at least one waypoint"};
-  if (!std::ranges::all_of(waypoints_, is_finite)) throw std::invalid_argument{"waypoints must be finite"};
+  if (!std::ranges::all_of(waypoints_, is_finite_place))
+    throw std::invalid_argument{"waypoints must be finite"};
 }
 
 void MissionRoute::visit(geo::PlanePoint place) {

@@ -14,6 +14,10 @@ struct VelocityEn {
   friend bool operator==(VelocityEn, VelocityEn) = default;
 };
 
+[[nodiscard]] inline VelocityEn sum(VelocityEn a, VelocityEn b) {
+  return {a.east + b.east, a.north + b.north};
+}
+
 [[nodiscard]] inline core::MetresPerSecond strength(VelocityEn velocity) {
   return {std::hypot(velocity.east.value, velocity.north.value)};
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <iterator>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/argument_rules.hpp"
 #include "engine/mission/behavior_table.hpp"
 #include "engine/mission/line_words.hpp"
@@ -11,11 +12,9 @@
 namespace floeplan::mission {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 /// A file named like another behavior's argument file. Names that are no vehicle's ("Line 90.ma") pass.
 void check_file_name(const Document& document, const Behavior& behavior, Messages& messages) {
-  const std::string lower = lower_case(document.name);
+  const std::string lower = core::lower_case(document.name);
   const std::string stem = lower.substr(0, lower.rfind('.'));
   const auto last_letter = std::find_if_not(stem.rbegin(), stem.rend(), is_digit);
   const auto letters = static_cast<std::size_t>(std::distance(last_letter, stem.rend()));

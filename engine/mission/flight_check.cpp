@@ -5,12 +5,12 @@
 #include <cstdio>
 #include <iterator>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/behavior_values.hpp"
 #include "engine/mission/document_text.hpp"
 #include "engine/mission/ice_check.hpp"
-#include "engine/mission/line_words.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -27,7 +27,7 @@ const Behavior* first_of(const Document& document, std::string_view name) {
 void check_files(Document& mission, const std::vector<Document>& documents) {
   for (const std::string& name : files_referenced(mission)) {
     const bool there = std::ranges::any_of(
-        documents, [&](const Document& document) { return lower_case(document.name) == name; });
+        documents, [&](const Document& document) { return core::lower_case(document.name) == name; });
     if (!there)
       report(mission, 0, Severity::warning, "file_missing",
              "asks for " + name + ", which is not among the files; the vehicle must have it");

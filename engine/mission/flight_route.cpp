@@ -3,8 +3,8 @@
 #include <algorithm>
 #include <optional>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/behavior_values.hpp"
-#include "engine/mission/line_words.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -23,7 +23,7 @@ std::vector<geo::LonLat> FlightRoute::places() const {
 }
 
 bool is_recovery_list(const Document& document) {
-  const std::string name = lower_case(document.name);
+  const std::string name = core::lower_case(document.name);
   return name == "goto_l98.ma" || name == "goto_l99.ma";
 }
 

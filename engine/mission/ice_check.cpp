@@ -7,10 +7,10 @@
 #include <set>
 #include <string>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/behavior_values.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/document_text.hpp"
-#include "engine/mission/line_words.hpp"
 #include "engine/mission/list_parts.hpp"
 #include "engine/mission/waypoint_ranges.hpp"
 
@@ -98,7 +98,7 @@ std::vector<SurfaceOrders> surfacings_of(const std::vector<Document>& documents)
     const Document& document = documents[i];
     if (document.verdict() == Verdict::reject) continue;
     if (has_mission && document.kind == DocumentKind::arguments &&
-        !asked_for.contains(lower_case(document.name)))
+        !asked_for.contains(core::lower_case(document.name)))
       continue;
     for (const Behavior& behavior : document.behaviors) {
       if (behavior.name != "surface" || reads_file(behavior)) continue;

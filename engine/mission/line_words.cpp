@@ -15,7 +15,6 @@ std::string_view trimmed(std::string_view text) {
   return text.substr(first, text.find_last_not_of(blanks) - first + 1);
 }
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 bool is_letter(char c) { return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z'); }
 
 }  // namespace
@@ -55,13 +54,6 @@ std::optional<double> parse_number(std::string_view word) {
 bool is_name(std::string_view word) {
   return !word.empty() && word.size() <= 64 &&
          std::ranges::all_of(word, [](char c) { return is_letter(c) || is_digit(c) || c == '_'; });
-}
-
-std::string lower_case(std::string_view word) {
-  std::string lower{word};
-  std::ranges::transform(lower, lower.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; });
-  return lower;
 }
 
 }  // namespace floeplan::mission

@@ -24,6 +24,6 @@ struct SplitLine {
 /// Letters, digits and underscores, at least one and at most 64.
 [[nodiscard]] bool is_name(std::string_view word);
 
-[[nodiscard]] std::string lower_case(std::string_view word);
+[[nodiscard]] inline bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 }  // namespace floeplan::mission

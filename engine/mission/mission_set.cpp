@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iterator>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/flight_files.hpp"
@@ -32,7 +33,7 @@ bool is_stock_mission(const std::string& name) {
 core::Violations violations_of(const planning::Plan& plan, const MissionSetOptions& options) {
   core::Violations found = ice_violations(plan, options);
   const std::string& name = options.name;
-  if (!is_name(name) || name.size() > 8 || name != lower_case(name))
+  if (!is_name(name) || name.size() > 8 || name != core::lower_case(name))
     found.push_back({"/mission", "must have one to eight small letters, digits or underscores"});
   if (is_stock_mission(name))
     found.push_back({"/mission", "must not be " + name + ", a mission that every vehicle has on board"});

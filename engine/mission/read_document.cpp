@@ -2,6 +2,7 @@
 
 #include <algorithm>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/cmdfile_reader.hpp"
 #include "engine/mission/document_rules.hpp"
 #include "engine/mission/file_text.hpp"
@@ -18,7 +19,7 @@ constexpr std::ptrdiff_t max_errors = 100;
 
 /// What follows `keyword` at the start of the line, in any case of letters.
 std::optional<std::string_view> after(std::string_view content, std::string_view keyword) {
-  if (content.size() < keyword.size() || lower_case(content.substr(0, keyword.size())) != keyword)
+  if (content.size() < keyword.size() || core::lower_case(content.substr(0, keyword.size())) != keyword)
     return std::nullopt;
   return content.substr(keyword.size());
 }
@@ -55,13 +56,13 @@ class Reader {
   void read_argument(std::string_view text) {
     if (auto argument = read_setting(text, line_, document_.messages)) {
       keep(setting_text("\tb_arg: ", *argument));
-      argument->name = lower_case(argument->name);
+      argument->name = core::lower_case(argument->name);
       document_.behaviors.back().arguments.push_back(std::move(*argument));
     }
   }
 
   void begin_behavior(std::string_view name) {
-    document_.behaviors.push_back({lower_case(name), std::string{name}, line_, {}});
+    document_.behaviors.push_back({core::lower_case(name), std::string{name}, line_, {}});
   }
 
   Document& document_;  // borrowed
@@ -157,14 +158,14 @@ class ArgumentsReader : private Reader {
       report(Severity::warning, "unusual_order", "behavior_name comes first in every vehicle's files");
     named_ = true;
     if (document_.behaviors.empty()) begin_behavior("");
-    document_.behaviors.back().name = lower_case(words.front());
+    document_.behaviors.back().name = core::lower_case(words.front());
     document_.behaviors.back().written = words.front();
     document_.behaviors.back().line = line_;
     keep("behavior_name=" + std::string{words.front()});
   }
 
   void read_name_again(std::string_view name) {
-    const bool same = lower_case(name) == document_.behaviors.back().name;
+    const bool same = core::lower_case(name) == document_.behaviors.back().name;
     report(same ? Severity::warning : Severity::error, "behavior_name_twice", "behavior_name is given twice");
   }
 
@@ -188,7 +189,7 @@ class ArgumentsReader : private Reader {
   void read_tag(std::string_view content) {
     const auto words = words_of(content);
     warn_of_extra(words);
-    const std::string tag = lower_case(words.front());
+    const std::string tag = core::lower_case(words.front());
     if (tag == "<start:b_arg>") {
       if (waypoints_read_)
         report(Severity::warning, "unusual_order",
@@ -236,7 +237,7 @@ std::optional<DocumentKind> seaglider_kind(std::string_view line) {
 }
 
 DocumentKind kind_of(const std::string& name, const FileText& text) {
-  const std::string lower = lower_case(name);
+  const std::string lower = core::lower_case(name);
   if (lower.ends_with(".mi")) return DocumentKind::mission;
   if (lower.ends_with(".ma")) return DocumentKind::arguments;
   for (const auto& [word, kind] : {std::pair{"targets", DocumentKind::targets},

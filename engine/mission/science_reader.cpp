@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <map>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/line_words.hpp"
 #include "engine/mission/seaglider_lines.hpp"
 
@@ -10,8 +11,6 @@ namespace floeplan::mission {
 namespace {
 
 using Fields = std::map<std::string, std::string_view, std::less<>>;
-
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// The fields of a band by name, whichever way they are written.
 Fields fields_of(const SeagliderLine& line, Document& document) {
@@ -34,7 +33,7 @@ Fields fields_of(const SeagliderLine& line, Document& document) {
              "a word that is not FIELD=VALUE; no blanks around the equals sign");
       continue;
     }
-    const std::string name = lower_case(parts->first);
+    const std::string name = core::lower_case(parts->first);
     if (!fields.emplace(name, parts->second).second)
       report(document, line.number, Severity::error, "field_twice", name + " is given twice");
     if (name != "seconds" && name != "sensors" && name != "gc")
@@ -55,7 +54,7 @@ double positive(const Fields& fields, const std::string& name, int line, Documen
 ScienceBand read_band(const SeagliderLine& line, Document& document) {
   ScienceBand band;
   band.line = line.number;
-  if (lower_case(line.words.front()) != "loiter") {
+  if (core::lower_case(line.words.front()) != "loiter") {
     const auto depth = parse_number(line.words.front());
     if (!depth || !(*depth > 0.0))
       report(document, line.number, Severity::error, "bad_depth",

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/goto_lists.hpp"
@@ -141,7 +142,7 @@ std::optional<ScienceBand> parse_science_band(std::string_view text) {
   const auto depth = parse_number(parts[0]);
   const auto seconds = parse_number(parts[1]);
   const auto guidance = parse_number(parts[3]);
-  const bool loiter = lower_case(parts[0]) == "loiter";
+  const bool loiter = core::lower_case(parts[0]) == "loiter";
   const bool digits =
       !parts[2].empty() && std::ranges::all_of(parts[2], [](char c) { return c >= '0' && c <= '9'; });
   if ((!depth && !loiter) || !seconds || !guidance || !digits || parts[2].size() > 32) return std::nullopt;

@@ -6,6 +6,7 @@
 #include <map>
 #include <set>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/line_words.hpp"
 #include "engine/mission/list_rules.hpp"
 #include "engine/mission/packed_degrees.hpp"
@@ -49,7 +50,7 @@ void read_field(std::string_view word, Target& target, Document& document) {
   const auto parts = SeagliderLine::field(word);
   if (!parts)
     return fault("malformed_field", "a word that is not FIELD=VALUE; no blanks around the equals sign");
-  const std::string field = lower_case(parts->first);
+  const std::string field = core::lower_case(parts->first);
   if (!target.fields.emplace(field, parts->second).second)
     return fault("field_twice", field + " is given twice");
   if (!is_known(field))

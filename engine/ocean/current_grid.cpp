@@ -16,8 +16,6 @@ geo::VelocityEn blend(geo::VelocityEn a, geo::VelocityEn b, double share_of_b) {
   return {a.east + share_of_b * (b.east - a.east), a.north + share_of_b * (b.north - a.north)};
 }
 
-geo::VelocityEn sum(geo::VelocityEn a, geo::VelocityEn b) { return {a.east + b.east, a.north + b.north}; }
-
 std::size_t depth_count(const CurrentGrid::Samples& samples) {
   return samples.depths_m ? samples.depths_m->size() : 1;
 }

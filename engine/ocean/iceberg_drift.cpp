@@ -28,8 +28,6 @@ geo::VelocityEn mean_velocity(const IcebergFix& from, const IcebergFix& to) {
   return {line.course_at_start.east() * speed, line.course_at_start.north() * speed};
 }
 
-geo::VelocityEn sum(geo::VelocityEn a, geo::VelocityEn b) { return {a.east + b.east, a.north + b.north}; }
-
 /// The currents that move icebergs; null: none.
 const CurrentGrid* carrying(const Environment& environment) {
   return environment.drift_currents ? environment.drift_currents.get() : environment.currents.get();

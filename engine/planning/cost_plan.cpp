@@ -15,11 +15,11 @@
 #include "engine/planning/plan_assembly.hpp"
 #include "engine/planning/published_plan.hpp"
 #include "engine/planning/refinement_budget.hpp"
+#include "engine/planning/route.hpp"
 
 namespace floeplan::planning {
 namespace {
 
-constexpr core::Seconds at_departure{0.0};
 constexpr const char* met_its_bound =
     "the search met its bound on memory before it was done; a plan that costs less may exist";
 constexpr const char* no_gap = "only plans for the least time are compared with the best way";

@@ -6,12 +6,12 @@
 #include <vector>
 
 #include "engine/planning/refinement.hpp"
+#include "engine/planning/route.hpp"
 #include "engine/planning/shortening.hpp"
 
 namespace floeplan::planning {
 namespace {
 
-constexpr core::Seconds at_departure{0.0};
 /// Share of the cost that all points must save which a longer refinement might have taken out: of the size of what
 /// twice as many legs must gain.
 constexpr double worth_points = 1e-3;

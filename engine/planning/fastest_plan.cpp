@@ -11,13 +11,12 @@
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/improvement.hpp"
 #include "engine/planning/published_plan.hpp"
+#include "engine/planning/route.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/voyage_search.hpp"
 
 namespace floeplan::planning {
 namespace {
-
-constexpr core::Seconds at_departure{0.0};
 
 /// A plan on grids of one reach, where its route lies, and whether a larger reach may do better.
 struct Attempt {

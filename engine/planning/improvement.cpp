@@ -7,6 +7,7 @@
 #include "engine/planning/loiter.hpp"
 #include "engine/planning/refinement.hpp"
 #include "engine/planning/refinement_budget.hpp"
+#include "engine/planning/route.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/shortening.hpp"
 #include "engine/planning/straightening.hpp"
@@ -14,8 +15,6 @@
 
 namespace floeplan::planning {
 namespace {
-
-constexpr core::Seconds at_departure{0.0};
 
 constexpr double cost_of_waiting = 8.0;  // of a leg that is timed at several departures until it opens
 

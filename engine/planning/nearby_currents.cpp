@@ -11,7 +11,7 @@ constexpr std::size_t most_reach = 8;  // in cells
 // In cells, chosen: a search meets a few per cent of the data, and a smaller tile would look at more of its neighbours'
 // cells than of its own.
 constexpr std::size_t tile_side = 16;
-constexpr std::size_t most_nodes = 1U << 23U;  // 256 MB of boxes for a voyage as long as the data
+constexpr std::size_t most_boxed_nodes = 1U << 23U;  // 256 MB of boxes for a voyage as long as the data
 constexpr double beside_chord = 2.5e-4;  // of a cell: how far CurrentLine strays from the data's coordinates
 constexpr float infinite = std::numeric_limits<float>::infinity();
 
@@ -29,7 +29,8 @@ NearbyCurrents::NearbyCurrents(const PlaneCurrents& currents, core::Metres longe
     : currents_{currents}, longest_s_{longest_drive.count()} {
   const FastAxis& x = currents.x_;
   const FastAxis& y = currents.y_;
-  if (!currents.has_lines() || x.size() < 2 || y.size() < 2 || currents.nodes_.size() > most_nodes) return;
+  if (!currents.has_lines() || x.size() < 2 || y.size() < 2 || currents.nodes_.size() > most_boxed_nodes)
+    return;
   if (currents.times_s_ && currents.times_s_->size() < 2) return;
   cells_x_ = x.size() - 1;
   cells_y_ = y.size() - 1;

@@ -8,15 +8,12 @@
 #include "engine/planning/late_openings.hpp"
 #include "engine/planning/optimality.hpp"
 #include "engine/planning/plan_assembly.hpp"
+#include "engine/planning/route.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/time_killing.hpp"
 
 namespace floeplan::planning {
-namespace {
-
-constexpr core::Seconds at_departure{0.0};
-
-}  // namespace
+namespace {}  // namespace
 
 void add_warnings(Plan& plan, const PlanRequest& request) {
   if (plan.refinement && plan.refinement->end == RefinementEnd::time) {

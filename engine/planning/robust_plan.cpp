@@ -13,12 +13,11 @@
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/explanation.hpp"
 #include "engine/planning/member_spread.hpp"
+#include "engine/planning/route.hpp"
 #include "engine/planning/sea_members.hpp"
 
 namespace floeplan::planning {
 namespace {
-
-constexpr core::Seconds at_departure{0.0};
 
 std::vector<geo::LonLat> places_of(const Plan& plan) {
   std::vector<geo::LonLat> places;

@@ -19,6 +19,9 @@ struct Route {
   [[nodiscard]] std::size_t legs() const { return points.size() - 1; }
 };
 
+/// The times of a voyage count from its departure.
+inline constexpr core::Seconds at_departure{0.0};
+
 /// A route all of whose points must stay.
 [[nodiscard]] inline Route fixed_route(std::vector<geo::PlanePoint> points) {
   const std::size_t count = points.size();

@@ -9,15 +9,15 @@
 namespace floeplan::planning {
 namespace {
 
-constexpr double never = std::numeric_limits<double>::infinity();
+constexpr double no_arrival = std::numeric_limits<double>::infinity();
 
 double arrival_s(const TourLegTime& leg_time, std::size_t from, std::size_t to, double depart_s) {
-  if (!(depart_s < never)) return never;
+  if (!(depart_s < no_arrival)) return no_arrival;
   const auto time = leg_time(from, to, core::Seconds{depart_s});
-  return time ? depart_s + time->count() : never;
+  return time ? depart_s + time->count() : no_arrival;
 }
 
-/// Arrival at the goal by this order, `never` when a leg has no way.
+/// Arrival at the goal by this order, `no_arrival` when a leg has no way.
 double end_of_tour_s(const std::vector<std::size_t>& order, std::size_t goal, double depart_s,
                      const TourLegTime& leg_time) {
   double now = depart_s;
@@ -31,7 +31,8 @@ double end_of_tour_s(const std::vector<std::size_t>& order, std::size_t goal, do
 
 /// Earliest arrival at the last place of each set of places, and which place was visited before it.
 struct SetTable {
-  explicit SetTable(std::size_t n) : places{n}, earliest_s(n << n, never), before(n << n, std::uint8_t{0}) {}
+  explicit SetTable(std::size_t n)
+      : places{n}, earliest_s(n << n, no_arrival), before(n << n, std::uint8_t{0}) {}
 
   [[nodiscard]] std::size_t at(std::size_t set, std::size_t last) const { return set * places + last; }
 
@@ -45,7 +46,7 @@ std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const T
   const std::size_t goal = n + 1;
   if (n == 0) {
     const double end = arrival_s(leg_time, 0, goal, depart_s);
-    return end < never ? std::optional{VisitingOrder{{}, core::Seconds{end}, true}} : std::nullopt;
+    return end < no_arrival ? std::optional{VisitingOrder{{}, core::Seconds{end}, true}} : std::nullopt;
   }
   SetTable table{n};
   for (std::size_t first = 0; first < n; ++first) {
@@ -56,7 +57,7 @@ std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const T
     if (stop.stop_requested()) return std::nullopt;
     for (std::size_t last = 0; last < n; ++last) {
       const double here_s = table.earliest_s[table.at(set, last)];
-      if (!(here_s < never)) continue;
+      if (!(here_s < no_arrival)) continue;
       for (std::size_t next = 0; next < n; ++next) {
         if ((set >> next & 1) != 0) continue;
         const double next_s = arrival_s(leg_time, last + 1, next + 1, here_s);
@@ -68,7 +69,7 @@ std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const T
     }
   }
 
-  double best_s = never;
+  double best_s = no_arrival;
   std::size_t last = 0;
   for (std::size_t candidate = 0; candidate < n; ++candidate) {
     const double end_s = arrival_s(leg_time, candidate + 1, goal, table.earliest_s[table.at(all, candidate)]);
@@ -77,7 +78,7 @@ std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const T
       last = candidate;
     }
   }
-  if (!(best_s < never)) return std::nullopt;
+  if (!(best_s < no_arrival)) return std::nullopt;
 
   VisitingOrder result{{}, core::Seconds{best_s}, true};
   for (std::size_t set = all; set != 0;) {
@@ -113,7 +114,7 @@ class Tour {
     std::iota(left.begin(), left.end(), std::size_t{1});
     while (!left.empty()) {
       std::vector<std::size_t> best;
-      double best_s = never;
+      double best_s = no_arrival;
       std::size_t taken = 0;
       for (std::size_t i = 0; i < left.size() && !stop_.stop_requested(); ++i) {
         for (std::size_t position = 0; position <= order_.size(); ++position) {
@@ -176,7 +177,7 @@ class Tour {
   const TourLegTime& leg_time_;
   const std::stop_token& stop_;
   std::vector<std::size_t> order_;
-  double end_s_{never};
+  double end_s_{no_arrival};
 };
 
 /// Every order of visits, one place after the other; a tour that is already later than all that are kept is not gone on
@@ -197,7 +198,7 @@ class AllOrders {
 
  private:
   [[nodiscard]] double to_beat_s() const {
-    return best_.size() < most_ ? never : best_.back().arrival.count();
+    return best_.size() < most_ ? no_arrival : best_.back().arrival.count();
   }
 
   void keep(double end_s) {
@@ -239,7 +240,7 @@ std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Secon
   if (places <= most_places_ordered_exactly) return exact_order(places, depart.count(), leg_time, stop);
   Tour tour{places, depart.count(), leg_time, stop};
   tour.improve();
-  if (tour.order().size() != places || !(tour.end_s() < never)) return std::nullopt;
+  if (tour.order().size() != places || !(tour.end_s() < no_arrival)) return std::nullopt;
   return VisitingOrder{tour.order(), core::Seconds{tour.end_s()}, false};
 }
 
@@ -260,7 +261,7 @@ std::vector<VisitingOrder> best_visiting_orders_without_fifo(std::size_t places,
 std::optional<core::Seconds> end_of_tour(const std::vector<std::size_t>& places, core::Seconds depart,
                                          const TourLegTime& leg_time) {
   const double end_s = end_of_tour_s(places, places.size() + 1, depart.count(), leg_time);
-  return end_s < never ? std::optional{core::Seconds{end_s}} : std::nullopt;
+  return end_s < no_arrival ? std::optional{core::Seconds{end_s}} : std::nullopt;
 }
 
 }  // namespace floeplan::planning

@@ -11,7 +11,7 @@
 namespace floeplan::simulation {
 namespace {
 
-constexpr double step_s = 4.0;
+constexpr double look_s = 4.0;
 constexpr core::Seconds span{1200.0};
 constexpr int headings = 36;
 constexpr double heading_step = 2.0 * std::numbers::pi / headings;
@@ -34,14 +34,14 @@ class Foresight {
     Vector place = from_.position;
     double heading = from_.attitude.heading_rad;
     const double speed = settings_.through_water.value;
-    const double most_turn = speed / settings_.turn_radius.value * step_s;
-    for (double since_s = step_s; since_s <= span.count(); since_s += step_s) {
+    const double most_turn = speed / settings_.turn_radius.value * look_s;
+    for (double since_s = look_s; since_s <= span.count(); since_s += look_s) {
       const double turn = wrapped_angle((since_s <= change_s ? first : second) - heading);
       heading += std::clamp(turn, -most_turn, most_turn);
       const core::UtcTime time = from_.time + core::Seconds{since_s};
       place.down = 0.5 * (settings_.shallowest.value + settings_.deepest.value);
       const Vector water = world_.current(place, time).value_or(Vector{});
-      place = place + step_s * (Vector{speed * std::sin(heading), speed * std::cos(heading), 0.0} + water);
+      place = place + look_s * (Vector{speed * std::sin(heading), speed * std::cos(heading), 0.0} + water);
       if (touches(place, time)) return false;
     }
     return true;

@@ -6,6 +6,7 @@
 #include <numbers>
 #include <string_view>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/mission/argument_rules.hpp"
 #include "engine/mission/behavior_table.hpp"
 #include "engine/mission/goto_lists.hpp"
@@ -33,12 +34,6 @@ std::string file_name(std::string_view behavior, int number) {
   char buffer[16];
   std::snprintf(buffer, sizeof buffer, "%02d.ma", number);
   return std::string{mission::file_prefix(behavior)} + buffer;
-}
-
-std::string lower(std::string name) {
-  std::ranges::transform(name, name.begin(),
-                         [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; });
-  return name;
 }
 
 int whole(double value) {
@@ -118,7 +113,7 @@ class Reader {
 
   [[nodiscard]] const Document* document(const std::string& name) const {
     const auto found =
-        std::ranges::find_if(documents_, [&](const Document& d) { return lower(d.name) == name; });
+        std::ranges::find_if(documents_, [&](const Document& d) { return core::lower_case(d.name) == name; });
     return found == documents_.end() ? nullptr : &*found;
   }
 

@@ -10,12 +10,12 @@
 namespace floeplan::cli {
 namespace {
 
-struct Flags {
+struct AuditFlags {
   int limit{100};
   bool json_out{false};
 };
 
-int show(const Flags& flags, const Program& program) {
+int show(const AuditFlags& flags, const Program& program) {
   auto db = repository::open_store(program.store);
   const auto entries = repository::AuditRepository{db}.list(0, flags.limit);
   auto documents = nlohmann::json::array();
@@ -38,7 +38,7 @@ int show(const Flags& flags, const Program& program) {
 }  // namespace
 
 void add_audit(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<AuditFlags>();
   auto* command = app.add_subcommand("audit", "Who did what over HTTP, the newest first");
   command->add_option("--limit", flags->limit, "At most so many entries")
       ->check(CLI::Range(1, 1'000'000))

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Flags {
+struct CheckFlags {
   std::vector<std::string> files;
   std::optional<std::string> from;
   InputFlags sea;
@@ -63,7 +63,7 @@ void print(const mission::Document& document, const std::string& file) {
 }
 
 /// The files as they were read; with a departure also judged in the stored data.
-tl::expected<std::vector<mission::Document>, core::Violations> judged(const Flags& flags,
+tl::expected<std::vector<mission::Document>, core::Violations> judged(const CheckFlags& flags,
                                                                       const Program& program) {
   std::vector<mission::Document> documents;
   documents.reserve(flags.files.size());
@@ -83,7 +83,7 @@ tl::expected<std::vector<mission::Document>, core::Violations> judged(const Flag
   return documents;
 }
 
-int run(const Flags& flags, const Program& program) {
+int run_check(const CheckFlags& flags, const Program& program) {
   const auto documents = judged(flags, program);
   if (!documents) return print_violations(documents.error(), flags.json_out);
   bool rejected = false;
@@ -104,7 +104,7 @@ int run(const Flags& flags, const Program& program) {
 }  // namespace
 
 void add_check(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<CheckFlags>();
   auto* command = app.add_subcommand(
       "check",
       "Read mission files (.ma, .mi; a Seaglider's targets, science, cmdfile) and judge them; "
@@ -116,7 +116,7 @@ void add_check(CLI::App& app, Program& program) {
   flags->sea.add_voyage(*command);
   flags->sea.add_route_rules(*command);
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
-  command->callback([flags, &program] { program.exit_code = run(*flags, program); });
+  command->callback([flags, &program] { program.exit_code = run_check(*flags, program); });
 }
 
 }  // namespace floeplan::cli

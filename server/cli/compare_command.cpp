@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Flags {
+struct CompareFlags {
   std::array<std::string, 2> plans;
   bool json_out{false};
 };
@@ -33,7 +33,7 @@ void print_row(const std::string& name, const json& first, const json& second, c
               shown(difference).c_str());
 }
 
-void print_table(const json& comparison) {
+void print_compare_table(const json& comparison) {
   const json& first = comparison.at("first");
   const json& second = comparison.at("second");
   const json& more = comparison.at("difference");
@@ -54,7 +54,7 @@ void print_table(const json& comparison) {
                 dataset.at("name").get<std::string>().c_str(), dataset.at("id").get<std::string>().c_str());
 }
 
-int run(const Flags& flags, const Program& program) {
+int run_compare(const CompareFlags& flags, const Program& program) {
   auto db = repository::open_store(program.store);
   const repository::PlanRepository plans{db};
   const auto first = plans.find({flags.plans[0]});
@@ -67,7 +67,7 @@ int run(const Flags& flags, const Program& program) {
   if (flags.json_out) {
     std::cout << comparison.dump(2) << '\n';
   } else {
-    print_table(comparison);
+    print_compare_table(comparison);
   }
   return done;
 }
@@ -75,12 +75,12 @@ int run(const Flags& flags, const Program& program) {
 }  // namespace
 
 void add_compare(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<CompareFlags>();
   auto* command = app.add_subcommand("compare", "Show two stored plans side by side");
   command->add_option("FIRST", flags->plans[0], "A plan's id")->required();
   command->add_option("SECOND", flags->plans[1], "Another's")->required();
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
-  command->callback([flags, &program] { program.exit_code = run(*flags, program); });
+  command->callback([flags, &program] { program.exit_code = run_compare(*flags, program); });
 }
 
 }  // namespace floeplan::cli

@@ -18,7 +18,7 @@ using nlohmann::json;
 using simulation::Compared;
 using simulation::SegmentComparison;
 
-struct Flags {
+struct CompareFlightFlags {
   std::vector<std::string> files;
   std::string vehicle{codec::usual_compared_vehicle};
   std::string drag{"log"};
@@ -70,7 +70,7 @@ void print(const std::vector<codec::ComparedDive>& dives) {
               summary.within_a_tenth() ? "within a tenth" : "not within a tenth");
 }
 
-int run(const Flags& flags) {
+int run_compare_flight(const CompareFlightFlags& flags) {
   const auto vehicle = codec::compared_vehicle(flags.vehicle);
   if (!vehicle) return complain(bad_data, "--vehicle " + vehicle.error().rule);
   const auto drag = flags.drag == "log" ? simulation::DragOf::log : simulation::DragOf::profile;
@@ -101,7 +101,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 void add_compare_flight(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<CompareFlightFlags>();
   auto* command = app.add_subcommand(
       "compare-flight", "Fly the dives of a Slocum's log again in the simulator and set both side by side");
   command
@@ -116,7 +116,7 @@ void add_compare_flight(CLI::App& app, Program& program) {
       ->check(CLI::IsMember({"log", "profile"}))
       ->capture_default_str();
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
-  command->callback([flags, &program] { program.exit_code = run(*flags); });
+  command->callback([flags, &program] { program.exit_code = run_compare_flight(*flags); });
 }
 
 }  // namespace floeplan::cli

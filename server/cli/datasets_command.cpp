@@ -17,7 +17,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Flags {
+struct DatasetsFlags {
   bool json_out{false};
   std::string remove_id;
   std::optional<std::string> older_than;
@@ -26,7 +26,7 @@ struct Flags {
   bool dry_run{false};
 };
 
-int list(const Flags& flags, const Program& program) {
+int list_datasets(const DatasetsFlags& flags, const Program& program) {
   auto db = repository::open_store(program.store);
   const auto datasets = repository::DatasetRepository{db}.list();
   if (flags.json_out) {
@@ -47,13 +47,13 @@ int list(const Flags& flags, const Program& program) {
   return done;
 }
 
-int remove(const Flags& flags, const Program& program) {
+int remove_datasets(const DatasetsFlags& flags, const Program& program) {
   auto db = repository::open_store(program.store);
   if (repository::DatasetRepository{db}.remove({flags.remove_id})) return done;
   return complain(could_not, "no dataset has the id " + flags.remove_id + "; floeplan datasets lists them");
 }
 
-int prune(const Flags& flags, const Program& program) {
+int prune_datasets(const DatasetsFlags& flags, const Program& program) {
   repository::RetentionRules rules;
   if (flags.older_than) {
     rules.max_age = core::parse_iso8601_duration(*flags.older_than);
@@ -82,7 +82,7 @@ int prune(const Flags& flags, const Program& program) {
 }  // namespace
 
 void add_datasets(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<DatasetsFlags>();
   auto* command = app.add_subcommand("datasets", "List and remove what the store holds");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   auto* removal = command->add_subcommand("remove", "Remove a dataset and everything that belongs to it");
@@ -103,9 +103,9 @@ void add_datasets(CLI::App& app, Program& program) {
   pruning->add_flag("--dry-run", flags->dry_run, "Say what would go, and remove nothing");
   pruning->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, removal, pruning, &program] {
-    program.exit_code = removal->parsed()   ? remove(*flags, program)
-                        : pruning->parsed() ? prune(*flags, program)
-                                            : list(*flags, program);
+    program.exit_code = removal->parsed()   ? remove_datasets(*flags, program)
+                        : pruning->parsed() ? prune_datasets(*flags, program)
+                                            : list_datasets(*flags, program);
   });
 }
 

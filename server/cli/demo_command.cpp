@@ -8,14 +8,14 @@
 namespace floeplan::cli {
 namespace {
 
-struct Flags {
+struct DemoFlags {
   std::filesystem::path directory;
   std::string scenario{"disko"};
   std::uint64_t seed{1};
   std::string start{"2026-11-22T00:00:00Z"};  // fixed, so that everybody gets the same files
 };
 
-int run(const Flags& flags) {
+int run_demo(const DemoFlags& flags) {
   const auto start = core::parse_iso8601(flags.start);
   if (!start) {
     return complain(wrong_usage,
@@ -32,7 +32,7 @@ int run(const Flags& flags) {
 }  // namespace
 
 void add_demo(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<DemoFlags>();
   auto* command = app.add_subcommand("demo", "Write synthetic demonstration data in real file formats");
   command->add_option("DIR", flags->directory, "Folder to write into, made when missing")->required();
   command->add_option("--scenario", flags->scenario, "disko, river or jet")
@@ -40,7 +40,7 @@ void add_demo(CLI::App& app, Program& program) {
       ->capture_default_str();
   command->add_option("--seed", flags->seed, "Same seed, same bytes")->capture_default_str();
   command->add_option("--start", flags->start, "First hour of the currents")->capture_default_str();
-  command->callback([flags, &program] { program.exit_code = run(*flags); });
+  command->callback([flags, &program] { program.exit_code = run_demo(*flags); });
 }
 
 }  // namespace floeplan::cli

@@ -29,7 +29,7 @@ json route_in(const json& document) {
   return document;
 }
 
-int run(const std::string& route, const InputFlags& flags, bool json_out, const Program& program) {
+int run_evaluate(const std::string& route, const InputFlags& flags, bool json_out, const Program& program) {
   json inputs = flags.inputs();
   if (std::filesystem::is_regular_file(route)) {
     json file = file_member(route);
@@ -72,8 +72,9 @@ void add_evaluate(CLI::App& app, Program& program) {
   flags->add_voyage(*command);
   flags->add_route_rules(*command);
   command->add_flag("--json", *json_out, "Answer with one JSON document");
-  command->callback(
-      [flags, route, json_out, &program] { program.exit_code = run(*route, *flags, *json_out, program); });
+  command->callback([flags, route, json_out, &program] {
+    program.exit_code = run_evaluate(*route, *flags, *json_out, program);
+  });
 }
 
 }  // namespace floeplan::cli

@@ -19,7 +19,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Flags {
+struct ExportFlags {
   std::string plan_id;
   std::string format{"gliderdos"};
   std::filesystem::path out{"."};
@@ -36,7 +36,7 @@ struct Flags {
 };
 
 /// Throws CLI::ValidationError (wrong usage) for a flag whose text cannot be read.
-routes::MissionRequest mission_request(const Flags& flags) {
+routes::MissionRequest mission_request(const ExportFlags& flags) {
   routes::MissionRequest request = flags.mission;
   const auto firmware = routes::parse_firmware(flags.firmware);
   if (!firmware) throw CLI::ValidationError{"--firmware", flags.firmware + " is not a version; as 10.5"};
@@ -70,7 +70,7 @@ routes::MissionRequest mission_request(const Flags& flags) {
 /// The files of the format, before any is written.
 tl::expected<mission::MissionFiles, core::Violations> files_of(sqlite::Connection& db,
                                                                const repository::PlanRecord& record,
-                                                               const Flags& flags,
+                                                               const ExportFlags& flags,
                                                                const std::vector<std::string>& warnings) {
   if (flags.format == "gliderdos" || flags.format == "seaglider")
     return routes::mission_of(db, record, mission_request(flags), now());
@@ -91,7 +91,7 @@ std::vector<std::string> format_names() {
 
 /// The files where a dockserver looks for them, in one archive if that is wanted.
 std::vector<OutputFile> laid_out(const mission::MissionFiles& set, const repository::PlanRecord& record,
-                                 const Flags& flags) {
+                                 const ExportFlags& flags) {
   const std::filesystem::path folder = *routes::handover_folder(flags.glider, flags.format == "seaglider");
   std::vector<OutputFile> output;
   std::vector<codec::ArchivedFile> archived;
@@ -118,7 +118,7 @@ int refuse(const routes::PlanCheck& check, bool json_out) {
       "nothing was written; plan anew in the newest data; --accept-dangers writes it all the same");
 }
 
-int run(const Flags& flags, const Program& program) {
+int run_export(const ExportFlags& flags, const Program& program) {
   auto db = repository::open_store(program.store);
   const auto record = repository::PlanRepository{db}.find({flags.plan_id});
   if (!record)
@@ -147,7 +147,7 @@ int run(const Flags& flags, const Program& program) {
 }  // namespace
 
 void add_export(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<ExportFlags>();
   auto* command = app.add_subcommand("export", "Write a plan as mission files");
   command->add_option("PLAN", flags->plan_id, "The plan's id")->required();
   command
@@ -192,7 +192,7 @@ void add_export(CLI::App& app, Program& program) {
   command->add_flag("--accept-dangers", flags->accept_dangers,
                     "Write a plan whose legs the newest data close, and put the dangers among its warnings");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
-  command->callback([flags, &program] { program.exit_code = run(*flags, program); });
+  command->callback([flags, &program] { program.exit_code = run_export(*flags, program); });
 }
 
 }  // namespace floeplan::cli

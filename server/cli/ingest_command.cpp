@@ -12,7 +12,7 @@
 namespace floeplan::cli {
 namespace {
 
-struct Flags {
+struct IngestFlags {
   std::vector<std::string> files;
   std::optional<std::string> name;
   std::string kind{"auto"};
@@ -40,7 +40,7 @@ void print(const ingest::IngestReport& report) {
   for (const std::string& error : report.errors) complain(bad_data, report.file + ": " + error);
 }
 
-int run(const Flags& flags, const Program& program) {
+int run_ingest(const IngestFlags& flags, const Program& program) {
   ingest::IngestOptions options{
       .name = flags.name, .crs = flags.crs, .positive = flags.positive, .variable = flags.variable};
   options.missing = flags.missing;
@@ -78,7 +78,7 @@ int run(const Flags& flags, const Program& program) {
 }  // namespace
 
 void add_ingest(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<IngestFlags>();
   auto* command = app.add_subcommand("ingest", "Read data files into the store");
   command
       ->add_option("FILE", flags->files,
@@ -111,7 +111,7 @@ void add_ingest(CLI::App& app, Program& program) {
       ->add_option("--zone-kind", flags->zone_kind, "Rule of zones whose file states none: no_go or stay_in")
       ->check(CLI::IsMember({"no_go", "stay_in"}));
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
-  command->callback([flags, &program] { program.exit_code = run(*flags, program); });
+  command->callback([flags, &program] { program.exit_code = run_ingest(*flags, program); });
 }
 
 }  // namespace floeplan::cli

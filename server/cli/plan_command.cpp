@@ -11,7 +11,7 @@
 namespace floeplan::cli {
 namespace {
 
-int run(const InputFlags& flags, bool json_out, const Program& program) {
+int run_plan(const InputFlags& flags, bool json_out, const Program& program) {
   const auto inputs = codec::parse_plan_inputs(flags.inputs());
   if (!inputs) return print_violations(inputs.error(), json_out);
 
@@ -32,7 +32,8 @@ void add_plan(CLI::App& app, Program& program) {
   flags->add_voyage(*command);
   flags->add_route_rules(*command);
   command->add_flag("--json", *json_out, "Answer with one JSON document");
-  command->callback([flags, json_out, &program] { program.exit_code = run(*flags, *json_out, program); });
+  command->callback(
+      [flags, json_out, &program] { program.exit_code = run_plan(*flags, *json_out, program); });
 }
 
 }  // namespace floeplan::cli

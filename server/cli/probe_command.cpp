@@ -12,7 +12,7 @@
 namespace floeplan::cli {
 namespace {
 
-struct Flags {
+struct ProbeFlags {
   std::string at;
   std::optional<std::string> time;
   std::optional<double> depth_m;
@@ -76,7 +76,7 @@ void print(const codec::Probe& probe) {
   }
 }
 
-int run(const Flags& flags, const Program& program) {
+int run_probe(const ProbeFlags& flags, const Program& program) {
   const auto place = parse_place(flags.at);
   if (!place)
     return complain(wrong_usage, "--at " + flags.at + " is not LON,LAT in degrees; as --at=-53.2,69.2");
@@ -109,7 +109,7 @@ int run(const Flags& flags, const Program& program) {
 }  // namespace
 
 void add_probe(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<ProbeFlags>();
   auto* command = app.add_subcommand(
       "probe", "Depth, current, tide, wind, sea ice, icebergs and zones at a place and a time");
   command->add_option("--at", flags->at, "LON,LAT in degrees")->required();
@@ -118,7 +118,7 @@ void add_probe(CLI::App& app, Program& program) {
   command->add_option("--dataset", flags->dataset,
                       "Currents, wind, bathymetry, ice or tides to ask; default: the newest that covers it");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
-  command->callback([flags, &program] { program.exit_code = run(*flags, program); });
+  command->callback([flags, &program] { program.exit_code = run_probe(*flags, program); });
 }
 
 }  // namespace floeplan::cli

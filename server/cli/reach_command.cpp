@@ -15,7 +15,7 @@ namespace {
 
 using nlohmann::json;
 
-void print_table(const json& document) {
+void print_reach_table(const json& document) {
   std::printf("%8s  %-22s %12s %9s\n", "hours",
               document.at("direction") == "from" ? "there at" : "leaving at", "area km2", "polygons");
   for (const json& feature : document.at("features")) {
@@ -29,7 +29,7 @@ void print_table(const json& document) {
     std::printf("warning: %s\n", warning.get<std::string>().c_str());
 }
 
-int run(const InputFlags& flags, bool json_out, const Program& program) {
+int run_reach(const InputFlags& flags, bool json_out, const Program& program) {
   const auto inputs = codec::parse_reach_inputs(flags.inputs());
   if (!inputs) return print_violations(inputs.error(), json_out);
 
@@ -40,7 +40,7 @@ int run(const InputFlags& flags, bool json_out, const Program& program) {
   if (json_out) {
     std::cout << document->dump() << '\n';
   } else {
-    print_table(*document);
+    print_reach_table(*document);
   }
   return done;
 }
@@ -56,7 +56,8 @@ void add_reach(CLI::App& app, Program& program) {
   flags->add_reach(*command);
   flags->add_voyage(*command);
   command->add_flag("--json", *json_out, "Answer with one GeoJSON document");
-  command->callback([flags, json_out, &program] { program.exit_code = run(*flags, *json_out, program); });
+  command->callback(
+      [flags, json_out, &program] { program.exit_code = run_reach(*flags, *json_out, program); });
 }
 
 }  // namespace floeplan::cli

@@ -11,7 +11,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Flags {
+struct RecheckFlags {
   std::string plan_id;
   bool json_out{false};
 };
@@ -28,7 +28,7 @@ void print_lines(const json& document) {
     std::cout << "warning: " << warning.get<std::string>() << '\n';
 }
 
-int run(const Flags& flags, const Program& program) {
+int run_recheck(const RecheckFlags& flags, const Program& program) {
   auto db = repository::open_store(program.store);
   const auto record = repository::PlanRepository{db}.find({flags.plan_id});
   if (!record)
@@ -46,12 +46,12 @@ int run(const Flags& flags, const Program& program) {
 }  // namespace
 
 void add_recheck(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<RecheckFlags>();
   auto* command = app.add_subcommand(
       "recheck", "Tell which data of a plan have changed since, and follow it through those of today");
   command->add_option("PLAN", flags->plan_id, "The plan's id")->required();
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
-  command->callback([flags, &program] { program.exit_code = run(*flags, program); });
+  command->callback([flags, &program] { program.exit_code = run_recheck(*flags, program); });
 }
 
 }  // namespace floeplan::cli

@@ -69,17 +69,17 @@ void print_table(const char* title, const std::vector<ReproducedRow>& rows) {
   }
 }
 
-struct Flags {
+struct ReproduceFlags {
   std::string figures;  // folder; empty: no figures
   bool force{false};
   bool json_out{false};
 };
 
-std::filesystem::path figure_file(const Flags& flags, int number, const char* extension) {
+std::filesystem::path figure_file(const ReproduceFlags& flags, int number, const char* extension) {
   return std::filesystem::path{flags.figures} / ("figure_" + std::to_string(number) + extension);
 }
 
-int write_figures(const Flags& flags) {
+int write_figures(const ReproduceFlags& flags) {
   for (int number = reproduction::first_figure; number <= reproduction::last_figure; ++number) {
     for (const char* extension : {".svg", ".geojson"}) {
       const std::filesystem::path file = figure_file(flags, number, extension);
@@ -120,7 +120,7 @@ int print_tables(bool json_out) {
 }  // namespace
 
 void add_reproduce(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<ReproduceFlags>();
   auto* command = app.add_subcommand("reproduce", "Print the paper's tables beside our numbers");
   command
       ->add_option("--figures", flags->figures,

@@ -27,7 +27,7 @@ namespace {
 
 using nlohmann::json;
 
-struct Flags {
+struct SimulateFlags {
   std::string plan_id;
   std::string scenario;
   std::optional<std::string> request_file;
@@ -56,7 +56,7 @@ void set(json& inputs, const char* key, const std::optional<Value>& value) {
 }
 
 /// The flags over the members of the request file.
-json inputs_of(const Flags& flags) {
+json inputs_of(const SimulateFlags& flags) {
   json inputs = flags.request_file ? read_object(*flags.request_file, "request file") : json::object();
   inputs["plan_id"] = flags.plan_id;
   set(inputs, "runs", flags.runs);
@@ -123,7 +123,7 @@ void print_not_there(const json& flights) {
   if (told > most_told) std::printf("and %d more; --json tells of all\n", told - most_told);
 }
 
-void print_table(const json& document) {
+void print_simulate_table(const json& document) {
   std::printf("simulation %s of plan %s: %d runs, seed %s, obstacle avoidance %s\n",
               document.at("simulation_id").get<std::string>().c_str(),
               document.at("plan_id").get<std::string>().c_str(), document.at("runs").get<int>(),
@@ -144,7 +144,7 @@ double real_time_factor(const json& document, std::chrono::steady_clock::time_po
   return std::round(simulated_s / std::max(1e-3, took.count()));
 }
 
-int write_files(sqlite::Connection& db, const json& document, const Flags& flags) {
+int write_files(sqlite::Connection& db, const json& document, const SimulateFlags& flags) {
   const std::string id = document.at("simulation_id").get<std::string>();
   const auto record = repository::SimulationRepository{db}.find({id});
   std::vector<OutputFile> files;
@@ -163,7 +163,7 @@ int complain_of_interruption() {
                   "interrupted; nothing was stored; give the command again to fly the same flights");
 }
 
-int run(const Flags& flags, const Program& program) {
+int run_simulate(const SimulateFlags& flags, const Program& program) {
   const auto inputs = codec::parse_simulate_inputs(inputs_of(flags));
   if (!inputs) return print_violations(inputs.error(), flags.json_out);
   if (flags.out && inputs->tracks == 0)
@@ -180,12 +180,12 @@ int run(const Flags& flags, const Program& program) {
   if (flags.json_out) {
     std::cout << document->dump(2) << '\n';
   } else {
-    print_table(*document);
+    print_simulate_table(*document);
   }
   return flags.out ? write_files(db, *document, flags) : done;
 }
 
-int run_scenario(const Flags& flags) {
+int run_scenario(const SimulateFlags& flags) {
   const codec::ScenarioInputs asked{.scenario = flags.scenario,
                                     .runs = flags.runs.value_or(1),
                                     .seed = static_cast<std::uint64_t>(flags.seed.value_or(1)),
@@ -211,7 +211,7 @@ int run_scenario(const Flags& flags) {
 }  // namespace
 
 void add_simulate(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<SimulateFlags>();
   auto* command = app.add_subcommand("simulate", "Fly a stored plan in the test bed, once or many times");
   command->add_option("PLAN", flags->plan_id, "The plan's id");
   command
@@ -254,7 +254,7 @@ void add_simulate(CLI::App& app, Program& program) {
   command->callback([flags, &program] {
     if (flags->plan_id.empty() == flags->scenario.empty())
       throw CLI::ValidationError{"simulate", "takes the id of a plan, or --scenario and no plan"};
-    program.exit_code = flags->scenario.empty() ? run(*flags, program) : run_scenario(*flags);
+    program.exit_code = flags->scenario.empty() ? run_simulate(*flags, program) : run_scenario(*flags);
   });
 }
 

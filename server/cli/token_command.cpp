@@ -17,7 +17,7 @@ using nlohmann::json;
 using repository::TokenRecord;
 using repository::TokenRepository;
 
-struct Flags {
+struct TokenFlags {
   std::string name;
   std::string role;
   bool json_out{false};
@@ -32,7 +32,7 @@ bool is_name(const std::string& text) {
 }
 
 /// The token is shown this once; the store keeps a digest.
-int add(const Flags& flags, const Program& program) {
+int add_token(const TokenFlags& flags, const Program& program) {
   if (!is_name(flags.name)) {
     return complain(wrong_usage, "the token cannot be called \"" + flags.name +
                                      "\"; use up to 64 letters, digits and . _ @ -, and not \"local\"");
@@ -59,7 +59,7 @@ int add(const Flags& flags, const Program& program) {
   return done;
 }
 
-int list(const Flags& flags, const Program& program) {
+int list_tokens(const TokenFlags& flags, const Program& program) {
   auto db = repository::open_store(program.store);
   const auto tokens = TokenRepository{db}.list();
   if (flags.json_out) {
@@ -80,7 +80,7 @@ int list(const Flags& flags, const Program& program) {
   return done;
 }
 
-int revoke(const Flags& flags, const Program& program) {
+int revoke_token(const TokenFlags& flags, const Program& program) {
   auto db = repository::open_store(program.store);
   if (TokenRepository{db}.remove(flags.name)) return done;
   return complain(could_not, "there is no token " + flags.name + "; floeplan token list shows them");
@@ -89,7 +89,7 @@ int revoke(const Flags& flags, const Program& program) {
 }  // namespace
 
 void add_token(CLI::App& app, Program& program) {
-  auto flags = std::make_shared<Flags>();
+  auto flags = std::make_shared<TokenFlags>();
   auto* command = app.add_subcommand("token", "Create, list and revoke the tokens that the server takes");
   command->alias("tokens");
   command->require_subcommand(1);
@@ -106,16 +106,16 @@ void add_token(CLI::App& app, Program& program) {
       ->required()
       ->check(CLI::IsMember({"viewer", "pilot", "admin"}));
   with_json(addition);
-  addition->callback([flags, &program] { program.exit_code = add(*flags, program); });
+  addition->callback([flags, &program] { program.exit_code = add_token(*flags, program); });
 
   auto* listing = command->add_subcommand("list", "Names, roles and ages");
   with_json(listing);
-  listing->callback([flags, &program] { program.exit_code = list(*flags, program); });
+  listing->callback([flags, &program] { program.exit_code = list_tokens(*flags, program); });
 
   auto* removal = command->add_subcommand("revoke", "End a token and every login that was opened with it");
   removal->alias("remove");
   removal->add_option("NAME", flags->name, "As the list shows it")->required();
-  removal->callback([flags, &program] { program.exit_code = revoke(*flags, program); });
+  removal->callback([flags, &program] { program.exit_code = revoke_token(*flags, program); });
 }
 
 }  // namespace floeplan::cli

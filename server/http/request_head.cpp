@@ -3,18 +3,10 @@
 #include <boost/beast/core/string.hpp>
 #include <string_view>
 
+#include "engine/core/letter_case.hpp"
+
 namespace floeplan::http {
-namespace {
-
 namespace beast = boost::beast;
-
-std::string lower_case(std::string_view text) {
-  std::string result;
-  for (const char c : text) result += c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c;
-  return result;
-}
-
-}  // namespace
 
 std::optional<routes::Request> to_request(const beast::http::request_header<>& message) {
   const auto target = message.target();
@@ -26,7 +18,7 @@ std::optional<routes::Request> to_request(const beast::http::request_header<>& m
   request.query = std::move(parsed->query);
   for (const auto& field : message) {
     const auto name = field.name_string();
-    std::string& value = request.headers[lower_case({name.data(), name.size()})];
+    std::string& value = request.headers[core::lower_case({name.data(), name.size()})];
     if (!value.empty()) value += field.name() == beast::http::field::cookie ? "; " : ", ";  // RFC 9110, 5.3
     value += std::string{field.value()};
   }

@@ -5,12 +5,11 @@
 #include <algorithm>
 #include <array>
 #include <chrono>
-#include <condition_variable>
 #include <fstream>
 #include <map>
-#include <mutex>
 #include <nlohmann/json.hpp>
 
+#include "server/jobs/pause.hpp"
 #include "storage/ingest/sidecar.hpp"
 
 namespace floeplan::jobs {
@@ -132,13 +131,6 @@ class Arrivals {
  private:
   std::map<fs::path, Seen> seen_;
 };
-
-void pause(std::chrono::milliseconds time, const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any never;
-  std::unique_lock lock{mutex};
-  never.wait_for(lock, stop, time, [] { return false; });
-}
 
 }  // namespace
 

@@ -5,11 +5,10 @@
 #include <unistd.h>
 
 #include <chrono>
-#include <condition_variable>
 #include <map>
-#include <mutex>
 #include <new>
 
+#include "server/jobs/pause.hpp"
 #include "server/jobs/process_runner.hpp"
 #include "storage/sqlite/failure.hpp"
 
@@ -45,14 +44,6 @@ void lower_priority() {
   if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness) != 0) {
     spdlog::warn("the priority of a worker thread could not be lowered");
   }
-}
-
-/// Waits until the time is over or `stop` is requested.
-void pause(std::chrono::milliseconds time, const std::stop_token& stop) {
-  std::mutex mutex;
-  std::condition_variable_any never;
-  std::unique_lock lock{mutex};
-  never.wait_for(lock, stop, time, [] { return false; });
 }
 
 /// Whether the store may do later what it could not do now: somebody makes room on the disk, or gives back its lock.

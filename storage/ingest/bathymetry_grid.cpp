@@ -3,10 +3,10 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <utility>
 
+#include "storage/ingest/missing_value.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/repository/field_overviews.hpp"
 #include "storage/repository/field_repository.hpp"
@@ -16,7 +16,6 @@ namespace {
 
 constexpr float deepest_m = 12000.0F;
 constexpr float highest_m = 9000.0F;
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 /// With the range of its cells, and what of it GDAL or HDF5 holds meanwhile, a quarter of what a reader may take.
 constexpr std::size_t band_nodes = 4'000'000;

@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "storage/ingest/bed_levels.hpp"
 #include "storage/ingest/centre_tables.hpp"
 #include "storage/ingest/component_times.hpp"
 #include "storage/ingest/grid_directions.hpp"
+#include "storage/ingest/missing_value.hpp"
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/netcdf_shape.hpp"
 #include "storage/ingest/nominal_axes.hpp"
@@ -22,7 +22,6 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 constexpr double straight_deg = 1.0;  // a grid turned by less is as good as along east and north
 
 struct Plane {

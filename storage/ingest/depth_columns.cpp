@@ -3,12 +3,11 @@
 #include <array>
 #include <cmath>
 #include <cstdint>
-#include <limits>
+
+#include "storage/ingest/missing_value.hpp"
 
 namespace floeplan::ingest {
 namespace {
-
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 struct Band {
   double down_to_m;

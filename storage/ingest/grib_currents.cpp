@@ -5,13 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "storage/ingest/current_dataset.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/grib_contents.hpp"
 #include "storage/ingest/grib_messages.hpp"
 #include "storage/ingest/grid_directions.hpp"
+#include "storage/ingest/missing_value.hpp"
 #include "storage/ingest/netcdf_axis.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/velocity_component.hpp"
@@ -19,7 +19,6 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 constexpr double fill_from = 9990.0;  // GDAL writes 9999 where a bitmap has no value
 constexpr std::uint64_t max_points = 10'000'000;
 

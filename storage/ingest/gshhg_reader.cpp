@@ -57,13 +57,13 @@ std::string missing_array(const GDALGroup& group) {
 }
 
 template <class Value>
-constexpr GDALDataType gdal_type();
+constexpr GDALDataType element_type();
 template <>
-constexpr GDALDataType gdal_type<std::int16_t>() {
+constexpr GDALDataType element_type<std::int16_t>() {
   return GDT_Int16;
 }
 template <>
-constexpr GDALDataType gdal_type<std::int32_t>() {
+constexpr GDALDataType element_type<std::int32_t>() {
   return GDT_Int32;
 }
 
@@ -79,7 +79,7 @@ std::vector<Value> read(const GDALGroup& group, const char* name, std::uint64_t 
   if (values.empty()) return values;
   const GUInt64 start = first;
   const std::size_t count = values.size();
-  if (!array->Read(&start, &count, nullptr, nullptr, GDALExtendedDataType::Create(gdal_type<Value>()),
+  if (!array->Read(&start, &count, nullptr, nullptr, GDALExtendedDataType::Create(element_type<Value>()),
                    values.data()))
     throw Contradiction{std::string{name} + " cannot be read"};
   return values;

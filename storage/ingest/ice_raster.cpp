@@ -12,12 +12,12 @@
 
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/grid_frame_of_crs.hpp"
+#include "storage/ingest/missing_value.hpp"
 #include "storage/ingest/polygon_shapes.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 constexpr float without_bound = std::numeric_limits<float>::max();
 constexpr double most_nodes = 2'000'000.0;  // 16 MB for both quantities, and as much while they are filled
 constexpr double finest_spacing_m = 250.0;  // charts are drawn at 1:1 000 000 and coarser

@@ -7,6 +7,7 @@
 #include "storage/ingest/bent_plane.hpp"
 #include "storage/ingest/ice_units.hpp"
 #include "storage/ingest/ice_variables.hpp"
+#include "storage/ingest/missing_value.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/repository/field_repository.hpp"
@@ -15,7 +16,6 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr std::uint64_t max_values = 4'000'000'000;  // of one variable in one file
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 /// Thickness of floating level ice over its draft: 1025 kg/m3 of sea water over 915 kg/m3 of ice, without snow.
 /// Source  Timco and Frederking 1996, A review of sea ice density, doi:10.1016/0165-232X(95)00007-X

@@ -2,11 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "storage/ingest/bed_levels.hpp"
 #include "storage/ingest/component_times.hpp"
 #include "storage/ingest/mesh_topology.hpp"
+#include "storage/ingest/missing_value.hpp"
 #include "storage/ingest/netcdf_shape.hpp"
 #include "storage/ingest/sigma_levels.hpp"
 #include "storage/ingest/tangent_plane.hpp"
@@ -14,8 +14,6 @@
 
 namespace floeplan::ingest {
 namespace {
-
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 std::size_t corners_of(const SourceMesh::Cell& face) { return face[2] == face[3] ? 3 : 4; }
 

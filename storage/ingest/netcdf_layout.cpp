@@ -10,7 +10,7 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr std::uint64_t max_axis_nodes = 1'000'000;
-constexpr std::uint64_t max_points = 10'000'000;          // of a mesh, along one dimension
+constexpr std::uint64_t max_mesh_points = 10'000'000;     // of a mesh, along one dimension
 constexpr std::uint64_t max_slice_nodes = 4'000'000'000;  // the grid of GEBCO has 3.7e9
 
 bool has_table_of_positions(const NetcdfFile& file) {
@@ -68,7 +68,7 @@ Checked<bool> add_dimension(NetcdfLayout& layout, std::size_t index, const RoleO
 std::optional<std::string> fault_of_size(const NetcdfDimension& dimension, bool of_points) {
   if (dimension.size == 0)
     return "the dimension \"" + dimension.name + "\" is empty; the file holds no data; ask for another";
-  const std::uint64_t most = of_points ? max_points : max_axis_nodes;
+  const std::uint64_t most = of_points ? max_mesh_points : max_axis_nodes;
   if (dimension.size > most)
     return "the dimension \"" + dimension.name + "\" has " + std::to_string(dimension.size) +
            " values, more than this program accepts (" + std::to_string(most) +

@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
 #include "engine/ocean/bilinear.hpp"
 #include "storage/ingest/cell_weights.hpp"
+#include "storage/ingest/missing_value.hpp"
 #include "storage/ingest/tangent_plane.hpp"
 
 namespace floeplan::ingest {
@@ -17,7 +17,6 @@ constexpr std::size_t fair_candidates =
     10'000'000;  // nodes looked at whatever the size: a fraction of a second
 constexpr std::size_t candidates_per_node =
     30;  // real meshes need 2 to 6, slender cells athwart the grid more
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 }  // namespace
 

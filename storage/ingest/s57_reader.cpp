@@ -7,20 +7,19 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <limits>
 #include <memory>
 #include <numbers>
 #include <utility>
 
 #include "storage/ingest/bathymetry_grid.hpp"
 #include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/missing_value.hpp"
 #include "storage/ingest/s57_cell.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
-constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 constexpr double paper_m = 0.0005;  // on the chart: about the width of its thickest line
 constexpr double metres_per_degree = 111'195.0;
 constexpr double finest_m = 5.0;

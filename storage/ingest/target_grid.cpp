@@ -10,9 +10,9 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double max_nodes = 4e6;       // weights take 48 bytes a node: 200 MB
-constexpr double half = 0.5;            // of the mesh's spacing: interpolating twice loses little then
-constexpr double max_fine_nodes = 1e6;  // from here on a finer grid is not worth its size
+constexpr double max_target_nodes = 4e6;  // weights take 48 bytes a node: 200 MB
+constexpr double half = 0.5;              // of the mesh's spacing: interpolating twice loses little then
+constexpr double max_fine_nodes = 1e6;    // from here on a finer grid is not worth its size
 constexpr double metres_per_degree = 111'195.0;  // of a sphere with the Earth's mean radius
 constexpr double polar_from_lat_deg = 78.0;      // where a degree of longitude is a fifth of one of latitude
 constexpr double polar_above_lat_deg = 45.0;  // the whole mesh must lie beyond, so that the plane stays true
@@ -37,8 +37,8 @@ std::vector<double> nodes_between(double from, double to, double step) {
 
 /// A step of half the mesh's own, or more where that would take too many nodes.
 double affordable_step(double spacing, double area) {
-  return std::max(
-      {half * spacing, std::min(spacing, std::sqrt(area / max_fine_nodes)), std::sqrt(area / max_nodes)});
+  return std::max({half * spacing, std::min(spacing, std::sqrt(area / max_fine_nodes)),
+                   std::sqrt(area / max_target_nodes)});
 }
 
 /// Rounded down to two digits, so that the nodes have short numbers.

@@ -15,7 +15,7 @@ namespace {
 
 using ocean::TideQuantity;
 
-constexpr std::uint64_t max_nodes = 25'000'000;
+constexpr std::uint64_t max_tide_nodes = 25'000'000;
 constexpr double missing = std::numeric_limits<double>::quiet_NaN();
 
 std::string suffix_of(TideQuantity quantity) {
@@ -173,8 +173,8 @@ Checked<TideLayout> tide_layout_of(const NetcdfFile& file, const TideVariables& 
       return refuse("the dimension \"" + dimension.name + "\" has " + std::to_string(dimension.size) +
                     " values; no tide model has; the file is damaged; get it again");
     size *= dimension.size;
-    if (size > 400 * max_nodes)
-      return refuse("the tide is larger than this program accepts (" + std::to_string(max_nodes) +
+    if (size > 400 * max_tide_nodes)
+      return refuse("the tide is larger than this program accepts (" + std::to_string(max_tide_nodes) +
                     " nodes); cut out your area first");
   }
   const std::string suffix = suffix_of(tide.quantity);
@@ -213,9 +213,9 @@ Checked<TideLayout> tide_layout_of(const NetcdfFile& file, const TideVariables& 
   if (!x) return refuse(x.error());
   if (!y) return refuse(y.error());
   if (layout.x_dimension == layout.y_dimension || field.dimensions().size() > 3) return refuse(no_axes(tide));
-  if (x->nodes.size() * y->nodes.size() > max_nodes)
+  if (x->nodes.size() * y->nodes.size() > max_tide_nodes)
     return refuse("the grid of the tide has more nodes than this program accepts (" +
-                  std::to_string(max_nodes) + "); cut out your area first");
+                  std::to_string(max_tide_nodes) + "); cut out your area first");
   layout.line_dimension = other_dimension(field, layout.x_dimension, layout.y_dimension);
   layout.grid = ocean::HorizontalGrid{*frame, ocean::Axis{x->nodes}, ocean::Axis{y->nodes}};
   layout.x = std::move(*x);

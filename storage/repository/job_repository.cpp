@@ -10,11 +10,12 @@
 namespace floeplan::repository {
 namespace {
 
-constexpr std::array<std::pair<JobStatus, const char*>, 5> names{{{JobStatus::accepted, "accepted"},
-                                                                  {JobStatus::running, "running"},
-                                                                  {JobStatus::successful, "successful"},
-                                                                  {JobStatus::failed, "failed"},
-                                                                  {JobStatus::dismissed, "dismissed"}}};
+constexpr std::array<std::pair<JobStatus, const char*>, 5> status_names{
+    {{JobStatus::accepted, "accepted"},
+     {JobStatus::running, "running"},
+     {JobStatus::successful, "successful"},
+     {JobStatus::failed, "failed"},
+     {JobStatus::dismissed, "dismissed"}}};
 
 // Shared by SELECT and RETURNING; read_job reads them in this order.
 const std::string columns =
@@ -91,14 +92,14 @@ void fail_exhausted(sqlite::Connection& db, core::UtcTime now) {
 }  // namespace
 
 std::string status_name(JobStatus status) {
-  for (const auto& [candidate, name] : names) {
+  for (const auto& [candidate, name] : status_names) {
     if (candidate == status) return name;
   }
   throw std::logic_error{"JobStatus without a name"};
 }
 
 JobStatus parse_status(const std::string& name) {
-  for (const auto& [status, candidate] : names) {
+  for (const auto& [status, candidate] : status_names) {
     if (name == candidate) return status;
   }
   throw std::runtime_error{"no job has the status " + name};

@@ -10,7 +10,7 @@
 namespace floeplan::repository {
 namespace {
 
-constexpr std::array<std::pair<Role, const char*>, 3> names{
+constexpr std::array<std::pair<Role, const char*>, 3> role_names{
     {{Role::viewer, "viewer"}, {Role::pilot, "pilot"}, {Role::admin, "admin"}}};
 
 /// From the columns name, role, key, digest, created_s.
@@ -24,13 +24,13 @@ TokenRecord read_token(const sqlite::Statement& row) {
 }  // namespace
 
 std::string role_name(Role role) {
-  for (const auto& [candidate, name] : names)
+  for (const auto& [candidate, name] : role_names)
     if (candidate == role) return name;
   throw std::logic_error{"Role without a name"};
 }
 
 std::optional<Role> role_of(const std::string& name) {
-  for (const auto& [role, candidate] : names)
+  for (const auto& [role, candidate] : role_names)
     if (name == candidate) return role;
   return std::nullopt;
 }
