@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
-namespace floeplan::support {
+namespace floeplan::support::include_rules_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -101,4 +101,4 @@ TEST_F(SpoiltTree, ShowsAFolderWithoutRules) {
 }
 
 }  // namespace
-}  // namespace floeplan::support
+}  // namespace floeplan::support::include_rules_test

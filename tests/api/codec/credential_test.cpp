@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::codec {
+namespace floeplan::codec::credential_test {
 namespace {
 
 TEST(Credential, IsReadAsItIsWritten) {
@@ -41,4 +41,4 @@ TEST(Credential, IsProvenByItsOwnDigestAlone) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::credential_test

@@ -5,7 +5,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace floeplan::codec {
+namespace floeplan::codec::data_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -45,4 +45,4 @@ TEST(DataInputs, RefuseAnArrayWhereOneDatasetIsUsed) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::data_inputs_test

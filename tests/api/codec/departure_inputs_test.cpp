@@ -8,7 +8,7 @@
 #include "api/codec/plan_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 
-namespace floeplan::codec {
+namespace floeplan::codec::departure_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -127,4 +127,4 @@ TEST(DeparturesJson, HasTheTimeOrTheReasonOfEachDeparture) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::departure_inputs_test

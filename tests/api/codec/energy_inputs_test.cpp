@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace floeplan::codec {
+namespace floeplan::codec::energy_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -69,4 +69,4 @@ TEST(EnergyInputs, AreReadBackAsTheyWereWritten) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::energy_inputs_test

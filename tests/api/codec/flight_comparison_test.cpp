@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <string>
 
-namespace floeplan::codec {
+namespace floeplan::codec::flight_comparison_test {
 namespace {
 
 using nlohmann::json;
@@ -46,4 +46,4 @@ TEST(FlightComparison, TellsTheMediansOfItsDives) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::flight_comparison_test

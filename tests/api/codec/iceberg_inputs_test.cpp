@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace floeplan::codec {
+namespace floeplan::codec::iceberg_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -61,4 +61,4 @@ TEST(IcebergInputs, AreAllRefusedAtOnceWhenTheyAreWrong) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::iceberg_inputs_test

@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
-namespace floeplan::codec {
+namespace floeplan::codec::ingest_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -51,4 +51,4 @@ TEST(IngestInputs, NeedAnUploadAtLeast) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::ingest_inputs_test

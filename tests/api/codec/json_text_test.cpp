@@ -6,7 +6,7 @@
 #include <string>
 #include <utility>
 
-namespace floeplan::codec {
+namespace floeplan::codec::json_text_test {
 namespace {
 
 using testing::HasSubstr;
@@ -42,4 +42,4 @@ TEST(JsonText, RefusesWhatIsNestedTooDeeply) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::json_text_test

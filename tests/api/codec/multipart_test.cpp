@@ -4,7 +4,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::codec {
+namespace floeplan::codec::multipart_test {
 namespace {
 
 using testing::HasSubstr;
@@ -64,4 +64,4 @@ TEST(Multipart, SurvivesAnyDamage) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::multipart_test

@@ -14,7 +14,7 @@
 #include "engine/mission/nmea_route.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::codec {
+namespace floeplan::codec::plan_files_test {
 namespace {
 
 using nlohmann::json;
@@ -284,4 +284,4 @@ TEST(MapPicture, HoldsTheWholeRouteInsideItsFrame) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::plan_files_test

@@ -7,7 +7,7 @@
 #include "api/codec/reach_document.hpp"
 #include "engine/core/utc_text.hpp"
 
-namespace floeplan::codec {
+namespace floeplan::codec::reach_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -105,4 +105,4 @@ TEST(ReachDocument, IsGeoJsonWithClosedRings) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::reach_inputs_test

@@ -7,7 +7,7 @@
 #include "api/codec/search_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 
-namespace floeplan::codec {
+namespace floeplan::codec::refinement_test {
 namespace {
 
 using nlohmann::json;
@@ -82,4 +82,4 @@ TEST(RefineSeconds, AreRefusedOutsideTheirRange) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::refinement_test

@@ -7,7 +7,7 @@
 #include "nlohmann/json.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::codec {
+namespace floeplan::codec::route_file_test {
 namespace {
 
 using nlohmann::json;
@@ -264,4 +264,4 @@ TEST(RouteInput, RemarksReachTheWarningsOfTheAnswer) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::route_file_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::codec {
+namespace floeplan::codec::scenario_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -24,4 +24,4 @@ TEST(ScenarioInputs, NameEverythingThatIsWrongAtOnce) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::scenario_inputs_test

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-namespace floeplan::codec {
+namespace floeplan::codec::search_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -46,4 +46,4 @@ TEST(SearchInputs, RefuseAnOptimalityGapThatIsNoSwitch) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::search_inputs_test

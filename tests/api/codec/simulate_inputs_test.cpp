@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace floeplan::codec {
+namespace floeplan::codec::simulate_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -89,4 +89,4 @@ TEST(SimulateInputs, SayWhatASettingMayBe) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::simulate_inputs_test

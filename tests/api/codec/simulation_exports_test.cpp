@@ -13,7 +13,7 @@
 #include "api/codec/netcdf_classic.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::codec {
+namespace floeplan::codec::simulation_exports_test {
 namespace {
 
 using nlohmann::json;
@@ -130,4 +130,4 @@ TEST(SimulationGeojson, GivesAFlightThatNeverMovedALineAllTheSame) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::simulation_exports_test

@@ -5,7 +5,7 @@
 
 #include "api/codec/plan_inputs.hpp"
 
-namespace floeplan::codec {
+namespace floeplan::codec::tide_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -47,4 +47,4 @@ TEST(TideInputs, RefuseAnotherMode) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::tide_inputs_test

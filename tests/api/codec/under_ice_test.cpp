@@ -6,7 +6,7 @@
 #include "api/codec/plan_document.hpp"
 #include "api/codec/plan_inputs.hpp"
 
-namespace floeplan::codec {
+namespace floeplan::codec::under_ice_test {
 namespace {
 
 using nlohmann::json;
@@ -158,4 +158,4 @@ TEST(PlanDocument, FromBeforeThereWasIceIsStillRead) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::under_ice_test

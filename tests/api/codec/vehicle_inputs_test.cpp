@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace floeplan::codec {
+namespace floeplan::codec::vehicle_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -122,4 +122,4 @@ TEST(VehicleInputs, WriteAKnownVehicleByItsName) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::vehicle_inputs_test

@@ -5,7 +5,7 @@
 
 #include "engine/core/utc_text.hpp"
 
-namespace floeplan::codec {
+namespace floeplan::codec::zone_inputs_test {
 namespace {
 
 using nlohmann::json;
@@ -109,4 +109,4 @@ TEST(Areas, AreBoundedInNumberAndInCorners) {
 }
 
 }  // namespace
-}  // namespace floeplan::codec
+}  // namespace floeplan::codec::zone_inputs_test

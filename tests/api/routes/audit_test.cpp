@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::routes {
+namespace floeplan::routes::audit_test {
 namespace {
 
 std::string action_of(const std::string& method, const std::string& path, int status = 200) {
@@ -44,4 +44,4 @@ TEST(Deed, OfAJobIsNotedWhenTheJobIsThereNotWhenItEnds) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::audit_test

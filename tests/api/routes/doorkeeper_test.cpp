@@ -4,7 +4,7 @@
 #include "storage/repository/audit_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::doorkeeper_test {
 namespace {
 
 using Headers = std::map<std::string, std::string>;
@@ -226,4 +226,4 @@ TEST_F(DoorsTest, WriteDownWhoDidWhat) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::doorkeeper_test

@@ -5,7 +5,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::edr_test {
 namespace {
 
 using nlohmann::json;
@@ -154,4 +154,4 @@ TEST(Wkt, ReadsEverySpellingOfDimensions) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::edr_test

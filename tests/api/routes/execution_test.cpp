@@ -1,7 +1,7 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::execution_test {
 namespace {
 
 using repository::JobRepository;
@@ -191,4 +191,4 @@ TEST_F(ExecutionTest, ADismissedJobSaysSo) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::execution_test

@@ -5,7 +5,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::export_sea_test {
 namespace {
 
 using nlohmann::json;
@@ -138,4 +138,4 @@ TEST_F(ExportSeaTest, DivesOfOtherVehiclesHeedTheBank) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::export_sea_test

@@ -5,7 +5,7 @@
 #include "storage/repository/plan_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::features_test {
 namespace {
 
 using nlohmann::json;
@@ -314,4 +314,4 @@ TEST_F(FeaturesTest, OptionsTellWhatCanBeDone) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::features_test

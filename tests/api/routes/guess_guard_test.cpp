@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::routes {
+namespace floeplan::routes::guess_guard_test {
 namespace {
 
 constexpr core::UtcTime noon{core::Seconds{1.8e9}};
@@ -57,4 +57,4 @@ TEST(GuessGuard, ForgetsTheOldestOfTooManyAddresses) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::guess_guard_test

@@ -2,7 +2,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::ice_test {
 namespace {
 
 using nlohmann::json;
@@ -83,4 +83,4 @@ TEST_F(IceRoutesTest, AnExecutionNamesEveryFaultOfTheInputsUnderIce) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::ice_test

@@ -3,7 +3,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::iceberg_drift_test {
 namespace {
 
 using nlohmann::json;
@@ -88,4 +88,4 @@ TEST_F(IcebergDriftTest, BoxesAndPeriodsOutOfBoundsAreRefusedTogether) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::iceberg_drift_test

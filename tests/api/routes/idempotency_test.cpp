@@ -1,7 +1,7 @@
 #include "storage/repository/kept_answers.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::idempotency_test {
 namespace {
 
 using IdempotencyTest = support::ApiTest;
@@ -66,4 +66,4 @@ TEST_F(IdempotencyTest, AnExecutionHandsItsKeyToTheQueue) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::idempotency_test

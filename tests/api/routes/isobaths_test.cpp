@@ -4,7 +4,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::isobaths_test {
 namespace {
 
 using nlohmann::json;
@@ -73,4 +73,4 @@ TEST_F(IsobathsTest, ComeInPagesAndByArea) {
 TEST_F(IsobathsTest, AreNoneInAnEmptyStore) { EXPECT_EQ(depths(""), json::array()); }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::isobaths_test

@@ -1,6 +1,6 @@
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::job_events_test {
 namespace {
 
 using repository::JobRepository;
@@ -73,4 +73,4 @@ TEST_F(JobEventsTest, RefuseWhatIsNoEventOrNoJob) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::job_events_test

@@ -10,7 +10,7 @@
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::known_icebergs_test {
 namespace {
 
 using nlohmann::json;
@@ -165,4 +165,4 @@ TEST_F(KnownIcebergsTest, MapAndPlansAgreeOnEveryStore) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::known_icebergs_test

@@ -4,7 +4,7 @@
 
 #include "api/routes/preferences.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::message_test {
 namespace {
 
 TEST(ParseTarget, DecodesPathAndQueryAndKeepsRepeats) {
@@ -43,4 +43,4 @@ TEST(Target, IsNoneWithANulHoweverItIsWritten) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::message_test

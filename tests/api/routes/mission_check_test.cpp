@@ -1,6 +1,6 @@
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::mission_check_test {
 namespace {
 
 using nlohmann::json;
@@ -139,4 +139,4 @@ TEST_F(MissionCheckTest, FilesComeAsJsonTooWithTheInputsOfTheirFlight) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::mission_check_test

@@ -5,7 +5,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::probe_test {
 namespace {
 
 using nlohmann::json;
@@ -98,4 +98,4 @@ TEST_F(ProbeTest, NamesABergOfTwoListsOnceWhereItWasSeenLast) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::probe_test

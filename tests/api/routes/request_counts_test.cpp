@@ -4,7 +4,7 @@
 
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::request_counts_test {
 namespace {
 
 using std::chrono::duration;
@@ -44,4 +44,4 @@ TEST_F(OperationsTest, TellJobsByState) {
 TEST_F(OperationsTest, AreReadyWhileTheStoreAnswers) { EXPECT_EQ(ask("GET", "/readyz").status, 200); }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::request_counts_test

@@ -3,7 +3,7 @@
 
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::resources_test {
 namespace {
 
 using support::header_of;
@@ -77,4 +77,4 @@ TEST_F(ResourcesTest, AssetNamesCannotLeaveTheirFolder) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::resources_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::routes {
+namespace floeplan::routes::shown_credential_test {
 namespace {
 
 Request request_with(std::map<std::string, std::string> headers, const std::string& path = "/plans",
@@ -56,4 +56,4 @@ TEST(LoginCookie, IsOutOfReachOfScriptsAndOtherSites) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::shown_credential_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::routes {
+namespace floeplan::routes::site_test {
 namespace {
 
 TEST(Authority, IsHostAndPortOfAUrl) {
@@ -35,4 +35,4 @@ TEST(Origin, IsSchemeHostAndPortAlone) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::site_test

@@ -3,7 +3,7 @@
 #include "storage/repository/zone_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 
-namespace floeplan::routes {
+namespace floeplan::routes::zones_test {
 namespace {
 
 using nlohmann::json;
@@ -95,4 +95,4 @@ TEST_F(ZoneRoutesTest, APlanNamesOnlyZonesAndWindThatAreStored) {
 }
 
 }  // namespace
-}  // namespace floeplan::routes
+}  // namespace floeplan::routes::zones_test

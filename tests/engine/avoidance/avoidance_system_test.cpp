@@ -12,7 +12,7 @@
 #include "engine/avoidance/steering.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::avoidance_system_test {
 namespace {
 
 constexpr double start_s = 1e9;
@@ -197,4 +197,4 @@ TEST(AvoidanceSystem, HoldsAgainstSensorsThatTellNonsense) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::avoidance_system_test

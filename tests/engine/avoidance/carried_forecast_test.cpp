@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::carried_forecast_test {
 namespace {
 
 core::UtcTime at_s(double seconds) { return core::from_unix_seconds(seconds); }
@@ -64,4 +64,4 @@ TEST(CarriedForecast, RefusesAGridThatIsNotWhole) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::carried_forecast_test

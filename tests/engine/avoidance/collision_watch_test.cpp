@@ -8,7 +8,7 @@
 #include "engine/avoidance/steering.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::collision_watch_test {
 namespace {
 
 Obstacle obstacle(double x, double y, double radius_m, geo::PlaneVelocity drift = {}) {
@@ -76,4 +76,4 @@ TEST(CollisionWatch, AgreesWithSmallStepsAlongTheWay) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::collision_watch_test

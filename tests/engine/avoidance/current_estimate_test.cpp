@@ -10,7 +10,7 @@
 #include "engine/core/random.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::current_estimate_test {
 namespace {
 
 constexpr core::Metres deepest{200.0};
@@ -86,4 +86,4 @@ TEST(CurrentEstimate, StatesItsOwnErrorTruly) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::current_estimate_test

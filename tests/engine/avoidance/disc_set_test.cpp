@@ -8,7 +8,7 @@
 #include "engine/avoidance/steering.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::disc_set_test {
 namespace {
 
 constexpr double horizon_s = 600.0;
@@ -79,4 +79,4 @@ TEST(DiscSet, LeavesOutsideWhoIsWithinADisc) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::disc_set_test

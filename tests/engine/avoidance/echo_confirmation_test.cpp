@@ -8,7 +8,7 @@
 
 #include "engine/core/random.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::echo_confirmation_test {
 namespace {
 
 Echo echo(double x, double y, double depth = 10.0) { return {{x, y}, depth, std::hypot(x, y)}; }
@@ -71,4 +71,4 @@ TEST(EchoConfirmation, RejectsFalseAlarmsAtTheStatedRate) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::echo_confirmation_test

@@ -8,7 +8,7 @@
 
 #include "engine/avoidance/water_frame.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::echo_test {
 namespace {
 
 Attitude attitude(double heading_deg, double pitch_deg, double roll_deg) {
@@ -96,4 +96,4 @@ TEST(WaterFrame, KeepsWhatWasSeenWhereItWasWhenAFixComes) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::echo_test

@@ -9,7 +9,7 @@
 #include "engine/avoidance/steering.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::evasive_path_test {
 namespace {
 
 /// Water frame and local plane the same, at time 0.
@@ -116,4 +116,4 @@ TEST(EvasivePath, EndsWhenItIsToldTo) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::evasive_path_test

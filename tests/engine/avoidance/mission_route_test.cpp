@@ -8,7 +8,7 @@
 
 #include "engine/avoidance/goal_point.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::mission_route_test {
 namespace {
 
 OwnState own_at(double x, double y) {
@@ -87,4 +87,4 @@ TEST(Rendezvous, WaitsForNoBergThatWillBeGone) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::mission_route_test

@@ -10,7 +10,7 @@
 #include "engine/core/random.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::object_map_test {
 namespace {
 
 /// A round upright berg, seen from the south by a vehicle that swims past it.
@@ -137,4 +137,4 @@ TEST(ObjectMap, LetsTheOldestGiveWayWhenItIsFull) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::object_map_test

@@ -10,7 +10,7 @@
 
 #include "engine/avoidance/guidance.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::random_icebergs_test {
 namespace {
 
 using support::could_be_saved;
@@ -93,4 +93,4 @@ TEST(RandomIcebergs, AreDangerousWithoutIt) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::random_icebergs_test

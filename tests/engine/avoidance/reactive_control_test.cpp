@@ -9,7 +9,7 @@
 
 #include "engine/avoidance/steering.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::reactive_control_test {
 namespace {
 
 using Shape = std::vector<Obstacle>;
@@ -105,4 +105,4 @@ TEST(ReactiveControl, SaysWhenEveryHeadingEndsInContact) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::reactive_control_test

@@ -4,7 +4,7 @@
 
 #include <limits>
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::settings_test {
 namespace {
 
 TEST(AvoidanceSettings, AreValidByDefault) { EXPECT_TRUE(AvoidanceSettings{}.violations().empty()); }
@@ -23,4 +23,4 @@ TEST(AvoidanceSettings, NameEveryFaultAtOnce) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::settings_test

@@ -9,7 +9,7 @@
 
 /// Situations made by hand in which a simpler system is lost. Each is flown with path planning and by reactive control
 /// alone, with several seeds of the sensors' noise.
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::traps_test {
 namespace {
 
 using support::Body;
@@ -126,4 +126,4 @@ TEST(Trap, CeilingOfIceIsPassedUnder) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::traps_test

@@ -5,7 +5,7 @@
 #include <array>
 #include <memory>
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::vertical_room_test {
 namespace {
 
 AvoidanceSettings to_60_m() {
@@ -212,4 +212,4 @@ TEST(VerticalRoom, DoesNotWalkDownAWall) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::vertical_room_test

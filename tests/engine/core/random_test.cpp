@@ -5,7 +5,7 @@
 #include <cmath>
 #include <set>
 
-namespace floeplan::core {
+namespace floeplan::core::random_test {
 namespace {
 
 constexpr int draws = 40'000;
@@ -90,4 +90,4 @@ TEST(Random, DrawsPoissonNumbersWhoseMeanIsTheirVariance) {
 }
 
 }  // namespace
-}  // namespace floeplan::core
+}  // namespace floeplan::core::random_test

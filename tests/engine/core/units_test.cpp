@@ -4,7 +4,7 @@
 
 #include <type_traits>
 
-namespace floeplan::core {
+namespace floeplan::core::units_test {
 namespace {
 
 template <class A, class B>
@@ -36,4 +36,4 @@ TEST(Units, TurnDegreesIntoRadiansAndBack) {
 }
 
 }  // namespace
-}  // namespace floeplan::core
+}  // namespace floeplan::core::units_test

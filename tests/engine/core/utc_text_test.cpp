@@ -4,7 +4,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::core {
+namespace floeplan::core::utc_text_test {
 namespace {
 
 std::optional<double> seconds_of(const char* text) {
@@ -117,4 +117,4 @@ TEST(Iso8601Duration, RefusesMonthsDisorderAndEmptiness) {
 }
 
 }  // namespace
-}  // namespace floeplan::core
+}  // namespace floeplan::core::utc_text_test

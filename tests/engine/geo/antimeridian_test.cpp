@@ -12,7 +12,7 @@
 #include "engine/geo/local_projection.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::geo {
+namespace floeplan::geo::antimeridian_test {
 namespace {
 
 namespace bg = boost::geometry;
@@ -165,4 +165,4 @@ TEST(SplitAtAntimeridian, LeavesAnAreaRoundAPoleWhole) {
 }
 
 }  // namespace
-}  // namespace floeplan::geo
+}  // namespace floeplan::geo::antimeridian_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::geo {
+namespace floeplan::geo::bearing_test {
 namespace {
 
 TEST(Bearing, TurnsClockwiseFromNorth) {
@@ -33,4 +33,4 @@ TEST(Bearing, OfNorthIsZeroAndNeverMinusZero) {
 }
 
 }  // namespace
-}  // namespace floeplan::geo
+}  // namespace floeplan::geo::bearing_test

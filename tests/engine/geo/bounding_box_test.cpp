@@ -10,7 +10,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::geo {
+namespace floeplan::geo::bounding_box_test {
 namespace {
 
 TEST(BoundingBox, HoldsItsEdges) {
@@ -144,4 +144,4 @@ TEST(BoundingBox, OnALatticeHoldsTheBoxAndIsLittleWider) {
 }
 
 }  // namespace
-}  // namespace floeplan::geo
+}  // namespace floeplan::geo::bounding_box_test

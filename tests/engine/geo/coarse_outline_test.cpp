@@ -8,7 +8,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::geo {
+namespace floeplan::geo::coarse_outline_test {
 namespace {
 
 /// Round a middle, with a rough coast; wider than high.
@@ -95,4 +95,4 @@ TEST(CoarseOutline, OfWhatLiesInTheBoxIsItsOutline) {
 }
 
 }  // namespace
-}  // namespace floeplan::geo
+}  // namespace floeplan::geo::coarse_outline_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::geo {
+namespace floeplan::geo::geodesic_test {
 namespace {
 
 TEST(Geodesic, MeasuresTheMeridianAndTheEquatorOfWgs84) {
@@ -41,4 +41,4 @@ TEST(Geodesic, EndsWhereItsCourseAndLengthLead) {
 }
 
 }  // namespace
-}  // namespace floeplan::geo
+}  // namespace floeplan::geo::geodesic_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::geo {
+namespace floeplan::geo::grid_frame_test {
 namespace {
 
 struct Golden {
@@ -77,4 +77,4 @@ TEST(GridFrame, RefusesTextThatIsNoFrame) {
 }
 
 }  // namespace
-}  // namespace floeplan::geo
+}  // namespace floeplan::geo::grid_frame_test

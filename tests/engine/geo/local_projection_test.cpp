@@ -7,7 +7,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::geo {
+namespace floeplan::geo::local_projection_test {
 namespace {
 
 /// Origins in every zone of the choice of projection, also at the antimeridian and near both poles.
@@ -89,4 +89,4 @@ TEST(LocalProjection, LetsAnAreaContainThePole) {
 }
 
 }  // namespace
-}  // namespace floeplan::geo
+}  // namespace floeplan::geo::local_projection_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::geo {
+namespace floeplan::geo::lon_lat_test {
 namespace {
 
 TEST(Longitude, WrapsIntoTheHalfOpenCircle) {
@@ -49,4 +49,4 @@ TEST(Place, IsValidOnTheGlobeInBothConventionsOfLongitude) {
 }
 
 }  // namespace
-}  // namespace floeplan::geo
+}  // namespace floeplan::geo::lon_lat_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::geo {
+namespace floeplan::geo::polygon_test {
 namespace {
 
 Ring rectangle(double west_deg, double south_deg, double east_deg, double north_deg) {
@@ -125,4 +125,4 @@ TEST(Polygon, ThatIsARectangleHoldsWhatItsBoxHolds) {
 }
 
 }  // namespace
-}  // namespace floeplan::geo
+}  // namespace floeplan::geo::polygon_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::graph {
+namespace floeplan::graph::arrival_queue_test {
 namespace {
 
 TEST(ArrivalQueue, TakesEqualKeysByTheNumberOfTheVertex) {
@@ -64,4 +64,4 @@ TEST(ArrivalQueue, DoesWhatASortedSetDoes) {
 }
 
 }  // namespace
-}  // namespace floeplan::graph
+}  // namespace floeplan::graph::arrival_queue_test

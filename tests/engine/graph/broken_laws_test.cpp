@@ -6,7 +6,7 @@
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/graph/tve_search.hpp"
 
-namespace floeplan::graph {
+namespace floeplan::graph::broken_laws_test {
 namespace {
 
 constexpr Vertex source = 0;
@@ -60,4 +60,4 @@ TEST(TveSearch, CorrectsAnExpandedVertexThatATimeBelowZeroReachesEarlierAndCount
 }
 
 }  // namespace
-}  // namespace floeplan::graph
+}  // namespace floeplan::graph::broken_laws_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::graph {
+namespace floeplan::graph::contour_test {
 namespace {
 
 /// A field on a grid, contoured where it equals a level with linear interpolation.
@@ -154,4 +154,4 @@ TEST(Contour, HoldsTheVerticesInsideAndNoOthersAndGrowsWithTheLevel) {
 }
 
 }  // namespace
-}  // namespace floeplan::graph
+}  // namespace floeplan::graph::contour_test

@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace floeplan::graph {
+namespace floeplan::graph::corridors_test {
 namespace {
 
 /// A second for each step of the grid, whichever.
@@ -49,4 +49,4 @@ TEST(Corridors, EndWhenNoOtherWayIsLeft) {
 }
 
 }  // namespace
-}  // namespace floeplan::graph
+}  // namespace floeplan::graph::corridors_test

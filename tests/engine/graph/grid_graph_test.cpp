@@ -8,7 +8,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::graph {
+namespace floeplan::graph::grid_graph_test {
 namespace {
 
 TEST(SectorOffsets, AreEightSixteenAndThirtyTwo) {
@@ -100,4 +100,4 @@ TEST(GridGraph, RefusesAnEmptyGridAndAWrongNumberOfFlags) {
 }
 
 }  // namespace
-}  // namespace floeplan::graph
+}  // namespace floeplan::graph::grid_graph_test

@@ -9,7 +9,7 @@
 #include "tests/engine/graph/swinging_times.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::graph {
+namespace floeplan::graph::label_search_test {
 namespace {
 
 constexpr std::size_t plenty = 1'000'000;
@@ -242,4 +242,4 @@ TEST(LabelSearch, FindsNoWayFromAClosedVertex) {
 }
 
 }  // namespace
-}  // namespace floeplan::graph
+}  // namespace floeplan::graph::label_search_test

@@ -9,7 +9,7 @@
 #include "engine/graph/label_setting_search.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::graph {
+namespace floeplan::graph::nearest_goal_search_test {
 namespace {
 
 TEST(NearestGoalSearch, FindsTheGoalThatTheFullSearchReachesFirst) {
@@ -54,4 +54,4 @@ TEST(NearestGoalSearch, AsksForTheGoalAtTheTimeOfArrival) {
 }
 
 }  // namespace
-}  // namespace floeplan::graph
+}  // namespace floeplan::graph::nearest_goal_search_test

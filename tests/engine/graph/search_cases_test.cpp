@@ -9,7 +9,7 @@
 #include "tests/engine/graph/swinging_times.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::graph {
+namespace floeplan::graph::search_cases_test {
 namespace {
 
 /// One second for each edge, whatever its length.
@@ -133,4 +133,4 @@ TEST(PathTo, AVertexTravelledEdgeByEdgeArrivesWhenTheTreeSays) {
 }
 
 }  // namespace
-}  // namespace floeplan::graph
+}  // namespace floeplan::graph::search_cases_test

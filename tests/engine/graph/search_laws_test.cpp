@@ -8,7 +8,7 @@
 #include "tests/engine/graph/swinging_times.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::graph {
+namespace floeplan::graph::search_laws_test {
 namespace {
 
 constexpr double rounding_s = 1e-9;  // sums of the same times in the same order
@@ -141,4 +141,4 @@ TEST(LabelSettingSearch, WithABoundFindsTheSameArrivalWithNoMoreExpansions) {
 }
 
 }  // namespace
-}  // namespace floeplan::graph
+}  // namespace floeplan::graph::search_laws_test

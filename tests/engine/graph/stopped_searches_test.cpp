@@ -12,7 +12,7 @@
 
 /// A search that is asked to stop times few edges more, whatever the moment: what a timed edge takes at most, times
 /// this number, is how long a caller waits.
-namespace floeplan::graph {
+namespace floeplan::graph::stopped_searches_test {
 namespace {
 
 /// Asks for the stop when a given number of edges has been timed, and counts those after it.
@@ -114,4 +114,4 @@ TEST(StoppedSearches, LabelsTimesFewEdgesMore) {
 }
 
 }  // namespace
-}  // namespace floeplan::graph
+}  // namespace floeplan::graph::stopped_searches_test

@@ -4,7 +4,7 @@
 
 #include "tests/engine/mission/random_plan.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::below_ice_test {
 namespace {
 
 using testing::ElementsAre;
@@ -43,4 +43,4 @@ TEST(BelowIce, FindsNothingAbovePlansThatTurnAsDeepAsTheyMust) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::below_ice_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::comment_text_test {
 namespace {
 
 TEST(CommentText, KeepsPlainWords) {
@@ -44,4 +44,4 @@ TEST(CommentText, IsOnePrintableLineWhateverTheBytes) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::comment_text_test

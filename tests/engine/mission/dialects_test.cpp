@@ -3,7 +3,7 @@
 #include "engine/mission/document_text.hpp"
 #include "engine/mission/read_document.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::dialects_test {
 namespace {
 
 const std::string list =
@@ -150,4 +150,4 @@ TEST(Dialects, ThatAreTakenAreWrittenTheSameForEver) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::dialects_test

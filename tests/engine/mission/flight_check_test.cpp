@@ -7,7 +7,7 @@
 #include "tests/engine/mission/random_plan.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::flight_check_test {
 namespace {
 
 using testing::AllOf;
@@ -232,4 +232,4 @@ TEST(FlightCheck, HasNothingAgainstWhatTheWriterMakes) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::flight_check_test

@@ -10,7 +10,7 @@
 #include "tests/engine/mission/list_reader.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::goto_lists_test {
 namespace {
 
 using testing::Contains;
@@ -456,4 +456,4 @@ TEST(GotoLists, OfAnyPlanReadBackWithinATenthOfAMetreOnEachAxis) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::goto_lists_test

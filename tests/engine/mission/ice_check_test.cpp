@@ -13,7 +13,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::ice_check_test {
 namespace {
 
 using testing::AllOf;
@@ -213,4 +213,4 @@ TEST(IceCheck, HasNothingAgainstWhatTheWriterMakes) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::ice_check_test

@@ -9,7 +9,7 @@
 #include "engine/mission/read_document.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::mission_set_test {
 namespace {
 
 using support::plan_of;
@@ -515,4 +515,4 @@ TEST(MissionSet, OfAnyPlanIsAcceptedReadBackAndWrittenAgainAlike) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::mission_set_test

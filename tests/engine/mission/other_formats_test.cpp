@@ -8,7 +8,7 @@
 #include "engine/mission/seaglider_files.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::other_formats_test {
 namespace {
 
 using support::plan_of;
@@ -67,4 +67,4 @@ TEST(SeagliderTargets, OfAnyPlanReadBackWithinATenthOfAMetre) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::other_formats_test

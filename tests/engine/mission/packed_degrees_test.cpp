@@ -9,7 +9,7 @@
 #include "tests/engine/mission/list_reader.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::packed_degrees_test {
 namespace {
 
 TEST(PackedDegrees, HoldWholeDegreesAndMinutes) {
@@ -59,4 +59,4 @@ TEST(PackedDegrees, ReadBackWithinHalfOfTheirLastDigit) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::packed_degrees_test

@@ -7,7 +7,7 @@
 #include "engine/mission/document_text.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::read_document_test {
 namespace {
 
 using testing::AllOf;
@@ -265,4 +265,4 @@ TEST(ReadDocument, SurvivesWhateverIsDoneToAFile) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::read_document_test

@@ -4,7 +4,7 @@
 
 #include "tests/engine/mission/random_plan.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::safe_places_test {
 namespace {
 
 using support::plan_of;
@@ -146,4 +146,4 @@ TEST(SafePlaces, AreNotBelowIcebergsAndSayWhichAreNear) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::safe_places_test

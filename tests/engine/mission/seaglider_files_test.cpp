@@ -8,7 +8,7 @@
 #include "engine/mission/read_document.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::seaglider_files_test {
 namespace {
 
 using support::plan_of;
@@ -198,4 +198,4 @@ TEST(SeagliderSet, RefusesWhatNoSeagliderTakes) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::seaglider_files_test

@@ -7,7 +7,7 @@
 #include "engine/mission/document_text.hpp"
 #include "engine/mission/read_document.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::shared_missions_test {
 namespace {
 
 using nlohmann::json;
@@ -123,4 +123,4 @@ TEST(SharedMissions, WrittenAgainSayTheSame) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::shared_missions_test

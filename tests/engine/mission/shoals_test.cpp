@@ -7,7 +7,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "tests/engine/mission/random_plan.hpp"
 
-namespace floeplan::mission {
+namespace floeplan::mission::shoals_test {
 namespace {
 
 using support::plan_of;
@@ -85,4 +85,4 @@ TEST(Shoals, OfAnyLegAreNoDeeperThanTheBedAnywhereOnIt) {
 }
 
 }  // namespace
-}  // namespace floeplan::mission
+}  // namespace floeplan::mission::shoals_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::motion {
+namespace floeplan::motion::disc_encounter_test {
 namespace {
 
 using support::uniform;
@@ -172,4 +172,4 @@ TEST(PieceOfADrive, IsLeftAtTheFirstAnswer) {
 }
 
 }  // namespace
-}  // namespace floeplan::motion
+}  // namespace floeplan::motion::disc_encounter_test

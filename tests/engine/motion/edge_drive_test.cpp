@@ -8,7 +8,7 @@
 #include "engine/motion/runge_kutta.hpp"
 #include "tests/engine/motion/patchwork.hpp"
 
-namespace floeplan::motion {
+namespace floeplan::motion::edge_drive_test {
 namespace {
 
 constexpr core::MetresPerSecond glider{0.35};
@@ -148,4 +148,4 @@ TEST(EdgeDrive, NeverArrivesEarlierForLeavingLater) {
 }
 
 }  // namespace
-}  // namespace floeplan::motion
+}  // namespace floeplan::motion::edge_drive_test

@@ -12,7 +12,7 @@
 #include "engine/motion/edge_time.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::motion {
+namespace floeplan::motion::edge_fan_test {
 namespace {
 
 constexpr float through_water_m_s = 0.35F;
@@ -202,4 +202,4 @@ TEST(EdgeFan, RefusesEdgesItCannotHold) {
 }
 
 }  // namespace
-}  // namespace floeplan::motion
+}  // namespace floeplan::motion::edge_fan_test

@@ -5,7 +5,7 @@
 #include "tests/engine/motion/random_waves.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::motion {
+namespace floeplan::motion::edge_time_back_test {
 namespace {
 
 TEST(EdgeTimeBack, LeavesWhenTheVehicleThatArrivesThenHadLeft) {
@@ -69,4 +69,4 @@ TEST(EdgeTimeBack, SaysTooLateOnceItWouldLeaveBeforeTheEarliestDeparture) {
 }
 
 }  // namespace
-}  // namespace floeplan::motion
+}  // namespace floeplan::motion::edge_time_back_test

@@ -7,7 +7,7 @@
 #include "tests/engine/motion/random_waves.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::motion {
+namespace floeplan::motion::edge_time_closed_test {
 namespace {
 
 constexpr PlaneEdge eastward{{0.0, 0.0}, {10'000.0, 0.0}, {10'000.0}};
@@ -114,4 +114,4 @@ TEST(EdgeTime, IsCutShortByTheLatestArrivalOnlyWhenItWouldComeLater) {
 }
 
 }  // namespace
-}  // namespace floeplan::motion
+}  // namespace floeplan::motion::edge_time_closed_test

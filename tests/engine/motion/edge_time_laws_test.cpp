@@ -7,7 +7,7 @@
 #include "tests/engine/motion/random_waves.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::motion {
+namespace floeplan::motion::edge_time_laws_test {
 namespace {
 
 /// The same travel time by dt/ds = 1 / v(s, t) in ten thousand equal steps of the way (classical Runge-Kutta).
@@ -98,4 +98,4 @@ TEST(EdgeTime, NeverArrivesEarlierForLeavingLater) {
 }
 
 }  // namespace
-}  // namespace floeplan::motion
+}  // namespace floeplan::motion::edge_time_laws_test

@@ -9,7 +9,7 @@
 #include "engine/motion/speed_over_ground.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::motion {
+namespace floeplan::motion::edge_time_test {
 namespace {
 
 constexpr core::MetresPerSecond glider{0.35};
@@ -149,4 +149,4 @@ TEST(EdgeTime, IsClosedByTheFirstPieceThatIsRefused) {
 }
 
 }  // namespace
-}  // namespace floeplan::motion
+}  // namespace floeplan::motion::edge_time_test

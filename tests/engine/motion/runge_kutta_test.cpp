@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace floeplan::motion {
+namespace floeplan::motion::runge_kutta_test {
 namespace {
 
 /// dt/ds = t: the exact gain over h from t = 1 is e^h - 1.
@@ -51,4 +51,4 @@ TEST(RungeKutta, StepsFindTheShareOfAGain) {
 }
 
 }  // namespace
-}  // namespace floeplan::motion
+}  // namespace floeplan::motion::runge_kutta_test

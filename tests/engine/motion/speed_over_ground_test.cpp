@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::motion {
+namespace floeplan::motion::speed_over_ground_test {
 namespace {
 
 using core::MetresPerSecond;
@@ -77,4 +77,4 @@ TEST(SpeedOverGround, LeavesTheGliderItsOwnSpeedThroughTheWater) {
 }
 
 }  // namespace
-}  // namespace floeplan::motion
+}  // namespace floeplan::motion::speed_over_ground_test

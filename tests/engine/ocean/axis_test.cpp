@@ -8,7 +8,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::axis_test {
 namespace {
 
 constexpr double nan = std::numeric_limits<double>::quiet_NaN();
@@ -97,4 +97,4 @@ TEST(Axis, RefusesNodesThatAreMissingNotFiniteOrNotAscending) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::axis_test

@@ -8,7 +8,7 @@
 #include "engine/ocean/current_column.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::band_weights_test {
 namespace {
 
 using support::uniform;
@@ -58,4 +58,4 @@ TEST(BandWeights, TakeDataWithoutDepthsForTheWholeBand) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::band_weights_test

@@ -10,7 +10,7 @@
 #include "tests/engine/ocean/even_axis.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::bathymetry_test {
 namespace {
 
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
@@ -94,4 +94,4 @@ TEST(Bathymetry, KnowsTheLeastDepthOfTheCellsAroundAPlace) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::bathymetry_test

@@ -4,7 +4,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::current_column_test {
 namespace {
 
 CurrentColumn eastward(const std::vector<double>& depths_m, const std::vector<double>& east_m_s) {
@@ -65,4 +65,4 @@ TEST(CurrentColumn, AgreesWithASumOverManyThinLayers) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::current_column_test

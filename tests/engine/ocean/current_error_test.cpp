@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::current_error_test {
 namespace {
 
 constexpr CurrentErrorModel model{{0.1}, {20'000.0}, core::Seconds{6.0 * 3600.0}};
@@ -101,4 +101,4 @@ TEST(CurrentError, NamesEveryFaultOfAModel) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::current_error_test

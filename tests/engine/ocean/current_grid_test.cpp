@@ -10,7 +10,7 @@
 #include "tests/engine/ocean/sample_currents.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::current_grid_test {
 namespace {
 
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
@@ -164,4 +164,4 @@ TEST(CurrentGrid, AveragesItsTimesNodeByNodeAndKeepsWhatIsMissingMissing) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::current_grid_test

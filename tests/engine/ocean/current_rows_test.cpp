@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::current_rows_test {
 namespace {
 
 using support::uniform;
@@ -86,4 +86,4 @@ TEST(CurrentRows, MissWhereTheTideDoes) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::current_rows_test

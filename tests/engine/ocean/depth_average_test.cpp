@@ -5,7 +5,7 @@
 
 #include "tests/engine/ocean/sample_currents.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::depth_average_test {
 namespace {
 
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
@@ -88,4 +88,4 @@ TEST(DepthAverage, AtANodeIsThatOfTheNodesPlace) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::depth_average_test

@@ -5,7 +5,7 @@
 #include <limits>
 #include <stdexcept>
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::ensemble_mean_test {
 namespace {
 
 /// Two nodes by two at two times.
@@ -44,4 +44,4 @@ TEST(EnsembleMean, IsNoneOfMembersOnOtherNodes) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::ensemble_mean_test

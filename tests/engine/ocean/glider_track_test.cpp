@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::glider_track_test {
 namespace {
 
 constexpr core::UtcTime start = core::from_unix_seconds(1.8e9);
@@ -93,4 +93,4 @@ TEST(GliderTrack, KeepsItsEndsItsOrderAndItsDepthWhenThinned) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::glider_track_test

@@ -7,7 +7,7 @@
 #include "tests/engine/ocean/even_axis.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::horizontal_grid_test {
 namespace {
 
 const Axis latitudes = even_axis(60.0, 1.0, 11);
@@ -141,4 +141,4 @@ TEST(HorizontalGrid, IsSpacedByTheSmallerOfItsTwoStepsOnTheGround) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::horizontal_grid_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::ice_field_test {
 namespace {
 
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
@@ -106,4 +106,4 @@ TEST(IceField, RefusesSizesThatDoNotAgree) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::ice_field_test

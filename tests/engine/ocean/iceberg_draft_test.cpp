@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::iceberg_draft_test {
 namespace {
 
 Iceberg berg_of_length(double length_m) {
@@ -43,4 +43,4 @@ TEST(IcebergDraft, OfAnUnknownSizeIsThatOfAVeryLargeBerg) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::iceberg_draft_test

@@ -11,7 +11,7 @@
 #include "engine/ocean/iceberg_wind.hpp"
 #include "tests/engine/ocean/sample_currents.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::iceberg_drift_test {
 namespace {
 
 const core::UtcTime start = core::from_unix_seconds(first_time_s);
@@ -249,4 +249,4 @@ TEST(IcebergError, GrowsWithTheAgeOfTheSighting) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::iceberg_drift_test

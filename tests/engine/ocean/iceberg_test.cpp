@@ -4,7 +4,7 @@
 
 #include <set>
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::iceberg_test {
 namespace {
 
 using enum IcebergSize;
@@ -54,4 +54,4 @@ TEST(SizeName, IsNotGuessed) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::iceberg_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::iceberg_wind_test {
 namespace {
 
 constexpr double windage = 0.0187;
@@ -83,4 +83,4 @@ TEST(IcebergWind, DoesNothingWhenItIsCalmAndGoesStraightAtTheEquator) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::iceberg_wind_test

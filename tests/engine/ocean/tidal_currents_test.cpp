@@ -10,7 +10,7 @@
 #include "engine/ocean/current_grid.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ocean {
+namespace floeplan::ocean::tidal_currents_test {
 namespace {
 
 using support::for_each_seed;
@@ -203,4 +203,4 @@ TEST(StraightStep, IsShorterTheStrongerAndFasterTheTide) {
 }
 
 }  // namespace
-}  // namespace floeplan::ocean
+}  // namespace floeplan::ocean::tidal_currents_test

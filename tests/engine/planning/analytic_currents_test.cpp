@@ -4,7 +4,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::analytic_currents_test {
 namespace {
 
 constexpr double step = 1e-4;
@@ -38,4 +38,4 @@ TEST(AnalyticCurrents, HaveTheSlopesOfTheirVelocities) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::analytic_currents_test

@@ -9,7 +9,7 @@
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/engine/planning/foresight_waters.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::arrival_ladder_test {
 namespace {
 
 using graph::SearchTree;
@@ -99,4 +99,4 @@ TEST(ArrivalLadder, HasNoHopeOfAnArrivalThatNoVehicleMakes) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::arrival_ladder_test

@@ -5,7 +5,7 @@
 #include <cmath>
 #include <stdexcept>
 
-namespace floeplan::planning {
+namespace floeplan::planning::arrival_spread_test {
 namespace {
 
 using core::Seconds;
@@ -44,4 +44,4 @@ TEST(ArrivalSpread, KnowsNothingOfMembersThatAllFail) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::arrival_spread_test

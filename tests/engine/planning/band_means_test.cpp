@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::band_means_test {
 namespace {
 
 using support::uniform;
@@ -157,4 +157,4 @@ TEST(BandMeans, SayWhereTheyReachBeyondTheDataOwnCoast) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::band_means_test

@@ -15,7 +15,7 @@
 #include "tests/support/small_sea.hpp"
 
 /// Every kind of request is stopped at each of its stages.
-namespace floeplan::planning {
+namespace floeplan::planning::cancellation_test {
 namespace {
 
 using support::eastward_request;
@@ -167,4 +167,4 @@ TEST(Cancellation, EndsEveryKindOfRequestAtWhateverStageItIsStopped) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::cancellation_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::cell_distances_test {
 namespace {
 
 constexpr core::Metres cell{100.0};
@@ -36,4 +36,4 @@ TEST(CellDistances, AreNeverMoreThanTheWayBetweenTheNearestSidesOfTheCells) {
 TEST(CellDistances, SayNothingWhereNothingWasMeasured) { EXPECT_EQ(CellDistances{}.from(7).value, 0.0); }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::cell_distances_test

@@ -8,7 +8,7 @@
 #include "engine/planning/analytic_currents.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::cost_gradient_test {
 namespace {
 
 const auto in_the_jet = [](geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) {
@@ -77,4 +77,4 @@ TEST(CostGradient, LooksToTheOpenSideBesideAClosedArea) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::cost_gradient_test

@@ -5,7 +5,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::cost_plan_test {
 namespace {
 
 using support::bathymetry_from;
@@ -202,4 +202,4 @@ TEST(CostPlan, StopsWhenItIsCancelled) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::cost_plan_test

@@ -11,7 +11,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::cost_voyage_test {
 namespace {
 
 const PlaneBox area{{-12'000.0, -12'000.0}, {12'000.0, 12'000.0}};
@@ -323,4 +323,4 @@ TEST(CostOutlook, IsAboutWhatTheRestOfTheWayCosts) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::cost_voyage_test

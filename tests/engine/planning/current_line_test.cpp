@@ -10,7 +10,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::current_line_test {
 namespace {
 
 constexpr int hours = 48;
@@ -141,4 +141,4 @@ TEST(CurrentLine, EndsWhenTheDataEnd) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::current_line_test

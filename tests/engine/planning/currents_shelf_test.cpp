@@ -8,7 +8,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::currents_shelf_test {
 namespace {
 
 constexpr core::Metres cell{2000.0};
@@ -144,4 +144,4 @@ TEST(CurrentsShelf, HasNoneInStillWater) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::currents_shelf_test

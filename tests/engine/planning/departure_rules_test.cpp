@@ -2,7 +2,7 @@
 
 #include <gmock/gmock.h>
 
-namespace floeplan::planning {
+namespace floeplan::planning::departure_rules_test {
 namespace {
 
 const core::UtcTime depart = core::from_unix_seconds(1.8e9);
@@ -56,4 +56,4 @@ TEST(DepartureRules, RefuseAnArrivalBeforeTheDepartureAndOneBesideAWindow) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::departure_rules_test

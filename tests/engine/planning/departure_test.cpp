@@ -7,7 +7,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::departure_test {
 namespace {
 
 using support::currents_from;
@@ -320,4 +320,4 @@ TEST(BestDeparture, DrawsLeastWhereTheObjectiveIsEnergy) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::departure_test

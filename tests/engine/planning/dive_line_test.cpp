@@ -7,7 +7,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::dive_line_test {
 namespace {
 
 const geo::LocalProjection projection{{-53.0, 69.0}};
@@ -102,4 +102,4 @@ TEST(DiveLine, StandsAtAPlaceOfALine) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::dive_line_test

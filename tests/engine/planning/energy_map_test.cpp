@@ -5,7 +5,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::energy_map_test {
 namespace {
 
 using vehicle::Drive;
@@ -95,4 +95,4 @@ TEST(EnergyMap, IsNeverBelowItsLeastPowerAndAddsUpOverTheParts) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::energy_map_test

@@ -7,7 +7,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::energy_meter_test {
 namespace {
 
 using vehicle::Drive;
@@ -177,4 +177,4 @@ TEST(EnergyMeter, SpreadsEvenlyWhatADriveLeavesOfTheTime) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::energy_meter_test

@@ -7,7 +7,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::flown_currents_test {
 namespace {
 
 using support::sea_start_s;
@@ -152,4 +152,4 @@ TEST(FlownCurrents, BeginBelowTheIceWhileItIsThere) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::flown_currents_test

@@ -11,7 +11,7 @@
 #include "engine/planning/route_search.hpp"
 #include "tests/engine/planning/foresight_waters.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::foresight_test {
 namespace {
 
 using graph::Edge;
@@ -108,4 +108,4 @@ TEST(Foresight, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::foresight_test

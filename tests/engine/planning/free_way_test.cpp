@@ -5,7 +5,7 @@
 #include "engine/planning/river_extremal.hpp"
 #include "tests/engine/planning/paper_waters.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::free_way_test {
 namespace {
 
 /// The jet as stored data have it: known at nodes, bilinear between them, linear between its times.
@@ -137,4 +137,4 @@ TEST(FreeWay, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::free_way_test

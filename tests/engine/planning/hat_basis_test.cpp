@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::hat_basis_test {
 namespace {
 
 Itinerary random_itinerary(std::mt19937_64& rng) {
@@ -81,4 +81,4 @@ TEST(HatBasis, MakesTheDelayOfShiftsAcrossALineTheSumOfTheirSquares) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::hat_basis_test

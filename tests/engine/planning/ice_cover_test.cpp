@@ -9,7 +9,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::ice_cover_test {
 namespace {
 
 constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
@@ -122,4 +122,4 @@ TEST(IceCover, ANodeOfLandTakesTheMostIceAroundItOneRingDeep) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::ice_cover_test

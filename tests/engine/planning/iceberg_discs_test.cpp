@@ -9,7 +9,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::iceberg_discs_test {
 namespace {
 
 using support::uniform;
@@ -227,4 +227,4 @@ TEST(IcebergDiscs, TogetherAreTouchedWhenOneOfThemIs) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::iceberg_discs_test

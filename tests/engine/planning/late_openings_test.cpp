@@ -6,7 +6,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::late_openings_test {
 namespace {
 
 constexpr double wall_end_deg = 69.25;
@@ -108,4 +108,4 @@ TEST(LateOpenings, AreNoneWhereTheCurrentNeverBeatsTheVehicle) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::late_openings_test

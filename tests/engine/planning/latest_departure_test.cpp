@@ -11,7 +11,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::latest_departure_test {
 namespace {
 
 using support::currents_from;
@@ -235,4 +235,4 @@ TEST(PlanArrival, SaysWhyThereIsNoWayAtAll) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::latest_departure_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::planning {
+namespace floeplan::planning::leg_trade_test {
 namespace {
 
 Itinerary itinerary(std::size_t legs, double travel_time_s) {
@@ -52,4 +52,4 @@ TEST(LegTradeOff, ReachesOverANumberOfLegsThatGainsNothing) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::leg_trade_test

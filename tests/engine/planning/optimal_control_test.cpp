@@ -5,7 +5,7 @@
 #include "engine/planning/river_extremal.hpp"
 #include "tests/engine/planning/paper_waters.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::optimal_control_test {
 namespace {
 
 TEST(OptimalControl, CrossesTheRiverInTheTimeOfTheClosedSolution) {
@@ -39,4 +39,4 @@ TEST(OptimalControl, SaysThatEveryStartLeavesTheData) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::optimal_control_test

@@ -8,7 +8,7 @@
 #include "engine/planning/river_extremal.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::optimality_test {
 namespace {
 
 using support::currents_from;
@@ -178,4 +178,4 @@ TEST(Optimality, IsLeftOutWhenNotAskedFor) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::optimality_test

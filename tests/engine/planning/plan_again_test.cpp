@@ -7,7 +7,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_again_test {
 namespace {
 
 using support::eastward_request;
@@ -148,4 +148,4 @@ TEST(PlanAgain, APlanIsNotRefusedWhereItsRouteIsJudgedOnTheSameData) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_again_test

@@ -10,7 +10,7 @@
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_circling_test {
 namespace {
 
 Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
@@ -174,4 +174,4 @@ TEST(Circling, GivesWayToAWayRoundThatArrivesLater) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_circling_test

@@ -8,7 +8,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_encounters_test {
 namespace {
 
 Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
@@ -113,4 +113,4 @@ TEST(EncounterMap, ReadsFromItsLatticeWhatIsExpectedOfAMove) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_encounters_test

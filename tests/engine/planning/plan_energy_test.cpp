@@ -3,7 +3,7 @@
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_energy_test {
 namespace {
 
 using support::eastward_request;
@@ -73,4 +73,4 @@ TEST(PlanEnergy, OfAThrusterIsSpentWhereTimeIsAllThatCounts) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_energy_test

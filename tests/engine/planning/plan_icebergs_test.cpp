@@ -11,7 +11,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_icebergs_test {
 namespace {
 
 using support::uniform;
@@ -233,4 +233,4 @@ TEST(PlanAmongIcebergs, EndsSoonAfterItIsCancelled) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_icebergs_test

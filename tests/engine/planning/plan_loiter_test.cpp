@@ -9,7 +9,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_loiter_test {
 namespace {
 
 constexpr core::Seconds half_a_day{12.0 * hour_s};
@@ -297,4 +297,4 @@ TEST(Loiter, HasItsLengthChecked) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_loiter_test

@@ -9,7 +9,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_pass_under_test {
 namespace {
 
 Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
@@ -218,4 +218,4 @@ TEST_P(PassUnderInAScene, NeverLeadsIntoADiscButBelowAKeelAndArrivesNoLater) {
 INSTANTIATE_TEST_SUITE_P(Quarter, PassUnderInAScene, testing::Range(0, 4));
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_pass_under_test

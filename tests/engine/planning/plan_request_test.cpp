@@ -6,7 +6,7 @@
 
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_request_test {
 namespace {
 
 std::string fields(const core::Violations& violations) {
@@ -54,4 +54,4 @@ TEST(PlanRequest, RefusesPlacesHalfAnOceanApart) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_request_test

@@ -13,7 +13,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_route_test {
 namespace {
 
 using support::bathymetry_from;
@@ -424,4 +424,4 @@ TEST(PlanRoute, RefusesAGridThatWouldNotFitIntoMemory) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_route_test

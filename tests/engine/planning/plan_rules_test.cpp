@@ -15,7 +15,7 @@
 
 /// Every way of making a plan keeps every rule of the request. The water is still, so that a plan's vehicle moves
 /// evenly from waypoint to waypoint and can be followed here without the planner.
-namespace floeplan::planning {
+namespace floeplan::planning::plan_rules_test {
 namespace {
 
 using core::Metres;
@@ -308,4 +308,4 @@ std::string name_of(const testing::TestParamInfo<std::size_t>& info) {
 INSTANTIATE_TEST_SUITE_P(Rules, EveryWayOfPlanning, testing::Range<std::size_t>(0, rules().size()), name_of);
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_rules_test

@@ -6,7 +6,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_survey_test {
 namespace {
 
 using support::currents_from;
@@ -225,4 +225,4 @@ TEST(PlanSurvey, SaysWhyWhenAPlaceCannotBeVisited) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_survey_test

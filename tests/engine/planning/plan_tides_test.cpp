@@ -7,7 +7,7 @@
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_tides_test {
 namespace {
 
 /// A tide that runs east and west along the way, growing from west to east.
@@ -90,4 +90,4 @@ TEST(PlanInTides, GainsFromWaitingForTheTideToTurn) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_tides_test

@@ -15,7 +15,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_under_ice_test {
 namespace {
 
 using testing::Contains;
@@ -552,4 +552,4 @@ TEST(PlanUnderIce, OpenWaterIsAssumedWithoutData) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_under_ice_test

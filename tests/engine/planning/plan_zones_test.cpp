@@ -4,7 +4,7 @@
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plan_zones_test {
 namespace {
 
 using ocean::Zone;
@@ -209,4 +209,4 @@ TEST(PlanLegs, AreNoLongerThanAskedForAndTheWayStaysTheSame) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plan_zones_test

@@ -5,7 +5,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plane_currents_test {
 namespace {
 
 using support::currents_from;
@@ -88,4 +88,4 @@ TEST(PlaneCurrents, AreNotKnownBeforeTheDataBeginOrAfterTheyEnd) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plane_currents_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::plane_polygon_test {
 namespace {
 
 const geo::LocalProjection projection{{-53.0, 69.0}};
@@ -88,4 +88,4 @@ TEST(PlanePolygon, HoldsAPointOfALineWithoutLength) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::plane_polygon_test

@@ -11,7 +11,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::reach_test {
 namespace {
 
 using Direction = ReachRequest::Direction;
@@ -237,4 +237,4 @@ TEST(Reach, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::reach_test

@@ -10,7 +10,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::reach_under_ice_test {
 namespace {
 
 using Direction = ReachRequest::Direction;
@@ -223,4 +223,4 @@ TEST(ReachSearch, ComesWhereAnyWalkDoesThatKeepsABoundShorterByATwentieth) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::reach_under_ice_test

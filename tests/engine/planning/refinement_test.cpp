@@ -9,7 +9,7 @@
 #include "engine/planning/analytic_currents.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::refinement_test {
 namespace {
 
 using Leg = tl::expected<core::Seconds, motion::EdgeClosed>;
@@ -314,4 +314,4 @@ TEST(Refinement, EndsWhenTheCallersClockOrCancellationSaysSo) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::refinement_test

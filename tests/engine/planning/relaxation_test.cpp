@@ -11,7 +11,7 @@
 #include "engine/planning/what_would_help.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::relaxation_test {
 namespace {
 
 using support::bathymetry_from;
@@ -478,4 +478,4 @@ TEST(Relaxation, NamesTheThrusterThatDrawsTooMuch) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::relaxation_test

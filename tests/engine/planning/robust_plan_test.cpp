@@ -6,7 +6,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::robust_plan_test {
 namespace {
 
 using support::currents_from;
@@ -218,4 +218,4 @@ TEST(RobustPlan, NamesEveryFaultOfItsRules) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::robust_plan_test

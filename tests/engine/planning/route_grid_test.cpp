@@ -4,7 +4,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::route_grid_test {
 namespace {
 
 TEST(RouteGrid, HasStartAndGoalAmongItsVertices) {
@@ -54,4 +54,4 @@ TEST(RouteGrid, LiesRoundThePlaceWhereStartAndGoalAreOne) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::route_grid_test

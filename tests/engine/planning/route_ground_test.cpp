@@ -10,7 +10,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::route_ground_test {
 namespace {
 
 using support::uniform;
@@ -166,4 +166,4 @@ TEST(RouteGround, TellsOfTheMemoryThatEachPartOfTheSeaTakes) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::route_ground_test

@@ -8,7 +8,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::safety_map_test {
 namespace {
 
 using motion::EdgeClosed;
@@ -178,4 +178,4 @@ TEST(SafetyMap, NeverOpensARouteThatTheDataClose) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::safety_map_test

@@ -6,7 +6,7 @@
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::sea_layout_test {
 namespace {
 
 constexpr core::Seconds hour{hour_s};
@@ -86,4 +86,4 @@ TEST(IcebergsOfASea, DriftAsLongAsAVehicleGoesThatReachesOut) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::sea_layout_test

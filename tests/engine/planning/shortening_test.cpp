@@ -9,7 +9,7 @@
 #include "engine/motion/edge_closed.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::shortening_test {
 namespace {
 
 using Leg = tl::expected<core::Seconds, motion::EdgeClosed>;
@@ -88,4 +88,4 @@ TEST(Shortening, FindsNoPlaceOutwardsForAWayThatComesBackToWhereItBegan) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::shortening_test

@@ -6,7 +6,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::straightening_test {
 namespace {
 
 const geo::LocalProjection projection{{-53.0, 69.0}};
@@ -66,4 +66,4 @@ TEST(Straightening, JoinsLegsOfOneDirectionAndOnlyThose) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::straightening_test

@@ -12,7 +12,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::surfacing_reach_test {
 namespace {
 
 const geo::LocalProjection projection{{-53.0, 69.0}};
@@ -227,4 +227,4 @@ TEST(SurfacingReach, HasHopeWhereNothingIsKnownOfIce) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::surfacing_reach_test

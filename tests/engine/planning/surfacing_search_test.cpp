@@ -15,7 +15,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::surfacing_search_test {
 namespace {
 
 const geo::LocalProjection projection{{-53.0, 69.0}};
@@ -322,4 +322,4 @@ TEST(SurfacingSearch, ProvesThatNoWayKeepsTheBound) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::surfacing_search_test

@@ -8,7 +8,7 @@
 #include "engine/motion/edge_closed.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::thinning_test {
 namespace {
 
 using Leg = tl::expected<core::Seconds, motion::EdgeClosed>;
@@ -82,4 +82,4 @@ TEST(Thinning, LeavesALegWholeThatIsClosedInPieces) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::thinning_test

@@ -5,7 +5,7 @@
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::time_killing_test {
 namespace {
 
 constexpr core::Seconds at_departure{0.0};
@@ -53,4 +53,4 @@ TEST(TimeKilling, NeedsNoCirclingWhereTheVehicleMayWait) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::time_killing_test

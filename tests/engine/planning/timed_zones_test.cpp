@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::timed_zones_test {
 namespace {
 
 using core::Seconds;
@@ -198,4 +198,4 @@ TEST(TimedZones, FollowTheCubicOfThePieceAndNotItsChord) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::timed_zones_test

@@ -8,7 +8,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::under_ice_test {
 namespace {
 
 const geo::LocalProjection projection{{-53.0, 69.0}};
@@ -211,4 +211,4 @@ TEST(SeaLeg, NeverCountsLessThanTheTrueTimeUnderIce) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::under_ice_test

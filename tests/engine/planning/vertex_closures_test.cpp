@@ -5,7 +5,7 @@
 #include "tests/engine/planning/drifting_bergs.hpp"
 #include "tests/engine/planning/foresight_waters.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::vertex_closures_test {
 namespace {
 
 TEST(VertexClosures, AreThoseOfTheSeaAtTheVertex) {
@@ -56,4 +56,4 @@ TEST(VertexClosures, AreNoneInASeaWhereNothingOpensAndCloses) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::vertex_closures_test

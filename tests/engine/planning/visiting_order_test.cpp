@@ -9,7 +9,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::visiting_order_test {
 namespace {
 
 using core::Seconds;
@@ -214,4 +214,4 @@ TEST(VisitingOrder, IsNoneOnceItIsToStop) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::visiting_order_test

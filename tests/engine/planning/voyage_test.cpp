@@ -12,7 +12,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::voyage_test {
 namespace {
 
 const geo::LocalProjection projection{{-53.0, 69.0}};
@@ -98,4 +98,4 @@ TEST_F(VoyageToAGoalThatOpens, IsFoundWithoutALookAtEveryPlaceToWait) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::voyage_test

@@ -5,7 +5,7 @@
 #include "tests/engine/planning/paper_waters.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::way_descent_test {
 namespace {
 
 using geo::PlanePoint;
@@ -97,4 +97,4 @@ TEST(WayDescent, SaysThatItDidNotConvergeWhenStopped) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::way_descent_test

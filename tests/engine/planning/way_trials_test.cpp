@@ -8,7 +8,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::way_trials_test {
 namespace {
 
 using support::currents_from;
@@ -102,4 +102,4 @@ TEST(WayTrials, SpendTheSameOnTheSameTrial) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::way_trials_test

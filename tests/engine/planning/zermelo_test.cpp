@@ -8,7 +8,7 @@
 #include "tests/engine/planning/paper_waters.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::planning {
+namespace floeplan::planning::zermelo_test {
 namespace {
 
 using geo::PlanePoint;
@@ -130,4 +130,4 @@ TEST(Zermelo, StopsWhenAsked) {
 }
 
 }  // namespace
-}  // namespace floeplan::planning
+}  // namespace floeplan::planning::zermelo_test

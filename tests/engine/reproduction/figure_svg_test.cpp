@@ -6,7 +6,7 @@
 
 #include "engine/reproduction/figures.hpp"
 
-namespace floeplan::reproduction {
+namespace floeplan::reproduction::figure_svg_test {
 namespace {
 
 /// Every start tag has its end tag, in order; attributes are not looked at.
@@ -73,4 +73,4 @@ TEST(FigureSvg, IsAWholeDocumentWithoutNumbersThatAreNone) {
 }
 
 }  // namespace
-}  // namespace floeplan::reproduction
+}  // namespace floeplan::reproduction::figure_svg_test

@@ -8,7 +8,7 @@
 #include "engine/reproduction/case_search.hpp"
 #include "engine/reproduction/paper_cases.hpp"
 
-namespace floeplan::reproduction {
+namespace floeplan::reproduction::obstacle_rows_test {
 namespace {
 
 constexpr double tolerance = 1e-4;
@@ -103,4 +103,4 @@ TEST(ObstacleRows, AreFoundByBruteForceOnTheThreeSectorGrid) {
 }
 
 }  // namespace
-}  // namespace floeplan::reproduction
+}  // namespace floeplan::reproduction::obstacle_rows_test

@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::reproduction {
+namespace floeplan::reproduction::obstacle_test {
 namespace {
 
 using geo::PlanePoint;
@@ -49,4 +49,4 @@ TEST(Obstacle, MeetsAPointInsideAndLinesAlongItsSides) {
 }
 
 }  // namespace
-}  // namespace floeplan::reproduction
+}  // namespace floeplan::reproduction::obstacle_test

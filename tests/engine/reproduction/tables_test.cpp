@@ -9,7 +9,7 @@
 
 #include "engine/planning/river_extremal.hpp"
 
-namespace floeplan::reproduction {
+namespace floeplan::reproduction::tables_test {
 namespace {
 
 struct Golden {
@@ -116,4 +116,4 @@ TEST(Tables, GiveRefinedWaysAsNearTheOptimumAsTheirLegsAllow) {
 }
 
 }  // namespace
-}  // namespace floeplan::reproduction
+}  // namespace floeplan::reproduction::tables_test

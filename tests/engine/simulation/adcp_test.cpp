@@ -11,7 +11,7 @@
 #include "engine/simulation/adcp_beams.hpp"
 #include "engine/simulation/adcp_error_model.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::adcp_test {
 namespace {
 
 /// A jet in depth over a sheared flow: every derivative is there.
@@ -242,4 +242,4 @@ TEST(AdcpSettings, AreRefusedWithEveryReason) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::adcp_test

@@ -9,7 +9,7 @@
 #include "tests/engine/simulation/guided.hpp"
 
 /// Sea beds within the saw-tooth, in the closed loop of flight model, sonar, altimeter and the system on board.
-namespace floeplan::simulation {
+namespace floeplan::simulation::banks_test {
 namespace {
 
 using support::graded_bed;
@@ -86,4 +86,4 @@ TEST(Bank, BesideTheRouteIsNotBlownOnto) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::banks_test

@@ -8,7 +8,7 @@
 
 #include "engine/core/random.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::batch_statistics_test {
 namespace {
 
 std::vector<double> one_to(int last) {
@@ -119,4 +119,4 @@ TEST(BatchStatistics, TellsArrivalsApartFromOtherEnds) {
 TEST(BatchStatistics, OfNoRunsIsEmpty) { EXPECT_FALSE(statistics_of({}).travel_time_s.has_value()); }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::batch_statistics_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::body_test {
 namespace {
 
 using support::for_each_seed;
@@ -88,4 +88,4 @@ TEST(Body, RefusesATrackThatGoesBackInTime) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::body_test

@@ -8,7 +8,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::convex_part_test {
 namespace {
 
 using support::for_each_seed;
@@ -99,4 +99,4 @@ TEST(ConvexPart, RefusesFacesThatBoundNothing) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::convex_part_test

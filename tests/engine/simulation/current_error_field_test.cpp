@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::current_error_field_test {
 namespace {
 
 using support::for_each_seed;
@@ -89,4 +89,4 @@ TEST(CurrentErrorSettings, NameEveryValueOutOfRange) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::current_error_field_test

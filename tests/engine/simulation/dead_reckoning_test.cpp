@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::dead_reckoning_test {
 namespace {
 
 constexpr core::UtcTime start = core::from_unix_seconds(1.7e9);
@@ -79,4 +79,4 @@ TEST(NavigationErrors, NameEveryValueOutOfRange) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::dead_reckoning_test

@@ -11,7 +11,7 @@
 #include "engine/simulation/iceberg_shape.hpp"
 #include "tests/engine/simulation/flown.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::equipped_vehicle_test {
 namespace {
 
 using support::flight_origin;
@@ -95,4 +95,4 @@ TEST(EquippedVehicle, LeavesTheSameRecordForTheSameSeed) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::equipped_vehicle_test

@@ -10,7 +10,7 @@
 #include "tests/engine/simulation/flown.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::flight_test {
 namespace {
 
 using support::flight_origin;
@@ -399,4 +399,4 @@ TEST(Flight, WaitsBelowTheIceThatTheSystemOnBoardKnowsWhenItIsToComeUp) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::flight_test

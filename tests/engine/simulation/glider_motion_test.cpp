@@ -8,7 +8,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::glider_motion_test {
 namespace {
 
 using support::for_each_seed;
@@ -118,4 +118,4 @@ TEST(HullMotion, NamesEveryValueOutOfRange) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::glider_motion_test

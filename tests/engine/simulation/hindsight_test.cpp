@@ -8,7 +8,7 @@
 
 #include "tests/engine/simulation/flown.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::hindsight_test {
 namespace {
 
 using support::flight_origin;
@@ -67,4 +67,4 @@ TEST(Hindsight, IsOfFlightsAloneThatTouchedSomething) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::hindsight_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::iceberg_shape_test {
 namespace {
 
 using support::for_each_seed;
@@ -114,4 +114,4 @@ TEST(IcebergForm, IsTheOneThatTheCodeNames) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::iceberg_shape_test

@@ -11,7 +11,7 @@
 #include "engine/simulation/sound_rays.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::local_bed_test {
 namespace {
 
 constexpr geo::LonLat origin{-52.0, 47.5};
@@ -94,4 +94,4 @@ TEST(SoundRays, MeetHillsWhereSmallStepsDo) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::local_bed_test

@@ -7,7 +7,7 @@
 
 #include "tests/support/small_sea.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::make_world_test {
 namespace {
 
 constexpr core::UtcTime begin = core::from_unix_seconds(support::sea_start_s);
@@ -79,4 +79,4 @@ TEST(MakeWorld, RefusesSettingsOutOfRange) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::make_world_test

@@ -9,7 +9,7 @@
 #include "tests/engine/mission/random_plan.hpp"
 #include "tests/engine/simulation/flown.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::mission_orders_test {
 namespace {
 
 using support::plan_of;
@@ -168,4 +168,4 @@ TEST(MissionOrders, FillUpAListAloneFromTheVehicle) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::mission_orders_test

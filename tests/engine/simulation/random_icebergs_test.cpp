@@ -11,7 +11,7 @@
 
 #include "engine/simulation/equipped_vehicle.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::random_icebergs_test {
 namespace {
 
 constexpr geo::LonLat start{-50.0, 69.0};
@@ -99,4 +99,4 @@ TEST(RandomIcebergs, AreWithinTheirSettings) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::random_icebergs_test

@@ -8,7 +8,7 @@
 #include "engine/core/units.hpp"
 #include "engine/simulation/beam_pattern.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::sea_sound_test {
 namespace {
 
 /// Francois and Garrison 1982, J. Acoust. Soc. Am. 72, doi:10.1121/1.388673: equations 1 to 13, total absorption,
@@ -108,4 +108,4 @@ TEST(BeamPattern, HasTheAnglesThatIntegrationGives) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::sea_sound_test

@@ -11,7 +11,7 @@
 #include "tests/engine/simulation/logged.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::segment_comparison_test {
 namespace {
 
 using support::flight_start;
@@ -192,4 +192,4 @@ TEST(GliderLog, RefusesALogWithoutAWholeDive) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::segment_comparison_test

@@ -9,7 +9,7 @@
 #include "engine/core/random.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::sonar_test {
 namespace {
 
 constexpr auto nothing = [](Vector, Vector, double) -> std::optional<RayHit> { return std::nullopt; };
@@ -265,4 +265,4 @@ TEST(Sonar, RefusesAFanWiderThanItsHalfSpaceAndAnEchoTooLateForItsInterval) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::sonar_test

@@ -8,7 +8,7 @@
 #include "engine/core/random.hpp"
 #include "engine/simulation/altimeter.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::sound_rays_test {
 namespace {
 
 World flat_world(double bed_m, double draft_m = 0.0) {
@@ -108,4 +108,4 @@ TEST(Altimeter, RefusesNonsense) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::sound_rays_test

@@ -11,7 +11,7 @@
 
 /// Situations made by hand in which a simpler system is lost, in the closed loop of flight model, sensors, mission and
 /// the system on board.
-namespace floeplan::simulation {
+namespace floeplan::simulation::traps_test {
 namespace {
 
 using support::graded_bed;
@@ -126,4 +126,4 @@ TEST(TrapInTheLoop, CeilingOfIceOverTheGoalIsLeftByWhereItWasEntered) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::traps_test

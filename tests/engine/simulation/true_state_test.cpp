@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::true_state_test {
 namespace {
 
 using support::for_each_seed;
@@ -47,4 +47,4 @@ TEST(BodyAxes, StayAtRightAngles) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::true_state_test

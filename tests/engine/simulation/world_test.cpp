@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::simulation {
+namespace floeplan::simulation::world_test {
 namespace {
 
 using support::for_each_seed;
@@ -118,4 +118,4 @@ TEST(World, HasABedAndACeilingWhereTheyAreGiven) {
 }
 
 }  // namespace
-}  // namespace floeplan::simulation
+}  // namespace floeplan::simulation::world_test

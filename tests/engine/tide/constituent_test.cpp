@@ -7,7 +7,7 @@
 
 #include "tests/engine/tide/published.hpp"
 
-namespace floeplan::tide {
+namespace floeplan::tide::constituent_test {
 namespace {
 
 using test::utc;
@@ -122,4 +122,4 @@ TEST(NodalFactor, SwellsAndShrinksByTheSharesOfSchuremansTable) {
 }
 
 }  // namespace
-}  // namespace floeplan::tide
+}  // namespace floeplan::tide::constituent_test

@@ -7,7 +7,7 @@
 #include "engine/core/units.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::tide {
+namespace floeplan::tide::ellipse_test {
 namespace {
 
 using support::for_each_seed;
@@ -57,4 +57,4 @@ TEST(Ellipse, ReachesItsMajorAxisAtItsPhase) {
 }
 
 }  // namespace
-}  // namespace floeplan::tide
+}  // namespace floeplan::tide::ellipse_test

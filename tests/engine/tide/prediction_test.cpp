@@ -11,7 +11,7 @@
 #include "tests/engine/tide/published.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::tide {
+namespace floeplan::tide::prediction_test {
 namespace {
 
 using support::for_each_seed;
@@ -75,4 +75,4 @@ TEST(MinorConstituents, ThatWereGivenAreNotInferredTwice) {
 }
 
 }  // namespace
-}  // namespace floeplan::tide
+}  // namespace floeplan::tide::prediction_test

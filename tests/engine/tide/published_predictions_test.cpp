@@ -10,7 +10,7 @@
 #include "engine/tide/prediction.hpp"
 #include "tests/engine/tide/published.hpp"
 
-namespace floeplan::tide {
+namespace floeplan::tide::published_predictions_test {
 namespace {
 
 using test::largest;
@@ -180,4 +180,4 @@ TEST(PublishedConstants, OfNoaaStateTheSpeedsOfTheCatalogue) {
 }
 
 }  // namespace
-}  // namespace floeplan::tide
+}  // namespace floeplan::tide::published_predictions_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::vehicle {
+namespace floeplan::vehicle::dive_band_test {
 namespace {
 
 constexpr DiveLimits limits{.climb_to = {5.0}, .dive_to = {200.0}, .altimeter_margin = {10.0}};
@@ -23,4 +23,4 @@ TEST(FlownBand, IsNeverThinnerThanTheLowestTooth) {
 }
 
 }  // namespace
-}  // namespace floeplan::vehicle
+}  // namespace floeplan::vehicle::dive_band_test

@@ -4,7 +4,7 @@
 
 #include "engine/vehicle/thruster.hpp"
 
-namespace floeplan::vehicle {
+namespace floeplan::vehicle::energy_model_test {
 namespace {
 
 // 460 cm3 at 200 m: 2.49 J/cm3 and 1027.7 * 9.81 * 200 Pa / 0.82 out, 0.18 J/cm3 in, two inflections of 540 J.
@@ -60,4 +60,4 @@ TEST(ThrusterPower, FollowsItsFit) {
 }
 
 }  // namespace
-}  // namespace floeplan::vehicle
+}  // namespace floeplan::vehicle::energy_model_test

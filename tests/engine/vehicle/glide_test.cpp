@@ -8,7 +8,7 @@
 #include "engine/vehicle/sea_water.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::vehicle {
+namespace floeplan::vehicle::glide_test {
 namespace {
 
 constexpr core::Radians pitch_deg(double degrees) { return {core::degrees_to_radians(degrees)}; }
@@ -88,4 +88,4 @@ TEST(SteadyGlide, DoesNotExistWithoutEnoughLift) {
 }
 
 }  // namespace
-}  // namespace floeplan::vehicle
+}  // namespace floeplan::vehicle::glide_test

@@ -7,7 +7,7 @@
 #include <set>
 #include <string>
 
-namespace floeplan::vehicle {
+namespace floeplan::vehicle::glider_profile_test {
 namespace {
 
 using testing::Contains;
@@ -156,4 +156,4 @@ TEST(GliderProfile, SinksAlongThePathOfItsPitch) {
 }
 
 }  // namespace
-}  // namespace floeplan::vehicle
+}  // namespace floeplan::vehicle::glider_profile_test

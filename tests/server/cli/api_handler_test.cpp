@@ -10,7 +10,7 @@
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::api_handler_test {
 namespace {
 
 using sqlite::Trouble;
@@ -153,4 +153,4 @@ TEST_F(AtOnce, IsAnsweredInEveryReferenceSystemOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::api_handler_test

@@ -5,7 +5,7 @@
 
 #include "tests/server/cli/program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::bad_input_test {
 namespace {
 
 using support::Outcome;
@@ -174,4 +174,4 @@ TEST(BadInput, APlanThatIsNotStoredCannotBeExported) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::bad_input_test

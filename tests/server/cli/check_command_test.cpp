@@ -5,7 +5,7 @@
 
 #include "tests/server/cli/program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::check_command_test {
 namespace {
 
 using nlohmann::json;
@@ -78,4 +78,4 @@ TEST(Check, WithADepartureFollowsTheRouteThroughTheStoredData) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::check_command_test

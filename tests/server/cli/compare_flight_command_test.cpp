@@ -5,7 +5,7 @@
 
 #include "tests/server/cli/program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::compare_flight_command_test {
 namespace {
 
 using support::Outcome;
@@ -45,4 +45,4 @@ TEST(CompareFlight, NamesWhatIsWrongWithALog) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::compare_flight_command_test

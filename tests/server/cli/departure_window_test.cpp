@@ -8,7 +8,7 @@
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::departure_window_test {
 namespace {
 
 using nlohmann::json;
@@ -161,4 +161,4 @@ TEST_F(DemoStore, AnswersTheSameOverHttp) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::departure_window_test

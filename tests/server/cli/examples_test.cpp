@@ -7,7 +7,7 @@
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::examples_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -117,4 +117,4 @@ INSTANTIATE_TEST_SUITE_P(InPythonAndShell, Examples, testing::Values(".py", ".sh
                          [](const auto& script) { return script.param == ".py" ? "Python" : "Shell"; });
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::examples_test

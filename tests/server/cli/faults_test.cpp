@@ -2,7 +2,7 @@
 
 #include <cstdlib>
 
-namespace floeplan::cli {
+namespace floeplan::cli::faults_test {
 namespace {
 
 /// A dozen kills, a full disk, a store that cannot be written or is damaged, and too little memory, by the script that
@@ -17,4 +17,4 @@ TEST(Faults, LoseNothingThatWasPromised) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::faults_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::cli {
+namespace floeplan::cli::flag_values_test {
 namespace {
 
 TEST(FlagValues, ReadAPlaceLongitudeFirst) {
@@ -22,4 +22,4 @@ TEST(FlagValues, SplitAtEveryComma) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::flag_values_test

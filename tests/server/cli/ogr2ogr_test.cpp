@@ -8,7 +8,7 @@
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::ogr2ogr_test {
 namespace {
 
 using nlohmann::json;
@@ -97,4 +97,4 @@ TEST_F(Ogr2ogr, FiltersByAttributeAndByTime) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::ogr2ogr_test

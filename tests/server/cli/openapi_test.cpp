@@ -7,7 +7,7 @@
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::openapi_test {
 namespace {
 
 /// Holds the start of the plans, and binds none of them: its time has not come.
@@ -59,4 +59,4 @@ TEST_F(ServedDemo, MeetsTheConditionsOfTheSuitesOfOgcApi) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::openapi_test

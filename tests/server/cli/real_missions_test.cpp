@@ -7,7 +7,7 @@
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::real_missions_test {
 namespace {
 
 using nlohmann::json;
@@ -193,4 +193,4 @@ TEST(RealFiles, ArePlannedEvaluatedAndExportedAlike) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::real_missions_test

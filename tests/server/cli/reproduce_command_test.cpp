@@ -7,7 +7,7 @@
 
 #include "tests/server/cli/program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::reproduce_command_test {
 namespace {
 
 using nlohmann::json;
@@ -74,4 +74,4 @@ TEST(Reproduce, LaysTheFiguresOnTheMapAndKeepsThePlane) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::reproduce_command_test

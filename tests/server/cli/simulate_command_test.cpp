@@ -6,7 +6,7 @@
 
 #include "tests/server/cli/program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::simulate_command_test {
 namespace {
 
 using nlohmann::json;
@@ -114,4 +114,4 @@ TEST(SimulateScenario, FliesTheSameFieldsWithAnyNumberOfWorkers) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::simulate_command_test

@@ -9,7 +9,7 @@
 #include "tests/server/cli/served_program.hpp"
 #include "tests/server/jobs/wait_until.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::simulations_over_http_test {
 namespace {
 
 using nlohmann::json;
@@ -122,4 +122,4 @@ TEST(FlightComparisonOverHttp, NamesWhatIsWrongWithALog) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::simulations_over_http_test

@@ -6,7 +6,7 @@
 
 #include "tests/server/cli/program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::under_ice_test {
 namespace {
 
 using nlohmann::json;
@@ -118,4 +118,4 @@ TEST_F(UnderIceCli, NamesWhatIsWrongWithTheInput) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::under_ice_test

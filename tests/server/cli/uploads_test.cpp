@@ -7,7 +7,7 @@
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::uploads_test {
 namespace {
 
 using nlohmann::json;
@@ -107,4 +107,4 @@ TEST(UploadLimit, IsWhatTheServerWasTold) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::uploads_test

@@ -8,7 +8,7 @@
 #include "tests/server/cli/served_program.hpp"
 #include "tests/server/jobs/wait_until.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::watched_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -77,4 +77,4 @@ TEST_F(WatchedFolder, TakesWhatCameWhileNobodyServedAndKeepsAnEarlierFileOfTheSa
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::watched_folder_test

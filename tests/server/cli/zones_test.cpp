@@ -4,7 +4,7 @@
 
 #include "tests/server/cli/program.hpp"
 
-namespace floeplan::cli {
+namespace floeplan::cli::zones_test {
 namespace {
 
 using nlohmann::json;
@@ -79,4 +79,4 @@ TEST_F(StoredZones, WithFaultsAreRefusedWithEachOfThem) {
 }
 
 }  // namespace
-}  // namespace floeplan::cli
+}  // namespace floeplan::cli::zones_test

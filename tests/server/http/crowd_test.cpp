@@ -4,7 +4,7 @@
 
 #include "tests/server/http/running_server.hpp"
 
-namespace floeplan::http {
+namespace floeplan::http::crowd_test {
 namespace {
 
 namespace net = boost::asio;
@@ -134,4 +134,4 @@ TEST(Observer, HearsOfEveryAnswer) {
 }
 
 }  // namespace
-}  // namespace floeplan::http
+}  // namespace floeplan::http::crowd_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::http {
+namespace floeplan::http::finish_response_test {
 namespace {
 
 using routes::Request;
@@ -61,4 +61,4 @@ TEST(FinishResponse, SetsSecurityHeaders) {
 }
 
 }  // namespace
-}  // namespace floeplan::http
+}  // namespace floeplan::http::finish_response_test

@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::http {
+namespace floeplan::http::listen_address_test {
 namespace {
 
 TEST(ListenAddress, TakesLoopbackInBothFamiliesAndByName) {
@@ -27,4 +27,4 @@ TEST(ListenAddress, RefusesWhatIsNoAddress) {
 }
 
 }  // namespace
-}  // namespace floeplan::http
+}  // namespace floeplan::http::listen_address_test

@@ -8,7 +8,7 @@
 
 #include "tests/server/http/running_server.hpp"
 
-namespace floeplan::http {
+namespace floeplan::http::server_test {
 namespace {
 
 using support::echo;
@@ -151,4 +151,4 @@ TEST(Server, TellsTheHandlerWhenTheTimeToWaitIsOver) {
 }
 
 }  // namespace
-}  // namespace floeplan::http
+}  // namespace floeplan::http::server_test

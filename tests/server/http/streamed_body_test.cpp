@@ -13,7 +13,7 @@
 #include "server/http/server.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::http {
+namespace floeplan::http::streamed_body_test {
 namespace {
 
 namespace net = boost::asio;
@@ -102,4 +102,4 @@ TEST_F(StreamedBody, LeavesOtherBodiesInMemoryUnderTheirOwnLimit) {
 }
 
 }  // namespace
-}  // namespace floeplan::http
+}  // namespace floeplan::http::streamed_body_test

@@ -7,7 +7,7 @@
 #include "tests/server/http/running_server.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::http {
+namespace floeplan::http::tls_test {
 namespace {
 
 namespace net = boost::asio;
@@ -90,4 +90,4 @@ TEST_F(Tls, RefusesFilesThatDoNotBelongTogetherOrAreNotThere) {
 }
 
 }  // namespace
-}  // namespace floeplan::http
+}  // namespace floeplan::http::tls_test

@@ -4,7 +4,7 @@
 
 #include "storage/repository/migrations.hpp"
 
-namespace floeplan::jobs {
+namespace floeplan::jobs::job_board_test {
 namespace {
 
 using repository::JobRepository;
@@ -91,4 +91,4 @@ TEST_F(JobBoardTest, WakesThoseWhoWaitForAnyJob) {
 }
 
 }  // namespace
-}  // namespace floeplan::jobs
+}  // namespace floeplan::jobs::job_board_test

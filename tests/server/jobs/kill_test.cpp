@@ -16,7 +16,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::jobs {
+namespace floeplan::jobs::kill_test {
 namespace {
 
 using repository::JobRepository;
@@ -131,4 +131,4 @@ TEST(KilledServer, StoresAnUploadWholeAndOnceWheneverItIsKilled) {
 }
 
 }  // namespace
-}  // namespace floeplan::jobs
+}  // namespace floeplan::jobs::kill_test

@@ -6,7 +6,7 @@
 #include <stdexcept>
 #include <vector>
 
-namespace floeplan::jobs {
+namespace floeplan::jobs::parallel_runs_test {
 namespace {
 
 constexpr auto no_report = [](std::size_t) {};
@@ -50,4 +50,4 @@ TEST(ParallelRuns, OfNoRunsAreDoneAtOnce) {
 }
 
 }  // namespace
-}  // namespace floeplan::jobs
+}  // namespace floeplan::jobs::parallel_runs_test

@@ -11,7 +11,7 @@
 #include "storage/sqlite/statement.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::jobs {
+namespace floeplan::jobs::plan_service_test {
 namespace {
 
 using nlohmann::json;
@@ -116,4 +116,4 @@ TEST(PlanService, KeepsNoGroundBeyondAChangeOfTheData) {
 }
 
 }  // namespace
-}  // namespace floeplan::jobs
+}  // namespace floeplan::jobs::plan_service_test

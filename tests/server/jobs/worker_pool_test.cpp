@@ -12,7 +12,7 @@
 #include "tests/server/jobs/wait_until.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::jobs {
+namespace floeplan::jobs::worker_pool_test {
 namespace {
 
 using repository::JobRepository;
@@ -176,4 +176,4 @@ TEST_F(WorkerPoolTest, WakesThoseWhoWaitForAJob) {
 }
 
 }  // namespace
-}  // namespace floeplan::jobs
+}  // namespace floeplan::jobs::worker_pool_test

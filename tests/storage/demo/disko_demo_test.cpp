@@ -12,7 +12,7 @@
 #include "storage/ingest/gshhg_reader.hpp"
 #include "tests/storage/demo/demo_files.hpp"
 
-namespace floeplan::demo {
+namespace floeplan::demo::disko_demo_test {
 namespace {
 
 class DiskoDemo : public testing::Test {
@@ -189,4 +189,4 @@ TEST_F(DiskoDemo, LeavesTheUsualWayAcrossTheBayPassable) {
 }
 
 }  // namespace
-}  // namespace floeplan::demo
+}  // namespace floeplan::demo::disko_demo_test

@@ -6,7 +6,7 @@
 #include "storage/sqlite/connection.hpp"
 #include "tests/storage/demo/demo_files.hpp"
 
-namespace floeplan::demo {
+namespace floeplan::demo::ingest_demo_test {
 namespace {
 
 void expect_all_stored(const std::vector<std::filesystem::path>& files) {
@@ -56,4 +56,4 @@ TEST(IngestDemo, StoresEveryFileOfThePaperScenarios) {
 }
 
 }  // namespace
-}  // namespace floeplan::demo
+}  // namespace floeplan::demo::ingest_demo_test

@@ -5,7 +5,7 @@
 
 #include "tests/storage/demo/demo_files.hpp"
 
-namespace floeplan::demo {
+namespace floeplan::demo::paper_demo_test {
 namespace {
 
 TEST(RiverDemo, IsFastestInTheMiddleAndStillAtTheBanks) {
@@ -49,4 +49,4 @@ TEST(PaperDemo, WritesTheSameBytesAgain) {
 }
 
 }  // namespace
-}  // namespace floeplan::demo
+}  // namespace floeplan::demo::paper_demo_test

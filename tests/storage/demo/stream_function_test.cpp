@@ -7,7 +7,7 @@
 
 #include "storage/demo/flat_earth.hpp"
 
-namespace floeplan::demo {
+namespace floeplan::demo::stream_function_test {
 namespace {
 
 constexpr RasterFrame channel{-51.0, 60.0, 0.02, 0.01, 41, 21};
@@ -64,4 +64,4 @@ TEST(StreamFlow, RefusesGatesThatLetInMoreThanOut) {
 }
 
 }  // namespace
-}  // namespace floeplan::demo
+}  // namespace floeplan::demo::stream_function_test

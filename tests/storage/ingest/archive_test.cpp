@@ -17,7 +17,7 @@
 #include "tests/storage/ingest/store_fixture.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::archive_test {
 namespace {
 
 using testing::Contains;
@@ -200,4 +200,4 @@ TEST_F(Archives, CutShortOrWithBytesChangedAreNeverReadWrongly) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::archive_test

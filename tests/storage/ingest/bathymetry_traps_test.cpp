@@ -14,7 +14,7 @@
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::bathymetry_traps_test {
 namespace {
 
 using testing::HasSubstr;
@@ -323,4 +323,4 @@ TEST(VerticalSense, IsWhatTheUserSaysAboveAll) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::bathymetry_traps_test

@@ -8,7 +8,7 @@
 
 #include "engine/core/utc_text.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::cf_time_test {
 namespace {
 
 struct Decoding {
@@ -93,4 +93,4 @@ TEST(CfTime, KnowsACalendarThatIsNotOurs) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::cf_time_test

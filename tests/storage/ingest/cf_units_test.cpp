@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::cf_units_test {
 namespace {
 
 TEST(SpeedFactor, KnowsEverySpellingOfMetresPerSecond) {
@@ -55,4 +55,4 @@ TEST(CfUnits, LengthsMayBeMultiplesOfAUnit) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::cf_units_test

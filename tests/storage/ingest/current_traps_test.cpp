@@ -9,7 +9,7 @@
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::current_traps_test {
 namespace {
 
 using testing::ElementsAre;
@@ -357,4 +357,4 @@ TEST_F(CurrentTraps, ProvenanceNamesFileSizeChecksumAndTools) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::current_traps_test

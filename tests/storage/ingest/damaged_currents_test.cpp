@@ -12,7 +12,7 @@
 #include "tests/storage/ingest/store_fixture.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::damaged_currents_test {
 namespace {
 
 /// Files of currents in several layouts, small enough to be damaged many times.
@@ -116,4 +116,4 @@ TEST_F(DamagedCurrents, WithTablesOfABillionPointsAreRefusedBeforeTheyAreRead) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::damaged_currents_test

@@ -9,7 +9,7 @@
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::glider_netcdf_test {
 namespace {
 
 using testing::HasSubstr;
@@ -330,4 +330,4 @@ TEST_F(GliderNetcdf, WithoutAReferenceOfItsTimesIsRefused) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::glider_netcdf_test

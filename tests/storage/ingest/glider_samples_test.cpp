@@ -7,7 +7,7 @@
 #include "storage/repository/glider_track_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::glider_samples_test {
 namespace {
 
 /// What an independent reader finds in a real file: ncdump 4.9 of the NetCDF ones, awk of the logs. Packed degrees are
@@ -130,4 +130,4 @@ TEST_F(SlocumSample, OfAmadeusHasTheCurrentAfterTheDriftAndNoPlaceWhereItWasSwit
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::glider_samples_test

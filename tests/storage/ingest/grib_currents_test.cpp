@@ -10,7 +10,7 @@
 #include "tests/storage/ingest/model_grid_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::grib_currents_test {
 namespace {
 
 using testing::HasSubstr;
@@ -163,4 +163,4 @@ TEST_F(GribCurrents, CutShortAnywhereAreRefused) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::grib_currents_test

@@ -4,7 +4,7 @@
 
 #include <algorithm>
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::gshhg_bin_test {
 namespace {
 
 constexpr std::uint16_t far = 65535;
@@ -87,4 +87,4 @@ TEST(GshhgBin, CutsALakeOutOfTheLandAndKeepsItsIsland) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::gshhg_bin_test

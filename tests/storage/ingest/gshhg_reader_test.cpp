@@ -15,7 +15,7 @@
 #include "storage/ingest/recognise.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::gshhg_reader_test {
 namespace {
 
 const std::filesystem::path shoreline{"/usr/share/gmt-gshhg/binned_GSHHS_f.nc"};
@@ -173,4 +173,4 @@ INSTANTIATE_TEST_SUITE_P(
     [](const auto& region) { return std::string{region.param.name}; });
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::gshhg_reader_test

@@ -16,7 +16,7 @@
 #include "tests/storage/ingest/store_fixture.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::guarded_ingest_test {
 namespace {
 
 using testing::HasSubstr;
@@ -201,4 +201,4 @@ TEST_F(GuardedIngest, OutlivesNetcdfFilesWithBytesChanged) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::guarded_ingest_test

@@ -8,7 +8,7 @@
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::hdf5_references_test {
 namespace {
 
 /// Good currents, to which something is added that lies in another file.
@@ -66,4 +66,4 @@ TEST_F(Hdf5References, AreNotMissedInValuesThatLieElsewhere) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::hdf5_references_test

@@ -27,7 +27,7 @@
 #include "tests/storage/ingest/store_fixture.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::hostile_files_test {
 namespace {
 
 using testing::HasSubstr;
@@ -323,4 +323,4 @@ TEST_F(HostileFiles, ThatUnpackToMoreThanTheMemoryAreRefused) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::hostile_files_test

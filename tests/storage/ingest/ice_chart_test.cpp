@@ -12,7 +12,7 @@
 #include "tests/storage/ingest/store_fixture.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::ice_chart_test {
 namespace {
 
 using testing::Contains;
@@ -261,4 +261,4 @@ TEST(TimeInName, IsTheMomentThatIceServicesWriteInIt) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::ice_chart_test

@@ -8,7 +8,7 @@
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::ice_test {
 namespace {
 
 using testing::ElementsAre;
@@ -472,4 +472,4 @@ TEST_F(IceTest, TheRealArcticSampleIsWhatAnotherReaderSees) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::ice_test

@@ -6,7 +6,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::iceberg_csv_test {
 namespace {
 
 using testing::ElementsAre;
@@ -160,4 +160,4 @@ TEST(CsvFields, KeepQuotedCommas) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::iceberg_csv_test

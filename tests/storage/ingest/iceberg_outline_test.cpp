@@ -6,7 +6,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::iceberg_outline_test {
 namespace {
 
 class IcebergOutline : public StoreFixture {
@@ -57,4 +57,4 @@ TEST_F(IcebergOutline, GivesWayToAStatedLength) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::iceberg_outline_test

@@ -7,7 +7,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::iceberg_table_test {
 namespace {
 
 using testing::HasSubstr;
@@ -188,4 +188,4 @@ TEST_F(IcebergTable, OfTheOldIceCenterKeepsThatABergIsAground) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::iceberg_table_test

@@ -5,7 +5,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::iceberg_vector_test {
 namespace {
 
 class IcebergsInKml : public StoreFixture {
@@ -54,4 +54,4 @@ TEST_F(IcebergsInKml, WithoutATimeAreRefused) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::iceberg_vector_test

@@ -13,7 +13,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::large_bathymetry_test {
 namespace {
 
 using testing::HasSubstr;
@@ -83,4 +83,4 @@ TEST_F(LargeBathymetry, IsRefusedForADepthThatIsNoneWhereverItIsAndLeavesNothing
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::large_bathymetry_test

@@ -10,7 +10,7 @@
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::model_layouts_test {
 namespace {
 
 using testing::HasSubstr;
@@ -285,4 +285,4 @@ TEST_F(ModelLayouts, ABentGridWithoutPositionsAsksForTheGridFile) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::model_layouts_test

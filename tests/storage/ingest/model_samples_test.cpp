@@ -8,7 +8,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::model_samples_test {
 namespace {
 
 /// One current of a model's output, brought to a centre of its grid and to east and north with numpy and
@@ -103,4 +103,4 @@ TEST_F(ModelSamples, AMeshFileGivenWithTheComponentsIsReadWithThem) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::model_samples_test

@@ -8,7 +8,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::netcdf3_length_test {
 namespace {
 
 std::string word(std::uint32_t value) {
@@ -115,4 +115,4 @@ TEST_F(Netcdf3Length, IsAtMostTheSizeOfRealFiles) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::netcdf3_length_test

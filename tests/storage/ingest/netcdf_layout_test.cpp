@@ -8,7 +8,7 @@
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::netcdf_layout_test {
 namespace {
 
 TEST(NetcdfLayout, ReadsRowsAsTheSliceHasThemInWhateverOrderTheFileHasThem) {
@@ -40,4 +40,4 @@ TEST(NetcdfLayout, ReadsRowsAsTheSliceHasThemInWhateverOrderTheFileHasThem) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::netcdf_layout_test

@@ -12,7 +12,7 @@
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::projected_planes_test {
 namespace {
 
 using repository::DatasetKind;
@@ -299,4 +299,4 @@ TEST_F(ProjectedPlanes, AProjectionWithAxesOfUnknownDirectionIsReadFromItsText) 
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::projected_planes_test

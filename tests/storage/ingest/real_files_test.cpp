@@ -12,7 +12,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::real_files_test {
 namespace {
 
 using testing::HasSubstr;
@@ -417,4 +417,4 @@ TEST_F(StoredRuns, KnowWhenTheirModelRunBegan) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::real_files_test

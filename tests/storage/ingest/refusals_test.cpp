@@ -11,7 +11,7 @@
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::refusals_test {
 namespace {
 
 class Refusals : public StoreFixture {
@@ -331,4 +331,4 @@ TEST_F(Refusals, LeaveEarlierDatasetsAlone) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::refusals_test

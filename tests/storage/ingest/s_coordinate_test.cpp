@@ -2,7 +2,7 @@
 
 #include <gtest/gtest.h>
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::s_coordinate_test {
 namespace {
 
 /// A level of a model's own output file: s_rho and Cs_r as ROMS wrote them.
@@ -44,4 +44,4 @@ TEST(SCoordinate, RunsFromTheBedToTheSurfaceInEveryForm) {
 TEST(SCoordinate, DoesNotGuessAnUnknownStretching) { EXPECT_FALSE(s_stretching(7, -0.5, 5.0, 0.4)); }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::s_coordinate_test

@@ -8,7 +8,7 @@
 
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::sample_verdicts_test {
 namespace {
 
 /// A sample that is no data of the sea's, and a fragment of the reason for its refusal.
@@ -67,4 +67,4 @@ TEST(Samples, AreAllJudged) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::sample_verdicts_test

@@ -8,7 +8,7 @@
 #include "storage/repository/glider_track_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::slocum_log_test {
 namespace {
 
 using testing::HasSubstr;
@@ -166,4 +166,4 @@ TEST_F(SlocumLogs, CutAnywhereAreRefusedOrLackOnlyTheirEnd) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::slocum_log_test

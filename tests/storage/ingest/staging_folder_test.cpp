@@ -6,7 +6,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::staging_folder_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -43,4 +43,4 @@ TEST(StagingFolder, ThatOthersLeftNeedsNoParentToBeRemoved) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::staging_folder_test

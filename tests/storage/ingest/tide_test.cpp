@@ -14,7 +14,7 @@
 #include "tests/storage/ingest/store_fixture.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::tide_test {
 namespace {
 
 using ocean::TideQuantity;
@@ -487,4 +487,4 @@ TEST_F(TideStations, AreNotDoubtedWhereTheyNameGreenwich) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::tide_test

@@ -5,7 +5,7 @@
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::wind_test {
 namespace {
 
 using repository::DatasetKind;
@@ -126,4 +126,4 @@ TEST_F(Wind, OfRealFilesStandsBesideTheirCurrents) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::wind_test

@@ -18,7 +18,7 @@
 #include "tests/storage/ingest/store_fixture.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::zarr3_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -304,4 +304,4 @@ TEST_F(Zarr3, WithBytesChangedIsRefusedOrHoldsPossibleCurrents) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::zarr3_test

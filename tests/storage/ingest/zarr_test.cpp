@@ -9,7 +9,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::zarr_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -131,4 +131,4 @@ TEST_F(ZarrStoreFile, OfTheRealSampleHoldsWhatAnotherReaderFinds) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::zarr_test

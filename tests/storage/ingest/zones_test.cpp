@@ -15,7 +15,7 @@
 #include "tests/storage/ingest/store_fixture.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::ingest {
+namespace floeplan::ingest::zones_test {
 namespace {
 
 using testing::Contains;
@@ -381,4 +381,4 @@ TEST_F(Zones, AreNotReadFromDamagedFiles) {
 }
 
 }  // namespace
-}  // namespace floeplan::ingest
+}  // namespace floeplan::ingest::zones_test

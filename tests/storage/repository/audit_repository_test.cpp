@@ -4,7 +4,7 @@
 
 #include "storage/repository/migrations.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::audit_repository_test {
 namespace {
 
 TEST(Audit, IsReadFromTheNewestEntryBackwards) {
@@ -30,4 +30,4 @@ TEST(Audit, IsReadFromTheNewestEntryBackwards) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::audit_repository_test

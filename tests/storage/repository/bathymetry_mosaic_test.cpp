@@ -7,7 +7,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::bathymetry_mosaic_test {
 namespace {
 
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
@@ -115,4 +115,4 @@ TEST(BathymetryMosaic, IsNowhereDeeperThanTheNodesOfItsData) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::bathymetry_mosaic_test

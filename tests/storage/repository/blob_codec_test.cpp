@@ -10,7 +10,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::blob_codec_test {
 namespace {
 
 TEST(BlobCodec, KeepsEveryBit) {
@@ -100,4 +100,4 @@ TEST(BlobCodec, RefusesABlobOfAnotherLengthAndADamagedOne) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::blob_codec_test

@@ -7,7 +7,7 @@
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::coastline_repository_test {
 namespace {
 
 geo::Polygon square(double west_deg, double south_deg, double side_deg) {
@@ -70,4 +70,4 @@ TEST_F(CoastlineRepositoryTest, HasNothingOfAnUnknownDataset) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::coastline_repository_test

@@ -4,7 +4,7 @@
 
 #include <thread>
 
-namespace floeplan::repository {
+namespace floeplan::repository::current_grid_cache_test {
 namespace {
 
 constexpr std::size_t bytes_of_one = 2 * 4 * sizeof(float);
@@ -86,4 +86,4 @@ TEST(CurrentGridCache, ServesSeveralThreadsAtOnce) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::current_grid_cache_test

@@ -11,7 +11,7 @@
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::dataset_repository_test {
 namespace {
 
 class DatasetRepositoryTest : public testing::Test {
@@ -119,4 +119,4 @@ TEST(DatasetKind, HasANameThatLeadsBackToIt) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::dataset_repository_test

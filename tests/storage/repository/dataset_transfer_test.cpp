@@ -13,7 +13,7 @@
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::dataset_transfer_test {
 namespace {
 
 Dataset named(const std::string& id) {
@@ -141,4 +141,4 @@ TEST(DatasetTransfer, RefusesAStoreThatHoldsAViewOrATriggerOfItsOwn) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::dataset_transfer_test

@@ -9,7 +9,7 @@
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::environment_drift_test {
 namespace {
 
 constexpr geo::BoundingBox bay{-56.0, 67.0, -48.0, 71.0};
@@ -88,4 +88,4 @@ TEST_F(DriftBox, KeepsToTheBoundOfSamples) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::environment_drift_test

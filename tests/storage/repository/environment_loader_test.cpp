@@ -15,7 +15,7 @@
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::environment_loader_test {
 namespace {
 
 using testing::AllOf;
@@ -831,4 +831,4 @@ TEST_F(EnvironmentLoaderTest, KeepsNothingOfAReadingThatWasStopped) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::environment_loader_test

@@ -7,7 +7,7 @@
 #include "storage/repository/migrations.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::field_overviews_test {
 namespace {
 
 ocean::Axis axis(double first, double step, std::size_t count) {
@@ -80,4 +80,4 @@ TEST_F(FieldOverviewsTest, ShowNothingWhereThereIsNothing) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::field_overviews_test

@@ -15,7 +15,7 @@
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::field_repository_test {
 namespace {
 
 constexpr geo::BoundingBox everywhere{-180.0, -90.0, 180.0, 90.0};
@@ -496,4 +496,4 @@ TEST_F(FieldRepositoryTest, KeepsTheLeastDepthOfACellBesideItsDepth) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::field_repository_test

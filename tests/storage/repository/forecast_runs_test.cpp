@@ -6,7 +6,7 @@
 
 #include "tests/support/property.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::forecast_runs_test {
 namespace {
 
 using Runs = std::vector<std::vector<double>>;
@@ -68,4 +68,4 @@ TEST(NewestSteps, NeverTakeAStepThatANewerRunCovers) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::forecast_runs_test

@@ -14,7 +14,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::glider_track_repository_test {
 namespace {
 
 ocean::GliderTrack random_track(std::mt19937_64& rng, const std::string& glider, int count) {
@@ -187,4 +187,4 @@ TEST_F(GliderTracks, HaveAPointAtLeast) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::glider_track_repository_test

@@ -9,7 +9,7 @@
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::iceberg_repository_test {
 namespace {
 
 constexpr geo::BoundingBox everywhere{-180.0, -90.0, 180.0, 90.0};
@@ -178,4 +178,4 @@ TEST_F(IcebergRepositoryTest, TakesSightingsWithoutANameForDifferentBergs) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::iceberg_repository_test

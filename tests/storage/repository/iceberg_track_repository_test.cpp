@@ -11,7 +11,7 @@
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/property.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::iceberg_track_repository_test {
 namespace {
 
 /// By a look at every sighting.
@@ -107,4 +107,4 @@ TEST(IcebergTracks, AreThoseOfEverySightingPageByPage) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::iceberg_track_repository_test

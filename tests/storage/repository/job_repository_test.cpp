@@ -11,7 +11,7 @@
 #include "storage/sqlite/transaction.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::job_repository_test {
 namespace {
 
 using std::chrono::seconds;
@@ -321,4 +321,4 @@ TEST(JobRepository, NeverGivesAJobToTwoWorkers) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::job_repository_test

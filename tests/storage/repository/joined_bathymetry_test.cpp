@@ -9,7 +9,7 @@
 #include "storage/repository/migrations.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::joined_bathymetry_test {
 namespace {
 
 ocean::Axis axis(double first, double last, std::size_t count) {
@@ -69,4 +69,4 @@ TEST_F(JoinedBathymetryTest, IsNothingWhereNoDepthIsKnown) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::joined_bathymetry_test

@@ -15,7 +15,7 @@
 #include "tests/support/property.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::kill_test {
 namespace {
 
 constexpr std::size_t nodes = 100;
@@ -113,4 +113,4 @@ TEST(KilledWriter, LosesNothingThatWasAcknowledgedAndLeavesNothingHalfDone) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::kill_test

@@ -18,7 +18,7 @@
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::migrations_test {
 namespace {
 
 std::string reason_why_not_opened(const std::filesystem::path& store) {
@@ -226,4 +226,4 @@ TEST(OpenStore, FailsWithAClearReasonWhenTheFileIsDamaged) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::migrations_test

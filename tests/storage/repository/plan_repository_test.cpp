@@ -5,7 +5,7 @@
 #include "storage/repository/migrations.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::plan_repository_test {
 namespace {
 
 PlanRecord plan(const std::string& id, const geo::BoundingBox& bounds = {}) {
@@ -81,4 +81,4 @@ TEST_F(PlanRepositoryTest, NeverGivesARowNumberAgain) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::plan_repository_test

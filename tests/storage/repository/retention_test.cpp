@@ -7,7 +7,7 @@
 #include "storage/repository/migrations.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::retention_test {
 namespace {
 
 using testing::ElementsAre;
@@ -93,4 +93,4 @@ TEST(Retention, RemovesFromTheStoreWithItsSamples) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::retention_test

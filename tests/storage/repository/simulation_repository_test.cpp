@@ -5,7 +5,7 @@
 #include "storage/repository/migrations.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::simulation_repository_test {
 namespace {
 
 using testing::SizeIs;
@@ -79,4 +79,4 @@ TEST_F(SimulationRepositoryTest, TakesTheFlightsAwayWithTheirSimulation) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::simulation_repository_test

@@ -9,7 +9,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::store_lock_test {
 namespace {
 
 TEST(StoreLock, IsHeldByOneAtATime) {
@@ -48,4 +48,4 @@ TEST(StoreLock, GoesWithAKilledProcess) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::store_lock_test

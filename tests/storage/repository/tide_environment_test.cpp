@@ -11,7 +11,7 @@
 #include "storage/repository/tide_repository.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::tide_environment_test {
 namespace {
 
 using testing::Contains;
@@ -226,4 +226,4 @@ TEST(TideRepositoryTest, KeepsStationsInTheirOrder) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::tide_environment_test

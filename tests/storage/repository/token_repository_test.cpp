@@ -4,7 +4,7 @@
 
 #include "storage/repository/migrations.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::token_repository_test {
 namespace {
 
 constexpr core::UtcTime noon{core::Seconds{1.8e9}};
@@ -75,4 +75,4 @@ TEST(Roles, AreReadByTheNamesTheyAreWrittenBy) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::token_repository_test

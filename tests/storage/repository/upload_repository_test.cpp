@@ -7,7 +7,7 @@
 
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::upload_repository_test {
 namespace {
 
 const core::UtcTime noon{core::Seconds{1.8e9}};
@@ -79,4 +79,4 @@ TEST(PlainFileName, KeepsNothingThatCouldLeaveAFolderOrHide) {
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::upload_repository_test

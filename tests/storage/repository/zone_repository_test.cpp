@@ -8,7 +8,7 @@
 #include "storage/repository/migrations.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 
-namespace floeplan::repository {
+namespace floeplan::repository::zone_repository_test {
 namespace {
 
 using testing::ElementsAre;
@@ -91,4 +91,4 @@ TEST_F(ZoneRepositoryTest, TellsTheZonesOfAPlaceAndForgetsThemWithTheirDataset) 
 }
 
 }  // namespace
-}  // namespace floeplan::repository
+}  // namespace floeplan::repository::zone_repository_test

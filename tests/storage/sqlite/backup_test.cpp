@@ -9,7 +9,7 @@
 #include "storage/sqlite/transaction.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::sqlite {
+namespace floeplan::sqlite::backup_test {
 namespace {
 
 namespace fs = std::filesystem;
@@ -85,4 +85,4 @@ TEST_F(Backup, ThatIsDamagedOrNoStoreIsTold) {
 }
 
 }  // namespace
-}  // namespace floeplan::sqlite
+}  // namespace floeplan::sqlite::backup_test

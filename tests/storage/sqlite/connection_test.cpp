@@ -11,7 +11,7 @@
 #include "storage/sqlite/statement.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::sqlite {
+namespace floeplan::sqlite::connection_test {
 namespace {
 
 std::string pragma(Connection& db, const std::string& name) {
@@ -84,4 +84,4 @@ TEST(Connection, SaysWhenAFolderCannotBeCreated) {
 }
 
 }  // namespace
-}  // namespace floeplan::sqlite
+}  // namespace floeplan::sqlite::connection_test

@@ -8,7 +8,7 @@
 
 #include "storage/sqlite/failure.hpp"
 
-namespace floeplan::sqlite {
+namespace floeplan::sqlite::statement_test {
 namespace {
 
 class StatementTest : public testing::Test {
@@ -152,4 +152,4 @@ TEST_F(StatementTest, StaysRightWhenThereAreMoreTextsThanAreKept) {
 }
 
 }  // namespace
-}  // namespace floeplan::sqlite
+}  // namespace floeplan::sqlite::statement_test

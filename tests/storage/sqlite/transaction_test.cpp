@@ -8,7 +8,7 @@
 #include "storage/sqlite/statement.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::sqlite {
+namespace floeplan::sqlite::transaction_test {
 namespace {
 
 std::int64_t rows(Connection& db) {
@@ -84,4 +84,4 @@ TEST_F(TransactionTest, IsSeenByOthersOnlyOnceCommitted) {
 }
 
 }  // namespace
-}  // namespace floeplan::sqlite
+}  // namespace floeplan::sqlite::transaction_test

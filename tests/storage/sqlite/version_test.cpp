@@ -14,7 +14,7 @@
 #include "storage/sqlite/statement.hpp"
 #include "tests/support/temporary_folder.hpp"
 
-namespace floeplan::sqlite {
+namespace floeplan::sqlite::version_test {
 namespace {
 
 /// Two connections to one database with a row.
@@ -149,4 +149,4 @@ TEST(VersionInMemoryTest, ChangesWithWhatIsWritten) {
 }
 
 }  // namespace
-}  // namespace floeplan::sqlite
+}  // namespace floeplan::sqlite::version_test

@@ -6,7 +6,7 @@
 #include "tests/engine/avoidance/on_board/allocations.hpp"
 #include "tests/engine/avoidance/on_board/crowded_sea.hpp"
 
-namespace floeplan::avoidance {
+namespace floeplan::avoidance::on_board_test {
 namespace {
 
 std::unique_ptr<AvoidanceSystem> system_on_board() {
@@ -52,4 +52,4 @@ TEST(OnBoard, MemoryIsThatOfTheObjectAndBounded) {
 }
 
 }  // namespace
-}  // namespace floeplan::avoidance
+}  // namespace floeplan::avoidance::on_board_test
