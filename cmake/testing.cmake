@@ -16,7 +16,11 @@ function(floeplan_test folder)
     # At -Og the compiler takes what a constructor it does not inline sets for uninitialised.
     target_compile_options(${folder}_test PRIVATE -Og $<$<CXX_COMPILER_ID:GNU>:-Wno-maybe-uninitialized>)
   endif()
-  if(NOT CCACHE)  # which spares more by itself, and would not keep what a precompiled header went into
+  if(FLOEPLAN_SANITIZE MATCHES "undefined")
+    # It is the code under test that is looked at for undefined behaviour; in matchers it takes a fifth of the time.
+    target_compile_options(${folder}_test PRIVATE -fno-sanitize=undefined)
+  endif()
+  if(NOT CCACHE AND NOT FLOEPLAN_JOIN)  # each spares more by itself
     target_precompile_headers(${folder}_test PRIVATE <gtest/gtest.h> <gmock/gmock.h>)
   endif()
   gtest_discover_tests(${folder}_test TEST_PREFIX "${folder}." DISCOVERY_TIMEOUT 60
