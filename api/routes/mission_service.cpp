@@ -12,6 +12,8 @@
 #include "engine/mission/line_words.hpp"
 #include "engine/mission/read_document.hpp"
 #include "engine/mission/safe_places.hpp"
+#include "engine/mission/yo_flight.hpp"
+#include "storage/repository/environment_loader.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -60,6 +62,8 @@ mission::MissionSetOptions set_options(sqlite::Connection& db, const repository:
   options.firmware = request.firmware;
   options.under_ice = request.under_ice;
   if (options.under_ice) options.under_ice->margin_below_ice = ice_rules_of(record).margin_below_ice;
+  if (const auto inputs = inputs_of(record))
+    options.surfacing_interval = inputs->request.under_ice.surfacing_interval;
   options.lists.first_number = request.number;
   options.lists.max_waypoints = options.vehicle.max_waypoints_per_list;
   options.lists.origin = origin_of(record, generated);
@@ -76,16 +80,48 @@ mission::SafePlaceFindings judge_safe_places(sqlite::Connection& db, const repos
                                     safe_places_of(db, plan, options.under_ice->safe_places));
 }
 
+/// The plan as its mission's yo flies it, in the newest data; nothing where that is as the plan was made.
+mission::YoFlight judge_yo(sqlite::Connection& db, const repository::PlanRecord& record,
+                           const planning::Plan& plan) {
+  if (!mission::flies_otherwise(plan, vehicle_of(record, plan))) return {};
+  const auto inputs = inputs_of(record);
+  const auto sea =
+      inputs ? repository::load_environment(db, inputs->data) : tl::unexpected(core::Violations{});
+  if (!sea) {
+    return {
+        {},
+        {"Whether the yo, which turns at the same depths all the way, flies the plan could not be looked at "
+         "in the stored data."}};
+  }
+  return mission::fly_by_yo(*sea, codec::route_of(json::parse(record.document_json)), inputs->request, plan);
+}
+
+/// A pilot who has the lists alone flies them by a yo that the plan's warnings describe.
+tl::expected<mission::MissionFiles, core::Violations> lists_of(const planning::Plan& plan,
+                                                               const mission::MissionSetOptions& options,
+                                                               const mission::YoFlight& flight) {
+  auto lists = mission::write_goto_lists(plan, options.lists);
+  if (!lists) return lists;
+  for (const core::Violation& violation : flight.violations)
+    lists->warnings.push_back("The waypoints " + violation.rule + ".");
+  std::ranges::copy(flight.warnings, std::back_inserter(lists->warnings));
+  return lists;
+}
+
 tl::expected<mission::MissionFiles, core::Violations> mission_set_of(
     sqlite::Connection& db, const repository::PlanRecord& record, const planning::Plan& plan,
-    const mission::MissionSetOptions& options) {
+    const mission::MissionSetOptions& options, mission::YoFlight flight) {
   auto set = mission::write_mission_set(plan, options);
   mission::SafePlaceFindings safe = judge_safe_places(db, record, plan, options);
-  if (!safe.violations.empty()) {
-    if (!set) std::ranges::move(set.error(), std::back_inserter(safe.violations));
-    return tl::unexpected(std::move(safe.violations));
+  core::Violations found = std::move(safe.violations);
+  std::ranges::move(flight.violations, std::back_inserter(found));
+  if (!found.empty()) {
+    if (!set) std::ranges::move(set.error(), std::back_inserter(found));
+    return tl::unexpected(std::move(found));
   }
-  if (set) std::ranges::move(safe.warnings, std::back_inserter(set->warnings));
+  if (!set) return set;
+  std::ranges::move(safe.warnings, std::back_inserter(set->warnings));
+  std::ranges::move(flight.warnings, std::back_inserter(set->warnings));
   return set;
 }
 
@@ -109,9 +145,10 @@ tl::expected<mission::MissionFiles, core::Violations> mission_of(sqlite::Connect
   const auto written = [&]() -> tl::expected<mission::MissionFiles, core::Violations> {
     if (request.seaglider) return seaglider_set_of(db, record, plan, request, generated);
     const mission::MissionSetOptions options = set_options(db, record, plan, request, generated);
+    mission::YoFlight flight = judge_yo(db, record, plan);
     const bool full = request.full || request.under_ice.has_value();
-    if (!full) return mission::write_goto_lists(plan, options.lists);
-    return mission_set_of(db, record, plan, options);
+    if (!full) return lists_of(plan, options, flight);
+    return mission_set_of(db, record, plan, options, std::move(flight));
   }();
   if (written) read_back(*written);
   return written;

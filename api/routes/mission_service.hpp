@@ -34,8 +34,8 @@ struct MissionRequest {
 
 /// The mission files of a stored plan, within the limits of its vehicle and of the water on its way by the newest data.
 /// `generated`: the time that the files' comments name
-/// Errors   every fault of plan or options, as mission::write_mission_set, mission::write_seaglider_set and
-///          mission::check_safe_places
+/// Errors   every fault of plan or options, as mission::write_mission_set, mission::write_seaglider_set,
+///          mission::check_safe_places and mission::fly_by_yo
 [[nodiscard]] tl::expected<mission::MissionFiles, core::Violations> mission_of(
     sqlite::Connection& db, const repository::PlanRecord& record, const MissionRequest& request,
     core::UtcTime generated);

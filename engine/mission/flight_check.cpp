@@ -11,6 +11,7 @@
 #include "engine/mission/behavior_values.hpp"
 #include "engine/mission/document_text.hpp"
 #include "engine/mission/ice_check.hpp"
+#include "engine/mission/yo_flight.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -117,8 +118,7 @@ void check_sea(std::vector<Document>& documents, const ocean::Environment& envir
                const FlightRoute& route, std::optional<geo::LonLat> start,
                const std::optional<DiveArguments>& dive, planning::PlanRequest request) {
   const std::vector<geo::LonLat> places = with_start(start, route);
-  if (dive && dive->target_depth.value >= 1.0)
-    request.vehicle.dive_depth = std::min(dive->target_depth, request.vehicle.depth_rating);
+  if (dive) request = flown_with(std::move(request), {dive->climb_to, dive->target_depth, dive->on_thruster});
   Document& first = documents[route.stops.front().document];
   if (places.size() < 2) {
     return report(first, route.stops.front().line, Severity::warning, "no_leg",
@@ -154,10 +154,13 @@ std::optional<DiveArguments> dive_of(const std::vector<Document>& documents) {
     const auto altitude = value_of(*yo, "d_target_altitude");
     const auto climb = value_of(*yo, "c_target_depth");
     if (!depth) continue;
+    const bool down = value_of(*yo, "d_use_thruster").value_or(0.0) > 0.0;
+    const bool up = value_of(*yo, "c_use_thruster").value_or(0.0) > 0.0;
     return DiveArguments{.target_depth = core::Metres{*depth},
                          .altimeter = !altitude || *altitude >= 0.0,
                          .altitude = core::Metres{std::max(0.0, altitude.value_or(0.0))},
-                         .climb_to = core::Metres{climb.value_or(0.0)}};
+                         .climb_to = core::Metres{climb.value_or(0.0)},
+                         .on_thruster = down && up};
   }
   return std::nullopt;
 }

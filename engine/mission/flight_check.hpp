@@ -19,7 +19,8 @@ namespace floeplan::mission {
 /// Sea       every leg from `start` (or the first row) at the time at which the vehicle is on it: errors for what
 ///           endangers the vehicle, warnings for what is not known and for data that are missing, a note with the times
 ///           when all is clear
-/// `request` departure, vehicle and margins; the target depth of a yo among the files replaces the vehicle's
+/// `request` departure, vehicle and margins; the depths of a yo among the files and its use of the thruster replace the
+///           vehicle's
 void check_flight(std::vector<Document>& documents, const ocean::Environment& environment,
                   std::optional<geo::LonLat> start, planning::PlanRequest request);
 

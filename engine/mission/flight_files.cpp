@@ -18,6 +18,8 @@ constexpr std::string_view when_waypoint_hit = "8";
 constexpr std::string_view when_silent = "12";
 
 constexpr double share_of_rating = 0.98;  // 980 m for a 1000 m vehicle, as operators write it
+/// Of a 30 m vehicle a tenth, as operators keep their dives from the overdepth; a turn takes metres at every depth.
+constexpr double least_above_rating_m = 3.0;
 constexpr double shallow_vehicle_m = 350.0;
 constexpr double silence_shallow_s =
     10'800.0;                                // between the stock mission's 20 minutes and operators' 8 hours
@@ -91,7 +93,9 @@ MissionFile yo_file(const planning::Plan& plan, const MissionSetOptions& options
 }  // namespace
 
 core::Metres target_depth(const vehicle::GliderProfile& vehicle) {
-  return {std::floor(std::min(vehicle.dive_depth.value, share_of_rating * vehicle.depth_rating.value))};
+  const double rating_m = vehicle.depth_rating.value;
+  const double lowest_m = std::min(share_of_rating * rating_m, rating_m - least_above_rating_m);
+  return {std::floor(std::min(vehicle.dive_depth.value, lowest_m))};
 }
 
 core::Metres climb_target(const planning::Plan& plan, const vehicle::GliderProfile& vehicle) {
@@ -101,7 +105,10 @@ core::Metres climb_target(const planning::Plan& plan, const vehicle::GliderProfi
 core::Seconds longest_silence(const planning::Plan& plan, const MissionSetOptions& options) {
   const bool shallow = options.vehicle.depth_rating.value <= shallow_vehicle_m;
   const double in_the_open_s = shallow ? silence_shallow_s : silence_deep_s;
-  if (!options.under_ice) return core::Seconds{in_the_open_s};
+  if (!options.under_ice) {
+    const core::Seconds usual{in_the_open_s};
+    return std::min(usual, options.surfacing_interval.value_or(usual));
+  }
   // Under ice there is no contact to be had on the way, and a list may go on from another without it; whole hours above
   // the time that the plan takes.
   const double planned_s = silence_under_ice_share * plan.travel_time().count();

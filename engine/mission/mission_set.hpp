@@ -38,6 +38,8 @@ struct MissionSetOptions {
   vehicle::GliderProfile vehicle{};  // with the depth to dive to
   Firmware firmware{};
   std::optional<UnderIce> under_ice{};
+  /// That the plan was asked to surface at; in open water the mission comes up as often.
+  std::optional<core::Seconds> surfacing_interval{};
   std::vector<std::optional<Shoal>> shoals{};  // of each leg, as shoals_along gives them; empty: not known
 };
 
@@ -46,7 +48,8 @@ struct MissionSetOptions {
 /// Values   depths, altitude, pitch and pump come from vehicle and plan; waiting times and the order of behaviors are
 ///          those of the vendor's stock missions; what neither gives is left to the vehicle's dictionary. No
 ///          factory setting (f_...) and no calibration is ever written.
-/// Depth    the target stays 2 % above the rating, since a glider overshoots and aborts at its working depth
+/// Depth    the target stays 2 % and at least 3 m above the rating, since a glider overshoots and aborts at its working
+///          depth
 /// Ice      a plan that passes below ice or icebergs needs `under_ice`, and its yo climbs no higher than the deepest
 ///          turn that they ask for anywhere, on all its legs. No surfacing at waypoints; the list of safe places that
 ///          the stock recovery mission flies (goto_l98.ma), the settings for ice in the mission, and once more as

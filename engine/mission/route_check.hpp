@@ -32,6 +32,7 @@ struct DiveArguments {
   bool altimeter{true};     // heeds the sea bed; false for a negative d_target_altitude
   core::Metres altitude{};  // above the bed that it turns at if it does
   core::Metres climb_to{};  // it turns no higher
+  bool on_thruster{false};  // down and up
 };
 
 /// Follows a route through the sea at the times at which the vehicle is on it, and names every leg that is closed

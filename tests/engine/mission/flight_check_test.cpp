@@ -188,6 +188,53 @@ TEST(FlightCheck, RejectsAYoThatClimbsNoHigherThanTheBedOfABank) {
   EXPECT_THAT(files[0].messages, has("bottom_above_climb", Severity::error, 9));
 }
 
+/// A sea whose currents run with the vehicle near the surface and against it far below.
+ocean::Environment sheared_sea() {
+  ocean::Environment sea = deep_sea();
+  sea.currents = support::sheared_currents(400);
+  return sea;
+}
+
+TEST(FlightCheck, TimesTheRouteAtTheDepthsThatTheYoTurnsAt) {
+  planning::PlanRequest slow = request();
+  slow.vehicle.speed_through_water = {0.15};
+  const auto documents_with = [&](double climb_m) {
+    std::vector<Document> documents{
+        list("-5300.0 6900.0\n-5230.0 6900.0\n", 2),
+        read_document("yo10.ma",
+                      "behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) 196\n"
+                      "b_arg: d_target_altitude(m) 10\nb_arg: c_target_depth(m) " +
+                          std::to_string(climb_m) + "\n<end:b_arg>\n")};
+    check_flight(documents, sheared_sea(), geo::LonLat{-53.5, 69.0}, slow);
+    return documents;
+  };
+
+  EXPECT_THAT(documents_with(5.0)[0].messages,
+              testing::Not(Contains(Field(&Message::severity, Severity::error))));
+  EXPECT_THAT(documents_with(90.0)[0].messages, Contains(AllOf(Field(&Message::code, "current_too_strong"),
+                                                               Field(&Message::severity, Severity::error))));
+}
+
+TEST(FlightCheck, RunsTheThrusterOnlyWhereTheYoTurnsItOn) {
+  planning::PlanRequest with_thruster = request();
+  with_thruster.vehicle = *vehicle::find_profile("slocum-g3-200-thruster");
+  ocean::Environment sea = deep_sea();
+  sea.currents =
+      support::currents_from([](geo::LonLat, double) { return geo::VelocityEn{{-0.4}, {0.0}}; }, 400);
+  const auto documents_with = [&](const std::string& thruster) {
+    std::vector<Document> documents{
+        list("-5300.0 6900.0\n-5230.0 6900.0\n", 2),
+        read_document("yo10.ma", "behavior_name=yo\n<start:b_arg>\nb_arg: d_target_depth(m) 196\n" +
+                                     thruster + "b_arg: c_target_depth(m) 5\n<end:b_arg>\n")};
+    check_flight(documents, sea, geo::LonLat{-53.5, 69.0}, with_thruster);
+    return documents;
+  };
+
+  EXPECT_THAT(documents_with("b_arg: d_use_thruster(enum) 4\nb_arg: c_use_thruster(enum) 4\n")[0].messages,
+              testing::Not(Contains(Field(&Message::severity, Severity::error))));
+  EXPECT_THAT(documents_with("")[0].messages, Contains(Field(&Message::code, "current_too_strong")));
+}
+
 TEST(FlightCheck, RejectsABlindYoAboveAShallowBed) {
   ocean::Environment sea;
   sea.bathymetry = support::bathymetry_from([](geo::LonLat) { return 150.0; });

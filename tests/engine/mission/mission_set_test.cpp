@@ -51,6 +51,37 @@ double value_of(const Document& document, const char* argument) {
   return found == nullptr ? -9e9 : found->value;
 }
 
+TEST(MissionSet, DivesFarEnoughAboveTheRatingOfAShallowVehicle) {
+  const auto set = write_mission_set(two_legs(), options_for("slocum-g3-30"));
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_EQ(value_of(read_of(*set, "yo10.ma"), "d_target_depth"), 27.0);
+  EXPECT_EQ(value_of(read_of(*set, "plan.mi"), "overdepth"), 30.0);
+}
+
+TEST(MissionSet, ComesUpAsOftenAsThePlanWasAskedTo) {
+  MissionSetOptions options = options_for("slocum-g3-200");
+  options.surfacing_interval = core::Seconds{7200.0};
+
+  const auto set = write_mission_set(two_legs(), options);
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_EQ(value_of(read_of(*set, "surfac10.ma"), "when_secs"), 7200.0);
+}
+
+TEST(MissionSet, SaysThatItKeepsNoPlannedSurfacingsBelowIce) {
+  planning::Plan plan = two_legs();
+  plan.surfacing.emplace();
+  plan.surfacing->waypoints.resize(plan.waypoints.size());
+  for (auto& waypoint : plan.surfacing->waypoints) waypoint.leg_upper_turn = core::Metres{0.0};
+  plan.surfacing->surfacings.resize(3);
+
+  const auto set = write_mission_set(plan, under_ice());
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_THAT(set->warnings, Contains(HasSubstr("The 3 surfacings of the plan are not in the files")));
+}
+
 TEST(MissionSet, HoldsEveryFileThatItsMissionAsksFor) {
   const auto set = write_mission_set(two_legs(), options_for("slocum-g3-200"));
 
