@@ -37,13 +37,6 @@ core::Metres on_lattice(core::Metres cell) {
   return core::Metres{std::exp2(std::floor(cells_per_octave * std::log2(cell.value)) / cells_per_octave)};
 }
 
-std::vector<geo::LonLat> stops_of(const PlanRequest& on_route) {
-  std::vector<geo::LonLat> stops{on_route.from};
-  stops.insert(stops.end(), on_route.via.begin(), on_route.via.end());
-  stops.push_back(on_route.to);
-  return stops;
-}
-
 }  // namespace
 
 GridReach reach_beside(const PlanRequest& request) {
@@ -78,7 +71,8 @@ RouteSite site_of(const PlanRequest& on_route) {
           .area = on_lattice(layout.bounds().grown(2.0 * cell.value)),
           .cell = cell,
           .drift = drift_for_the_way(on_route),
-          .stops = on_route.icebergs.pass_under ? stops_of(on_route) : std::vector<geo::LonLat>{}};
+          .ends = on_route.icebergs.pass_under ? std::vector{on_route.from, on_route.to}
+                                               : std::vector<geo::LonLat>{}};
 }
 
 RouteGround::RouteGround(ocean::Environment environment, const PlanRequest& on_route, RouteSite site,

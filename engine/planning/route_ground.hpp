@@ -19,10 +19,9 @@ namespace floeplan::planning {
 struct RouteSite {
   geo::LonLat origin;  // of the plane
   PlaneBox area;
-  core::Metres cell;    // of the safety map
-  core::Seconds drift;  // how long icebergs drift at least
-  std::vector<geo::LonLat>
-      stops;  // of the route, where icebergs are passed under: not where one of them lies
+  core::Metres cell;              // of the safety map
+  core::Seconds drift;            // how long icebergs drift at least
+  std::vector<geo::LonLat> ends;  // of the route, where icebergs are passed under: not where one of them lies
 
   friend bool operator==(const RouteSite&, const RouteSite&) = default;
 };

@@ -47,9 +47,11 @@ core::Metres kept_for_rounding(const PlanRequest& request) {
   return core::Metres{request.method == Method::direct ? 0.0 : 0.3};
 }
 
-/// Where the vehicle surfaces whatever the way.
+/// Where the vehicle surfaces whatever the way. The places between the ends of a way that is given are its turns, and
+/// it may pass them below icebergs.
 std::vector<geo::PlanePoint> stops_of(const PlanRequest& request, const geo::LocalProjection& projection) {
   std::vector<geo::PlanePoint> stops{projection.to_plane(request.from), projection.to_plane(request.to)};
+  if (request.method == Method::direct) return stops;
   for (const geo::LonLat via : request.via) stops.push_back(projection.to_plane(via));
   return stops;
 }

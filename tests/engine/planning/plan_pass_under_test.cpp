@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/pass_under.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/engine/planning/drifting_bergs.hpp"
@@ -159,6 +160,15 @@ TEST(PassUnder, DoesNotBeginOrEndUnderABerg) {
   const Result<Plan> at_goal = plan(environment, request);
   ASSERT_FALSE(at_goal);
   EXPECT_EQ(at_goal.error().reason, Reason::goal_near_iceberg);
+}
+
+TEST(PassUnder, LeadsARouteThatTurnsBelowTheBerg) {
+  auto [request, environment] = plugged_gap(40.0);
+
+  const Result<Plan> result = evaluate_route(environment, {request.from, {-53.0, 69.0}, request.to}, request);
+
+  ASSERT_TRUE(result) << result.error().explanation;
+  EXPECT_EQ(result->passed_under.size(), 1U);
 }
 
 TEST(PassUnder, CountsAsTimeWithoutASurfacingWhereThatIsBounded) {
