@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <functional>
 #include <limits>
+#include <map>
 #include <memory>
 #include <stdexcept>
 #include <string>
@@ -31,6 +32,9 @@ constexpr double departures_a_sweep = 2.0;
 /// whole plan. First the best ones, then those that are furthest from all that were refused.
 constexpr std::size_t best_refused = 12;
 constexpr std::size_t most_refused = 24;
+
+/// Departures with a robust objective that are planned whole, in every member each.
+constexpr std::size_t most_planned = 6;
 
 /// With the changes that make the window's first departure possible: they make the window so.
 Infeasible what_would_help(const ocean::Environment& environment, const PlanRequest& request, Infeasible why,
@@ -233,6 +237,25 @@ bool weigh_members(std::vector<DepartureOutcome>& outcomes, const ocean::Environ
   return true;
 }
 
+/// Takes the members' own best ways out of what a departure counts, and its plan's way into it.
+void count_plan(DepartureOutcome& outcome, const Plan& plan, const UncertaintyRules& rules) {
+  const MemberSpread& costs = *plan.uncertainty->costs;
+  outcome.robust_cost = what_counts(costs, rules);
+  outcome.members_closed = plan.uncertainty->spread.travel_times().size() - costs.known();
+}
+
+/// The best of the departures that were planned, which others may undercut.
+std::size_t best_planned(const std::vector<DepartureOutcome>& outcomes,
+                         const std::map<std::size_t, Plan>& planned, const Objective& objective) {
+  std::vector<DepartureOutcome> of_planned;
+  std::vector<std::size_t> departures;
+  for (const auto& [departure, plan] : planned) {
+    of_planned.push_back(outcomes[departure]);
+    departures.push_back(departure);
+  }
+  return departures[*best_departure(of_planned, objective)];
+}
+
 }  // namespace
 
 Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environment& environment,
@@ -277,17 +300,35 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
   auto outcomes = compare_departures(environment, request, stop, progress);
   if (!outcomes) return {.departures = {}, .plan = tl::unexpected(outcomes.error())};
   std::optional<Infeasible> refused;
+  std::map<std::size_t, Plan> planned;
   for (std::size_t tries = 0; tries < most_refused; ++tries) {
-    const auto best = tries < best_refused ? best_departure(*outcomes, request.energy.objective)
-                                           : furthest_from_refused(*outcomes);
+    const auto best = tries < best_refused || !planned.empty()
+                          ? best_departure(*outcomes, request.energy.objective)
+                          : furthest_from_refused(*outcomes);
     if (!best) break;
+    if (const auto known = planned.find(*best); known != planned.end())
+      return {.departures = std::move(*outcomes), .plan = std::move(known->second)};
+    if (planned.size() == most_planned) break;
     DepartureOutcome& outcome = (*outcomes)[*best];
     auto plan = try_to_plan(environment, leaving_at(request, outcome.departure), stop, progress, clock);
+    if (plan && outcome.robust_cost) {
+      count_plan(outcome, *plan, request.uncertainty);
+      planned.emplace(*best, std::move(*plan));
+      continue;
+    }
     if (plan || plan.error().reason == Reason::cancelled)
       return {.departures = std::move(*outcomes), .plan = std::move(plan)};
     // What a whole plan is asked for beyond its way, such as the battery, lets another departure do.
     outcome = {.departure = outcome.departure, .closed = plan.error()};
     if (!refused) refused = std::move(plan.error());
+  }
+  if (!planned.empty()) {
+    Plan best = std::move(planned.at(best_planned(*outcomes, planned, request.energy.objective)));
+    best.warnings.push_back(
+        "of " + std::to_string(outcomes->size()) + " departures " + std::to_string(planned.size()) +
+        " were planned whole, and this is the best of them; the members' own best ways leave "
+        "open whether another is better: a shorter window looks at all of its own");
+    return {.departures = std::move(*outcomes), .plan = std::move(best)};
   }
   Infeasible why = refused ? std::move(*refused) : outcomes->front().closed.value();
   const auto left = std::ranges::count_if(

@@ -1,9 +1,12 @@
 #include "engine/planning/robust_plan.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <cstdio>
 #include <limits>
 #include <memory>
 #include <optional>
+#include <string>
 #include <utility>
 #include <vector>
 
@@ -83,16 +86,36 @@ class Fares {
   std::vector<std::optional<double>> costs_;
 };
 
-UncertaintyReport report_of(ArrivalSpread spread, const UncertaintyRules& rules, core::UtcTime depart,
+UncertaintyReport report_of(const Fares& fares, const UncertaintyRules& rules, core::UtcTime depart,
                             std::size_t candidates) {
-  UncertaintyReport report{.spread = std::move(spread),
+  UncertaintyReport report{.spread = fares.arrivals(),
                            .objective = rules.objective,
                            .quantile = rules.quantile,
                            .candidates = candidates,
                            .arrive_before = rules.arrive_before,
-                           .chance = {}};
+                           .chance = {},
+                           .costs = fares.costs()};
   if (rules.arrive_before) report.chance = report.spread.chance_within(*rules.arrive_before - depart);
   return report;
+}
+
+/// Where members let no route through that was looked at: empty where all do.
+std::string warning_of_closed(const UncertaintyReport& report) {
+  const std::size_t members = report.spread.travel_times().size();
+  const std::size_t closed = members - report.spread.arrived();
+  if (closed == 0 || report.objective == RobustObjective::none) return "";
+  std::string text =
+      "in " + std::to_string(closed) + " of " + std::to_string(members) +
+      " members the vehicle does not come through on this way, nor on any other that was compared";
+  if (report.objective == RobustObjective::mean) return text + ": the mean leaves them out";
+  if (report.spread.quantile(report.quantile)) return text;
+  char share[120];
+  std::snprintf(
+      share, sizeof share,
+      ": the share of %.0f %% that is to arrive early cannot be met; the way is the best in the mean of "
+      "the others",
+      100.0 * report.quantile);
+  return text + share;
 }
 
 }  // namespace
@@ -105,7 +128,11 @@ double what_counts(const MemberSpread& costs, const UncertaintyRules& rules) {
 
 bool is_better(const MemberSpread& a, const MemberSpread& b, const UncertaintyRules& rules) {
   if (a.known() != b.known()) return a.known() > b.known();
-  return what_counts(a, rules) < what_counts(b, rules);
+  const double of_a = what_counts(a, rules);
+  const double of_b = what_counts(b, rules);
+  // Of two that miss the share that is asked for, the one that is better where it comes through.
+  if (std::isinf(of_a) && std::isinf(of_b) && a.known() > 0) return *a.mean() < *b.mean();
+  return of_a < of_b;
 }
 
 core::UtcTime arrival_that_counts(const Plan& plan, const UncertaintyRules& rules) {
@@ -175,7 +202,9 @@ Result<Plan> plan_uncertain(const ocean::Environment& environment, const PlanReq
   chosen.method = base->method;
   chosen.search = base->search;
   chosen.encounter_trade = base->encounter_trade;
-  chosen.uncertainty = report_of(fares[best].arrivals(), rules, request.depart, candidates.size());
+  chosen.uncertainty = report_of(fares[best], rules, request.depart, candidates.size());
+  if (std::string closed = warning_of_closed(*chosen.uncertainty); !closed.empty())
+    chosen.warnings.push_back(std::move(closed));
   return std::move(chosen);
 }
 

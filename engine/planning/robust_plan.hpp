@@ -20,7 +20,8 @@ using PlanIn = std::function<Result<Plan>(const ocean::Environment&)>;
 /// one.
 [[nodiscard]] double what_counts(const MemberSpread& costs, const UncertaintyRules& rules);
 
-/// The one that more members let through; of equals the one whose costs count less.
+/// The one that more members let through; of equals the one whose costs count less, and where too few members come
+/// through for that, the one that costs less in the mean of those that do.
 [[nodiscard]] bool is_better(const MemberSpread& a, const MemberSpread& b, const UncertaintyRules& rules);
 
 /// When a plan arrives by what is made the best of: in the mean of the members that arrive, or in the share of them

@@ -5,6 +5,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/planning/arrival_spread.hpp"
+#include "engine/planning/member_spread.hpp"
 #include "engine/planning/uncertainty_rules.hpp"
 
 namespace floeplan::planning {
@@ -16,7 +17,8 @@ struct UncertaintyReport {
   double quantile{0.9};
   std::size_t candidates{1};  // routes that were compared
   std::optional<core::UtcTime> arrive_before;
-  std::optional<double> chance;  // to be there by then
+  std::optional<double> chance;         // to be there by then
+  std::optional<MemberSpread> costs{};  // of the route by the request's objective; not kept with stored plans
 };
 
 }  // namespace floeplan::planning

@@ -255,6 +255,39 @@ TEST(PlanWindow, PlansTheBestDepartureAsForItAlone) {
   EXPECT_LE(window.plan->travel_time(), *best.travel_time * (1.0 + 2e-4));
 }
 
+TEST(PlanWindow, OfARobustObjectiveTakesTheDepartureWhosePlanIsBestAndNotWhoseMembersAre) {
+  // At first each member has a stream of its own, which helps whoever knows it; later all have the same weak one.
+  const auto stream = [](double middle_lat) {
+    return currents_from(
+        [=](geo::LonLat place, double hour) {
+          const double across = (place.lat_deg - middle_lat) / 0.04;
+          const double of_member = 0.5 * std::exp(-across * across) - 0.15;
+          return geo::VelocityEn{{hour < 72.0 ? of_member : 0.02}, {0.0}};
+        },
+        200);
+  };
+  ocean::Environment environment{.currents = stream(68.95)};
+  environment.members = {environment.currents, stream(69.05)};
+  PlanRequest request = window_request(72.0, 72.0 * 3600.0);
+  request.spacing_along = core::Metres{2000.0};
+  request.refine = false;
+  request.uncertainty.objective = RobustObjective::mean;
+  const auto mean_of = [&](const DepartureOutcome& outcome) {
+    return *plan_route(environment, leaving_at(request, outcome.departure), {}, {})
+                ->uncertainty->spread.mean();
+  };
+
+  const WindowPlan window = plan_window(environment, request, {}, {});
+
+  ASSERT_TRUE(window.plan.has_value());
+  const auto& outcomes = window.departures;
+  ASSERT_LT(curve(environment, request)[0].robust_cost, curve(environment, request)[1].robust_cost)
+      << "a sea in which the members' own ways mislead";
+  ASSERT_LT(mean_of(outcomes[1]), mean_of(outcomes[0]));
+  EXPECT_EQ(window.plan->departure, outcomes[1].departure);
+  EXPECT_EQ(best_departure(outcomes), 1U) << "the curve that is published says why";
+}
+
 TEST(PlanWindow, GivesTheReasonOfTheFirstDepartureWhenEveryOneIsClosed) {
   const WindowPlan window =
       plan_window({.currents = currents_from(tide, 12)}, window_request(6.0, 3600.0), {}, {});

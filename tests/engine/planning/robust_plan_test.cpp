@@ -1,6 +1,6 @@
 #include "engine/planning/robust_plan.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/property.hpp"
@@ -145,6 +145,26 @@ TEST(RobustPlan, CountsAMemberThatDoesNotLetTheRouteThrough) {
   ASSERT_TRUE(found && found->uncertainty);
   EXPECT_EQ(found->uncertainty->spread.arrived(), 1U);
   EXPECT_FALSE(found->uncertainty->spread.travel_times()[1].has_value());
+}
+
+TEST(RobustPlan, SaysThatAShareCannotBeMetAndTakesTheBestInTheMeanOfTheOthers) {
+  const auto against = currents_from([](geo::LonLat, double) { return geo::VelocityEn{{-0.5}, {0.0}}; }, 120);
+  const ocean::Environment environment =
+      ensemble({stream(69.1, 0.25), stream(69.1, -0.3), stream(69.1, -0.3), against});
+  PlanRequest request = coarse_request();
+  request.uncertainty.objective = RobustObjective::mean;
+  const auto by_mean = plan(environment, request);
+  request.uncertainty.objective = RobustObjective::quantile;
+  request.uncertainty.quantile = 0.9;
+
+  const auto found = plan(environment, request);
+
+  ASSERT_TRUE(found && by_mean);
+  EXPECT_EQ(found->uncertainty->spread.quantile(0.9), std::nullopt);
+  EXPECT_THAT(found->warnings, testing::Contains(testing::AllOf(
+                                   testing::HasSubstr("in 1 of 4 members"),
+                                   testing::HasSubstr("the share of 90 % that is to arrive early"))));
+  EXPECT_EQ(*found->uncertainty->spread.mean(), *by_mean->uncertainty->spread.mean());
 }
 
 TEST(RobustPlan, LetsEveryMemberThroughTheGapsOfTheLandThatThePlanPasses) {
