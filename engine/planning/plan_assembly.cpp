@@ -226,6 +226,24 @@ void warn_of_deep_turns(Plan& plan, const PlanRequest& request) {
   plan.warnings.emplace_back(text);
 }
 
+/// Ice that a vehicle may come below that is off its way by no more than the error of its position.
+void warn_of_ice_beside(Plan& plan, const PlanRequest& request) {
+  const IceBeside& beside = plan.surfacing->ice_beside;
+  core::Metres deepest = request.vehicle.climb_to;
+  for (const SurfacingState& state : plan.surfacing->waypoints)
+    deepest = std::max({deepest, state.least_upper_turn, state.leg_upper_turn.value_or(core::Metres{0.0})});
+  if (std::ceil(beside.upper_turn.value) <= std::ceil(deepest.value)) return;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "within the error of its position, %.1f km at %.4f, %.4f, the vehicle may come below ice where dives "
+      "must turn no higher than %.0f m, yet those of the plan turn at %.0f m: keep below that ice all the "
+      "way (--climb-to %.0f), or bound the time without surfacing",
+      beside.error.value / 1000.0, beside.place.lon_deg, beside.place.lat_deg,
+      std::ceil(beside.upper_turn.value), std::ceil(deepest.value), std::ceil(beside.upper_turn.value));
+  plan.warnings.emplace_back(text);
+}
+
 void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
                     const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
                     const std::vector<vehicle::Drive>& drives) {
@@ -243,6 +261,7 @@ void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
   }
   add_energy_of_surfacings(plan, request);
   warn_of_deep_turns(plan, request);
+  warn_of_ice_beside(plan, request);
   if (!plan.surfacing->waypoints.back().may_surface)
     plan.warnings.emplace_back(
         "the vehicle may not surface at the goal: the ice there is too dense or unknown");

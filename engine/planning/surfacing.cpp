@@ -34,6 +34,7 @@ class Log {
     was_below_ice_ = below_ice;
     if (sea_.ice() && !sea_.ice()->above(now.point, now.time).known)
       plan.unknown_ice = plan.unknown_ice + step;
+    look_beside();
   }
 
   /// The leg, or the start, ends at the last look, where the next leg begins.
@@ -62,6 +63,15 @@ class Log {
                          .error_without_fix = here_.error};
     if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
     return state;
+  }
+
+  void look_beside() {
+    if (!sea_.ice()) return;
+    const core::Metres error = error_at(here_);
+    const auto& [point, time] = here_.at;
+    const core::Metres turn = deepest_turn_within(error, *sea_.ice(), point, time);
+    if (turn > plan.ice_beside.upper_turn)
+      plan.ice_beside = {turn, error, sea_.projection().to_lon_lat(point)};
   }
 
   [[nodiscard]] core::Metres growth(vehicle::Drive drive, core::Seconds time) const {

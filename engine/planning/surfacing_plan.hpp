@@ -5,6 +5,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/planning/ice_beside.hpp"
 
 namespace floeplan::planning {
 
@@ -48,6 +49,7 @@ struct SurfacingPlan {
   std::vector<SurfacingState> waypoints;     // one for each
   std::vector<PlannedSurfacing> surfacings;  // empty unless an interval was asked for
   std::vector<EscapeWay> escapes;            // one for each waypoint, if they were asked for
+  IceBeside ice_beside{};  // the deepest within the error of position; not kept with stored plans
 };
 
 }  // namespace floeplan::planning

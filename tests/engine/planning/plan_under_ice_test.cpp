@@ -70,6 +70,27 @@ Plan planned(const ocean::Environment& environment, const PlanRequest& request) 
   return {};
 }
 
+TEST(PlanUnderIce, WarnsOfDeeperIceWithinTheErrorOfPosition) {
+  // Ice over all but the ends of the way; in one half of the sea its keels are deep.
+  const auto sea_with = [](double dense_from_lat) {
+    ocean::Environment sea;
+    sea.ice = support::ice_from(
+        [=](geo::LonLat place, double) {
+          if (std::abs(place.lon_deg + 53.0) > 0.35) return 0.0;
+          return place.lat_deg > dense_from_lat ? 1.0 : 0.0;
+        },
+        {0.0, 200.0}, 10.0);
+    return sea;
+  };
+  PlanRequest request = support::eastward_request();
+  request.method = Method::direct;
+  const auto warns = testing::Contains(testing::HasSubstr("within the error of its position"));
+
+  EXPECT_THAT(try_to_plan(sea_with(60.0), request, {}, {}, {}).value().warnings, testing::Not(warns));
+  request.under_ice.surfacing_interval = core::Seconds{86'400.0};
+  EXPECT_THAT(try_to_plan(sea_with(69.02), request, {}, {}, {}).value().warnings, warns);
+}
+
 TEST(PlanUnderIce, PassesBelowTheIceWhenNothingBoundsTheTimeThere) {
   const Plan plan = planned(band_of_ice(), support::eastward_request());
 
