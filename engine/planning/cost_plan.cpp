@@ -104,6 +104,10 @@ Result<Plan> publish(const Chart& chart, const ocean::Environment& environment, 
   plan.refinement = improved.refinement;
   if (plan.refinement) {
     plan.refinement->after = plan.travel_time();
+    // The planned surfacings, which the search knows nothing of, belong to both.
+    const core::Joules of_surfacings = plan.energy->use.total() - times->energy.total();
+    if (plan.refinement->energy_before)
+      plan.refinement->energy_before = *plan.refinement->energy_before + of_surfacings;
     plan.refinement->energy_after = plan.energy->use.total();
   }
   if (request.optimality_gap) plan.optimality_gap_reason = no_gap;
