@@ -87,7 +87,7 @@ Words words_for(motion::EdgeClosed closed, const Sea& sea, const PlanRequest& re
             "the stored currents end at " + core::iso8601(clock(request, *end)) + ", before the route does",
             "depart earlier, ingest a longer forecast, or hold the currents steady (--steady)"};
       }
-      return {Reason::outside_data, "the stored data do not cover this place",
+      return {Reason::outside_data, "the stored data do not cover this place, or not at this time",
               "ingest data that cover it, or leave the kind of data out (for example --currents none)"};
     }
     case motion::EdgeClosed::too_shallow:
@@ -251,9 +251,7 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
     }
   }
   Words words = words_for(binding, sea, request, search.out_of_time, search.nearest, search.nearest_arrival);
-  if (search.statistics.cut_short)
-    words.explanation +=
-        " (the search was cut short at its bound on memory: there may be a way all the same)";
+  if (search.statistics.cut_short) words.explanation += cut_short_note;
   const bool by_data = binding == outside_data || binding == current_too_strong || binding == under_ice ||
                        binding == no_surfacing;
   return {.reason = by_data ? words.reason : Reason::goal_unreachable,

@@ -22,6 +22,10 @@ enum class Stop { start, via, goal };
 /// Says why a given route, or the straight line, cannot be travelled.
 [[nodiscard]] Infeasible explain_route(const RouteClosed& closed, const Sea& sea, const PlanRequest& request);
 
+/// What a reason ends with whose search came to no end.
+inline constexpr const char* cut_short_note =
+    " (the search was cut short at its bound on memory: there may be a way all the same)";
+
 /// Says where a search stopped and what stood in its way.
 [[nodiscard]] Infeasible explain_search(const RouteSearch& search, const Sea& sea,
                                         const PlanRequest& request);

@@ -86,20 +86,28 @@ class Relaxation {
   }
 
   /// Later departures within the period of the data, closer ones first: half a tide, then whole tides and days.
-  void depart_later() {
+  /// Returns  by how much, where that helps
+  std::optional<core::Seconds> depart_later() {
     trials_.begin_input();
-    if (environment_.steady_currents || !environment_.currents) return;
-    const double end_s = environment_.currents->times_s().back();
+    const bool currents_change = environment_.currents && !environment_.steady_currents;
+    if (!currents_change && environment_.icebergs.empty()) return std::nullopt;
+    const double end_s = currents_change ? environment_.currents->times_s().back() : INFINITY;
+    double too_early = 0.0;
     for (const double hours : {1.0, 2.0, 3.0, 4.0, 5.0, 6.0, 9.0, 12.0, 18.0, 24.0, 48.0}) {
-      const core::UtcTime later = request_.depart + core::Seconds{3600.0 * hours};
-      if (trials_.is_over() || core::unix_seconds(later) >= end_s) return;
-      PlanRequest changed = request_;
-      changed.depart = later;
-      if (!trials_.works(changed)) continue;
-      add("depart", request_.depart, later, 1.0 + hours / 24.0,
-          "depart " + written("%.0f h later, at ", hours, 0.0) + core::iso8601(later));
-      return;
+      const core::UtcTime later = request_.depart + hours * an_hour;
+      if (trials_.is_over() || core::unix_seconds(later) >= end_s) return std::nullopt;
+      if (!trials_.works(leaving(hours))) {
+        too_early = hours;
+        continue;
+      }
+      return add_departure(least_delay(too_early, hours));
     }
+    return std::nullopt;
+  }
+
+  /// What closes for a while is past for who departs later, and for who waits as long.
+  void depart_later_or_wait() {
+    if (const auto delay = depart_later()) wait_for(*delay);
   }
 
   /// The departure after which nothing has to be circled away, and the first one that may be flown.
@@ -117,6 +125,21 @@ class Relaxation {
     };
     if (delays->least < delays->enough) add_delay(delays->least, ", and turn in circles for the rest");
     add_delay(delays->enough, "");
+  }
+
+  /// How long the vehicle, where a zone stopped the search for its way, is there before a zone ends; empty where none
+  /// is known to.
+  [[nodiscard]] std::optional<core::Seconds> until_a_zone_ends(const Infeasible& why) const {
+    if (why.binding != Constraint::zone) return std::nullopt;
+    std::optional<core::Seconds> soonest;
+    for (const auto* zones : {&request_.zones, &environment_.zones}) {
+      for (const ocean::Zone& zone : *zones) {
+        if (!zone.until || *zone.until <= why.when) continue;
+        const core::Seconds delay = *zone.until - why.when;
+        soonest = std::min(soonest.value_or(delay), delay);
+      }
+    }
+    return soonest;
   }
 
   void wait_for(core::Seconds circling) {
@@ -272,6 +295,16 @@ class Relaxation {
         written("take a battery of %.4g MJ instead of %.4g MJ", *needed / 1e6, now / 1e6));
   }
 
+  void use_the_thruster() {
+    trials_.begin_input();
+    if (!request_.vehicle.thruster || request_.energy.thruster != ThrusterUse::off) return;
+    PlanRequest changed = request_;
+    changed.energy.thruster = ThrusterUse::automatic;
+    if (trials_.is_over() || !trials_.works(changed)) return;
+    add("thruster", thruster_use_name(ThrusterUse::off), thruster_use_name(ThrusterUse::automatic), 1.5,
+        "let the vehicle use its thruster");
+  }
+
   void leave_the_thruster_off() {
     trials_.begin_input();
     if (!request_.vehicle.thruster || request_.energy.thruster == ThrusterUse::off) return;
@@ -315,6 +348,28 @@ class Relaxation {
   }
 
  private:
+  [[nodiscard]] PlanRequest leaving(double hours_later) const {
+    PlanRequest changed = request_;
+    changed.depart = request_.depart + hours_later * an_hour;
+    return changed;
+  }
+
+  /// In whole hours, above `fails` and up to `helps`.
+  double least_delay(double fails, double helps) {
+    while (helps - fails > 1.0 && !trials_.is_over()) {
+      const double middle = std::floor(0.5 * (fails + helps));
+      (trials_.works(leaving(middle)) ? helps : fails) = middle;
+    }
+    return helps;
+  }
+
+  core::Seconds add_departure(double hours) {
+    const core::UtcTime later = request_.depart + hours * an_hour;
+    add("depart", request_.depart, later, 1.0 + hours / 24.0,
+        "depart " + written("%.0f h later, at ", hours, 0.0) + core::iso8601(later));
+    return hours * an_hour;
+  }
+
   static constexpr std::size_t most_zones = 10;
   static constexpr core::Seconds an_hour{3600.0};
   static constexpr core::Seconds a_day{86'400.0};
@@ -366,20 +421,23 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
                           const Infeasible& why, const Trial& trial, const std::stop_token& stop,
                           const Trial& without_stored_zones) {
   Relaxation relaxation{environment, request, trial, stop};
-  if (why.postponed) {
-    relaxation.depart_after(why.postponed->by);
-    relaxation.wait_for(why.postponed->by);
-    if (why.postponed->move) relaxation.move_goal(*why.postponed->move);
+  const auto delay = why.postponed ? std::optional{why.postponed->by} : relaxation.until_a_zone_ends(why);
+  if (delay) {
+    relaxation.depart_after(*delay);
+    relaxation.wait_for(*delay);
   }
+  if (why.postponed && why.postponed->move) relaxation.move_goal(*why.postponed->move);
   const bool at_a_stop = !why.moves.empty();
   for (const Change& move : why.changes) relaxation.take_move(move);
   switch (why.binding) {
     case Constraint::current:
+      relaxation.use_the_thruster();
       relaxation.raise_speed();
       relaxation.raise_the_thrusters_speed();
       relaxation.depart_later();
       break;
     case Constraint::data_period:
+      relaxation.use_the_thruster();
       relaxation.raise_speed();
       relaxation.raise_the_thrusters_speed();
       break;
@@ -388,6 +446,7 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
       relaxation.allow_for_less_error();
       if (request.icebergs.pass_under) relaxation.dive_deeper();
       if (!at_a_stop) relaxation.refine_the_grid();
+      if (!why.postponed) relaxation.depart_later_or_wait();
       break;
     case Constraint::ice:
       relaxation.stay_longer_under_ice();
@@ -416,6 +475,8 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
       relaxation.take_a_larger_battery();
       break;
     case Constraint::data_area:
+      if (!at_a_stop) relaxation.depart_later();
+      break;
     case Constraint::memory:
     case Constraint::caller: break;
   }

@@ -23,7 +23,8 @@ RouteClosed locate(const Sea& sea, geo::PlanePoint from, geo::PlanePoint to, cor
     const auto leg = sea.leg(here, next, now, since_surfacing);
     if (!leg) {
       const bool out_of_time = leg.error() == motion::EdgeClosed::outside_data &&
-                               !sea.safety().closed_between(here, next) && sea.currents_known(next, now);
+                               !sea.safety().closed_between(here, next) &&
+                               sea.currents_known_to_end(next, now);
       return {leg.error(), here, now, out_of_time};
     }
     here = next;

@@ -78,7 +78,7 @@ void describe_end(RouteSearch& result, const Sea& sea, const RouteGrid& grid, co
     result.closed_at_nearest.push_back(time.error());
     if (time.error() == motion::EdgeClosed::outside_data &&
         !sea.safety().closed_between(result.nearest, head) &&
-        sea.currents_known(head, result.nearest_arrival)) {
+        sea.currents_known_to_end(head, result.nearest_arrival)) {
       result.out_of_time = true;
     }
   }

@@ -380,8 +380,15 @@ std::vector<Sea::Passage> Sea::passages(geo::PlanePoint a, geo::PlanePoint b, co
   return result;
 }
 
-bool Sea::currents_known(geo::PlanePoint point, core::Seconds time) const {
-  return !currents_ || (*currents_)(point, time).has_value();
+bool Sea::currents_known_to_end(geo::PlanePoint point, core::Seconds from) const {
+  constexpr int looks = 64;
+  if (!currents_) return true;
+  const core::Seconds end = currents_->end().value_or(from);
+  for (int i = 0; i <= looks; ++i) {
+    const double share = static_cast<double>(i) / looks;
+    if (!(*currents_)(point, from + share * std::max(core::Seconds{0.0}, end - from))) return false;
+  }
+  return true;
 }
 
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b, vehicle::Drive drive) const {

@@ -187,8 +187,9 @@ class Sea {
   /// Whether nothing here changes with time: no matter when a leg is travelled.
   [[nodiscard]] bool is_steady() const;
 
-  /// Whether the currents are known there and then; true in still water.
-  [[nodiscard]] bool currents_known(geo::PlanePoint point, core::Seconds time) const;
+  /// Whether the currents are known there from that time to their end, as far as looks at equal distances in time tell;
+  /// true in still water.
+  [[nodiscard]] bool currents_known_to_end(geo::PlanePoint point, core::Seconds from) const;
 
   [[nodiscard]] core::MetresPerSecond through_water() const { return speed(drives_.front()); }
   [[nodiscard]] const geo::LocalProjection& projection() const { return projection_; }

@@ -63,7 +63,7 @@ void describe_end(RouteSearch& result, const Sea& sea, const OpenGrid& open, con
     if (leg) return;
     result.closed_at_nearest.push_back(leg.error());
     result.out_of_time = result.out_of_time || (leg.error() == motion::EdgeClosed::outside_data &&
-                                                sea.currents_known(head, result.nearest_arrival));
+                                                sea.currents_known_to_end(head, result.nearest_arrival));
   });
 }
 

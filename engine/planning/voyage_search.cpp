@@ -181,7 +181,10 @@ class Parts {
     if (search.opens_later) {
       const RouteGrid& grid = grids_[i].grid;
       const Stop kind = i + 1 == grids_.size() ? Stop::goal : Stop::via;
-      return explain_circling(*search.opens_later, kind, grid.point(grid.goal), sea_, request_);
+      Infeasible why = explain_circling(*search.opens_later, kind, grid.point(grid.goal), sea_, request_);
+      why.search_cut_short = search.statistics.cut_short || statistics_.cut_short;
+      if (why.search_cut_short) why.explanation += cut_short_note;
+      return why;
     }
     search.statistics.cut_short = search.statistics.cut_short || statistics_.cut_short;
     Infeasible why = explain_search(search, sea_, request_);

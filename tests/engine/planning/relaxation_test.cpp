@@ -212,6 +212,60 @@ TEST(Relaxation, RaisesTheSpeedOfTheDriveInUse) {
   EXPECT_EQ(change_of(found.error(), "speed_m_s"), nullptr);
 }
 
+TEST(Relaxation, NamesTheThrusterThatIsLeftOff) {
+  PlanRequest request = eastward_request();
+  request.vehicle = vehicle::find_profile("slocum-g3-200-thruster").value();
+  request.energy.thruster = ThrusterUse::off;
+  const ocean::Environment environment{
+      .currents =
+          support::currents_from([](geo::LonLat, double) { return geo::VelocityEn{{-0.42}, {0.0}}; }, 300)};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  ASSERT_NE(change_of(found.error(), "thruster"), nullptr);
+  request.energy.thruster = ThrusterUse::automatic;
+  EXPECT_TRUE(plan(environment, request).has_value());
+}
+
+TEST(Relaxation, NamesTheDepartureAndTheWaitThatATimedAreaLetsPass) {
+  PlanRequest request = eastward_request();
+  request.zones = {
+      {.name = "firing",
+       .kind = ocean::ZoneKind::no_go,
+       .area = {.outer = {{-53.01, 67.6}, {-52.99, 67.6}, {-52.99, 70.4}, {-53.01, 70.4}}, .holes = {}},
+       .from = {},
+       .until = request.depart + core::Seconds{80.0 * 3600.0}}};
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  const Change* later = change_of(found.error(), "depart");
+  ASSERT_NE(later, nullptr);
+  PlanRequest changed = request;
+  changed.depart = std::get<core::UtcTime>(later->to);
+  EXPECT_TRUE(plan({}, changed).has_value());
+  // The vehicle is 16 hours on its way to the area; it may turn in circles for some of the rest.
+  EXPECT_LE(changed.depart - request.depart, core::Seconds{65.0 * 3600.0});
+  ASSERT_NE(change_of(found.error(), "max_loiter_s"), nullptr);
+}
+
+TEST(Relaxation, NamesADepartureAfterAGapInTheCurrents) {
+  const ocean::Environment environment{.currents = currents_from(
+                                           [](geo::LonLat, double hour) {
+                                             const bool is_missing = hour > 6.0 && hour < 14.0;
+                                             return geo::VelocityEn{{is_missing ? NAN : 0.02}, {0.0}};
+                                           },
+                                           120)};
+  const PlanRequest request = eastward_request();
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().binding, Constraint::data_area) << found.error().explanation;
+  EXPECT_NE(change_of(found.error(), "depart"), nullptr);
+}
+
 TEST(Relaxation, NamesForAWantedArrivalOnlyWhatBringsTheVehicleThereInTime) {
   const ocean::Environment environment = headwind_until(1000.0);
   PlanRequest request = eastward_request();
