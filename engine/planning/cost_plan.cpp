@@ -195,12 +195,18 @@ Result<Plan> best_on_grids(const ocean::Environment& environment, const PlanRequ
                            const std::vector<vehicle::Drive>& alone, const std::stop_token& stop,
                            const core::ProgressCallback& progress, const core::SteadyClock& clock) {
   Result<Plan> best = plan_on_either_reach(environment, request, stop, progress, clock);
+  const bool is_cut_short = was_cut_short(best);
   for (const vehicle::Drive drive : alone) {
     if (stop.stop_requested() || drives(request.energy, request.vehicle).size() == 1) break;
     PlanRequest on_drive = request;
     on_drive.energy.thruster = only(drive);
     Result<Plan> found = plan_on_either_reach(environment, on_drive, stop, silent, clock);
-    if (costs_less(found, best, request.objective())) best = std::move(found);
+    if (!costs_less(found, best, request.objective())) continue;
+    best = std::move(found);
+    if (is_cut_short && !was_cut_short(best)) {
+      best->search.cut_short = true;
+      best->warnings.emplace_back(met_its_bound);
+    }
   }
   return best;
 }

@@ -225,7 +225,11 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
     if (way.empty() ||
         circles_too_long(sea, open, points_of(open.grid, way), beginning.depart, std::nullopt, stop)) {
       auto earliest = earliest_of_all();
-      if (earliest) earliest->statistics.cut_short = search.full;
+      if (earliest) {
+        earliest->statistics.cut_short = search.full;
+      } else {
+        earliest.error().search_cut_short |= search.full;
+      }
       return earliest;
     }
     found.statistics.cut_short = found.statistics.cut_short || search.full;
