@@ -15,8 +15,8 @@ struct IceBeside {
   geo::LonLat place{};        // on the way
 };
 
-/// The deepest turn that the ice asks dives for at a place or within a distance of it, as far as looks at rings round it
-/// tell. Zero where there is none, and where nothing is known of the ice.
+/// The deepest turn that the ice asks dives for at a place or within a distance of it, as far as looks at rings round
+/// it tell. Zero where there is none, and where nothing is known of the ice.
 [[nodiscard]] core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice,
                                                geo::PlanePoint place, core::Seconds when);
 
