@@ -106,7 +106,8 @@ std::string warning_of_closed(const UncertaintyReport& report) {
   if (closed == 0 || report.objective == RobustObjective::none) return "";
   std::string text =
       "in " + std::to_string(closed) + " of " + std::to_string(members) +
-      " members the vehicle does not come through on this way, nor on any other that was compared";
+      " members the vehicle does not come through on this way, and no way that was compared comes "
+      "through in more of them";
   if (report.objective == RobustObjective::mean) return text + ": the mean leaves them out";
   if (report.spread.quantile(report.quantile)) return text;
   char share[120];
