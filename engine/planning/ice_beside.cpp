@@ -10,9 +10,11 @@ namespace floeplan::planning {
 
 core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice, geo::PlanePoint place,
                                  core::Seconds when) {
+  // Judgements: ice is told in cells of kilometres, and errors grow to some tens of them.
   constexpr int rings = 4;
   constexpr int looks_of_a_ring = 8;
   core::Metres deepest = ice.least_upper_turn(place, when);
+  if (distance.value <= 0.0) return deepest;
   for (int ring = 1; ring <= rings; ++ring) {
     const double radius_m = distance.value * ring / rings;
     for (int look = 0; look < looks_of_a_ring; ++look) {

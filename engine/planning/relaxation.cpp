@@ -112,19 +112,12 @@ class Relaxation {
 
   /// The departure after which nothing has to be circled away, and the first one that may be flown.
   void depart_after(core::Seconds circling) {
-    const auto delays = trials_.shortest_that_helps(circling, [&](core::Seconds later) {
-      PlanRequest changed = request_;
-      changed.depart = request_.depart + later;
-      return changed;
-    });
+    const auto delays =
+        trials_.shortest_that_helps(circling, [&](core::Seconds later) { return leaving(later / an_hour); });
     if (!delays) return;
-    const auto add_delay = [&](core::Seconds delay, const std::string& note) {
-      const core::UtcTime later = request_.depart + delay;
-      add("depart", request_.depart, later, 1.0 + delay / a_day,
-          "depart " + written("%.0f h later, at ", delay / an_hour, 0.0) + core::iso8601(later) + note);
-    };
-    if (delays->least < delays->enough) add_delay(delays->least, ", and turn in circles for the rest");
-    add_delay(delays->enough, "");
+    if (delays->least < delays->enough)
+      add_departure(delays->least / an_hour, ", and turn in circles for the rest");
+    add_departure(delays->enough / an_hour);
   }
 
   /// How long the vehicle, where a zone stopped the search for its way, is there before a zone ends; empty where none
@@ -363,10 +356,10 @@ class Relaxation {
     return helps;
   }
 
-  core::Seconds add_departure(double hours) {
+  core::Seconds add_departure(double hours, const std::string& note = {}) {
     const core::UtcTime later = request_.depart + hours * an_hour;
     add("depart", request_.depart, later, 1.0 + hours / 24.0,
-        "depart " + written("%.0f h later, at ", hours, 0.0) + core::iso8601(later));
+        "depart " + written("%.0f h later, at ", hours, 0.0) + core::iso8601(later) + note);
     return hours * an_hour;
   }
 
