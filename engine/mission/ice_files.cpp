@@ -104,6 +104,12 @@ std::vector<std::string> ice_warnings(const planning::Plan& plan, const MissionS
                   silent_s / 3600.0);
     warnings.emplace_back(text);
   }
+  if (plan.surfacing && !plan.surfacing->surfacings.empty()) {
+    warnings.push_back(
+        "The " + whole(static_cast<double>(plan.surfacing->surfacings.size())) +
+        " surfacings of the plan are not in the files, for below ice the vehicle comes up at the "
+        "end of each list alone: its error of position grows as without them.");
+  }
   return warnings;
 }
 

@@ -182,12 +182,6 @@ tl::expected<MissionFiles, core::Violations> write_mission_set(const planning::P
   set.warnings.push_back(
       std::string{of_lists.thruster_in_yo ? "Pump, pitch and thruster" : "Pump and pitch"} +
       " in the yo file are those of the vehicle profile, and ballast is not checked: look at it before use.");
-  if (options.under_ice && plan.surfacing && !plan.surfacing->surfacings.empty()) {
-    set.warnings.push_back(
-        "The " + whole(static_cast<double>(plan.surfacing->surfacings.size())) +
-        " surfacings of the plan are not in the files, for below ice the vehicle comes up at the "
-        "end of each list alone: its error of position grows as without them.");
-  }
   if (options.under_ice) {
     std::ranges::move(ice_files(plan, options), std::back_inserter(set.files));
     std::ranges::move(ice_warnings(plan, options), std::back_inserter(set.warnings));
