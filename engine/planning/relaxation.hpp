@@ -2,19 +2,14 @@
 
 #include <stop_token>
 #include <string>
-#include <vector>
 
 #include "engine/ocean/environment.hpp"
 #include "engine/planning/infeasible.hpp"
+#include "engine/planning/input_changes.hpp"
 #include "engine/planning/input_trials.hpp"
 #include "engine/planning/plan_request.hpp"
 
 namespace floeplan::planning {
-
-struct FoundChanges {
-  std::vector<Change> changes;  // the one that asks least first
-  bool cut_short{false};        // some trial told nothing: smaller changes, or others, may help, too
-};
 
 /// The start, the goal or a place on the way by its name in the inputs: "from", "to", "via/0".
 [[nodiscard]] geo::LonLat& stop_named(PlanRequest& request, const std::string& input);
