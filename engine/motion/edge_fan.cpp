@@ -34,6 +34,14 @@ using Lanes = std::array<float, block>;
   return length / larger(speed, length / longest);
 }
 
+/// What holds in the quarter that an edge goes into.
+[[gnu::always_inline]] inline float in_quarter(const NearbyCurrent::ByQuarter& values, bool down_u,
+                                               bool down_v) {
+  const float up_v = down_u ? values[1] : values[0];
+  const float below = down_u ? values[3] : values[2];
+  return down_v ? below : up_v;
+}
+
 struct LaneState {
   float length;
   float shift_x;  // change of the current over the edge
@@ -50,9 +58,13 @@ struct LaneState {
   const float dv = c.v_x * x_m + c.v_y * y_m;
   LaneState s{};
   s.length = plane_m * vehicle.ground_per_plane;
-  s.shift_x = c.x_by_u * du + c.x_by_v * dv;
-  s.shift_y = c.y_by_u * du + c.y_by_v * dv;
-  s.off = c.off_by_u * std::abs(du) + c.off_by_v * std::abs(dv);
+  const bool down_u = du < 0.0F;
+  const bool down_v = dv < 0.0F;
+  const auto here = [&](const NearbyCurrent::ByQuarter& values)
+                        __attribute__((always_inline)) { return in_quarter(values, down_u, down_v); };
+  s.shift_x = here(c.x_by_u) * du + here(c.x_by_v) * dv;
+  s.shift_y = here(c.y_by_u) * du + here(c.y_by_v) * dv;
+  s.off = here(c.off_by_u) * std::abs(du) + here(c.off_by_v) * std::abs(dv);
   const float x = c.x_m_s + 0.5F * s.shift_x;
   const float y = c.y_m_s + 0.5F * s.shift_y;
   s.time = time_at(s.length, greatest_speed(x, y, ex, ey, vehicle.through_water_m_s), vehicle.longest_s);
@@ -89,13 +101,19 @@ struct Enclosure {
                                                 const NearbyCurrent& c, const FanVehicle& vehicle) {
   const float v = vehicle.through_water_m_s;
   const float shift = std::abs(s.shift_x) + std::abs(s.shift_y);
-  // Whatever the vehicle meets within the window differs from the mean by no more than `apart`.
+  // Whatever the vehicle meets until then differs from the mean by no more than that.
+  const auto apart = [&](float until) __attribute__((always_inline)) {
+    return c.steepest_m_s2 * (until - 0.5F * s.time) + 0.5F * shift + s.off + c.unseen_m_s;
+  };
+  // A drive that takes longer than estimated is bounded by the estimate already.
+  const float near = apart(s.time);
+  const float fastest = greatest_speed(s.mean_x, s.mean_y, ex, ey, v + near);
+  const float slowest = greatest_speed(s.mean_x, s.mean_y, ex, ey, v - near);
+  // But that it ends at all has to hold for such, too.
   const float window = smaller(1.5F * s.time, smaller(vehicle.longest_s, c.known_s));
-  const float apart = c.steepest_m_s2 * (window - 0.5F * s.time) + 0.5F * shift + s.off + c.unseen_m_s;
-  const float fastest = greatest_speed(s.mean_x, s.mean_y, ex, ey, v + apart);
-  const float slowest = greatest_speed(s.mean_x, s.mean_y, ex, ey, v - apart);
-  const float gets_on = static_cast<float>(slowest > least_share * v);
-  const float in_time = static_cast<float>(s.length < slowest * window);
+  const float slowest_late = greatest_speed(s.mean_x, s.mean_y, ex, ey, v - apart(window));
+  const float gets_on = static_cast<float>(slowest_late > least_share * v);
+  const float in_time = static_cast<float>(s.length < slowest_late * window);
   const float in_window = static_cast<float>(s.time <= window);
 
   // Between two speeds the mean place lies off the middle by no more than an eighth of what they differ by.

@@ -27,9 +27,17 @@ struct EdgeFan {
 
 /// The current about a point from a time on, as far as edges reach that leave it.
 /// Model    at the point: linear between knots of time. Elsewhere: the point's own current at that time and a
-///          change for each metre that lies in a box, given by its centre and half widths along two axes u and v
+///          change for each metre that lies in a box, given by its centre and half widths along two axes u and v; a box
+///          for each of the quarters between them, for edges into that quarter
 struct NearbyCurrent {
   static constexpr std::size_t most_knots = 32;
+  static constexpr std::size_t quarters = 4;
+  using ByQuarter = std::array<float, quarters>;
+
+  /// Which quarter an edge goes into, by whether it goes down each axis.
+  static constexpr std::size_t quarter(bool down_u, bool down_v) {
+    return (down_u ? 1U : 0U) + (down_v ? 2U : 0U);
+  }
 
   float x_m_s{};  // at the point at the beginning
   float y_m_s{};
@@ -46,12 +54,12 @@ struct NearbyCurrent {
   float u_y{};
   float v_x{};
   float v_y{};
-  float x_by_u{};  // centre of the change for each unit of u and v
-  float y_by_u{};
-  float x_by_v{};
-  float y_by_v{};
-  float off_by_u{};  // how much the change may differ from it, a bound on the vector's length
-  float off_by_v{};
+  ByQuarter x_by_u{};  // centre of the change for each unit of u and v
+  ByQuarter y_by_u{};
+  ByQuarter x_by_v{};
+  ByQuarter y_by_v{};
+  ByQuarter off_by_u{};  // how much the change may differ from it, a bound on the vector's length
+  ByQuarter off_by_v{};
   float unseen_m_s{};  // what the model itself may miss
 };
 

@@ -8,9 +8,7 @@ namespace floeplan::planning {
 namespace {
 
 constexpr std::size_t most_reach = 8;  // in cells
-// In cells, chosen: a search meets a few per cent of the data, and a smaller tile would look at more of its neighbours'
-// cells than of its own.
-constexpr std::size_t tile_side = 16;
+constexpr std::size_t tile_side = 16;  // in cells, chosen: a search meets a few per cent of the data
 constexpr std::size_t most_boxed_nodes = 1U << 23U;  // 256 MB of boxes for a voyage as long as the data
 constexpr double beside_chord = 2.5e-4;  // of a cell: how far CurrentLine strays from the data's coordinates
 constexpr float infinite = std::numeric_limits<float>::infinity();
@@ -42,12 +40,12 @@ NearbyCurrents::NearbyCurrents(const PlaneCurrents& currents, core::Metres longe
   off_line_ = {bend.x * bent_m2 + beside_chord * x.mean_step(),
                bend.y * bent_m2 + beside_chord * y.mean_step()};
   const geo::GridPoint steepest = currents.lookup_.steepest();
-  const double cells_along_x = (steepest.x * edge_m + off_line_.x) / narrowest(x);
-  const double cells_along_y = (steepest.y * edge_m + off_line_.y) / narrowest(y);
-  if (!(std::max(cells_along_x, cells_along_y) <= static_cast<double>(most_reach))) return;
-  reach_x_ = static_cast<std::size_t>(std::ceil(cells_along_x));
-  reach_y_ = static_cast<std::size_t>(std::ceil(cells_along_y));
+  narrowest_ = {narrowest(x), narrowest(y)};
+  reach_ = {steepest.x * edge_m + off_line_.x, steepest.y * edge_m + off_line_.y};
+  const double cells = std::max(reach_.x / narrowest_.x, reach_.y / narrowest_.y);
+  if (!(cells <= static_cast<double>(most_reach))) return;
   judge_cells();
+  slices_met_ = slices_met();
   tiles_x_ = (cells_x_ + tile_side - 1) / tile_side;
   tiles_y_ = (cells_y_ + tile_side - 1) / tile_side;
   tiles_.resize((currents.times_s_ ? currents.times_s_->size() : 1) * tiles_y_ * tiles_x_);
@@ -100,53 +98,90 @@ NearbyCurrents::Box NearbyCurrents::box_of(Cell cell, std::size_t slice) const {
   return box;
 }
 
-std::vector<NearbyCurrents::Box> NearbyCurrents::boxes_of_tile(Cell first, std::size_t slice) {
-  const auto include = [](Box& box, const Box& more) {
-    for (std::size_t i = 0; i < 4; ++i) {
-      box.low[i] = std::min(box.low[i], more.low[i]);
-      box.high[i] = std::max(box.high[i], more.high[i]);
-    }
-  };
-  const auto before = [](std::size_t at, std::size_t reach) { return at < reach ? 0 : at - reach; };
-  const Cell end{std::min(first.x + tile_side, cells_x_), std::min(first.y + tile_side, cells_y_)};
-  const Cell seen_first{before(first.x, reach_x_), before(first.y, reach_y_)};
-  const Cell seen_end{std::min(end.x + reach_x_, cells_x_), std::min(end.y + reach_y_, cells_y_)};
-
-  own_.clear();
-  rows_.clear();
-  for (std::size_t y = seen_first.y; y < seen_end.y; ++y) {
-    const std::size_t row = own_.size();
-    for (std::size_t x = seen_first.x; x < seen_end.x; ++x) own_.push_back(box_of({x, y}, slice));
-    for (std::size_t x = first.x; x < end.x; ++x) {
-      const std::size_t from = before(x, reach_x_);
-      const std::size_t to = std::min(x + reach_x_, cells_x_ - 1);
-      Box box = own_[row + from - seen_first.x];
-      for (std::size_t i = from + 1; i <= to; ++i) include(box, own_[row + i - seen_first.x]);
-      rows_.push_back(box);
-    }
+void NearbyCurrents::Box::include(const Box& more) {
+  for (std::size_t i = 0; i < low.size(); ++i) {
+    low[i] = std::min(low[i], more.low[i]);
+    high[i] = std::max(high[i], more.high[i]);
   }
-  const std::size_t width = end.x - first.x;
-  std::vector<Box> all;
-  all.reserve(width * (end.y - first.y));
-  for (std::size_t y = first.y; y < end.y; ++y) {
-    const std::size_t from = before(y, reach_y_);
-    const std::size_t to = std::min(y + reach_y_, cells_y_ - 1);
-    for (std::size_t x = 0; x < width; ++x) {
-      Box box = rows_[(from - seen_first.y) * width + x];
-      for (std::size_t i = from + 1; i <= to; ++i) include(box, rows_[(i - seen_first.y) * width + x]);
-      all.push_back(box);
-    }
-  }
-  return all;
 }
 
-const NearbyCurrents::Box& NearbyCurrents::box_about(Cell cell, std::size_t slice) {
+std::size_t NearbyCurrents::slices_met() const {
+  if (!currents_.times_s_) return 1;
+  const std::vector<double>& times_s = currents_.times_s_->nodes();
+  std::size_t most_inside = 0;
+  for (std::size_t first = 0, end = 0; first < times_s.size(); ++first) {
+    while (end < times_s.size() && times_s[end] - times_s[first] < longest_s_) ++end;
+    most_inside = std::max(most_inside, end - first);
+  }
+  return most_inside + 2;  // the one before and the one after
+}
+
+std::vector<NearbyCurrents::Box> NearbyCurrents::boxes_of_tile(Cell first, std::size_t first_slice) const {
+  const Cell end{std::min(first.x + tile_side, cells_x_), std::min(first.y + tile_side, cells_y_)};
+  const std::size_t slices = currents_.times_s_ ? currents_.times_s_->size() : 1;
+  const std::size_t end_slice = std::min(first_slice + slices_met_, slices);
+  std::vector<Box> boxes;
+  boxes.reserve((end.x - first.x) * (end.y - first.y));
+  for (std::size_t y = first.y; y < end.y; ++y) {
+    for (std::size_t x = first.x; x < end.x; ++x) {
+      Box box = box_of({x, y}, first_slice);
+      for (std::size_t slice = first_slice + 1; slice < end_slice; ++slice)
+        box.include(box_of({x, y}, slice));
+      boxes.push_back(box);
+    }
+  }
+  return boxes;
+}
+
+const NearbyCurrents::Box& NearbyCurrents::box_from(Cell cell, std::size_t first_slice) {
   const Cell tile{cell.x / tile_side, cell.y / tile_side};
   const Cell first{tile.x * tile_side, tile.y * tile_side};
-  std::vector<Box>& boxes = tiles_[(slice * tiles_y_ + tile.y) * tiles_x_ + tile.x];
-  if (boxes.empty()) boxes = boxes_of_tile(first, slice);
+  std::vector<Box>& boxes = tiles_[(first_slice * tiles_y_ + tile.y) * tiles_x_ + tile.x];
+  if (boxes.empty()) boxes = boxes_of_tile(first, first_slice);
   const std::size_t width = std::min(tile_side, cells_x_ - first.x);
   return boxes[(cell.y - first.y) * width + cell.x - first.x];
+}
+
+NearbyCurrents::Spans NearbyCurrents::spans(const FastAxis& axis, std::size_t cell, double share,
+                                            double reach, double off_line, double narrowest) {
+  const double width = 1.0 / axis.inverse_width(cell);
+  const auto cells_beyond = [&](double distance, double to_border) {
+    return distance < to_border ? std::size_t{0}
+                                : static_cast<std::size_t>((distance - to_border) / narrowest) + 1;
+  };
+  const auto span = [&](double down, double up) {
+    const std::size_t before = cells_beyond(down, share * width);
+    return Span{cell < before ? 0 : cell - before,
+                std::min(cell + cells_beyond(up, (1.0 - share) * width), axis.size() - 2)};
+  };
+  return {.up = span(off_line, reach), .down = span(reach, off_line)};
+}
+
+NearbyCurrents::Quarters NearbyCurrents::boxes_about(const Place& place, std::size_t first_slice) {
+  using motion::NearbyCurrent;
+  constexpr Box none{{infinite, infinite, infinite, infinite}, {-infinite, -infinite, -infinite, -infinite}};
+  const Spans x = spans(currents_.x_, place.cell.x, place.fx, reach_.x, off_line_.x, narrowest_.x);
+  const Spans y = spans(currents_.y_, place.cell.y, place.fy, reach_.y, off_line_.y, narrowest_.y);
+  Quarters quarters;
+  quarters.fill(none);
+  for (std::size_t row = y.down.from; row <= y.up.to; ++row) {
+    Box down = none;
+    Box up = none;
+    for (std::size_t column = x.down.from; column <= x.up.to; ++column) {
+      const Box& box = box_from({column, row}, first_slice);
+      if (column <= x.down.to) down.include(box);
+      if (column >= x.up.from) up.include(box);
+    }
+    if (row >= y.up.from) {
+      quarters[NearbyCurrent::quarter(false, false)].include(up);
+      quarters[NearbyCurrent::quarter(true, false)].include(down);
+    }
+    if (row <= y.down.to) {
+      quarters[NearbyCurrent::quarter(false, true)].include(up);
+      quarters[NearbyCurrent::quarter(true, true)].include(down);
+    }
+  }
+  return quarters;
 }
 
 std::optional<NearbyCurrents::Place> NearbyCurrents::place(geo::PlanePoint point) const {
@@ -171,37 +206,34 @@ motion::CurrentXy NearbyCurrents::at(const Place& place, std::size_t slice) cons
           mix(sw[0].y_m_s, sw[1].y_m_s, nw[0].y_m_s, nw[1].y_m_s)};
 }
 
-bool NearbyCurrents::enclose(motion::NearbyCurrent& near, const Place& place, std::size_t first,
-                             std::size_t last, float sign) {
-  Box box = box_about(place.cell, first);
-  for (std::size_t slice = first + 1; slice <= last; ++slice) {
-    const Box& more = box_about(place.cell, slice);
-    for (std::size_t i = 0; i < 4; ++i) {
-      box.low[i] = std::min(box.low[i], more.low[i]);
-      box.high[i] = std::max(box.high[i], more.high[i]);
-    }
-  }
-  std::array<float, 4> centre{};
-  std::array<float, 4> half{};
-  for (std::size_t i = 0; i < 4; ++i) {
-    centre[i] = sign * 0.5F * (box.low[i] + box.high[i]);
-    half[i] = 0.5F * (box.high[i] - box.low[i]);
-  }
+bool NearbyCurrents::enclose(motion::NearbyCurrent& near, const Place& place, std::size_t first_slice,
+                             float sign) {
   near.u_x = static_cast<float>(place.around.per_x_m.x);
   near.u_y = static_cast<float>(place.around.per_y_m.x);
   near.v_x = static_cast<float>(place.around.per_x_m.y);
   near.v_y = static_cast<float>(place.around.per_y_m.y);
-  near.x_by_u = centre[0];
-  near.y_by_u = centre[1];
-  near.x_by_v = centre[2];
-  near.y_by_v = centre[3];
-  near.off_by_u = std::sqrt(half[0] * half[0] + half[1] * half[1]);
-  near.off_by_v = std::sqrt(half[2] * half[2] + half[3] * half[3]);
-  const float steepest_u = std::sqrt(centre[0] * centre[0] + centre[1] * centre[1]) + near.off_by_u;
-  const float steepest_v = std::sqrt(centre[2] * centre[2] + centre[3] * centre[3]) + near.off_by_v;
-  near.unseen_m_s =
-      steepest_u * static_cast<float>(off_line_.x) + steepest_v * static_cast<float>(off_line_.y);
-  return std::isfinite(near.unseen_m_s);
+  const Quarters boxes = boxes_about(place, first_slice);
+  for (std::size_t q = 0; q < boxes.size(); ++q) {
+    std::array<float, 4> centre{};
+    std::array<float, 4> half{};
+    for (std::size_t i = 0; i < 4; ++i) {
+      centre[i] = sign * 0.5F * (boxes[q].low[i] + boxes[q].high[i]);
+      half[i] = 0.5F * (boxes[q].high[i] - boxes[q].low[i]);
+    }
+    near.x_by_u[q] = centre[0];
+    near.y_by_u[q] = centre[1];
+    near.x_by_v[q] = centre[2];
+    near.y_by_v[q] = centre[3];
+    near.off_by_u[q] = std::sqrt(half[0] * half[0] + half[1] * half[1]);
+    near.off_by_v[q] = std::sqrt(half[2] * half[2] + half[3] * half[3]);
+    const float steepest_u = std::sqrt(centre[0] * centre[0] + centre[1] * centre[1]) + near.off_by_u[q];
+    const float steepest_v = std::sqrt(centre[2] * centre[2] + centre[3] * centre[3]) + near.off_by_v[q];
+    const float unseen =
+        steepest_u * static_cast<float>(off_line_.x) + steepest_v * static_cast<float>(off_line_.y);
+    if (!std::isfinite(unseen)) return false;
+    near.unseen_m_s = std::max(near.unseen_m_s, unseen);
+  }
+  return true;
 }
 
 std::optional<motion::NearbyCurrent> NearbyCurrents::on_film(geo::PlanePoint point, core::Seconds time,
@@ -219,7 +251,7 @@ std::optional<motion::NearbyCurrent> NearbyCurrents::on_film(geo::PlanePoint poi
     near.x_m_s = static_cast<float>(c.x_m_s);
     near.y_m_s = static_cast<float>(c.y_m_s);
     near.known_s = infinite;
-    return enclose(near, *here, 0, 0, static_cast<float>(sign)) ? std::optional{near} : std::nullopt;
+    return enclose(near, *here, 0, static_cast<float>(sign)) ? std::optional{near} : std::nullopt;
   }
   const FastAxis& times = *currents_.times_s_;
   const auto when = times.locate(time.count());
@@ -259,9 +291,8 @@ std::optional<motion::NearbyCurrent> NearbyCurrents::on_film(geo::PlanePoint poi
     if (known_s >= longest_s_ || slice == end || near.knots == motion::NearbyCurrent::most_knots) break;
   }
   near.steepest_m_s2 = static_cast<float>(steepest);
-  return enclose(near, *here, std::min(first, slice), std::max(first, slice), static_cast<float>(sign))
-             ? std::optional{near}
-             : std::nullopt;
+  return enclose(near, *here, std::min(first, slice), static_cast<float>(sign)) ? std::optional{near}
+                                                                                : std::nullopt;
 }
 
 }  // namespace floeplan::planning

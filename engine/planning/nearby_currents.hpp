@@ -44,6 +44,8 @@ class NearbyCurrents {
   struct Box {
     std::array<float, 4> low;
     std::array<float, 4> high;
+
+    void include(const Box& more);
   };
   struct Cell {
     std::size_t x;
@@ -56,34 +58,48 @@ class NearbyCurrents {
     double fx;
     double fy;
   };
+  /// Cells along an axis of the data that edges can come to, both ends included.
+  struct Span {
+    std::size_t from;
+    std::size_t to;
+  };
+  /// Of edges that go up the axis and of those that go down.
+  struct Spans {
+    Span up;
+    Span down;
+  };
+  using Quarters = std::array<Box, motion::NearbyCurrent::quarters>;
   [[nodiscard]] std::optional<Place> place(geo::PlanePoint point) const;
   [[nodiscard]] motion::CurrentXy at(const Place& place, std::size_t slice) const;
   void judge_cells();
-  /// What an edge that begins in the cell can meet in a slice.
-  [[nodiscard]] const Box& box_about(Cell cell, std::size_t slice);
-  /// The same of all cells of a tile, [y][x]; `first`: the south-western one.
-  [[nodiscard]] std::vector<Box> boxes_of_tile(Cell first, std::size_t slice);
-  /// Of one cell alone.
+  [[nodiscard]] static Spans spans(const FastAxis& axis, std::size_t cell, double share, double reach,
+                                   double off_line, double narrowest);
+  /// Slices that an edge can meet at most, from the first one on.
+  [[nodiscard]] std::size_t slices_met() const;
+  /// Of a cell, in all slices that an edge can meet from the first one on; kept.
+  [[nodiscard]] const Box& box_from(Cell cell, std::size_t first_slice);
+  [[nodiscard]] std::vector<Box> boxes_of_tile(Cell first, std::size_t first_slice) const;
+  /// Of one cell in one slice.
   [[nodiscard]] Box box_of(Cell cell, std::size_t slice) const;
-  /// Adds what slices `first` to `last` enclose; false where nothing can be said.
-  bool enclose(motion::NearbyCurrent& near, const Place& place, std::size_t first, std::size_t last,
-               float sign);
+  /// What edges into each quarter can meet from a slice on.
+  [[nodiscard]] Quarters boxes_about(const Place& place, std::size_t first_slice);
+  /// Adds what encloses the water from a slice on; false where nothing can be said.
+  bool enclose(motion::NearbyCurrent& near, const Place& place, std::size_t first_slice, float sign);
 
   const PlaneCurrents& currents_;
   double longest_s_;
   bool useful_{false};
   std::size_t cells_x_{};
   std::size_t cells_y_{};
-  std::size_t reach_x_{};  // of an edge, in cells beside the one it begins in
-  std::size_t reach_y_{};
-  geo::GridPoint off_line_;    // how far an edge may lie beside a straight line in the data's coordinates
+  // In the data's coordinates:
+  geo::GridPoint reach_;       // of an edge, from where it begins
+  geo::GridPoint off_line_;    // how far an edge may lie beside a straight line
+  geo::GridPoint narrowest_;   // cell
   std::vector<Cover> covers_;  // [y][x]
-  // Of one tile, kept for the next: each cell's own boxes, and those of its neighbours in the row added.
-  std::vector<Box> own_;
-  std::vector<Box> rows_;
+  std::size_t slices_met_{1};
   std::size_t tiles_x_{};
   std::size_t tiles_y_{};
-  std::vector<std::vector<Box>> tiles_;  // [slice][y][x]; empty before they are needed
+  std::vector<std::vector<Box>> tiles_;  // [first slice][y][x]; empty before they are needed
 };
 
 }  // namespace floeplan::planning

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numbers>
 #include <random>
@@ -27,26 +28,30 @@ std::vector<geo::PlanePoint> random_edges(std::mt19937_64& rng, int count) {
   return edges;
 }
 
-/// Water that a model allows: at each knot the change for a metre is one of those in the model's box.
+/// Water that a model allows: at each knot the change for a metre is one of those in the box of the model's quarter.
 class AllowedWater {
  public:
   AllowedWater(std::mt19937_64& rng, double strength_m_s, double change_per_m) {
     model.u_x = 1.0F;
     model.v_y = 1.0F;
     const auto random = [&](double most) { return static_cast<float>(support::uniform(rng, -most, most)); };
-    model.x_by_u = random(change_per_m);
-    model.y_by_u = random(change_per_m);
-    model.x_by_v = random(change_per_m);
-    model.y_by_v = random(change_per_m);
-    model.off_by_u = std::abs(random(change_per_m));
-    model.off_by_v = std::abs(random(change_per_m));
+    for (std::size_t q = 0; q < NearbyCurrent::quarters; ++q) {
+      model.x_by_u[q] = random(change_per_m);
+      model.y_by_u[q] = random(change_per_m);
+      model.x_by_v[q] = random(change_per_m);
+      model.y_by_v[q] = random(change_per_m);
+      model.off_by_u[q] = std::abs(random(change_per_m));
+      model.off_by_v[q] = std::abs(random(change_per_m));
+    }
     const double first_s = support::uniform(rng, 100.0, 3'600.0);
     for (int i = 0; i < 9; ++i) {
       times_s.push_back(i == 0 ? 0.0 : first_s + 3'600.0 * (i - 1));
       values.push_back({support::uniform(rng, -strength_m_s, strength_m_s),
                         support::uniform(rng, -strength_m_s, strength_m_s)});
-      by_u.push_back(within(rng, model.x_by_u, model.y_by_u, model.off_by_u));
-      by_v.push_back(within(rng, model.x_by_v, model.y_by_v, model.off_by_v));
+      for (std::size_t q = 0; q < NearbyCurrent::quarters; ++q) {
+        by_u[q].push_back(within(rng, model.x_by_u[q], model.y_by_u[q], model.off_by_u[q]));
+        by_v[q].push_back(within(rng, model.x_by_v[q], model.y_by_v[q], model.off_by_v[q]));
+      }
     }
     CurrentXy before{};
     for (std::size_t i = 0; i + 1 < times_s.size(); ++i) {
@@ -83,8 +88,9 @@ class AllowedWater {
                        of[i].y_m_s + share * (of[i + 1].y_m_s - of[i].y_m_s)};
     };
     const CurrentXy c = at(values);
-    const CurrentXy u = at(by_u);
-    const CurrentXy v = at(by_v);
+    const std::size_t q = NearbyCurrent::quarter(point.x_m < 0.0, point.y_m < 0.0);
+    const CurrentXy u = at(by_u[q]);
+    const CurrentXy v = at(by_v[q]);
     return CurrentXy{c.x_m_s + u.x_m_s * point.x_m + v.x_m_s * point.y_m,
                      c.y_m_s + u.y_m_s * point.x_m + v.y_m_s * point.y_m};
   }
@@ -100,8 +106,8 @@ class AllowedWater {
 
   std::vector<double> times_s;
   std::vector<CurrentXy> values;
-  std::vector<CurrentXy> by_u;
-  std::vector<CurrentXy> by_v;
+  std::array<std::vector<CurrentXy>, NearbyCurrent::quarters> by_u;
+  std::array<std::vector<CurrentXy>, NearbyCurrent::quarters> by_v;
 };
 
 constexpr FanVehicle vehicle{.through_water_m_s = through_water_m_s, .longest_s = 20'000.0F};
