@@ -113,16 +113,27 @@ const motion::FanTimes* Foresight::estimates(graph::Vertex v, core::Seconds depa
   return &times_;
 }
 
-std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::stop_token& stop) {
+std::vector<graph::Edge> Foresight::likely_way(core::Seconds depart, const std::stop_token& stop,
+                                               const Minding& minding) {
   const RouteGrid& grid = open_.grid;
+  const auto is_barred = [&](const graph::Edge& edge) {
+    return std::ranges::any_of(minding.barred, [&](const graph::Edge& barred) {
+      return barred.tail == edge.tail && barred.step == edge.step;
+    });
+  };
+  const auto is_closed = [&](const graph::Edge& edge, core::Seconds now, core::Seconds time) {
+    const geo::PlanePoint tail = grid.point(edge.tail);
+    const geo::PlanePoint head = grid.point(edge.head);
+    return is_barred(edge) || sea_.closed_between(tail, head) ||
+           (minding.timed_closures && !sea_.first_clear_departure(tail, head, time, now, now));
+  };
   bool is_known = false;
   const auto time_fan = [&](const graph::Edge& edge, core::Seconds now, core::Seconds latest,
                             bool is_new) -> std::optional<core::Seconds> {
     if (is_new) is_known = look(edge.tail, now, NearbyCurrents::Film::forwards, Fidelity::estimate);
     if (!is_known) return std::nullopt;
     const core::Seconds time{static_cast<double>(times_.time_s[edge.step])};
-    if (now + time >= latest) return std::nullopt;
-    if (sea_.closed_between(grid.point(edge.tail), grid.point(edge.head))) return std::nullopt;
+    if (now + time >= latest || is_closed(edge, now, time)) return std::nullopt;
     return time;
   };
   const StraightBound straight{sea_, grid, open_.graph, grid.goal};

@@ -28,9 +28,15 @@ class Foresight {
   /// Whether the bounds say more than a straight line with the strongest current astern.
   [[nodiscard]] bool is_useful() const { return !nearby_ || nearby_->is_useful(); }
 
+  /// What an estimated way minds besides what is closed at all times.
+  struct Minding {
+    bool timed_closures{false};         // as far as an even drive along each edge meets them
+    std::vector<graph::Edge> barred{};  // edges not to be taken, a few
+  };
   /// A way from start to goal that is likely to be about the best, edge by edge; empty where none is seen or once
   /// `stop` is requested. Not proven open.
-  [[nodiscard]] std::vector<graph::Edge> likely_way(core::Seconds depart, const std::stop_token& stop);
+  [[nodiscard]] std::vector<graph::Edge> likely_way(core::Seconds depart, const std::stop_token& stop,
+                                                    const Minding& minding);
 
   /// Until when a vertex is of use to who leaves the start at `depart` and is to be at the goal by `arrive`, on the
   /// film run backwards: the tree's arrival at the vertex is the time -t. Not reached: it is of no use.

@@ -39,19 +39,27 @@ struct FrozenTravelTime {
   }
 };
 
-/// When the way ends; infinite where an edge is closed.
+/// When a way that is likely to be about the best ends, by true times; infinite where none is found that is open.
+/// `timed_closures`: whether the travel times mind what closes for a while
 template <class TravelTime>
-core::Seconds arrival_along(const std::vector<Edge>& way, const TravelTime& travel_time,
-                            core::Seconds depart) {
+core::Seconds likely_arrival(Foresight& foresight, const TravelTime& travel_time, bool timed_closures,
+                             core::Seconds depart, const std::stop_token& stop) {
+  constexpr std::size_t most_barred = 8;  // each takes another way, far less work than a search without one
   constexpr core::Seconds never{INFINITY};
-  if (way.empty()) return never;
-  core::Seconds now = depart;
-  for (const Edge& edge : way) {
-    const auto time = travel_time(edge, now, never);
-    if (!time) return never;
-    now += *time;
+  Foresight::Minding minding{.timed_closures = timed_closures};
+  while (minding.barred.size() < most_barred) {
+    const std::vector<Edge> way = foresight.likely_way(depart, stop, minding);
+    if (way.empty()) return never;
+    core::Seconds now = depart;
+    const auto closed = std::ranges::find_if(way, [&](const Edge& edge) {
+      const auto time = travel_time(edge, now, never);
+      if (time) now += *time;
+      return !time;
+    });
+    if (closed == way.end()) return now;
+    minding.barred.push_back(*closed);
   }
-  return now;
+  return never;
 }
 
 void describe_end(RouteSearch& result, const Sea& sea, const RouteGrid& grid, const graph::GridGraph& graph,
@@ -186,14 +194,14 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
                     static_cast<double>(std::max<std::int64_t>(1, result.statistics.vertices)));
   };
   // The same answer as from a search with the straight bound alone, found among fewer vertices.
-  const auto search_ahead = [&](const auto& travel_time) -> graph::SearchTree {
+  const auto search_ahead = [&](const auto& travel_time, bool timed_closures) -> graph::SearchTree {
     const bool towards_goal = request.method == Method::astar;
     std::optional<Foresight> own_foresight;
     Foresight& foresight = kept_foresight != nullptr ? *kept_foresight : own_foresight.emplace(sea, open);
     if (foresight.is_useful()) {
       graph::Query in_time = query;
       if (std::isinf(query.latest.count())) {
-        in_time.latest = arrival_along(foresight.likely_way(depart, stop), travel_time, depart);
+        in_time.latest = likely_arrival(foresight, travel_time, timed_closures, depart, stop);
         refused.edges.clear();
       }
       if (std::isfinite(in_time.latest.count()) && !stop.stop_requested()) {
@@ -219,11 +227,11 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
     }
     return graph::find_earliest_arrivals(graph, query, travel_time, stop, EdgeBound{straight}, report);
   };
-  const auto search = [&](const auto& travel_time) -> graph::SearchTree {
+  const auto search = [&](const auto& travel_time, bool timed_closures) -> graph::SearchTree {
     switch (request.method) {
       case Method::tve: return graph::find_earliest_arrivals_tve(graph, query, travel_time, stop, report);
       case Method::dijkstra:
-      case Method::astar: return search_ahead(travel_time);
+      case Method::astar: return search_ahead(travel_time, timed_closures);
       case Method::frozen:
         return graph::find_earliest_arrivals(graph, query, FrozenTravelTime{{sea, grid}, depart}, stop,
                                              EdgeBound{straight}, report);
@@ -243,8 +251,8 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
 
   // What no timed closure meets on the best way without any is the best way with all of them.
   const bool in_time = sea.has_timed_closures() && request.method != Method::frozen;
-  graph::SearchTree tree =
-      in_time ? search(UntimedTravelTime{sea, grid, &refused}) : search(GridTravelTime{sea, grid, &refused});
+  graph::SearchTree tree = in_time ? search(UntimedTravelTime{sea, grid, &refused}, false)
+                                   : search(GridTravelTime{sea, grid, &refused}, false);
   adopt(tree);
   const auto untimed_way = in_time ? timed_without_delay(sea, result.path, depart, tree.arrival_s(grid.goal))
                                    : UntimedWay{.is_best = true, .arrival_s = INFINITY};
@@ -253,7 +261,7 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
     const AtOnce at_once{result.path, core::Seconds{least_s}};
     if (is_refused_for_late_goal(result, sea, open, at_once, depart)) return result;
     refused.edges.clear();
-    tree = search(GridTravelTime{sea, grid, &refused});
+    tree = search(GridTravelTime{sea, grid, &refused}, true);
     adopt(tree);
     double arrival_s = tree.arrival_s(grid.goal);
     if (untimed_way.arrival_s < arrival_s) {

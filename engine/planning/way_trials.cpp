@@ -139,7 +139,7 @@ class GridTrial {
   Way likely_way(core::Seconds depart, const LegTimes& leg_times) {
     const auto times = rationed(leg_times);
     Way way{.path = {open_.grid.point(open_.grid.start)}, .arrival = depart};
-    const std::vector<graph::Edge> edges = foresight_.likely_way(depart, stop_);
+    const std::vector<graph::Edge> edges = foresight_.likely_way(depart, stop_, {});
     for (const graph::Edge& edge : edges) {
       const auto time = times(edge, way.arrival, whenever);
       if (!time) return {};

@@ -102,7 +102,7 @@ TEST(Foresight, StopsWhenAsked) {
   std::stop_source source;
   source.request_stop();
 
-  EXPECT_TRUE(foresight.likely_way(core::Seconds{0.0}, source.get_token()).empty());
+  EXPECT_TRUE(foresight.likely_way(core::Seconds{0.0}, source.get_token(), {}).empty());
   EXPECT_TRUE(
       foresight.until_when_of_use(core::Seconds{0.0}, core::Seconds{1e6}, source.get_token()).stopped);
 }
