@@ -109,6 +109,23 @@ std::optional<double> DriftingDisc::gap_m(geo::PlanePoint point, double t_s) con
   return gap_m;
 }
 
+std::optional<TimeSpan> DriftingDisc::covers_from(std::size_t knot, geo::PlanePoint point) const {
+  const auto is_inside = [&](const Knot& at) {
+    const double x_m = point.x_m - at.centre.x_m;
+    const double y_m = point.y_m - at.centre.y_m;
+    return x_m * x_m + y_m * y_m <= at.radius_m * at.radius_m;
+  };
+  const Knot& from = knots_[knot];
+  const bool lasts = knot + 1 == knots_.size();
+  const Knot& to = lasts ? from : knots_[knot + 1];
+  // Distance less radius is convex in time: who is inside at both ends is inside all the time.
+  if (is_inside(from) && is_inside(to))
+    return TimeSpan{core::Seconds{from.t_s}, core::Seconds{lasts ? forever : to.t_s}};
+  const motion::EvenMove stay{point, point, from.t_s, lasts ? forever : to.t_s};
+  if (is_far(stay, from, to, 0.0)) return std::nullopt;
+  return time_within(piece(knot), stay);
+}
+
 std::vector<TimeSpan> DriftingDisc::covers(geo::PlanePoint point) const {
   std::vector<TimeSpan> covered;
   if (!swept_.contains(point)) return covered;
@@ -117,8 +134,7 @@ std::vector<TimeSpan> DriftingDisc::covers(geo::PlanePoint point) const {
       knot += knots_in_a_block - 1;
       continue;
     }
-    const motion::MovingDisc disc = piece(knot);
-    const auto span = time_within(disc, {point, point, disc.t0_s, disc.t1_s});
+    const auto span = covers_from(knot, point);
     if (!span) continue;
     // Where the disc covers the point at a knot, two pieces of its drift end and begin there.
     if (!covered.empty() && span->from <= covered.back().until) {

@@ -64,6 +64,8 @@ class DriftingDisc {
 
  private:
   [[nodiscard]] motion::MovingDisc piece(std::size_t knot) const;
+  /// When it covers the point from a knot to the next; empty: never.
+  [[nodiscard]] std::optional<TimeSpan> covers_from(std::size_t knot, geo::PlanePoint point) const;
   /// The last knot that is not later; the first one where all are.
   [[nodiscard]] std::size_t last_knot_by(double t_s) const {
     const auto after = std::ranges::upper_bound(knots_, t_s, {}, &Knot::t_s);

@@ -45,7 +45,7 @@ LaterWay search_later_ways(const Sea& sea, const OpenGrid& open, core::Seconds d
   result.cancelled = stop.stop_requested();
   if (result.cancelled || openings.empty()) return result;
 
-  const Voyage voyage{sea, open.grid, openings, latest, ladder ? &*ladder : nullptr};
+  Voyage voyage{sea, open.grid, openings, latest, ladder ? &*ladder : nullptr};
   const core::Seconds near_enough =
       sea.longest_wait().count() > 0.0 ? std::max(slack, fineness_of_waits_on(sea, open)) : slack;
   const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, depart.count(), {},

@@ -36,7 +36,11 @@ class Openings {
     return found == closed_.end() ? never_ : found->second;
   }
   [[nodiscard]] bool matter(graph::Vertex v, double arrival_s) const {
-    return !windows_.empty() && windows_[v].from_s <= arrival_s && arrival_s <= windows_[v].until_s;
+    return matter(v, arrival_s, arrival_s);
+  }
+  /// For some arrival between the two.
+  [[nodiscard]] bool matter(graph::Vertex v, double first_s, double last_s) const {
+    return !windows_.empty() && windows_[v].from_s <= last_s && first_s <= windows_[v].until_s;
   }
 
  private:

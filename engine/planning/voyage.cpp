@@ -12,7 +12,8 @@ Voyage::Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, 
       openings_{openings},
       goal_{grid.point(grid.goal)},
       latest_s_{latest.count()},
-      ladder_{ladder} {
+      ladder_{ladder},
+      earliest_s_(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny), INFINITY) {
   const double step_m =
       std::min(std::hypot(grid.along.x_m, grid.along.y_m), std::hypot(grid.across.x_m, grid.across.y_m));
   span_s_ = (core::Metres{step_m} / sea.through_water()).count();

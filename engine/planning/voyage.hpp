@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cstdint>
+#include <vector>
 
 #include "engine/graph/label_search.hpp"
 #include "engine/planning/arrival_ladder.hpp"
@@ -37,18 +38,21 @@ class Voyage {
   Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, core::Seconds latest,
          ArrivalLadder* ladder = nullptr);
 
-  void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) const {
+  void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) {
     const geo::PlanePoint head = grid_.point(edge.head);
     double latest_s = latest_s_ - sea_.least_time(head, goal_).count();
     if (ladder_ != nullptr) {
       latest_s = std::min(latest_s, ladder_->latest_use_s(edge.head));
-      if (arrival_s + ladder_->least_time_s(edge, arrival_s) > latest_s) return;
+      const double least_s = arrival_s + ladder_->least_time_s(edge, arrival_s);
+      if (least_s > latest_s || is_dominated(edge.head, least_s, latest_s)) return;
     }
     const core::Seconds arrive{arrival_s};
     for_each_opening(sea_, grid_.point(edge.tail), head, openings_.closed(edge.head), arrive,
                      core::Seconds{latest_s}, [&](const WaitedLeg& leg) {
                        const double there_s = (arrive + leg.total()).count();
-                       if (there_s < latest_s) emit(there_s, state, 0U);
+                       if (there_s >= latest_s) return;
+                       earliest_s_[edge.head] = std::min(earliest_s_[edge.head], there_s);
+                       emit(there_s, state, 0U);
                      });
   }
 
@@ -71,6 +75,10 @@ class Voyage {
                                const graph::Label<State>& b) const;
 
  private:
+  /// Whether an arrival between the two, whenever it is, is of no use beside those that there were before.
+  [[nodiscard]] bool is_dominated(graph::Vertex v, double first_s, double last_s) const {
+    return earliest_s_[v] <= first_s && !openings_.matter(v, first_s, last_s);
+  }
   /// The earliest arrival at the goal, as far as it is closed then.
   [[nodiscard]] double opens_s(double when_s) const;
 
@@ -81,6 +89,7 @@ class Voyage {
   double latest_s_;
   double span_s_;
   ArrivalLadder* ladder_;
+  std::vector<double> earliest_s_;  // arrival so far, by vertex
 };
 
 }  // namespace floeplan::planning

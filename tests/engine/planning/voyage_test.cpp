@@ -35,7 +35,7 @@ TEST(Voyage, WithNothingToCarryArrivesWhenThePlainSearchDoes) {
     const OpenGrid open = open_grid(sea, grid, request.sectors, {});
     const core::Seconds whenever{INFINITY};
     const Openings openings{sea, open, whenever, {}};
-    const Voyage voyage{sea, grid, openings, whenever};
+    Voyage voyage{sea, grid, openings, whenever};
 
     const auto search =
         graph::find_best_labels(open.graph, grid.start, grid.goal, 0.0, {}, voyage, plenty, {});
@@ -69,7 +69,7 @@ TEST_F(VoyageToAGoalThatOpens, EndsWhenItDoesAndIsBoundedByThat) {
   const Sea sea{environment_, request_, projection, grid_.bounds().grown(2000.0), core::Metres{500.0}};
   const OpenGrid open = open_grid(sea, grid_, request_.sectors, {});
   const Openings openings{sea, open, whenever, {}};
-  const Voyage voyage{sea, grid_, openings, whenever};
+  Voyage voyage{sea, grid_, openings, whenever};
   const std::vector<TimeSpan> closed = sea.closed_times(grid_.point(grid_.goal));
   ASSERT_EQ(closed.size(), 1U);
 
