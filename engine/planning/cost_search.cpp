@@ -49,6 +49,38 @@ bool append(DrivenRoute& route, const Sea& sea, const RouteGrid& grid, const Way
   return touches_rim(points, grid);
 }
 
+/// When a search begins, and how long ago the vehicle might have surfaced then.
+struct Beginning {
+  core::Seconds depart;
+  core::Seconds since_surfacing{};
+};
+
+/// A way over one grid, all on one drive.
+struct EvenWay {
+  std::vector<geo::PlanePoint> path{};
+  vehicle::Drive drive{};
+  double cost{INFINITY};  // infinite: there is none
+};
+
+/// Adds a way that is known, on the drives that make it cheap; answers with its end and nothing where it is closed.
+std::optional<Beginning> append(CostWay& found, const Sea& sea, const RouteGrid& grid, const EvenWay& way,
+                                const Objective& objective, const Beginning& beginning,
+                                const std::stop_token& stop) {
+  DrivenRoute route{.points = way.path,
+                    .fixed = std::vector<bool>(way.path.size(), false),
+                    .drives = std::vector<vehicle::Drive>(way.path.size() - 1, way.drive)};
+  route = choose_drives(sea, route, objective, beginning.depart, stop, beginning.since_surfacing);
+  const auto times = drive_along(sea, route, beginning.depart, beginning.since_surfacing);
+  if (!times) return std::nullopt;
+  route.fixed.back() = true;
+  DrivenRoute& whole = found.route;
+  whole.points.insert(whole.points.end(), route.points.begin() + 1, route.points.end());
+  whole.fixed.insert(whole.fixed.end(), route.fixed.begin() + 1, route.fixed.end());
+  whole.drives.insert(whole.drives.end(), route.drives.begin(), route.drives.end());
+  found.touches_rim = found.touches_rim || touches_rim(route.points, grid);
+  return Beginning{times->arrivals.back(), times->since_surfacing};
+}
+
 /// The way of the earliest arrival, all on the first drive.
 Result<CostWay> earliest_way(const Sea& sea, const std::vector<OpenGrid>& grids, const PlanRequest& request,
                              core::Seconds depart, const std::stop_token& stop,
@@ -69,12 +101,6 @@ std::size_t labels_of_steered(const OpenGrid& open) {
   return static_cast<std::size_t>(std::clamp(labels_a_vertex * open.vertices, fewest_labels, most));
 }
 
-/// When a search begins, and how long ago the vehicle might have surfaced then.
-struct Beginning {
-  core::Seconds depart;
-  core::Seconds since_surfacing{};
-};
-
 /// What the way costs at once and without waits; infinite where it is closed then.
 double cost_along(const Sea& sea, const std::vector<geo::PlanePoint>& path, const Objective& objective,
                   const Beginning& beginning, vehicle::Drive drive) {
@@ -82,6 +108,19 @@ double cost_along(const Sea& sea, const std::vector<geo::PlanePoint>& path, cons
   const DrivenRoute route{.points = path, .fixed = {}, .drives = std::vector(path.size() - 1, drive)};
   const auto times = drive_along(sea, route, beginning.depart, beginning.since_surfacing, Dives::over_map);
   return times ? times->cost(objective) : INFINITY;
+}
+
+/// On the drive that makes it the cheapest.
+EvenWay on_cheapest_drive(const Sea& sea, const std::vector<geo::PlanePoint>& path,
+                          const Objective& objective, const Beginning& beginning) {
+  EvenWay best{.path = path};
+  for (const vehicle::Drive drive : sea.drives()) {
+    const double cost = cost_along(sea, path, objective, beginning, drive);
+    if (!(cost < best.cost)) continue;
+    best.cost = cost;
+    best.drive = drive;
+  }
+  return best;
 }
 
 /// Whether the goal is closed from before anybody can be there until then.
@@ -123,12 +162,17 @@ class KnownLimit {
         sea, open, by_time, depart, stop, [](double) {}, core::Seconds{INFINITY}, beginning.since_surfacing,
         &guide.foresight());
     if (stop.stop_requested()) return;
-    const RouteSearch& fastest = *fastest_;
-    is_hopeless_ = leaves_no_hope(fastest, sea, open, depart, guide, stop);
-    double cost = INFINITY;
-    for (const vehicle::Drive drive : sea.drives()) {
-      cost = std::min(cost, cost_along(sea, fastest.path, request.objective(), beginning, drive));
+    is_hopeless_ = leaves_no_hope(*fastest_, sea, open, depart, guide, stop);
+    if (is_hopeless_ || stop.stop_requested()) return;
+    known_way_ = on_cheapest_drive(sea, fastest_->path, request.objective(), beginning);
+    if (fastest_->path.empty() && sea.drives().size() > 1) {
+      // A bound on the time without surfacing, or the current, may leave a way to the faster drive alone.
+      const RouteSearch faster = search_route(
+          sea.driven_by(sea.drives().back()), open, by_time, depart, stop, [](double) {},
+          core::Seconds{INFINITY}, beginning.since_surfacing, &guide.foresight());
+      known_way_ = on_cheapest_drive(sea, faster.path, request.objective(), beginning);
     }
+    const double cost = known_way_.cost;
     if (!std::isfinite(cost) || stop.stop_requested()) return;
     last_ = depart + core::Seconds{cost / CostVoyage::least_rate(sea, request.objective())};
     const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
@@ -145,6 +189,8 @@ class KnownLimit {
   /// Whether no way need be looked for, on whatever drive.
   [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
   [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
+  /// What the limit is the cost of.
+  [[nodiscard]] const EvenWay& way() const { return known_way_; }
   /// Null without a limit.
   [[nodiscard]] const ArrivalLadder* ladder() const { return limit_ ? &*ladder_ : nullptr; }
   /// When a voyage of that cost ends at the latest.
@@ -158,6 +204,7 @@ class KnownLimit {
   std::optional<CostVoyage::Limit> limit_;
   core::Seconds last_{};
   std::optional<RouteSearch> fastest_;
+  EvenWay known_way_;
   bool is_hopeless_{false};
 };
 
@@ -221,7 +268,21 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
     const auto search = graph::find_best_labels(open.graph, open.grid.start, open.grid.goal, now_s, state,
                                                 voyage, labels, stop, report, slack);
     if (search.stopped) return tl::unexpected(explain_cancelled(request));
+    found.statistics.cut_short = found.statistics.cut_short || search.full;
+    found.statistics.vertices += open.vertices;
+    found.statistics.edges += open.edges;
+    found.statistics.edge_evaluations += search.counters.edge_evaluations;
+    found.statistics.expansions += search.counters.expansions;
     const auto way = search.goal ? graph::way_to(search, *search.goal) : Way{};
+    if (way.empty() && std::isfinite(known.way().cost)) {
+      found.statistics.cut_short = true;  // there is a way, and the search lost it
+      const auto end = append(found, sea, open.grid, known.way(), request.objective(), beginning, stop);
+      if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
+      if (end) {
+        beginning = *end;
+        continue;
+      }
+    }
     if (way.empty() ||
         circles_too_long(sea, open, points_of(open.grid, way), beginning.depart, std::nullopt, stop)) {
       auto earliest = earliest_of_all();
@@ -232,14 +293,9 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
       }
       return earliest;
     }
-    found.statistics.cut_short = found.statistics.cut_short || search.full;
     beginning.depart = core::Seconds{way.back().arrival_s};
     beginning.since_surfacing = beginning.depart - core::Seconds{way.back().state.surfaced_s};
     if (append(found.route, sea, open.grid, way)) found.touches_rim = true;
-    found.statistics.vertices += open.vertices;
-    found.statistics.edges += open.edges;
-    found.statistics.edge_evaluations += search.counters.edge_evaluations;
-    found.statistics.expansions += search.counters.expansions;
   }
   return found;
 }

@@ -77,7 +77,9 @@ class CostVoyage {
     if (a.state.cost > b.state.cost || !surfaced_as_late(a, b)) return false;
     const bool may_open = closures_ && (openings_ == nullptr || openings_->matter(v, b.arrival_s));
     if (may_open) return span(a.arrival_s) == span(b.arrival_s);
-    return steady_ || span(a.arrival_s) <= span(b.arrival_s);
+    // In steady waters the hour matters for nothing but how long ago the vehicle might have surfaced.
+    const bool any_hour = steady_ && (!longest_without_surfacing_ || a.state.surfaced_s == a.arrival_s);
+    return any_hour || span(a.arrival_s) <= span(b.arrival_s);
   }
 
  private:

@@ -170,6 +170,12 @@ class Sea {
   [[nodiscard]] std::optional<core::Seconds> longest_without_surfacing() const {
     return longest_without_surfacing_;
   }
+  /// The same sea for a vehicle that is driven so all the way.
+  [[nodiscard]] Sea driven_by(vehicle::Drive drive) const {
+    Sea driven = *this;
+    driven.drives_ = {drive};
+    return driven;
+  }
   /// The same sea for a vehicle that may stay below for as long as it takes.
   [[nodiscard]] Sea without_bound_on_surfacing() const {
     Sea unbounded = *this;

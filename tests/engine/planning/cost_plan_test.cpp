@@ -93,6 +93,27 @@ TEST(CostPlan, SavesEnergyAndTheFastestPlanTimeInWhateverCurrents) {
   });
 }
 
+TEST(CostPlan, UsesTheThrusterOnlyBelowTheIceThatIsTooWideForTheBuoyancyDrive) {
+  // 21 km of ice over the whole sea: 59,000 s on the buoyancy drive.
+  ocean::Environment environment;
+  environment.ice = support::ice_from(
+      [](geo::LonLat place, double) { return std::abs(place.lon_deg + 53.0) < 0.26 ? 0.9 : 0.0; }, {0.0},
+      1.0);
+  PlanRequest request = hybrid_request();
+  request.spacing_along = core::Metres{1000.0};
+  request.refine = false;
+  request.under_ice.max_time_without_surfacing = core::Seconds{47'000.0};
+
+  const auto fastest = plan(environment, request, time_objective);
+  const auto cheapest = plan(environment, request, energy_objective);
+
+  ASSERT_TRUE(fastest && cheapest);
+  EXPECT_LT(energy_j(*cheapest), 0.8 * energy_j(*fastest));
+  EXPECT_EQ(cheapest->waypoints[1].drive, vehicle::Drive::buoyancy);
+  EXPECT_EQ(cheapest->waypoints.back().drive, vehicle::Drive::buoyancy);
+  EXPECT_LE(cheapest->surfacing->longest_without, *request.under_ice.max_time_without_surfacing);
+}
+
 TEST(CostPlan, TurnsTheThrusterOnWhereTheBuoyancyDriveHardlyMakesWay) {
   // A stream 8 km wide sets against the vehicle at nearly its speed on the buoyancy drive, 0.35 m/s.
   const auto stream = [](geo::LonLat place, double) {

@@ -124,6 +124,28 @@ TEST(CostVoyage, IsNearlyExactInATide) {
   });
 }
 
+TEST(CostVoyage, KeepsTheDearerDriveWhereTheCheaperOneIsBelowIceForTooLong) {
+  // 11.3 km in still water: 32,000 s on the buoyancy drive, 22,000 s on the thruster, 27,000 s on one after the other.
+  ocean::Environment environment;
+  environment.ice = support::ice_from([](geo::LonLat, double) { return 0.9; }, {0.0}, 1.0);
+  PlanRequest request = hybrid_request(energy_objective);
+  request.under_ice.max_time_without_surfacing = core::Seconds{25'000.0};
+  const Sea sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, area, core::Metres{1000.0}};
+  const OpenGrid open = open_grid(sea, small_grid, 1, {});
+  CostVoyage voyage{sea, open, energy_objective};
+  // There is no opening anywhere to be in time at: arrivals are judged by the rules of dominance alone.
+  const auto at_half_way = [&](double arrival_s, double cost) {
+    return graph::Label<CostVoyage::State>{
+        .vertex = 4, .arrival_s = arrival_s, .state = {.cost = cost, .surfaced_s = 0.0}};
+  };
+  const auto on_buoyancy = at_half_way(16'000.0, 1.0);
+  const auto on_thruster = at_half_way(11'000.0, 2.0);
+
+  EXPECT_FALSE(voyage.dominates(4, on_buoyancy, on_thruster));
+  EXPECT_FALSE(voyage.dominates(4, on_thruster, on_buoyancy));
+  EXPECT_TRUE(voyage.dominates(4, at_half_way(11'000.0, 0.9), on_buoyancy));
+}
+
 /// What the search with its limits costs, as a share of what a search without any does.
 double share_of_plain_cost(const ocean::Environment& environment, const Objective& objective) {
   const PlanRequest request = hybrid_request(objective);

@@ -92,7 +92,7 @@ TEST(SearchRoute, FindsWithForesightWhatTheLabelCorrectingSearchFinds) {
 TEST(Foresight, IsOfNoUseWhereDataAreMuchFinerThanTheGrid) {
   const Waters coarse{{.currents = support::currents_from(
                            [](geo::LonLat, double) { return geo::VelocityEn{{0.1}, {0.0}}; }, 2)},
-                      12'000.0};
+                      24'000.0};
   EXPECT_FALSE((Foresight{coarse.sea, coarse.open}.is_useful()));
 }
 
