@@ -43,7 +43,7 @@ class ExportSeaTest : public support::ApiTest {
     dataset.id = {id};
     dataset.kind = kind;
     dataset.bounds = {-54.0, 68.5, -52.0, 69.5};
-    if (kind == repository::DatasetKind::ice) {
+    if (kind != repository::DatasetKind::bathymetry) {
       dataset.time_start = core::from_unix_seconds(start_s);
       dataset.time_end = core::from_unix_seconds(start_s + 86400.0);
     }
@@ -94,6 +94,33 @@ TEST_F(ExportSeaTest, OneYoForAWayBelowIceIsNotWrittenOverABank) {
   ASSERT_EQ(beside_it.status, 200) << beside_it.body;
   EXPECT_THAT(json_of(beside_it)["files"][0]["text"].get<std::string>(),
               HasSubstr("u_max_expected_iceberg_depth(m) 48\n"));
+}
+
+TEST_F(ExportSeaTest, OneYoForAWayBelowIceIsNotWrittenWhereItMeetsTooStrongACurrent) {
+  // Water that flows west at 1 m/s below 60 m and stands above 40 m.
+  const ocean::Axis levels{{0.0, 40.0, 60.0, 300.0}};
+  const ocean::Axis times{{start_s, start_s + 86400.0}};
+  add("currents-1", repository::DatasetKind::currents);
+  repository::FieldRepository fields{db_};
+  fields.create(
+      {"currents-1"},
+      {{geo::GeographicFrame{}, ocean::Axis{{-54.0, -52.0}}, ocean::Axis{{68.5, 69.5}}}, levels, times});
+  for (std::size_t day = 0; day < 2; ++day) {
+    for (std::size_t level = 0; level < 4; ++level) {
+      fields.write_slice({"currents-1"}, "u_m_s", day, level,
+                         std::vector<float>(4, level < 2 ? 0.0F : -1.0F));
+      fields.write_slice({"currents-1"}, "v_m_s", day, level, std::vector<float>(4, 0.0F));
+    }
+  }
+  store("p1", -53.7, -53.3, 58.0);
+
+  const auto refused = answer("p1", "mission?safe=-53.5,69");
+
+  EXPECT_EQ(refused.status, 400);
+  EXPECT_THAT(refused.body,
+              AllOf(HasSubstr("cannot be flown by the one yo of the mission, which turns between "
+                              "58 m and 196 m all the way"),
+                    HasSubstr("too strong")));
 }
 
 TEST_F(ExportSeaTest, PlacesToRecoverToAreOpenWater) {
