@@ -55,32 +55,6 @@ struct Beginning {
   core::Seconds since_surfacing{};
 };
 
-/// A way over one grid, all on one drive.
-struct EvenWay {
-  std::vector<geo::PlanePoint> path{};
-  vehicle::Drive drive{};
-  double cost{INFINITY};  // infinite: there is none
-};
-
-/// Adds a way that is known, on the drives that make it cheap; answers with its end and nothing where it is closed.
-std::optional<Beginning> append(CostWay& found, const Sea& sea, const RouteGrid& grid, const EvenWay& way,
-                                const Objective& objective, const Beginning& beginning,
-                                const std::stop_token& stop) {
-  DrivenRoute route{.points = way.path,
-                    .fixed = std::vector<bool>(way.path.size(), false),
-                    .drives = std::vector<vehicle::Drive>(way.path.size() - 1, way.drive)};
-  route = choose_drives(sea, route, objective, beginning.depart, stop, beginning.since_surfacing);
-  const auto times = drive_along(sea, route, beginning.depart, beginning.since_surfacing);
-  if (!times) return std::nullopt;
-  route.fixed.back() = true;
-  DrivenRoute& whole = found.route;
-  whole.points.insert(whole.points.end(), route.points.begin() + 1, route.points.end());
-  whole.fixed.insert(whole.fixed.end(), route.fixed.begin() + 1, route.fixed.end());
-  whole.drives.insert(whole.drives.end(), route.drives.begin(), route.drives.end());
-  found.touches_rim = found.touches_rim || touches_rim(route.points, grid);
-  return Beginning{times->arrivals.back(), times->since_surfacing};
-}
-
 /// The way of the earliest arrival, all on the first drive.
 Result<CostWay> earliest_way(const Sea& sea, const std::vector<OpenGrid>& grids, const PlanRequest& request,
                              core::Seconds depart, const std::stop_token& stop,
@@ -101,26 +75,27 @@ std::size_t labels_of_steered(const OpenGrid& open) {
   return static_cast<std::size_t>(std::clamp(labels_a_vertex * open.vertices, fewest_labels, most));
 }
 
-/// What the way costs at once and without waits; infinite where it is closed then.
-double cost_along(const Sea& sea, const std::vector<geo::PlanePoint>& path, const Objective& objective,
-                  const Beginning& beginning, vehicle::Drive drive) {
+/// What the way costs at once and without waits; infinite where it is closed then, or leaves less of the bound on the
+/// time without surfacing than what comes after needs.
+double cost_along(const Sea& sea, const OpenGrid& open, const std::vector<geo::PlanePoint>& path,
+                  const Objective& objective, const Beginning& beginning, vehicle::Drive drive) {
   if (path.empty()) return INFINITY;
   const DrivenRoute route{.points = path, .fixed = {}, .drives = std::vector(path.size() - 1, drive)};
   const auto times = drive_along(sea, route, beginning.depart, beginning.since_surfacing, Dives::over_map);
-  return times ? times->cost(objective) : INFINITY;
+  if (!times) return INFINITY;
+  const core::Seconds needed_after = std::max(open.least_after_goal, open.left_at_goal);
+  if (sea.bounds_surfacing() && times->since_surfacing + needed_after > *sea.longest_without_surfacing())
+    return INFINITY;
+  return times->cost(objective);
 }
 
-/// On the drive that makes it the cheapest.
-EvenWay on_cheapest_drive(const Sea& sea, const std::vector<geo::PlanePoint>& path,
-                          const Objective& objective, const Beginning& beginning) {
-  EvenWay best{.path = path};
-  for (const vehicle::Drive drive : sea.drives()) {
-    const double cost = cost_along(sea, path, objective, beginning, drive);
-    if (!(cost < best.cost)) continue;
-    best.cost = cost;
-    best.drive = drive;
-  }
-  return best;
+/// The same on the drive that makes it the cheapest.
+double least_cost_along(const Sea& sea, const OpenGrid& open, const std::vector<geo::PlanePoint>& path,
+                        const Objective& objective, const Beginning& beginning) {
+  double least = INFINITY;
+  for (const vehicle::Drive drive : sea.drives())
+    least = std::min(least, cost_along(sea, open, path, objective, beginning, drive));
+  return least;
 }
 
 /// Whether the goal is closed from before anybody can be there until then.
@@ -164,15 +139,14 @@ class KnownLimit {
     if (stop.stop_requested()) return;
     is_hopeless_ = leaves_no_hope(*fastest_, sea, open, depart, guide, stop);
     if (is_hopeless_ || stop.stop_requested()) return;
-    known_way_ = on_cheapest_drive(sea, fastest_->path, request.objective(), beginning);
+    double cost = least_cost_along(sea, open, fastest_->path, request.objective(), beginning);
     if (fastest_->path.empty() && sea.drives().size() > 1) {
       // A bound on the time without surfacing, or the current, may leave a way to the faster drive alone.
       const RouteSearch faster = search_route(
           sea.driven_by(sea.drives().back()), open, by_time, depart, stop, [](double) {},
           core::Seconds{INFINITY}, beginning.since_surfacing, &guide.foresight());
-      known_way_ = on_cheapest_drive(sea, faster.path, request.objective(), beginning);
+      cost = least_cost_along(sea, open, faster.path, request.objective(), beginning);
     }
-    const double cost = known_way_.cost;
     if (!std::isfinite(cost) || stop.stop_requested()) return;
     last_ = depart + core::Seconds{cost / CostVoyage::least_rate(sea, request.objective())};
     const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
@@ -189,8 +163,6 @@ class KnownLimit {
   /// Whether no way need be looked for, on whatever drive.
   [[nodiscard]] bool is_hopeless() const { return is_hopeless_; }
   [[nodiscard]] const std::optional<CostVoyage::Limit>& limit() const { return limit_; }
-  /// What the limit is the cost of.
-  [[nodiscard]] const EvenWay& way() const { return known_way_; }
   /// Null without a limit.
   [[nodiscard]] const ArrivalLadder* ladder() const { return limit_ ? &*ladder_ : nullptr; }
   /// When a voyage of that cost ends at the latest.
@@ -204,7 +176,6 @@ class KnownLimit {
   std::optional<CostVoyage::Limit> limit_;
   core::Seconds last_{};
   std::optional<RouteSearch> fastest_;
-  EvenWay known_way_;
   bool is_hopeless_{false};
 };
 
@@ -238,6 +209,13 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
   std::optional<RouteSearch> first;  // on the first grid, as the earliest way has it
   const auto earliest_of_all = [&] {
     return earliest_way(sea, grids, request, depart, stop, report_fraction, first ? &*first : nullptr);
+  };
+  // A bound on the time without surfacing, or the current, may leave a way to it alone.
+  const auto earliest_on_faster_drive = [&](Result<CostWay> failed) {
+    if (sea.drives().size() == 1 || stop.stop_requested()) return failed;
+    auto earliest =
+        earliest_way(sea.driven_by(sea.drives().back()), grids, request, depart, stop, report_fraction);
+    return earliest ? std::move(earliest) : std::move(failed);
   };
   for (std::size_t i = 0; i < grids.size(); ++i) {
     const OpenGrid& open = grids[i];
@@ -274,23 +252,16 @@ Result<CostWay> search_least_cost(const Sea& sea, const std::vector<OpenGrid>& g
     found.statistics.edge_evaluations += search.counters.edge_evaluations;
     found.statistics.expansions += search.counters.expansions;
     const auto way = search.goal ? graph::way_to(search, *search.goal) : Way{};
-    if (way.empty() && std::isfinite(known.way().cost)) {
-      found.statistics.cut_short = true;  // there is a way, and the search lost it
-      const auto end = append(found, sea, open.grid, known.way(), request.objective(), beginning, stop);
-      if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-      if (end) {
-        beginning = *end;
-        continue;
-      }
-    }
     if (way.empty() ||
         circles_too_long(sea, open, points_of(open.grid, way), beginning.depart, std::nullopt, stop)) {
       auto earliest = earliest_of_all();
-      if (earliest) {
-        earliest->statistics.cut_short = search.full;
-      } else {
+      if (!earliest) earliest = earliest_on_faster_drive(std::move(earliest));
+      if (!earliest) {
         earliest.error().search_cut_short |= search.full;
+        return earliest;
       }
+      earliest->statistics.cut_short |= search.full;
+      earliest->route = choose_drives(sea, earliest->route, request.objective(), depart, stop);
       return earliest;
     }
     beginning.depart = core::Seconds{way.back().arrival_s};

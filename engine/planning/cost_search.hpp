@@ -50,8 +50,8 @@ class CostGuide {
 };
 
 /// Searches grid after grid for the least cost to the next stop, each from the arrival at the last: between two
-/// stops the best, over several stops as good as it gets without looking ahead. Where a search is cut short, the
-/// way is that of the earliest arrival.
+/// stops the best, over several stops as good as it gets without looking ahead. Where a search comes to no way, it is
+/// that of the earliest arrival, each leg on its best drive.
 /// Accuracy as CostVoyage on grids of few vertices; on others the search is steered by an outlook, and mostly within a
 ///          hundredth of that
 /// `guides` of these grids, one each; null: made and not kept.

@@ -16,7 +16,8 @@ namespace floeplan::planning {
 
 /// A voyage on which energy counts: the model of `graph::find_best_labels`. Each edge is travelled on every
 /// drive that the request allows; the choice of a label is the drive's index in the sea's list.
-/// Accuracy  in steady waters exact on the grid. In waters that change, an arrival gives way to another that
+/// Accuracy  in steady waters exact on the grid; where the time without a possible surfacing is bounded, to ten minutes
+///           of that time. In waters that change, an arrival gives way to another that
 ///           costs no more and is not in a later span of ten minutes: the cheapest way may be missed where
 ///           leaving a place later makes the rest of the way cheaper by more than was lost until then. Where
 ///           something near is closed for a while, only within the same span. Where the time without a possible
@@ -74,12 +75,13 @@ class CostVoyage {
 
   [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
                                const graph::Label<State>& b) const {
-    if (a.state.cost > b.state.cost || !surfaced_as_late(a, b)) return false;
+    if (a.state.cost > b.state.cost) return false;
     const bool may_open = closures_ && (openings_ == nullptr || openings_->matter(v, b.arrival_s));
-    if (may_open) return span(a.arrival_s) == span(b.arrival_s);
+    if (may_open) return surfaced_as_late(a, b) && span(a.arrival_s) == span(b.arrival_s);
     // In steady waters the hour matters for nothing but how long ago the vehicle might have surfaced.
-    const bool any_hour = steady_ && (!longest_without_surfacing_ || a.state.surfaced_s == a.arrival_s);
-    return any_hour || span(a.arrival_s) <= span(b.arrival_s);
+    if (steady_)
+      return !longest_without_surfacing_ || span(since_surfacing_s(a)) <= span(since_surfacing_s(b));
+    return surfaced_as_late(a, b) && span(a.arrival_s) <= span(b.arrival_s);
   }
 
  private:
@@ -88,7 +90,10 @@ class CostVoyage {
   [[nodiscard]] bool is_worthwhile(graph::Vertex v, double arrival_s, double cost) const {
     return cost + rest(v, arrival_s) <= limit_->most_cost;
   }
-  static double span(double arrival_s) { return std::floor(arrival_s / 600.0); }
+  static double span(double time_s) { return std::floor(time_s / 600.0); }
+  static double since_surfacing_s(const graph::Label<State>& label) {
+    return label.arrival_s - label.state.surfaced_s;
+  }
 
   [[nodiscard]] tl::expected<Sea::MeteredLeg, motion::EdgeClosed> travel(geo::PlanePoint tail,
                                                                          geo::PlanePoint head,

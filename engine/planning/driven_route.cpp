@@ -142,17 +142,17 @@ DrivenRoute drop_to(const Sea& sea, const DrivenRoute& route, const Objective& o
 }
 
 DrivenRoute choose_drives(const Sea& sea, const DrivenRoute& route, const Objective& objective,
-                          core::Seconds depart, const std::stop_token& stop, core::Seconds since_surfacing) {
+                          core::Seconds depart, const std::stop_token& stop) {
   if (sea.drives().size() == 1) return route;
   DrivenRoute best = route;
-  const auto times = drive_along(sea, best, depart, since_surfacing);
+  const auto times = drive_along(sea, best, depart);
   double cost = times ? times->cost(objective) : INFINITY;
   for (std::size_t leg = 0; leg < route.drives.size(); ++leg) {
     if (stop.stop_requested()) return best;
     for (const vehicle::Drive drive : sea.drives()) {
       DrivenRoute other = best;
       other.drives[leg] = drive;
-      const auto other_times = drive_along(sea, other, depart, since_surfacing);
+      const auto other_times = drive_along(sea, other, depart);
       if (!other_times || !(other_times->cost(objective) < cost)) continue;
       cost = other_times->cost(objective);
       best = std::move(other);

@@ -24,7 +24,7 @@ struct DrivenTimes {
   std::vector<core::Seconds> arrivals;  // one for each point, the departure first
   EnergyUse energy;
   double encounters{};              // with icebergs, where they have a weight
-  core::Seconds since_surfacing{};  // at the end
+  core::Seconds since_surfacing{};  // at the end of a drive without waits
 
   [[nodiscard]] double cost(const Objective& objective) const {
     return objective.cost(arrivals.back() - arrivals.front(), energy.total(), encounters);
@@ -62,8 +62,7 @@ struct DrivenTimes {
 
 /// Puts each leg in turn on the drive that makes the whole cost least.
 [[nodiscard]] DrivenRoute choose_drives(const Sea& sea, const DrivenRoute& route, const Objective& objective,
-                                        core::Seconds depart, const std::stop_token& stop,
-                                        core::Seconds since_surfacing = core::Seconds{0.0});
+                                        core::Seconds depart, const std::stop_token& stop);
 
 /// Parts every leg that is longer than `longest` into equal ones; the way is the same.
 [[nodiscard]] DrivenRoute part_long_legs(const Sea& sea, const DrivenRoute& route, core::Metres longest);

@@ -403,7 +403,9 @@ core::Seconds Sea::least_time(core::Metres length, core::MetresPerSecond astern)
   return (1.0 - edge_tolerance_) * ((1.0 / largest_scale_) * length / fastest);
 }
 
-bool Sea::is_steady() const { return !has_timed_closures() && (!currents_ || !currents_->end()); }
+bool Sea::is_steady() const {
+  return !has_timed_closures() && (!currents_ || !currents_->end()) && !(ice_ && ice_->changes());
+}
 
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b) const {
   return core::Seconds{least_slowness_s_m_ * geo::distance_m(a, b) / largest_scale_};

@@ -28,7 +28,7 @@ struct VoyageState {
 /// Waits     where the request allows them, an earlier arrival also dominates a later one if the vehicle can stay until
 ///           then, although that leaves less of the longest wait for what follows; the wait before a leg is the least
 ///           that lets it through, or into a later of its end's times between closures
-/// Threads   one search at a time
+/// Threads   for one search, which it remembers the arrivals of
 class Voyage {
  public:
   using State = VoyageState;
