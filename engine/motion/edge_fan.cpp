@@ -37,9 +37,10 @@ using Lanes = std::array<float, block>;
 /// What holds in the quarter that an edge goes into.
 [[gnu::always_inline]] inline float in_quarter(const NearbyCurrent::ByQuarter& values, bool down_u,
                                                bool down_v) {
-  const float up_v = down_u ? values[1] : values[0];
-  const float below = down_u ? values[3] : values[2];
-  return down_v ? below : up_v;
+  using Current = NearbyCurrent;
+  const float up = down_u ? values[Current::quarter(true, false)] : values[Current::quarter(false, false)];
+  const float down = down_u ? values[Current::quarter(true, true)] : values[Current::quarter(false, true)];
+  return down_v ? down : up;
 }
 
 struct LaneState {

@@ -83,8 +83,8 @@ double cost_along(const Sea& sea, const OpenGrid& open, const std::vector<geo::P
   const DrivenRoute route{.points = path, .fixed = {}, .drives = std::vector(path.size() - 1, drive)};
   const auto times = drive_along(sea, route, beginning.depart, beginning.since_surfacing, Dives::over_map);
   if (!times) return INFINITY;
-  const core::Seconds needed_after = std::max(open.least_after_goal, open.left_at_goal);
-  if (sea.bounds_surfacing() && times->since_surfacing + needed_after > *sea.longest_without_surfacing())
+  if (sea.bounds_surfacing() &&
+      times->since_surfacing + open.needed_after_goal() > *sea.longest_without_surfacing())
     return INFINITY;
   return times->cost(objective);
 }

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <algorithm>
 #include <cstdint>
 #include <stop_token>
 #include <vector>
@@ -21,6 +22,9 @@ struct OpenGrid {
   /// Of the bound on the time without surfacing, how much has to be left at the goal for the way on from there; minded
   /// by searches for the earliest arrival.
   core::Seconds left_at_goal{};
+
+  /// How much of that bound whoever comes to the goal must have left.
+  [[nodiscard]] core::Seconds needed_after_goal() const { return std::max(least_after_goal, left_at_goal); }
 };
 
 /// How far an edge goes along either axis of the plane.

@@ -307,8 +307,7 @@ RouteSearch search_route(const Sea& sea, const OpenGrid& open, const PlanRequest
   if (!sea.bounds_surfacing() || found.cancelled || found.path.empty()) return found;
   // The best way of all is the best of those that keep the bound, if it does.
   const auto since = since_surfacing_at_end(sea, found.path, depart, since_surfacing, found.arrival);
-  const core::Seconds needed_after = std::max(open.least_after_goal, open.left_at_goal);
-  if (since && *since + needed_after <= *sea.longest_without_surfacing()) {
+  if (since && *since + open.needed_after_goal() <= *sea.longest_without_surfacing()) {
     found.since_surfacing = *since;
     return found;
   }

@@ -133,7 +133,6 @@ TEST(CostVoyage, KeepsTheDearerDriveWhereTheCheaperOneIsBelowIceForTooLong) {
   const Sea sea{environment, request, geo::LocalProjection{{-53.0, 69.0}}, area, core::Metres{1000.0}};
   const OpenGrid open = open_grid(sea, small_grid, 1, {});
   CostVoyage voyage{sea, open, energy_objective};
-  // There is no opening anywhere to be in time at: arrivals are judged by the rules of dominance alone.
   const auto at_half_way = [&](double arrival_s, double cost) {
     return graph::Label<CostVoyage::State>{
         .vertex = 4, .arrival_s = arrival_s, .state = {.cost = cost, .surfaced_s = 0.0}};
