@@ -7,6 +7,7 @@
 
 #include "api/codec/input_limits.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/geo/ring_crossing.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -15,6 +16,12 @@ using nlohmann::json;
 
 constexpr std::size_t max_features = 1'000;
 constexpr std::size_t max_corners = 100'000;  // tested for every leg where a zone has its times
+
+/// A position as the request writes it, to a metre.
+std::string position_text(geo::LonLat place) {
+  const auto rounded = [](double degrees) { return std::round(1e5 * degrees) / 1e5; };
+  return json::array({rounded(place.lon_deg), rounded(place.lat_deg)}).dump();
+}
 
 /// The corners of a closed ring, its first not repeated.
 std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const std::string& pointer) {
@@ -25,6 +32,13 @@ std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const
     return std::nullopt;
   }
   places->pop_back();
+  const geo::RingCrossing crossing = geo::find_crossing(*places);
+  if (crossing.place) {
+    reader.refuse(pointer, "must not cross itself, as it does at " + position_text(*crossing.place) +
+                               "; list its positions in order round the area");
+  } else if (!crossing.is_looked_through) {
+    reader.refuse(pointer, "has too many edges beside each other to be looked through; simplify the outline");
+  }
   return places;
 }
 

@@ -3,6 +3,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec::zone_inputs_test {
@@ -10,6 +13,7 @@ namespace {
 
 using nlohmann::json;
 using testing::ElementsAre;
+using testing::HasSubstr;
 using testing::SizeIs;
 
 const json square = json::parse("[[[-54,69],[-53,69],[-53,69.5],[-54,69.5],[-54,69]]]");
@@ -90,6 +94,18 @@ TEST(Areas, AreRefusedWithThePlaceOfEveryFault) {
                   "/areas/features/6/properties/bottom_m"));
 }
 
+/// An hourglass leaves half of the box open that its corners were meant to enclose.
+TEST(Areas, AreRefusedWhereTheirOutlineCrossesItself) {
+  const json hourglass = json::parse("[[[-54,69],[-52,70],[-52,69],[-54,70],[-54,69]]]");
+  const json document = inputs({feature({{"kind", "no_go"}}, hourglass)});
+  InputReader reader{document};
+  (void)read_areas(reader);
+
+  ASSERT_THAT(reader.violations(), SizeIs(1));
+  EXPECT_EQ(reader.violations().front().field, "/areas/features/0/geometry/coordinates/0");
+  EXPECT_THAT(reader.violations().front().rule, HasSubstr("[-53.0,69.5]"));
+}
+
 TEST(Areas, AreRefusedWhenTheyAreNoGeoJson) {
   EXPECT_THAT(faults({{"areas", "everywhere"}}), ElementsAre("/areas"));
   EXPECT_THAT(faults({{"areas", {{"type", "FeatureCollection"}}}}), ElementsAre("/areas"));
@@ -101,7 +117,10 @@ TEST(Areas, AreBoundedInNumberAndInCorners) {
   EXPECT_THAT(faults(inputs(std::vector<json>(1001, feature({{"kind", "no_go"}})))), ElementsAre("/areas"));
 
   json ring = json::array();
-  for (int i = 0; i < 60'000; ++i) ring.push_back({-53.0 + 1e-6 * i, 69.0 + 1e-9 * (i % 7)});
+  for (int i = 0; i < 60'000; ++i) {
+    const double angle = 2.0 * std::numbers::pi * i / 60'000;
+    ring.push_back({-53.0 + std::cos(angle), 69.0 + std::sin(angle)});
+  }
   ring.push_back(ring.front());
   const json many = json::array({ring});
   EXPECT_THAT(faults(inputs({feature({{"kind", "no_go"}}, many), feature({{"kind", "no_go"}}, many)})),
