@@ -60,7 +60,12 @@ planning::UncertaintyRules read_uncertainty(InputReader& reader) {
                      "must be \"mean\" or \"quantile\", not \"" + *objective + "\"");
     }
   }
-  if (const auto quantile = members.number("quantile", {0.01, 0.99})) rules.quantile = *quantile;
+  if (const auto quantile = members.number("quantile", {0.01, 0.99})) {
+    rules.quantile = *quantile;
+    if (!value->contains("objective"))
+      members.refuse("/uncertainty/quantile",
+                     "counts with the objective \"quantile\" only: ask for that, too");
+  }
   rules.arrive_before = members.time("arrive_before");
   members.refuse_unknown();
   reader.refuse_all("", members.violations());
@@ -72,7 +77,7 @@ json uncertainty_json(const planning::UncertaintyRules& rules) {
   if (!drawn && rules.objective == RobustObjective::none && !rules.arrive_before) return nullptr;
   const auto objective = objective_name(rules.objective);
   json result{{"objective", objective ? json(*objective) : json()},
-              {"quantile", rules.quantile},
+              {"quantile", rules.objective == RobustObjective::quantile ? json(rules.quantile) : json()},
               {"arrive_before", rules.arrive_before ? json(core::iso8601(*rules.arrive_before)) : json()}};
   if (!drawn) return result;
   result["members"] = rules.drawn_members;
