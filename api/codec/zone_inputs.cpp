@@ -8,6 +8,7 @@
 #include "api/codec/input_limits.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/ring_crossing.hpp"
+#include "engine/geo/ring_turns.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -23,6 +24,25 @@ std::string position_text(geo::LonLat place) {
   return json::array({rounded(place.lon_deg), rounded(place.lat_deg)}).dump();
 }
 
+/// The places with others between those whose edge leads all the way round, as from -180 to 180, along a parallel or a
+/// pole: both ends are the same place.
+/// `written`: the positions with the longitudes that they were written with
+geo::Ring with_edges_round_the_earth(const json& written, const std::vector<geo::LonLat>& places) {
+  constexpr int parts = 6;
+  geo::Ring ring{places.front()};
+  for (std::size_t i = 1; i < places.size(); ++i) {
+    const double from_deg = written[i - 1][0].get<double>();
+    const double way_deg = written[i][0].get<double>() - from_deg;
+    for (int part = 1; std::abs(way_deg) == 360.0 && part < parts; ++part) {
+      const double share = static_cast<double>(part) / parts;
+      ring.push_back({geo::wrap_longitude(from_deg + share * way_deg),
+                      std::lerp(places[i - 1].lat_deg, places[i].lat_deg, share)});
+    }
+    ring.push_back(places[i]);
+  }
+  return ring;
+}
+
 /// The corners of a closed ring, its first not repeated.
 std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const std::string& pointer) {
   auto places = reader.places(value, pointer, 4, max_corners);
@@ -31,15 +51,20 @@ std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const
     reader.refuse(pointer, "must be closed: its last position the same as its first");
     return std::nullopt;
   }
-  places->pop_back();
-  const geo::RingCrossing crossing = geo::find_crossing(*places);
+  geo::Ring ring = with_edges_round_the_earth(value, *places);
+  ring.pop_back();
+  if (const std::string doubt = geo::doubt_in_turns({.outer = ring, .holes = {}}); !doubt.empty()) {
+    reader.refuse(pointer, doubt);
+    return std::nullopt;
+  }
+  const geo::RingCrossing crossing = geo::find_crossing(ring);
   if (crossing.place) {
     reader.refuse(pointer, "must not cross itself, as it does at " + position_text(*crossing.place) +
                                "; list its positions in order round the area");
   } else if (!crossing.is_looked_through) {
     reader.refuse(pointer, "has too many edges beside each other to be looked through; simplify the outline");
   }
-  return places;
+  return ring;
 }
 
 std::optional<geo::Polygon> read_polygon(InputReader& reader, const json& rings, const std::string& pointer) {

@@ -130,6 +130,20 @@ LonLat LocalProjection::to_lon_lat(PlanePoint point) const {
   return place;
 }
 
+GlobeWindow LocalProjection::window() const {
+  // Stereographic planes have the other pole at infinity; cones a seam, and the other pole at infinity; transverse
+  // Mercator, places on the equator a quarter round the Earth.
+  constexpr double beyond_equator_deg = 45.0;
+  constexpr double half_width_deg = 60.0;
+  const double lat_deg = origin_.lat_deg;
+  if (std::abs(lat_deg) < conic_from_deg)
+    return {.middle_lon_deg = origin_.lon_deg, .half_width_deg = half_width_deg};
+  GlobeWindow window{.middle_lon_deg = origin_.lon_deg};
+  if (std::abs(lat_deg) < polar_from_deg) window.half_width_deg = half_width_deg;
+  (lat_deg > 0.0 ? window.south_deg : window.north_deg) = -std::copysign(beyond_equator_deg, lat_deg);
+  return window;
+}
+
 PlaneScale LocalProjection::at(LonLat place) const {
   const Projected projected =
       formulas_->forward(longitude_difference(origin_.lon_deg, place.lon_deg), place.lat_deg);

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/core/units.hpp"
+#include "engine/geo/globe_window.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/geo/velocity.hpp"
 
@@ -56,6 +57,8 @@ class LocalProjection {
   /// The velocity turned into the axes of the plane and stretched by its scale.
   [[nodiscard]] PlaneVelocity to_plane(VelocityEn velocity, LonLat place) const;
   [[nodiscard]] LonLat origin() const { return origin_; }
+  /// Where the plane shows the Earth without a seam and without places at infinity: far more than any area of work.
+  [[nodiscard]] GlobeWindow window() const;
 
   class Formulas;  // which of the three projections; private to the source file
 

@@ -5,6 +5,8 @@
 #include <cstddef>
 #include <vector>
 
+#include "engine/geo/ring_turns.hpp"
+
 namespace floeplan::geo {
 namespace {
 
@@ -18,16 +20,14 @@ struct Edge {
 };
 
 std::vector<Edge> edges_from_west(const Ring& ring) {
+  const Ring places = counted_on(ring, ring.front().lon_deg);
   std::vector<Edge> edges;
-  edges.reserve(ring.size());
-  double lon_deg = ring.front().lon_deg;
-  for (std::size_t i = 0; i < ring.size(); ++i) {
-    const LonLat& next = ring[(i + 1) % ring.size()];
-    const double next_deg = lon_deg + longitude_difference(ring[i].lon_deg, next.lon_deg);
-    const LonLat a{lon_deg, ring[i].lat_deg};
-    const LonLat b{next_deg, next.lat_deg};
+  edges.reserve(places.size());
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    const LonLat& a = places[i];
+    LonLat b = places[(i + 1) % places.size()];
+    b.lon_deg = a.lon_deg + longitude_difference(a.lon_deg, b.lon_deg);
     edges.push_back(a.lon_deg <= b.lon_deg ? Edge{a, b} : Edge{b, a});
-    lon_deg = next_deg;
   }
   std::ranges::sort(edges, {}, [](const Edge& edge) { return edge.west.lon_deg; });
   return edges;

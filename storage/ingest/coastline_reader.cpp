@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "engine/geo/polygon.hpp"
+#include "engine/geo/ring_turns.hpp"
 #include "storage/ingest/feature_kind.hpp"
 #include "storage/ingest/polygon_shapes.hpp"
 #include "storage/repository/coastline_repository.hpp"
@@ -29,7 +30,7 @@ std::string close_over_pole(geo::Polygon& polygon) {
       polygon.outer, [](geo::LonLat corner) { return std::abs(corner.lat_deg) >= polar_lat_deg; });
   if (polar)
     if (auto closed = closed_over_pole(polygon.outer)) polygon.outer = std::move(*closed);
-  return doubt_in_turns(polygon);
+  return geo::doubt_in_turns(polygon);
 }
 
 Checked<void> gather(Gathering& all, OGRLayer& layer, const IngestOptions& options) {

@@ -9,6 +9,7 @@
 #include <utility>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/geo/ring_turns.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -16,8 +17,7 @@ namespace {
 
 constexpr double most_deviation_m = 10.0;  // far below the margins that anybody draws an area with
 constexpr int most_divisions = 12;         // of an edge: 4096 parts
-constexpr double widest_edge_deg = 90.0;
-constexpr double pole_step_deg = 60.0;  // between corners at a pole, which has all longitudes
+constexpr double pole_step_deg = 60.0;     // between corners at a pole, which has all longitudes
 
 geo::LonLat middle(geo::LonLat a, geo::LonLat b) {
   return {geo::wrap_longitude(a.lon_deg + 0.5 * geo::longitude_difference(a.lon_deg, b.lon_deg)),
@@ -25,14 +25,6 @@ geo::LonLat middle(geo::LonLat a, geo::LonLat b) {
 }
 
 bool is_pole(double lat_deg) { return std::abs(lat_deg) == 90.0; }
-
-/// How far round the Earth a ring leads: 0, or a turn east or west round a pole.
-double turn_of(const geo::Ring& ring) {
-  double turn_deg = 0.0;
-  for (std::size_t i = 0; i < ring.size(); ++i)
-    turn_deg += geo::longitude_difference(ring[i].lon_deg, ring[(i + 1) % ring.size()].lon_deg);
-  return 360.0 * std::round(turn_deg / 360.0);
-}
 
 /// Corners on the way from one longitude to another, without its ends.
 void add_way(geo::Ring& ring, geo::LonLat from, geo::LonLat to) {
@@ -192,7 +184,7 @@ void remove_jumps(OGRGeometry& geometry) {
 }
 
 Checked<geo::Ring> closed_over_pole(geo::Ring ring) {
-  const double turn_deg = turn_of(ring);
+  const double turn_deg = geo::turn_of(ring);
   if (turn_deg == 0.0) return ring;
   const bool north = ring.front().lat_deg > 0.0;
   for (const geo::LonLat corner : ring)
@@ -222,24 +214,6 @@ Checked<geo::Ring> closed_over_pole(geo::Ring ring) {
     result.push_back({-end_deg, lat_deg});
   }
   return result;
-}
-
-std::string doubt_in_turns(const geo::Polygon& polygon) {
-  std::vector<const geo::Ring*> rings{&polygon.outer};
-  for (const geo::Ring& hole : polygon.holes) rings.push_back(&hole);
-  for (const geo::Ring* const ring : rings) {
-    if (turn_of(*ring) != 0.0)
-      return "leads round a pole, which outlines in longitude and latitude cannot; divide it along meridians";
-    double widest_deg = 0.0;
-    for (std::size_t i = 0; i < ring->size(); ++i)
-      widest_deg = std::max(widest_deg, std::abs(geo::longitude_difference(
-                                            (*ring)[i].lon_deg, (*ring)[(i + 1) % ring->size()].lon_deg)));
-    if (widest_deg >= widest_edge_deg)
-      return "has an edge of " + number(widest_deg, 4) +
-             " degrees of longitude, which could lead round the Earth either way; put corners between its "
-             "ends";
-  }
-  return "";
 }
 
 Checked<OGRSpatialReference> crs_of(OGRLayer& layer, const std::optional<std::string>& stated) {

@@ -57,10 +57,6 @@ void remove_jumps(OGRGeometry& geometry);
 /// Errors   a ring round the Earth on both sides of the equator: which side is its inside is not known
 [[nodiscard]] Checked<geo::Ring> closed_over_pole(geo::Ring ring);
 
-/// Why an outline in longitude and latitude is not clear: it leads round a pole, or it has edges so long that they
-/// could lead round the Earth either way; empty when it is clear.
-[[nodiscard]] std::string doubt_in_turns(const geo::Polygon& polygon);
-
 /// The reference system of a layer, or the one stated for layers without one, longitudes and eastings first.
 /// Errors   none of both; one that is not known
 [[nodiscard]] Checked<OGRSpatialReference> crs_of(OGRLayer& layer, const std::optional<std::string>& stated);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "engine/geo/ring_turns.hpp"
 #include "storage/ingest/fault_report.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/polygon_shapes.hpp"
@@ -39,7 +40,7 @@ Unrolled unrolled(const geo::Ring& ring) {
 
 /// What is wrong with the outline of a zone; empty: nothing.
 std::string fault_of(const geo::Polygon& polygon) {
-  if (std::string doubt = doubt_in_turns(polygon); !doubt.empty()) return doubt;
+  if (std::string doubt = geo::doubt_in_turns(polygon); !doubt.empty()) return doubt;
   std::vector<const geo::Ring*> rings{&polygon.outer};
   for (const geo::Ring& hole : polygon.holes) rings.push_back(&hole);
   OGRPolygon shape;

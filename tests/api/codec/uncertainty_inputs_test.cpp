@@ -20,7 +20,7 @@ struct Read {
 Read read(const json& uncertainty) {
   const json document{{"uncertainty", uncertainty}};
   InputReader reader{document};
-  Read result{.rules = read_uncertainty(reader)};
+  Read result{.rules = read_uncertainty(reader), .violations = {}};
   result.violations = reader.violations();
   return result;
 }

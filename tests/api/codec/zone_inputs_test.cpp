@@ -106,6 +106,32 @@ TEST(Areas, AreRefusedWhereTheirOutlineCrossesItself) {
   EXPECT_THAT(reader.violations().front().rule, HasSubstr("[-53.0,69.5]"));
 }
 
+/// From -180 to 180 in one edge: both ends are the same place, and the edge leads all the way round.
+TEST(Areas, MayLeadAllTheWayRoundTheEarth) {
+  const json arctic = json::parse("[[[-180,60],[180,60],[180,90],[-180,90],[-180,60]]]");
+  const json document = inputs({feature({{"kind", "no_go"}}, arctic)});
+  InputReader reader{document};
+
+  const std::vector<ocean::Zone> zones = read_areas(reader);
+
+  ASSERT_THAT(reader.violations(), SizeIs(0));
+  ASSERT_THAT(zones, SizeIs(1));
+  for (const double lon_deg : {-179.0, -53.0, 0.0, 100.0, 179.0}) {
+    EXPECT_TRUE(contains(zones.front().area, {lon_deg, 69.0})) << lon_deg;
+    EXPECT_FALSE(contains(zones.front().area, {lon_deg, 59.0})) << lon_deg;
+  }
+}
+
+/// The short way round such an edge would leave out what was meant to be closed.
+TEST(Areas, AreRefusedWhereAnEdgeCouldLeadRoundTheEarthEitherWay) {
+  const json wide = json::parse("[[[-100,60],[100,60],[100,80],[-100,80],[-100,60]]]");
+  const json round_a_pole = json::parse("[[[-180,60],[-90,60],[0,60],[90,60],[180,60]]]");
+
+  EXPECT_THAT(
+      faults(inputs({feature({{"kind", "no_go"}}, wide), feature({{"kind", "no_go"}}, round_a_pole)})),
+      ElementsAre("/areas/features/0/geometry/coordinates/0", "/areas/features/1/geometry/coordinates/0"));
+}
+
 TEST(Areas, AreRefusedWhenTheyAreNoGeoJson) {
   EXPECT_THAT(faults({{"areas", "everywhere"}}), ElementsAre("/areas"));
   EXPECT_THAT(faults({{"areas", {{"type", "FeatureCollection"}}}}), ElementsAre("/areas"));

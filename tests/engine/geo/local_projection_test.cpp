@@ -2,6 +2,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "engine/geo/geodesic.hpp"
@@ -86,6 +87,29 @@ TEST(LocalProjection, LetsAnAreaContainThePole) {
 
   EXPECT_NEAR(beyond.x_m, 0.0, 1e-6);
   EXPECT_NEAR(beyond.y_m, geodesic_between({-50.0, 89.0}, {130.0, 89.0}).length.value, 20.0);
+}
+
+/// A step of a tenth of a degree is short all over the window: no seam, and nothing near infinity. Only at the tip of a
+/// cone, the pole of its own hemisphere, lengths grow without bound while places stay near each other.
+TEST(LocalProjection, ShowsItsWindowWithoutASeam) {
+  support::for_each_seed(300, [](std::mt19937_64& rng) {
+    const LonLat origin = random_origin(rng);
+    const LocalProjection projection{origin};
+    const GlobeWindow window = projection.window();
+    const double half_width_deg = std::min(window.half_width_deg, 180.0);
+    for (int i = 0; i < 100; ++i) {
+      const LonLat place{
+          origin.lon_deg + support::uniform(rng, -half_width_deg, half_width_deg - 0.1),
+          support::uniform(rng, std::max(-88.0, window.south_deg), std::min(88.0, window.north_deg))};
+
+      const PlanePoint here = projection.to_plane(place);
+      const PlanePoint east = projection.to_plane({place.lon_deg + 0.1, place.lat_deg});
+      const PlanePoint north = projection.to_plane({place.lon_deg, place.lat_deg + 0.1});
+
+      EXPECT_LT(distance_m(here, east), 200'000.0) << place.lon_deg << ' ' << place.lat_deg;
+      EXPECT_LT(distance_m(here, north), 200'000.0) << place.lon_deg << ' ' << place.lat_deg;
+    }
+  });
 }
 
 }  // namespace

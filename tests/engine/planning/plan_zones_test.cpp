@@ -1,5 +1,7 @@
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/small_sea.hpp"
@@ -206,6 +208,52 @@ TEST(PlanLegs, AreNoLongerThanAskedForAndTheWayStaysTheSame) {
               1e-4 * whole->travel_time().count());
   EXPECT_EQ(parted->waypoints.size(),
             static_cast<std::size_t>(std::ceil(whole->distance.value / 3000.0)) + 1);
+}
+
+/// All between a parallel and a pole: along the parallel all the way round, and back along the pole.
+geo::Polygon cap(double lat_deg) {
+  geo::Polygon area;
+  for (int lon_deg = -180; lon_deg <= 180; lon_deg += 60)
+    area.outer.push_back({geo::wrap_longitude(lon_deg), lat_deg});
+  for (int lon_deg = 180; lon_deg >= -180; lon_deg -= 60)
+    area.outer.push_back({geo::wrap_longitude(lon_deg), std::copysign(90.0, lat_deg)});
+  return area;
+}
+
+TEST(PlanZones, MayBeAllTheSeaRoundAPole) {
+  for (const double hemisphere : {1.0, -1.0}) {
+    PlanRequest request = eastward_request();
+    request.from.lat_deg *= hemisphere;
+    request.to.lat_deg *= hemisphere;
+    const auto with = [&](Zone zone) {
+      request.zones = {std::move(zone)};
+      return plan(request).has_value();
+    };
+
+    EXPECT_FALSE(with(no_go(cap(60.0 * hemisphere))));
+    EXPECT_TRUE(with(no_go(cap(-60.0 * hemisphere))));
+    EXPECT_TRUE(with(stay_in(cap(60.0 * hemisphere))));
+    EXPECT_FALSE(with(stay_in(cap(-60.0 * hemisphere))));
+  }
+}
+
+TEST(PlanZones, MayReachFarBeyondWhatThePlaneShows) {
+  PlanRequest request = eastward_request();
+  for (const double lat_deg : {0.5, 40.0, 69.0}) {
+    request.from = {-53.5, lat_deg};
+    request.to = {-52.5, lat_deg};
+    // A quarter round the Earth from the start, and the other side of it.
+    request.zones = {no_go({.outer = {{-120.0, -80.0},
+                                      {-53.0, -60.0},
+                                      {30.0, -80.0},
+                                      {37.0, 80.0},
+                                      {20.0, -70.0},
+                                      {-53.0, -50.0}},
+                            .holes = {}}),
+                     no_go(box(100.0, -70.0, 150.0, 88.0))};
+
+    EXPECT_TRUE(plan(request)) << lat_deg;
+  }
 }
 
 }  // namespace
