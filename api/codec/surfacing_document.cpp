@@ -60,7 +60,8 @@ planning::SurfacingState parse_state(const json& waypoint) {
           .least_upper_turn = {waypoint.at("least_upper_turn_m").get<double>()},
           .leg_upper_turn = later_metres(waypoint, "leg_upper_turn_m"),
           .ice_free_before = later_metres(waypoint, "ice_free_before_m"),
-          .error_without_fix = later_metres(waypoint, "error_without_fix_m")};
+          .error_without_fix = later_metres(waypoint, "error_without_fix_m"),
+          .nearest_ice = later_metres(waypoint, "nearest_ice_m")};
 }
 
 }  // namespace
@@ -74,6 +75,7 @@ void add_surfacing_state(const std::optional<planning::SurfacingPlan>& plan, std
   object["least_upper_turn_m"] = state != nullptr ? json(state->least_upper_turn.value) : json();
   object["leg_upper_turn_m"] = state != nullptr ? metres_or_null(state->leg_upper_turn) : json();
   object["ice_free_before_m"] = state != nullptr ? metres_or_null(state->ice_free_before) : json();
+  object["nearest_ice_m"] = state != nullptr ? metres_or_null(state->nearest_ice) : json();
   object["error_without_fix_m"] = state != nullptr ? metres_or_null(state->error_without_fix) : json();
 }
 

@@ -51,7 +51,8 @@ core::Metres radius_of(const planning::Plan& plan, const ListPart& part, const G
   const auto end = end_of(plan, part);
   if (!end) return usual;
   const bool is_sure = end->sure_room().value > smallest_radius_m;
-  const core::Metres room = is_sure ? end->sure_room() : end->room();
+  core::Metres room = is_sure ? end->sure_room() : end->room();
+  if (end->from_ice) room = std::min(room, *end->from_ice);
   return {std::clamp(std::ceil(room.value) - 1.0, smallest_radius_m, usual.value)};
 }
 
@@ -117,8 +118,8 @@ std::string warning_of_end(const planning::Plan& plan, const List& list) {
            ", where nothing is known of the ice: make sure that the vehicle can surface there, where it "
            "comes up.";
   }
-  if (!passes_below(plan, list.part)) return "";
   const auto end = end_of(plan, list.part);
+  if (!end && !passes_below(plan, list.part)) return "";
   if (!end) {
     return ends +
            " after a way below ice or icebergs, and the plan, stored by an older version, does not tell how "
@@ -129,10 +130,11 @@ std::string warning_of_end(const planning::Plan& plan, const List& list) {
   if (end->sure_room() <= list.radius) {
     return text +
            print(
-               ": it may come up below the ice. Plan on until it is more than %.0f m beyond it, or with the "
+               ": it may come up below the ice. Plan with its end more than %.0f m from it, or with the "
                "dead_reckoning_share and current_uncertainty of a vehicle that knows its place better.",
                std::ceil((list.radius + end->error).value));
   }
+  if (!passes_below(plan, list.part)) return "";
   return text + ": make sure that the water is open so far to all sides.";
 }
 

@@ -95,15 +95,20 @@ core::Metres ListEnd::room() const {
 }
 
 core::Metres ListEnd::sure_room() const {
-  return beyond_ice ? std::min(room(), *beyond_ice - error) : room();
+  core::Metres least = room();
+  for (const auto& ice : {beyond_ice, from_ice})
+    if (ice) least = std::min(least, *ice - error);
+  return least;
 }
 
 std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part) {
-  if (!passes_below(plan, part)) return std::nullopt;
+  const bool is_near = plan.surfacing && plan.surfacing->waypoints[part.last].nearest_ice;
+  if (!is_near && !passes_below(plan, part)) return std::nullopt;
   const planning::SurfacingState& before = plan.surfacing->waypoints[part.first - 1];
   const planning::SurfacingState& last = plan.surfacing->waypoints[part.last];
   if (!last.ice_free_before || !last.error_without_fix || !before.error_without_fix) return std::nullopt;
   ListEnd end{.beyond_iceberg = beyond_iceberg(plan, part),
+              .from_ice = last.nearest_ice,
               .error = *last.error_without_fix - *before.error_without_fix};
   if (*last.ice_free_before < length_of(plan, part)) end.beyond_ice = *last.ice_free_before;
   return end;
@@ -118,8 +123,11 @@ std::string text_of(const ListEnd& end, core::Metres radius) {
   };
   add(end.beyond_ice, "ice");
   add(end.beyond_iceberg, "iceberg");
+  if (end.from_ice)
+    text += (text.empty() ? "" : " and ") + std::to_string(std::lround(end.from_ice->value)) +
+            " m from the nearest ice";
   text += ", and the vehicle comes up within " + std::to_string(std::lround(radius.value)) + " m of it";
-  if (end.beyond_ice)
+  if (end.beyond_ice || end.from_ice)
     text += ", where it may be off by " + std::to_string(std::lround(end.error.value)) + " m";
   return text;
 }

@@ -27,20 +27,21 @@ struct ListRules {
 /// Whether ice or an iceberg is above somewhere on the way of the list.
 [[nodiscard]] bool passes_below(const planning::Plan& plan, const ListPart& part);
 
-/// How far from ice and icebergs a list ends whose way passes below them. The vehicle comes up as soon as it takes
+/// How far from ice and icebergs a list ends whose way passes below them or that ends near ice. The vehicle comes up as soon as it takes
 /// itself to be within the radius of the last row, which it may be before it. Of ice, which lies there, its error of
 /// position may take as much again; what is uncertain of an iceberg is in its disc, and where the vehicle is off its
 /// way it is as likely to be farther from it.
 struct ListEnd {
   std::optional<core::Metres> beyond_ice{};      // along the way; empty: the way passes below none
   std::optional<core::Metres> beyond_iceberg{};  // the same
+  std::optional<core::Metres> from_ice{};        // to any side; empty: it is farther than any error
   core::Metres error{};  // at most, grown on the way of the list, on which there is no fix
 
   [[nodiscard]] core::Metres room() const;       // for the radius, of a vehicle that knows where it is
   [[nodiscard]] core::Metres sure_room() const;  // the same, however far it is off; may be negative
 };
 
-/// Empty where the list's way passes below nothing, and in plans stored before it was kept.
+/// Empty where the list's way passes below nothing and no ice is near its end, and in plans stored before it was kept.
 [[nodiscard]] std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part);
 
 /// "45 m beyond the ice, and the vehicle comes up within 500 m of it, where it may be off by 1650 m"

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 #include <numbers>
 
 #include "engine/planning/under_ice.hpp"
@@ -25,6 +26,40 @@ core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice, geo
     }
   }
   return deepest;
+}
+
+std::optional<core::Metres> nearest_ice_within(core::Metres distance, const UnderIce& ice,
+                                               geo::PlanePoint place, core::Seconds when) {
+  // Rings lie closer to each other near the place, where every metre counts.
+  constexpr int rings = 8;
+  constexpr double ring_ratio = 2.0;
+  constexpr int looks_of_a_ring = 24;
+  constexpr int halvings = 6;
+  const auto is_ice = [&](double radius_m, double angle) {
+    const geo::PlanePoint there{place.x_m + radius_m * std::cos(angle),
+                                place.y_m + radius_m * std::sin(angle)};
+    return ice.least_upper_turn(there, when).value > 0.0;
+  };
+  if (is_ice(0.0, 0.0)) return core::Metres{0.0};
+  double inner_m = 0.0;
+  for (int ring = rings - 1; ring >= 0; --ring) {
+    const double outer_m = distance.value / std::pow(ring_ratio, ring);
+    double nearest_m = std::numeric_limits<double>::infinity();
+    for (int look = 0; look < looks_of_a_ring; ++look) {
+      const double angle = 2.0 * std::numbers::pi * look / looks_of_a_ring;
+      if (!is_ice(outer_m, angle)) continue;
+      double open_m = inner_m;
+      double ice_m = outer_m;
+      for (int i = 0; i < halvings; ++i) {
+        const double middle_m = 0.5 * (open_m + ice_m);
+        (is_ice(middle_m, angle) ? ice_m : open_m) = middle_m;
+      }
+      nearest_m = std::min(nearest_m, open_m);
+    }
+    if (std::isfinite(nearest_m)) return core::Metres{nearest_m};
+    inner_m = outer_m;
+  }
+  return std::nullopt;
 }
 
 }  // namespace floeplan::planning

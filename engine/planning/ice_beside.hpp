@@ -1,5 +1,7 @@
 #pragma once
 
+#include <optional>
+
 #include "engine/core/units.hpp"
 #include "engine/geo/local_projection.hpp"
 #include "engine/geo/lon_lat.hpp"
@@ -19,5 +21,10 @@ struct IceBeside {
 /// it tell. Zero where there is none, and where nothing is known of the ice.
 [[nodiscard]] core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice,
                                                geo::PlanePoint place, core::Seconds when);
+
+/// How far it is to the nearest ice that asks dives to turn below it, to any side, as far as looks at rings round the
+/// place tell; empty where there is none within the distance, and where nothing is known of the ice.
+[[nodiscard]] std::optional<core::Metres> nearest_ice_within(core::Metres distance, const UnderIce& ice,
+                                                             geo::PlanePoint place, core::Seconds when);
 
 }  // namespace floeplan::planning

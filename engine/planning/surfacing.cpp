@@ -61,6 +61,7 @@ class Log {
                          .least_upper_turn = sea_.least_upper_turn(point, time),
                          .ice_free_before = ice_free_before_,
                          .error_without_fix = here_.error};
+    if (sea_.ice()) state.nearest_ice = nearest_ice_within(here_.error, *sea_.ice(), point, time);
     if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
     return state;
   }

@@ -91,7 +91,8 @@ planning::Plan plan_with_surfacings() {
                      .least_upper_turn = {18.0},
                      .leg_upper_turn = core::Metres{21.5},
                      .ice_free_before = core::Metres{0.0},
-                     .error_without_fix = core::Metres{511.2}}},
+                     .error_without_fix = core::Metres{511.2},
+                     .nearest_ice = core::Metres{120.5}}},
       .surfacings = {{.place = {-52.95, 69.0},
                       .time = plan.departure + core::Seconds{1800.0},
                       .position_error = {127.8}}},
@@ -116,6 +117,8 @@ TEST(PlanDocument, SaysOfEachWaypointWhatIceMeansThere) {
   EXPECT_EQ(last.at("leg_upper_turn_m"), 21.5);
   EXPECT_EQ(last.at("ice_free_before_m"), 0.0);
   EXPECT_EQ(last.at("error_without_fix_m"), 511.2);
+  EXPECT_EQ(last.at("nearest_ice_m"), 120.5);
+  EXPECT_TRUE(document.at("waypoints").at(0).at("nearest_ice_m").is_null());
   EXPECT_TRUE(document.at("waypoints").at(0).at("leg_upper_turn_m").is_null());
   EXPECT_EQ(document.at("surfacing").at("planned").at(0).at("time"), "2027-01-15T08:30:00Z");
   const json& escape = document.at("surfacing").at("escapes").at(1);
@@ -135,7 +138,8 @@ TEST(PlanDocument, WithSurfacingsIsReadBackTheSame) {
 TEST(PlanDocument, FromBeforeLegsToldHowDeepTheirDivesTurnIsStillRead) {
   json document = plan_document(plan_with_surfacings(), "p1", "");
   for (json& waypoint : document.at("waypoints"))
-    for (const char* later : {"leg_upper_turn_m", "ice_free_before_m", "error_without_fix_m"})
+    for (const char* later :
+         {"leg_upper_turn_m", "ice_free_before_m", "error_without_fix_m", "nearest_ice_m"})
       waypoint.erase(later);
 
   const planning::Plan plan = parse_plan_document(document);

@@ -324,7 +324,30 @@ TEST(GotoLists, WarnWhereTheVehicleMayBeOffSoFarThatItComesUpBelowTheIce) {
   ASSERT_TRUE(lists.has_value());
   EXPECT_THAT(lists->files.front().text, HasSubstr("list_when_wpt_dist(m) 299\n"));
   EXPECT_THAT(lists->warnings, Contains(testing::AllOf(HasSubstr("it may come up below the ice"),
-                                                       HasSubstr("more than 899 m beyond it"))));
+                                                       HasSubstr("more than 899 m from it"))));
+}
+
+/// The first list ends in open water just in front of the ice that the second one passes below.
+TEST(GotoLists, EndInFrontOfIceOnlyWhereTheyMustAndSaySo) {
+  planning::Plan plan = plan_below_ice(6, {4});
+  auto& states = plan.surfacing->waypoints;
+  for (std::size_t i = 0; i < 6; ++i) {
+    states[i].error_without_fix = core::Metres{500.0 * static_cast<double>(i)};
+    states[i].ice_free_before = core::Metres{1e5};
+  }
+  states[3].nearest_ice = core::Metres{120.0};
+  states[2].nearest_ice = core::Metres{1050.0};
+
+  const auto free = write_goto_lists(plan, {.max_waypoints = 3});
+  states[1].nearest_ice = core::Metres{40.0};
+  const auto forced = write_goto_lists(plan, {.max_waypoints = 1, .may_end_below_ice = true});
+
+  ASSERT_TRUE(free && forced);
+  EXPECT_THAT(ends_of(*free), ElementsAre(2u, 5u));
+  EXPECT_THAT(
+      forced->warnings,
+      Contains(testing::AllOf(HasSubstr("ends at waypoint 3, 120 m from the nearest ice"),
+                              HasSubstr("may be off by 500 m"), HasSubstr("may come up below the ice"))));
 }
 
 TEST(GotoLists, GetASmallerRadiusWhereTheyEndNearIce) {
