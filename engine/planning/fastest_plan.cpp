@@ -13,6 +13,7 @@
 #include "engine/planning/published_plan.hpp"
 #include "engine/planning/route.hpp"
 #include "engine/planning/route_cost.hpp"
+#include "engine/planning/time_killing.hpp"
 #include "engine/planning/voyage_search.hpp"
 
 namespace floeplan::planning {
@@ -128,17 +129,28 @@ bool was_cut_short(const Attempt& attempt) {
 
 /// On grids as fine as asked for. Where that was left open and a search with surfacings came to no end, on coarser
 /// ones, too, on which it comes further.
-Result<Plan> plan_on_grids(const ocean::Environment& environment, const PlanRequest& request,
-                           const std::stop_token& stop, const core::ProgressCallback& progress,
-                           const core::SteadyClock& clock) {
+Attempt plan_on_grids(const ocean::Environment& environment, const PlanRequest& request,
+                      const std::stop_token& stop, const core::ProgressCallback& progress,
+                      const core::SteadyClock& clock) {
   Attempt best = best_attempt(environment, request, stop, progress, clock);
   if (request.under_ice.max_time_without_surfacing && !request.spacing_along && was_cut_short(best)) {
     Attempt coarse = best_attempt(environment, on_coarser_grids(request), stop, progress, clock);
     if (coarse.plan && (!best.plan || coarse.plan->arrival < best.plan->arrival)) best = std::move(coarse);
   }
   if (best.plan) rate(*best.plan, best.chart->sea, request, best.route, stop);
-  if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-  return std::move(best.plan);
+  if (stop.stop_requested()) best.plan = tl::unexpected(explain_cancelled(request));
+  return best;
+}
+
+/// Whether a plan only seems the better one: it does not wait, but kills time under way, and is earlier by no more than
+/// the searches are exact to.
+bool only_kills_time(const Attempt& moving, const Attempt& waiting) {
+  constexpr double just_as_good = 2e-3;  // of a search and of a refinement
+  if (!waiting.plan || waiting.plan->travel_time() > (1.0 + just_as_good) * moving.plan->travel_time())
+    return false;
+  const Sea& sea = moving.chart->sea;
+  const auto schedule = schedule_along(sea, moving.route.points, at_departure);
+  return schedule && longest_killing_of_time(sea, moving.route, *schedule).has_value();
 }
 
 /// The request without its leave to wait and to pass under icebergs; empty where neither can make a difference.
@@ -159,16 +171,18 @@ std::optional<PlanRequest> without_leave(const ocean::Environment& environment, 
 Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanRequest& request,
                           const std::stop_token& stop, const core::ProgressCallback& progress,
                           const core::SteadyClock& clock) {
-  Result<Plan> plan = plan_on_grids(environment, request, stop, progress, clock);
+  Attempt best = plan_on_grids(environment, request, stop, progress, clock);
   const std::optional<PlanRequest> strict = without_leave(environment, request);
   if (strict && !stop.stop_requested()) {
     // Refinement finds other ways where less is allowed: a leave must never make a plan later.
-    Result<Plan> without = plan_on_grids(environment, *strict, stop, progress, clock);
+    Attempt without = plan_on_grids(environment, *strict, stop, progress, clock);
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
-    if (without && (!plan || without->arrival <= plan->arrival)) plan = std::move(without);
+    const bool is_no_later = without.plan && (!best.plan || without.plan->arrival <= best.plan->arrival);
+    const bool may_wait = request.max_loiter.count() > 0.0;
+    if (is_no_later && !(may_wait && only_kills_time(without, best))) best = std::move(without);
   }
   progress("done", 1.0);
-  return plan;
+  return std::move(best.plan);
 }
 
 }  // namespace floeplan::planning

@@ -286,8 +286,8 @@ void InputChanges::depart_later_or_wait() {
 }
 
 void InputChanges::depart_after(core::Seconds circling) {
-  const auto delays =
-      trials_.shortest_that_helps(circling, [&](core::Seconds later) { return leaving(later / an_hour); });
+  const auto delays = trials_.shortest_that_helps(
+      circling, core::Seconds{0.0}, [&](core::Seconds later) { return leaving(later / an_hour); });
   if (!delays) return;
   if (delays->least < delays->enough)
     add_departure(delays->least / an_hour, ", and turn in circles for the rest");
@@ -296,7 +296,9 @@ void InputChanges::depart_after(core::Seconds circling) {
 
 void InputChanges::wait_for(core::Seconds circling) {
   const double now = request_.max_loiter.count();
-  const auto waits = trials_.shortest_that_helps(circling, [&](core::Seconds longest) {
+  // Many short waits, a little way from each other, are as good as circles: nobody would want them.
+  const core::Seconds least = 0.75 * circling;
+  const auto waits = trials_.shortest_that_helps(circling, least, [&](core::Seconds longest) {
     PlanRequest changed = request_;
     changed.max_loiter = std::max(longest, request_.max_loiter);
     return changed;

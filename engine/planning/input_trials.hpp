@@ -73,9 +73,9 @@ class InputTrials {
     core::Seconds least;   // that helps: a little may be circled
   };
 
-  /// In whole hours: as long as has to be circled away, or somewhat more, and then less.
+  /// In whole hours: as long as has to be circled away, or somewhat more, and then less, but more than `least`.
   template <class With>
-  std::optional<Times> shortest_that_helps(core::Seconds circling, const With& with) {
+  std::optional<Times> shortest_that_helps(core::Seconds circling, core::Seconds least, const With& with) {
     begin_input();
     std::optional<Times> helps;
     for (const core::Seconds time : whole_hours_from(circling)) {
@@ -84,7 +84,7 @@ class InputTrials {
       helps = {time, time};
       break;
     }
-    core::Seconds fails{0.0};
+    core::Seconds fails = std::floor(least / an_hour) * an_hour;
     while (helps && helps->least - fails > an_hour && !is_over()) {
       const core::Seconds middle = std::floor(0.5 * (fails + helps->least) / an_hour) * an_hour;
       (works(with(middle)) ? helps->least : fails) = middle;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 namespace floeplan::planning {
 namespace {
@@ -24,6 +25,23 @@ core::Seconds held_until(const Sea& sea, geo::PlanePoint place, core::Seconds fr
     held = now;
     if (now >= until) return held;
   }
+}
+
+/// The leg with the least wait, to within half of `punctual`, that is open after a departure that was refused.
+WaitedLeg soonest(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
+                  core::Seconds latest, std::optional<core::Seconds> refused, WaitedLeg open) {
+  if (!refused) return open;
+  core::Seconds closed = *refused - arrive;
+  while (open.wait - closed > 0.5 * punctual) {
+    const core::Seconds middle = 0.5 * (closed + open.wait);
+    const auto time = sea.leg_time(a, b, arrive + middle, latest);
+    if (time) {
+      open = {middle, *time};
+    } else {
+      closed = middle;
+    }
+  }
+  return open;
 }
 
 }  // namespace
@@ -59,6 +77,7 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::P
 
   const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.longest_wait());
   core::Seconds depart = earliest;
+  std::optional<core::Seconds> refused;
   for (int i = 0; i < most_tries && depart <= stays; ++i) {
     const auto unhindered = sea.leg_time_without_timed_closures(a, b, depart, latest);
     if (!unhindered) return closed;
@@ -66,8 +85,9 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::P
     if (!clear) return closed;
     depart = *clear;
     const auto time = sea.leg_time(a, b, depart, latest);
-    if (time) return WaitedLeg{depart - arrive, *time};
+    if (time) return soonest(sea, a, b, arrive, latest, refused, {depart - arrive, *time});
     if (!opens_again(time.error())) return closed;
+    refused = depart;
     depart += fineness_of_waits(*unhindered);
   }
   return closed;

@@ -29,6 +29,9 @@ struct WaitedLeg {
 [[nodiscard]] bool current_lets_stay(const Sea& sea, geo::PlanePoint place, core::Seconds from,
                                      core::Seconds until);
 
+/// Waits are no longer than they need be by so much.
+inline constexpr core::Seconds punctual{0.1};
+
 /// Between the departures that are tried when only the exact drive of a leg is closed, by the time that it takes.
 [[nodiscard]] core::Seconds fineness_of_waits(core::Seconds leg_time);
 
@@ -36,8 +39,8 @@ struct WaitedLeg {
 /// longest, that lets it through what is closed for a while.
 /// `not_before`: an earliest departure beside the arrival.
 /// Errors    as Sea::leg_time, for the departure at once
-/// Accuracy  the wait may be longer than the least by `fineness_of_waits`; a leg that is open for less than a quarter
-///           of an hour may be overlooked
+/// Accuracy  `punctual`, where the leg stays open once it is; one that is open for less than `fineness_of_waits`, or a
+///           quarter of an hour, may be overlooked
 [[nodiscard]] tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(
     const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
     core::Seconds latest = core::Seconds{INFINITY}, core::Seconds not_before = core::Seconds{0.0});

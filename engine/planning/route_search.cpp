@@ -15,6 +15,7 @@
 #include "engine/planning/later_ways.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/surfacing_search.hpp"
+#include "engine/planning/waiting_way.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -175,6 +176,28 @@ bool look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& op
   return comes_later;
 }
 
+/// Replaces the way by one that waits, or turns in circles, at one place and arrives before `before`, if there is one.
+/// `at_once`: as above
+/// Returns  whether it did
+bool look_for_a_wait(RouteSearch& result, const Sea& sea, const OpenGrid& open, const AtOnce& at_once,
+                     core::Seconds depart, core::Seconds before, const std::stop_token& stop) {
+  const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
+  // Who waits, or circles, as long as may be and then travels for as long as the best way takes.
+  const core::Seconds travel = at_once.arrival - depart;
+  const core::Seconds most = at_once.arrival + std::max(sea.longest_wait(), travel) + travel;
+  const core::Seconds last = std::min({before, most, end.value_or(most)});
+  WaitingWay waiting =
+      search_way_with_one_wait(sea, open, depart, {.after = at_once.arrival, .before = last}, stop);
+  result.statistics.expansions += waiting.counters.expansions;
+  result.statistics.edge_evaluations += waiting.counters.edge_evaluations;
+  result.cancelled = waiting.cancelled;
+  if (waiting.path.empty() || is_refused_for_circling(result, sea, open, waiting.path, at_once, depart, stop))
+    return false;
+  result.path = std::move(waiting.path);
+  result.arrival = waiting.arrival;
+  return true;
+}
+
 /// The search as if the time without surfacing were not bounded.
 RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
                              core::Seconds depart, const std::stop_token& stop,
@@ -269,10 +292,16 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
       result.path = at_once.path;
       result.arrival = core::Seconds{arrival_s};
     }
-    const bool may_gain =
-        result.path.empty() || arrival_s - least_s > least_gain * (arrival_s - depart.count());
+    const auto goal_opens = opens_at(sea, grid.point(grid.goal), at_once.arrival);
+    const double soonest_s = goal_opens ? goal_opens->count() : least_s;
+    const auto may_gain = [&] {
+      return !result.cancelled &&
+             (result.path.empty() || arrival_s - soonest_s > least_gain * (arrival_s - depart.count()));
+    };
+    if (may_gain() && look_for_a_wait(result, sea, open, at_once, depart, core::Seconds{arrival_s}, stop))
+      arrival_s = result.arrival.count();
     bool comes_later = false;
-    if (!result.cancelled && may_gain) {
+    if (may_gain()) {
       const double worthwhile_s =
           result.path.empty() ? arrival_s : arrival_s - least_gain * (arrival_s - depart.count());
       comes_later =

@@ -13,10 +13,35 @@ Voyage::Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, 
       goal_{grid.point(grid.goal)},
       latest_s_{latest.count()},
       ladder_{ladder},
+      may_wait_{sea.longest_wait().count() > 0.0},
       earliest_s_(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny), INFINITY) {
   const double step_m =
       std::min(std::hypot(grid.along.x_m, grid.along.y_m), std::hypot(grid.across.x_m, grid.across.y_m));
   span_s_ = (core::Metres{step_m} / sea.through_water()).count();
+}
+
+bool Voyage::is_waited_for(graph::Vertex v, double first_s, double last_s) const {
+  const auto found = stays_from_s_.find(v);
+  if (found == stays_from_s_.end()) return false;
+  const std::vector<TimeSpan>& closed = openings_.closed(v);
+  for (std::size_t i = interval_of(closed, core::Seconds{first_s}); i <= closed.size(); ++i) {
+    const double from_s = i == 0 ? first_s : std::max(first_s, closed[i - 1].until.count());
+    if (from_s > last_s) break;
+    if (found->second[i] > from_s) return false;
+  }
+  return true;
+}
+
+void Voyage::note_stay(graph::Vertex v, double arrival_s, double last_s) {
+  const std::vector<TimeSpan>& closed = openings_.closed(v);
+  const std::size_t i = interval_of(closed, core::Seconds{arrival_s});
+  std::vector<double>& stays_from_s = stays_from_s_[v];
+  if (stays_from_s.empty()) stays_from_s.assign(closed.size() + 1, INFINITY);
+  if (arrival_s >= stays_from_s[i]) return;
+  const core::Seconds from{arrival_s};
+  const core::Seconds until{i < closed.size() ? std::min(last_s, closed[i].from.count()) : last_s};
+  if (!std::isfinite(until.count()) || until - from > sea_.longest_wait()) return;
+  if (current_lets_stay(sea_, grid_.point(v), from, until)) stays_from_s[i] = arrival_s;
 }
 
 double Voyage::opens_s(double when_s) const {
@@ -32,7 +57,7 @@ bool Voyage::dominates(graph::Vertex v, const graph::Label<State>& a, const grap
                         a.state.interval == b.state.interval;
   if (!no_worse || !openings_.matter(v, b.arrival_s)) return no_worse;
   const bool same_span = std::floor(a.arrival_s / span_s_) == std::floor(b.arrival_s / span_s_);
-  if (sea_.longest_wait().count() <= 0.0) return same_span;
+  if (!may_wait_) return same_span;
 
   const std::vector<TimeSpan>& closed = openings_.closed(v);
   const core::Seconds first{a.arrival_s};

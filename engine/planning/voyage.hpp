@@ -1,7 +1,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cmath>
 #include <cstdint>
+#include <unordered_map>
 #include <vector>
 
 #include "engine/graph/label_search.hpp"
@@ -39,19 +41,25 @@ class Voyage {
          ArrivalLadder* ladder = nullptr);
 
   void extend(const graph::Edge& edge, double arrival_s, const State& state, auto&& emit) {
+    const geo::PlanePoint tail = grid_.point(edge.tail);
     const geo::PlanePoint head = grid_.point(edge.head);
     double latest_s = latest_s_ - sea_.least_time(head, goal_).count();
+    double least_s = arrival_s;
     if (ladder_ != nullptr) {
       latest_s = std::min(latest_s, ladder_->latest_use_s(edge.head));
-      const double least_s = arrival_s + ladder_->least_time_s(edge, arrival_s);
-      if (least_s > latest_s || is_dominated(edge.head, least_s, latest_s)) return;
+      least_s += ladder_->least_time_s(edge, arrival_s);
+    } else {
+      least_s += sea_.least_time(tail, head).count();
     }
+    if (least_s > latest_s || is_dominated(edge.head, least_s, latest_s)) return;
+    if (may_wait_ && is_waited_for(edge.head, least_s, latest_s)) return;
     const core::Seconds arrive{arrival_s};
-    for_each_opening(sea_, grid_.point(edge.tail), head, openings_.closed(edge.head), arrive,
-                     core::Seconds{latest_s}, [&](const WaitedLeg& leg) {
+    for_each_opening(sea_, tail, head, openings_.closed(edge.head), arrive, core::Seconds{latest_s},
+                     [&](const WaitedLeg& leg) {
                        const double there_s = (arrive + leg.total()).count();
                        if (there_s >= latest_s) return;
                        earliest_s_[edge.head] = std::min(earliest_s_[edge.head], there_s);
+                       if (may_wait_) note_stay(edge.head, there_s, latest_s);
                        emit(there_s, state, 0U);
                      });
   }
@@ -64,11 +72,12 @@ class Voyage {
     return ladder_ != nullptr ? std::max(straight_s, ladder_->earliest_s(v, arrival_s)) : straight_s;
   }
 
-  /// Who may wait does so near the goal; who may not kills time under way, and the latest arrival is the one that came
-  /// nearest.
+  /// Who may not wait kills time under way, and the latest arrival is the one that came nearest. Who may does so near the
+  /// goal; where a way is known already, the earliest arrivals at every place, which leave no use for later ones, tell
+  /// sooner that there is no better one.
   [[nodiscard]] double order(graph::Vertex v, double arrival_s) const {
-    if (sea_.longest_wait().count() <= 0.0) return -arrival_s;
-    return sea_.least_time(grid_.point(v), goal_).count();
+    if (!may_wait_) return -arrival_s;
+    return std::isfinite(latest_s_) ? arrival_s : sea_.least_time(grid_.point(v), goal_).count();
   }
 
   [[nodiscard]] bool dominates(graph::Vertex v, const graph::Label<State>& a,
@@ -79,6 +88,10 @@ class Voyage {
   [[nodiscard]] bool is_dominated(graph::Vertex v, double first_s, double last_s) const {
     return earliest_s_[v] <= first_s && !openings_.matter(v, first_s, last_s);
   }
+  /// Whether some arrival before can stay until any arrival between the two, in whichever of the times between closures.
+  [[nodiscard]] bool is_waited_for(graph::Vertex v, double first_s, double last_s) const;
+  /// An arrival that may be able to stay until the place closes, or is of no use any longer.
+  void note_stay(graph::Vertex v, double arrival_s, double last_s);
   /// The earliest arrival at the goal, as far as it is closed then.
   [[nodiscard]] double opens_s(double when_s) const;
 
@@ -89,7 +102,10 @@ class Voyage {
   double latest_s_;
   double span_s_;
   ArrivalLadder* ladder_;
+  bool may_wait_;
   std::vector<double> earliest_s_;  // arrival so far, by vertex
+  /// By vertex and time between closures: the earliest arrival so far that can stay until its end.
+  std::unordered_map<graph::Vertex, std::vector<double>> stays_from_s_;
 };
 
 }  // namespace floeplan::planning

@@ -13,6 +13,8 @@ namespace floeplan::planning::plan_loiter_test {
 namespace {
 
 constexpr core::Seconds half_a_day{12.0 * hour_s};
+/// Rather than to kill time under way the vehicle waits, if that is as good as searches can tell.
+constexpr double just_as_good = 1.002;
 
 Result<Plan> plan(const ocean::Environment& environment, const PlanRequest& request) {
   return plan_route(environment, request, {}, {});
@@ -66,7 +68,7 @@ TEST(Loiter, LetsTheWayThatOpensLaterBeWaitedFor) {
 
   ASSERT_TRUE(moving && waiting);
   EXPECT_GT(waited(*waiting).count(), hour_s);
-  EXPECT_LE(waiting->arrival, moving->arrival);
+  EXPECT_LE(waiting->travel_time().count(), just_as_good * moving->travel_time().count());
   EXPECT_LT(waiting->distance, moving->distance);
   EXPECT_GT(waiting->clearances.iceberg->value, request.icebergs.margin.value);
 }
@@ -119,7 +121,8 @@ TEST_P(LoiterInAScene, NeverLeadsIntoADiscNorArrivesLater) {
     EXPECT_GT(least_gap_m(*result, environment, request.icebergs), -tolerance_m);
     for (const Waypoint& waypoint : result->waypoints) EXPECT_LE(waypoint.wait, request.max_loiter);
     if (moving) {
-      EXPECT_LE(result->travel_time().count(), moving->travel_time().count());
+      const double most = speaks_of_waiting(*moving) ? just_as_good : 1.0;
+      EXPECT_LE(result->travel_time().count(), most * moving->travel_time().count());
     }
   });
   EXPECT_GT(found, scenes / 2);
