@@ -8,8 +8,11 @@
 namespace floeplan::graph {
 namespace {
 
-/// A border crosses no line at its very end, so that rings keep apart.
-constexpr double least_share = 1e-6;
+/// A border crosses no line at its very end, so that rings keep apart: by some centimetres, more than documents round
+/// places to.
+constexpr double least_share = 1e-3;
+/// Likewise of the lines that lead out of the grid, on whose rim the area ends.
+constexpr double rim_share = 1e-6;
 
 /// The grid with a frame of vertices outside around it, and the lines between neighbours numbered: of each
 /// vertex the one to the right, then the one upwards.
@@ -88,7 +91,7 @@ class Tracer {
   }
 
   [[nodiscard]] GridPlace border(Corner inside, Corner outside) const {
-    double share = least_share;
+    double share = rim_share;
     if (grid_.is_vertex(outside[0], outside[1])) {
       share = std::clamp(share_(grid_.vertex(inside[0], inside[1]), grid_.vertex(outside[0], outside[1])),
                          least_share, 1.0 - least_share);

@@ -153,5 +153,20 @@ TEST(Contour, HoldsTheVerticesInsideAndNoOthersAndGrowsWithTheLevel) {
   });
 }
 
+/// Where borders would lie on the vertices, places stay farther apart than documents round them to: a centimetre where
+/// cells are some tens of metres wide.
+TEST(Contour, KeepsItsPlacesApartAlsoWhenTheyAreRounded) {
+  std::vector<std::uint8_t> inside(9 * 9, 0);
+  for (const int vertex : {30, 31, 39, 40, 50}) inside[static_cast<std::size_t>(vertex)] = 1;
+
+  for (const GridPolygon& polygon : contour(9, 9, inside, [](Vertex, Vertex) { return 0.0; })) {
+    for (std::size_t i = 0; i < polygon.outer.size(); ++i)
+      for (std::size_t j = 0; j < i; ++j)
+        EXPECT_GT(std::hypot(polygon.outer[i].column - polygon.outer[j].column,
+                             polygon.outer[i].row - polygon.outer[j].row),
+                  5e-4);
+  }
+}
+
 }  // namespace
 }  // namespace floeplan::graph::contour_test
