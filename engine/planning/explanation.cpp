@@ -56,17 +56,16 @@ std::string iceberg_text(const Sea& sea, geo::PlanePoint place, core::Seconds wh
   return text + " are kept";
 }
 
-/// The closure of a place that holds then.
-std::optional<TimeSpan> closure_at(const Sea& sea, geo::PlanePoint place, core::Seconds when) {
-  for (const TimeSpan& closed : sea.closed_times(place))
+/// Of the times when a place is closed, the one that holds then.
+std::optional<TimeSpan> closure_at(const std::vector<TimeSpan>& times, core::Seconds when) {
+  for (const TimeSpan& closed : times)
     if (closed.from <= when && when <= closed.until) return closed;
   return std::nullopt;
 }
 
 /// Until when a place is closed that is closed then.
-std::string opening_text(const Sea& sea, geo::PlanePoint place, core::Seconds when,
-                         const PlanRequest& request) {
-  const auto closed = closure_at(sea, place, when);
+std::string opening_text(const std::vector<TimeSpan>& times, core::Seconds when, const PlanRequest& request) {
+  const auto closed = closure_at(times, when);
   if (!closed) return "";
   if (!std::isfinite(closed->until.count())) return ", as far as is forecast for good";
   return ", until " + core::iso8601(clock(request, closed->until));
@@ -178,14 +177,14 @@ Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat pla
       return {reason_at(stop, Reason::start_in_zone, Reason::in_zone, Reason::goal_in_zone), place,
               clock(request, when),
               subject + " lies where a zone does not allow the vehicle to be" +
-                  opening_text(sea, point, when, request),
+                  opening_text(sea.closed_times_by_zones(point), when, request),
               "move it, change the zone or its times, or depart when it allows the vehicle to be there"};
     case motion::EdgeClosed::obstacle:
       return {
           reason_at(stop, Reason::start_near_iceberg, Reason::near_iceberg, Reason::goal_near_iceberg), place,
           clock(request, when),
           subject + " lies too close to " + iceberg_text(sea, point, when, request) +
-              opening_text(sea, point, when, request),
+              opening_text(sea.closed_times(point), when, request),
           "move it, depart at another time, or reduce the margin (--margin) or the error that is allowed for "
           "(--max-inflation)"};
     case motion::EdgeClosed::outside_data:
@@ -211,7 +210,7 @@ Infeasible explain_start(motion::EdgeClosed closed, geo::LonLat place, core::Sec
                          const PlanRequest& request) {
   Infeasible infeasible = words_for_place(closed, Stop::start, place, after, sea, request);
   infeasible.binding = constraint_of(closed, false);
-  const auto closure = closure_at(sea, sea.projection().to_plane(place), after);
+  const auto closure = closure_at(sea.closed_times(sea.projection().to_plane(place)), after);
   if (closure && std::isfinite(closure->until.count()))
     infeasible.postponed = Postponed{closure->until - after};
   return infeasible;

@@ -91,6 +91,10 @@ class Sea {
                                                     core::Seconds depart, vehicle::Drive drive) const;
   /// When a timed zone or an iceberg that moves closes the point: ascending, apart from each other.
   [[nodiscard]] std::vector<TimeSpan> closed_times(geo::PlanePoint point) const;
+  /// By timed zones alone.
+  [[nodiscard]] std::vector<TimeSpan> closed_times_by_zones(geo::PlanePoint point) const {
+    return timed_zones_.closed_times(point);
+  }
   /// Travel time of the straight leg for a vehicle that is to be at its end at `arrive`: it leaves that much
   /// earlier. Closed where the vehicle that leaves then finds the leg closed; too_late when it would certainly have
   /// to leave before `earliest`.

@@ -256,5 +256,20 @@ TEST(PlanZones, MayReachFarBeyondWhatThePlaneShows) {
   }
 }
 
+/// What an iceberg closes for a while is no time at which the zone ends.
+TEST(PlanZones, ThatHoldForEverAreNotSaidToOpenWhenAnIcebergIsGone) {
+  PlanRequest request = eastward_request();
+  request.zones = {stay_in(box(-53.6, 68.9, -52.8, 69.1))};
+  ocean::Environment environment;
+  environment.icebergs = {support::iceberg_at(request.to, 100.0)};
+  environment.icebergs[0].earlier = {{{-52.6, 69.0}, request.depart - core::Seconds{12.0 * 3600.0}}};
+
+  const auto found = plan(request, environment);
+
+  ASSERT_FALSE(found);
+  EXPECT_EQ(found.error().reason, Reason::goal_in_zone);
+  EXPECT_EQ(found.error().explanation.find("until"), std::string::npos) << found.error().explanation;
+}
+
 }  // namespace
 }  // namespace floeplan::planning::plan_zones_test
