@@ -12,6 +12,7 @@
 #include "engine/planning/coast_lines.hpp"
 #include "engine/planning/plane_distance.hpp"
 #include "engine/planning/surfacing.hpp"
+#include "engine/vehicle/dive_band.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -233,15 +234,30 @@ void warn_of_ice_beside(Plan& plan, const PlanRequest& request) {
   for (const SurfacingState& state : plan.surfacing->waypoints)
     deepest = std::max({deepest, state.least_upper_turn, state.leg_upper_turn.value_or(core::Metres{0.0})});
   if (std::ceil(beside.upper_turn.value) <= std::ceil(deepest.value)) return;
+  const double turn_m = std::ceil(beside.upper_turn.value);
+  const double least_dive_m = turn_m + vehicle::lowest_tooth.value;
   char text[320];
   std::snprintf(
       text, sizeof text,
       "within the error of its position, %.1f km at %.4f, %.4f, the vehicle may come below ice where dives "
-      "must turn no higher than %.0f m, yet those of the plan turn at %.0f m: keep below that ice all the "
-      "way (--climb-to %.0f), or bound the time without surfacing",
-      beside.error.value / 1000.0, beside.place.lon_deg, beside.place.lat_deg,
-      std::ceil(beside.upper_turn.value), std::ceil(deepest.value), std::ceil(beside.upper_turn.value));
-  plan.warnings.emplace_back(text);
+      "must turn no higher than %.0f m, yet those of the plan turn at %.0f m: ",
+      beside.error.value / 1000.0, beside.place.lon_deg, beside.place.lat_deg, turn_m,
+      std::ceil(deepest.value));
+  char remedy[160];
+  if (least_dive_m > request.vehicle.depth_rating.value) {
+    std::snprintf(remedy, sizeof remedy,
+                  "this vehicle cannot dive below that ice; take one that can, or bound the time without "
+                  "surfacing");
+  } else {
+    std::snprintf(
+        remedy, sizeof remedy,
+        least_dive_m > request.vehicle.dive_depth.value
+            ? "keep below that ice all the way (--climb-to %.0f --dive-depth %.0f), or bound the "
+              "time without surfacing"
+            : "keep below that ice all the way (--climb-to %.0f), or bound the time without surfacing",
+        turn_m, least_dive_m);
+  }
+  plan.warnings.push_back(std::string{text} + remedy);
 }
 
 void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
