@@ -27,10 +27,10 @@ struct ListRules {
 /// Whether ice or an iceberg is above somewhere on the way of the list.
 [[nodiscard]] bool passes_below(const planning::Plan& plan, const ListPart& part);
 
-/// How far from ice and icebergs a list ends whose way passes below them or that ends near ice. The vehicle comes up as soon as it takes
-/// itself to be within the radius of the last row, which it may be before it. Of ice, which lies there, its error of
-/// position may take as much again; what is uncertain of an iceberg is in its disc, and where the vehicle is off its
-/// way it is as likely to be farther from it.
+/// How far from ice and icebergs a list ends whose way passes below them or that ends near ice. The vehicle comes up as
+/// soon as it takes itself to be within the radius of the last row, which it may be before it. Of ice, which lies there,
+/// its error of position may take as much again; what is uncertain of an iceberg is in its disc, and where the vehicle
+/// is off its way it is as likely to be farther from it.
 struct ListEnd {
   std::optional<core::Metres> beyond_ice{};      // along the way; empty: the way passes below none
   std::optional<core::Metres> beyond_iceberg{};  // the same

@@ -72,9 +72,9 @@ class Voyage {
     return ladder_ != nullptr ? std::max(straight_s, ladder_->earliest_s(v, arrival_s)) : straight_s;
   }
 
-  /// Who may not wait kills time under way, and the latest arrival is the one that came nearest. Who may does so near the
-  /// goal; where a way is known already, the earliest arrivals at every place, which leave no use for later ones, tell
-  /// sooner that there is no better one.
+  /// Who may not wait kills time under way, and the latest arrival is the one that came nearest. Who may does so near
+  /// the goal; where a way is known already, the earliest arrivals at every place, which leave no use for later ones,
+  /// tell sooner that there is no better one.
   [[nodiscard]] double order(graph::Vertex v, double arrival_s) const {
     if (!may_wait_) return -arrival_s;
     return std::isfinite(latest_s_) ? arrival_s : sea_.least_time(grid_.point(v), goal_).count();
@@ -88,7 +88,8 @@ class Voyage {
   [[nodiscard]] bool is_dominated(graph::Vertex v, double first_s, double last_s) const {
     return earliest_s_[v] <= first_s && !openings_.matter(v, first_s, last_s);
   }
-  /// Whether some arrival before can stay until any arrival between the two, in whichever of the times between closures.
+  /// Whether some arrival before can stay until any arrival between the two, in whichever of the times between
+  /// closures.
   [[nodiscard]] bool is_waited_for(graph::Vertex v, double first_s, double last_s) const;
   /// An arrival that may be able to stay until the place closes, or is of no use any longer.
   void note_stay(graph::Vertex v, double arrival_s, double last_s);
