@@ -28,6 +28,9 @@ constexpr std::size_t most_labels_for_a_way = 100'000;
 constexpr std::size_t most_labels_for_a_better_way = 20'000;
 /// Of the travel time: a better way past what opens later is not looked for where it could gain less.
 constexpr double least_gain = 1e-3;
+/// Likewise of what a search that ran out of labels may have missed: where it is more, a way is looked for that stays
+/// at one place, which takes some seconds. A judgement.
+constexpr double worth_a_wait = 0.02;
 
 /// The paper's left column: every weight as it is at departure.
 struct FrozenTravelTime {
@@ -298,14 +301,24 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
       return !result.cancelled &&
              (result.path.empty() || arrival_s - soonest_s > least_gain * (arrival_s - depart.count()));
     };
-    if (may_gain() && look_for_a_wait(result, sea, open, at_once, depart, core::Seconds{arrival_s}, stop))
-      arrival_s = result.arrival.count();
-    bool comes_later = false;
+    // Who may not wait hardly ever circles where there is a way at once.
+    const bool is_likely = result.path.empty() || sea.longest_wait().count() > 0.0;
+    bool comes_later = is_likely && may_gain() &&
+                       look_for_a_wait(result, sea, open, at_once, depart, core::Seconds{arrival_s}, stop);
+    if (comes_later) arrival_s = result.arrival.count();
     if (may_gain()) {
       const double worthwhile_s =
           result.path.empty() ? arrival_s : arrival_s - least_gain * (arrival_s - depart.count());
-      comes_later =
-          look_for_later_ways(result, sea, open, at_once, depart, core::Seconds{worthwhile_s}, stop);
+      if (look_for_later_ways(result, sea, open, at_once, depart, core::Seconds{worthwhile_s}, stop))
+        comes_later = true;
+    }
+    const auto gain = result.statistics.possible_gain;
+    if (!is_likely && gain && *gain > worth_a_wait * (result.arrival - depart) && !result.cancelled) {
+      const core::Seconds before = result.arrival;
+      if (look_for_a_wait(result, sea, open, at_once, depart, before, stop)) {
+        comes_later = true;
+        result.statistics.possible_gain = *gain - (before - result.arrival);
+      }
     }
     if (!comes_later && is_refused_for_circling(result, sea, open, result.path, at_once, depart, stop))
       result.path.clear();
