@@ -62,6 +62,7 @@ planning::UncertaintyRules read_uncertainty(InputReader& reader) {
   }
   if (const auto quantile = members.number("quantile", {0.01, 0.99})) {
     rules.quantile = *quantile;
+    // What plans of older versions say of their inputs names it beside any objective, null included.
     if (!value->contains("objective"))
       members.refuse("/uncertainty/quantile",
                      "counts with the objective \"quantile\" only: ask for that, too");

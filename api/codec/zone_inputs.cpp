@@ -33,10 +33,10 @@ geo::Ring with_edges_round_the_earth(const json& written, const std::vector<geo:
   for (std::size_t i = 1; i < places.size(); ++i) {
     const double from_deg = written[i - 1][0].get<double>();
     const double way_deg = written[i][0].get<double>() - from_deg;
-    for (int part = 1; std::abs(way_deg) == 360.0 && part < parts; ++part) {
+    const bool leads_round = std::abs(way_deg) == 360.0 && places[i - 1].lat_deg == places[i].lat_deg;
+    for (int part = 1; leads_round && part < parts; ++part) {
       const double share = static_cast<double>(part) / parts;
-      ring.push_back({geo::wrap_longitude(from_deg + share * way_deg),
-                      std::lerp(places[i - 1].lat_deg, places[i].lat_deg, share)});
+      ring.push_back({geo::wrap_longitude(from_deg + share * way_deg), places[i].lat_deg});
     }
     ring.push_back(places[i]);
   }

@@ -11,6 +11,7 @@ namespace floeplan::geo {
 /// results together exactly if it was inside of the ring.
 /// Returns  rings whose longitudes run on without a jump, counted from the window's middle; some of their edges lead
 ///          along the window's rim, and may be long
+/// Precondition  the ring leads round no pole, see turn_of
 /// Source   Sutherland and Hodgman 1974, doi:10.1145/360767.360802, for one side of the window after the other
 [[nodiscard]] std::vector<Ring> clipped(const Ring& ring, const GlobeWindow& window);
 

@@ -46,7 +46,8 @@ Ring counted_on(const Ring& ring, double from_deg) {
   result.reserve(ring.size());
   for (const LonLat corner : ring) {
     const double before_deg = result.empty() ? from_deg : result.back().lon_deg;
-    result.push_back({before_deg + longitude_difference(before_deg, corner.lon_deg), corner.lat_deg});
+    const double turns = std::round((before_deg - corner.lon_deg) / 360.0);
+    result.push_back({corner.lon_deg + 360.0 * turns, corner.lat_deg});
   }
   return result;
 }

@@ -34,10 +34,12 @@ struct ListRules {
 struct ListEnd {
   std::optional<core::Metres> beyond_ice{};      // along the way; empty: the way passes below none
   std::optional<core::Metres> beyond_iceberg{};  // the same
-  std::optional<core::Metres> from_ice{};        // to any side; empty: it is farther than any error
+  /// To any side; empty: it is farther than any error, nothing is known of it, or the plan is older than this.
+  std::optional<core::Metres> from_ice{};
   core::Metres error{};  // at most, grown on the way of the list, on which there is no fix
 
-  [[nodiscard]] core::Metres room() const;       // for the radius, of a vehicle that knows where it is
+  /// For the radius, of a vehicle that knows where it is and comes along its way.
+  [[nodiscard]] core::Metres room() const;
   [[nodiscard]] core::Metres sure_room() const;  // the same, however far it is off; may be negative
 };
 

@@ -1,5 +1,6 @@
 #include "engine/planning/fastest_plan.hpp"
 
+#include <algorithm>
 #include <cmath>
 #include <cstdio>
 #include <optional>
@@ -142,12 +143,14 @@ Attempt plan_on_grids(const ocean::Environment& environment, const PlanRequest& 
   return best;
 }
 
-/// Whether a plan only seems the better one: it does not wait, but kills time under way, and is earlier by no more than
-/// the searches are exact to.
-bool only_kills_time(const Attempt& moving, const Attempt& waiting) {
+/// Whether a plan only seems the better one: it kills time under way where the other one waits, and is earlier by no
+/// more than the searches are exact to.
+bool only_kills_time(const Attempt& moving, const Result<Plan>& waiting) {
   constexpr double just_as_good = 2e-3;  // of a search and of a refinement
-  if (!waiting.plan || waiting.plan->travel_time() > (1.0 + just_as_good) * moving.plan->travel_time())
-    return false;
+  const bool waits = waiting && std::ranges::any_of(waiting->waypoints, [](const Waypoint& waypoint) {
+                       return waypoint.wait.count() > 0.0;
+                     });
+  if (!waits || waiting->travel_time() > (1.0 + just_as_good) * moving.plan->travel_time()) return false;
   const Sea& sea = moving.chart->sea;
   const auto schedule = schedule_along(sea, moving.route.points, at_departure);
   return schedule && longest_killing_of_time(sea, moving.route, *schedule).has_value();
@@ -174,12 +177,14 @@ Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanReque
   Attempt best = plan_on_grids(environment, request, stop, progress, clock);
   const std::optional<PlanRequest> strict = without_leave(environment, request);
   if (strict && !stop.stop_requested()) {
-    // Refinement finds other ways where less is allowed: a leave must never make a plan later.
+    // Refinement finds other ways where less is allowed: a leave must never make a plan later, but for the time that is
+    // killed else.
+    best.chart.reset();  // of no use any longer, and large
     Attempt without = plan_on_grids(environment, *strict, stop, progress, clock);
     if (stop.stop_requested()) return tl::unexpected(explain_cancelled(request));
     const bool is_no_later = without.plan && (!best.plan || without.plan->arrival <= best.plan->arrival);
     const bool may_wait = request.max_loiter.count() > 0.0;
-    if (is_no_later && !(may_wait && only_kills_time(without, best))) best = std::move(without);
+    if (is_no_later && !(may_wait && only_kills_time(without, best.plan))) best = std::move(without);
   }
   progress("done", 1.0);
   return std::move(best.plan);

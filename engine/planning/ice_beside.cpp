@@ -30,9 +30,10 @@ core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice, geo
 
 std::optional<core::Metres> nearest_ice_within(core::Metres distance, const UnderIce& ice,
                                                geo::PlanePoint place, core::Seconds when) {
-  // Rings lie closer to each other near the place, where every metre counts.
-  constexpr int rings = 8;
-  constexpr double ring_ratio = 2.0;
+  // Judgements: rings lie closer to each other near the place, where every metre counts, and farther out no farther
+  // apart than what ice is told in, cells of kilometres.
+  constexpr double first_ring_m = 50.0;
+  constexpr double most_apart_m = 1000.0;
   constexpr int looks_of_a_ring = 24;
   constexpr int halvings = 6;
   const auto is_ice = [&](double radius_m, double angle) {
@@ -41,9 +42,9 @@ std::optional<core::Metres> nearest_ice_within(core::Metres distance, const Unde
     return ice.least_upper_turn(there, when).value > 0.0;
   };
   if (is_ice(0.0, 0.0)) return core::Metres{0.0};
-  double inner_m = 0.0;
-  for (int ring = rings - 1; ring >= 0; --ring) {
-    const double outer_m = distance.value / std::pow(ring_ratio, ring);
+  for (double inner_m = 0.0; inner_m < distance.value;) {
+    const double apart_m = std::clamp(inner_m, first_ring_m, most_apart_m);
+    const double outer_m = std::min(inner_m + apart_m, distance.value);
     double nearest_m = std::numeric_limits<double>::infinity();
     for (int look = 0; look < looks_of_a_ring; ++look) {
       const double angle = 2.0 * std::numbers::pi * look / looks_of_a_ring;

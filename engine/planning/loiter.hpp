@@ -29,7 +29,7 @@ struct WaitedLeg {
 [[nodiscard]] bool current_lets_stay(const Sea& sea, geo::PlanePoint place, core::Seconds from,
                                      core::Seconds until);
 
-/// Waits are no longer than they need be by so much.
+/// To within so much a wait is the least after a departure that was refused.
 inline constexpr core::Seconds punctual{0.1};
 
 /// Between the departures that are tried when only the exact drive of a leg is closed, by the time that it takes.
@@ -39,7 +39,7 @@ inline constexpr core::Seconds punctual{0.1};
 /// longest, that lets it through what is closed for a while.
 /// `not_before`: an earliest departure beside the arrival.
 /// Errors    as Sea::leg_time, for the departure at once
-/// Accuracy  `punctual`, where the leg stays open once it is; one that is open for less than `fineness_of_waits`, or a
+/// Accuracy  that of Sea::first_clear_departure, or `punctual` where the leg is still closed then and stays open once it is; one that is open for less than `fineness_of_waits`, or a
 ///           quarter of an hour, may be overlooked
 [[nodiscard]] tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(
     const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,

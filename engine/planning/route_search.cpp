@@ -185,16 +185,18 @@ bool look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& op
 bool look_for_a_wait(RouteSearch& result, const Sea& sea, const OpenGrid& open, const AtOnce& at_once,
                      core::Seconds depart, core::Seconds before, const std::stop_token& stop) {
   const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
-  // Who waits, or circles, as long as may be and then travels for as long as the best way takes.
+  // Who waits, or circles, for as long as may be, and takes twice as long under way as the best way does.
   const core::Seconds travel = at_once.arrival - depart;
   const core::Seconds most = at_once.arrival + std::max(sea.longest_wait(), travel) + travel;
   const core::Seconds last = std::min({before, most, end.value_or(most)});
-  WaitingWay waiting =
-      search_way_with_one_wait(sea, open, depart, {.after = at_once.arrival, .before = last}, stop);
+  const auto opens = opens_at(sea, open.grid.point(open.grid.goal), at_once.arrival);
+  WaitingWay waiting = search_way_with_one_wait(
+      sea, open, depart, {.after = opens.value_or(at_once.arrival), .before = last}, stop);
   result.statistics.expansions += waiting.counters.expansions;
   result.statistics.edge_evaluations += waiting.counters.edge_evaluations;
   result.cancelled = waiting.cancelled;
-  if (waiting.path.empty() || is_refused_for_circling(result, sea, open, waiting.path, at_once, depart, stop))
+  if (waiting.path.empty() || waiting.arrival >= before ||
+      is_refused_for_circling(result, sea, open, waiting.path, at_once, depart, stop))
     return false;
   result.path = std::move(waiting.path);
   result.arrival = waiting.arrival;
@@ -317,7 +319,7 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
       const core::Seconds before = result.arrival;
       if (look_for_a_wait(result, sea, open, at_once, depart, before, stop)) {
         comes_later = true;
-        result.statistics.possible_gain = *gain - (before - result.arrival);
+        result.statistics.possible_gain = std::max(core::Seconds{0.0}, *gain - (before - result.arrival));
       }
     }
     if (!comes_later && is_refused_for_circling(result, sea, open, result.path, at_once, depart, stop))

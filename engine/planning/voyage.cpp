@@ -20,30 +20,6 @@ Voyage::Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, 
   span_s_ = (core::Metres{step_m} / sea.through_water()).count();
 }
 
-bool Voyage::is_waited_for(graph::Vertex v, double first_s, double last_s) const {
-  const auto found = stays_from_s_.find(v);
-  if (found == stays_from_s_.end()) return false;
-  const std::vector<TimeSpan>& closed = openings_.closed(v);
-  for (std::size_t i = interval_of(closed, core::Seconds{first_s}); i <= closed.size(); ++i) {
-    const double from_s = i == 0 ? first_s : std::max(first_s, closed[i - 1].until.count());
-    if (from_s > last_s) break;
-    if (found->second[i] > from_s) return false;
-  }
-  return true;
-}
-
-void Voyage::note_stay(graph::Vertex v, double arrival_s, double last_s) {
-  const std::vector<TimeSpan>& closed = openings_.closed(v);
-  const std::size_t i = interval_of(closed, core::Seconds{arrival_s});
-  std::vector<double>& stays_from_s = stays_from_s_[v];
-  if (stays_from_s.empty()) stays_from_s.assign(closed.size() + 1, INFINITY);
-  if (arrival_s >= stays_from_s[i]) return;
-  const core::Seconds from{arrival_s};
-  const core::Seconds until{i < closed.size() ? std::min(last_s, closed[i].from.count()) : last_s};
-  if (!std::isfinite(until.count()) || until - from > sea_.longest_wait()) return;
-  if (current_lets_stay(sea_, grid_.point(v), from, until)) stays_from_s[i] = arrival_s;
-}
-
 double Voyage::opens_s(double when_s) const {
   for (const TimeSpan& closed : openings_.closed(grid_.goal)) {
     if (closed.from.count() < when_s && when_s < closed.until.count()) return closed.until.count();

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <unordered_map>
 #include <vector>
 
 #include "engine/graph/label_search.hpp"
@@ -52,14 +51,12 @@ class Voyage {
       least_s += sea_.least_time(tail, head).count();
     }
     if (least_s > latest_s || is_dominated(edge.head, least_s, latest_s)) return;
-    if (may_wait_ && is_waited_for(edge.head, least_s, latest_s)) return;
     const core::Seconds arrive{arrival_s};
     for_each_opening(sea_, tail, head, openings_.closed(edge.head), arrive, core::Seconds{latest_s},
                      [&](const WaitedLeg& leg) {
                        const double there_s = (arrive + leg.total()).count();
                        if (there_s >= latest_s) return;
                        earliest_s_[edge.head] = std::min(earliest_s_[edge.head], there_s);
-                       if (may_wait_) note_stay(edge.head, there_s, latest_s);
                        emit(there_s, state, 0U);
                      });
   }
@@ -88,11 +85,6 @@ class Voyage {
   [[nodiscard]] bool is_dominated(graph::Vertex v, double first_s, double last_s) const {
     return earliest_s_[v] <= first_s && !openings_.matter(v, first_s, last_s);
   }
-  /// Whether some arrival before can stay until any arrival between the two, in whichever of the times between
-  /// closures.
-  [[nodiscard]] bool is_waited_for(graph::Vertex v, double first_s, double last_s) const;
-  /// An arrival that may be able to stay until the place closes, or is of no use any longer.
-  void note_stay(graph::Vertex v, double arrival_s, double last_s);
   /// The earliest arrival at the goal, as far as it is closed then.
   [[nodiscard]] double opens_s(double when_s) const;
 
@@ -105,8 +97,6 @@ class Voyage {
   ArrivalLadder* ladder_;
   bool may_wait_;
   std::vector<double> earliest_s_;  // arrival so far, by vertex
-  /// By vertex and time between closures: the earliest arrival so far that can stay until its end.
-  std::unordered_map<graph::Vertex, std::vector<double>> stays_from_s_;
 };
 
 }  // namespace floeplan::planning

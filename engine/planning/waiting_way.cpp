@@ -2,8 +2,11 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 #include <optional>
+#include <utility>
 
+#include "engine/core/units.hpp"
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/planning/grid_travel.hpp"
 #include "engine/planning/loiter.hpp"
@@ -19,7 +22,7 @@ constexpr double between_places = 1.0 / 16.0;                // of the time from
 constexpr double longest_line_steps = 2.0;                   // of the grid: a line that is flown out and back
 constexpr double courses_deg[] = {0.0, 90.0, 180.0, 270.0};  // of that line, against the plane's x axis
 constexpr core::Seconds in_time{1.0};                        // of an arrival
-constexpr int line_halvings = 14;                            // to less than a metre
+constexpr int most_line_halvings = 40;
 
 /// On the film run backwards, whose clock shows -t: nobody is at a vertex before a vehicle that goes there straight.
 struct NotBefore {
@@ -116,6 +119,7 @@ class WaitingWaySearch {
     const geo::PlanePoint here = open_.grid.point(place);
     const core::Seconds from{earliest_.arrival_s(place)};
     for (const double course_deg : courses_deg) {
+      if (stop_.stop_requested()) return {};
       const double course = core::degrees_to_radians(course_deg);
       const auto lines = [&](int times, double length_m) {
         const geo::PlanePoint end{here.x_m + length_m * std::cos(course),
@@ -129,8 +133,8 @@ class WaitingWaySearch {
     return result;
   }
 
-  /// As few lines as need not be longer than allowed, all of the length that ends them in time; empty where they are
-  /// closed.
+  /// As few lines as need not be longer than allowed, all of the length that ends them in time; none where there is no
+  /// time left, empty where they are closed.
   template <class Lines>
   std::optional<std::vector<geo::PlanePoint>> line_until(geo::PlanePoint here, const Lines& lines,
                                                          core::Seconds from, core::Seconds until) const {
@@ -145,20 +149,22 @@ class WaitingWaySearch {
       }
       return now;
     };
+    if (until - from <= in_time) return std::vector<geo::PlanePoint>{};
     const double longest_m = longest_line_steps * step_m_;
     const auto once = back_at(lines(1, longest_m));
     if (!once) return std::nullopt;
     const int times = static_cast<int>(std::ceil((until - from) / (*once - from)));
-    if (times < 1) return std::vector<geo::PlanePoint>{};
     double short_m = 0.0;
     double long_m = 1.5 * longest_m;  // some lines may take less time than the first
-    for (int i = 0; i < line_halvings; ++i) {
+    for (int i = 0; i < most_line_halvings; ++i) {
       const double middle_m = 0.5 * (short_m + long_m);
-      const auto back = back_at(lines(times, middle_m));
+      auto points = lines(times, middle_m);
+      const auto back = back_at(points);
       if (!back) return std::nullopt;
+      if (*back <= until && until - *back <= in_time) return points;
       (*back <= until ? short_m : long_m) = middle_m;
     }
-    return lines(times, short_m);
+    return std::nullopt;
   }
 
   /// Until when each vertex may be left for this arrival, as far as the vehicle can be there by then.
@@ -176,7 +182,8 @@ class WaitingWaySearch {
         tail = edge.tail;
         const Place place{tail, -film_time, -film_time - core::Seconds{earliest_.arrival_s(tail)}};
         const bool is_same_span = !found.empty() && found.back().leaves - place.leaves < span;
-        if (!is_same_span && found.size() == most_places) enough.request_stop();
+        if (!is_same_span && found.size() >= most_places) enough.request_stop();
+        if (enough.stop_requested()) return back(edge, film_time, latest);
         const bool is_better = !is_same_span || place.spare > found.back().spare;
         if (is_better && stays(place)) {
           if (is_same_span) {
@@ -192,7 +199,12 @@ class WaitingWaySearch {
     const graph::Query query{.source = open_.grid.goal, .goal = {}, .depart = -arrive, .latest = -depart_};
     graph::SearchTree tree = graph::find_earliest_arrivals(open_.graph, query, travel_time,
                                                            enough.get_token(), NotBefore{to_start, depart_});
-    std::ranges::sort(found, std::ranges::greater{}, &Place::spare);
+    // From the start, where no edge leads to a better place, none may have been looked at.
+    const graph::Vertex start = open_.grid.start;
+    const core::Seconds leaves{-tree.arrival_s(start)};
+    if (const Place place{start, leaves, leaves - depart_}; tree.is_reached(start) && stays(place))
+      found.push_back(place);
+    std::ranges::stable_sort(found, std::ranges::greater{}, &Place::spare);
     for (const Place& place : found) places.push_back(place.vertex);
     return tree;
   }
