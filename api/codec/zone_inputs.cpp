@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
+#include "api/codec/document_values.hpp"
 #include "api/codec/input_limits.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/ring_crossing.hpp"
@@ -17,12 +18,6 @@ using nlohmann::json;
 
 constexpr std::size_t max_features = 1'000;
 constexpr std::size_t max_corners = 100'000;  // tested for every leg where a zone has its times
-
-/// A position as the request writes it, to a metre.
-std::string position_text(geo::LonLat place) {
-  const auto rounded = [](double degrees) { return std::round(1e5 * degrees) / 1e5; };
-  return json::array({rounded(place.lon_deg), rounded(place.lat_deg)}).dump();
-}
 
 /// The places with others between those whose edge leads all the way round, as from -180 to 180, along a parallel or a
 /// pole: both ends are the same place.
@@ -59,7 +54,10 @@ std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const
   }
   const geo::RingCrossing crossing = geo::find_crossing(ring);
   if (crossing.place) {
-    reader.refuse(pointer, "must not cross itself, as it does at " + position_text(*crossing.place) +
+    reader.refuse(pointer, "must not cross itself, as it does at " +
+                               json::array({document_degrees(crossing.place->lon_deg),
+                                            document_degrees(crossing.place->lat_deg)})
+                                   .dump() +
                                "; list its positions in order round the area");
   } else if (!crossing.is_looked_through) {
     reader.refuse(pointer, "has too many edges beside each other to be looked through; simplify the outline");

@@ -27,12 +27,12 @@ core::Seconds held_until(const Sea& sea, geo::PlanePoint place, core::Seconds fr
   }
 }
 
-/// The leg with the least wait, to within half of `punctual`, that is open after a departure that was refused.
+/// The leg with the least wait, to within `punctual`, that is open after a departure that was refused.
 WaitedLeg soonest(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
                   core::Seconds latest, std::optional<core::Seconds> refused, WaitedLeg open) {
   if (!refused) return open;
   core::Seconds closed = *refused - arrive;
-  while (open.wait - closed > 0.5 * punctual) {
+  while (open.wait - closed > punctual) {
     const core::Seconds middle = 0.5 * (closed + open.wait);
     const auto time = sea.leg_time(a, b, arrive + middle, latest);
     if (time) {
@@ -46,12 +46,14 @@ WaitedLeg soonest(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Se
 
 }  // namespace
 
+core::Seconds next_closure(const Sea& sea, geo::PlanePoint place, core::Seconds from) {
+  for (const TimeSpan& closed : sea.closed_times(place))
+    if (closed.until >= from) return closed.from;
+  return core::Seconds{INFINITY};
+}
+
 core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
-  for (const TimeSpan& closed : sea.closed_times(place)) {
-    if (closed.until < from) continue;
-    until = std::min(until, closed.from);
-    break;
-  }
+  until = std::min(until, next_closure(sea, place, from));
   return until < from ? until : held_until(sea, place, from, until);
 }
 

@@ -18,6 +18,9 @@ struct WaitedLeg {
   [[nodiscard]] core::Seconds total() const { return wait + time; }
 };
 
+/// When a place is next closed for a while, or has been since, for who is there at `from`; infinite: never again.
+[[nodiscard]] core::Seconds next_closure(const Sea& sea, geo::PlanePoint place, core::Seconds from);
+
 /// Until when the vehicle can stay at a place where it is at `from`, no later than `until`. A glider cannot stand
 /// still: it keeps its place by making way against the current, so it stays only where and as long as the current is
 /// known and weaker than its speed through the water, nothing that is closed for a while comes over it, and there is

@@ -16,6 +16,10 @@ int steps_of_room(double room_m, double step_m, core::Metres at_least) {
 
 }  // namespace
 
+core::Metres RouteGrid::shortest_step() const {
+  return {std::min(std::hypot(along.x_m, along.y_m), std::hypot(across.x_m, across.y_m))};
+}
+
 PlaneBox RouteGrid::bounds() const {
   const auto last = static_cast<graph::Vertex>(nx) * static_cast<graph::Vertex>(ny) - 1;
   PlaneBox box{point(0), point(0)};

@@ -39,6 +39,8 @@ struct RouteGrid {
             origin.y_m + column * along.y_m + row * across.y_m};
   }
   [[nodiscard]] PlaneBox bounds() const;
+  /// Between neighbours in a row or a column, whichever are nearer to each other; metres of the plane.
+  [[nodiscard]] core::Metres shortest_step() const;
   [[nodiscard]] double vertex_count() const { return static_cast<double>(nx) * ny; }
 };
 

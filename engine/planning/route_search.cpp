@@ -179,23 +179,22 @@ bool look_for_later_ways(RouteSearch& result, const Sea& sea, const OpenGrid& op
   return comes_later;
 }
 
-/// Replaces the way by one that waits, or turns in circles, at one place and arrives before `before`, if there is one.
+/// Replaces the way by one that waits, or turns in circles, at one place and arrives within a span, if there is one.
 /// `at_once`: as above
 /// Returns  whether it did
 bool look_for_a_wait(RouteSearch& result, const Sea& sea, const OpenGrid& open, const AtOnce& at_once,
-                     core::Seconds depart, core::Seconds before, const std::stop_token& stop) {
+                     core::Seconds depart, ArrivalSpan within, const std::stop_token& stop) {
   const auto end = sea.currents() ? sea.currents()->end() : std::nullopt;
   // Who waits, or circles, for as long as may be, and takes twice as long under way as the best way does.
   const core::Seconds travel = at_once.arrival - depart;
   const core::Seconds most = at_once.arrival + std::max(sea.longest_wait(), travel) + travel;
-  const core::Seconds last = std::min({before, most, end.value_or(most)});
-  const auto opens = opens_at(sea, open.grid.point(open.grid.goal), at_once.arrival);
-  WaitingWay waiting = search_way_with_one_wait(
-      sea, open, depart, {.after = opens.value_or(at_once.arrival), .before = last}, stop);
+  const core::Seconds last = std::min({within.before, most, end.value_or(most)});
+  WaitingWay waiting =
+      search_way_with_one_wait(sea, open, depart, {.after = within.after, .before = last}, stop);
   result.statistics.expansions += waiting.counters.expansions;
   result.statistics.edge_evaluations += waiting.counters.edge_evaluations;
   result.cancelled = waiting.cancelled;
-  if (waiting.path.empty() || waiting.arrival >= before ||
+  if (waiting.path.empty() || waiting.arrival >= within.before ||
       is_refused_for_circling(result, sea, open, waiting.path, at_once, depart, stop))
     return false;
   result.path = std::move(waiting.path);
@@ -306,7 +305,8 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
     // Who may not wait hardly ever circles where there is a way at once.
     const bool is_likely = result.path.empty() || sea.longest_wait().count() > 0.0;
     bool comes_later = is_likely && may_gain() &&
-                       look_for_a_wait(result, sea, open, at_once, depart, core::Seconds{arrival_s}, stop);
+                       look_for_a_wait(result, sea, open, at_once, depart,
+                                       {core::Seconds{soonest_s}, core::Seconds{arrival_s}}, stop);
     if (comes_later) arrival_s = result.arrival.count();
     if (may_gain()) {
       const double worthwhile_s =
@@ -317,7 +317,7 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
     const auto gain = result.statistics.possible_gain;
     if (!is_likely && gain && *gain > worth_a_wait * (result.arrival - depart) && !result.cancelled) {
       const core::Seconds before = result.arrival;
-      if (look_for_a_wait(result, sea, open, at_once, depart, before, stop)) {
+      if (look_for_a_wait(result, sea, open, at_once, depart, {core::Seconds{soonest_s}, before}, stop)) {
         comes_later = true;
         result.statistics.possible_gain = std::max(core::Seconds{0.0}, *gain - (before - result.arrival));
       }

@@ -61,7 +61,10 @@ class Log {
                          .least_upper_turn = sea_.least_upper_turn(point, time),
                          .ice_free_before = ice_free_before_,
                          .error_without_fix = here_.error};
-    if (sea_.ice()) state.nearest_ice = nearest_ice_within(here_.error, *sea_.ice(), point, time);
+    if (sea_.ice()) {
+      const auto ice = nearest_ice_within(here_.error, *sea_.ice(), point, time);
+      if (ice) state.nearest_ice = sea_.ground_length(point, {point.x_m + ice->value, point.y_m});
+    }
     if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
     return state;
   }

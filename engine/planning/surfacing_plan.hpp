@@ -23,8 +23,8 @@ struct SurfacingState {
   std::optional<core::Metres> ice_free_before{};
   /// Of dead reckoning since the start, were there no fix on the way. Empty in plans stored before it was kept.
   std::optional<core::Metres> error_without_fix{};
-  /// From here to the nearest ice that dives must turn below, to any side, in the plane's metres. Empty where there is
-  /// none within that error, and in plans stored before it was kept.
+  /// From here to the nearest ice that dives must turn below, to any side. Empty where there is none within that
+  /// error, and in plans stored before it was kept.
   std::optional<core::Metres> nearest_ice{};
 };
 

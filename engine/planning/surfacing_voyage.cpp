@@ -8,9 +8,7 @@ namespace floeplan::planning {
 namespace {
 
 core::Seconds step_time(const RouteGrid& grid, core::MetresPerSecond speed) {
-  const double step_m =
-      std::min(std::hypot(grid.along.x_m, grid.along.y_m), std::hypot(grid.across.x_m, grid.across.y_m));
-  return core::Metres{step_m} / speed;
+  return grid.shortest_step() / speed;
 }
 
 }  // namespace

@@ -15,9 +15,7 @@ Voyage::Voyage(const Sea& sea, const RouteGrid& grid, const Openings& openings, 
       ladder_{ladder},
       may_wait_{sea.longest_wait().count() > 0.0},
       earliest_s_(static_cast<std::size_t>(grid.nx) * static_cast<std::size_t>(grid.ny), INFINITY) {
-  const double step_m =
-      std::min(std::hypot(grid.along.x_m, grid.along.y_m), std::hypot(grid.across.x_m, grid.across.y_m));
-  span_s_ = (core::Metres{step_m} / sea.through_water()).count();
+  span_s_ = (grid.shortest_step() / sea.through_water()).count();
 }
 
 double Voyage::opens_s(double when_s) const {

@@ -25,7 +25,7 @@ constexpr core::Seconds in_time{1.0};                        // of an arrival
 constexpr int most_line_halvings = 40;
 
 /// On the film run backwards, whose clock shows -t: nobody is at a vertex before a vehicle that goes there straight.
-struct NotBefore {
+struct NotBeforeStraight {
   const StraightBound& to_start;
   core::Seconds depart;
 
@@ -45,8 +45,7 @@ class WaitingWaySearch {
         depart_{depart},
         stop_{stop},
         may_wait_{sea.longest_wait().count() > 0.0},
-        step_m_{std::min(std::hypot(open.grid.along.x_m, open.grid.along.y_m),
-                         std::hypot(open.grid.across.x_m, open.grid.across.y_m))} {}
+        step_m_{open.grid.shortest_step().value} {}
 
   WaitingWay find(ArrivalSpan within) && {
     const StraightBound to_goal{sea_, open_.grid, open_.graph, open_.grid.goal};
@@ -197,8 +196,8 @@ class WaitingWaySearch {
     };
     const StraightBound to_start{sea_, open_.grid, open_.graph, open_.grid.start};
     const graph::Query query{.source = open_.grid.goal, .goal = {}, .depart = -arrive, .latest = -depart_};
-    graph::SearchTree tree = graph::find_earliest_arrivals(open_.graph, query, travel_time,
-                                                           enough.get_token(), NotBefore{to_start, depart_});
+    graph::SearchTree tree = graph::find_earliest_arrivals(
+        open_.graph, query, travel_time, enough.get_token(), NotBeforeStraight{to_start, depart_});
     // From the start, where no edge leads to a better place, none may have been looked at.
     const graph::Vertex start = open_.grid.start;
     const core::Seconds leaves{-tree.arrival_s(start)};
@@ -213,15 +212,10 @@ class WaitingWaySearch {
   [[nodiscard]] bool stays(const Place& place) const {
     if (place.spare.count() < 0.0) return false;
     const core::Seconds from = place.leaves - place.spare;
-    if (!may_wait_) return first_closure_after(place.vertex, from) > place.leaves;
+    const geo::PlanePoint point = open_.grid.point(place.vertex);
+    if (!may_wait_) return next_closure(sea_, point, from) > place.leaves;
     if (place.spare > sea_.longest_wait()) return false;
-    return can_stay_until(sea_, open_.grid.point(place.vertex), from, place.leaves) >= place.leaves;
-  }
-
-  [[nodiscard]] core::Seconds first_closure_after(graph::Vertex v, core::Seconds time) const {
-    for (const TimeSpan& closed : sea_.closed_times(open_.grid.point(v)))
-      if (closed.until >= time) return closed.from;
-    return core::Seconds{INFINITY};
+    return can_stay_until(sea_, point, from, place.leaves) >= place.leaves;
   }
 
   void count(const graph::SearchTree& tree) {
