@@ -22,8 +22,9 @@ struct IceBeside {
 [[nodiscard]] core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice,
                                                geo::PlanePoint place, core::Seconds when);
 
-/// How far it is to the nearest ice that asks dives to turn below it, to any side, both in metres of the plane, as far as
-/// looks at rings round the place tell; empty where there is none within the distance, and where nothing is known of the ice.
+/// How far it is to the nearest ice that asks dives to turn below it, to any side, as far as looks at rings round the
+/// place tell; empty where there is none within the distance, and where nothing is known of the ice. Both in metres of
+/// the plane.
 [[nodiscard]] std::optional<core::Metres> nearest_ice_within(core::Metres distance, const UnderIce& ice,
                                                              geo::PlanePoint place, core::Seconds when);
 
