@@ -7,6 +7,7 @@
 #include <array>
 #include <set>
 
+#include "engine/core/letter_case.hpp"
 #include "storage/ingest/feature_texts.hpp"
 #include "storage/ingest/sigrid3.hpp"
 #include "storage/ingest/zone_attributes.hpp"
@@ -90,7 +91,7 @@ PolygonMeaning meaning_of(const OGRFeature& feature) {
   for (const std::string_view name : kind_names) {
     const auto text = text_of_feature(feature, std::array{name});
     if (!text) continue;
-    const PolygonMeaning meaning = meaning_of_word(plain_word(*text));
+    const PolygonMeaning meaning = meaning_of_word(core::plain_word(*text));
     if (meaning != PolygonMeaning::unstated) return meaning;
   }
   // GSHHG: 1 land, 5 Antarctica by its ice front, 6 by its grounding line; lakes and what lies in them are not sea.

@@ -6,6 +6,7 @@
 
 #include <memory>
 
+#include "engine/core/letter_case.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -20,17 +21,11 @@ std::string as_utf8(const char* text) {
 
 }  // namespace
 
-std::string plain_word(std::string_view text) {
-  std::string result = lower(text);
-  std::erase_if(result, [](char c) { return !(c >= 'a' && c <= 'z') && !(c >= '0' && c <= '9'); });
-  return result;
-}
-
 std::optional<std::string> text_of_feature(const OGRFeature& feature,
                                            std::span<const std::string_view> names) {
   for (const std::string_view name : names) {
     for (int i = 0; i < feature.GetFieldCount(); ++i) {
-      if (plain_word(feature.GetFieldDefnRef(i)->GetNameRef()) != name ||
+      if (core::plain_word(feature.GetFieldDefnRef(i)->GetNameRef()) != name ||
           feature.IsFieldSetAndNotNull(i) == 0)
         continue;
       if (std::string text = as_utf8(feature.GetFieldAsString(i)); !text.empty()) return text;

@@ -8,6 +8,7 @@
 #include <string>
 #include <string_view>
 
+#include "engine/core/letter_case.hpp"
 #include "storage/ingest/feature_texts.hpp"
 #include "storage/ingest/text.hpp"
 
@@ -96,7 +97,7 @@ bool states_ice_codes(const OGRFeature& feature) {
   bool total = false;
   bool others = false;
   for (int i = 0; i < feature.GetFieldCount(); ++i) {
-    const std::string name = plain_word(feature.GetFieldDefnRef(i)->GetNameRef());
+    const std::string name = core::plain_word(feature.GetFieldDefnRef(i)->GetNameRef());
     total = total || name == total_names.front();
     others = others || name == "sa" || name == "ca" || name == polygon_names.front();
   }
@@ -104,7 +105,7 @@ bool states_ice_codes(const OGRFeature& feature) {
 }
 
 Checked<std::optional<IceOfPolygon>> read_ice_codes(const OGRFeature& feature) {
-  const std::string type = plain_word(text_of_feature(feature, polygon_names).value_or(""));
+  const std::string type = core::plain_word(text_of_feature(feature, polygon_names).value_or(""));
   if (type == "l" || type == "n") return std::nullopt;
   if (type == "s") return IceOfPolygon{1.0, ice_shelf_thickness_m};
   if (!type.empty() && type != "i" && type != "w")

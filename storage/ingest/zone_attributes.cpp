@@ -5,30 +5,22 @@
 #include <ogr_feature.h>
 
 #include <algorithm>
-#include <array>
 #include <memory>
 #include <span>
 #include <string_view>
 
+#include "engine/core/letter_case.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/ocean/zone_words.hpp"
 #include "storage/ingest/feature_texts.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
+using ocean::ZoneMember;
 using Names = std::span<const std::string_view>;
 
-constexpr auto kind_names = std::to_array<std::string_view>({"kind", "rule", "zonekind"});
-constexpr auto name_names = std::to_array<std::string_view>({"name", "title", "label"});
-constexpr auto from_names =
-    std::to_array<std::string_view>({"from", "validfrom", "start", "begin", "starttime"});
-constexpr auto until_names = std::to_array<std::string_view>(
-    {"until", "validuntil", "validunti", "validto", "to", "end", "stop", "endtime", "expires"});
-constexpr auto top_names =
-    std::to_array<std::string_view>({"topm", "top", "mindepth", "mindepthm", "depthmin", "depthminm"});
-constexpr auto bottom_names =
-    std::to_array<std::string_view>({"bottomm", "bottom", "maxdepth", "maxdepthm", "depthmax", "depthmaxm"});
 constexpr double deepest_m = 11'000.0;
 constexpr core::Seconds whole_day{86'400.0};
 constexpr std::size_t longest_name = 200;  // bytes
@@ -60,7 +52,7 @@ class AttributeReader {
     for (const std::string_view name : names) {
       for (int i = 0; i < feature_.GetFieldCount(); ++i) {
         const char* const own_name = feature_.GetFieldDefnRef(i)->GetNameRef();
-        if (plain_word(own_name) != name || feature_.IsFieldSetAndNotNull(i) == 0) continue;
+        if (core::plain_word(own_name) != name || feature_.IsFieldSetAndNotNull(i) == 0) continue;
         Attribute attribute{i, as_utf8(own_name), as_utf8(feature_.GetFieldAsString(i))};
         if (attribute.text.empty()) continue;
         if (found && found->text != attribute.text) {
@@ -130,7 +122,7 @@ class AttributeReader {
 }  // namespace
 
 std::optional<ocean::ZoneKind> zone_kind_of(const std::string& text) {
-  const std::string word = plain_word(text);
+  const std::string word = core::plain_word(text);
   for (const std::string_view keep_out : {"nogo", "keepout", "exclusion"})
     if (word == keep_out) return ocean::ZoneKind::no_go;
   for (const std::string_view keep_in : {"stayin", "keepin", "inclusion"})
@@ -139,7 +131,7 @@ std::optional<ocean::ZoneKind> zone_kind_of(const std::string& text) {
 }
 
 bool states_zone_kind(const OGRFeature& feature) {
-  const auto kind = AttributeReader{feature}.find(kind_names);
+  const auto kind = AttributeReader{feature}.find(names_of(ZoneMember::kind));
   return kind && zone_kind_of(kind->text);
 }
 
@@ -147,10 +139,11 @@ ZoneAttributes read_zone_attributes(const OGRFeature& feature,
                                     std::optional<ocean::ZoneKind> kind_of_others) {
   AttributeReader reader{feature};
   ocean::Zone zone;
-  if (const auto name = reader.find(name_names)) zone.name = name->text.substr(0, longest_name);
+  if (const auto name = reader.find(names_of(ZoneMember::name)))
+    zone.name = name->text.substr(0, longest_name);
   while (CPLIsUTF8(zone.name.c_str(), -1) == 0) zone.name.pop_back();  // cut inside a character
 
-  if (const auto kind = reader.find(kind_names)) {
+  if (const auto kind = reader.find(names_of(ZoneMember::kind))) {
     const auto known = zone_kind_of(kind->text);
     zone.kind = known.value_or(ocean::ZoneKind::no_go);
     if (!known)
@@ -163,10 +156,10 @@ ZoneAttributes read_zone_attributes(const OGRFeature& feature,
         "states no kind; add an attribute \"kind\" with no_go (keep out) or stay_in (keep inside), or give "
         "--zone-kind for all that state none");
   }
-  zone.from = reader.time(from_names, false);
-  zone.until = reader.time(until_names, true);
-  if (const auto top = reader.depth(top_names)) zone.top = *top;
-  if (const auto bottom = reader.depth(bottom_names)) zone.bottom = *bottom;
+  zone.from = reader.time(names_of(ZoneMember::from), false);
+  zone.until = reader.time(names_of(ZoneMember::until), true);
+  if (const auto top = reader.depth(names_of(ZoneMember::top))) zone.top = *top;
+  if (const auto bottom = reader.depth(names_of(ZoneMember::bottom))) zone.bottom = *bottom;
   if (zone.from && zone.until && *zone.until < *zone.from)
     reader.faults().push_back("ends at " + core::iso8601(*zone.until) + ", before it begins at " +
                               core::iso8601(*zone.from) + "; correct one of them");
