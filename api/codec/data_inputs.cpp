@@ -31,7 +31,12 @@ repository::DatasetChoice read_choice(InputReader& reader, const std::string& ke
     return {How::named, {{text}}};
   }
   repository::DatasetChoice choice{How::named, {}};
-  if (!several || !value->is_array() || value->empty() || value->size() > max_ensemble) {
+  if (several && value->is_array() && value->size() > max_ensemble) {
+    reader.refuse("/" + key, "must have at most " + std::to_string(max_ensemble) + " ids, not " +
+                                 std::to_string(value->size()));
+    return {};
+  }
+  if (!several || !value->is_array() || value->empty()) {
     reader.refuse("/" + key, rule + shown(*value));
     return {};
   }

@@ -178,6 +178,10 @@ void InputReader::refuse_all(const std::string& pointer, const core::Violations&
   for (const core::Violation& violation : violations) refuse(pointer + violation.field, violation.rule);
 }
 
+void InputReader::refuse_member(const std::string& key, const std::string& rule) {
+  refuse(pointer_to(key), rule);
+}
+
 void InputReader::refuse_unknown() {
   if (!object_.is_object()) return;
   std::string names;

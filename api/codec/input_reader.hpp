@@ -45,6 +45,7 @@ class InputReader {
 
   /// Notes that a member must be there, unless something is noted for it already.
   void require(const std::string& key, const std::string& rule);
+  void refuse_member(const std::string& key, const std::string& rule);
   /// `pointer` is that of the whole document.
   void refuse(const std::string& pointer, const std::string& rule);
   /// Notes what is wrong with the members of the object at `pointer`.

@@ -3,13 +3,17 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <span>
+#include <string_view>
 #include <utility>
 
 #include "api/codec/document_values.hpp"
 #include "api/codec/input_limits.hpp"
+#include "engine/core/letter_case.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/ring_crossing.hpp"
 #include "engine/geo/ring_turns.hpp"
+#include "engine/ocean/zone_words.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -65,6 +69,34 @@ std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const
   return ring;
 }
 
+/// Refuses holes of which no corner and no middle of an edge is inside the outline: an area that was meant to count would
+/// not.
+/// `pointer`: of the polygon's rings
+void refuse_holes_outside(InputReader& reader, const geo::Polygon& polygon, const std::string& pointer) {
+  std::vector<geo::LonLat> places;
+  for (const geo::Ring& hole : polygon.holes) {
+    for (std::size_t i = 0; i < hole.size(); ++i) {
+      const geo::LonLat a = hole[i];
+      const geo::LonLat b = hole[(i + 1) % hole.size()];
+      const double middle_deg = a.lon_deg + 0.5 * geo::longitude_difference(a.lon_deg, b.lon_deg);
+      places.push_back(a);
+      places.push_back({geo::wrap_longitude(middle_deg), 0.5 * (a.lat_deg + b.lat_deg)});
+    }
+  }
+  const geo::Polygon outline{.outer = polygon.outer, .holes = {}};
+  const std::vector<bool> is_inside = geo::contained_in_any(std::span{&outline, 1}, places);
+  auto of_hole = is_inside.begin();
+  for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
+    const auto end = of_hole + static_cast<std::ptrdiff_t>(2 * polygon.holes[i].size());
+    if (std::find(of_hole, end, true) == end)
+      reader.refuse(
+          pointer + "/" + std::to_string(i + 1),
+          "lies outside of the polygon's first ring, of which it should be a hole; an area of its own is "
+          "another Polygon");
+    of_hole = end;
+  }
+}
+
 std::optional<geo::Polygon> read_polygon(InputReader& reader, const json& rings, const std::string& pointer) {
   if (!rings.is_array() || rings.empty()) {
     reader.refuse(pointer, "must be an array of rings, the outer one first");
@@ -80,6 +112,7 @@ std::optional<geo::Polygon> read_polygon(InputReader& reader, const json& rings,
       polygon.holes.push_back(std::move(*ring));
     }
   }
+  refuse_holes_outside(reader, polygon, pointer);
   return polygon;
 }
 
@@ -110,11 +143,28 @@ std::vector<geo::Polygon> read_geometry(InputReader& reader, const json& feature
   return polygons;
 }
 
+/// Refuses properties that are meant for one of a zone's but are not written as such: "bottom" for "bottom_m" would leave
+/// the rule in force at every depth.
+void refuse_near_names(InputReader& members, const json& properties) {
+  using enum ocean::ZoneMember;
+  if (!properties.is_object()) return;
+  const std::vector<std::pair<ocean::ZoneMember, const char*>> known{
+      {kind, "kind"}, {from, "from"}, {until, "until"}, {top, "top_m"}, {bottom, "bottom_m"}};
+  for (const auto& [name, value] : properties.items()) {
+    const std::string word = core::plain_word(name);
+    for (const auto& [member, right_name] : known)
+      if (!value.is_null() && name != right_name && std::ranges::count(ocean::names_of(member), word) > 0)
+        members.refuse_member(name, std::string{"must be written \""} + right_name +
+                                        "\", or be left out where it means something else");
+  }
+}
+
 /// Everything of a zone but its area.
 ocean::Zone read_properties(InputReader& reader, const json& feature, const std::string& pointer) {
   static const json none = json::object();
   const json* properties = feature.contains("properties") ? &feature.at("properties") : &none;
   InputReader members{properties->is_null() ? none : *properties, pointer + "/properties"};
+  refuse_near_names(members, *properties);
   ocean::Zone zone;
   const std::string kinds = "\"no_go\" (keep out) or \"stay_in\" (keep inside)";
   members.require("kind", "is required: " + kinds);

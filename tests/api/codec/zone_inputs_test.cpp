@@ -107,6 +107,25 @@ TEST(Areas, AreRefusedWhereTheirOutlineCrossesItself) {
 }
 
 /// From -180 to 180 in one edge: both ends are the same place, and the edge leads all the way round.
+/// Two areas written as one polygon: the second would be no area at all.
+TEST(Areas, AreRefusedWhereAHoleLiesOutside) {
+  const auto with_hole = [](const char* hole) {
+    return inputs({feature({{"kind", "no_go"}}, json::array({square[0], json::parse(hole)}))});
+  };
+  EXPECT_THAT(faults(with_hole("[[-52,69],[-51,69],[-51,69.5],[-52,69]]")),
+              ElementsAre("/areas/features/0/geometry/coordinates/1"));
+  EXPECT_THAT(faults(with_hole("[[-53.8,69.1],[-53.2,69.1],[-53.2,69.4],[-53.8,69.1]]")), SizeIs(0));
+  EXPECT_THAT(faults(with_hole("[[-54,69.25],[-53.5,69],[-53,69.25],[-53.5,69.5],[-54,69.25]]")), SizeIs(0))
+      << "touches the outline with every corner";
+}
+
+TEST(Areas, AreRefusedWhereTheNameOfARuleIsNearlyRight) {
+  EXPECT_THAT(faults(inputs({feature({{"kind", "no_go"}, {"bottom", 30}, {"Valid-From", "2026-11-20"}})})),
+              ElementsAre("/areas/features/0/properties/Valid-From", "/areas/features/0/properties/bottom"));
+  EXPECT_THAT(faults(inputs({feature({{"kind", "no_go"}, {"begin", nullptr}, {"title", "box"}})})), SizeIs(0))
+      << "a map program's own, and one without a value";
+}
+
 TEST(Areas, MayLeadAllTheWayRoundTheEarth) {
   const json arctic = json::parse("[[[-180,60],[180,60],[180,90],[-180,90],[-180,60]]]");
   const json document = inputs({feature({{"kind", "no_go"}}, arctic)});
