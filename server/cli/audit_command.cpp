@@ -5,7 +5,6 @@
 #include "engine/core/utc_text.hpp"
 #include "server/cli/operator_commands.hpp"
 #include "storage/repository/audit_repository.hpp"
-#include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -16,7 +15,7 @@ struct AuditFlags {
 };
 
 int show(const AuditFlags& flags, const Program& program) {
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto entries = repository::AuditRepository{db}.list(0, flags.limit);
   auto documents = nlohmann::json::array();
   for (const auto& entry : entries) {

@@ -6,6 +6,9 @@
 #include <cstdlib>
 #include <iostream>
 #include <memory>
+#include <stdexcept>
+
+#include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {
 
@@ -17,6 +20,14 @@ std::filesystem::path default_store() {
     return std::filesystem::path{home} / ".local/share/floeplan";
   }
   return "floeplan-data";
+}
+
+sqlite::Connection open_existing_store(const Program& program) {
+  if (program.store != default_store() && !std::filesystem::exists(program.store))
+    throw std::runtime_error{
+        "there is no store in " + program.store.string() +
+        "; name its folder with --data, or read data into it with floeplan ingest FILE..."};
+  return repository::open_store(program.store);
 }
 
 core::UtcTime now() { return std::chrono::time_point_cast<core::Seconds>(std::chrono::system_clock::now()); }

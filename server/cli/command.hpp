@@ -7,6 +7,7 @@
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
+#include "storage/sqlite/connection.hpp"
 
 namespace floeplan::cli {
 
@@ -22,6 +23,11 @@ struct Program {
 
 /// Where the store lies when --data is not given: floeplan in the XDG data folder, else in ~/.local/share.
 [[nodiscard]] std::filesystem::path default_store();
+
+/// The store of a command that asks for what is stored.
+/// Errors   std::runtime_error where --data names a folder that is not there: from a mistyped path a plan would be one
+///          through an empty sea; else as `repository::open_store`
+[[nodiscard]] sqlite::Connection open_existing_store(const Program& program);
 
 [[nodiscard]] core::UtcTime now();
 

@@ -7,7 +7,6 @@
 
 #include "api/codec/plan_comparison.hpp"
 #include "server/cli/plan_commands.hpp"
-#include "storage/repository/migrations.hpp"
 #include "storage/repository/plan_repository.hpp"
 
 namespace floeplan::cli {
@@ -55,7 +54,7 @@ void print_compare_table(const json& comparison) {
 }
 
 int run_compare(const CompareFlags& flags, const Program& program) {
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const repository::PlanRepository plans{db};
   const auto first = plans.find({flags.plans[0]});
   const auto second = plans.find({flags.plans[1]});

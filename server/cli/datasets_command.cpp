@@ -9,7 +9,6 @@
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "storage/repository/dataset_repository.hpp"
-#include "storage/repository/migrations.hpp"
 #include "storage/repository/retention.hpp"
 
 namespace floeplan::cli {
@@ -27,7 +26,7 @@ struct DatasetsFlags {
 };
 
 int list_datasets(const DatasetsFlags& flags, const Program& program) {
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto datasets = repository::DatasetRepository{db}.list();
   if (flags.json_out) {
     json documents = json::array();
@@ -48,7 +47,7 @@ int list_datasets(const DatasetsFlags& flags, const Program& program) {
 }
 
 int remove_datasets(const DatasetsFlags& flags, const Program& program) {
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   if (repository::DatasetRepository{db}.remove({flags.remove_id})) return done;
   return complain(could_not, "no dataset has the id " + flags.remove_id + "; floeplan datasets lists them");
 }
@@ -65,7 +64,7 @@ int prune_datasets(const DatasetsFlags& flags, const Program& program) {
   if (!rules.max_age && !rules.max_bytes)
     return complain(wrong_usage, "say what may go: --older-than P30D, --max-size 20GB or both");
 
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto gone = flags.dry_run ? repository::beyond_retention(repository::stored_sizes(db), rules, now())
                                   : repository::remove_beyond_retention(db, rules, now());
   if (flags.json_out) {

@@ -7,7 +7,6 @@
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/plan_service.hpp"
-#include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -49,7 +48,7 @@ int run_evaluate(const std::string& route, const InputFlags& flags, bool json_ou
   const auto parsed = codec::parse_evaluate_inputs(inputs);
   if (!parsed) return print_violations(parsed.error(), json_out);
 
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto document = jobs::evaluate_route_document(db, *parsed, {});
   if (!document) return print_violations(document.error(), json_out);
   return print_plan(*document, json_out);

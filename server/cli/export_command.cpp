@@ -11,7 +11,6 @@
 #include "server/cli/file_set.hpp"
 #include "server/cli/flag_values.hpp"
 #include "server/cli/plan_output.hpp"
-#include "storage/repository/migrations.hpp"
 #include "storage/repository/plan_repository.hpp"
 
 namespace floeplan::cli {
@@ -119,7 +118,7 @@ int refuse(const routes::PlanCheck& check, bool json_out) {
 }
 
 int run_export(const ExportFlags& flags, const Program& program) {
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto record = repository::PlanRepository{db}.find({flags.plan_id});
   if (!record)
     return complain(could_not, "no plan has the id " + flags.plan_id + "; floeplan plan prints the id");

@@ -3,6 +3,8 @@
 #include <charconv>
 #include <cmath>
 
+#include "engine/core/utc_text.hpp"
+
 namespace floeplan::cli {
 
 std::vector<std::string> split_at_commas(const std::string& text) {
@@ -34,6 +36,20 @@ std::optional<geo::LonLat> parse_place(const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (!numbers || numbers->size() != 2) return std::nullopt;
   return geo::LonLat{(*numbers)[0], (*numbers)[1]};
+}
+
+CLI::Validator seconds_or_duration() {
+  const auto to_seconds = [](std::string& text) -> std::string {
+    const auto duration = core::parse_iso8601_duration(text);
+    if (duration) {
+      text = std::to_string(duration->count());
+      return "";
+    }
+    const auto numbers = parse_numbers(text);
+    if (numbers && numbers->size() == 1) return "";
+    return text + " is neither a number of seconds nor a duration as PT1H";
+  };
+  return CLI::Validator{to_seconds, ""};
 }
 
 }  // namespace floeplan::cli

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <CLI/CLI.hpp>
 #include <optional>
 #include <string>
 #include <vector>
@@ -17,5 +18,8 @@ namespace floeplan::cli {
 
 /// The parts between commas.
 [[nodiscard]] std::vector<std::string> split_at_commas(const std::string& text);
+
+/// Lets a flag of seconds take an ISO 8601 duration, as PT1H, as well.
+[[nodiscard]] CLI::Validator seconds_or_duration();
 
 }  // namespace floeplan::cli

@@ -135,8 +135,11 @@ void InputFlags::add_passing_under_ice(CLI::App& command) {
                      "Share of ice, 0 to 1, up to which the vehicle may surface; default 0.1");
   command.add_option("--margin-below-ice", margin_below_ice_m_,
                      "Kept between the deepest keel and the upper turn of the dives, metres; default 10");
-  command.add_option("--max-time-without-surfacing", max_time_without_surfacing_s_,
-                     "Longest time between places where the vehicle may surface, seconds; default: any");
+  command
+      .add_option(
+          "--max-time-without-surfacing", max_time_without_surfacing_s_,
+          "Longest time between places where the vehicle may surface, seconds or as PT10H; default: any")
+      ->transform(seconds_or_duration());
 }
 
 void InputFlags::add_route_rules(CLI::App& command) {
@@ -144,13 +147,17 @@ void InputFlags::add_route_rules(CLI::App& command) {
                      "time (default), energy, or weighted:W with W the seconds that a joule is worth");
   command.add_option("--thruster", thruster_, "auto (default: as the objective has it), on or off");
   command.add_flag("--require-battery", require_battery_, "No plan beyond what the battery gives");
-  command.add_option(
-      "--max-loiter", max_loiter_s_,
-      "Let the vehicle wait at a waypoint for what clears later, icebergs or timed areas, seconds "
-      "at most; default 0");
+  command
+      .add_option("--max-loiter", max_loiter_s_,
+                  "Let the vehicle wait at a waypoint for what clears later, icebergs or timed areas, at "
+                  "most so many "
+                  "seconds, or as PT2H; default 0")
+      ->transform(seconds_or_duration());
   add_passing_under_ice(command);
-  command.add_option("--surfacing-interval", surfacing_interval_s_,
-                     "Plan a surfacing about this often, seconds; default: none");
+  command
+      .add_option("--surfacing-interval", surfacing_interval_s_,
+                  "Plan a surfacing about this often, seconds or as PT6H; default: none")
+      ->transform(seconds_or_duration());
   command.add_flag("--escape-plan", escape_plan_,
                    "Find from every waypoint the way to where the vehicle may surface");
 }
@@ -192,7 +199,8 @@ void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--current-error", current_error_m_s_,
                      "Standard deviation of each component's error, m/s");
   command.add_option("--error-length", error_length_m_, "Over how far the error is alike, metres");
-  command.add_option("--error-time", error_time_s_, "Over how long the error is alike, seconds");
+  command.add_option("--error-time", error_time_s_, "Over how long the error is alike, seconds or as PT12H")
+      ->transform(seconds_or_duration());
   command.add_option("--robust", robust_,
                      "Make the best of all members: mean, or a share such as 0.9 that is to arrive early");
   command.add_option("--arrive-before", arrive_before_, "Show the chance to be there by then");

@@ -6,7 +6,6 @@
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/plan_service.hpp"
-#include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -15,7 +14,7 @@ int run_plan(const InputFlags& flags, bool json_out, const Program& program) {
   const auto inputs = codec::parse_plan_inputs(flags.inputs());
   if (!inputs) return print_violations(inputs.error(), json_out);
 
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto document = jobs::plan_route_document(db, *inputs, {}, terminal_progress(), now());
   if (!document) return print_violations(document.error(), json_out);
   return print_plan(*document, json_out);

@@ -7,7 +7,6 @@
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
-#include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -95,7 +94,7 @@ int run_probe(const ProbeFlags& flags, const Program& program) {
   }
   if (flags.depth_m) query.depth = core::Metres{*flags.depth_m};
 
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto probe = routes::probe(db, query);
   if (!probe) return complain(bad_data, probe.error());
   if (flags.json_out) {

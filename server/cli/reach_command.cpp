@@ -8,7 +8,6 @@
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/reach_service.hpp"
-#include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -33,7 +32,7 @@ int run_reach(const InputFlags& flags, bool json_out, const Program& program) {
   const auto inputs = codec::parse_reach_inputs(flags.inputs());
   if (!inputs) return print_violations(inputs.error(), json_out);
 
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto document = jobs::reach_document(db, *inputs, {}, terminal_progress());
   if (!document) return print_violations(document.error(), json_out);
   if (document->at("status") != "ok") return print_plan(*document, json_out);

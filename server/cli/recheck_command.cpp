@@ -4,7 +4,6 @@
 
 #include "api/routes/plan_check.hpp"
 #include "server/cli/plan_commands.hpp"
-#include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -29,7 +28,7 @@ void print_lines(const json& document) {
 }
 
 int run_recheck(const RecheckFlags& flags, const Program& program) {
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto record = repository::PlanRepository{db}.find({flags.plan_id});
   if (!record)
     return complain(could_not, "no plan has the id " + flags.plan_id + "; floeplan plan prints the id");

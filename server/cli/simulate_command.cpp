@@ -19,7 +19,6 @@
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/scenario_service.hpp"
 #include "server/jobs/simulation_service.hpp"
-#include "storage/repository/migrations.hpp"
 #include "storage/repository/simulation_repository.hpp"
 
 namespace floeplan::cli {
@@ -169,7 +168,7 @@ int run_simulate(const SimulateFlags& flags, const Program& program) {
   if (flags.out && inputs->tracks == 0)
     return complain(wrong_usage, "--out writes the flights that are kept, of which --tracks 0 leaves none");
 
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto begin = std::chrono::steady_clock::now();
   const Interruption interruption;
   auto document = jobs::simulate_plan_document(db, *inputs, flags.workers, interruption.token(),

@@ -60,7 +60,7 @@ int add_token(const TokenFlags& flags, const Program& program) {
 }
 
 int list_tokens(const TokenFlags& flags, const Program& program) {
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   const auto tokens = TokenRepository{db}.list();
   if (flags.json_out) {
     json documents = json::array();
@@ -81,7 +81,7 @@ int list_tokens(const TokenFlags& flags, const Program& program) {
 }
 
 int revoke_token(const TokenFlags& flags, const Program& program) {
-  auto db = repository::open_store(program.store);
+  auto db = open_existing_store(program);
   if (TokenRepository{db}.remove(flags.name)) return done;
   return complain(could_not, "there is no token " + flags.name + "; floeplan token list shows them");
 }

@@ -166,6 +166,21 @@ TEST(Options, MayComeFromAFile) {
   EXPECT_THAT(outcome.err, Not(HasSubstr("/depart")));
 }
 
+/// From a mistyped path a plan would be one through an empty sea.
+TEST(BadInput, AFolderThatIsNotThereIsNoStore) {
+  const Program program;
+  std::filesystem::remove(program.store());
+
+  for (const std::vector<std::string>& words :
+       {plan({"--from=-53,69", "--to=-52,69", "--depart", "2026-11-22T06:00:00Z"}),
+        std::vector<std::string>{"datasets"}}) {
+    const Outcome outcome = program.run(words);
+    EXPECT_EQ(outcome.exit_code, 1);
+    EXPECT_THAT(outcome.err, HasSubstr("there is no store in " + program.store().string()));
+  }
+  EXPECT_FALSE(std::filesystem::exists(program.store()));
+}
+
 TEST(BadInput, APlanThatIsNotStoredCannotBeExported) {
   const Outcome outcome = Program{}.run({"export", "p000000000000", "--format", "gliderdos"});
 

@@ -21,5 +21,19 @@ TEST(FlagValues, SplitAtEveryComma) {
   EXPECT_EQ(split_at_commas("one"), (std::vector<std::string>{"one"}));
 }
 
+TEST(FlagValues, TakeSecondsOrADuration) {
+  const CLI::Validator check = seconds_or_duration();
+  std::string seconds{"1.5"};
+  std::string duration{"PT1H30M"};
+  std::string neither{"1 hour"};
+
+  EXPECT_EQ(check(seconds), "");
+  EXPECT_EQ(check(duration), "");
+  EXPECT_NE(check(neither), "");
+
+  EXPECT_EQ(seconds, "1.5");
+  EXPECT_EQ(std::stod(duration), 5'400.0);
+}
+
 }  // namespace
 }  // namespace floeplan::cli::flag_values_test

@@ -22,7 +22,7 @@ std::string contents(const std::filesystem::path& file) {
 Outcome Program::run(const std::vector<std::string>& arguments) const {
   const std::filesystem::path out = folder() / "stdout";
   const std::filesystem::path err = folder() / "stderr";
-  std::vector<std::string> words{"floeplan", "--data", (folder() / "store").string()};
+  std::vector<std::string> words{"floeplan", "--data", store().string()};
   words.insert(words.end(), arguments.begin(), arguments.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());

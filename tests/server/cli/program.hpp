@@ -21,8 +21,11 @@ struct Outcome {
 /// The real program on a store of its own.
 class Program {
  public:
+  Program() { std::filesystem::create_directory(store()); }
+
   [[nodiscard]] Outcome run(const std::vector<std::string>& arguments) const;
   [[nodiscard]] std::filesystem::path folder() const { return folder_.path(); }
+  [[nodiscard]] std::filesystem::path store() const { return folder_.path() / "store"; }
 
  private:
   TemporaryFolder folder_;
