@@ -69,8 +69,8 @@ std::optional<geo::Ring> read_ring(InputReader& reader, const json& value, const
   return ring;
 }
 
-/// Refuses holes of which no corner and no middle of an edge is inside the outline: an area that was meant to count would
-/// not.
+/// Refuses holes of which no corner and no middle of an edge is inside the outline: an area that was meant to count
+/// would not.
 /// `pointer`: of the polygon's rings
 void refuse_holes_outside(InputReader& reader, const geo::Polygon& polygon, const std::string& pointer) {
   std::vector<geo::LonLat> places;
@@ -143,8 +143,8 @@ std::vector<geo::Polygon> read_geometry(InputReader& reader, const json& feature
   return polygons;
 }
 
-/// Refuses properties that are meant for one of a zone's but are not written as such: "bottom" for "bottom_m" would leave
-/// the rule in force at every depth.
+/// Refuses properties that are meant for one of a zone's but are not written as such: "bottom" for "bottom_m" would
+/// leave the rule in force at every depth.
 void refuse_near_names(InputReader& members, const json& properties) {
   using enum ocean::ZoneMember;
   if (!properties.is_object()) return;
