@@ -28,6 +28,25 @@ geo::VelocityEn mean_velocity(const IcebergFix& from, const IcebergFix& to) {
   return {line.course_at_start.east() * speed, line.course_at_start.north() * speed};
 }
 
+/// The drift between the last sighting and an earlier one that is long enough ago.
+struct ObservedDrift {
+  IcebergFix from;
+  geo::VelocityEn velocity;
+};
+
+std::optional<ObservedDrift> observed_drift(const Iceberg& iceberg) {
+  const IcebergFix last{iceberg.place, iceberg.observed};
+  for (const IcebergFix& fix : std::views::reverse(iceberg.earlier)) {
+    const core::Seconds span = last.time - fix.time;
+    if (span < shortest_observation) continue;
+    if (span > longest_observation) return std::nullopt;
+    const geo::VelocityEn velocity = mean_velocity(fix, last);
+    if (geo::strength(velocity) > fastest_drift) return std::nullopt;
+    return ObservedDrift{fix, velocity};
+  }
+  return std::nullopt;
+}
+
 /// The currents that move icebergs; null: none.
 const CurrentGrid* carrying(const Environment& environment) {
   return environment.drift_currents ? environment.drift_currents.get() : environment.currents.get();
@@ -47,19 +66,33 @@ class Drift {
         draft_{drift_draft(iceberg)},
         length_{safe_length(iceberg)},
         last_{iceberg.place, iceberg.observed},
-        observed_{observe(iceberg)} {
-    if (observed_) besides_forces_ = besides_forces(*observed_from_);
+        observed_{observed_drift(iceberg)} {
+    if (observed_) besides_forces_ = besides_forces(*observed_);
   }
 
   [[nodiscard]] geo::VelocityEn velocity(const IcebergFix& at) const {
     const auto current = over_draft(at);
     const auto wind = by_wind(at);
-    if (!current && observed_) return *observed_;
+    if (!current && observed_) return observed_->velocity;
     const geo::VelocityEn forced = sum(current.value_or(geo::VelocityEn{}), wind.value_or(geo::VelocityEn{}));
     // Wind that was not known when the berg was seen to move hides in what it moved beside the current.
     if (!current || (wind && !wind_was_known_)) return forced;
     const double left = std::exp(-((at.time - last_.time) / fading));
     return {forced.east + left * besides_forces_.east, forced.north + left * besides_forces_.north};
+  }
+
+  /// The end of a step that begins then: after an hour, or where the currents or the wind begin or end, so that a step
+  /// is all with them or all without.
+  [[nodiscard]] core::UtcTime end_of_step(core::UtcTime begin) const {
+    core::UtcTime end = begin + hour;
+    for (const CurrentGrid* const forces : {carrying(environment_), environment_.wind.get()}) {
+      if (forces == nullptr || (environment_.steady_currents && forces != environment_.wind.get())) continue;
+      for (const double time_s : {forces->times_s().front(), forces->times_s().back()}) {
+        const core::UtcTime change = core::from_unix_seconds(time_s);
+        if (begin < change && change < end) end = change;
+      }
+    }
+    return end;
   }
 
   [[nodiscard]] bool knows_the_current(const IcebergFix& at) const { return over_draft(at).has_value(); }
@@ -73,19 +106,6 @@ class Drift {
   }
 
  private:
-  std::optional<geo::VelocityEn> observe(const Iceberg& iceberg) {
-    for (const IcebergFix& fix : std::views::reverse(iceberg.earlier)) {
-      const core::Seconds span = last_.time - fix.time;
-      if (span < shortest_observation) continue;
-      if (span > longest_observation) return std::nullopt;
-      const geo::VelocityEn velocity = mean_velocity(fix, last_);
-      if (geo::strength(velocity) > fastest_drift) return std::nullopt;
-      observed_from_ = fix;
-      return velocity;
-    }
-    return std::nullopt;
-  }
-
   /// The current's mean over the draft; empty where or when it is not known.
   [[nodiscard]] std::optional<geo::VelocityEn> over_draft(const IcebergFix& at) const {
     if (!carrying(environment_)) return std::nullopt;
@@ -111,7 +131,8 @@ class Drift {
 
   /// The observed drift without the part of the current, and of the wind where that is known all the way; zero where
   /// the current is not.
-  [[nodiscard]] geo::VelocityEn besides_forces(const IcebergFix& from) {
+  [[nodiscard]] geo::VelocityEn besides_forces(const ObservedDrift& observed) {
+    const IcebergFix& from = observed.from;
     const core::Seconds span = last_.time - from.time;
     const int samples = static_cast<int>(std::ceil(span / hour));
     const core::Seconds step = span / samples;
@@ -120,7 +141,7 @@ class Drift {
     wind_was_known_ = true;
     for (int i = 0; i < samples; ++i) {
       const core::Seconds elapsed = (i + 0.5) * step;
-      const IcebergFix at{moved(from.place, *observed_, elapsed), from.time + elapsed};
+      const IcebergFix at{moved(from.place, observed.velocity, elapsed), from.time + elapsed};
       const auto current = over_draft(at);
       const auto wind = by_wind(at);
       if (!wind) wind_was_known_ = false;
@@ -130,16 +151,15 @@ class Drift {
     }
     if (!wind_was_known_) of_wind = {};
     const double share = 1.0 / samples;
-    return {observed_->east - share * (of_current.east + of_wind.east),
-            observed_->north - share * (of_current.north + of_wind.north)};
+    return {observed.velocity.east - share * (of_current.east + of_wind.east),
+            observed.velocity.north - share * (of_current.north + of_wind.north)};
   }
 
   const Environment& environment_;
   core::Metres draft_;
   core::Metres length_;
   IcebergFix last_;
-  std::optional<IcebergFix> observed_from_;
-  std::optional<geo::VelocityEn> observed_;
+  std::optional<ObservedDrift> observed_;
   geo::VelocityEn besides_forces_{};
   bool wind_was_known_{false};  // all the way between the sightings that tell of the drift
 };
@@ -152,11 +172,18 @@ std::vector<IcebergFix> forecast_drift(const Iceberg& iceberg, const Environment
   std::vector<IcebergFix> fixes{{iceberg.place, iceberg.observed}};
   while (fixes.back().time < until && !stop.stop_requested()) {
     const IcebergFix& at = fixes.back();
-    const IcebergFix middle{moved(at.place, drift.velocity(at), 0.5 * hour), at.time + 0.5 * hour};
-    const geo::LonLat next = moved(at.place, drift.velocity(middle), hour);
-    fixes.push_back({drift.is_aground(next) ? at.place : next, at.time + hour});
+    const core::UtcTime end = drift.end_of_step(at.time);
+    const core::Seconds step = end - at.time;
+    const IcebergFix middle{moved(at.place, drift.velocity(at), 0.5 * step), at.time + 0.5 * step};
+    const geo::LonLat next = moved(at.place, drift.velocity(middle), step);
+    fixes.push_back({drift.is_aground(next) ? at.place : next, end});
   }
   return fixes;
+}
+
+core::UtcTime forecast_needs_from(const Iceberg& iceberg) {
+  const auto observed = observed_drift(iceberg);
+  return observed ? observed->from.time : iceberg.observed;
 }
 
 bool is_current_known(const Iceberg& iceberg, const Environment& environment, core::UtcTime from,

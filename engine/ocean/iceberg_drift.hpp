@@ -9,8 +9,8 @@
 
 namespace floeplan::ocean {
 
-/// Where an iceberg is expected: hour by hour from its sighting to the end of the forecast. Between two fixes it
-/// moves straight and evenly.
+/// Where an iceberg is expected: hour by hour from its sighting to the end of the forecast, counted anew where the
+/// currents or the wind begin or end. Between two fixes it moves straight and evenly.
 /// Drift    the currents' mean over its draft, what the wind adds to that where it is known, and what it moved faster
 ///          or slower than both between its last two sightings: errors of the data, and the wind where none is
 ///          given, which fade within a day. The fixes come by the midpoint rule, which follows a tide to about one
@@ -25,6 +25,10 @@ namespace floeplan::ocean {
 ///          moves with the water that carries it and against it as `moved_by_wind` has it
 [[nodiscard]] std::vector<IcebergFix> forecast_drift(const Iceberg& iceberg, const Environment& environment,
                                                      core::UtcTime until, const std::stop_token& stop = {});
+
+/// From when on the currents and the wind are asked for in its forecast: the earlier sighting that tells of its drift, or
+/// else the last one.
+[[nodiscard]] core::UtcTime forecast_needs_from(const Iceberg& iceberg);
 
 /// Whether the current is known everywhere on the forecast between two times, but for where the iceberg is
 /// aground.

@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/ocean/iceberg_drift.hpp"
 #include "storage/repository/dataset_row.hpp"
 
 namespace floeplan::repository {
@@ -117,7 +118,8 @@ bool covers_begin(const Period& period, const EnvironmentQuery& query) {
 core::UtcTime drift_start(const EnvironmentDraft& draft) {
   core::UtcTime start = draft.query.depart;
   if (!draft.query.iceberg_drift) return start;
-  for (const ocean::Iceberg& iceberg : draft.environment.icebergs) start = std::min(start, iceberg.observed);
+  for (const ocean::Iceberg& iceberg : draft.environment.icebergs)
+    start = std::min(start, ocean::forecast_needs_from(iceberg));
   return start;
 }
 

@@ -59,7 +59,7 @@ struct CurrentsBox {
   std::optional<core::Metres> deepest;  // empty: all levels
 };
 
-/// From when on currents and wind are needed: an iceberg drifts from its sighting on.
+/// From when on currents and wind are needed: for the forecast of the icebergs' drift.
 [[nodiscard]] core::UtcTime drift_start(const EnvironmentDraft& draft);
 /// The runs of the product of `found[which]`, joined around the departure; that dataset alone where it was named.
 [[nodiscard]] std::vector<JoinedPart> joined_parts(const EnvironmentDraft& draft,

@@ -59,10 +59,12 @@ void warn_of_unknown_drift(EnvironmentDraft& draft) {
   const bool always = environment.steady_currents;
   const core::UtcTime begin = core::from_unix_seconds(carrying.times_s().front());
   std::size_t seen_before = 0;
+  std::size_t observed_before = 0;
   std::vector<std::string> names;
   for (const ocean::Iceberg& iceberg : environment.icebergs) {
     const bool is_before = !always && iceberg.observed < begin;
     if (is_before) ++seen_before;
+    if (!always && !is_before && ocean::forecast_needs_from(iceberg) < begin) ++observed_before;
     const core::UtcTime from = is_before ? begin : iceberg.observed;
     const core::UtcTime until = std::max(draft.query.depart, from);
     if (!ocean::is_current_known(iceberg, environment, from, until, draft.reading.stop))
@@ -75,6 +77,11 @@ void warn_of_unknown_drift(EnvironmentDraft& draft) {
   if (seen_before > 0)
     draft.warn(std::to_string(seen_before) + count + " were seen before the currents begin, at " +
                core::iso8601(begin) + ": until then" + instead);
+  if (observed_before > 0)
+    draft.warn(
+        "of " + std::to_string(observed_before) + count +
+        " the currents begin only after the earlier sighting, at " + core::iso8601(begin) +
+        ": they are taken to move with the current and the wind alone, not as they were seen to beside them");
   if (!names.empty())
     draft.warn("the current is not known all the way of " + std::to_string(names.size()) + count + " (" +
                shortened_list(names) + "): where it is not" + instead);

@@ -158,6 +158,30 @@ TEST(IcebergDrift, TakesNoDriftFromSightingsThatDoNotTellIt) {
   EXPECT_GT(seen_before(12.0, 20'000.0), 5000.0);  // the drift is told
 }
 
+/// A step over the beginning of the currents would count them for all of it or for none.
+TEST(IcebergDrift, MovesWithTheCurrentFromItsBeginningOn) {
+  const auto sea = sea_with(std::nullopt, 25, [](SampleIndex) { return 0.2F; });
+  Iceberg berg = sighted_berg();
+  for (const double minutes_before : {50.0, 10.0}) {
+    berg.observed = after_hours(-minutes_before / 60.0);
+
+    const auto fixes = forecast_drift(berg, sea, after_hours(6.0));
+
+    EXPECT_EQ(fixes[1].time, start);
+    EXPECT_EQ(fixes[1].place, berg.place);
+    EXPECT_NEAR(way(fixes.front(), fixes[7]).value, std::hypot(0.2, 0.1) * 6.0 * hour_s, 5.0);
+  }
+}
+
+TEST(IcebergDrift, NeedsToKnowTheWaterSinceTheSightingThatTellsOfADrift) {
+  Iceberg berg = sighted_berg();
+  EXPECT_EQ(forecast_needs_from(berg), start);
+  berg.earlier = {{berg.place, after_hours(-12.0)}, {berg.place, after_hours(-2.0)}};
+  EXPECT_EQ(forecast_needs_from(berg), after_hours(-12.0));
+  berg.earlier = {{berg.place, after_hours(-100.0)}};
+  EXPECT_EQ(forecast_needs_from(berg), start);
+}
+
 TEST(IcebergDrift, FadesFromTheObservedDriftToTheCurrentWithinDays) {
   // Seen to move 0.1 m/s faster to the east than the water, which is known all the time.
   const auto sea = sea_with(std::nullopt, 150, [](SampleIndex) { return 0.0F; });
