@@ -24,9 +24,8 @@ struct IceThere {
   bool known{false};  // all the time
 };
 
-IceThere ice_at(const planning::Plan& plan, const SafePlace& safe) {
-  if (!safe.sea.ice) return {};
-  const ocean::Axis& steps_s = safe.sea.ice->samples().times_s;
+IceThere ice_of(const ocean::IceField& product, const planning::Plan& plan, geo::LonLat place) {
+  const ocean::Axis& steps_s = product.samples().times_s;
   const double hold_s = ocean::longest_ice_hold.count();
   const double from_s = std::max(core::unix_seconds(plan.departure), steps_s.front() - hold_s);
   const double until_s = std::min(core::unix_seconds(plan.arrival), steps_s.back() + hold_s);
@@ -39,9 +38,20 @@ IceThere ice_at(const planning::Plan& plan, const SafePlace& safe) {
   IceThere found{.known = from_s == core::unix_seconds(plan.departure) &&
                           until_s == core::unix_seconds(plan.arrival)};
   for (const double time_s : times_s) {
-    const auto ice = safe.sea.ice->at(safe.place, core::from_unix_seconds(time_s));
+    const auto ice = product.at(place, core::from_unix_seconds(time_s));
     found.known = found.known && ice.has_value();
     if (ice) found.densest = std::max(found.densest, ice->concentration);
+  }
+  return found;
+}
+
+/// The densest that any product tells of.
+IceThere ice_at(const planning::Plan& plan, const SafePlace& safe) {
+  if (!safe.sea.ice) return {};
+  IceThere found = ice_of(*safe.sea.ice, plan, safe.place);
+  for (const auto& product : safe.sea.further_ice) {
+    const IceThere there = ice_of(*product, plan, safe.place);
+    found = {.densest = std::max(found.densest, there.densest), .known = found.known || there.known};
   }
   return found;
 }

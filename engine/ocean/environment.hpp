@@ -30,6 +30,8 @@ struct Environment {
   std::shared_ptr<const CurrentGrid> wind{};
   std::shared_ptr<const Bathymetry> bathymetry{};
   std::shared_ptr<const IceField> ice{};  // null: nothing is known of sea ice, open water is assumed
+  /// Of other products, the preferred one first: asked where and when `ice` tells nothing.
+  std::vector<std::shared_ptr<const IceField>> further_ice{};
   std::vector<geo::Polygon> land{};
   std::vector<Iceberg> icebergs{};  // the latest sighting of each berg, none after the moment asked for
   std::vector<Zone> zones{};        // of stored datasets, all obeyed

@@ -22,6 +22,11 @@ struct IceState {
 /// one says little of where the edge is.
 inline constexpr core::Seconds longest_ice_hold{3.0 * 86400.0};
 
+/// For how long beyond its period ice counts as data of the time itself, before other data that are: analyses come
+/// once a day, many as the mean of a day that is given as its noon.
+inline constexpr core::Seconds ice_speaks_before{0.5 * 86400.0};
+inline constexpr core::Seconds ice_speaks_after{1.0 * 86400.0};
+
 /// Sea ice of a model or an analysis on a grid; bilinear in place, linear in time.
 /// Shape    concentration and thickness_m are [time][y][x], last index fastest; thickness_m may be empty: the
 ///          data have none. NaN marks a missing sample inside the arrays; it never leaves the class

@@ -124,21 +124,26 @@ void IceCover::extend_to_coast() {
   }
 }
 
-std::optional<IceCover::Moment> IceCover::moment(double time_s) const {
+bool IceCover::speaks_for(core::Seconds time) const {
+  return time.count() >= times_s_.front() - ocean::ice_speaks_before.count() &&
+         time.count() <= times_s_.back() + ocean::ice_speaks_after.count();
+}
+
+IceCover::Moment IceCover::moment(double time_s) const {
   const double hold_s = ocean::longest_ice_hold.count();
-  if (!(time_s >= times_s_.front() - hold_s && time_s <= times_s_.back() + hold_s)) return std::nullopt;
+  const bool known = time_s >= times_s_.front() - hold_s && time_s <= times_s_.back() + hold_s;
   const std::size_t last = times_s_.size() - 1;
-  if (time_s <= times_s_.front()) return Moment{0, 0, 0.0};
-  if (time_s >= times_s_.back()) return Moment{last, last, 0.0};
+  if (time_s <= times_s_.front()) return {0, 0, 0.0, known};
+  if (time_s >= times_s_.back()) return {last, last, 0.0, known};
   const auto after = static_cast<std::size_t>(std::ranges::upper_bound(times_s_, time_s) - times_s_.begin());
   const double before_s = times_s_[after - 1];
-  return Moment{after - 1, after, (time_s - before_s) / (times_s_[after] - before_s)};
+  return {after - 1, after, (time_s - before_s) / (times_s_[after] - before_s), known};
 }
 
 IceAbove IceCover::above(geo::PlanePoint point, core::Seconds time) const {
   const auto cell = grid_.corner(point);
-  const auto when = moment(time.count());
-  if (!cell || !when) return {};
+  if (!cell) return {};
+  const Moment when = moment(time.count());
 
   const std::size_t nx = grid_.nx();
   double draft_m = 0.0;
@@ -154,11 +159,11 @@ IceAbove IceCover::above(geo::PlanePoint point, core::Seconds time) const {
     const double low = along(south);
     return low + cell->fy * (along(north) - low);
   };
-  double concentration = concentration_at(when->first);
-  if (when->share > 0.0) concentration += when->share * (concentration_at(when->second) - concentration);
+  double concentration = concentration_at(when.first);
+  if (when.share > 0.0) concentration += when.share * (concentration_at(when.second) - concentration);
   if (std::isnan(concentration)) return {};
-  if (concentration <= limit_) return {.known = true, .may_surface = true, .draft_m = 0.0};
-  return {.known = true, .may_surface = false, .draft_m = draft_m};
+  if (concentration <= limit_) return {.known = when.known, .may_surface = when.known, .draft_m = 0.0};
+  return {.known = when.known, .may_surface = false, .draft_m = draft_m};
 }
 
 }  // namespace floeplan::planning

@@ -16,7 +16,7 @@ namespace floeplan::planning {
 struct IceAbove {
   bool known{false};        // the data tell of the ice here and now
   bool may_surface{false};  // they do, and it is little enough
-  double draft_m{};         // of the deepest keel; 0 where the vehicle may surface or nothing is known
+  double draft_m{};         // of the deepest keel; 0 where the vehicle may surface or nothing was ever known
 };
 
 /// The sea ice of a planning area at the time of passage: what the inner loop asks.
@@ -24,7 +24,8 @@ struct IceAbove {
 ///                the deepest of the nodes and times around
 /// Coast    a node without data takes the most ice of its neighbours, one ring deep: masks of land are coarse
 /// Time     counted from `epoch`; the first and the last step hold for ocean::longest_ice_hold beyond
-/// Outside  nothing known beyond the nodes with data (and that ring) and that period
+/// Outside  nothing known beyond the nodes with data (and that ring) and that period. Before and after that, the keels
+///          of the first and the last step stay to be kept below: that nobody looked for them since lifts none
 /// Threads  const members may be called from several threads at once
 class IceCover {
  public:
@@ -33,6 +34,8 @@ class IceCover {
            const PlaneBox& area, core::UtcTime epoch, const std::stop_token& stop = {});
 
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const;
+  /// Whether the data are meant for this time, and not only held for want of others.
+  [[nodiscard]] bool speaks_for(core::Seconds time) const;
   /// Whether there is ice anywhere, at any time, through which the vehicle may not surface.
   [[nodiscard]] bool has_dense_ice() const { return has_dense_ice_; }
   /// Whether dense ice may come or go.
@@ -65,8 +68,9 @@ class IceCover {
     std::size_t first;
     std::size_t second;
     double share;
+    bool known;  // within the period for which steps are held
   };
-  [[nodiscard]] std::optional<Moment> moment(double time_s) const;
+  [[nodiscard]] Moment moment(double time_s) const;
   void extend_to_coast();
   /// To cells of which a node is marked, whatever the rest of it is.
   [[nodiscard]] CellDistances distances_to(const std::vector<bool>& marked_nodes) const;

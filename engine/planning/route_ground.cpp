@@ -91,6 +91,7 @@ std::size_t RouteGround::bytes() const {
   std::size_t bytes = sea_.bytes();
   if (environment_.bathymetry) bytes += environment_.bathymetry->bytes();
   if (environment_.ice) bytes += environment_.ice->bytes();
+  for (const auto& ice : environment_.further_ice) bytes += ice->bytes();
   for (const geo::Polygon& polygon : environment_.land) bytes += polygon.bytes();
   return bytes + environment_.icebergs.size() * sizeof(ocean::Iceberg);
 }

@@ -6,12 +6,18 @@
 #include "engine/motion/drive_looks.hpp"
 
 namespace floeplan::planning {
+namespace {
+
+/// Whether no ice is known above that the vehicle would have to keep below, or was known last.
+bool is_free(const IceAbove& ice) { return ice.may_surface || (!ice.known && !(ice.draft_m > 0.0)); }
+
+}  // namespace
 
 UnderIce::UnderIce(const ocean::Environment& environment, const PlanRequest& request,
                    const geo::LocalProjection& projection, const PlaneBox& area, core::Metres step,
                    const std::stop_token& stop)
     : rules_{request.under_ice},
-      cover_{*environment.ice, request.under_ice, projection, area, request.depart, stop},
+      cover_{environment, request.under_ice, projection, area, request.depart, stop},
       needed_below_m_{request.vehicle.least_water_below_turn().value},
       dive_room_m_{needed_below_m_ - request.vehicle.altimeter_margin.value},
       dive_depth_m_{request.vehicle.dive_depth.value},
@@ -20,7 +26,7 @@ UnderIce::UnderIce(const ocean::Environment& environment, const PlanRequest& req
 }
 
 bool UnderIce::has_room_below(geo::PlanePoint point, const IceAbove& ice) const {
-  if (ice.may_surface || !ice.known) return true;
+  if (is_free(ice)) return true;
   const double upper_turn_m = ice.draft_m + rules_.margin_below_ice.value;
   if (upper_turn_m + dive_room_m_ > dive_depth_m_) return false;
   if (!bed_) return true;
@@ -30,7 +36,7 @@ bool UnderIce::has_room_below(geo::PlanePoint point, const IceAbove& ice) const 
 
 core::Metres UnderIce::least_upper_turn(geo::PlanePoint point, core::Seconds time) const {
   const IceAbove ice = cover_.above(point, time);
-  if (ice.may_surface || !ice.known) return core::Metres{0.0};
+  if (is_free(ice)) return core::Metres{0.0};
   return core::Metres{ice.draft_m} + rules_.margin_below_ice;
 }
 

@@ -7,7 +7,7 @@
 
 #include "engine/motion/edge_time.hpp"
 #include "engine/ocean/environment.hpp"
-#include "engine/planning/ice_cover.hpp"
+#include "engine/planning/ice_covers.hpp"
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/plane_bed.hpp"
 
@@ -18,8 +18,8 @@ namespace floeplan::planning {
 /// Rules    it may surface where the ice is known and at most as dense as the request allows. Under denser ice its
 ///          upper turn stays the margin below the deepest keel, and it needs as much water from there to the sea bed
 ///          as it otherwise needs from the surface, with room for a saw-tooth above the altimeter's margin; its dives
-///          must reach that deep. Where nothing is known of the
-///          ice it may pass, but not count on surfacing
+///          must reach that deep. Where nothing is known of the ice it may pass, below the keels that were known last,
+///          but not count on surfacing
 /// Along a drive  looked at every `step()`; the time between two looks counts as under ice unless the vehicle may
 ///          surface at both, so that what counts is never shorter than the truth but for ice narrower than a step
 /// Threads  const members may be called from several threads at once
@@ -37,7 +37,7 @@ class UnderIce {
     return cover_.above(point, time).may_surface;
   }
   /// How deep the upper turn of the dives must lie there and then; zero where the vehicle may surface, or where
-  /// nothing is known.
+  /// no ice was ever known.
   [[nodiscard]] core::Metres least_upper_turn(geo::PlanePoint point, core::Seconds time) const;
   [[nodiscard]] bool may_transit(geo::PlanePoint point, core::Seconds time) const;
   /// Both questions at once.
@@ -77,7 +77,7 @@ class UnderIce {
   [[nodiscard]] bool has_room_below(geo::PlanePoint point, const IceAbove& ice) const;
 
   UnderIceRules rules_;
-  IceCover cover_;
+  IceCovers cover_;
   std::optional<PlaneBed> bed_;  // empty: every depth will do
   double needed_below_m_;        // from the upper turn to the sea bed
   double dive_room_m_;           // from the upper turn to the deepest point of the dives

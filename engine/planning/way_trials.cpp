@@ -253,7 +253,7 @@ std::int64_t WayTrials::work_of_a_chart(const PlanRequest& request, const Layout
   for (const RouteGrid& grid : layout.grids) work += work_of_a_vertex * grid.vertex_count();
   double tables = 0.0;
   if (environment_.bathymetry) tables += 2.0;  // what is closed, and how deep dives are
-  if (environment_.ice) tables += 1.0;
+  if (environment_.ice) tables += 1.0 + static_cast<double>(environment_.further_ice.size());
   if (environment_.currents && !shelf_.holds(request, layout.projection, layout.area())) {
     work += work_of_a_value * static_cast<double>(environment_.currents->samples().u.size());
     tables += 1.0;

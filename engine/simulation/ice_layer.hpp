@@ -3,8 +3,8 @@
 #include <optional>
 
 #include "engine/geo/local_projection.hpp"
-#include "engine/ocean/ice_field.hpp"
-#include "engine/planning/ice_cover.hpp"
+#include "engine/ocean/environment.hpp"
+#include "engine/planning/ice_covers.hpp"
 #include "engine/planning/plane_box.hpp"
 
 namespace floeplan::simulation {
@@ -16,8 +16,9 @@ class IceLayer {
  public:
   IceLayer() = default;  // open water
   explicit IceLayer(core::Metres draft) : even_m_{draft.value} {}
-  IceLayer(const ocean::IceField& ice, const geo::LocalProjection& projection, const planning::PlaneBox& area,
-           core::UtcTime epoch);
+  /// `environment` must have ice.
+  IceLayer(const ocean::Environment& environment, const geo::LocalProjection& projection,
+           const planning::PlaneBox& area, core::UtcTime epoch);
 
   /// Whether there is any, somewhere and some time.
   [[nodiscard]] bool has_ice() const { return cover_.has_value() || even_m_ > 0.0; }
@@ -31,7 +32,7 @@ class IceLayer {
  private:
   double even_m_{};
   core::UtcTime epoch_{};
-  std::optional<planning::IceCover> cover_{};
+  std::optional<planning::IceCovers> cover_{};
   planning::PlaneBox area_{};
 };
 

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
-#include <functional>
 #include <memory>
 #include <utility>
 
@@ -13,6 +12,7 @@
 #include "storage/repository/environment_bathymetry.hpp"
 #include "storage/repository/environment_draft.hpp"
 #include "storage/repository/environment_drift.hpp"
+#include "storage/repository/environment_ice.hpp"
 #include "storage/repository/environment_water.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/hand_made_id.hpp"
@@ -23,65 +23,6 @@
 
 namespace floeplan::repository {
 namespace {
-
-/// Areas that are all ice, such as fast ice, of a chart without codes: the variable that ingest names then. Outside
-/// them nothing is known, so that as the newest ice they would hide a concentration that is.
-bool is_areas_alone(const Dataset& dataset) { return dataset.variables == std::vector<std::string>{"ice"}; }
-
-void adopt_ice(EnvironmentDraft& draft, const Dataset& dataset, ocean::IceField ice) {
-  const auto covered = period_of(dataset);
-  if (covered && !covers(*covered, draft.query.depart)) {
-    const core::UtcTime step = draft.query.depart > covered->to ? covered->to : covered->from;
-    draft.warn("ice of " + title(dataset) + " is held as at " + core::iso8601(step) +
-               ", the step nearest to the departure");
-  }
-  if (ice.samples().thickness_m.empty())
-    draft.warn("ice of " + title(dataset) + " has no thickness: a draft is assumed wherever there is ice");
-  draft.environment.ice = std::make_shared<const ocean::IceField>(std::move(ice));
-  draft.cite(dataset);
-}
-
-void add_ice(EnvironmentDraft& draft) {
-  const EnvironmentQuery& query = draft.query;
-  auto found = candidates(draft.stored, DatasetKind::ice, query.ice, query.area, draft.violations);
-  const auto areas = std::ranges::stable_partition(found, std::not_fn(is_areas_alone));
-  const bool named = query.ice.how == DatasetChoice::How::named;
-  if (named && query.ice.ids.size() > 1) {
-    draft.refuse(DatasetKind::ice, "one dataset at a time; name the one to plan with");
-    return;
-  }
-
-  std::string periods_missed;
-  for (const Dataset& dataset : found) {
-    const auto covered = period_of(dataset);
-    if (!covered) continue;
-    const Period held{covered->from - ocean::longest_ice_hold, covered->to + ocean::longest_ice_hold};
-    if (!covers(held, query.depart)) {
-      periods_missed +=
-          (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*covered);
-      continue;
-    }
-    const Period wanted{std::clamp(query.depart, covered->from, covered->to), covered->to};
-    auto ice = FieldRepository{draft.db, draft.reading.stop}.load_ice(dataset.id, query.area, wanted);
-    if (!ice) continue;
-    if (!is_areas_alone(dataset))
-      for (const Dataset& unused : areas)
-        draft.warn(title(unused) + " holds areas of ice and nothing outside them; not used beside " +
-                   title(dataset) + "; make zones of them, or name it to plan with it alone");
-    return adopt_ice(draft, dataset, std::move(*ice));
-  }
-
-  if (named && !periods_missed.empty()) {
-    draft.refuse(DatasetKind::ice, "says nothing of the ice at " + core::iso8601(query.depart) + ": " +
-                                       periods_missed + ", and ice is held for at most 3 days beyond");
-  } else if (named && !found.empty()) {
-    draft.refuse(DatasetKind::ice, title(found.front()) + " has no node near the area");
-  } else if (!periods_missed.empty()) {
-    draft.warn("no stored ice for the time of departure (" + periods_missed + "): open water is assumed");
-  } else if (!named) {
-    warn_of_gap(draft, DatasetKind::ice, query.ice, "open water is assumed");
-  }
-}
 
 /// Says which bergs of a dataset were seen too long ago.
 void warn_of_old_sightings(EnvironmentDraft& draft, const Dataset& dataset, const KnownIcebergs& known,

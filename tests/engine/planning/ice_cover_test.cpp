@@ -71,6 +71,15 @@ TEST(IceCover, HoldsTheFirstAndTheLastStepForThreeDays) {
   EXPECT_FALSE(cover.above({0.0, 0.0}, hours(24.0 + 73.0)).known);
 }
 
+TEST(IceCover, KeepsTheKeelsThatWereKnownLast) {
+  const IceCover cover = cover_of(
+      support::ice_from([](geo::LonLat, double hour) { return hour < 1.0 ? 0.0 : 1.0; }, {0.0, 24.0}, 1.0));
+
+  EXPECT_EQ(cover.above({0.0, 0.0}, hours(-73.0)).draft_m, 0.0);
+  EXPECT_EQ(cover.above({0.0, 0.0}, hours(24.0 + 73.0)).draft_m, 8.0);
+  EXPECT_FALSE(cover.above({0.0, 0.0}, hours(24.0 + 73.0)).may_surface);
+}
+
 TEST(IceCover, KnowsHowFarItIsAtLeastToOpenWaterAndToDenseIce) {
   support::for_each_seed(40, [](std::mt19937_64& rng) {
     const double phase = support::uniform(rng, 0.0, 6.28);

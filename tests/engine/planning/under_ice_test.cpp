@@ -145,6 +145,16 @@ TEST(UnderIce, PassesButDoesNotCountOnSurfacingWhereNothingIsKnown) {
   EXPECT_FALSE(sea.may_surface({0.0, 0.0}, at_once));
 }
 
+TEST(UnderIce, KeepsBelowTheKeelsThatWereKnownLast) {
+  const ocean::Environment environment{.ice = ice_in_the_east()};
+  const UnderIce ice{environment, request_in_ice(), projection, area, core::Metres{500.0}};
+  const core::Seconds long_after = ocean::longest_ice_hold + core::Seconds{3600.0};
+
+  EXPECT_NEAR(ice.least_upper_turn({20'000.0, 0.0}, long_after).value, 18.0, 1e-5);
+  EXPECT_FALSE(ice.may_surface({20'000.0, 0.0}, long_after));
+  EXPECT_EQ(ice.least_upper_turn({-20'000.0, 0.0}, long_after).value, 0.0);
+}
+
 TEST(SeaLeg, CountsTheTimeSinceTheVehicleMightHaveSurfaced) {
   const ocean::Environment environment{.ice = ice_in_the_east()};
   const PlanRequest request = request_in_ice();

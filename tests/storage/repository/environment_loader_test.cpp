@@ -399,6 +399,20 @@ TEST_F(EnvironmentLoaderTest, ReadsCurrentsFromTheOldestDriftingBergOn) {
   EXPECT_EQ(first_step(), sample_time);
 }
 
+/// What a berg moved beside the current between two sightings is known only with the current of that time, whatever
+/// other icebergs are stored.
+TEST_F(EnvironmentLoaderTest, ReadsCurrentsFromTheSightingOnThatTellsOfADrift) {
+  add_currents("flow", sample_time - 40 * hour, 60, levels_);
+  add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - 14 * hour),
+                         sample_berg("a", {-52.02, 69.01}, sample_time - 2 * hour)});
+  EXPECT_EQ(core::from_unix_seconds(load().currents->samples().times_s.front()), sample_time - 14 * hour);
+  EXPECT_THAT(load().warnings, Not(Contains(HasSubstr("only after the earlier sighting"))));
+
+  DatasetRepository{db_}.remove({"flow"});
+  add_currents("late", sample_time - 10 * hour, 30, levels_);
+  EXPECT_THAT(load().warnings, Contains(HasSubstr("of 1 of 1 icebergs the currents begin only after")));
+}
+
 TEST_F(EnvironmentLoaderTest, TakesDriftingBergsFromBeyondTheArea) {
   add_icebergs("bergs", {sample_berg("near", {-52.0, 69.9}, sample_time - hour),
                          sample_berg("far", {-52.0, 71.0}, sample_time - hour)});
@@ -651,6 +665,25 @@ TEST_F(EnvironmentLoaderTest, HoldsTheIceForThreeDaysBeyondItsPeriodAndSaysSo) {
   EXPECT_EQ(environment.ice->samples().times_s.size(), 1U);
   EXPECT_THAT(environment.warnings, Contains(HasSubstr("is held as at 2027-01-12T")));
   EXPECT_THAT(environment.warnings, Contains(HasSubstr("no thickness")));
+}
+
+/// Data of the hour itself go before newer ones that begin later or were made earlier, and those of a part of the area
+/// leave the rest to others.
+TEST_F(EnvironmentLoaderTest, TakesIceOfOtherDatasetsWhereOrWhenTheNewestTellsNothing) {
+  add_ice("full", sample_time - 2.0 * day, 10);
+  add_ice("later", sample_time + 2.0 * day, 10);
+
+  ocean::Environment environment = load();
+
+  EXPECT_EQ(environment.further_ice.size(), 1U);
+  EXPECT_THAT(cited(environment), testing::IsSupersetOf({"later", "full"}));
+  EXPECT_THAT(environment.warnings, Contains(HasSubstr("ice is taken from several datasets")));
+  EXPECT_THAT(environment.warnings, Not(Contains(HasSubstr("is held as at"))));
+
+  add_ice("newest", sample_time - 2.0 * day, 40);
+  environment = load();
+  EXPECT_THAT(environment.further_ice, IsEmpty()) << "the newest tells all that they could";
+  EXPECT_THAT(cited(environment), Not(Contains("full")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {

@@ -1,0 +1,105 @@
+#include "engine/planning/ice_covers.hpp"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <memory>
+
+#include "tests/support/property.hpp"
+#include "tests/support/small_sea.hpp"
+
+namespace floeplan::planning::ice_covers_test {
+namespace {
+
+constexpr double unknown = std::numeric_limits<double>::quiet_NaN();
+constexpr PlaneBox area{{-40'000.0, -40'000.0}, {40'000.0, 40'000.0}};
+constexpr double concentration_that_closes = 0.9;
+
+using Field = std::shared_ptr<const ocean::IceField>;
+
+core::Seconds hours(double count) { return core::Seconds{3600.0 * count}; }
+
+/// The same everywhere, from one hour to another.
+Field even_ice(double concentration, double from_hour, double until_hour) {
+  return support::ice_from([=](geo::LonLat, double) { return concentration; }, {from_hour, until_hour}, 1.0);
+}
+
+IceCovers covers_of(Field first, std::vector<Field> others) {
+  const ocean::Environment environment{.ice = std::move(first), .further_ice = std::move(others)};
+  return {environment, UnderIceRules{}, geo::LocalProjection{{-53.0, 69.0}}, area,
+          core::from_unix_seconds(support::sea_start_s)};
+}
+
+/// Open water that was ingested last and begins two days later is no news of today.
+TEST(IceCovers, AskThoseThatSpeakForTheTimeBeforeNewerOnesThatAreHeld) {
+  const IceCovers covers =
+      covers_of(even_ice(0.0, 48.0, 96.0), {even_ice(concentration_that_closes, -24.0, 96.0)});
+
+  EXPECT_FALSE(covers.above({0.0, 0.0}, hours(0.0)).may_surface);
+  EXPECT_EQ(covers.above({0.0, 0.0}, hours(0.0)).draft_m, 8.0);
+  EXPECT_TRUE(covers.above({0.0, 0.0}, hours(47.0)).may_surface) << "half a day before its first step";
+  EXPECT_TRUE(covers.above({0.0, 0.0}, hours(96.0)).may_surface);
+}
+
+TEST(IceCovers, HoldWhatNoneSpeaksFor) {
+  const IceCovers covers =
+      covers_of(even_ice(0.0, 0.0, 1.0), {even_ice(concentration_that_closes, -24.0, -23.0)});
+
+  EXPECT_TRUE(covers.above({0.0, 0.0}, hours(60.0)).may_surface) << "the first of those that are held";
+  EXPECT_FALSE(covers.above({0.0, 0.0}, hours(100.0)).known);
+  EXPECT_EQ(covers.above({0.0, 0.0}, hours(100.0)).draft_m, 8.0) << "the deepest keel known last";
+}
+
+TEST(IceCovers, AskTheNextWhereTheFirstKnowsNothing) {
+  const Field in_the_west =
+      support::ice_from([](geo::LonLat p, double) { return p.lon_deg < -53.3 ? 0.0 : unknown; }, {0.0}, 1.0);
+  const IceCovers covers = covers_of(in_the_west, {even_ice(concentration_that_closes, 0.0, 24.0)});
+
+  EXPECT_TRUE(covers.above({-30'000.0, 0.0}, hours(1.0)).may_surface);
+  EXPECT_FALSE(covers.above({30'000.0, 0.0}, hours(1.0)).may_surface);
+  EXPECT_TRUE(covers.above({30'000.0, 0.0}, hours(1.0)).known);
+  EXPECT_TRUE(covers.changes()) << "when one ends and another begins";
+}
+
+/// Law: bounds on ways to openings and to dense ice hold for what all together tell.
+TEST(IceCovers, BoundTheWaysToOpeningsAndToDenseIce) {
+  int looks = 0;
+  support::for_each_seed(40, [&](std::mt19937_64& rng) {
+    const auto random_ice = [&] {
+      const double phase = support::uniform(rng, 0.0, 6.28);
+      const double from_hour = support::uniform(rng, -40.0, 60.0);
+      return support::ice_from(
+          [=](geo::LonLat p, double hour) {
+            const double wave = std::sin(6.0 * p.lon_deg + 9.0 * p.lat_deg + 0.1 * hour + phase);
+            return wave > 0.7 ? unknown : std::clamp(wave, 0.0, 1.0);
+          },
+          {from_hour, from_hour + 20.0}, 1.0);
+    };
+    const IceCovers covers = covers_of(random_ice(), {random_ice(), random_ice()});
+    const auto random_point = [&] {
+      return geo::PlanePoint{support::uniform(rng, -30'000.0, 30'000.0),
+                             support::uniform(rng, -30'000.0, 30'000.0)};
+    };
+    for (int i = 0; i < 100; ++i) {
+      const geo::PlanePoint from = random_point();
+      const geo::PlanePoint there = random_point();
+      const core::Seconds time = hours(support::uniform(rng, -50.0, 100.0));
+      const IceAbove ice = covers.above(there, time);
+      const double way_m = geo::distance_m(from, there);
+      if (ice.may_surface) {
+        ++looks;
+        EXPECT_LE(covers.least_way_to_opening(from).value, way_m);
+        EXPECT_LE(covers.least_ways_to_opening({from}, time - hours(1.0), time + hours(1.0))[0].value, way_m);
+      } else if (ice.draft_m > 0.0) {
+        ++looks;
+        EXPECT_LE(covers.least_way_to_dense_ice(from).value, way_m);
+      }
+    }
+  });
+  EXPECT_GT(looks, 1000);
+}
+
+}  // namespace
+}  // namespace floeplan::planning::ice_covers_test
