@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "engine/planning/band_means.hpp"
+#include "engine/planning/cell_cut.hpp"
 #include "engine/planning/upper_turns.hpp"
 
 namespace floeplan::planning {
@@ -13,61 +14,8 @@ namespace {
 
 constexpr double most_beside_chord =
     2.5e-4;  // of a cell: so small a share of what the current changes over the cell goes unseen
-constexpr int most_parts = 4;  // of a side of a cell: beyond it memory and time outgrow the gain
-constexpr std::size_t most_nodes = 1 << 22;  // over all times: 32 MB
 /// Of the data: so few that what a time needs of them stays in the processor's nearer memory.
 constexpr std::size_t rows_together = 16;
-
-/// Each step of the axis cut into equal parts.
-std::vector<double> cut(const std::vector<double>& nodes, int parts) {
-  std::vector<double> result;
-  for (std::size_t i = 0; i + 1 < nodes.size(); ++i) {
-    for (int part = 0; part < parts; ++part) {
-      result.push_back(nodes[i] + (nodes[i + 1] - nodes[i]) * part / parts);
-    }
-  }
-  result.push_back(nodes.back());
-  return result;
-}
-
-/// Where node `i` of a cut axis lies on the axis itself.
-CellPosition on_uncut(std::size_t i, int parts, std::size_t nodes) {
-  const std::size_t cell = i / static_cast<std::size_t>(parts);
-  const double share = static_cast<double>(i % static_cast<std::size_t>(parts)) / parts;
-  return cell + 1 < nodes ? CellPosition{cell, share} : CellPosition{nodes - 1, 0.0};
-}
-
-/// The parts that the cells of a window are cut into, and the depths flown at the nodes of all.
-struct Cut {
-  int parts{1};
-  std::vector<vehicle::DiveBand> bands;  // [y][x]
-};
-
-std::vector<vehicle::DiveBand> bands_over(const FlownDepths& depths, const geo::GridFrame& frame,
-                                          const NodeWindow& window, int parts) {
-  std::vector<vehicle::DiveBand> bands;
-  for (const double y : cut(window.y, parts)) {
-    for (const double x : cut(window.x, parts)) bands.push_back(depths.at(geo::to_lon_lat(frame, {x, y})));
-  }
-  return bands;
-}
-
-/// Cuts the data's cells so that a bank of the bathymetry inside one of them is felt.
-Cut cut_for(const FlownDepths& depths, const ocean::HorizontalGrid& grid, const NodeWindow& window,
-            std::size_t slices) {
-  if (!depths.bathymetry()) return {1, std::vector(window.size(), depths.at(grid.place(0, 0)))};
-  const double wanted = std::ceil(grid.spacing() / depths.bathymetry()->grid().spacing());
-  int parts = static_cast<int>(std::clamp(wanted, 1.0, static_cast<double>(most_parts)));
-  const auto too_many = [&] {
-    return window.size() * static_cast<std::size_t>(parts * parts) * slices > most_nodes;
-  };
-  while (parts > 1 && too_many()) --parts;
-  std::vector<vehicle::DiveBand> bands = bands_over(depths, grid.frame(), window, parts);
-  const bool same = std::ranges::all_of(bands, [&](const auto& band) { return band == bands.front(); });
-  if (!same) return {parts, std::move(bands)};
-  bands.resize(window.size());
-  return {1, std::move(bands)};
-}
 
 std::vector<NodeTurn> turns_of(const ocean::HorizontalGrid& grid, const NodeWindow& window,
                                const geo::LocalProjection& projection) {
@@ -180,9 +128,10 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
     }
     times_s_ = FastAxis{std::move(times)};
   }
-  const auto [parts, bands] = cut_for(depths, grid, window, times_s_ ? times_s_->size() : 1);
-  x_ = FastAxis{cut(window.x, parts)};
-  y_ = FastAxis{cut(window.y, parts)};
+  const std::vector<NodeTurn> turns = turns_of(grid, window, projection);
+  const auto [parts, bands] = cut_cells(currents, depths, window, turns, times_s_ ? times_s_->size() : 1);
+  x_ = FastAxis{cut_axis(window.x, parts)};
+  y_ = FastAxis{cut_axis(window.y, parts)};
   spacing_ = (1.0 / parts) * grid.spacing();
   const geo::GridPoint bend = lookup_.bend();
   // A chord of length h misses a curve by h^2 / 8 of its bend.
@@ -197,7 +146,7 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
     }
     upper_turns = UpperTurns{*ice, points_of(grid, window, projection), times, stop};
   }
-  fill(currents, window, parts, bands, upper_turns, turns_of(grid, window, projection), stop);
+  fill(currents, window, parts, bands, upper_turns, turns, stop);
 }
 
 void PlaneCurrents::fill(const ocean::CurrentGrid& currents, const NodeWindow& window, int parts,

@@ -26,7 +26,7 @@ class UpperTurns;
 /// its band, so the mean over depth is the mean over its time.
 /// Depths   each column of the data is averaged over the band that is flown at the place asked for, not at the
 ///          column, so that a bank inside a cell of the data changes the field. Where the bands differ, a cell
-///          is cut into as many parts as the bathymetry has, up to four a side; in between, linear
+///          is cut as `cut_cells` has it; in between, linear
 /// Ice      under ice through which the vehicle may not surface the band begins where the dives must turn there and
 ///          then, as at the nearest node of the data; in currents that are steady, as at `epoch`
 /// Interpolation

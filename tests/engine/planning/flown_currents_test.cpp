@@ -27,27 +27,34 @@ double sheared_at(double depth_m) {
   return shear_east_m_s[std::size(shear_level_m) - 1];
 }
 
-/// A bank of 40 m in a sea of 400 m, hardly wider than a cell of the currents.
-double bank_m(geo::LonLat place) {
-  const double away = std::abs(place.lon_deg + 53.05) / 0.06;
+/// A bank of 40 m in a sea of 400 m, hardly wider than a cell of the currents unless told.
+double bank_m(geo::LonLat place, double half_width_deg = 0.06) {
+  const double away = std::abs(place.lon_deg + 53.05) / half_width_deg;
   return 400.0 - 360.0 * std::exp(-away * away);
 }
 
-std::shared_ptr<const ocean::Bathymetry> fine_bathymetry() {
-  const ocean::HorizontalGrid grid{geo::GeographicFrame{}, steps(-54.0, 0.01, 201), steps(68.5, 0.01, 101)};
+std::shared_ptr<const ocean::Bathymetry> fine_bathymetry(double half_width_deg = 0.06,
+                                                         double step_deg = 0.01) {
+  const auto nodes = [&](double extent_deg) {
+    return static_cast<int>(std::lround(extent_deg / step_deg)) + 1;
+  };
+  const ocean::HorizontalGrid grid{geo::GeographicFrame{}, steps(-54.0, step_deg, nodes(2.0)),
+                                   steps(68.5, step_deg, nodes(1.0))};
   std::vector<float> depth_m;
   for (std::size_t iy = 0; iy < grid.y().size(); ++iy) {
     for (std::size_t ix = 0; ix < grid.x().size(); ++ix) {
-      depth_m.push_back(static_cast<float>(bank_m(grid.place(ix, iy))));
+      depth_m.push_back(static_cast<float>(bank_m(grid.place(ix, iy), half_width_deg)));
     }
   }
   return std::make_shared<const ocean::Bathymetry>(grid, std::move(depth_m));
 }
 
-PlaneCurrents over_the_bank() {
-  return {*support::sheared_currents(),        true, {limits, fine_bathymetry()}, projection, area,
+PlaneCurrents over(std::shared_ptr<const ocean::Bathymetry> bed) {
+  return {*support::sheared_currents(),        true, {limits, std::move(bed)}, projection, area,
           core::from_unix_seconds(sea_start_s)};
 }
+
+PlaneCurrents over_the_bank() { return over(fine_bathymetry()); }
 
 /// Mean of the current over the time of a saw-tooth that stays at one place.
 double mean_of_a_yo(double top_m, double bottom_m) {
@@ -72,6 +79,29 @@ TEST(FlownCurrents, AreTheMeanOfAYoOverTheSeaBedAtEveryNodeOfTheCutCells) {
     ASSERT_TRUE(flown.has_value());
     EXPECT_NEAR(std::hypot(flown->x_m_s, flown->y_m_s), std::abs(mean_of_a_yo(5.0, bottom_m)), 5e-3) << i;
   }
+}
+
+/// A sill a quarter as wide as a cell of the currents, which four parts of it would miss.
+TEST(FlownCurrents, FeelABankMuchNarrowerThanACellOfTheData) {
+  constexpr double half_width_deg = 0.012;
+  const PlaneCurrents currents = over(fine_bathymetry(half_width_deg, 0.0025));
+
+  double most_missed_m_s = 0.0;
+  for (double lon_deg = -53.1; lon_deg <= -53.0; lon_deg += 0.001) {
+    const geo::LonLat place{lon_deg, 69.0};
+    const double bottom_m = std::min(200.0, bank_m(place, half_width_deg) - 10.0);
+    const auto flown = currents(projection.to_plane(place), core::Seconds{0.0});
+    ASSERT_TRUE(flown.has_value());
+    most_missed_m_s = std::max(most_missed_m_s, std::abs(std::hypot(flown->x_m_s, flown->y_m_s) -
+                                                         std::abs(mean_of_a_yo(5.0, bottom_m))));
+  }
+  EXPECT_LT(most_missed_m_s, 0.05) << "four parts of a cell miss 0.3 m/s of it";
+}
+
+TEST(FlownCurrents, CutNoCellMoreThanABankIsSteep) {
+  const core::Metres cell = support::sheared_currents()->samples().grid.spacing();
+
+  EXPECT_NEAR(over(fine_bathymetry(0.6)).spacing().value, 0.25 * cell.value, 1.0);
 }
 
 TEST(FlownCurrents, CarryAGliderOverABankAsItsSimulatedYoDoes) {
