@@ -91,9 +91,9 @@ std::optional<Quantity> stored_quantity(const json& object, const char* key) {
 std::optional<vehicle::Drive> stored_drive(const json& object) {
   const auto name = object.find("propulsion");
   if (name == object.end() || name->is_null()) return std::nullopt;
-  for (const vehicle::Drive drive : {vehicle::Drive::buoyancy, vehicle::Drive::thruster})
-    if (*name == planning::drive_name(drive)) return drive;
-  throw std::runtime_error{"a stored plan has a leg with an unknown propulsion"};
+  const auto drive = planning::parse_drive(name->get<std::string>());
+  if (!drive) throw std::runtime_error{"a stored plan has a leg with an unknown propulsion"};
+  return drive;
 }
 
 planning::Waypoint parse_waypoint(const json& object) {

@@ -1,9 +1,11 @@
 #include "api/codec/surfacing_document.hpp"
 
 #include <nlohmann/json.hpp>
+#include <stdexcept>
 
 #include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/planning/objective.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -17,19 +19,27 @@ json position(geo::LonLat place) {
 json escape_json(const planning::EscapeWay& escape, std::size_t waypoint) {
   json way = json::array();
   for (const geo::LonLat place : escape.way) way.push_back(position(place));
+  json propulsion = json::array();
+  for (const vehicle::Drive drive : escape.drives) propulsion.push_back(planning::drive_name(drive));
   return {{"waypoint", waypoint},
           {"to", position(escape.way.back())},
           {"course_deg", escape.course_deg ? json(*escape.course_deg) : json()},
           {"distance_m", escape.distance.value},
           {"time_s", escape.time.count()},
           {"energy_j", escape.energy.value},
-          {"way", std::move(way)}};
+          {"way", std::move(way)},
+          {"propulsion", std::move(propulsion)}};
 }
 
 planning::EscapeWay parse_escape(const json& object) {
   planning::EscapeWay escape;
   for (const json& place : object.at("way"))
     escape.way.push_back({place.at(0).get<double>(), place.at(1).get<double>()});
+  for (const json& name : object.value("propulsion", json::array())) {
+    const auto drive = planning::parse_drive(name.get<std::string>());
+    if (!drive) throw std::runtime_error{"a stored escape has a leg with an unknown propulsion"};
+    escape.drives.push_back(*drive);
+  }
   if (!object.at("course_deg").is_null()) escape.course_deg = object.at("course_deg").get<double>();
   escape.distance = {object.at("distance_m").get<double>()};
   escape.time = core::Seconds{object.at("time_s").get<double>()};

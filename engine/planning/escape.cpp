@@ -48,9 +48,14 @@ EscapeWay describe(const Sea& sea, const TimedWay& timed) {
                                            arrivals[i] - arrivals[i - 1], drives[i - 1]);
     escape.energy = escape.energy + use.total();
   }
-  const Route route{points, std::vector<bool>(points.size(), false)};
-  for (const geo::PlanePoint point : join_collinear(route).points)
+  Route route{points, std::vector<bool>(points.size(), false)};
+  for (std::size_t i = 1; i < drives.size(); ++i) route.fixed[i] = drives[i] != drives[i - 1];
+  std::size_t original = 0;
+  for (const geo::PlanePoint point : join_collinear(route).points) {
+    while (points[original].x_m != point.x_m || points[original].y_m != point.y_m) ++original;
     escape.way.push_back(sea.projection().to_lon_lat(point));
+    if (original < drives.size()) escape.drives.push_back(drives[original]);
+  }
   for (std::size_t i = 1; i < escape.way.size(); ++i) {
     const geo::GeodesicLine leg = geo::geodesic_between(escape.way[i - 1], escape.way[i]);
     if (i == 1) escape.course_deg = leg.course_at_start.degrees();

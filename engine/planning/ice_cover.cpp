@@ -11,7 +11,10 @@ namespace {
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
 float keel_draft(float concentration, float thickness_m, const UnderIceRules& rules) {
-  if (!std::isnan(thickness_m)) return static_cast<float>(keel_over_thickness) * thickness_m;
+  // Dense ice without any thickness is a product that has none for it, not a cover without keels.
+  const bool contradicts =
+      thickness_m <= 0.0F && static_cast<double>(concentration) > rules.max_concentration_to_surface;
+  if (!std::isnan(thickness_m) && !contradicts) return static_cast<float>(keel_over_thickness) * thickness_m;
   return concentration > 0.0F ? static_cast<float>(rules.draft_if_unknown.value) : 0.0F;
 }
 

@@ -51,4 +51,10 @@ core::MetresPerSecond drive_speed(const vehicle::GliderProfile& profile, Drive d
 
 std::string drive_name(Drive drive) { return drive == Drive::thruster ? "thruster" : "buoyancy"; }
 
+std::optional<Drive> parse_drive(const std::string& name) {
+  for (const Drive drive : {Drive::buoyancy, Drive::thruster})
+    if (name == drive_name(drive)) return drive;
+  return std::nullopt;
+}
+
 }  // namespace floeplan::planning

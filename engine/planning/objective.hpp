@@ -52,6 +52,8 @@ struct EnergyRules {
 
 /// Horizontal speed through the water. Precondition  the profile has the drive.
 [[nodiscard]] core::MetresPerSecond drive_speed(const vehicle::GliderProfile& profile, vehicle::Drive drive);
+/// "buoyancy", "thruster", and back.
 [[nodiscard]] std::string drive_name(vehicle::Drive drive);
+[[nodiscard]] std::optional<vehicle::Drive> parse_drive(const std::string& name);
 
 }  // namespace floeplan::planning

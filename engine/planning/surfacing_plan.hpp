@@ -39,7 +39,8 @@ struct PlannedSurfacing {
 struct EscapeWay {
   std::vector<geo::LonLat>
       way;  // the waypoint first, the open water last; alone where it may surface at once
-  std::optional<double> course_deg;  // at its start, clockwise from true north
+  std::vector<vehicle::Drive> drives{};  // one for each of its legs; none in plans of older versions
+  std::optional<double> course_deg;      // at its start, clockwise from true north
   core::Metres distance{};
   core::Seconds time{};
   core::Joules energy{};  // drawn on it

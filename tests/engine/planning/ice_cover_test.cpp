@@ -111,6 +111,9 @@ TEST(IceCover, KnowsEightThicknessesOfKeelOrTheAssumedOne) {
   EXPECT_NEAR(cover_of(support::ice_from(closed, {0.0}, 1.5)).above({0.0, 0.0}, hours(0.0)).draft_m, 12.0,
               1e-5);
   EXPECT_NEAR(cover_of(support::ice_from(closed, {0.0})).above({0.0, 0.0}, hours(0.0)).draft_m, 30.0, 1e-5);
+  EXPECT_NEAR(cover_of(support::ice_from(closed, {0.0}, 0.0)).above({0.0, 0.0}, hours(0.0)).draft_m, 30.0,
+              1e-5)
+      << "dense ice without thickness";
 }
 
 TEST(IceCover, ANodeOfLandTakesTheMostIceAroundItOneRingDeep) {

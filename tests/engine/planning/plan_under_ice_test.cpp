@@ -383,6 +383,8 @@ TEST(PlanUnderIce, EveryObjectiveKeepsTheBoundAndHasItsEscapes) {
   const auto longest_without = [&](const PlanRequest& asked) {
     const Plan plan = planned(environment, asked);
     EXPECT_EQ(plan.surfacing->escapes.size(), plan.waypoints.size());
+    for (const EscapeWay& escape : plan.surfacing->escapes)
+      EXPECT_EQ(escape.drives.size() + 1, escape.way.size());
     return plan.surfacing->longest_without.count();
   };
   std::vector<PlanRequest> requests(4, request);
