@@ -152,7 +152,7 @@ std::optional<std::vector<geo::LonLat>> InputReader::places(const json& value, c
     return std::nullopt;
   }
   std::vector<geo::LonLat> result;
-  for (std::size_t i = 0; i < value.size(); ++i) {
+  for (std::size_t i = 0; i < value.size() && !is_full(); ++i) {
     if (const auto place = to_place(value[i], pointer + "/" + std::to_string(i))) result.push_back(*place);
   }
   if (result.size() != value.size()) return std::nullopt;
@@ -171,7 +171,7 @@ void InputReader::require(const std::string& key, const std::string& rule) {
 }
 
 void InputReader::refuse(const std::string& pointer, const std::string& rule) {
-  violations_.push_back({pointer, rule});
+  core::note(violations_, {pointer, rule});
 }
 
 void InputReader::refuse_all(const std::string& pointer, const core::Violations& violations) {
@@ -184,10 +184,13 @@ void InputReader::refuse_member(const std::string& key, const std::string& rule)
 
 void InputReader::refuse_unknown() {
   if (!object_.is_object()) return;
-  std::string names;
-  for (const auto& name : known_) names += (names.empty() ? "" : ", ") + name;
+  std::string rule = "is not known; the known keys are ";
+  for (const auto& name : known_) rule += (name == *known_.begin() ? "" : ", ") + name;
   for (const auto& [key, value] : object_.items()) {
-    if (!known_.contains(key)) refuse(pointer_to(key), "is not known; the known keys are " + names);
+    if (is_full()) return;
+    if (known_.contains(key)) continue;
+    refuse(pointer_to(key), rule);
+    rule = "is not known either";
   }
 }
 

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
-#include "engine/core/violation.hpp"
+#include "engine/core/violation_list.hpp"
 #include "engine/geo/lon_lat.hpp"
 
 namespace floeplan::codec {
@@ -20,7 +20,7 @@ struct NumberRange {
 };
 
 /// Reads the members of one JSON object and collects what is wrong with them. A member that is absent or null
-/// is empty; a wrong one is empty and noted.
+/// is empty; a wrong one is empty and noted, as far as `core::note` goes.
 class InputReader {
  public:
   /// `pointer` is the place of the object inside the whole document, "" for the document itself.
@@ -50,9 +50,11 @@ class InputReader {
   void refuse(const std::string& pointer, const std::string& rule);
   /// Notes what is wrong with the members of the object at `pointer`.
   void refuse_all(const std::string& pointer, const core::Violations& violations);
-  /// Notes every member that nobody asked for, with the known ones.
+  /// Notes every member that nobody asked for, the first with the known ones.
   void refuse_unknown();
   [[nodiscard]] bool refused(const std::string& pointer) const;
+  /// Whether nothing more is noted: a reader of many elements may leave the rest.
+  [[nodiscard]] bool is_full() const { return core::is_full(violations_); }
   [[nodiscard]] const core::Violations& violations() const { return violations_; }
 
  private:

@@ -5,10 +5,14 @@
 #include <string>
 #include <vector>
 
+#include "engine/core/violation_list.hpp"
+
 namespace floeplan::codec {
 namespace {
 
 using nlohmann::json;
+
+constexpr std::size_t longest_place = 200;  // that a message names
 
 /// Walks the text without building anything; stops at the first fault.
 class Checker : public nlohmann::json_sax<json> {
@@ -26,7 +30,7 @@ class Checker : public nlohmann::json_sax<json> {
     Level& level = levels_.back();
     level.place = name;
     if (level.keys.insert(name).second) return true;
-    fault = "A key stands more than once: " + place() + ".";
+    fault = "A key stands more than once: " + core::cut_short(place(), longest_place) + ".";
     return false;
   }
   bool start_object(std::size_t) override { return deeper(false); }

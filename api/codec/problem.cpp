@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "engine/core/violation_list.hpp"
+
 namespace floeplan::codec {
 
 nlohmann::json to_json(const Problem& problem) {
@@ -12,7 +14,7 @@ nlohmann::json to_json(const Problem& problem) {
                           {"detail", problem.detail}};
   if (!problem.violations.empty()) {
     auto& errors = document["errors"] = nlohmann::json::array();
-    for (const auto& violation : problem.violations) {
+    for (const auto& violation : core::shortened(problem.violations)) {
       errors.push_back({{"pointer", violation.field}, {"detail", violation.rule}});
     }
   }

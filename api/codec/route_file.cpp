@@ -2,6 +2,7 @@
 
 #include "api/codec/route_formats.hpp"
 #include "engine/core/letter_case.hpp"
+#include "engine/core/violation_list.hpp"
 #include "engine/mission/read_document.hpp"
 
 namespace floeplan::codec {
@@ -17,7 +18,7 @@ tl::expected<RouteFile, core::Violations> read_mission(const std::string& name, 
   core::Violations faults;
   for (const auto& message : document.messages) {
     const bool refused = message.severity == mission::Severity::error || message.code == "decimal_degrees";
-    if (refused) faults.push_back({at_line(message.line), message.text});
+    if (refused) core::note(faults, {at_line(message.line), message.text});
     if (!refused && message.severity == mission::Severity::warning)
       route.warnings.push_back(name + ", " + at_line(message.line) + ": " + message.text);
   }

@@ -1,5 +1,7 @@
 #include "api/codec/route_formats.hpp"
 
+#include "engine/core/violation_list.hpp"
+
 namespace floeplan::codec {
 
 std::string at_line(int line) { return "line " + std::to_string(line); }
@@ -11,7 +13,7 @@ tl::unexpected<core::Violations> route_fault(const std::string& where, const std
 std::optional<geo::LonLat> place_of(std::optional<double> lon, std::optional<double> lat, int line,
                                     core::Violations& faults) {
   if (lon && lat && geo::is_valid({*lon, *lat})) return geo::LonLat{*lon, *lat};
-  faults.push_back({at_line(line), "is no longitude and latitude in degrees, longitude -180 to 360"});
+  core::note(faults, {at_line(line), "is no longitude and latitude in degrees, longitude -180 to 360"});
   return std::nullopt;
 }
 

@@ -42,7 +42,7 @@ inline constexpr std::size_t max_places = 10'000;
 [[nodiscard]] std::string at_line(int line);
 [[nodiscard]] tl::unexpected<core::Violations> route_fault(const std::string& where, const std::string& rule);
 
-/// A place, or a fault that names the line.
+/// A place, or a fault that names the line, as far as `core::note` goes.
 [[nodiscard]] std::optional<geo::LonLat> place_of(std::optional<double> lon, std::optional<double> lat,
                                                   int line, core::Violations& faults);
 

@@ -38,8 +38,7 @@ void read_members(InputReader& reader, const auto& read) {
   InputReader members{*object};
   read(members);
   members.refuse_unknown();
-  for (const core::Violation& violation : members.violations())
-    reader.refuse("/under_ice" + violation.field, violation.rule);
+  reader.refuse_all("/under_ice", members.violations());
 }
 
 }  // namespace

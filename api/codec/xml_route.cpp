@@ -2,6 +2,7 @@
 
 #include "api/codec/route_formats.hpp"
 #include "api/codec/xml_scan.hpp"
+#include "engine/core/violation_list.hpp"
 #include "engine/mission/line_words.hpp"
 
 namespace floeplan::codec {
@@ -36,6 +37,7 @@ RoutePlaces read_gpx(std::string_view bytes) {
     std::vector<geo::LonLat> places;
     core::Violations faults;
     for (const XmlElement& element : elements) {
+      if (core::is_full(faults)) break;
       if (element.name != wanted) continue;
       if (const auto place =
               place_of(number_at(element, "lon"), number_at(element, "lat"), element.line, faults))
@@ -53,6 +55,7 @@ RoutePlaces read_kml(std::string_view bytes) {
   core::Violations faults;
   std::string geometry;
   for (const XmlElement& element : scan_xml(bytes)) {
+    if (core::is_full(faults)) break;
     if (element.name == "LineString" || element.name == "Point" || element.name == "Polygon")
       geometry = element.name;
     if (element.name != "coordinates") continue;

@@ -86,7 +86,7 @@ void refuse_holes_outside(InputReader& reader, const geo::Polygon& polygon, cons
   const geo::Polygon outline{.outer = polygon.outer, .holes = {}};
   const std::vector<bool> is_inside = geo::contained_in_any(std::span{&outline, 1}, places);
   auto of_hole = is_inside.begin();
-  for (std::size_t i = 0; i < polygon.holes.size(); ++i) {
+  for (std::size_t i = 0; i < polygon.holes.size() && !reader.is_full(); ++i) {
     const auto end = of_hole + static_cast<std::ptrdiff_t>(2 * polygon.holes[i].size());
     if (std::find(of_hole, end, true) == end)
       reader.refuse(
@@ -136,7 +136,7 @@ std::vector<geo::Polygon> read_geometry(InputReader& reader, const json& feature
   } else if (!coordinates.is_array() || coordinates.empty()) {
     reader.refuse(here + "/coordinates", "must be an array of polygons");
   } else {
-    for (std::size_t i = 0; i < coordinates.size(); ++i) {
+    for (std::size_t i = 0; i < coordinates.size() && !reader.is_full(); ++i) {
       add(coordinates[i], here + "/coordinates/" + std::to_string(i));
     }
   }
@@ -151,6 +151,7 @@ void refuse_near_names(InputReader& members, const json& properties) {
   const std::vector<std::pair<ocean::ZoneMember, const char*>> known{
       {kind, "kind"}, {from, "from"}, {until, "until"}, {top, "top_m"}, {bottom, "bottom_m"}};
   for (const auto& [name, value] : properties.items()) {
+    if (members.is_full()) return;
     const std::string word = core::plain_word(name);
     for (const auto& [member, right_name] : known)
       if (!value.is_null() && name != right_name && std::ranges::count(ocean::names_of(member), word) > 0)
@@ -227,22 +228,23 @@ std::vector<ocean::Zone> read_areas(InputReader& reader) {
     reader.refuse("/areas", "must be a GeoJSON FeatureCollection of polygons, not " + shown(*areas));
     return {};
   }
-  const json features = collection ? areas->at("features") : json::array({*areas});
-  if (features.size() > max_features) {
+  const std::size_t features = collection ? areas->at("features").size() : 1;
+  if (features > max_features) {
     reader.refuse("/areas", "must have at most " + std::to_string(max_features) + " features, not " +
-                                std::to_string(features.size()));
+                                std::to_string(features));
     return {};
   }
   std::vector<ocean::Zone> zones;
   std::size_t corners = 0;
-  for (std::size_t i = 0; i < features.size(); ++i) {
+  for (std::size_t i = 0; i < features && !reader.is_full(); ++i) {
+    const json& feature = collection ? areas->at("features")[i] : *areas;
     const std::string pointer = collection ? "/areas/features/" + std::to_string(i) : "/areas";
-    if (!features[i].is_object()) {
-      reader.refuse(pointer, "must be a GeoJSON Feature, not " + shown(features[i]));
+    if (!feature.is_object()) {
+      reader.refuse(pointer, "must be a GeoJSON Feature, not " + shown(feature));
       continue;
     }
-    ocean::Zone zone = read_properties(reader, features[i], pointer);
-    for (geo::Polygon& polygon : read_geometry(reader, features[i], pointer)) {
+    ocean::Zone zone = read_properties(reader, feature, pointer);
+    for (geo::Polygon& polygon : read_geometry(reader, feature, pointer)) {
       corners += corners_of(polygon);
       zone.area = std::move(polygon);
       zones.push_back(zone);

@@ -1,9 +1,11 @@
 #include "api/routes/execution_request.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "api/codec/json_text.hpp"
 #include "api/routes/reply.hpp"
+#include "engine/core/violation_list.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -18,12 +20,12 @@ json wanted_outputs(const json& body, const ProcessEntry& process, core::Violati
   if (!body.contains("outputs")) return wanted;
   const json& outputs = body.at("outputs");
   if (!outputs.is_object()) {
-    violations.push_back({"/outputs", "must be an object with the outputs that are wanted as its keys"});
+    core::note(violations, {"/outputs", "must be an object with the outputs that are wanted as its keys"});
     return wanted;
   }
   for (const auto& [name, ignored] : outputs.items()) {
     if (std::ranges::find(process.outputs, name, &ProcessOutput::name) == process.outputs.end()) {
-      violations.push_back({"/outputs/" + name, "is not an output of the process " + process.id});
+      core::note(violations, {"/outputs/" + name, "is not an output of the process " + process.id});
     }
     wanted.push_back(name);
   }
@@ -33,14 +35,14 @@ json wanted_outputs(const json& body, const ProcessEntry& process, core::Violati
 std::string read_response(const json& body, core::Violations& violations) {
   const json response = body.value("response", json("document"));
   if (response == "raw" || response == "document") return response.get<std::string>();
-  violations.push_back({"/response", "must be raw or document"});
+  core::note(violations, {"/response", "must be raw or document"});
   return {};
 }
 
 bool read_force(const json& body, core::Violations& violations) {
   const json force = body.value("force", json(false));
   if (force.is_boolean()) return force.get<bool>();
-  violations.push_back({"/force", "must be true or false"});
+  core::note(violations, {"/force", "must be true or false"});
   return false;
 }
 
@@ -53,7 +55,7 @@ tl::expected<ExecutionRequest, Response> read_execution(const Request& request, 
         request,
         {415, "unsupported-media-type", "Unsupported media type", "The body must be application/json.", {}}));
   }
-  const auto body = codec::parse_json(request.body);
+  auto body = codec::parse_json(request.body);
   if (!body)
     return tl::unexpected(problem_reply(request, {400, "invalid-json", "Invalid JSON", body.error(), {}}));
   if (!body->is_object())
@@ -62,17 +64,17 @@ tl::expected<ExecutionRequest, Response> read_execution(const Request& request, 
   core::Violations violations;
   for (const auto& [key, value] : body->items()) {
     if (key != "inputs" && key != "outputs" && key != "response" && key != "force") {
-      violations.push_back({"/" + key, std::string{"is not known; the known keys are "} + known_keys});
+      core::note(violations, {"/" + key, std::string{"is not known; the known keys are "} + known_keys});
     }
   }
-  if (!body->contains("inputs")) violations.push_back({"/inputs", "is required"});
+  if (!body->contains("inputs")) core::note(violations, {"/inputs", "is required"});
   ExecutionRequest result;
   result.force = read_force(*body, violations);
   const json reply{{"outputs", wanted_outputs(*body, process, violations)},
                    {"response", read_response(*body, violations)}};
   if (!violations.empty()) return tl::unexpected(invalid(request, std::move(violations)));
   result.reply_json = reply.dump();
-  result.inputs = body->at("inputs");
+  result.inputs = std::move(body->at("inputs"));
   return result;
 }
 

@@ -42,7 +42,7 @@ Read read_json(const Request& request) {
   const bool listed = files != nullptr && files->is_array() && !files->empty();
   if (!listed)
     reader.refuse("/files", "must be an array of one file at least, each with \"name\" and \"text\"");
-  for (std::size_t i = 0; listed && i < files->size(); ++i) {
+  for (std::size_t i = 0; listed && i < files->size() && !reader.is_full(); ++i) {
     const std::string pointer = "/files/" + std::to_string(i);
     if (!(*files)[i].is_object()) {
       reader.refuse(pointer, "must be an object of a file's \"name\" and its \"text\"");
@@ -54,7 +54,7 @@ Read read_json(const Request& request) {
     file.require("name", "is required: the file's name, whose ending tells .mi from .ma");
     file.require("text", "is required: what the file holds");
     file.refuse_unknown();
-    for (const core::Violation& violation : file.violations()) reader.refuse(violation.field, violation.rule);
+    reader.refuse_all("", file.violations());
     uploads.files.push_back({without_folder(name.value_or("")), text.value_or("")});
   }
   if (const json* inputs = reader.member("inputs")) {

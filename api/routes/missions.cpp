@@ -9,6 +9,7 @@
 #include "api/routes/plan_exports.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/core/violation_list.hpp"
 #include "engine/mission/comment_text.hpp"
 #include "storage/repository/plan_repository.hpp"
 
@@ -89,7 +90,8 @@ void read_seaglider(const Request& request, MissionRequest& wanted, core::Violat
     if (const auto band = mission::parse_science_band(one)) {
       wanted.bands.push_back(*band);
     } else {
-      faults.push_back({"?science", "must be bands DEPTH:SECONDS:SENSORS:GC between semicolons, not " + one});
+      core::note(faults,
+                 {"?science", "must be bands DEPTH:SECONDS:SENSORS:GC between semicolons, not " + one});
     }
   }
 }

@@ -11,6 +11,7 @@
 #include "api/codec/scenario_inputs.hpp"
 #include "api/codec/sha256.hpp"
 #include "api/codec/simulate_inputs.hpp"
+#include "engine/core/violation_list.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/repository/simulation_repository.hpp"
@@ -28,10 +29,10 @@ void check_choice(sqlite::Connection& db, const repository::DatasetChoice& choic
   for (const auto& id : choice.ids) {
     const auto dataset = repository::DatasetRepository{db}.find(id);
     if (!dataset)
-      violations.push_back({"/" + key, "no dataset has the id " + id.value + "; /datasets lists them"});
+      core::note(violations, {"/" + key, "no dataset has the id " + id.value + "; /datasets lists them"});
     if (dataset && dataset->kind != kind) {
-      violations.push_back(
-          {"/" + key, "the dataset " + id.value + " is of kind " + kind_name(dataset->kind)});
+      core::note(violations,
+                 {"/" + key, "the dataset " + id.value + " is of kind " + kind_name(dataset->kind)});
     }
   }
 }
@@ -82,15 +83,15 @@ tl::expected<json, core::Violations> checked_ingest_inputs(const Context& contex
   const repository::UploadRepository uploads{context.service.uploads};
   core::Violations violations;
   std::set<std::string> names;
-  for (std::size_t i = 0; i < parsed->uploads.size(); ++i) {
+  for (std::size_t i = 0; i < parsed->uploads.size() && !core::is_full(violations); ++i) {
     const std::string pointer = "/uploads/" + std::to_string(i);
     const auto upload = uploads.find(parsed->uploads[i]);
     if (!upload) {
-      violations.push_back(
-          {pointer, "no upload has the id " + parsed->uploads[i] + "; it was removed or has expired"});
+      core::note(violations,
+                 {pointer, "no upload has the id " + parsed->uploads[i] + "; it was removed or has expired"});
     } else if (!names.insert(upload->name).second) {
-      violations.push_back(
-          {pointer, "a file named " + upload->name + " is there already; ingest them one by one"});
+      core::note(violations,
+                 {pointer, "a file named " + upload->name + " is there already; ingest them one by one"});
     }
   }
   if (!violations.empty()) return tl::unexpected(std::move(violations));

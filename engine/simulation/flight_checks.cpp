@@ -3,6 +3,7 @@
 #include <iterator>
 #include <string>
 
+#include "engine/core/violation_list.hpp"
 #include "engine/simulation/flight.hpp"
 
 /// What can be told of a flight before it begins.
@@ -64,10 +65,10 @@ core::Violations violations(const FlightRequest& request) {
     found.push_back({"/start", "lies under ice at the departure"});
   for (std::size_t i = 0; i < request.orders.lists.size(); ++i) {
     const auto& waypoints = request.orders.lists[i].waypoints;
-    for (std::size_t row = 0; row < waypoints.size(); ++row) {
+    for (std::size_t row = 0; row < waypoints.size() && !core::is_full(found); ++row) {
       if (!world.covers(world.to_frame(waypoints[row]), request.departure)) {
-        found.push_back({"/files/list " + std::to_string(i + 1) + "/row " + std::to_string(row + 1),
-                         "lies outside the data of sea bed and currents"});
+        core::note(found, {"/files/list " + std::to_string(i + 1) + "/row " + std::to_string(row + 1),
+                           "lies outside the data of sea bed and currents"});
       }
     }
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "engine/core/letter_case.hpp"
+#include "engine/core/violation_list.hpp"
 #include "engine/mission/argument_rules.hpp"
 #include "engine/mission/behavior_table.hpp"
 #include "engine/mission/goto_lists.hpp"
@@ -92,7 +93,9 @@ class Reader {
   }
 
  private:
-  void refuse(std::string field, std::string rule) { found_.push_back({std::move(field), std::move(rule)}); }
+  void refuse(std::string field, std::string rule) {
+    core::note(found_, {std::move(field), std::move(rule)});
+  }
 
   void refuse_unusable() {
     if (documents_.empty()) refuse("/files", "must hold a mission or a goto list");

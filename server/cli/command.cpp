@@ -8,6 +8,7 @@
 #include <memory>
 #include <stdexcept>
 
+#include "engine/core/violation_list.hpp"
 #include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {
@@ -40,7 +41,8 @@ int complain(ExitCode code, const std::string& sentence) {
 }
 
 int complain(ExitCode code, const core::Violations& violations) {
-  for (const core::Violation& violation : violations) complain(code, violation.field + ": " + violation.rule);
+  for (const core::Violation& violation : core::shortened(violations))
+    complain(code, (violation.field.empty() ? "" : violation.field + ": ") + violation.rule);
   return code;
 }
 

@@ -7,6 +7,7 @@
 #include <iostream>
 #include <nlohmann/json.hpp>
 
+#include "engine/core/violation_list.hpp"
 #include "server/cli/command.hpp"
 
 namespace floeplan::cli {
@@ -229,7 +230,7 @@ int print_plan(const json& document, bool json_out) {
 int print_violations(const core::Violations& violations, bool json_out) {
   if (json_out) {
     json errors = json::array();
-    for (const core::Violation& violation : violations) {
+    for (const core::Violation& violation : core::shortened(violations)) {
       errors.push_back({{"pointer", violation.field}, {"detail", violation.rule}});
     }
     std::cout << json{{"status", "invalid"}, {"errors", errors}}.dump(2) << '\n';

@@ -2,6 +2,7 @@
 
 #include <utility>
 
+#include "engine/core/violation_list.hpp"
 #include "engine/simulation/glider_motion.hpp"
 
 namespace floeplan::jobs {
@@ -25,7 +26,7 @@ ComparedFlights compare_flights(std::span<const codec::GliderLog> logs, const ve
       }
       for (core::Violation fault : compared.error()) {
         fault.field = log.name + fault.field;
-        result.violations.push_back(std::move(fault));
+        core::note(result.violations, std::move(fault));
       }
     }
   }

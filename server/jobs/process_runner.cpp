@@ -8,6 +8,7 @@
 #include "api/codec/reach_inputs.hpp"
 #include "api/codec/scenario_inputs.hpp"
 #include "api/codec/simulate_inputs.hpp"
+#include "engine/core/violation_list.hpp"
 #include "server/jobs/comparison_service.hpp"
 #include "server/jobs/echo_service.hpp"
 #include "server/jobs/plan_service.hpp"
@@ -22,7 +23,7 @@ using nlohmann::json;
 
 std::string in_one_line(const core::Violations& violations) {
   std::string text;
-  for (const auto& violation : violations) {
+  for (const auto& violation : core::shortened(violations)) {
     text += (text.empty() ? "" : "; ") + violation.field + " " + violation.rule;
   }
   return text;

@@ -25,6 +25,16 @@ TEST(JsonText, RefusesAKeyThatStandsTwiceAndTellsItsPlace) {
   }
 }
 
+TEST(JsonText, NamesTheBeginningOfAKeyThatNobodyCanRead) {
+  const std::string key = '"' + std::string(500'000, 'k') + '"';
+
+  const auto parsed = parse_json("{" + key + ":1," + key + ":2}");
+
+  ASSERT_FALSE(parsed.has_value());
+  EXPECT_THAT(parsed.error(), HasSubstr("/kkk"));
+  EXPECT_LT(parsed.error().size(), 300U);
+}
+
 TEST(JsonText, ReadsTheSameKeyInSeveralObjects) {
   const auto parsed = parse_json(R"({"a": {"x": 1}, "x": [{"x": 2}, {"x": 3}]})");
 

@@ -4,6 +4,7 @@
 
 #include "api/codec/plan_inputs.hpp"
 #include "api/codec/xml_scan.hpp"
+#include "engine/core/violation_list.hpp"
 #include "nlohmann/json.hpp"
 #include "tests/support/property.hpp"
 
@@ -26,6 +27,21 @@ TEST(RouteFile, TakesLongitudesCountedEastwardsToAFullTurn) {
   const auto read = read_route_file("a.csv", "lon,lat\n306.5,69.25\n-52.75,69\n");
   ASSERT_TRUE(read.has_value());
   EXPECT_THAT(read->places, ElementsAre(first, second));
+}
+
+TEST(RouteFile, NamesAHundredOfVeryManyFaults) {
+  std::string gpx = "<gpx>";
+  std::string kml = "<kml>";
+  for (int i = 0; i < 10'000; ++i) {
+    gpx += "<rtept lat='95' lon='0'/>\n";
+    kml += "<Point><coordinates>0,95</coordinates></Point>\n";
+  }
+
+  for (const auto& [name, text] : {std::pair{"a.gpx", gpx}, std::pair{"a.kml", kml}}) {
+    const auto read = read_route_file(name, text);
+    ASSERT_FALSE(read.has_value()) << name;
+    EXPECT_EQ(read.error().size(), core::most_violations + 1) << name;
+  }
 }
 
 TEST(RouteFile, ReadsEveryFormatAlike) {

@@ -69,6 +69,46 @@ TEST_F(ExecutionTest, SurvivesTwoMegabytesOfNestedJson) {
   EXPECT_EQ(ask("POST", plan_path, objects).status, 400);
 }
 
+/// Of a megabyte each.
+std::vector<std::string> bodies_with_a_fault_in_every_word() {
+  const auto repeated = [](const std::string& word, int count) {
+    std::string text;
+    for (int i = 0; i < count; ++i) text += (i == 0 ? "" : ",") + word;
+    return text;
+  };
+  std::string keys;
+  for (int i = 0; i < 90'000; ++i) keys += (i == 0 ? "\"k" : ",\"k") + std::to_string(i) + "\":1";
+  std::string long_keys;
+  for (int i = 0; i < 99; ++i)
+    long_keys += (i == 0 ? "\"" : ",\"") + std::to_string(i) + std::string(10'000, 'k') + "\":1";
+  const std::string rings = repeated("[[[0,0],[1,1],[2,0],[0,1]]]", 35'000);
+  return {
+      R"({"inputs":{)" + keys + "}}",
+      R"({"inputs":{)" + long_keys + "}}",
+      R"({"inputs":{"vehicle":{)" + keys + "}}}",
+      R"({"inputs":{"areas":{"type":"FeatureCollection","features":[)" + repeated("1", 1'000) + "]}}}",
+      R"({"inputs":{"areas":{"type":"FeatureCollection","features":[)" +
+          repeated(R"({"properties":{"kind":7,"until":[1],"top":1}})", 1'000) + "]}}}",
+      R"({"inputs":{"areas":{"type":"Feature","properties":{"kind":"no_go"},"geometry":{"type":"MultiPolygon",)"
+      R"("coordinates":[)" +
+          rings + "]}}}}",
+      R"({"inputs":{"currents":[)" + repeated("\"" + std::string(15'000, 'c') + "\"", 64) + "]}}",
+      R"({"inputs":{"goals_file":{"name":"a.gpx","text":"<gpx>)" + repeated("<rtept lat='95'/>", 55'000) +
+          R"("}}})",
+      "{" + keys + "}",
+      R"({"outputs":{)" + keys + "}}",
+      "{\"" + std::string(500'000, 'k') + "\":1,\"" + std::string(500'000, 'k') + "\":2}"};
+}
+
+TEST_F(ExecutionTest, AnswersShortlyHoweverMuchIsWrong) {
+  for (const std::string& body : bodies_with_a_fault_in_every_word()) {
+    const auto response = ask("POST", plan_path, body);
+
+    EXPECT_EQ(response.status, 400) << body.substr(0, 100);
+    EXPECT_LT(response.body.size(), 100'000U) << body.substr(0, 100);
+  }
+}
+
 TEST_F(ExecutionTest, WaitsForTheResultsUnlessAskedNotTo) {
   const auto first = ask("POST", plan_path, valid_body);
   ASSERT_TRUE(first.wait.has_value());

@@ -50,6 +50,16 @@ TEST_F(MissionCheckTest, WithADepartureTheRouteIsFollowedThroughTheStoredData) {
   EXPECT_THAT(answer["messages"].dump(), testing::HasSubstr("no stored bathymetry")) << "the store is empty";
 }
 
+TEST_F(MissionCheckTest, VeryManyFaultsAreListedInPart) {
+  std::string files = R"({"files":[{})";
+  for (int i = 0; i < 300'000; ++i) files += ",{}";
+
+  const auto response = ask("POST", "/missions/check", files + "]}", {{"content-type", "application/json"}});
+
+  EXPECT_EQ(response.status, 400);
+  EXPECT_LT(response.body.size(), 100'000U);
+}
+
 TEST_F(MissionCheckTest, FaultsOfTheFlightAreListed) {
   const auto response = ask("POST", "/missions/check?depart=soon&vehicle=whale&margin_m=wide", list);
 

@@ -148,6 +148,20 @@ TEST(BadInput, AnUnknownKeyOfARequestFileIsAnError) {
   EXPECT_THAT(outcome.err, HasSubstr("sped"));
 }
 
+TEST(BadInput, ARequestFileThatIsWrongThroughoutIsAnsweredShortly) {
+  const Program program;
+  nlohmann::json request;
+  for (int i = 0; i < 100'000; ++i) request["k" + std::to_string(i)] = 1;
+  write(program.folder() / "request.json", request.dump());
+
+  const Outcome outcome = program.run(plan({"--request", (program.folder() / "request.json").string()}));
+
+  EXPECT_EQ(outcome.exit_code, 3);
+  EXPECT_LT(outcome.err.size(), 20'000U);
+  EXPECT_THAT(outcome.err, HasSubstr("floeplan: there are more faults than these 100"));
+  EXPECT_EQ(outcome.json()["errors"].size(), 101U);
+}
+
 TEST(BadInput, AnUnknownFlagOrCommandIsWrongUsage) {
   EXPECT_EQ(Program{}.run({"plan", "--fast"}).exit_code, 2);
   EXPECT_EQ(Program{}.run({"dance"}).exit_code, 2);
