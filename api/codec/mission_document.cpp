@@ -1,5 +1,7 @@
 #include "api/codec/mission_document.hpp"
 
+#include <cstddef>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <stdexcept>
 
@@ -9,6 +11,9 @@ namespace floeplan::codec {
 namespace {
 
 using nlohmann::json;
+
+/// Every line of a file can be wrong; nobody reads more than so many messages of one severity.
+constexpr std::size_t most_messages = 200;
 
 json settings_json(const std::vector<mission::Argument>& settings) {
   json result = json::array();
@@ -62,13 +67,23 @@ std::string kind_name(mission::DocumentKind kind) {
   throw std::logic_error{"DocumentKind without a name"};
 }
 
+json message_json(const mission::Message& message) {
+  return {{"line", message.line},
+          {"severity", mission::severity_name(message.severity)},
+          {"code", message.code},
+          {"text", message.text}};
+}
+
 json messages_json(const mission::Messages& messages) {
   json result = json::array();
+  std::map<mission::Severity, std::size_t> seen;
   for (const auto& message : messages) {
-    result.push_back({{"line", message.line},
-                      {"severity", mission::severity_name(message.severity)},
-                      {"code", message.code},
-                      {"text", message.text}});
+    const std::size_t count = ++seen[message.severity];
+    if (count <= most_messages) result.push_back(message_json(message));
+    if (count == most_messages + 1)
+      result.push_back(message_json(
+          {message.line, message.severity, "more_messages",
+           "the " + mission::severity_name(message.severity) + "s from here on are not listed"}));
   }
   return result;
 }

@@ -50,6 +50,18 @@ TEST_F(MissionCheckTest, WithADepartureTheRouteIsFollowedThroughTheStoredData) {
   EXPECT_THAT(answer["messages"].dump(), testing::HasSubstr("no stored bathymetry")) << "the store is empty";
 }
 
+TEST_F(MissionCheckTest, OfAMessageInEveryLineTheFirstOfEachSeverityAreListed) {
+  std::string mission = "behavior: yo\n";
+  for (int i = 0; i < 2'000; ++i) mission += "b_arg: d_target_depth(m) " + std::to_string(i) + "\n";
+
+  const json answer = json_of(ask("POST", "/missions/check?name=a.mi", mission));
+
+  EXPECT_EQ(answer["verdict"], "reject");
+  EXPECT_EQ(answer["b_args"].size() + answer["behaviors"][0]["b_args"].size(), 2'000U);
+  EXPECT_LT(answer["messages"].size(), 610U);
+  EXPECT_THAT(answer["messages"].dump(), testing::HasSubstr("from here on are not listed"));
+}
+
 TEST_F(MissionCheckTest, VeryManyFaultsAreListedInPart) {
   std::string files = R"({"files":[{})";
   for (int i = 0; i < 300'000; ++i) files += ",{}";
