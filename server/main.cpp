@@ -3,6 +3,7 @@
 #include <exception>
 
 #include "server/cli/command.hpp"
+#include "server/cli/flag_values.hpp"
 #include "server/cli/operator_commands.hpp"
 #include "server/cli/plan_commands.hpp"
 
@@ -43,6 +44,7 @@ int main(int argc, char** argv) {
   cli::add_audit(app, program);
   cli::add_backup(app, program);
   cli::add_restore(app, program);
+  cli::refuse_empty_numbers(app);
 
   try {
     app.parse(argc, argv);

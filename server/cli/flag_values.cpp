@@ -6,6 +6,18 @@
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::cli {
+namespace {
+
+bool takes_number(const CLI::Option& option) {
+  const std::string type = option.get_type_name();
+  return type.starts_with("FLOAT") || type.starts_with("INT") || type.starts_with("UINT");
+}
+
+std::string refuse_empty(const std::string& text) {
+  return text.empty() ? "an empty text is no number; give one, or leave the flag out" : "";
+}
+
+}  // namespace
 
 std::vector<std::string> split_at_commas(const std::string& text) {
   std::vector<std::string> parts;
@@ -50,6 +62,13 @@ CLI::Validator seconds_or_duration() {
     return text + " is neither a number of seconds nor a duration as PT1H";
   };
   return CLI::Validator{to_seconds, ""};
+}
+
+void refuse_empty_numbers(CLI::App& app) {
+  for (CLI::Option* option : app.get_options()) {
+    if (takes_number(*option)) option->check(refuse_empty);
+  }
+  for (CLI::App* command : app.get_subcommands({})) refuse_empty_numbers(*command);
 }
 
 }  // namespace floeplan::cli

@@ -22,4 +22,8 @@ namespace floeplan::cli {
 /// Lets a flag of seconds take an ISO 8601 duration, as PT1H, as well.
 [[nodiscard]] CLI::Validator seconds_or_duration();
 
+/// Makes an empty text where a flag takes a number wrong usage, in the program and in all of its commands: it would
+/// count as if the flag were not there.
+void refuse_empty_numbers(CLI::App& app);
+
 }  // namespace floeplan::cli

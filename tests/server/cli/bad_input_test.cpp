@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <regex>
 
 #include "tests/server/cli/program.hpp"
 
@@ -127,6 +128,59 @@ TEST(BadInput, NotANumberInAFlagIsWrongUsage) {
 
   EXPECT_EQ(outcome.exit_code, 2);
   EXPECT_THAT(outcome.err, HasSubstr("--from"));
+}
+
+/// Of each flag of a command whose help says that it takes a number.
+std::vector<std::string> flags_with_a_number(const Program& program,
+                                             const std::vector<std::string>& command) {
+  std::vector<std::string> words = command;
+  words.push_back("--help");
+  const std::string help = program.run(words).out;
+  static const std::regex form{R"((--[a-z-]+) (FLOAT|INT|UINT))"};
+  std::vector<std::string> flags;
+  for (std::sregex_iterator at{help.begin(), help.end(), form}; at != std::sregex_iterator{}; ++at)
+    flags.push_back((*at)[1]);
+  return flags;
+}
+
+/// Law: no flag that takes a number counts as absent where its value is empty, as from a variable of a script that
+/// nobody set.
+TEST(BadInput, AnEmptyNumberInAnyFlagIsWrongUsage) {
+  const Program program;
+  std::size_t flags = 0;
+  for (const std::vector<std::string>& command :
+       std::vector<std::vector<std::string>>{{"plan"},
+                                             {"evaluate", "a.csv"},
+                                             {"reach"},
+                                             {"simulate", "p0"},
+                                             {"export", "p0"},
+                                             {"serve", "--behind-proxy"},
+                                             {"ingest", "a"},
+                                             {"probe", "--at=0,0"},
+                                             {"check", "a.mi"},
+                                             {"audit"},
+                                             {"datasets", "prune"},
+                                             {"demo", (program.folder() / "demo").string()}}) {
+    for (const std::string& flag : flags_with_a_number(program, command)) {
+      std::vector<std::string> words = command;
+      words.insert(words.end(), {flag, ""});
+      const Outcome outcome = program.run(words);
+      EXPECT_EQ(outcome.exit_code, 2) << command.front() << ' ' << flag;
+      EXPECT_THAT(outcome.err, HasSubstr(flag));
+      ++flags;
+    }
+  }
+  EXPECT_GT(flags, 80U);
+}
+
+TEST(BadInput, AnEmptyNumberInAFileOfOptionsIsWrongUsage) {
+  const Program program;
+  write(program.folder() / "floeplan.toml", "[plan]\nmargin = \"\"\n");
+
+  const Outcome outcome = program.run({"--config", (program.folder() / "floeplan.toml").string(), "plan"});
+
+  EXPECT_EQ(outcome.exit_code, 2);
+  EXPECT_THAT(outcome.err, HasSubstr("--margin"));
 }
 
 TEST(BadInput, AnUnknownDatasetIsNamed) {
