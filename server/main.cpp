@@ -56,6 +56,8 @@ int main(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     return cli::complain(cli::wrong_usage,
                          std::string{error.what()} + "; floeplan --help lists commands and flags");
+  } catch (const cli::BadDataError& error) {
+    return cli::complain(cli::bad_data, error.what());
   } catch (const std::exception& error) {
     return cli::complain(cli::could_not, error.what());
   }

@@ -46,6 +46,10 @@ int complain(ExitCode code, const core::Violations& violations) {
   return code;
 }
 
+int complain_of_no_plan(const std::string& id) {
+  return complain(could_not, "no plan has the id " + id + "; floeplan plan prints the id");
+}
+
 core::ProgressCallback terminal_progress() {
   if (isatty(STDERR_FILENO) == 0) return [](std::string_view, double) {};
   struct State {

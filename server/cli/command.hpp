@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <stdexcept>
 #include <string>
 
 #include "engine/core/progress.hpp"
@@ -21,6 +22,12 @@ struct Program {
   int exit_code{done};
 };
 
+/// A file of input data that can be read and holds what it may not: the program ends with `bad_data`.
+class BadDataError : public std::runtime_error {
+ public:
+  using std::runtime_error::runtime_error;
+};
+
 /// Where the store lies when --data is not given: floeplan in the XDG data folder, else in ~/.local/share.
 [[nodiscard]] std::filesystem::path default_store();
 
@@ -38,6 +45,9 @@ struct Program {
 int complain(ExitCode code, const std::string& sentence);
 /// One such line for each violation.
 int complain(ExitCode code, const core::Violations& violations);
+
+/// Says that no plan is stored under this id.
+int complain_of_no_plan(const std::string& id);
 
 /// Shows stage and percent on stderr while it is a terminal and the work takes longer than a second; says
 /// nothing otherwise.

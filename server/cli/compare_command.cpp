@@ -58,10 +58,7 @@ int run_compare(const CompareFlags& flags, const Program& program) {
   const repository::PlanRepository plans{db};
   const auto first = plans.find({flags.plans[0]});
   const auto second = plans.find({flags.plans[1]});
-  if (!first || !second) {
-    return complain(could_not,
-                    "no plan has the id " + flags.plans[first ? 1 : 0] + "; floeplan plan prints the id");
-  }
+  if (!first || !second) return complain_of_no_plan(flags.plans[first ? 1 : 0]);
   const json comparison = codec::plan_comparison(*first, *second);
   if (flags.json_out) {
     std::cout << comparison.dump(2) << '\n';

@@ -2,11 +2,13 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "api/codec/foreign_members.hpp"
 #include "api/codec/plan_inputs.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/plan_service.hpp"
+#include "storage/repository/plan_repository.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -16,11 +18,11 @@ using nlohmann::json;
 /// The first LineString of a GeoJSON document, or the document itself when it has none (the parser then says
 /// what is wrong).
 json route_in(const json& document) {
-  if (document.is_object() && document.value("type", "") == "FeatureCollection" &&
+  if (document.is_object() && codec::text_at(document, "type") == "FeatureCollection" &&
       document.contains("features") && document.at("features").is_array()) {
     for (const json& feature : document.at("features")) {
       if (feature.is_object() && feature.contains("geometry") && feature.at("geometry").is_object() &&
-          feature.at("geometry").value("type", "") == "LineString") {
+          codec::text_at(feature.at("geometry"), "type") == "LineString") {
         return feature;
       }
     }
@@ -49,6 +51,8 @@ int run_evaluate(const std::string& route, const InputFlags& flags, bool json_ou
   if (!parsed) return print_violations(parsed.error(), json_out);
 
   auto db = open_existing_store(program);
+  if (parsed->plan_id && !repository::PlanRepository{db}.find({*parsed->plan_id}))
+    return complain_of_no_plan(*parsed->plan_id);
   const auto document = jobs::evaluate_route_document(db, *parsed, {});
   if (!document) return print_violations(document.error(), json_out);
   return print_plan(*document, json_out);

@@ -120,8 +120,7 @@ int refuse(const routes::PlanCheck& check, bool json_out) {
 int run_export(const ExportFlags& flags, const Program& program) {
   auto db = open_existing_store(program);
   const auto record = repository::PlanRepository{db}.find({flags.plan_id});
-  if (!record)
-    return complain(could_not, "no plan has the id " + flags.plan_id + "; floeplan plan prints the id");
+  if (!record) return complain_of_no_plan(flags.plan_id);
 
   routes::PlanCheck check = routes::check_plan(db, *record);
   if (!check.dangers.empty() && !flags.accept_dangers) return refuse(check, flags.json_out);

@@ -6,8 +6,10 @@
 #include <iterator>
 #include <stdexcept>
 #include <type_traits>
+#include <utility>
 
 #include "api/codec/json_text.hpp"
+#include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
 
 namespace floeplan::cli {
@@ -22,14 +24,21 @@ json place_of(const std::string& flag, const std::string& text) {
   return json::array({place->lon_deg, place->lat_deg});
 }
 
+/// Sets a member of an object that is a member of the inputs; what a request file has there that is none stays, to be
+/// refused with the rest of the inputs.
+void set_inside(json& inputs, const char* object, const char* key, json value) {
+  json& stated = inputs[object];
+  if (stated.is_null() || stated.is_object()) stated[key] = std::move(value);
+}
+
 /// "mean", or the share that a quantile is of.
-void set_robust(json& uncertainty, const std::string& text) {
+void set_robust(json& inputs, const std::string& text) {
   const auto numbers = parse_numbers(text);
   if (text != "mean" && (!numbers || numbers->size() != 1)) {
     throw CLI::ValidationError{"--robust", text + " is neither mean nor a share such as 0.9"};
   }
-  uncertainty["objective"] = numbers ? "quantile" : "mean";
-  if (numbers) uncertainty["quantile"] = numbers->front();
+  set_inside(inputs, "uncertainty", "objective", numbers ? "quantile" : "mean");
+  if (numbers) set_inside(inputs, "uncertainty", "quantile", numbers->front());
 }
 
 /// "time", "energy" or "weighted:W"; another word goes on, to be refused with the rest of the inputs.
@@ -56,21 +65,21 @@ json read_object(const std::string& file, const std::string& what) {
   stream.read(text.data(), static_cast<std::streamsize>(text.size()));
   text.resize(static_cast<std::size_t>(stream.gcount()));
   if (text.size() > most_bytes)
-    throw std::runtime_error{subject +
-                             " is longer than 16 MB; store areas with ingest, or leave out what is far away"};
+    throw BadDataError{subject +
+                       " is longer than 16 MB; store areas with ingest, or leave out what is far away"};
   json object;
   try {
     object = json::parse(text);
   } catch (const json::out_of_range&) {
-    throw std::runtime_error{subject + " holds a number that is too large; give finite numbers"};
+    throw BadDataError{subject + " holds a number that is too large; give finite numbers"};
   } catch (const json::parse_error& error) {
-    throw std::runtime_error{subject + " is not JSON from byte " + std::to_string(error.byte) +
-                             " on; check brackets, commas and quotes there"};
+    throw BadDataError{subject + " is not JSON from byte " + std::to_string(error.byte) +
+                       " on; check brackets, commas and quotes there"};
   }
   // The parser takes what the server refuses: one key twice, and nesting without an end.
   if (const auto checked = codec::parse_json(text); !checked)
-    throw std::runtime_error{subject + " is refused. " + checked.error()};
-  if (!object.is_object()) throw std::runtime_error{subject + " is not a JSON object"};
+    throw BadDataError{subject + " is refused. " + checked.error()};
+  if (!object.is_object()) throw BadDataError{subject + " is not a JSON object"};
   return object;
 }
 
@@ -309,12 +318,12 @@ json InputFlags::inputs() const {
   set("keel_clearance_m", keel_clearance_m_);
   set("draft_uncertainty", draft_uncertainty_);
   set("name", name_);
-  if (members_) inputs["uncertainty"]["members"] = *members_;
-  if (current_error_m_s_) inputs["uncertainty"]["current_error_m_s"] = *current_error_m_s_;
-  if (error_length_m_) inputs["uncertainty"]["length_scale_m"] = *error_length_m_;
-  if (error_time_s_) inputs["uncertainty"]["time_scale_s"] = *error_time_s_;
-  if (arrive_before_) inputs["uncertainty"]["arrive_before"] = *arrive_before_;
-  if (robust_) set_robust(inputs["uncertainty"], *robust_);
+  if (members_) set_inside(inputs, "uncertainty", "members", *members_);
+  if (current_error_m_s_) set_inside(inputs, "uncertainty", "current_error_m_s", *current_error_m_s_);
+  if (error_length_m_) set_inside(inputs, "uncertainty", "length_scale_m", *error_length_m_);
+  if (error_time_s_) set_inside(inputs, "uncertainty", "time_scale_s", *error_time_s_);
+  if (arrive_before_) set_inside(inputs, "uncertainty", "arrive_before", *arrive_before_);
+  if (robust_) set_robust(inputs, *robust_);
   if (best_order_) inputs["via_order"] = "best";
   set_under_ice(inputs);
   if (steady_) inputs["steady"] = true;

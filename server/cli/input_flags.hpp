@@ -26,8 +26,8 @@ class InputFlags {
   /// Place, times, grid and ice: what `reach` takes besides.
   void add_reach(CLI::App& command);
 
-  /// The inputs. Throws CLI::ValidationError (wrong usage) for a flag whose text cannot be read, and
-  /// std::runtime_error for a request file that cannot.
+  /// The inputs. Throws CLI::ValidationError (wrong usage) for a flag whose text cannot be read; for a request file
+  /// throws what `read_object` does.
   [[nodiscard]] nlohmann::json inputs() const;
 
  private:
@@ -100,8 +100,8 @@ class InputFlags {
   std::optional<std::string> name_;
 };
 
-/// The JSON object that a file holds; `what` names the file in a message. Throws std::runtime_error where the server
-/// would not take its text, and when it cannot be read or is longer than 16 MB.
+/// The JSON object that a file holds; `what` names the file in a message. Throws std::runtime_error when it cannot be
+/// read, and BadDataError where the server would not take its text and when it is longer than 16 MB.
 [[nodiscard]] nlohmann::json read_object(const std::string& file, const std::string& what);
 
 /// A file as the inputs take it: {"name": ..., "text": ...}. Throws std::runtime_error when it cannot be read.

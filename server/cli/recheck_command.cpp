@@ -30,8 +30,7 @@ void print_lines(const json& document) {
 int run_recheck(const RecheckFlags& flags, const Program& program) {
   auto db = open_existing_store(program);
   const auto record = repository::PlanRepository{db}.find({flags.plan_id});
-  if (!record)
-    return complain(could_not, "no plan has the id " + flags.plan_id + "; floeplan plan prints the id");
+  if (!record) return complain_of_no_plan(flags.plan_id);
   const routes::PlanCheck check = routes::check_plan(db, *record);
   const json document = routes::plan_check_document(*record, check);
   if (flags.json_out) {

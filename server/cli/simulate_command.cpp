@@ -19,6 +19,7 @@
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/scenario_service.hpp"
 #include "server/jobs/simulation_service.hpp"
+#include "storage/repository/plan_repository.hpp"
 #include "storage/repository/simulation_repository.hpp"
 
 namespace floeplan::cli {
@@ -69,8 +70,12 @@ json inputs_of(const SimulateFlags& flags) {
   set(inputs, "icebergs", flags.icebergs);
   set(inputs, "name", flags.name);
   if (flags.no_avoidance) inputs["avoidance"] = false;
-  if (flags.current_error_m_s) inputs["current_error"]["rms_m_s"] = *flags.current_error_m_s;
-  for (const std::string& file : flags.missions) inputs["mission_files"].push_back(file_member(file));
+  // What the request file has there of another shape stays, to be refused with the rest of the inputs.
+  if (json& error = inputs["current_error"];
+      flags.current_error_m_s && (error.is_null() || error.is_object()))
+    error["rms_m_s"] = *flags.current_error_m_s;
+  if (json& files = inputs["mission_files"]; files.is_null() || files.is_array())
+    for (const std::string& file : flags.missions) files.push_back(file_member(file));
   return inputs;
 }
 
@@ -169,6 +174,7 @@ int run_simulate(const SimulateFlags& flags, const Program& program) {
     return complain(wrong_usage, "--out writes the flights that are kept, of which --tracks 0 leaves none");
 
   auto db = open_existing_store(program);
+  if (!repository::PlanRepository{db}.find({inputs->plan_id})) return complain_of_no_plan(inputs->plan_id);
   const auto begin = std::chrono::steady_clock::now();
   const Interruption interruption;
   auto document = jobs::simulate_plan_document(db, *inputs, flags.workers, interruption.token(),

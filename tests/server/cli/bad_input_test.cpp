@@ -58,7 +58,7 @@ TEST(BadInput, AnEndlessFileOfAreasIsRefusedUnread) {
 
   const Outcome outcome = program.run(plan({"--areas", file.string()}));
 
-  EXPECT_EQ(outcome.exit_code, 1);
+  EXPECT_EQ(outcome.exit_code, 3);
   EXPECT_THAT(outcome.err, HasSubstr("longer than 16 MB"));
 }
 
@@ -70,10 +70,35 @@ TEST(BadInput, ARequestFileThatIsNotJsonSaysWhere) {
   const Outcome half = program.run(plan({"--request", (program.folder() / "half.json").string()}));
   const Outcome large = program.run(plan({"--request", (program.folder() / "large.json").string()}));
 
-  EXPECT_EQ(half.exit_code, 1);
+  EXPECT_EQ(half.exit_code, 3);
   EXPECT_THAT(half.err, HasSubstr("is not JSON from byte"));
-  EXPECT_EQ(large.exit_code, 1);
+  EXPECT_EQ(large.exit_code, 3);
   EXPECT_THAT(large.err, HasSubstr("too large"));
+}
+
+/// Law: what is wrong inside a file of input data ends the program alike, however early it is seen.
+TEST(BadInput, ARequestFileOfAnotherShapeIsBadData) {
+  const Program program;
+  const std::filesystem::path file = program.folder() / "request.json";
+  for (const std::string& text : {std::string{"[1, 2]"}, std::string{"not json"}, std::string{},
+                                  std::string(10'000, '['), std::string{R"({"via": [[[1]]]})"}}) {
+    write(file, text);
+    for (const char* command : {"plan", "reach"})
+      EXPECT_EQ(program.run({command, "--request", file.string()}).exit_code, 3) << text.substr(0, 20);
+    EXPECT_EQ(program.run(plan({"--areas", file.string()})).exit_code, 3) << text.substr(0, 20);
+  }
+
+  write(file, R"({"type": 1, "uncertainty": 1, "current_error": 1, "mission_files": 1})");
+  const std::string name = file.string();
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"plan", "--request", name, "--members", "2", "--robust", "0.9"},
+           {"simulate", "p0", "--request", name, "--current-error", "0.1", "--mission", name},
+           {"evaluate", name}}) {
+    EXPECT_EQ(program.run(words).exit_code, 3) << words.front();
+  }
+
+  const std::string missing = (program.folder() / "missing.json").string();
+  EXPECT_EQ(program.run(plan({"--request", missing})).exit_code, 1) << "nothing is known of its data";
 }
 
 TEST(BadInput, ARequestFileThatNamesAnInputTwiceSaysWhich) {
@@ -83,7 +108,7 @@ TEST(BadInput, ARequestFileThatNamesAnInputTwiceSaysWhich) {
   const std::string file = (program.folder() / "twice.json").string();
   for (const Outcome& twice : {program.run(plan({"--request", file})),
                                program.run({"simulate", "p0123456789ab", "--request", file})}) {
-    EXPECT_EQ(twice.exit_code, 1);
+    EXPECT_EQ(twice.exit_code, 3);
     EXPECT_THAT(twice.err, HasSubstr("/speed_m_s"));
   }
 }
@@ -249,11 +274,20 @@ TEST(BadInput, AFolderThatIsNotThereIsNoStore) {
   EXPECT_FALSE(std::filesystem::exists(program.store()));
 }
 
-TEST(BadInput, APlanThatIsNotStoredCannotBeExported) {
-  const Outcome outcome = Program{}.run({"export", "p000000000000", "--format", "gliderdos"});
+/// Law: every command that takes the id of a plan ends alike where there is none.
+TEST(BadInput, APlanThatIsNotStoredIsNamed) {
+  const Program program;
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"export", "p000000000000", "--format", "gliderdos"},
+           {"recheck", "p000000000000"},
+           {"compare", "p000000000000", "p000000000001"},
+           {"evaluate", "p000000000000", "--depart", "2026-11-22T06:00:00Z"},
+           {"simulate", "p000000000000"}}) {
+    const Outcome outcome = program.run(words);
 
-  EXPECT_EQ(outcome.exit_code, 1);
-  EXPECT_THAT(outcome.err, HasSubstr("p000000000000"));
+    EXPECT_EQ(outcome.exit_code, 1) << words.front();
+    EXPECT_THAT(outcome.err, HasSubstr("no plan has the id p000000000000")) << words.front();
+  }
 }
 
 }  // namespace
