@@ -8,6 +8,7 @@ does not describe is a fault. With DOCUMENT (a file) answers are compared with i
 """
 import hashlib
 import json
+import re
 import sys
 import urllib.error
 import urllib.request
@@ -82,7 +83,7 @@ def note(where, error):
 
 
 def drive(method, template, status, body=None, headers=None, query="", **names):
-    """Asks one operation and checks status, media type and, of JSON, the schema. Returns the JSON."""
+    """Asks one operation and checks its answer. Returns the JSON."""
     path = template
     for name, value in names.items():
         path = path.replace("{" + name + "}", str(value))
@@ -95,6 +96,11 @@ def drive(method, template, status, body=None, headers=None, query="", **names):
     if found != status:
         faults.append(f"{where}: status {found}, not {status}: {content[:300]!r}")
         return None
+    return described(where, operation, status, media_type, content)
+
+
+def described(where, operation, status, media_type, content):
+    """Checks that the operation describes the status, the media type and, of JSON, the schema. Returns the JSON."""
     response = operation["responses"].get(str(status), operation["responses"].get("default"))
     if response is None:
         faults.append(f"{where}: the status {status} is not described")
@@ -104,14 +110,14 @@ def drive(method, template, status, body=None, headers=None, query="", **names):
     if not content and "content" not in response:
         return None
     kind = media_type.split(";")[0]
-    described = {name.split(";")[0]: value for name, value in response.get("content", {}).items()}
-    if kind not in described:
+    contents = {name.split(";")[0]: value for name, value in response.get("content", {}).items()}
+    if kind not in contents:
         faults.append(f"{where}: the media type {media_type} is not described")
         return None
     if not kind.endswith("json"):
         return content
     answer = json.loads(content)
-    schema = as_json_schema(described[kind]["schema"])
+    schema = as_json_schema(contents[kind]["schema"])
     validator = jsonschema.Draft7Validator({**schema, "components": COMPONENTS})
     for error in validator.iter_errors(answer):
         note(where, error)
@@ -127,21 +133,37 @@ def wrong_value(parameter):
 
 
 def send_wrong(template, path, query):
-    """Where a request was answered, each query parameter once with a wrong value, and one that there is not."""
+    """Where a request was answered, each query parameter once with a wrong value."""
     if template in sent_wrong:
         return
     sent_wrong.add(template)
     parameters = [DOCUMENT["components"]["parameters"][entry["$ref"].rsplit("/", 1)[1]] if "$ref" in entry else entry
                   for entry in DOCUMENT["paths"][template]["get"]["parameters"]]
     wrong = {entry["name"]: wrong_value(entry) for entry in parameters if entry["in"] == "query"}
-    for name, value in {**wrong, "no_such_parameter": "1"}.items():
+    for name, value in wrong.items():
         if value is None:
             continue
         others = [word for word in query[1:].split("&") if word and not word.startswith(name + "=")]
         address = path + "?" + "&".join(others + [f"{name}={value}"])
-        found, _, content = ask("GET", address)
-        if found != 400 or not json.loads(content).get("errors"):
-            faults.append(f"GET {address}: status {found}, not 400 with the faults: {content[:300]!r}")
+        refused("GET", template, address)
+
+
+def refused(method, template, address, body=None):
+    """Asks for what the operation has to refuse, with the faults and as it is described."""
+    found, media_type, content = ask(method, address, body)
+    if found != 400 or not json.loads(content).get("errors"):
+        faults.append(f"{method} {address}: status {found}, not 400 with the faults: {content[:300]!r}")
+        return
+    described(f"{method} {address}", DOCUMENT["paths"][template][method.lower()], found, media_type, content)
+
+
+def unknown_parameters():
+    """Every operation once with a query parameter that there is not."""
+    for template, operations in DOCUMENT["paths"].items():
+        path = re.sub("{[^}]*}", "none", template)
+        for verb in set(VERBS) & set(operations):
+            body = {} if "requestBody" in operations[verb] else None
+            refused(verb.upper(), template, path + "?no_such_parameter=1", body)
 
 
 def execute(process, inputs, status=200):
@@ -450,6 +472,7 @@ try:
     uploads()
     edr()
     data()
+    unknown_parameters()
     missing()
 except (KeyError, StopIteration, TypeError) as stopped:  # what was needed for the next question did not come
     faults.append(f"stopped: {stopped}")
