@@ -1,5 +1,6 @@
 #include "engine/planning/improvement.hpp"
 
+#include <algorithm>
 #include <bit>
 #include <utility>
 #include <vector>
@@ -91,12 +92,68 @@ bool stays_open(const Sea& sea, const Route& route) {
   return arrivals_along(sea, route.points, at_departure).has_value();
 }
 
+/// The route with fixed points where it comes out of the ice and where it goes below it: what moves between them leaves
+/// the places to surface where they are, and can only shorten the time without one.
+Route held_at_the_ice(const Sea& sea, const Route& route) {
+  const auto schedule = schedule_along(sea, route.points, at_departure);
+  if (!schedule) return route;
+  Route held{{route.points.front()}, {true}};
+  const auto add = [&](geo::PlanePoint point, bool fixed) {
+    const geo::PlanePoint last = held.points.back();
+    if (last.x_m == point.x_m && last.y_m == point.y_m) {
+      held.fixed.back() = held.fixed.back() || fixed;
+    } else {
+      held.points.push_back(point);
+      held.fixed.push_back(fixed);
+    }
+  };
+  bool was_open = sea.may_surface(route.points.front(), schedule->leaves(0));
+  for (std::size_t i = 0; i < route.legs(); ++i) {
+    const geo::PlanePoint end = route.points[i + 1];
+    geo::PlanePoint before = route.points[i];
+    for (const Sea::Passage& passage : sea.passages(route.points[i], end, schedule->leaves(i),
+                                                    sea.surfacing_look(), sea.drives().front())) {
+      const bool is_open = sea.may_surface(passage.point, passage.time);
+      if (is_open != was_open) add(is_open ? passage.point : before, true);
+      was_open = is_open;
+      before = passage.point;
+    }
+    add(end, route.fixed[i + 1]);
+  }
+  return held;
+}
+
+/// A route that was held at more points than `way`, with the freedom of that one.
+Route released(Route route, const Route& way) {
+  std::size_t next = 0;
+  for (std::size_t i = 0; i < route.points.size(); ++i) {
+    const auto is_at = [&](std::size_t j) {
+      return way.points[j].x_m == route.points[i].x_m && way.points[j].y_m == route.points[i].y_m;
+    };
+    if (!route.fixed[i]) continue;
+    while (next < way.points.size() && !is_at(next)) ++next;
+    route.fixed[i] = next < way.points.size() && way.fixed[next];
+  }
+  return route;
+}
+
 /// The way with as few of its points as keep it open.
 Route joined_where_open(const Sea& sea, const Route& way) {
   Route joined = join_collinear(way);
   for (std::size_t most = std::bit_floor(way.legs()); most > 1 && !stays_open(sea, joined); most /= 2)
     joined = join_collinear(way, most);
   return stays_open(sea, joined) ? joined : way;
+}
+
+/// What comes after the waypoints were moved.
+Route finished(const Sea& sea, Route route, const PlanRequest& request, const std::stop_token& stop) {
+  // Where an opening sets the arrival, refinement leaves detours that a wait makes needless.
+  if (request.refine && sea.longest_wait().count() > 0.0)
+    route = waiting_instead(sea, drop_needless_points(sea, route, at_departure, stop), stop);
+  // Refinement has cut the number already; where it could not, this cannot either.
+  if (const auto most = most_legs(request)) route = thinned(sea, route, *most, stop);
+  if (request.max_leg) route = part_long_legs(sea, route, *request.max_leg);
+  return route;
 }
 
 }  // namespace
@@ -108,16 +165,14 @@ Improved improve(const Sea& sea, const Route& way, const PlanRequest& request, c
     improved.route = joined_where_open(sea, way);
     if (request.refine) improved = refined(sea, improved.route, request, stop, clock);
   }
-  // Where an opening sets the arrival, refinement leaves detours that a wait makes needless.
-  if (request.refine && sea.longest_wait().count() > 0.0) {
-    improved.route =
-        waiting_instead(sea, drop_needless_points(sea, improved.route, at_departure, stop), stop);
-  }
-  // Refinement has cut the number already; where it could not, this cannot either.
-  if (const auto most = most_legs(request)) improved.route = thinned(sea, improved.route, *most, stop);
-  if (request.max_leg) improved.route = part_long_legs(sea, improved.route, *request.max_leg);
+  improved.route = finished(sea, improved.route, request, stop);
   if (stays_open(sea, improved.route)) return improved;
   const Route joined = joined_where_open(sea, way);
+  if (request.refine && request.method != Method::direct && sea.bounds_surfacing()) {
+    Improved held = refined(sea, held_at_the_ice(sea, joined), request, stop, clock);
+    held.route = finished(sea, released(std::move(held.route), joined), request, stop);
+    if (stays_open(sea, held.route)) return held;
+  }
   const Route straightened = request.refine ? drop_needless_points(sea, joined, at_departure, stop) : joined;
   if (request.max_leg) {
     for (const Route& route : {straightened, way}) {

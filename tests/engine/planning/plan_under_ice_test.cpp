@@ -333,6 +333,22 @@ TEST(PlanUnderIce, SearchesACoarserGridWhereTheOneLeftOpenTakesTooMuchMemory) {
   EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * 24.0);
 }
 
+/// Ways from hole to hole: what moves must leave the places to surface where they are.
+TEST(PlanUnderIce, MovesWaypointsOffTheGridWhereTheTimeBelowTheIceIsBounded) {
+  const ocean::Environment environment = ice_with_holes(3, 40);
+  PlanRequest request = support::eastward_request();
+  request.optimality_gap = false;
+  request.spacing_along = core::Metres{2500.0};
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 10.0};
+  const Plan refined = planned(environment, request);
+  request.refine = false;
+  const Plan on_the_grid = planned(environment, request);
+
+  EXPECT_TRUE(refined.refinement);
+  EXPECT_LE(refined.surfacing->longest_without.count(), 3600.0 * 10.0);
+  EXPECT_LT(refined.travel_time() / on_the_grid.travel_time(), 0.98);
+}
+
 TEST(PlanUnderIce, ABoundThatTheBestWayKeepsChangesNothing) {
   const Plan free = planned(band_of_ice(), support::eastward_request());
   PlanRequest request = support::eastward_request();
