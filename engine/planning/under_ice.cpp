@@ -50,6 +50,7 @@ UnderIce::Leave UnderIce::leave(geo::PlanePoint point, core::Seconds time) const
 }
 
 bool UnderIce::may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const {
+  if (!may_be_dense_along(edge.from, edge.to)) return true;
   bool open = true;
   motion::look_along(edge, piece, step(), [&](geo::PlanePoint point, core::Seconds time) {
     open = may_transit(point, time);
