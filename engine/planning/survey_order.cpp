@@ -36,7 +36,9 @@ std::optional<EstimatedOrder> best_via_order(const ocean::Environment& environme
   if (!chart) return std::nullopt;
   TourLegs legs{chart->sea, chart->layout, request, stop};
   const TourLegTime bearable = leg_times(legs, &TourLegs::bearable_time);
-  auto order = best_visiting_order(request.via.size(), at_once, leg_times(legs, &TourLegs::time), stop);
+  auto order =
+      best_visiting_order(request.via.size(), at_once, leg_times(legs, &TourLegs::time), stop,
+                          [&](std::size_t from, std::size_t to) { return legs.least_time(from, to); });
   if (!order) return std::nullopt;
   const auto flown = end_of_tour(order->places, at_once, bearable);
   const bool is_as_early = flown && *flown <= (1.0 + worth_another_look) * order->arrival;

@@ -33,25 +33,38 @@ TourLegs::Leg& TourLegs::leg(Pair pair) {
   const geo::PlanePoint to = layout_.points[pair.second];
   const core::Metres step{geo::distance_m(from, to) / steps_per_leg};
   const RouteGrid grid = lay_grid(from, to, {step, step}, reach);
-  return legs_.emplace(pair, Leg{open_grid(sea_, grid, request_.sectors, stop_), {}}).first->second;
+  return legs_.emplace(pair, Leg{.open = open_grid(sea_, grid, request_.sectors, stop_)}).first->second;
 }
 
 std::optional<TourLegs::Way> TourLegs::searched(Leg& leg, long departure) {
   const auto known = leg.ways.find(departure);
   if (known != leg.ways.end()) return known->second;
   const core::Seconds depart = static_cast<double>(departure) * between_departures;
-  auto way = sea_.bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg.open, depart);
+  auto way = sea_.bounds_surfacing() ? bounded(leg.open, depart) : unbounded(leg, depart);
   if (stop_.stop_requested()) return std::nullopt;
   return leg.ways.emplace(departure, std::move(way)).first->second;
 }
 
 template <class TravelTime>
-graph::SearchTree TourLegs::earliest_arrivals(const OpenGrid& open, core::Seconds depart,
+graph::SearchTree TourLegs::earliest_arrivals(Leg& leg, core::Seconds depart,
                                               const TravelTime& travel_time) const {
+  const OpenGrid& open = leg.open;
   const graph::Query query{
       .source = open.grid.start, .goal = open.grid.goal, .depart = depart, .latest = core::Seconds{INFINITY}};
-  const StraightBound straight{sea_, open.grid, open.graph, open.grid.goal};
-  return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, straight);
+  return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, bound_of(leg));
+}
+
+const FavourableBound& TourLegs::bound_of(Leg& leg) const {
+  if (!leg.bound) leg.bound.emplace(sea_, leg.open, stop_);
+  return *leg.bound;
+}
+
+core::Seconds TourLegs::least_time(std::size_t from, std::size_t to) {
+  const geo::PlanePoint a = layout_.points[from];
+  const geo::PlanePoint b = layout_.points[to];
+  if (stop_.stop_requested() || (a.x_m == b.x_m && a.y_m == b.y_m)) return core::Seconds{0.0};
+  Leg& on_grid = leg({from, to});
+  return bound_of(on_grid).remaining(on_grid.open.grid.start);
 }
 
 std::optional<TourLegs::Way> TourLegs::bounded(const OpenGrid& open, core::Seconds depart) const {
@@ -62,12 +75,13 @@ std::optional<TourLegs::Way> TourLegs::bounded(const OpenGrid& open, core::Secon
   return Way{arrivals->back() - depart, std::move(search.path)};
 }
 
-std::optional<TourLegs::Way> TourLegs::unbounded(const OpenGrid& open, core::Seconds depart) const {
+std::optional<TourLegs::Way> TourLegs::unbounded(Leg& leg, core::Seconds depart) const {
+  const OpenGrid& open = leg.open;
   // Only the search that minds the time minds what ice leaves no room; yet icebergs then close places, too.
   std::optional<graph::SearchTree> tree;
-  if (sea_.ice()) tree = earliest_arrivals(open, depart, GridTravelTime{sea_, open.grid});
+  if (sea_.ice()) tree = earliest_arrivals(leg, depart, GridTravelTime{sea_, open.grid});
   if (!tree || (sea_.has_timed_closures() && !tree->is_reached(open.grid.goal)))
-    tree = earliest_arrivals(open, depart, UntimedTravelTime{sea_, open.grid});
+    tree = earliest_arrivals(leg, depart, UntimedTravelTime{sea_, open.grid});
   if (!tree->is_reached(open.grid.goal)) return std::nullopt;
   Way way{core::Seconds{tree->arrival_s(open.grid.goal)} - depart, {}};
   for (const graph::Vertex v : graph::path_to(open.graph, *tree, open.grid.goal))
@@ -125,7 +139,7 @@ std::optional<core::Seconds> TourLegs::arrival_past_closures(Pair pair, core::Se
   }
   if (arrives <= at_once + between_departures) return std::max(arrives, opens);
   const OpenGrid& open = on_grid.open;
-  const graph::SearchTree tree = earliest_arrivals(open, leaves, GridTravelTime{sea_, open.grid});
+  const graph::SearchTree tree = earliest_arrivals(on_grid, leaves, GridTravelTime{sea_, open.grid});
   if (stop_.stop_requested()) return std::nullopt;
   arrives = std::min(arrives, core::Seconds{tree.arrival_s(open.grid.goal)});
   if (std::isfinite(arrives.count())) return arrives;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/graph/search_tree.hpp"
+#include "engine/planning/favourable_bound.hpp"
 #include "engine/planning/layout.hpp"
 #include "engine/planning/open_grid.hpp"
 #include "engine/planning/plan_request.hpp"
@@ -26,7 +27,9 @@ class TourLegs {
 
   /// Empty when there is no way then, or once it is to stop.
   [[nodiscard]] std::optional<core::Seconds> time(std::size_t from, std::size_t to, core::Seconds depart);
-  /// The same with what closes and opens on the way, the time that is left to leave a place before it closes for
+  /// Never more than the same at any departure.
+  [[nodiscard]] core::Seconds least_time(std::size_t from, std::size_t to);
+  /// The time with what closes and opens on the way, the time that is left to leave a place before it closes for
   /// instance, and empty also where the vehicle would have to circle until the place opens for longer than any pilot
   /// would let it.
   /// No FIFO: who leaves later may have less to circle.
@@ -41,18 +44,20 @@ class TourLegs {
   };
   struct Leg {
     OpenGrid open;
-    std::map<long, std::optional<Way>> ways;  // by number of the departure
+    std::optional<FavourableBound> bound{};     // of `open`, once it was searched
+    std::map<long, std::optional<Way>> ways{};  // by number of the departure
   };
   /// Without a wait at its end.
   [[nodiscard]] std::optional<core::Seconds> time_under_way(std::size_t from, std::size_t to,
                                                             core::Seconds depart);
   [[nodiscard]] Leg& leg(Pair pair);
+  [[nodiscard]] const FavourableBound& bound_of(Leg& leg) const;
   [[nodiscard]] std::optional<Way> searched(Leg& leg, long departure);
   /// Keeps the bound on the time without surfacing, from a surfacing at its start.
   [[nodiscard]] std::optional<Way> bounded(const OpenGrid& open, core::Seconds depart) const;
-  [[nodiscard]] std::optional<Way> unbounded(const OpenGrid& open, core::Seconds depart) const;
+  [[nodiscard]] std::optional<Way> unbounded(Leg& leg, core::Seconds depart) const;
   template <class TravelTime>
-  [[nodiscard]] graph::SearchTree earliest_arrivals(const OpenGrid& open, core::Seconds depart,
+  [[nodiscard]] graph::SearchTree earliest_arrivals(Leg& leg, core::Seconds depart,
                                                     const TravelTime& travel_time) const;
   /// When the vehicle can be at the end of a leg that it could be at `at_once` if nothing closed and opened in time,
   /// and that is not closed at `opens`.

@@ -41,8 +41,48 @@ struct SetTable {
   std::vector<std::uint8_t> before;  // [set][last]
 };
 
+/// Finds which place of a set is best visited before the last one.
+class BestBefore {
+ public:
+  /// Everything is borrowed and outlives this.
+  BestBefore(const SetTable& table, const TourLegTime& leg_time, const LeastLegTime& least_time)
+      : table_{table}, leg_time_{leg_time}, least_time_{least_time} {}
+
+  struct Found {
+    double arrival_s{no_arrival};
+    std::size_t before{};
+  };
+
+  /// `set`  the places visited before, not empty; `next`: numbered as legs are
+  [[nodiscard]] Found of(std::size_t set, std::size_t next) {
+    candidates_.clear();
+    for (std::size_t last = 0; last < table_.places; ++last) {
+      const double here_s = table_.earliest_s[table_.at(set, last)];
+      if (!(here_s < no_arrival)) continue;
+      const double least_s = least_time_ ? least_time_(last + 1, next).count() : 0.0;
+      candidates_.push_back({here_s + least_s, last});
+    }
+    std::ranges::sort(candidates_);
+    Found best;
+    for (const auto& [earliest_s, last] : candidates_) {
+      if (earliest_s > best.arrival_s) break;
+      const double next_s = arrival_s(leg_time_, last + 1, next, table_.earliest_s[table_.at(set, last)]);
+      const bool is_better =
+          next_s < best.arrival_s || (next_s == best.arrival_s && last < best.before && next_s < no_arrival);
+      if (is_better) best = {next_s, last};
+    }
+    return best;
+  }
+
+ private:
+  const SetTable& table_;
+  const TourLegTime& leg_time_;
+  const LeastLegTime& least_time_;
+  std::vector<std::pair<double, std::size_t>> candidates_;  // earliest conceivable arrivals, and from where
+};
+
 std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const TourLegTime& leg_time,
-                                         const std::stop_token& stop) {
+                                         const std::stop_token& stop, const LeastLegTime& least_time) {
   const std::size_t goal = n + 1;
   if (n == 0) {
     const double end = arrival_s(leg_time, 0, goal, depart_s);
@@ -53,34 +93,23 @@ std::optional<VisitingOrder> exact_order(std::size_t n, double depart_s, const T
     table.earliest_s[table.at(std::size_t{1} << first, first)] = arrival_s(leg_time, 0, first + 1, depart_s);
   }
   const std::size_t all = (std::size_t{1} << n) - 1;
+  BestBefore best_before{table, leg_time, least_time};
   for (std::size_t set = 1; set < all; ++set) {
     if (stop.stop_requested()) return std::nullopt;
-    for (std::size_t last = 0; last < n; ++last) {
-      const double here_s = table.earliest_s[table.at(set, last)];
-      if (!(here_s < no_arrival)) continue;
-      for (std::size_t next = 0; next < n; ++next) {
-        if ((set >> next & 1) != 0) continue;
-        const double next_s = arrival_s(leg_time, last + 1, next + 1, here_s);
-        const std::size_t entry = table.at(set | std::size_t{1} << next, next);
-        if (!(next_s < table.earliest_s[entry])) continue;
-        table.earliest_s[entry] = next_s;
-        table.before[entry] = static_cast<std::uint8_t>(last);
-      }
+    for (std::size_t next = 0; next < n; ++next) {
+      if ((set >> next & 1) != 0) continue;
+      const BestBefore::Found found = best_before.of(set, next + 1);
+      const std::size_t entry = table.at(set | std::size_t{1} << next, next);
+      table.earliest_s[entry] = found.arrival_s;
+      table.before[entry] = static_cast<std::uint8_t>(found.before);
     }
   }
 
-  double best_s = no_arrival;
-  std::size_t last = 0;
-  for (std::size_t candidate = 0; candidate < n; ++candidate) {
-    const double end_s = arrival_s(leg_time, candidate + 1, goal, table.earliest_s[table.at(all, candidate)]);
-    if (end_s < best_s) {
-      best_s = end_s;
-      last = candidate;
-    }
-  }
+  const auto [best_s, before_goal] = best_before.of(all, goal);
   if (!(best_s < no_arrival)) return std::nullopt;
 
   VisitingOrder result{{}, core::Seconds{best_s}, true};
+  std::size_t last = before_goal;
   for (std::size_t set = all; set != 0;) {
     result.places.push_back(last + 1);
     const std::size_t before = table.before[table.at(set, last)];
@@ -236,8 +265,10 @@ class AllOrders {
 }  // namespace
 
 std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Seconds depart,
-                                                 const TourLegTime& leg_time, const std::stop_token& stop) {
-  if (places <= most_places_ordered_exactly) return exact_order(places, depart.count(), leg_time, stop);
+                                                 const TourLegTime& leg_time, const std::stop_token& stop,
+                                                 const LeastLegTime& least_time) {
+  if (places <= most_places_ordered_exactly)
+    return exact_order(places, depart.count(), leg_time, stop, least_time);
   Tour tour{places, depart.count(), leg_time, stop};
   tour.improve();
   if (tour.order().size() != places || !(tour.end_s() < no_arrival)) return std::nullopt;

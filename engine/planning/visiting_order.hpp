@@ -16,6 +16,9 @@ namespace floeplan::planning {
 using TourLegTime =
     std::function<std::optional<core::Seconds>(std::size_t from, std::size_t to, core::Seconds depart)>;
 
+/// Never more than the time of a leg, whenever it is begun.
+using LeastLegTime = std::function<core::Seconds(std::size_t from, std::size_t to)>;
+
 /// In which order to visit places, and when the tour then ends.
 struct VisitingOrder {
   std::vector<std::size_t> places;  // 1 .. n in the order of the visits
@@ -30,13 +33,15 @@ inline constexpr std::size_t most_places_ordered_exactly = 12;
 /// of places visited so far: under FIFO the earliest arrival at the last place of a set is all that counts of it.
 /// More by the cheapest insertion of one place after the other into the tour, followed by reversals of a stretch and
 /// moves of up to three neighbours as long as one ends the tour earlier; every tour is timed from its departure.
+/// `least_time`  spares legs that cannot be the best to a place; empty: nothing is known
 /// Returns  empty when no order leads to the goal, or when `stop` was requested before one was found
 /// Source   Held and Karp 1962, A dynamic programming approach to sequencing problems, J. SIAM 10, with arrivals for
 ///          distances; insertion and 2-opt: Rosenkrantz, Stearns and Lewis 1977, doi:10.1137/0206041, Croes 1958,
 ///          doi:10.1287/opre.6.6.791; moves of neighbours: Or 1976
 [[nodiscard]] std::optional<VisitingOrder> best_visiting_order(std::size_t places, core::Seconds depart,
                                                                const TourLegTime& leg_time,
-                                                               const std::stop_token& stop);
+                                                               const std::stop_token& stop,
+                                                               const LeastLegTime& least_time = {});
 
 /// As many places are ordered exactly where leaving later may lead further. A judgement: each of their 120 orders asks
 /// for legs at departures of its own, of which a search takes some milliseconds.

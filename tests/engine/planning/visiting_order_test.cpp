@@ -71,6 +71,34 @@ TEST(VisitingOrder, EndsAsEarlyAsTheBestOfAllOrders) {
   });
 }
 
+/// Law: a bound on the legs' times spares looks at them and changes no order.
+TEST(VisitingOrder, IsTheSameWithABoundOnTheTimesOfLegs) {
+  int looks_without = 0;
+  int looks_with = 0;
+  support::for_each_seed(40, [&](std::mt19937_64& rng) {
+    const auto places = static_cast<std::size_t>(support::uniform_int(rng, 1, 8));
+    const TourLegTime leg_time = swinging_tour(rng, places);
+    const auto counted = [&](int& looks) -> TourLegTime {
+      return [&](std::size_t from, std::size_t to, Seconds depart) {
+        ++looks;
+        return leg_time(from, to, depart);
+      };
+    };
+    const LeastLegTime least_time = [&](std::size_t from, std::size_t to) {
+      constexpr double most_swing_s = 16.0;
+      return std::max(Seconds{0.0}, *leg_time(from, to, Seconds{0.0}) - Seconds{most_swing_s});
+    };
+
+    const auto without = best_visiting_order(places, Seconds{0.0}, counted(looks_without), {});
+    const auto with = best_visiting_order(places, Seconds{0.0}, counted(looks_with), {}, least_time);
+
+    ASSERT_TRUE(without && with);
+    EXPECT_EQ(with->places, without->places);
+    EXPECT_EQ(with->arrival, without->arrival);
+  });
+  EXPECT_LT(looks_with, 0.7 * looks_without);
+}
+
 TEST(VisitingOrder, VisitsEveryPlaceOnceAndBeatsTheOrderGivenWhenThereAreMany) {
   support::for_each_seed(20, [](std::mt19937_64& rng) {
     constexpr std::size_t places = 25;
