@@ -4,6 +4,7 @@
 #include <limits>
 
 #include "engine/planning/coast_lines.hpp"
+#include "engine/planning/line_crossing.hpp"
 #include "engine/planning/place_between.hpp"
 
 namespace floeplan::planning {
@@ -48,17 +49,8 @@ bool PlanePolygon::meets(geo::PlanePoint a, geo::PlanePoint b) const {
 
 std::vector<double> PlanePolygon::crossings(geo::PlanePoint a, geo::PlanePoint b) const {
   std::vector<double> shares;
-  const double dx = b.x_m - a.x_m;
-  const double dy = b.y_m - a.y_m;
   for (const Line& line : lines_) {
-    // Sides of the line's ends as seen from the way, and of the way's ends as seen from the line.
-    const double side_from = dx * (line.from.y_m - a.y_m) - dy * (line.from.x_m - a.x_m);
-    const double side_to = dx * (line.to.y_m - a.y_m) - dy * (line.to.x_m - a.x_m);
-    if ((side_from > 0.0) == (side_to > 0.0)) continue;
-    const double ex = line.to.x_m - line.from.x_m;
-    const double ey = line.to.y_m - line.from.y_m;
-    const double share = ((line.from.x_m - a.x_m) * ey - (line.from.y_m - a.y_m) * ex) / (dx * ey - dy * ex);
-    if (share >= 0.0 && share <= 1.0) shares.push_back(share);
+    if (const auto share = crossing(a, b, line.from, line.to)) shares.push_back(*share);
   }
   return shares;
 }
@@ -71,8 +63,11 @@ bool covered(const std::vector<const PlanePolygon*>& polygons, geo::PlanePoint a
     shares.insert(shares.end(), more.begin(), more.end());
   }
   std::ranges::sort(shares);
+  const double length_m = geo::distance_m(a, b);
   for (std::size_t i = 1; i < shares.size(); ++i) {
     if (i > 1 && shares[i] <= shares[i - 1]) continue;
+    const bool is_between_two = i > 1 && i + 1 < shares.size();
+    if (is_between_two && (shares[i] - shares[i - 1]) * length_m <= touching_m) continue;
     const geo::PlanePoint middle = place_between(a, b, 0.5 * (shares[i - 1] + shares[i]));
     const auto holds = [&](const PlanePolygon* polygon) { return polygon->contains(middle); };
     if (std::ranges::none_of(polygons, holds)) return false;

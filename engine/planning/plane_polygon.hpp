@@ -7,6 +7,10 @@
 
 namespace floeplan::planning {
 
+/// Areas no further apart than this touch: edges that are one line in longitude and latitude but have other corners on
+/// it bend otherwise in the plane, by up to about as much.
+inline constexpr double touching_m = 1.5;
+
 /// A polygon laid out in the plane, its long edges in pieces because they bend there.
 /// Threads  const members may be called from several threads at once
 class PlanePolygon {
@@ -30,7 +34,7 @@ class PlanePolygon {
   PlaneBox box_;
 };
 
-/// Whether every point of the straight line from a to b lies in one of the polygons or another.
+/// Whether every point of the straight line from a to b lies in one of the polygons or another, or where two touch.
 [[nodiscard]] bool covered(const std::vector<const PlanePolygon*>& polygons, geo::PlanePoint a,
                            geo::PlanePoint b);
 

@@ -9,6 +9,7 @@
 #include "engine/planning/depth_cells.hpp"
 #include "engine/planning/lon_lat_box.hpp"
 #include "engine/planning/polygon_cells.hpp"
+#include "engine/planning/stay_in_cells.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -74,18 +75,7 @@ void SafetyMap::close_zones(const geo::LocalProjection& projection, const std::s
     close_cells(area, CellState::in_zone, projection);
   }
   if (!zones_.confined) return;
-  // A cell is safe when one of the areas holds the whole of it.
-  std::vector<bool> allowed(raster_.size(), false);
-  for (const geo::Polygon& area : zones_.stay_in) {
-    if (stop.stop_requested()) return;
-    std::vector<bool> within(raster_.size(), false);
-    visit_cells(
-        area, raster_, projection, [&](std::size_t cell) { within[cell] = true; },
-        [&](std::size_t cell) { within[cell] = false; });
-    for (std::size_t cell = 0; cell < within.size(); ++cell) {
-      if (within[cell]) allowed[cell] = true;
-    }
-  }
+  const std::vector<bool> allowed = cells_to_stay_in(zones_.stay_in, raster_, projection, stop);
   for (std::size_t cell = 0; cell < cells_.size(); ++cell) {
     if (!allowed[cell] && cells_[cell] == CellState::open) cells_[cell] = CellState::in_zone;
   }

@@ -24,7 +24,7 @@ struct StandingZones {
 
 /// Where the water is deep enough and the rules allow it, as a raster over the plane. A cell is closed when any part of
 /// it that the data know of is: its corners, the nodes of the bathymetry inside it, a coast or a zone's border that
-/// runs through it; stay-in zones that only touch each other leave a closed seam between them.
+/// runs through it. Stay-in zones that overlap or touch count as one area.
 /// Cautious by up to one cell.
 /// Edges    bathymetry given but not known in a cell: closed (outside_data). No bathymetry: every depth will
 ///          do

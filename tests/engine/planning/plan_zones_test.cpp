@@ -144,6 +144,26 @@ TEST(PlanZones, KeepTheWayInsideAnAreaToStayIn) {
   EXPECT_FALSE(enters(*found, {.outer = horseshoe.holes.front(), .holes = {}}));
 }
 
+TEST(PlanZones, CrossTheEdgeThatTwoAreasToStayInShareAlwaysAsForAWhile) {
+  PlanRequest request = eastward_request();
+  const double middle = 0.5 * (request.from.lon_deg + request.to.lon_deg);
+  const auto stay_in_two = [&](double gap_deg) {
+    request.zones = {stay_in(box(request.from.lon_deg - 0.1, 68.9, middle, 69.1)),
+                     stay_in(box(middle + gap_deg, 68.9, request.to.lon_deg + 0.1, 69.1))};
+  };
+
+  stay_in_two(0.0);
+  const auto always = plan(request);
+  for (Zone& zone : request.zones) zone.until = request.depart + core::Seconds{1e6};
+  const auto for_a_while = plan(request);
+  stay_in_two(0.0002);  // 8 m
+  const auto past_a_gap = plan(request);
+
+  ASSERT_TRUE(always && for_a_while);
+  EXPECT_EQ(always->arrival, for_a_while->arrival);
+  EXPECT_FALSE(past_a_gap.has_value());
+}
+
 TEST(PlanZones, RefuseAStartThatIsNotAllowedAndSayWhere) {
   PlanRequest request = eastward_request();
   request.zones = {no_go(box(request.from.lon_deg - 0.01, request.from.lat_deg - 0.01,

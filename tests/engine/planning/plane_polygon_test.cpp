@@ -78,6 +78,25 @@ TEST(PlanePolygon, CoversALineTogetherWithItsNeighbour) {
   EXPECT_TRUE(covered({&west, &east}, a, b));
 }
 
+TEST(PlanePolygon, CoversALineAcrossTheSeamWithANeighbourThatItTouches) {
+  const auto north_of = [](double south) {
+    return PlanePolygon{
+        {.outer = {{-53.2, south}, {-52.8, south}, {-52.8, 69.1}, {-53.2, 69.1}}, .holes = {}}, projection};
+  };
+  const PlanePolygon south{
+      {.outer = {{-53.2, 68.9}, {-52.8, 68.9}, {-52.8, 69.0}, {-53.2, 69.0}}, .holes = {}}, projection};
+  const geo::PlanePoint a{0.0, -6000.0};
+  const geo::PlanePoint b{0.0, 6000.0};
+
+  for (const double apart_m : {0.0, 1e-6, 1.0}) {
+    const PlanePolygon north = north_of(69.0 + apart_m / 111'500.0);
+    EXPECT_TRUE(covered({&south, &north}, a, b)) << apart_m << " m";
+  }
+  const PlanePolygon further_north = north_of(69.0 + 4.0 / 111'500.0);
+  EXPECT_FALSE(covered({&south, &further_north}, a, b)) << "past a gap";
+  EXPECT_FALSE(covered({&south, &further_north}, a, {0.0, 1.0})) << "into the gap";
+}
+
 TEST(PlanePolygon, HoldsAPointOfALineWithoutLength) {
   const PlanePolygon square{
       {.outer = {{-53.1, 68.9}, {-52.9, 68.9}, {-52.9, 69.1}, {-53.1, 69.1}}, .holes = {}}, projection};
