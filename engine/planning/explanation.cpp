@@ -265,6 +265,27 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
           .search_cut_short = search.statistics.cut_short};
 }
 
+Infeasible explain_removable(Infeasible why, Constraint constraint) {
+  why.reason = Reason::goal_unreachable;
+  why.binding = constraint;
+  const auto say = [&](const char* without, const char* suggestion) {
+    why.explanation += std::string{"; without "} + without + " there would be a way";
+    why.suggestion = suggestion;
+    return std::move(why);
+  };
+  switch (constraint) {
+    case Constraint::iceberg:
+      return say("icebergs",
+                 "depart at another time, or reduce the margin (--margin) or the error that is allowed for "
+                 "(--max-inflation)");
+    case Constraint::zone: return say("zones", "change the zones or their times");
+    case Constraint::ice:
+      return say("ice", "dive deeper (--dive-depth), or change what is kept from the ice (under_ice)");
+    case Constraint::current: return say("currents", "depart at another time, or raise the speed");
+    default: throw std::invalid_argument{"this constraint cannot be taken away"};
+  }
+}
+
 Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::PlanePoint stop, const Sea& sea,
                             const PlanRequest& request) {
   const RouteClosed& closed = opens_later.closed;

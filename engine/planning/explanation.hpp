@@ -30,6 +30,10 @@ inline constexpr const char* cut_short_note =
 [[nodiscard]] Infeasible explain_search(const RouteSearch& search, const Sea& sea,
                                         const PlanRequest& request);
 
+/// Says of a search that there would be a way without all icebergs, all zones, the ice or the currents, whatever closed
+/// most of the ways where the search ended.
+[[nodiscard]] Infeasible explain_removable(Infeasible why, Constraint constraint);
+
 /// Says what keeps the vehicle from `stop`, the goal of a grid, for so long that it would have to turn in circles.
 [[nodiscard]] Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::PlanePoint stop,
                                           const Sea& sea, const PlanRequest& request);

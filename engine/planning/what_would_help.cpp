@@ -1,5 +1,8 @@
 #include "engine/planning/what_would_help.hpp"
 
+#include <cmath>
+#include <cstddef>
+#include <cstdint>
 #include <optional>
 #include <utility>
 #include <variant>
@@ -35,6 +38,85 @@ std::optional<Change> move_that_helps(const ocean::Environment& environment, con
   return move_of("to", request.to, *nearest);
 }
 
+/// Whether anywhere and at any time a current is as fast as the vehicle: weaker ones close nothing.
+bool any_current_may_close(const ocean::CurrentGrid& currents, const PlanRequest& request) {
+  const double through_water =
+      drive_speed(request.vehicle, drives(request.energy, request.vehicle).back()).value;
+  const auto& samples = currents.samples();
+  for (std::size_t i = 0; i < samples.u.size(); ++i)
+    if (std::hypot(samples.u[i], samples.v[i]) >= through_water) return true;
+  return false;
+}
+
+/// Whether the sea or the request holds anything of the kind that can be taken away and may stand in the way.
+bool holds_any(Constraint constraint, const ocean::Environment& environment, const PlanRequest& request) {
+  switch (constraint) {
+    case Constraint::iceberg: return !environment.icebergs.empty();
+    case Constraint::zone: return !environment.zones.empty() || !request.zones.empty();
+    case Constraint::ice: return environment.ice != nullptr;
+    case Constraint::current:
+      return environment.currents && any_current_may_close(*environment.currents, request);
+    default: return false;
+  }
+}
+
+/// `left`: of the work.
+TrialOutcome outcome_without(Constraint constraint, const ocean::Environment& environment,
+                             const PlanRequest& request, std::int64_t& left, const std::stop_token& stop) {
+  ocean::Environment open = environment;
+  PlanRequest asked = request;
+  if (constraint == Constraint::iceberg) open.icebergs.clear();
+  if (constraint == Constraint::zone) {
+    open.zones.clear();
+    asked.zones.clear();
+  }
+  if (constraint == Constraint::ice) open.ice.reset();
+  if (constraint == Constraint::current) {
+    // They carry the icebergs all the same.
+    if (!open.drift_currents) open.drift_currents = open.currents;
+    open.currents.reset();
+    open.members.clear();
+    open.drift_members.clear();
+  }
+  WayTrials trials{open, stop, left};
+  const TrialOutcome outcome = trials(asked);
+  left = trials.left();
+  return outcome;
+}
+
+/// Whether a search over all ways came to its end, so that what it met last need not be all that stood in the way.
+bool is_of_a_search(const Infeasible& why, const PlanRequest& request) {
+  switch (why.reason) {
+    case Reason::goal_unreachable:
+    case Reason::outside_data:
+    case Reason::current_too_strong:
+    case Reason::under_ice:
+    case Reason::no_surfacing: return request.method != Method::direct && why.moves.empty();
+    default: return false;
+  }
+}
+
+/// What of the sea a way would be possible without.
+struct Removable {
+  std::optional<Constraint> constraint{};
+  bool cut_short{false};
+};
+
+Removable what_else_binds(const ocean::Environment& environment, const PlanRequest& request,
+                          const Infeasible& why, std::int64_t left, const std::stop_token& stop) {
+  using enum Constraint;
+  const bool by_data = why.binding == data_area || why.binding == data_period;
+  Removable result;
+  for (const Constraint constraint : {iceberg, zone, ice, current}) {
+    if (constraint == why.binding || (constraint == current && by_data)) continue;
+    if (!holds_any(constraint, environment, request)) continue;
+    const TrialOutcome outcome = outcome_without(constraint, environment, request, left, stop);
+    if (outcome == TrialOutcome::possible) return {constraint, false};
+    if (outcome == TrialOutcome::not_known) result.cut_short = true;
+  }
+  return result;
+}
+
 }  // namespace
 
 Infeasible with_what_would_help(const ocean::Environment& environment, const PlanRequest& request,
@@ -54,9 +136,23 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
     open.zones.clear();
     return WayTrials{open, stop}(asked);
   };
-  FoundChanges found = find_changes(
-      environment, request, why, [&](const PlanRequest& changed) { return trials(changed); }, stop,
-      without_stored_zones);
+  const auto changes = [&] {
+    return find_changes(
+        environment, request, why, [&](const PlanRequest& changed) { return trials(changed); }, stop,
+        without_stored_zones);
+  };
+  FoundChanges found = changes();
+  if (found.changes.empty() && is_of_a_search(why, request)) {
+    const Removable other = what_else_binds(environment, request, why, trials.left(), stop);
+    const bool cut_short = found.cut_short || other.cut_short;
+    if (other.constraint) {
+      const Infeasible met_last = std::exchange(why, explain_removable(why, *other.constraint));
+      found = changes();
+      // Without currents there may be a way where they are not known, as over land: only what helps tells.
+      if (*other.constraint == Constraint::current && found.changes.empty()) why = met_last;
+    }
+    found.cut_short = found.cut_short || cut_short;
+  }
   if (stop.stop_requested()) return explain_cancelled(request);
   why.changes = std::move(found.changes);
   why.changes_cut_short = found.cut_short;

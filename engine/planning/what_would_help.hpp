@@ -11,6 +11,8 @@ namespace floeplan::planning {
 
 /// Why the request is not possible, with the single changes that would make it so, each of them tried: where an arrival
 /// is wanted, to leave at its departure and be there by then.
+/// Where no input governs what stopped the search, or no value of any helps, the sea is tried without its icebergs,
+/// zones, ice or currents, one after the other: the first without which there is a way binds instead, with its changes.
 /// None where a single plan, at the request's departure and in the order given, is possible as it is.
 /// `why`    its changes are kept where it names some already
 /// Stops    with Reason::cancelled once `stop` is requested

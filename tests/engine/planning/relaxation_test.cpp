@@ -413,6 +413,57 @@ TEST(Relaxation, DepartsWhenTheStartHasOpened) {
   EXPECT_EQ(std::get<core::UtcTime>(later->to), request.depart + core::Seconds{3.0 * 3600.0});
 }
 
+/// A wall of land from north to south with a gap of 0.1 degrees of latitude on the straight way.
+std::shared_ptr<const ocean::Bathymetry> wall_with_a_gap() {
+  return bathymetry_from([](geo::LonLat p) {
+    return std::abs(p.lon_deg + 53.0) < 0.15 && std::abs(p.lat_deg - 69.0) > 0.03 ? -5.0 : 300.0;
+  });
+}
+
+TEST(Relaxation, NamesTheIcebergThatClosesAGapInLand) {
+  ocean::Environment environment{.bathymetry = wall_with_a_gap()};
+  PlanRequest request = eastward_request();
+  request.icebergs.drift = false;
+  ASSERT_TRUE(plan(environment, request).has_value());
+  environment.icebergs = {support::iceberg_at({-53.0, 69.0}, 200.0)};
+  // The place nearest to the goal is beside the iceberg, or so far off that there is land only.
+  for (const double margin_m : {6000.0, 8000.0, 15'000.0}) {
+    request.icebergs.margin = core::Metres{margin_m};
+
+    const auto found = plan(environment, request);
+
+    ASSERT_FALSE(found.has_value());
+    EXPECT_EQ(found.error().binding, Constraint::iceberg) << margin_m << found.error().explanation;
+    const Change* margin = change_of(found.error(), "margin_m");
+    ASSERT_NE(margin, nullptr) << margin_m;
+    PlanRequest changed = request;
+    changed.icebergs.margin = core::Metres{std::get<double>(margin->to)};
+    EXPECT_TRUE(plan(environment, changed).has_value());
+  }
+}
+
+TEST(Relaxation, NamesTheCurrentThroughAGapInLand) {
+  const ocean::Environment environment{.currents = currents_from(
+                                           [](geo::LonLat p, double) {
+                                             return geo::VelocityEn{
+                                                 {std::abs(p.lon_deg + 53.0) < 0.15 ? -0.6 : 0.0}, {0.0}};
+                                           },
+                                           120),
+                                       .bathymetry = wall_with_a_gap()};
+  PlanRequest request = eastward_request();
+  Infeasible refusal;
+  refusal.reason = Reason::goal_unreachable;
+  refusal.binding = Constraint::land;
+
+  const Infeasible why = with_what_would_help(environment, request, refusal, {}, {});
+
+  EXPECT_EQ(why.binding, Constraint::current);
+  const Change* faster = change_of(why, "speed_m_s");
+  ASSERT_NE(faster, nullptr);
+  request.vehicle.speed_through_water = {std::get<double>(faster->to)};
+  EXPECT_TRUE(plan(environment, request).has_value());
+}
+
 TEST(Relaxation, FindsNothingWhereNoInputHelps) {
   const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
                                          return std::abs(p.lon_deg + 53.0) < 0.15 ? -5.0 : 300.0;
