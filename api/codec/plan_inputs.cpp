@@ -29,7 +29,7 @@ constexpr std::size_t longest_remark = 1000;
 /// What both processes share: vehicle, margin, data and name.
 void read_common(InputReader& reader, planning::PlanRequest& request, repository::EnvironmentQuery& data,
                  std::string& name) {
-  read_vehicle(reader, request.vehicle);
+  request.flight = read_vehicle(reader, request.vehicle);
   read_energy(reader, request.energy);
   for (const core::Violation& violation : request.energy.violations(request.vehicle)) {
     if (!reader.refused(violation.field)) reader.refuse(violation.field, violation.rule);

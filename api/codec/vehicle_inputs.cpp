@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <optional>
+#include <utility>
 
 #include "api/codec/input_limits.hpp"
 
@@ -9,6 +11,7 @@ namespace floeplan::codec {
 namespace {
 
 using nlohmann::json;
+using vehicle::FlightChoices;
 using vehicle::GliderProfile;
 
 constexpr double cm3_per_m3 = 1e6;
@@ -23,21 +26,27 @@ void set(std::optional<double> value, double& member) {
   if (value) member = *value;
 }
 
-/// What a pilot sets from mission to mission.
-void read_flight(InputReader& reader, GliderProfile& profile, SpeedGiven& given) {
-  if (const auto speed = reader.number("speed_m_s", {0.05, 5.0})) {
-    profile.speed_through_water = {*speed};
-    given.itself = true;
-  }
-  if (const auto pitch = reader.number("pitch_deg", {vehicle::least_pitch_deg, vehicle::most_pitch_deg})) {
-    profile.pitch = {core::degrees_to_radians(*pitch)};
-    given.by_glide = true;
-  }
-  set(reader.number("climb_to_m", {0.0, deepest_m}), profile.climb_to.value);
-  set(reader.number("dive_depth_m", {1.0, profile.depth_rating.value}), profile.dive_depth.value);
-  set(reader.number("altimeter_margin_m", {0.0, 1000.0}), profile.altimeter_margin.value);
-  set(reader.number("battery_j", {1.0, 1e10}), profile.energy.battery.value);
-  set(reader.number("battery_start_share", {0.0, 1.0}), profile.energy.battery_start_share);
+template <class Quantity>
+std::optional<Quantity> quantity(std::optional<double> value) {
+  return value ? std::optional{Quantity{*value}} : std::nullopt;
+}
+
+/// Adds what a pilot sets from mission to mission to the profile.
+FlightChoices read_flight(InputReader& reader, GliderProfile& profile, SpeedGiven& given) {
+  FlightChoices choices;
+  choices.speed_through_water = quantity<core::MetresPerSecond>(reader.number("speed_m_s", {0.05, 5.0}));
+  if (const auto pitch = reader.number("pitch_deg", {vehicle::least_pitch_deg, vehicle::most_pitch_deg}))
+    choices.pitch = core::Radians{core::degrees_to_radians(*pitch)};
+  choices.climb_to = quantity<core::Metres>(reader.number("climb_to_m", {0.0, deepest_m}));
+  choices.dive_depth =
+      quantity<core::Metres>(reader.number("dive_depth_m", {1.0, profile.depth_rating.value}));
+  choices.altimeter_margin = quantity<core::Metres>(reader.number("altimeter_margin_m", {0.0, 1000.0}));
+  choices.battery = quantity<core::Joules>(reader.number("battery_j", {1.0, 1e10}));
+  choices.battery_start_share = reader.number("battery_start_share", {0.0, 1.0});
+  given.itself = given.itself || choices.speed_through_water.has_value();
+  given.by_glide = given.by_glide || choices.pitch.has_value();
+  profile = vehicle::with_choices(std::move(profile), choices);
+  return choices;
 }
 
 void read_thruster(InputReader& reader, GliderProfile& profile) {
@@ -114,13 +123,6 @@ GliderProfile read_object(InputReader& reader, const json& object, SpeedGiven& g
   return profile;
 }
 
-/// The speed of the steady glide, when the inputs leave the speed to pitch and buoyancy.
-void glide(GliderProfile& profile, SpeedGiven given) {
-  if (given.itself || !given.by_glide) return;
-  const auto steady = vehicle::steady_glide(profile.hydrodynamics, profile.pitch, profile.buoyancy);
-  if (steady) profile.speed_through_water = steady->horizontal;
-}
-
 json flight_json(const GliderProfile& profile) {
   return {{"speed_m_s", profile.speed_through_water.value},
           {"pitch_deg", core::radians_to_degrees(profile.pitch.value)},
@@ -131,23 +133,9 @@ json flight_json(const GliderProfile& profile) {
           {"battery_start_share", profile.energy.battery_start_share}};
 }
 
-/// Whether only the flight differs from the known profile of the same name.
-bool is_known(const GliderProfile& profile) {
-  auto same = vehicle::find_profile(profile.name);
-  if (!same) return false;
-  same->speed_through_water = profile.speed_through_water;
-  same->pitch = profile.pitch;
-  same->climb_to = profile.climb_to;
-  same->dive_depth = profile.dive_depth;
-  same->altimeter_margin = profile.altimeter_margin;
-  same->energy.battery = profile.energy.battery;
-  same->energy.battery_start_share = profile.energy.battery_start_share;
-  return *same == profile;
-}
-
 }  // namespace
 
-void read_vehicle(InputReader& reader, GliderProfile& profile) {
+FlightChoices read_vehicle(InputReader& reader, GliderProfile& profile) {
   SpeedGiven given;
   profile = vehicle::known_profiles().front();
   const json* value = reader.member("vehicle");
@@ -156,11 +144,13 @@ void read_vehicle(InputReader& reader, GliderProfile& profile) {
   } else if (const auto name = reader.text("vehicle")) {
     profile = known(reader, "/vehicle", *name);
   }
-  read_flight(reader, profile, given);
-  glide(profile, given);
+  const FlightChoices choices = read_flight(reader, profile, given);
+  // Where the inputs leave the speed to pitch and buoyancy.
+  if (given.by_glide && !given.itself) profile = vehicle::at_speed_of_glide(std::move(profile));
   for (const core::Violation& violation : profile.violations()) {
     if (!reader.refused(violation.field)) reader.refuse(violation.field, violation.rule);
   }
+  return choices;
 }
 
 json vehicle_json(const GliderProfile& profile) {
@@ -194,7 +184,7 @@ json vehicle_json(const GliderProfile& profile) {
 }
 
 void write_vehicle(const GliderProfile& profile, json& inputs) {
-  inputs["vehicle"] = is_known(profile) ? json(profile.name) : vehicle_json(profile);
+  inputs["vehicle"] = vehicle::is_known_but_for_choices(profile) ? json(profile.name) : vehicle_json(profile);
   inputs.update(flight_json(profile));
 }
 

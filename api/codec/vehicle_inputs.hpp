@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 
 #include "api/codec/input_reader.hpp"
+#include "engine/vehicle/flight_choices.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::codec {
@@ -10,7 +11,8 @@ namespace floeplan::codec {
 /// The vehicle: the name of a known profile, or an object that names one in "profile" and overrides any of its
 /// members; beside it the members of its flight (speed, pitch, depths, battery), which win over both. A pitch
 /// or buoyancy without a speed gives the speed of the steady glide.
-void read_vehicle(InputReader& reader, vehicle::GliderProfile& profile);
+/// Returns  what the members beside it say
+vehicle::FlightChoices read_vehicle(InputReader& reader, vehicle::GliderProfile& profile);
 /// Adds the members that `read_vehicle` reads, every default written out.
 void write_vehicle(const vehicle::GliderProfile& profile, nlohmann::json& inputs);
 

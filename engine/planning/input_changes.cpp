@@ -172,6 +172,25 @@ void InputChanges::work_in_shallower_water() {
       written("let the vehicle work in water of %.0f m instead of %.0f m", *needed, now));
 }
 
+void InputChanges::take_another_vehicle() {
+  if (!vehicle::is_known_but_for_choices(request_.vehicle)) return;
+  const vehicle::FlightChoices& flight = request_.flight;
+  trials_.begin_input();
+  for (const vehicle::GliderProfile& profile : vehicle::profiles_for_shallower_water(request_.vehicle.name)) {
+    PlanRequest changed = request_;
+    changed.vehicle = vehicle::with_choices(profile, flight);
+    if (flight.pitch && !flight.speed_through_water)
+      changed.vehicle = vehicle::at_speed_of_glide(std::move(changed.vehicle));
+    if (trials_.is_over()) return;
+    if (changed.vehicle.least_water() >= request_.vehicle.least_water() || !trials_.works(changed)) continue;
+    add("vehicle", request_.vehicle.name, profile.name, 4.0,
+        "take the vehicle " + profile.name +
+            written(", which works in water of %.0f m, instead of one for %.0f m",
+                    changed.vehicle.least_water().value, request_.vehicle.least_water().value));
+    return;
+  }
+}
+
 void InputChanges::charge_the_battery() {
   const double now = request_.vehicle.energy.battery_start_share;
   const auto needed = nearest(now, 1.0, 0.01, [](PlanRequest& changed, double share) {

@@ -45,6 +45,8 @@ class InputChanges {
   void dive_less_deep();
   void keep_less_above_the_bed();
   void work_in_shallower_water();
+  /// For shallower water, of the same make, with what was asked for whatever the vehicle.
+  void take_another_vehicle();
 
   void charge_the_battery();
   void take_a_larger_battery();

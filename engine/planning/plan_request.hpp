@@ -13,6 +13,7 @@
 #include "engine/planning/objective.hpp"
 #include "engine/planning/uncertainty_rules.hpp"
 #include "engine/planning/under_ice_rules.hpp"
+#include "engine/vehicle/flight_choices.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::planning {
@@ -38,6 +39,7 @@ struct PlanRequest {
   core::UtcTime depart;
   DepartureRules departures;
   vehicle::GliderProfile vehicle;
+  vehicle::FlightChoices flight;  // what is asked for whatever the vehicle; `vehicle` has it already
   EnergyRules energy;
 
   std::optional<core::Metres>

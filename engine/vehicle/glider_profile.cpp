@@ -2,8 +2,20 @@
 
 #include <algorithm>
 #include <cmath>
+#include <functional>
 
 namespace floeplan::vehicle {
+namespace {
+
+/// "slocum-g3-thruster" of "slocum-g3-200-thruster".
+std::string name_but_for_depth(const GliderProfile& profile) {
+  const std::string rating = "-" + std::to_string(std::lround(profile.depth_rating.value));
+  std::string name = profile.name;
+  if (const auto at = name.find(rating); at != std::string::npos) name.erase(at, rating.size());
+  return name;
+}
+
+}  // namespace
 
 core::Violations GliderProfile::violations() const {
   core::Violations found;
@@ -66,6 +78,19 @@ std::optional<GliderProfile> find_profile(std::string_view name) {
   const auto found = std::ranges::find(known_profiles(), name, &GliderProfile::name);
   if (found == known_profiles().end()) return std::nullopt;
   return *found;
+}
+
+std::vector<GliderProfile> profiles_for_shallower_water(std::string_view name) {
+  const auto profile = find_profile(name);
+  if (!profile) return {};
+  std::vector<GliderProfile> shallower;
+  for (const GliderProfile& other : known_profiles()) {
+    if (name_but_for_depth(other) == name_but_for_depth(*profile) &&
+        other.least_water() < profile->least_water())
+      shallower.push_back(other);
+  }
+  std::ranges::sort(shallower, std::greater{}, &GliderProfile::least_water);
+  return shallower;
 }
 
 }  // namespace floeplan::vehicle

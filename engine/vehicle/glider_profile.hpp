@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
@@ -54,5 +55,9 @@ inline constexpr double most_pitch_deg = 60.0;
 [[nodiscard]] std::span<const GliderProfile> known_profiles();
 
 [[nodiscard]] std::optional<GliderProfile> find_profile(std::string_view name);
+
+/// The known profiles that differ from the known one of this name by their depth class alone and need less water, what
+/// needs the most of them first; none for other names.
+[[nodiscard]] std::vector<GliderProfile> profiles_for_shallower_water(std::string_view name);
 
 }  // namespace floeplan::vehicle

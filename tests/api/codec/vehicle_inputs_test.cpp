@@ -87,6 +87,26 @@ TEST(VehicleInputs, NameEveryFaultAtOnce) {
   }
 }
 
+/// With another vehicle these stay, and what is said inside of "vehicle" goes.
+TEST(VehicleInputs, TellWhatIsSaidBesideTheVehicle) {
+  const json inputs{{"vehicle", {{"profile", "slocum-g3-200"}, {"climb_to_m", 8.0}}},
+                    {"speed_m_s", 0.4},
+                    {"pitch_deg", 24.0},
+                    {"dive_depth_m", 200.0},
+                    {"battery_j", 5e6}};
+  InputReader reader{inputs};
+  vehicle::GliderProfile profile;
+
+  const vehicle::FlightChoices choices = read_vehicle(reader, profile);
+
+  EXPECT_THAT(reader.violations(), IsEmpty());
+  EXPECT_EQ(choices.speed_through_water, core::MetresPerSecond{0.4});
+  EXPECT_EQ(choices.pitch, profile.pitch);
+  EXPECT_EQ(choices.dive_depth, core::Metres{200.0}) << "though the profile has it already";
+  EXPECT_EQ(choices.battery, core::Joules{5e6});
+  EXPECT_FALSE(choices.climb_to || choices.altimeter_margin || choices.battery_start_share);
+}
+
 TEST(VehicleInputs, ListTheKnownProfiles) {
   const Read result = read({{"vehicle", "submarine"}});
 

@@ -464,6 +464,46 @@ TEST(Relaxation, NamesTheCurrentThroughAGapInLand) {
   EXPECT_TRUE(plan(environment, request).has_value());
 }
 
+TEST(Relaxation, NamesTheVehicleForShallowerWaterOfTheSameMake) {
+  const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
+                                         return std::abs(p.lon_deg + 53.0) < 0.15 ? 18.0 : 300.0;
+                                       })};
+  for (const char* name : {"slocum-g3-200", "slocum-g2-1000-thruster"}) {
+    PlanRequest request = eastward_request();
+    request.vehicle = vehicle::find_profile(name).value();
+    request.flight.speed_through_water = core::MetresPerSecond{0.4};
+    request.vehicle.speed_through_water = *request.flight.speed_through_water;
+
+    const auto found = plan(environment, request);
+
+    ASSERT_FALSE(found.has_value());
+    EXPECT_EQ(found.error().binding, Constraint::depth);
+    const Change* other = change_of(found.error(), "vehicle");
+    ASSERT_NE(other, nullptr) << name;
+    EXPECT_EQ(std::get<std::string>(other->from), name);
+    const auto profile = vehicle::find_profile(std::get<std::string>(other->to));
+    ASSERT_TRUE(profile.has_value());
+    EXPECT_EQ(profile->depth_rating.value, 30.0);
+    EXPECT_EQ(profile->thruster.has_value(), request.vehicle.thruster.has_value());
+    PlanRequest changed = request;
+    changed.vehicle = vehicle::with_choices(*profile, request.flight);
+    EXPECT_TRUE(plan(environment, changed).has_value());
+  }
+}
+
+TEST(Relaxation, NamesNoVehicleThatCannotFlyAsIsAskedForWhateverItIs) {
+  const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
+                                         return std::abs(p.lon_deg + 53.0) < 0.15 ? 18.0 : 300.0;
+                                       })};
+  PlanRequest request = eastward_request();
+  request.flight.dive_depth = request.vehicle.dive_depth;  // deeper than the other one is rated for
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(change_of(found.error(), "vehicle"), nullptr);
+}
+
 TEST(Relaxation, FindsNothingWhereNoInputHelps) {
   const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
                                          return std::abs(p.lon_deg + 53.0) < 0.15 ? -5.0 : 300.0;

@@ -45,6 +45,19 @@ TEST(GliderProfile, IsNotFoundByAnotherName) {
   EXPECT_FALSE(find_profile("").has_value());
 }
 
+TEST(GliderProfile, IsFoundForShallowerWaterAmongThoseOfItsMake) {
+  const auto names = [](const char* name) {
+    std::vector<std::string> result;
+    for (const GliderProfile& profile : profiles_for_shallower_water(name)) result.push_back(profile.name);
+    return result;
+  };
+
+  EXPECT_EQ(names("slocum-g3-1000"), (std::vector<std::string>{"slocum-g3-200", "slocum-g3-30"}));
+  EXPECT_EQ(names("slocum-g2-200-thruster"), (std::vector<std::string>{"slocum-g2-30-thruster"}));
+  EXPECT_TRUE(names("slocum-g3-30").empty());
+  EXPECT_TRUE(names("submarine").empty());
+}
+
 TEST(GliderProfile, TakesTheLimitsThemselves) {
   GliderProfile profile;
   profile.speed_through_water = {0.05};
