@@ -24,6 +24,16 @@ std::optional<core::Seconds> until_a_zone_ends(const ocean::Environment& environ
   return soonest;
 }
 
+/// Whether a zone closes after the departure: who is faster may be past it by then.
+bool may_be_passed_in_time(const ocean::Environment& environment, const PlanRequest& request) {
+  const auto closes_later = [&](const ocean::Zone& zone) {
+    const auto& closes = zone.kind == ocean::ZoneKind::stay_in && zone.until ? zone.until : zone.from;
+    return closes && *closes > request.depart;
+  };
+  return std::ranges::any_of(request.zones, closes_later) ||
+         std::ranges::any_of(environment.zones, closes_later);
+}
+
 }  // namespace
 
 geo::LonLat& stop_named(PlanRequest& request, const std::string& input) {
@@ -75,6 +85,11 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
       inputs.leave_out_a_zone();
       inputs.leave_out_stored_zones(without_stored_zones);
       inputs.dive_less_deep();
+      if (may_be_passed_in_time(environment, request)) {
+        inputs.use_the_thruster();
+        inputs.raise_speed();
+        inputs.raise_the_thrusters_speed();
+      }
       if (!at_a_stop) inputs.refine_the_grid();
       break;
     case Constraint::depth:

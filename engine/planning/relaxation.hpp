@@ -22,7 +22,7 @@ namespace floeplan::planning {
 /// `without_stored_zones`  tells of the request in the same sea without the environment's zones; empty: not tried
 /// Accuracy a hundredth of the interval; a change is only named when its trial succeeded. A trial that tells nothing
 ///          counts as one that failed, and the result says so
-/// Bounds   at most 60 trials; none for constraints that no input governs (land, memory)
+/// Bounds   at most 90 trials; none for constraints that no input governs (land, memory)
 /// Stops    with what was found so far once `stop` is requested
 [[nodiscard]] FoundChanges find_changes(const ocean::Environment& environment, const PlanRequest& request,
                                         const Infeasible& why, const Trial& trial,

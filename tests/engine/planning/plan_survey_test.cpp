@@ -167,6 +167,7 @@ TEST(PlanSurvey, IsMadePossibleByEachChangeThatARefusalNames) {
       if (change.input == "areas/features/1") changed.zones.pop_back();
       if (change.input == "max_loiter_s") changed.max_loiter = core::Seconds{std::get<double>(change.to)};
       if (change.input == "depart") changed.depart = std::get<core::UtcTime>(change.to);
+      if (change.input == "speed_m_s") changed.vehicle.speed_through_water = {std::get<double>(change.to)};
       if (change.input == "spacing_m") changed.spacing_along = core::Metres{std::get<double>(change.to)};
       EXPECT_TRUE(plan_route({}, changed, {}, {}).has_value()) << change.text;
       ++named;

@@ -504,6 +504,52 @@ TEST(Relaxation, NamesNoVehicleThatCannotFlyAsIsAskedForWhateverItIs) {
   EXPECT_EQ(change_of(found.error(), "vehicle"), nullptr);
 }
 
+/// From north to south, 500 m to either side of a meridian.
+ocean::Zone zone_across(std::string name, double lon_deg) {
+  return {.name = std::move(name),
+          .kind = ocean::ZoneKind::no_go,
+          .area = {.outer = {{lon_deg - 0.01, 67.6},
+                             {lon_deg + 0.01, 67.6},
+                             {lon_deg + 0.01, 70.4},
+                             {lon_deg - 0.01, 70.4}},
+                   .holes = {}},
+          .from = {},
+          .until = {}};
+}
+
+TEST(Relaxation, NamesTheSpeedThatPassesAnAreaBeforeItCloses) {
+  PlanRequest request = eastward_request();
+  request.zones = {zone_across("closes", -53.0)};
+  request.zones.front().from = request.depart + core::Seconds{10.0 * 3600.0};
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  EXPECT_EQ(found.error().binding, Constraint::zone);
+  EXPECT_NE(change_of(found.error(), "areas/features/0"), nullptr);
+  const Change* faster = change_of(found.error(), "speed_m_s");
+  ASSERT_NE(faster, nullptr);
+  request.vehicle.speed_through_water = {std::get<double>(faster->to)};
+  EXPECT_TRUE(plan({}, request).has_value());
+  request.vehicle.speed_through_water.value -= 0.05;
+  EXPECT_FALSE(plan({}, request).has_value()) << "not much more than enough";
+}
+
+TEST(Relaxation, TriesNoSpeedWhereNoAreaEverCloses) {
+  PlanRequest request = eastward_request();
+  request.zones = {zone_across("closed", -53.0)};
+  int speeds_tried = 0;
+  const Trial trial = [&](const PlanRequest& changed) {
+    speeds_tried += changed.vehicle.speed_through_water == request.vehicle.speed_through_water ? 0 : 1;
+    return TrialOutcome::impossible;
+  };
+
+  const FoundChanges found = find_changes({}, request, Infeasible{.binding = Constraint::zone}, trial, {});
+
+  EXPECT_TRUE(found.changes.empty());
+  EXPECT_EQ(speeds_tried, 0);
+}
+
 TEST(Relaxation, FindsNothingWhereNoInputHelps) {
   const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
                                          return std::abs(p.lon_deg + 53.0) < 0.15 ? -5.0 : 300.0;
