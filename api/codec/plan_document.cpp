@@ -236,6 +236,8 @@ json change_json(const planning::Change& change) {
             return core::iso8601(held);
           } else if constexpr (std::is_same_v<T, geo::LonLat>) {
             return json::array({document_degrees(held.lon_deg), document_degrees(held.lat_deg)});
+          } else if constexpr (std::is_same_v<T, planning::Change::Nothing>) {
+            return json();
           } else {
             return held;
           }

@@ -58,7 +58,9 @@ enum class Constraint {
 
 /// Another value for one input, by its name in the inputs; everything else as it was asked for.
 struct Change {
-  using Value = std::variant<double, bool, core::UtcTime, geo::LonLat, std::string, std::array<double, 2>>;
+  using Nothing = std::monostate;
+  using Value =
+      std::variant<double, bool, core::UtcTime, geo::LonLat, std::string, std::array<double, 2>, Nothing>;
   std::string input;
   Value from;
   Value to;

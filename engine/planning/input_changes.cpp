@@ -212,17 +212,34 @@ void InputChanges::take_a_larger_battery() {
       written("take a battery of %.4g MJ instead of %.4g MJ", *needed / 1e6, now / 1e6));
 }
 
-void InputChanges::leave_out_a_zone() {
+void InputChanges::leave_out_zones() {
+  if (!leave_out_a_zone()) leave_out_all_zones();
+}
+
+bool InputChanges::leave_out_a_zone() {
   trials_.begin_input();
+  bool any_helps = false;
   for (std::size_t i = 0; i < request_.zones.size() && i < most_zones; ++i) {
     PlanRequest changed = request_;
     changed.zones.erase(changed.zones.begin() + static_cast<std::ptrdiff_t>(i));
-    if (trials_.is_over()) return;
+    if (trials_.is_over()) break;
     if (!trials_.works(changed)) continue;
+    any_helps = true;
     const std::string& name = request_.zones[i].name;
     add("areas/features/" + std::to_string(i), name, std::string{}, 2.0,
         "leave out the area " + (name.empty() ? "number " + std::to_string(i + 1) : "\"" + name + "\""));
   }
+  return any_helps;
+}
+
+void InputChanges::leave_out_all_zones() {
+  if (request_.zones.size() < 2) return;
+  trials_.begin_input();
+  PlanRequest changed = request_;
+  changed.zones.clear();
+  if (trials_.is_over() || !trials_.works(changed)) return;
+  const std::string all = std::to_string(request_.zones.size()) + " areas";
+  add("areas", all, Change::Nothing{}, 3.0, "leave out all " + all);
 }
 
 void InputChanges::leave_out_stored_zones(const Trial& without) {

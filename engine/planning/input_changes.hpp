@@ -51,7 +51,8 @@ class InputChanges {
   void charge_the_battery();
   void take_a_larger_battery();
 
-  void leave_out_a_zone();
+  /// One of the request's; where none of them helps alone, all of them.
+  void leave_out_zones();
   /// All of them at once: the inputs name datasets, not the zones in them.
   /// `without`  tells of the request in the same sea without the environment's zones; empty: not tried
   void leave_out_stored_zones(const Trial& without);
@@ -90,6 +91,9 @@ class InputChanges {
   [[nodiscard]] PlanRequest leaving(double hours_later) const;
   /// In whole hours, above `fails` and up to `helps`.
   double least_delay(double fails, double helps);
+  /// Returns  whether that helps with any of them
+  bool leave_out_a_zone();
+  void leave_out_all_zones();
   core::Seconds add_departure(double hours, const std::string& note = {});
   void add(std::string input, Change::Value from, Change::Value to, double effort, std::string text);
 

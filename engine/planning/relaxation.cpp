@@ -82,7 +82,7 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
       inputs.depart_later();
       break;
     case Constraint::zone:
-      inputs.leave_out_a_zone();
+      inputs.leave_out_zones();
       inputs.leave_out_stored_zones(without_stored_zones);
       inputs.dive_less_deep();
       if (may_be_passed_in_time(environment, request)) {

@@ -550,6 +550,22 @@ TEST(Relaxation, TriesNoSpeedWhereNoAreaEverCloses) {
   EXPECT_EQ(speeds_tried, 0);
 }
 
+TEST(Relaxation, LeavesOutAllAreasWhereNoneIsInTheWayAlone) {
+  PlanRequest request = eastward_request();
+  request.zones = {zone_across("west", -53.1), zone_across("east", -52.9)};
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  ASSERT_EQ(found.error().changes.size(), 1U);
+  const Change& change = found.error().changes.front();
+  EXPECT_EQ(change.input, "areas");
+  EXPECT_EQ(std::get<std::string>(change.from), "2 areas");
+  EXPECT_TRUE(std::holds_alternative<Change::Nothing>(change.to));
+  request.zones.clear();
+  EXPECT_TRUE(plan({}, request).has_value());
+}
+
 TEST(Relaxation, FindsNothingWhereNoInputHelps) {
   const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat p) {
                                          return std::abs(p.lon_deg + 53.0) < 0.15 ? -5.0 : 300.0;
