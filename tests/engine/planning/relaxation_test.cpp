@@ -9,6 +9,7 @@
 #include "engine/planning/latest_departure.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/what_would_help.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::planning::relaxation_test {
@@ -564,6 +565,81 @@ TEST(Relaxation, LeavesOutAllAreasWhereNoneIsInTheWayAlone) {
   EXPECT_TRUE(std::holds_alternative<Change::Nothing>(change.to));
   request.zones.clear();
   EXPECT_TRUE(plan({}, request).has_value());
+}
+
+/// A request, and the sea for it, as a change would have them.
+struct Asked {
+  ocean::Environment environment;
+  PlanRequest request;
+
+  void apply(const Change& change) {
+    const auto number = [&] { return std::get<double>(change.to); };
+    if (change.input == "speed_m_s") {
+      request.vehicle.speed_through_water = {number()};
+    } else if (change.input == "margin_m") {
+      request.icebergs.margin = {number()};
+    } else if (change.input == "max_loiter_s") {
+      request.max_loiter = core::Seconds{number()};
+    } else if (change.input == "spacing_m") {
+      request.spacing_along = core::Metres{number()};
+    } else if (change.input == "depart") {
+      request.depart = std::get<core::UtcTime>(change.to);
+    } else if (change.input == "vehicle") {
+      const auto profile = vehicle::find_profile(std::get<std::string>(change.to));
+      request.vehicle = vehicle::with_choices(profile.value(), request.flight);
+    } else if (change.input == "zones") {
+      environment.zones.clear();
+    } else if (change.input == "areas") {
+      request.zones.clear();
+    } else if (change.input.starts_with("areas/features/")) {
+      request.zones.erase(request.zones.begin() + std::stoi(change.input.substr(15)));
+    } else {
+      stop_named(request, change.input) = std::get<geo::LonLat>(change.to);
+    }
+  }
+};
+
+/// Land or a sill across the way, an iceberg, areas that close or are closed: any of them, or several.
+Asked random_obstruction(std::mt19937_64& rng) {
+  const auto one_of_two = [&] { return support::uniform_int(rng, 0, 1) == 1; };
+  Asked asked{.environment = {}, .request = eastward_request()};
+  if (one_of_two()) {
+    asked.environment.bathymetry = wall_with_a_gap();
+  } else if (one_of_two()) {
+    asked.environment.bathymetry =
+        bathymetry_from([](geo::LonLat p) { return std::abs(p.lon_deg + 53.0) < 0.15 ? 18.0 : 300.0; });
+  }
+  if (one_of_two()) {
+    asked.environment.icebergs = {support::iceberg_at({-53.0, 69.0}, 200.0)};
+    asked.request.icebergs.drift = false;
+    asked.request.icebergs.margin = {support::uniform(rng, 1000.0, 15'000.0)};
+  }
+  for (int i = support::uniform_int(rng, 0, 2); i > 0; --i) {
+    ocean::Zone zone = zone_across("area", -53.3 + 0.2 * i);
+    if (one_of_two())
+      zone.from = asked.request.depart + core::Seconds{3600.0 * support::uniform(rng, 2.0, 20.0)};
+    if (one_of_two())
+      zone.until = asked.request.depart + core::Seconds{3600.0 * support::uniform(rng, 21.0, 60.0)};
+    (one_of_two() ? asked.request.zones : asked.environment.zones).push_back(zone);
+  }
+  return asked;
+}
+
+TEST(Relaxation, NamesNoChangeWithWhichThereIsNoPlan) {
+  int named = 0;
+  support::for_each_seed(40, [&](std::mt19937_64& rng) {
+    const Asked asked = random_obstruction(rng);
+    const auto found = plan(asked.environment, asked.request);
+    if (found) return;
+
+    for (const Change& change : found.error().changes) {
+      Asked changed = asked;
+      changed.apply(change);
+      EXPECT_TRUE(plan(changed.environment, changed.request).has_value()) << change.text;
+      ++named;
+    }
+  });
+  EXPECT_GT(named, 5);
 }
 
 TEST(Relaxation, FindsNothingWhereNoInputHelps) {
