@@ -26,8 +26,8 @@ namespace floeplan::ocean {
 [[nodiscard]] std::vector<IcebergFix> forecast_drift(const Iceberg& iceberg, const Environment& environment,
                                                      core::UtcTime until, const std::stop_token& stop = {});
 
-/// From when on the currents and the wind are asked for in its forecast: the earlier sighting that tells of its drift, or
-/// else the last one.
+/// From when on the currents and the wind are asked for in its forecast: the earlier sighting that tells of its drift,
+/// or else the last one.
 [[nodiscard]] core::UtcTime forecast_needs_from(const Iceberg& iceberg);
 
 /// Whether the current is known everywhere on the forecast between two times, but for where the iceberg is

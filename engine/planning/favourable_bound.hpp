@@ -7,8 +7,8 @@
 
 namespace floeplan::planning {
 
-/// What is known of the times on a grid before any search: what is left to its goal at the best hour of every edge. Worth
-/// its making where many departures are searched on one grid.
+/// What is known of the times on a grid before any search: what is left to its goal at the best hour of every edge.
+/// Worth its making where many departures are searched on one grid.
 /// Satisfies  graph::TravelTimeBound
 /// Threads    const members may be called from several threads at once
 class FavourableBound {
