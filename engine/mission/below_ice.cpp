@@ -121,9 +121,11 @@ std::vector<std::string> warnings_below_ice(const planning::Plan& plan) {
         "flown.");
   }
   if (surfacing.unknown_ice.value > 0.0) {
-    char text[160];
+    char text[200];
     std::snprintf(text, sizeof text,
-                  "Nothing is known of the ice on %.1f km of the way: there the yo turns as in open water.",
+                  "Nothing is known of the ice on %.1f km of the way: there the yo turns as in open water, "
+                  "or below the keels "
+                  "that were known last.",
                   surfacing.unknown_ice.value / 1000.0);
     warnings.emplace_back(text);
   }

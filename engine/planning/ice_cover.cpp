@@ -43,6 +43,7 @@ IceCover::IceCover(const ocean::IceField& ice, const UnderIceRules& rules,
   has_dense_ice_ = std::ranges::any_of(
       nodes_, [&](const Node& node) { return static_cast<double>(node.concentration) > limit_; });
   if (stop.stop_requested()) return;
+  keep_last_keels();
   extend_to_coast();
   measure_distances();
 }
@@ -50,14 +51,14 @@ IceCover::IceCover(const ocean::IceField& ice, const UnderIceRules& rules,
 /// Between nodes the ice is never less than at the least of them nor more than at the densest.
 void IceCover::measure_distances() {
   std::vector<bool> opens(grid_.size(), false);
-  std::vector<bool> is_dense(grid_.size(), false);
+  std::vector<bool> dense(grid_.size(), false);
   for (std::size_t i = 0; i < nodes_.size(); ++i) {
     const auto concentration = static_cast<double>(nodes_[i].concentration);
     if (concentration <= limit_) opens[i % grid_.size()] = true;
-    if (concentration > limit_) is_dense[i % grid_.size()] = true;
+    if (is_dense(nodes_[i])) dense[i % grid_.size()] = true;
   }
   to_openings_ = distances_to(opens);
-  to_dense_ice_ = distances_to(is_dense);
+  to_dense_ice_ = distances_to(dense);
 }
 
 /// Cells are numbered by their first node; those after the last node of a row or column are none.
@@ -103,7 +104,22 @@ core::Metres IceCover::least_way_to_dense_ice(geo::PlanePoint point) const {
   return cell ? to_dense_ice_.from(cell->first) : core::Metres{0.0};
 }
 
+/// Ice through which the vehicle may not surface, or the keels of such ice that were known last.
+bool IceCover::is_dense(const Node& node) const {
+  return std::isnan(node.concentration) ? node.draft_m > 0.0F
+                                        : static_cast<double>(node.concentration) > limit_;
+}
+
+void IceCover::keep_last_keels() {
+  for (std::size_t i = 0; i < nodes_.size(); ++i) {
+    if (!std::isnan(nodes_[i].concentration)) continue;
+    const bool was_dense = i >= grid_.size() && is_dense(nodes_[i - grid_.size()]);
+    nodes_[i].draft_m = was_dense ? nodes_[i - grid_.size()].draft_m : 0.0F;
+  }
+}
+
 void IceCover::extend_to_coast() {
+  extended_.assign(nodes_.size(), false);
   const std::size_t nx = grid_.nx();
   const std::size_t ny = grid_.ny();
   for (std::size_t begin = 0; begin < nodes_.size(); begin += grid_.size()) {
@@ -117,6 +133,7 @@ void IceCover::extend_to_coast() {
           for (std::size_t jx = ix > 0 ? ix - 1 : 0; jx <= std::min(ix + 1, nx - 1); ++jx) {
             const Node& neighbour = original[jy * nx + jx];
             if (std::isnan(neighbour.concentration)) continue;
+            extended_[begin + iy * nx + ix] = true;
             if (!(node.concentration >= neighbour.concentration))
               node.concentration = neighbour.concentration;
             node.draft_m = std::max(node.draft_m, neighbour.draft_m);
@@ -130,6 +147,22 @@ void IceCover::extend_to_coast() {
 bool IceCover::speaks_for(core::Seconds time) const {
   return time.count() >= times_s_.front() - ocean::ice_speaks_before.count() &&
          time.count() <= times_s_.back() + ocean::ice_speaks_after.count();
+}
+
+core::Seconds IceCover::beyond_steps(core::Seconds time) const {
+  return core::Seconds{std::max({times_s_.front() - time.count(), time.count() - times_s_.back(), 0.0})};
+}
+
+bool IceCover::is_extended(geo::PlanePoint point, core::Seconds time) const {
+  const auto cell = grid_.corner(point);
+  if (!cell) return false;
+  const Moment when = moment(time.count());
+  for (const std::size_t step : {when.first, when.second}) {
+    const std::size_t south = step * grid_.size() + cell->first;
+    for (const std::size_t node : {south, south + 1, south + grid_.nx(), south + grid_.nx() + 1})
+      if (extended_[node]) return true;
+  }
+  return false;
 }
 
 IceCover::Moment IceCover::moment(double time_s) const {
@@ -147,14 +180,19 @@ IceAbove IceCover::above(geo::PlanePoint point, core::Seconds time) const {
   const auto cell = grid_.corner(point);
   if (!cell) return {};
   const Moment when = moment(time.count());
+  const bool is_before_all = !when.known && time.count() < times_s_.front();
+  if (is_before_all) return {};
 
   const std::size_t nx = grid_.nx();
   double draft_m = 0.0;
+  double last_draft_m = 0.0;  // of nodes that were dense when last known
   const auto concentration_at = [&](std::size_t step) {
     const Node* south = nodes_.data() + step * grid_.size() + cell->first;
     const Node* north = south + nx;
-    for (const Node& node : {south[0], south[1], north[0], north[1]})
+    for (const Node& node : {south[0], south[1], north[0], north[1]}) {
       draft_m = std::max(draft_m, static_cast<double>(node.draft_m));
+      if (is_dense(node)) last_draft_m = std::max(last_draft_m, static_cast<double>(node.draft_m));
+    }
     const auto along = [&](const Node* row) {
       const auto west = static_cast<double>(row[0].concentration);
       return west + cell->fx * (static_cast<double>(row[1].concentration) - west);
@@ -164,7 +202,7 @@ IceAbove IceCover::above(geo::PlanePoint point, core::Seconds time) const {
   };
   double concentration = concentration_at(when.first);
   if (when.share > 0.0) concentration += when.share * (concentration_at(when.second) - concentration);
-  if (std::isnan(concentration)) return {};
+  if (std::isnan(concentration)) return {.draft_m = last_draft_m};
   if (concentration <= limit_) return {.known = when.known, .may_surface = when.known, .draft_m = 0.0};
   return {.known = when.known, .may_surface = false, .draft_m = draft_m};
 }

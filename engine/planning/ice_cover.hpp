@@ -24,8 +24,8 @@ struct IceAbove {
 ///                the deepest of the nodes and times around
 /// Coast    a node without data takes the most ice of its neighbours, one ring deep: masks of land are coarse
 /// Time     counted from `epoch`; the first and the last step hold for ocean::longest_ice_hold beyond
-/// Outside  nothing known beyond the nodes with data (and that ring) and that period. Before and after that, the keels
-///          of the first and the last step stay to be kept below: that nobody looked for them since lifts none
+/// Outside  nothing known beyond the nodes with data (and that ring) and that period. Keels below dense ice that were
+///          known last, at a node or in all, stay to be kept below: that nobody looked for them since lifts none
 /// Threads  const members may be called from several threads at once
 class IceCover {
  public:
@@ -36,6 +36,10 @@ class IceCover {
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const;
   /// Whether the data are meant for this time, and not only held for want of others.
   [[nodiscard]] bool speaks_for(core::Seconds time) const;
+  /// From the nearest step; zero between the first and the last.
+  [[nodiscard]] core::Seconds beyond_steps(core::Seconds time) const;
+  /// Whether what is above rests on a node without data that took those of its neighbours.
+  [[nodiscard]] bool is_extended(geo::PlanePoint point, core::Seconds time) const;
   /// Whether there is ice anywhere, at any time, through which the vehicle may not surface.
   [[nodiscard]] bool has_dense_ice() const { return has_dense_ice_; }
   /// Whether dense ice may come or go.
@@ -61,7 +65,7 @@ class IceCover {
  private:
   struct Node {
     float concentration;  // NaN where nothing is known
-    float draft_m;
+    float draft_m;        // of its keels; there of the dense ice that was known last, 0 for none
   };
   /// Steps around a time and the share of the way to the second.
   struct Moment {
@@ -71,6 +75,8 @@ class IceCover {
     bool known;  // within the period for which steps are held
   };
   [[nodiscard]] Moment moment(double time_s) const;
+  [[nodiscard]] bool is_dense(const Node& node) const;
+  void keep_last_keels();
   void extend_to_coast();
   /// To cells of which a node is marked, whatever the rest of it is.
   [[nodiscard]] CellDistances distances_to(const std::vector<bool>& marked_nodes) const;
@@ -79,6 +85,7 @@ class IceCover {
   PlaneGrid grid_;
   std::vector<double> times_s_;  // since epoch
   std::vector<Node> nodes_;      // [time][y][x]
+  std::vector<bool> extended_;   // [time][y][x]
   double limit_;
   bool has_dense_ice_{false};
   core::Metres spacing_;

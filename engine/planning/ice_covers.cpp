@@ -1,5 +1,8 @@
 #include "engine/planning/ice_covers.hpp"
 
+#include <limits>
+#include <optional>
+
 namespace floeplan::planning {
 
 IceCovers::IceCovers(const ocean::Environment& environment, const UnderIceRules& rules,
@@ -12,18 +15,23 @@ IceCovers::IceCovers(const ocean::Environment& environment, const UnderIceRules&
 }
 
 IceAbove IceCovers::first_known(geo::PlanePoint point, core::Seconds time) const {
-  for (const IceCover& cover : covers_) {
-    if (!cover.speaks_for(time)) continue;
-    const IceAbove ice = cover.above(point, time);
-    if (ice.known) return ice;
-  }
+  std::optional<IceAbove> extended;
+  std::optional<IceAbove> held;
+  core::Seconds nearest{std::numeric_limits<double>::infinity()};
   IceAbove unknown;
   for (const IceCover& cover : covers_) {
     const IceAbove ice = cover.above(point, time);
-    if (ice.known) return ice;
-    unknown.draft_m = std::max(unknown.draft_m, ice.draft_m);
+    if (!ice.known) {
+      unknown.draft_m = std::max(unknown.draft_m, ice.draft_m);
+    } else if (cover.speaks_for(time)) {
+      if (!cover.is_extended(point, time)) return ice;
+      if (!extended) extended = ice;
+    } else if (cover.beyond_steps(time) < nearest) {
+      held = ice;
+      nearest = cover.beyond_steps(time);
+    }
   }
-  return unknown;
+  return extended ? *extended : held.value_or(unknown);
 }
 
 bool IceCovers::changes() const { return covers_.size() == 1 ? covers_.front().changes() : has_dense_ice(); }

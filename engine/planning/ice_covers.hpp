@@ -10,7 +10,8 @@
 namespace floeplan::planning {
 
 /// The sea ice of all products that an environment holds. At each place and time the first of them that speaks for that
-/// time and knows the place answers; where none does, the first that holds its nearest step for it.
+/// time and knows the place answers, by its own data before what they are extended by; where none does, the one that
+/// holds the step nearest to that time.
 /// Outside  nothing known where none of them knows; the deepest keel that any of them knew last
 /// Threads  const members may be called from several threads at once
 class IceCovers {

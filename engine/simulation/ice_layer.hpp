@@ -22,7 +22,7 @@ class IceLayer {
 
   /// Whether there is any, somewhere and some time.
   [[nodiscard]] bool has_ice() const { return cover_.has_value() || even_m_ > 0.0; }
-  /// Zero in open water and where nothing is known of ice, as beyond the area.
+  /// Zero in open water and where no ice was ever known, as beyond the area.
   [[nodiscard]] double draft_m(double east_m, double north_m, core::UtcTime time) const {
     if (!cover_) return even_m_;
     if (!area_.contains({east_m, north_m})) return 0.0;

@@ -1,6 +1,7 @@
 #include "storage/repository/environment_ice.hpp"
 
 #include <algorithm>
+#include <cmath>
 #include <functional>
 #include <memory>
 #include <optional>
@@ -15,6 +16,8 @@ namespace {
 constexpr core::Seconds longest_mission{30.0 * 86400.0};
 /// More than one a day of such a mission.
 constexpr std::size_t most_products = 40;
+/// Older ones of a time that newer ones tell of all over, but for land or gaps: looked at for what is in the gaps.
+constexpr int most_looks_into_gaps = 3;
 
 /// Areas that are all ice, such as fast ice, of a chart without codes: the variable that ingest names then. Outside
 /// them nothing is known, so that as the newest ice they would hide a concentration that is.
@@ -45,6 +48,7 @@ struct Product {
   Period period;
   Validity valid;
   bool reaches_all_of_the_area{};
+  std::shared_ptr<const ocean::IceField> ice;
 };
 
 bool reaches_all_of(const geo::BoundingBox& area, const ocean::HorizontalGrid& grid) {
@@ -60,14 +64,42 @@ bool reaches_all_of(const geo::BoundingBox& area, const ocean::HorizontalGrid& g
   return true;
 }
 
-/// Whether those before it tell all that data with this validity could.
-bool is_hidden(const Validity& valid, const Period& mission, const std::vector<Product>& before) {
+/// Those before it that tell of all the times, and of all the area but for gaps, of which data with this validity do.
+std::vector<const Product*> covering(const Validity& valid, const Period& mission,
+                                     const std::vector<Product>& before) {
   const auto speaks = overlap(valid.speaks, mission);
   const auto held = overlap(valid.held, mission);
-  return std::ranges::any_of(before, [&](const Product& product) {
-    if (!product.reaches_all_of_the_area) return false;
-    return speaks ? is_within(*speaks, product.valid.speaks) : is_within(*held, product.valid.held);
+  std::vector<const Product*> found;
+  for (const Product& product : before) {
+    if (!product.reaches_all_of_the_area) continue;
+    if (speaks ? is_within(*speaks, product.valid.speaks) : is_within(*held, product.valid.held))
+      found.push_back(&product);
+  }
+  return found;
+}
+
+bool knows_always(const ocean::IceField& ice, geo::LonLat place) {
+  return std::ranges::all_of(ice.samples().times_s.nodes(), [&](double time_s) {
+    return ice.at(place, core::from_unix_seconds(time_s)).has_value();
   });
+}
+
+/// Whether the ice tells something of the area at a node where none of these products always does.
+bool fills_a_gap(const ocean::IceField& ice, const geo::BoundingBox& area,
+                 const std::vector<const Product*>& products) {
+  const ocean::IceField::Samples& samples = ice.samples();
+  const std::size_t nodes = samples.grid.size();
+  const std::size_t columns = samples.grid.x().size();
+  for (std::size_t node = 0; node < nodes; ++node) {
+    const geo::LonLat place = samples.grid.place(node % columns, node / columns);
+    bool is_known = false;
+    for (std::size_t i = node; i < samples.concentration.size() && !is_known; i += nodes)
+      is_known = !std::isnan(samples.concentration[i]);
+    if (!is_known || !geo::contains(area, place)) continue;
+    const auto knows = [&](const Product* product) { return knows_always(*product->ice, place); };
+    if (std::ranges::none_of(products, knows)) return true;
+  }
+  return false;
 }
 
 void warn_of_what_is_held(EnvironmentDraft& draft, const std::vector<Product>& used) {
@@ -76,13 +108,7 @@ void warn_of_what_is_held(EnvironmentDraft& draft, const std::vector<Product>& u
   const auto is_held = [&](const Product& product) { return covers(product.valid.held, depart); };
   const auto spoken = std::ranges::find_if(used, speaks);
   const auto now = spoken != used.end() ? spoken : std::ranges::find_if(used, is_held);
-  if (now == used.end()) {
-    draft.warn("nothing is stored of the ice at the time of departure, only of that of " +
-               period_text(used.front().period) +
-               ": until it is known open water is assumed, above the keels " + "of its first step");
-    return;
-  }
-  if (covers(now->period, depart)) return;
+  if (now == used.end() || covers(now->period, depart)) return;
   draft.warn("ice of " + title(now->dataset) + " is held as at " +
              core::iso8601(depart > now->period.to ? now->period.to : now->period.from) +
              ", the step nearest to the departure");
@@ -100,14 +126,16 @@ void report(EnvironmentDraft& draft, const std::vector<Product>& used) {
   warn_of_what_is_held(draft, used);
 }
 
-void adopt(EnvironmentDraft& draft, const Dataset& dataset, ocean::IceField ice) {
-  if (ice.samples().thickness_m.empty())
-    draft.warn("ice of " + title(dataset) + " has no thickness: a draft is assumed wherever there is ice");
-  auto field = std::make_shared<const ocean::IceField>(std::move(ice));
-  if (!draft.environment.ice) {
-    draft.environment.ice = std::move(field);
-  } else {
-    draft.environment.further_ice.push_back(std::move(field));
+void adopt(EnvironmentDraft& draft, const std::vector<Product>& used) {
+  for (const Product& product : used) {
+    if (product.ice->samples().thickness_m.empty())
+      draft.warn("ice of " + title(product.dataset) +
+                 " has no thickness: a draft is assumed wherever there is ice");
+    if (!draft.environment.ice) {
+      draft.environment.ice = product.ice;
+    } else {
+      draft.environment.further_ice.push_back(product.ice);
+    }
   }
 }
 
@@ -124,27 +152,46 @@ void add_ice(EnvironmentDraft& draft) {
   }
 
   const Period mission{query.depart, query.depart + longest_mission};
+  const auto tells_of_departure = [&](const Product& product) {
+    return covers(product.valid.held, query.depart);
+  };
   std::string periods_missed;
   std::vector<Product> used;
+  int looks_into_gaps = 0;
   for (const Dataset& dataset : found) {
     const auto period = period_of(dataset);
-    if (!period || used.size() == most_products) continue;
-    if (is_areas_alone(dataset) && !used.empty()) break;
+    if (!period) continue;
+    if (used.size() == most_products) {
+      draft.warn("more than " + std::to_string(most_products) +
+                 " datasets of ice are stored for this area and time: the oldest are not asked");
+      break;
+    }
+    if (is_areas_alone(dataset) && std::ranges::any_of(used, tells_of_departure)) break;
     const Validity valid{*period};
     if (!covers(valid.held, query.depart) && (named || !overlap(valid.held, mission))) {
       periods_missed +=
           (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
       continue;
     }
-    if (is_hidden(valid, mission, used)) continue;
+    const std::vector<const Product*> before = covering(valid, mission, used);
+    if (!before.empty() && looks_into_gaps++ >= most_looks_into_gaps) continue;
     const Period wanted{std::clamp(query.depart, period->from, period->to), period->to};
     auto ice = FieldRepository{draft.db, draft.reading.stop}.load_ice(dataset.id, query.area, wanted);
-    if (!ice) continue;
-    used.push_back({dataset, *period, valid, reaches_all_of(query.area, ice->samples().grid)});
-    adopt(draft, dataset, std::move(*ice));
+    if (!ice || (!before.empty() && !fills_a_gap(*ice, query.area, before))) continue;
+    const bool reaches_all = reaches_all_of(query.area, ice->samples().grid);
+    used.push_back(
+        {dataset, *period, valid, reaches_all, std::make_shared<const ocean::IceField>(std::move(*ice))});
+  }
+  // Of ice that begins later alone nothing follows for the beginning of a mission, which may end before it.
+  if (std::ranges::none_of(used, tells_of_departure)) {
+    for (const Product& product : used)
+      periods_missed += (periods_missed.empty() ? "" : "; ") + title(product.dataset) + " covers " +
+                        period_text(product.period);
+    used.clear();
   }
 
   if (!used.empty()) {
+    adopt(draft, used);
     report(draft, used);
     if (is_areas_alone(used.front().dataset)) return;
     for (const Dataset& unused : areas)

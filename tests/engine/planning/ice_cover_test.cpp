@@ -71,6 +71,18 @@ TEST(IceCover, HoldsTheFirstAndTheLastStepForThreeDays) {
   EXPECT_FALSE(cover.above({0.0, 0.0}, hours(24.0 + 73.0)).known);
 }
 
+/// A gap in a later step lifts no keel: nobody looked.
+TEST(IceCover, KeepsTheKeelsThatALaterStepDoesNotTellOf) {
+  const IceCover cover = cover_of(support::ice_from(
+      [](geo::LonLat, double hour) { return hour < 1.0 ? 0.9 : unknown; }, {0.0, 24.0}, 1.0));
+
+  for (const double hour : {1.0, 23.0, 24.0, 90.0, 200.0}) {
+    EXPECT_FALSE(cover.above({0.0, 0.0}, hours(hour)).known) << hour;
+    EXPECT_EQ(cover.above({0.0, 0.0}, hours(hour)).draft_m, 8.0) << hour;
+  }
+  EXPECT_EQ(cover.least_way_to_dense_ice({0.0, 0.0}).value, 0.0);
+}
+
 TEST(IceCover, KeepsTheKeelsThatWereKnownLast) {
   const IceCover cover = cover_of(
       support::ice_from([](geo::LonLat, double hour) { return hour < 1.0 ? 0.0 : 1.0; }, {0.0, 24.0}, 1.0));

@@ -63,6 +63,26 @@ TEST(IceCovers, AskTheNextWhereTheFirstKnowsNothing) {
   EXPECT_TRUE(covers.changes()) << "when one ends and another begins";
 }
 
+/// Beside its last node a product goes by that node; one that has data there knows better.
+TEST(IceCovers, AskForDataBeforeWhatIsExtendedToACoast) {
+  const Field in_the_west =
+      support::ice_from([](geo::LonLat p, double) { return p.lon_deg < -53.05 ? 0.0 : unknown; }, {0.0}, 1.0);
+  const geo::PlanePoint beside{-1'200.0, 0.0};  // between the last node with data, at 53.1 W, and the next
+
+  EXPECT_TRUE(covers_of(in_the_west, {}).above(beside, hours(1.0)).may_surface);
+  EXPECT_FALSE(covers_of(in_the_west, {even_ice(concentration_that_closes, 0.0, 24.0)})
+                   .above(beside, hours(1.0))
+                   .may_surface);
+}
+
+TEST(IceCovers, HoldTheNearestStep) {
+  const IceCovers covers =
+      covers_of(even_ice(0.0, 96.0, 97.0), {even_ice(concentration_that_closes, 0.0, 1.0)});
+
+  EXPECT_FALSE(covers.above({0.0, 0.0}, hours(40.0)).may_surface);
+  EXPECT_TRUE(covers.above({0.0, 0.0}, hours(60.0)).may_surface);
+}
+
 /// Law: bounds on ways to openings and to dense ice hold for what all together tell.
 TEST(IceCovers, BoundTheWaysToOpeningsAndToDenseIce) {
   int looks = 0;

@@ -2,6 +2,7 @@
 
 #include <gmock/gmock.h>
 
+#include <limits>
 #include <random>
 
 #include "engine/ocean/iceberg_drift.hpp"
@@ -684,6 +685,27 @@ TEST_F(EnvironmentLoaderTest, TakesIceOfOtherDatasetsWhereOrWhenTheNewestTellsNo
   environment = load();
   EXPECT_THAT(environment.further_ice, IsEmpty()) << "the newest tells all that they could";
   EXPECT_THAT(cited(environment), Not(Contains("full")));
+}
+
+TEST_F(EnvironmentLoaderTest, TakesOlderIceWhereTheNewestHasAGapOrEnds) {
+  add_ice("full", sample_time - day, 10);
+  add_ice("gaps", sample_time - day, 10);
+  std::vector<float> with_a_gap(grid(bay, 0.5).size(), 0.0F);
+  with_a_gap[with_a_gap.size() / 2] = std::numeric_limits<float>::quiet_NaN();
+  for (std::size_t time = 0; time < 10; ++time)
+    FieldRepository{db_}.write_slice({"gaps"}, "concentration", time, 0, with_a_gap);
+  query_.area = bay;
+
+  EXPECT_EQ(load().further_ice.size(), 1U);
+  EXPECT_THAT(cited(load()), testing::IsSupersetOf({"gaps", "full"}));
+}
+
+/// A mission that may end before ice of next week knows nothing of today's ice.
+TEST_F(EnvironmentLoaderTest, TakesNoIceThatBeginsLongAfterTheDeparture) {
+  add_ice("later", sample_time + 9.0 * day, 5);
+
+  EXPECT_EQ(load().ice, nullptr);
+  EXPECT_THAT(load().warnings, Contains(HasSubstr("no stored ice for the time of departure")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
