@@ -47,16 +47,17 @@ planning::EscapeWay parse_escape(const json& object) {
   return escape;
 }
 
-planning::PlannedSurfacing parse_planned(const json& object) {
-  return {.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
-          .time = stored_time(object, "time"),
-          .position_error = {object.at("position_error_m").get<double>()}};
-}
-
 /// What plans stored by older versions do not have.
 std::optional<core::Metres> later_metres(const json& waypoint, const char* key) {
   const json metres = waypoint.value(key, json());
   return metres.is_null() ? std::nullopt : std::optional{core::Metres{metres.get<double>()}};
+}
+
+planning::PlannedSurfacing parse_planned(const json& object) {
+  return {.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
+          .time = stored_time(object, "time"),
+          .position_error = {object.at("position_error_m").get<double>()},
+          .nearest_ice = later_metres(object, "nearest_ice_m")};
 }
 
 json metres_or_null(const std::optional<core::Metres>& metres) {
@@ -96,7 +97,8 @@ json surfacing_json(const std::optional<planning::SurfacingPlan>& plan) {
     surfacings.push_back({{"lon", document_degrees(surfacing.place.lon_deg)},
                           {"lat", document_degrees(surfacing.place.lat_deg)},
                           {"time", core::iso8601(surfacing.time)},
-                          {"position_error_m", surfacing.position_error.value}});
+                          {"position_error_m", surfacing.position_error.value},
+                          {"nearest_ice_m", metres_or_null(surfacing.nearest_ice)}});
   }
   json escapes = json::array();
   for (const auto& escape : plan->escapes) escapes.push_back(escape_json(escape, escapes.size()));

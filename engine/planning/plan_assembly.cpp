@@ -260,6 +260,21 @@ void warn_of_ice_beside(Plan& plan, const PlanRequest& request) {
   plan.warnings.push_back(std::string{text} + remedy);
 }
 
+void warn_of_surfacings_near_ice(Plan& plan) {
+  const auto is_near = [](const PlannedSurfacing& surfacing) { return surfacing.nearest_ice.has_value(); };
+  const auto& surfacings = plan.surfacing->surfacings;
+  const auto first = std::ranges::find_if(surfacings, is_near);
+  if (first == surfacings.end()) return;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "%td of %td planned surfacings have ice nearer than the position may be off, the first of them at "
+      "%s: ice at %.1f km, error %.1f km; surface more often (--surfacing-interval), or keep off the ice",
+      std::ranges::count_if(surfacings, is_near), std::ssize(surfacings), core::iso8601(first->time).c_str(),
+      first->nearest_ice->value / 1000.0, first->position_error.value / 1000.0);
+  plan.warnings.emplace_back(text);
+}
+
 void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
                     const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
                     const std::vector<vehicle::Drive>& drives) {
@@ -278,6 +293,7 @@ void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
   add_energy_of_surfacings(plan, request);
   warn_of_deep_turns(plan, request);
   warn_of_ice_beside(plan, request);
+  warn_of_surfacings_near_ice(plan);
   if (!plan.surfacing->waypoints.back().may_surface)
     plan.warnings.emplace_back(
         "the vehicle may not surface at the goal: the ice there is too dense or unknown");

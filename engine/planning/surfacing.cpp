@@ -18,7 +18,7 @@ class Log {
     const Look last = here_;
     here_ = {now, last.error + growth(drive, now.time - last.at.time)};
     const bool open = sea_.may_surface(now.point, now.time);
-    surface_when_due(open);
+    if (request_.under_ice.surfacing_interval) surface_when_due(open);
     if (!(open && was_open_))
       plan.longest_without = std::max(plan.longest_without, now.time - last_open_.at.time);
     if (open) {
@@ -51,6 +51,17 @@ class Log {
     Sea::Passage at;
     core::Metres error{};  // grown since the start without any fix
   };
+  /// A look at which the vehicle might have surfaced.
+  struct Opening {
+    Look look;
+    std::optional<core::Metres> nearest_ice;  // within the error of the position then
+    core::Metres room;  // beyond that error, below zero; of no account where there is no ice
+
+    [[nodiscard]] bool is_clear() const { return !nearest_ice; }
+    [[nodiscard]] bool is_as_good_as(const Opening& other) const {
+      return is_clear() || (!other.is_clear() && room >= other.room);
+    }
+  };
 
   /// At the last look.
   [[nodiscard]] SurfacingState state() const {
@@ -61,12 +72,18 @@ class Log {
                          .least_upper_turn = sea_.least_upper_turn(point, time),
                          .ice_free_before = ice_free_before_,
                          .error_without_fix = here_.error};
-    if (sea_.ice()) {
-      const auto ice = nearest_ice_within(here_.error, *sea_.ice(), point, time);
-      if (ice) state.nearest_ice = sea_.ground_length(point, {point.x_m + ice->value, point.y_m});
-    }
+    state.nearest_ice = ice_within(here_.error);
     if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
     return state;
+  }
+
+  /// Of the last look, on the ground.
+  [[nodiscard]] std::optional<core::Metres> ice_within(core::Metres distance) const {
+    if (!sea_.ice()) return std::nullopt;
+    const auto& [point, time] = here_.at;
+    const auto ice = nearest_ice_within(distance, *sea_.ice(), point, time);
+    if (!ice) return std::nullopt;
+    return sea_.ground_length(point, {point.x_m + ice->value, point.y_m});
   }
 
   void look_beside() {
@@ -86,19 +103,34 @@ class Log {
 
   [[nodiscard]] core::Metres error_at(const Look& look) const { return look.error - fix_.error; }
 
-  /// The last look before the interval is over, or the first after it when the vehicle was under ice then.
-  void surface_when_due(bool open) {
-    const auto interval = request_.under_ice.surfacing_interval;
-    const core::Seconds now = here_.at.time;
-    if (!interval || now - fix_.at.time <= *interval) return;
-    if (last_open_.at.time > fix_.at.time) surface(last_open_);
-    if (open && now - fix_.at.time > *interval) surface(here_);
+  [[nodiscard]] bool is_due() const {
+    return here_.at.time - fix_.at.time > *request_.under_ice.surfacing_interval;
   }
 
-  void surface(const Look& look) {
-    plan.surfacings.push_back(
-        {sea_.projection().to_lon_lat(look.at.point), request_.depart + look.at.time, error_at(look)});
+  [[nodiscard]] Opening opening_here() const {
+    const core::Metres error = error_at(here_);
+    const auto ice = ice_within(error);
+    return {here_, ice, ice.value_or(error) - error};
+  }
+
+  /// At the best opening since the last fix, once the interval is over and no better one comes.
+  void surface_when_due(bool open) {
+    std::optional<Opening> now = open ? std::optional{opening_here()} : std::nullopt;
+    const auto comes_no_better = [&] {
+      return best_opening_->is_clear() || !now || !now->is_as_good_as(*best_opening_);
+    };
+    if (best_opening_ && is_due() && comes_no_better()) surface(*best_opening_);
+    if (open && !best_opening_) now = opening_here();  // less off since that fix
+    if (now && (!best_opening_ || now->is_as_good_as(*best_opening_))) best_opening_ = now;
+    if (best_opening_ && is_due() && best_opening_->is_clear()) surface(*best_opening_);
+  }
+
+  void surface(const Opening& opening) {
+    const Look look = opening.look;
+    plan.surfacings.push_back({sea_.projection().to_lon_lat(look.at.point), request_.depart + look.at.time,
+                               error_at(look), opening.nearest_ice});
     fix_ = look;
+    best_opening_.reset();
   }
 
   const Sea& sea_;
@@ -106,8 +138,9 @@ class Log {
   Look here_;
   Look fix_;
   Look last_open_;
-  bool was_open_{true};             // the vehicle starts at the surface
-  core::Metres leg_upper_turn_{};   // the deepest since the last waypoint
+  std::optional<Opening> best_opening_{};  // since the last fix, the last of those as good
+  bool was_open_{true};                    // the vehicle starts at the surface
+  core::Metres leg_upper_turn_{};          // the deepest since the last waypoint
   core::Metres ice_free_before_{};  // counted from the first open look: what lies before it may be closed
   bool was_below_ice_{false};       // at the last look
 };

@@ -33,6 +33,9 @@ struct PlannedSurfacing {
   geo::LonLat place;
   core::UtcTime time;
   core::Metres position_error{};  // just before the fix
+  /// To the nearest ice that dives must turn below, to any side. Empty where there is none within that error, and in
+  /// plans stored before it was kept.
+  std::optional<core::Metres> nearest_ice{};
 };
 
 /// The fastest way from a waypoint to a place where the vehicle may surface.

@@ -291,7 +291,13 @@ export interface Waypoint {
 export interface Surfacing {
   longest_without_surfacing_s: number;
   unknown_ice_m: number;
-  planned: { lon: number; lat: number; time: string; position_error_m: number }[];
+  planned: {
+    lon: number;
+    lat: number;
+    time: string;
+    position_error_m: number;
+    nearest_ice_m?: number | null; // where there is some within that error
+  }[];
   escapes: {
     waypoint: number;
     to: [number, number];
@@ -300,6 +306,7 @@ export interface Surfacing {
     time_s: number;
     energy_j?: number;
     way: [number, number][];
+    propulsion?: ('buoyancy' | 'thruster')[]; // one for each leg of the way
   }[];
 }
 
