@@ -131,8 +131,10 @@ Route released(Route route, const Route& way) {
       return way.points[j].x_m == route.points[i].x_m && way.points[j].y_m == route.points[i].y_m;
     };
     if (!route.fixed[i]) continue;
-    while (next < way.points.size() && !is_at(next)) ++next;
-    route.fixed[i] = next < way.points.size() && way.fixed[next];
+    std::size_t same = next;
+    while (same < way.points.size() && !is_at(same)) ++same;
+    route.fixed[i] = same < way.points.size() && way.fixed[same];
+    if (same < way.points.size()) next = same + 1;
   }
   return route;
 }
