@@ -26,7 +26,7 @@ constexpr std::size_t most_bergs = 500;
 
 double rounded(double value, double per_unit) { return std::round(value * per_unit) / per_unit; }
 
-/// Column by column, hour by hour: where the berg is expected and how far from there it may be.
+/// Column by column, at most an hour apart: where the berg is expected and how far from there it may be.
 json drift_of(const ocean::Iceberg& iceberg, const ocean::Environment& sea, core::UtcTime until) {
   json berg{{"berg_id", iceberg.id},
             {"observed", core::iso8601(iceberg.observed)},

@@ -55,6 +55,7 @@ EscapeWay describe(const Sea& sea, const TimedWay& timed) {
     while (points[original].x_m != point.x_m || points[original].y_m != point.y_m) ++original;
     escape.way.push_back(sea.projection().to_lon_lat(point));
     if (original < drives.size()) escape.drives.push_back(drives[original]);
+    ++original;
   }
   for (std::size_t i = 1; i < escape.way.size(); ++i) {
     const geo::GeodesicLine leg = geo::geodesic_between(escape.way[i - 1], escape.way[i]);

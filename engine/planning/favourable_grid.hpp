@@ -26,11 +26,7 @@ class FavourableGrid {
   [[nodiscard]] double straight_s(const graph::Edge& edge) const {
     return steps_[edge.step].least_time.count();
   }
-  /// Of this edge.
-  [[nodiscard]] double least_s(const graph::Edge& edge) const {
-    return least_time_s(box_about(edge.tail), steps_[edge.step]);
-  }
-  /// Of the longest edges, with the strongest current anywhere astern.
+  /// The same for the longest edges.
   [[nodiscard]] double longest_straight_s() const { return longest_.least_time.count(); }
 
   /// Calls visit(edge, least time in seconds) for each edge out of a vertex.

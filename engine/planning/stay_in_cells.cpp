@@ -67,12 +67,14 @@ double distance_to(const OutlineLine& line, geo::PlanePoint point) {
 /// lines, a little off them.
 class SeamJudge {
  public:
+  explicit SeamJudge(std::stop_token stop) : stop_{std::move(stop)} {}
+
   bool hold_all(const Seam& seam, const PlaneBox& cell, geo::PlanePoint reference) {
     const auto is_clear = [&](const OutlinePart& part) {
       return std::ranges::all_of(
           part.lines, [&](const OutlineLine& line) { return distance_to(line, reference) > nothing_m; });
     };
-    if (std::ranges::none_of(seam.parts, &OutlinePart::holds_reference)) return false;
+    if (left_ < 0 || std::ranges::none_of(seam.parts, &OutlinePart::holds_reference)) return false;
     if (!std::ranges::all_of(seam.parts, is_clear)) return false;
     return std::ranges::all_of(seam.parts, [&](const OutlinePart& part) {
       return std::ranges::all_of(
@@ -102,7 +104,7 @@ class SeamJudge {
       for (const OutlineLine& line : part.lines)
         if (const auto share = crossing(way.from, way.to, line.from, line.to)) shares.push_back(*share);
     }
-    if (left_ < 0) return false;
+    if (left_ < 0 || stop_.stop_requested()) return false;
     std::ranges::sort(shares);
     const double length_m = geo::distance_m(way.from, way.to);
     for (std::size_t i = 1; i < shares.size(); ++i) {
@@ -126,6 +128,7 @@ class SeamJudge {
     });
   }
 
+  std::stop_token stop_;
   std::int64_t left_{most_line_tests};
 };
 
@@ -178,7 +181,7 @@ class Seams {
   }
 
   void judge(std::vector<bool>& held, const std::stop_token& stop) const {
-    SeamJudge judge;
+    SeamJudge judge{stop};
     for (const Seam& seam : seams_) {
       if (stop.stop_requested()) return;
       const PlaneBox reference = box_of(seam.cell, references_);

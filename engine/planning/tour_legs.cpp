@@ -8,6 +8,7 @@
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/route_search.hpp"
 #include "engine/planning/time_killing.hpp"
+#include "engine/planning/visiting_order.hpp"
 
 namespace floeplan::planning {
 namespace {
@@ -51,7 +52,11 @@ graph::SearchTree TourLegs::earliest_arrivals(Leg& leg, core::Seconds depart,
   const OpenGrid& open = leg.open;
   const graph::Query query{
       .source = open.grid.start, .goal = open.grid.goal, .depart = depart, .latest = core::Seconds{INFINITY}};
-  return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, bound_of(leg));
+  // Many places are ordered by trials of few departures: a bound of each pair would take longer than it spares.
+  if (layout_.points.size() <= most_places_ordered_exactly + 2)
+    return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, bound_of(leg));
+  const StraightBound straight{sea_, open.grid, open.graph, open.grid.goal};
+  return graph::find_earliest_arrivals(open.graph, query, travel_time, stop_, straight);
 }
 
 const FavourableBound& TourLegs::bound_of(Leg& leg) const {

@@ -106,7 +106,6 @@ TEST(Areas, AreRefusedWhereTheirOutlineCrossesItself) {
   EXPECT_THAT(reader.violations().front().rule, HasSubstr("[-53.0,69.5]"));
 }
 
-/// From -180 to 180 in one edge: both ends are the same place, and the edge leads all the way round.
 /// Two areas written as one polygon: the second would be no area at all.
 TEST(Areas, AreRefusedWhereAHoleLiesOutside) {
   const auto with_hole = [](const char* hole) {
@@ -126,6 +125,7 @@ TEST(Areas, AreRefusedWhereTheNameOfARuleIsNearlyRight) {
       << "a map program's own, and one without a value";
 }
 
+/// From -180 to 180 in one edge: both ends are the same place, and the edge leads all the way round.
 TEST(Areas, MayLeadAllTheWayRoundTheEarth) {
   const json arctic = json::parse("[[[-180,60],[180,60],[180,90],[-180,90],[-180,60]]]");
   const json document = inputs({feature({{"kind", "no_go"}}, arctic)});
