@@ -7,8 +7,8 @@
 namespace floeplan::planning {
 namespace {
 
-constexpr int usual_parts =
-    4;  // of a side at most, where nothing speaks for more: memory and time grow with them
+/// Of a side at most, where nothing speaks for more: memory and time grow with them.
+constexpr int usual_parts = 4;
 constexpr int most_parts = 16;
 constexpr std::size_t most_nodes = 1 << 22;        // over all times: 32 MB
 constexpr std::size_t most_trial_nodes = 1 << 18;  // at one time: some tens of milliseconds
@@ -97,7 +97,7 @@ CellPosition on_uncut(std::size_t i, int parts, std::size_t nodes) {
 }
 
 CellCut cut_cells(const ocean::CurrentGrid& currents, const FlownDepths& depths, const NodeWindow& window,
-                  const std::vector<NodeTurn>& turns, std::size_t slices) {
+                  const std::vector<NodeTurn>& turns, std::size_t slices, const std::stop_token& stop) {
   const ocean::HorizontalGrid& grid = currents.samples().grid;
   if (!depths.bathymetry()) return {1, std::vector(window.size(), depths.at(grid.place(0, 0)))};
   const double of_bathymetry = std::ceil(grid.spacing() / depths.bathymetry()->grid().spacing());
@@ -115,6 +115,7 @@ CellCut cut_cells(const ocean::CurrentGrid& currents, const FlownDepths& depths,
   if (finest > parts) {
     const std::size_t times = currents.times_s().size();
     for (const std::size_t time : {std::size_t{0}, std::min(times, slices) / 2}) {
+      if (stop.stop_requested()) break;
       const Lattice lattice{currents, window, turns, cut, time};
       while (parts < finest &&
              lattice.most_missed_m_s(static_cast<std::size_t>(finest / parts)) > most_missed_at_banks.value)

@@ -129,7 +129,8 @@ PlaneCurrents::PlaneCurrents(const ocean::CurrentGrid& currents, bool steady, co
     times_s_ = FastAxis{std::move(times)};
   }
   const std::vector<NodeTurn> turns = turns_of(grid, window, projection);
-  const auto [parts, bands] = cut_cells(currents, depths, window, turns, times_s_ ? times_s_->size() : 1);
+  const auto [parts, bands] =
+      cut_cells(currents, depths, window, turns, times_s_ ? times_s_->size() : 1, stop);
   x_ = FastAxis{cut_axis(window.x, parts)};
   y_ = FastAxis{cut_axis(window.y, parts)};
   spacing_ = (1.0 / parts) * grid.spacing();

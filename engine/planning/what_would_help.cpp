@@ -38,24 +38,31 @@ std::optional<Change> move_that_helps(const ocean::Environment& environment, con
   return move_of("to", request.to, *nearest);
 }
 
-/// Whether anywhere and at any time a current is as fast as the vehicle: weaker ones close nothing.
-bool any_current_may_close(const ocean::CurrentGrid& currents, const PlanRequest& request) {
-  const double through_water =
-      drive_speed(request.vehicle, drives(request.energy, request.vehicle).back()).value;
+/// Whether anywhere and at any time a current is as fast as the vehicle: weaker ones close no leg, though they may make a
+/// way too long for what else is asked of it. False once `stop` is requested.
+bool any_current_may_close(const ocean::CurrentGrid& currents, const PlanRequest& request,
+                           const std::stop_token& stop) {
+  constexpr std::size_t between_looks = 1 << 20;  // about a millisecond of samples
+  const auto through_water =
+      static_cast<float>(drive_speed(request.vehicle, drives(request.energy, request.vehicle).back()).value);
   const auto& samples = currents.samples();
-  for (std::size_t i = 0; i < samples.u.size(); ++i)
-    if (std::hypot(samples.u[i], samples.v[i]) >= through_water) return true;
+  for (std::size_t i = 0; i < samples.u.size(); ++i) {
+    if (i % between_looks == 0 && stop.stop_requested()) return false;
+    if (samples.u[i] * samples.u[i] + samples.v[i] * samples.v[i] >= through_water * through_water)
+      return true;
+  }
   return false;
 }
 
 /// Whether the sea or the request holds anything of the kind that can be taken away and may stand in the way.
-bool holds_any(Constraint constraint, const ocean::Environment& environment, const PlanRequest& request) {
+bool holds_any(Constraint constraint, const ocean::Environment& environment, const PlanRequest& request,
+               const std::stop_token& stop) {
   switch (constraint) {
     case Constraint::iceberg: return !environment.icebergs.empty();
     case Constraint::zone: return !environment.zones.empty() || !request.zones.empty();
     case Constraint::ice: return environment.ice != nullptr;
     case Constraint::current:
-      return environment.currents && any_current_may_close(*environment.currents, request);
+      return environment.currents && any_current_may_close(*environment.currents, request, stop);
     default: return false;
   }
 }
@@ -109,7 +116,7 @@ Removable what_else_binds(const ocean::Environment& environment, const PlanReque
   Removable result;
   for (const Constraint constraint : {iceberg, zone, ice, current}) {
     if (constraint == why.binding || (constraint == current && by_data)) continue;
-    if (!holds_any(constraint, environment, request)) continue;
+    if (!holds_any(constraint, environment, request, stop)) continue;
     const TrialOutcome outcome = outcome_without(constraint, environment, request, left, stop);
     if (outcome == TrialOutcome::possible) return {constraint, false};
     if (outcome == TrialOutcome::not_known) result.cut_short = true;
