@@ -16,22 +16,30 @@ IceCovers::IceCovers(const ocean::Environment& environment, const UnderIceRules&
 
 IceAbove IceCovers::first_known(geo::PlanePoint point, core::Seconds time) const {
   std::optional<IceAbove> extended;
-  std::optional<IceAbove> held;
+  for (const IceCover& cover : covers_) {
+    if (!cover.speaks_for(time)) continue;
+    const IceAbove ice = cover.above(point, time);
+    if (!ice.known) continue;
+    if (!cover.is_extended(point, time)) return ice;
+    if (!extended) extended = ice;
+  }
+  return extended ? *extended : held(point, time);
+}
+
+IceAbove IceCovers::held(geo::PlanePoint point, core::Seconds time) const {
+  std::optional<IceAbove> known;
   core::Seconds nearest{std::numeric_limits<double>::infinity()};
   IceAbove unknown;
   for (const IceCover& cover : covers_) {
     const IceAbove ice = cover.above(point, time);
     if (!ice.known) {
       unknown.draft_m = std::max(unknown.draft_m, ice.draft_m);
-    } else if (cover.speaks_for(time)) {
-      if (!cover.is_extended(point, time)) return ice;
-      if (!extended) extended = ice;
     } else if (cover.beyond_steps(time) < nearest) {
-      held = ice;
+      known = ice;
       nearest = cover.beyond_steps(time);
     }
   }
-  return extended ? *extended : held.value_or(unknown);
+  return known.value_or(unknown);
 }
 
 bool IceCovers::changes() const { return covers_.size() == 1 ? covers_.front().changes() : has_dense_ice(); }

@@ -38,6 +38,8 @@ class IceCovers {
 
  private:
   [[nodiscard]] IceAbove first_known(geo::PlanePoint point, core::Seconds time) const;
+  /// By the step nearest to a time for which none that knows the place speaks.
+  [[nodiscard]] IceAbove held(geo::PlanePoint point, core::Seconds time) const;
 
   std::vector<IceCover> covers_;
 };

@@ -119,8 +119,10 @@ class Log {
     const auto comes_no_better = [&] {
       return best_opening_->is_clear() || !now || !now->is_as_good_as(*best_opening_);
     };
-    if (best_opening_ && is_due() && comes_no_better()) surface(*best_opening_);
-    if (open && !best_opening_) now = opening_here();  // less off since that fix
+    if (best_opening_ && is_due() && comes_no_better()) {
+      surface(*best_opening_);
+      if (open) now = opening_here();  // less off since that fix
+    }
     if (now && (!best_opening_ || now->is_as_good_as(*best_opening_))) best_opening_ = now;
     if (best_opening_ && is_due() && best_opening_->is_clear()) surface(*best_opening_);
   }

@@ -1,6 +1,5 @@
 #include "engine/planning/what_would_help.hpp"
 
-#include <cmath>
 #include <cstddef>
 #include <cstdint>
 #include <optional>
@@ -77,7 +76,10 @@ TrialOutcome outcome_without(Constraint constraint, const ocean::Environment& en
     open.zones.clear();
     asked.zones.clear();
   }
-  if (constraint == Constraint::ice) open.ice.reset();
+  if (constraint == Constraint::ice) {
+    open.ice.reset();
+    open.further_ice.clear();
+  }
   if (constraint == Constraint::current) {
     // They carry the icebergs all the same.
     if (!open.drift_currents) open.drift_currents = open.currents;

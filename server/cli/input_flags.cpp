@@ -159,8 +159,7 @@ void InputFlags::add_route_rules(CLI::App& command) {
   command
       .add_option("--max-loiter", max_loiter_s_,
                   "Let the vehicle wait at a waypoint for what clears later, icebergs or timed areas, at "
-                  "most so many "
-                  "seconds, or as PT2H; default 0")
+                  "most so many seconds, or as PT2H; default 0")
       ->transform(seconds_or_duration());
   add_passing_under_ice(command);
   command

@@ -7,6 +7,7 @@
 #include <string>
 #include <utility>
 
+#include "storage/repository/area_lattice.hpp"
 #include "storage/repository/bathymetry_mosaic.hpp"
 #include "storage/repository/field_repository.hpp"
 
@@ -40,16 +41,7 @@ std::vector<Layer> layers_of(const EnvironmentDraft& draft, const std::vector<Da
 
 /// Whether there is a depth wherever it is asked in the area, by 65 x 65 places.
 bool covers(const ocean::Bathymetry& bathymetry, const geo::BoundingBox& area) {
-  constexpr int pieces = 64;
-  const double width = geo::width_deg(area);
-  for (int row = 0; row <= pieces; ++row) {
-    for (int column = 0; column <= pieces; ++column) {
-      const double lat = area.south_deg + (area.north_deg - area.south_deg) * row / pieces;
-      if (!bathymetry.depth({geo::wrap_longitude(area.west_deg + width * column / pieces), lat}))
-        return false;
-    }
-  }
-  return true;
+  return holds_all_over(area, 64, [&](geo::LonLat place) { return bathymetry.depth(place).has_value(); });
 }
 
 void adopt(EnvironmentDraft& draft, ocean::Bathymetry bathymetry, const std::vector<Dataset>& used) {

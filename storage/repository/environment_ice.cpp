@@ -8,15 +8,17 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/repository/area_lattice.hpp"
 
 namespace floeplan::repository {
 namespace {
 
 /// No mission that is planned at once lasts longer.
 constexpr core::Seconds longest_mission{30.0 * 86400.0};
-/// More than one a day of such a mission.
+/// More than one a day of such a mission. A judgement.
 constexpr std::size_t most_products = 40;
 /// Older ones of a time that newer ones tell of all over, but for land or gaps: looked at for what is in the gaps.
+/// A judgement: each is read.
 constexpr int most_looks_into_gaps = 3;
 
 /// Areas that are all ice, such as fast ice, of a chart without codes: the variable that ingest names then. Outside
@@ -52,16 +54,7 @@ struct Product {
 };
 
 bool reaches_all_of(const geo::BoundingBox& area, const ocean::HorizontalGrid& grid) {
-  constexpr int pieces = 16;
-  const double width_deg = geo::width_deg(area);
-  for (int row = 0; row <= pieces; ++row) {
-    for (int column = 0; column <= pieces; ++column) {
-      const double lat_deg = area.south_deg + (area.north_deg - area.south_deg) * row / pieces;
-      const double lon_deg = geo::wrap_longitude(area.west_deg + width_deg * column / pieces);
-      if (!grid.locate({lon_deg, lat_deg})) return false;
-    }
-  }
-  return true;
+  return holds_all_over(area, 16, [&](geo::LonLat place) { return grid.locate(place).has_value(); });
 }
 
 /// Those before it that tell of all the times, and of all the area but for gaps, of which data with this validity do.

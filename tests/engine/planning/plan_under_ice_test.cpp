@@ -333,13 +333,19 @@ TEST(PlanUnderIce, SearchesACoarserGridWhereTheOneLeftOpenTakesTooMuchMemory) {
   EXPECT_LE(plan.surfacing->longest_without.count(), 3600.0 * 24.0);
 }
 
-/// Ways from hole to hole: what moves must leave the places to surface where they are.
-TEST(PlanUnderIce, MovesWaypointsOffTheGridWhereTheTimeBelowTheIceIsBounded) {
-  const ocean::Environment environment = ice_with_holes(3, 40);
+/// On a grid that finds a way within seconds.
+PlanRequest from_hole_to_hole(double most_hours_below_ice) {
   PlanRequest request = support::eastward_request();
   request.optimality_gap = false;
   request.spacing_along = core::Metres{2500.0};
-  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 10.0};
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * most_hours_below_ice};
+  return request;
+}
+
+/// Ways from hole to hole: what moves must leave the places to surface where they are.
+TEST(PlanUnderIce, MovesWaypointsOffTheGridWhereTheTimeBelowTheIceIsBounded) {
+  const ocean::Environment environment = ice_with_holes(3, 40);
+  PlanRequest request = from_hole_to_hole(10.0);
   const Plan refined = planned(environment, request);
   request.refine = false;
   const Plan on_the_grid = planned(environment, request);
@@ -526,10 +532,7 @@ TEST(PlanUnderIce, SurfacesWithMostRoomWhereItIsNowhereClearOfTheIce) {
 /// What was held at the ice while waypoints moved is free afterwards, and the places to visit are not.
 TEST(PlanUnderIce, VisitsItsPlacesWhereFewWaypointsAndABoundAreAskedFor) {
   const ocean::Environment environment = ice_with_holes(3, 40);
-  PlanRequest request = support::eastward_request();
-  request.optimality_gap = false;
-  request.spacing_along = core::Metres{2500.0};
-  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 12.0};
+  PlanRequest request = from_hole_to_hole(12.0);
   request.via = {{-52.7, 69.03}};
   for (const int most : {0, 8}) {
     if (most > 0) request.max_waypoints = most;
