@@ -1,7 +1,5 @@
-import type {
-  Box, CoastFeature, Dataset, EvaluateInputs, EvaluationResults, FeaturePage, GliderTrackFeature, IcebergDrift, IcebergFeature, IngestInputs, IngestReport, JobStatus, MissionPreview, NewFeature, PlanFeature, PlanInputs,
-  PlanResults, Probe, Reach, ReachInputs, Upload, Vehicle, ZoneFeature,
-} from './types';
+import type { Box, CoastFeature, Dataset, FeaturePage, GliderTrackFeature, IcebergDrift, IcebergFeature, IngestInputs, IngestReport, NewFeature, Upload, Vehicle, ZoneFeature } from './data_types';
+import type { EvaluateInputs, EvaluationResults, JobStatus, MissionPreview, PlanFeature, PlanInputs, PlanResults, Probe, Reach, ReachInputs } from './types';
 import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
 import type { IcebergChoice } from '../model/iceberg_choice';

@@ -8,7 +8,7 @@ import { forbids } from '../model/login';
 import { announce, tell } from '../model/screen';
 import { tool } from '../model/view';
 import * as api from './client';
-import type { NewFeature } from './types';
+import type { NewFeature } from './data_types';
 
 const gone = 404;
 const changedMeanwhile = 412;

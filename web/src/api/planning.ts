@@ -11,7 +11,8 @@ import { keepUnfinished, unfinished } from '../model/unfinished';
 import { ask } from '../model/view';
 import * as api from './client';
 import { follow } from './following';
-import type { Change, JobStatus, Plan, PlanInputs, Position } from './types';
+import type { Position } from './data_types';
+import type { Change, JobStatus, Plan, PlanInputs } from './types';
 
 let cancelled: AbortController | undefined;
 

@@ -6,7 +6,7 @@ import { icebergChoice, knownAt_ms } from '../model/iceberg_choice';
 import { hour_ms, isoOf } from '../model/time';
 import * as api from './client';
 import { Latest } from './latest';
-import type { IcebergFeature } from './types';
+import type { IcebergFeature } from './data_types';
 
 /** While the clock runs the sightings of its whole hour are shown; once it rests so long, those of its very moment. */
 const rest_ms = 200;

@@ -4,7 +4,7 @@ import Polygon from 'ol/geom/Polygon.js';
 import VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, Stroke, Style } from 'ol/style.js';
-import type { CoastFeature, Position } from '../api/types';
+import type { CoastFeature, Position } from '../api/data_types';
 import { clipSouth } from '../geo/boxes';
 import { mercatorNorthLimit_deg, polarSouthLimit_deg, projections, type ProjectionCode } from '../geo/projections';
 import { coast } from '../model/field';

@@ -7,7 +7,7 @@ import VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Circle, Fill, RegularShape, Stroke, Style } from 'ol/style.js';
 import type { Flight } from '../api/simulation_types';
-import type { Position } from '../api/types';
+import type { Position } from '../api/data_types';
 import { circle } from '../geo/geodesic';
 import { project, type ProjectionCode } from '../geo/projections';
 import { time_ms } from '../model/clock';

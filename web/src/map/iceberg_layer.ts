@@ -5,7 +5,7 @@ import Polygon from 'ol/geom/Polygon.js';
 import VectorLayer from 'ol/layer/Vector.js';
 import VectorSource from 'ol/source/Vector.js';
 import { Fill, RegularShape, Stroke, Style, Text } from 'ol/style.js';
-import type { IcebergFeature } from '../api/types';
+import type { IcebergFeature } from '../api/data_types';
 import { circle } from '../geo/geodesic';
 import { project } from '../geo/projections';
 import { time_ms } from '../model/clock';

@@ -8,7 +8,7 @@ import { noModifierKeys } from 'ol/events/condition.js';
 import { boundingExtent } from 'ol/extent.js';
 import type VectorSource from 'ol/source/Vector.js';
 import { DoubleClickZoom, DragPan, DragRotate, DragZoom, KeyboardPan, MouseWheelZoom, PinchZoom } from 'ol/interaction.js';
-import type { Box, GliderTrackFeature, IcebergFeature, Position } from '../api/types';
+import type { Box, GliderTrackFeature, IcebergFeature, Position } from '../api/data_types';
 import { boxAround } from '../geo/boxes';
 import { editablePosition } from '../geo/coordinates';
 import { densify } from '../geo/geodesic';

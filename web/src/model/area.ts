@@ -1,4 +1,4 @@
-import type { AreaProperties, Areas, Position } from '../api/types';
+import type { AreaProperties, Areas, Position } from '../api/data_types';
 import { editablePosition } from '../geo/coordinates';
 import { readPosition } from './position';
 import { isoOf, parseTime } from './time';

@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Box, Dataset, DatasetKind, PlanningKind, Vehicle } from '../api/types';
+import type { Box, Dataset, DatasetKind, PlanningKind, Vehicle } from '../api/data_types';
 import { intersection } from '../geo/boxes';
 import { severalIn, withoutMissing } from './data_choice';
 import { draft, emptyDraft, fill } from './draft';

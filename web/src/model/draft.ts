@@ -1,5 +1,6 @@
 import { computed, signal } from '@preact/signals';
-import type { Method, Position, RouteFile } from '../api/types';
+import type { Position } from '../api/data_types';
+import type { Method, RouteFile } from '../api/types';
 import { readPosition } from './position';
 import type { Area } from './area';
 import { severalIn } from './data_choice';

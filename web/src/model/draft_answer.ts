@@ -1,4 +1,5 @@
-import type { Change, Position, Violation } from '../api/types';
+import type { Position } from '../api/data_types';
+import type { Change, Violation } from '../api/types';
 import { emptyDraft, hasGoalsFile, type Draft, type Faults, type Field } from './draft';
 import { numberFields, timeFields, type NumberField } from './draft_request';
 import { fieldOf, isoOf } from './time';

@@ -1,4 +1,5 @@
-import type { PlanInputs, Position } from '../api/types';
+import type { Position } from '../api/data_types';
+import type { PlanInputs } from '../api/types';
 import { readPosition } from './position';
 import { areasInputs, faultOfAreas } from './area';
 import { choiceInputs, severalIn } from './data_choice';

@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import type { IcebergDrift, Position } from '../api/types';
+import type { IcebergDrift, Position } from '../api/data_types';
 import { destination, inverse } from '../geo/geodesic';
 
 /** Where the bergs in view are expected, from their last sightings on. */

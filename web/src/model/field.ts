@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { CoastFeature, IcebergFeature, Position } from '../api/types';
+import type { CoastFeature, IcebergFeature, Position } from '../api/data_types';
 import { sample, samplePair, type Grid, type TimedPair } from '../geo/grid';
 
 /** What has been loaded of the sea for the area in view. */

@@ -1,5 +1,6 @@
 import type { Flight, FlightEnd, FlightMode } from '../api/simulation_types';
-import type { Plan, Position } from '../api/types';
+import type { Position } from '../api/data_types';
+import type { Plan } from '../api/types';
 import { destination, inverse } from '../geo/geodesic';
 import { routeOf } from './plans';
 

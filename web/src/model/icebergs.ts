@@ -1,4 +1,4 @@
-import type { IcebergProperties } from '../api/types';
+import type { IcebergProperties } from '../api/data_types';
 import { draft } from './draft';
 import { hour_ms } from './time';
 

@@ -1,5 +1,6 @@
 import { computed, signal } from '@preact/signals';
-import type { FileReport, JobStatus, Upload } from '../api/types';
+import type { FileReport, Upload } from '../api/data_types';
+import type { JobStatus } from '../api/types';
 
 /** A file on its way into the store. */
 export interface SentFile {

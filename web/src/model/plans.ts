@@ -1,5 +1,6 @@
 import { computed, signal } from '@preact/signals';
-import type { Plan, Position } from '../api/types';
+import type { Position } from '../api/data_types';
+import type { Plan } from '../api/types';
 import { inverse, destination } from '../geo/geodesic';
 
 /** All stored plans, newest first. */

@@ -1,5 +1,6 @@
 import { computed, signal } from '@preact/signals';
-import type { Conditions, Infeasible, Plan, Position } from '../api/types';
+import type { Position } from '../api/data_types';
+import type { Conditions, Infeasible, Plan } from '../api/types';
 import { destination, inverse } from '../geo/geodesic';
 import { begin, record, redo, undo, type History } from './history';
 import { routeOf, selectedId, selectedWaypoint } from './plans';

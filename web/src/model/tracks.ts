@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { GliderTrackFeature, Position } from '../api/types';
+import type { GliderTrackFeature, Position } from '../api/data_types';
 import { destination, inverse } from '../geo/geodesic';
 
 /** Where gliders have been, as far as it is stored. */

@@ -1,5 +1,5 @@
 import { signal } from '@preact/signals';
-import type { Box, IcebergFeature, Position } from '../api/types';
+import type { Box, IcebergFeature, Position } from '../api/data_types';
 
 /** What the map shows now, told by the map. */
 export interface View {

@@ -1,5 +1,5 @@
 import { expect, it } from 'vitest';
-import type { Box, Dataset } from '../../src/api/types';
+import type { Box, Dataset } from '../../src/api/data_types';
 import { chosen, chosenAll, datasets, isInUse } from '../../src/model/datasets';
 import { fill } from '../../src/model/draft';
 

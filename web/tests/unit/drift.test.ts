@@ -1,5 +1,5 @@
 import { describe, expect, it } from 'vitest';
-import type { IcebergDrift } from '../../src/api/types';
+import type { IcebergDrift } from '../../src/api/data_types';
 import { expectedAt, ticksOf } from '../../src/model/drift';
 
 const start_ms = Date.parse('2026-11-20T06:00:00Z');

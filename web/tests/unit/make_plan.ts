@@ -1,4 +1,5 @@
-import type { Plan, Position } from '../../src/api/types';
+import type { Position } from '../../src/api/data_types';
+import type { Plan } from '../../src/api/types';
 
 /** A plan along a route, an hour a leg. */
 export function makePlan(id: string, route: Position[]): Plan {

@@ -1,7 +1,7 @@
 import type { VNode } from 'preact';
 import { useState } from 'preact/hooks';
 import { deleteDataset } from '../../api/session';
-import type { Dataset } from '../../api/types';
+import type { Dataset } from '../../api/data_types';
 import { covered, toggleCoverage } from '../../model/coverage';
 import { byHand, connectionFault, datasets, isInUse } from '../../model/datasets';
 import { may } from '../../model/login';

@@ -1,5 +1,5 @@
 import type { VNode } from 'preact';
-import type { Vehicle } from '../../api/types';
+import type { Vehicle } from '../../api/data_types';
 import { vehicles } from '../../model/datasets';
 import { draft, type Field } from '../../model/draft';
 import { CheckField, SelectField, TextField } from './field';

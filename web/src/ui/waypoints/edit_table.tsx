@@ -1,6 +1,7 @@
 import type { VNode } from 'preact';
 import { useState } from 'preact/hooks';
-import type { Position, Waypoint } from '../../api/types';
+import type { Position } from '../../api/data_types';
+import type { Waypoint } from '../../api/types';
 import { editablePosition } from '../../geo/coordinates';
 import { readPosition } from '../../model/position';
 import { selectedWaypoint } from '../../model/plans';

@@ -1,0 +1,197 @@
+/** The server's documents on what it holds, field for field. Positions are decimal degrees, longitude first; times are ISO 8601 in UTC. */
+
+export type Position = [lon: number, lat: number];
+export type Box = [west: number, south: number, east: number, north: number];
+
+export type DatasetKind = 'bathymetry' | 'currents' | 'ice' | 'icebergs' | 'coastline' | 'tides' | 'wind' | 'zones' | 'glider-tracks';
+
+/** The kinds that a plan is made on; tracks of gliders are only kept and shown. */
+export type PlanningKind = Exclude<DatasetKind, 'glider-tracks'>;
+
+export interface Dataset {
+  id: string;
+  kind: DatasetKind;
+  name: string;
+  variables: string[];
+  bbox: Box;
+  time_start: string | null;
+  time_end: string | null;
+  times?: string[];
+  rows_accepted: number;
+  rows_refused: number;
+  warnings: string[];
+  file_name: string;
+  file_size_bytes: number;
+  sha256: string;
+  ingested: string;
+  tool_version: string;
+}
+
+export interface Upload {
+  id: string;
+  name: string; // as the server keeps it
+  bytes: number;
+  sha256: string;
+  created: string;
+  expires: string;
+}
+
+/** What a person may say about files beyond the files themselves. */
+export interface IngestOptions {
+  name?: string;
+  kind?: DatasetKind;
+  crs?: string;
+  positive?: 'up' | 'down';
+  variable?: string;
+  missing?: number;
+  time?: string;
+  at?: Position;
+  unit?: 'm' | 'cm' | 'mm' | 'ft';
+  zone_kind?: 'no_go' | 'stay_in';
+}
+
+export type IngestInputs = IngestOptions & { uploads: string[] };
+
+/** What became of one kind of data in a file. */
+export interface FileReport {
+  file: string;
+  status: 'stored' | 'refused' | 'unchanged';
+  dataset_id: string | null;
+  kind?: DatasetKind | null;
+  name?: string | null;
+  time_start?: string | null;
+  time_end?: string | null;
+  rows_accepted?: number;
+  rows_refused?: number;
+  warnings: string[];
+  errors: string[];
+}
+
+export interface IngestReport {
+  datasets: FileReport[];
+}
+
+export interface Vehicle {
+  name: string;
+  title: string;
+  speed_m_s: number;
+  dive_depth_m: number;
+  depth_rating_m: number;
+  minimum_working_depth_m: number;
+  max_waypoints_per_list: number;
+  pitch_deg?: number;
+  climb_to_m?: number;
+  altimeter_margin_m?: number;
+  battery_j?: number;
+  battery_start_share?: number;
+  battery_reserve_share?: number;
+  buoyancy_cm3?: number;
+  hotel_w?: number;
+  surfacing_j?: number;
+  surfacing_interval_s?: number | null;
+}
+
+export interface IcebergProperties {
+  berg_id: string;
+  observed: string;
+  size: string;
+  length_m: number | null;
+  safe_length_m: number;
+  draft_m: number | null;
+  position_uncertainty_m: number | null;
+  shape: string;
+  method: string;
+  dataset_id: string;
+}
+
+export interface IcebergFeature {
+  type: 'Feature';
+  id: number | string;
+  geometry: { type: 'Point'; coordinates: Position };
+  properties: IcebergProperties;
+}
+
+/** Where a glider has been, with the depth-averaged currents that it met. */
+export interface GliderTrackFeature {
+  type: 'Feature';
+  id: number | string;
+  geometry: { type: 'LineString'; coordinates: number[][] } | { type: 'MultiLineString'; coordinates: number[][][] };
+  properties: {
+    glider: string;
+    start: string;
+    end: string;
+    deepest_m: number | null;
+    mean_east_m_s: number | null;
+    mean_north_m_s: number | null;
+    times: string[];
+    currents: { time: string; lon: number; lat: number; east_m_s: number; north_m_s: number }[];
+    dataset_id: string;
+  };
+}
+
+/** A stored zone; plans obey it wherever it meets their way. */
+export interface ZoneFeature {
+  type: 'Feature';
+  id: number | string;
+  geometry: { type: 'Polygon'; coordinates: Position[][] };
+  properties: {
+    kind: AreaProperties['kind'];
+    name: string | null;
+    from: string | null; // since ever
+    until: string | null; // for ever
+    top_m: number | null;
+    bottom_m: number | null; // to the sea bed
+    dataset_id: string;
+  };
+}
+
+/** A feature on its way into the store. */
+export interface NewFeature {
+  type: 'Feature';
+  geometry: { type: 'Point'; coordinates: Position } | { type: 'Polygon'; coordinates: Position[][] };
+  properties: object;
+}
+
+/** Where a berg is expected, column by column from its sighting on. */
+export interface IcebergDrift {
+  berg_id: string;
+  observed: string;
+  safe_length_m: number;
+  time: string[];
+  lon: number[];
+  lat: number[];
+  error_m: number[];
+}
+
+export interface Link {
+  rel: string;
+  href: string;
+  type?: string;
+}
+
+export interface FeaturePage<F> {
+  type: 'FeatureCollection';
+  features: F[];
+  numberMatched: number;
+  numberReturned: number;
+  links: Link[];
+}
+
+export interface CoastFeature {
+  type: 'Feature';
+  geometry: { type: 'Polygon'; coordinates: Position[][] } | { type: 'MultiPolygon'; coordinates: Position[][][] };
+}
+
+export interface AreaProperties {
+  kind: 'no_go' | 'stay_in';
+  name?: string;
+  from?: string;
+  until?: string;
+  top_m?: number;
+  bottom_m?: number;
+}
+
+export interface Areas {
+  type: 'FeatureCollection';
+  features: { type: 'Feature'; properties: AreaProperties; geometry: { type: 'Polygon'; coordinates: Position[][] } }[];
+}
