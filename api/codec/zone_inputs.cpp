@@ -202,11 +202,24 @@ json ring_json(const geo::Ring& ring) {
   return places;
 }
 
-json zone_json(const ocean::Zone& zone) {
-  json rings = json::array({ring_json(zone.area.outer)});
-  for (const geo::Ring& hole : zone.area.holes) rings.push_back(ring_json(hole));
+json polygon_json(const geo::Polygon& polygon) {
+  json rings = json::array({ring_json(polygon.outer)});
+  for (const geo::Ring& hole : polygon.holes) rings.push_back(ring_json(hole));
+  return rings;
+}
+
+json geometry_json(std::span<const ocean::Zone> parts) {
+  if (parts.size() == 1) return {{"type", "Polygon"}, {"coordinates", polygon_json(parts.front().area)}};
+  json polygons = json::array();
+  for (const ocean::Zone& part : parts) polygons.push_back(polygon_json(part.area));
+  return {{"type", "MultiPolygon"}, {"coordinates", std::move(polygons)}};
+}
+
+/// Of zones that differ in nothing but their area.
+json feature_json(std::span<const ocean::Zone> parts) {
+  const ocean::Zone& zone = parts.front();
   return {{"type", "Feature"},
-          {"geometry", {{"type", "Polygon"}, {"coordinates", std::move(rings)}}},
+          {"geometry", geometry_json(parts)},
           {"properties",
            {{"kind", ocean::zone_kind_name(zone.kind)},
             {"name", zone.name},
@@ -244,6 +257,7 @@ std::vector<ocean::Zone> read_areas(InputReader& reader) {
       continue;
     }
     ocean::Zone zone = read_properties(reader, feature, pointer);
+    zone.feature = i;
     for (geo::Polygon& polygon : read_geometry(reader, feature, pointer)) {
       corners += corners_of(polygon);
       zone.area = std::move(polygon);
@@ -259,7 +273,11 @@ std::vector<ocean::Zone> read_areas(InputReader& reader) {
 
 json areas_json(const std::vector<ocean::Zone>& zones) {
   json features = json::array();
-  for (const ocean::Zone& zone : zones) features.push_back(zone_json(zone));
+  for (std::span<const ocean::Zone> left{zones}; !left.empty();) {
+    const std::size_t parts = ocean::parts_of_first(left);
+    features.push_back(feature_json(left.first(parts)));
+    left = left.subspan(parts);
+  }
   return {{"type", "FeatureCollection"}, {"features", std::move(features)}};
 }
 

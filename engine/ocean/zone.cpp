@@ -35,6 +35,13 @@ bool holds_depths(const Zone& zone, core::Metres shallowest, core::Metres deepes
   return zone.top <= shallowest && zone.bottom >= deepest;
 }
 
+std::size_t parts_of_first(std::span<const Zone> zones) {
+  const std::optional<std::size_t>& feature = zones.front().feature;
+  if (!feature) return 1;
+  const auto end = std::ranges::find_if(zones, [&](const Zone& zone) { return zone.feature != feature; });
+  return static_cast<std::size_t>(end - zones.begin());
+}
+
 std::string zone_kind_name(ZoneKind kind) {
   switch (kind) {
     case ZoneKind::no_go: return "no_go";

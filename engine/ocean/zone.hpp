@@ -1,7 +1,9 @@
 #pragma once
 
+#include <cstddef>
 #include <limits>
 #include <optional>
+#include <span>
 #include <string>
 
 #include "engine/core/units.hpp"
@@ -26,6 +28,7 @@ struct Zone {
   std::optional<core::UtcTime> until;  // empty: for ever
   core::Metres top{0.0};
   core::Metres bottom{std::numeric_limits<double>::infinity()};
+  std::optional<std::size_t> feature{};  // of the request, from 0: the parts of a MultiPolygon share it
 
   /// Empty when valid, otherwise all of them; fields are "/area", "/until", "/bottom_m".
   [[nodiscard]] core::Violations violations() const;
@@ -38,6 +41,10 @@ struct Zone {
 
 /// Whether a stay-in zone has room for a vehicle that moves between these depths.
 [[nodiscard]] bool holds_depths(const Zone& zone, core::Metres shallowest, core::Metres deepest);
+
+/// How many of the zones, from the first on, are parts of its feature; one where it names none.
+/// zones    at least one, in the order of the request
+[[nodiscard]] std::size_t parts_of_first(std::span<const Zone> zones);
 
 /// "no_go", "stay_in", and back.
 [[nodiscard]] std::string zone_kind_name(ZoneKind kind);

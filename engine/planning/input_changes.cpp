@@ -4,6 +4,7 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <span>
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
@@ -219,26 +220,34 @@ void InputChanges::leave_out_zones() {
 bool InputChanges::leave_out_a_zone() {
   trials_.begin_input();
   bool any_helps = false;
-  for (std::size_t i = 0; i < request_.zones.size() && i < most_zones; ++i) {
+  const std::span<const ocean::Zone> zones{request_.zones};
+  std::size_t parts = 0;
+  for (std::size_t first = 0, number = 0; first < zones.size() && number < most_zones;
+       first += parts, ++number) {
+    parts = ocean::parts_of_first(zones.subspan(first));
     PlanRequest changed = request_;
-    changed.zones.erase(changed.zones.begin() + static_cast<std::ptrdiff_t>(i));
+    const auto left_out = changed.zones.begin() + static_cast<std::ptrdiff_t>(first);
+    changed.zones.erase(left_out, left_out + static_cast<std::ptrdiff_t>(parts));
     if (trials_.is_over()) break;
     if (!trials_.works(changed)) continue;
     any_helps = true;
-    const std::string& name = request_.zones[i].name;
-    add("areas/features/" + std::to_string(i), name, std::string{}, 2.0,
-        "leave out the area " + (name.empty() ? "number " + std::to_string(i + 1) : "\"" + name + "\""));
+    const std::string& name = zones[first].name;
+    add("areas/features/" + std::to_string(zones[first].feature.value_or(number)), name, std::string{}, 2.0,
+        "leave out the area " + (name.empty() ? "number " + std::to_string(number + 1) : "\"" + name + "\""));
   }
   return any_helps;
 }
 
 void InputChanges::leave_out_all_zones() {
-  if (request_.zones.size() < 2) return;
+  std::size_t areas = 0;
+  for (std::span<const ocean::Zone> left{request_.zones}; !left.empty(); ++areas)
+    left = left.subspan(ocean::parts_of_first(left));
+  if (areas < 2) return;
   trials_.begin_input();
   PlanRequest changed = request_;
   changed.zones.clear();
   if (trials_.is_over() || !trials_.works(changed)) return;
-  const std::string all = std::to_string(request_.zones.size()) + " areas";
+  const std::string all = std::to_string(areas) + " areas";
   add("areas", all, Change::Nothing{}, 3.0, "leave out all " + all);
 }
 

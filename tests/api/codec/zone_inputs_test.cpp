@@ -77,6 +77,27 @@ TEST(Areas, ComeBackTheSameFromTheirOwnText) {
   EXPECT_THAT(second.violations(), SizeIs(0));
 }
 
+TEST(Areas, KeepThePlacesOfTheirFeaturesInTheRequest) {
+  json second_square = square;
+  for (json& corner : second_square[0]) corner[0] = corner[0].get<double>() + 2.0;
+  const json document = inputs(
+      {feature({{"kind", "no_go"}}, json::array({square, second_square}), "MultiPolygon"),
+       feature({{"kind", "no_go"}, {"name", "bank"}}), feature({{"kind", "no_go"}, {"name", "reef"}})});
+  InputReader reader{document};
+
+  const auto zones = read_areas(reader);
+  const json written = areas_json(zones);
+
+  ASSERT_THAT(zones, SizeIs(4));
+  EXPECT_EQ(zones[1].feature, 0U);
+  EXPECT_EQ(zones[2].feature, 1U);
+  ASSERT_THAT(written.at("features"), SizeIs(3));
+  EXPECT_EQ(written.at("/features/0/geometry/type"_json_pointer), "MultiPolygon");
+  EXPECT_EQ(written.at("/features/0/geometry/coordinates"_json_pointer),
+            json::array({square, second_square}));
+  EXPECT_EQ(written.at("/features/2/properties/name"_json_pointer), "reef");
+}
+
 TEST(Areas, AreRefusedWithThePlaceOfEveryFault) {
   const json open_ring = json::parse("[[[-54,69],[-53,69],[-53,69.5],[-54,69.5]]]");
   const json beyond_the_pole = json::parse("[[[-54,69],[-53,99],[-53,69.5],[-54,69]]]");

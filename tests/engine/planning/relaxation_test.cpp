@@ -117,6 +117,27 @@ TEST(Relaxation, NamesTheOneAreaThatIsInTheWay) {
   EXPECT_EQ(std::get<std::string>(found.error().changes.front().from), "wall");
 }
 
+TEST(Relaxation, LeavesOutAnAreaWithAllItsPartsAndNamesItsFeature) {
+  PlanRequest request = eastward_request();
+  const auto part = [](double west, double east, std::size_t feature) {
+    return ocean::Zone{
+        .kind = ocean::ZoneKind::no_go,
+        .area = {.outer = {{west, 67.6}, {east, 67.6}, {east, 70.4}, {west, 70.4}}, .holes = {}},
+        .feature = feature};
+  };
+  request.zones = {part(-50.5, -50.4, 0), part(-50.3, -50.2, 0), part(-53.01, -52.99, 1),
+                   part(-52.81, -52.79, 1)};
+
+  const auto found = plan({}, request);
+
+  ASSERT_FALSE(found.has_value());
+  const Change* area = change_of(found.error(), "areas/features/1");
+  ASSERT_NE(area, nullptr);
+  EXPECT_EQ(area->text, "leave out the area number 2");
+  request.zones.resize(2);
+  EXPECT_TRUE(plan({}, request).has_value());
+}
+
 TEST(Relaxation, MovesAStopThatIsNotUsableToTheNearestPlaceThatIs) {
   PlanRequest request = eastward_request();
   const ocean::Environment environment{
