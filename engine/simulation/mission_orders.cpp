@@ -150,7 +150,9 @@ class Reader {
       const Document* file = document(where);
       if (file == nullptr || file->behaviors.empty()) return;
       read_list(Arguments{file->behaviors.front(), file, where}, *file);
-      note("Further goto lists are flown as if each were sent when the one before it ends.");
+      note(
+          "Further goto lists are flown as if each were sent while the vehicle is up at the end of the one "
+          "before.");
     }
   }
 

@@ -20,6 +20,7 @@ struct GotoOrders {
   core::Metres radius{10.0};  // in which a waypoint counts as reached
   int legs{-2};               // to run; -1 round and round, -2 once to the last row
   int initial{};              // row to begin with from 0; -1 as 0 in a fresh mission, -2 the closest
+  bool next_on_board{};       // the next list follows without a time at the surface
 };
 
 /// Half of a yo: what the vehicle does to get to its next turn.
@@ -64,7 +65,7 @@ struct SurfaceOrders {
 /// What the mission files of a Slocum order, behaviour by behaviour.
 struct MissionOrders {
   std::string name;               // of the mission or of its first file
-  std::vector<GotoOrders> lists;  // flown one after the other
+  std::vector<GotoOrders> lists;  // flown one after the other; the next is sent when one is flown
   YoOrders yo{};
   std::vector<SurfaceOrders> surfaces;         // in order of priority
   bool corrects_for_current{true};             // u_use_current_correction
@@ -76,8 +77,8 @@ struct MissionOrders {
 
 /// Reads the orders of a whole mission: a `.mi` with all argument files that it names, or argument files alone, in
 /// which case a yo as in the profile and a surfacing at the end of the list stand in for those missing. Where several
-/// goto lists are given, they are flown one after the other, as a pilot sends them; of a mission the one that it names
-/// and those numbered on from it, up to the numbers of the firmware.
+/// goto lists are given, they are flown one after the other, as a pilot sends them while the vehicle is up; of a
+/// mission the one that it names and those numbered on from it, up to the numbers of the firmware.
 /// Vehicle  a depth or a pump volume beyond the vehicle, a thruster that it has not, files of another make: refused
 /// Errors   every violation at once: rejected documents by their errors, files that are named and missing, no list, a
 ///          reason to come up that is not simulated

@@ -60,6 +60,7 @@ FlightPath lay_path(const MissionOrders& orders, const std::vector<std::vector<V
     } else {
       for (std::size_t row = first; row < first + static_cast<std::size_t>(list.legs); ++row) add(row);
     }
+    path.stops.back().ends_list = !path.loops_to && !list.next_on_board && i + 1 < orders.lists.size();
   }
   return path;
 }
@@ -104,7 +105,7 @@ MissionPilot::Turned MissionPilot::step(const Known& known, const avoidance::Gui
         "The mission was aborted: samedepth_for of abend is over; sea bed, ice or the system on board leave "
         "no room to "
         "saw-tooth in.");
-  } else if (!has_finished() && orders_.max_waypoint &&
+  } else if (!has_no_heading() && orders_.max_waypoint &&
              level_distance(path_.stops[stop_].place, known.place) > orders_.max_waypoint->value) {
     abort("The mission was aborted: the next waypoint lies beyond max_wpt_distance of abend.");
   } else {
@@ -132,6 +133,7 @@ MissionPilot::Turned MissionPilot::at_surface(const Known& known) {
     phase_ = Phase::done;
     return turned;
   }
+  if (std::exchange(awaits_list_, false)) halves_ = 0;
   phase_ = Phase::diving;
   open_water_ = known.place;
   turns_back_ = false;
@@ -143,11 +145,17 @@ MissionPilot::Turned MissionPilot::at_surface(const Known& known) {
 }
 
 void MissionPilot::pass_waypoints(const Known& known, const avoidance::Guidance& guidance, Turned& turned) {
-  if (guidance.mode != avoidance::Mode::mission)
-    stop_ = std::min(std::max(stop_, guidance.waypoint), path_.stops.size());
-  while (!has_finished() &&
+  const auto pass = [&] {
+    awaits_list_ = awaits_list_ || path_.stops[stop_].ends_list;
+    ++stop_;
+  };
+  if (guidance.mode != avoidance::Mode::mission) {
+    while (!has_finished() && stop_ < guidance.waypoint) pass();
+  }
+  while (!has_no_heading() &&
          level_distance(path_.stops[stop_].place, known.place) < path_.stops[stop_].radius_m) {
-    turned.waypoint = stop_++;
+    turned.waypoint = stop_;
+    pass();
     if (has_finished() && path_.loops_to) {
       stop_ = *path_.loops_to;
       return;
@@ -181,12 +189,13 @@ bool MissionPilot::is_due(const SurfaceOrders& orders, std::size_t index, const 
                           bool hit_waypoint) const {
   const bool yo_ended = orders_.yo.half_cycles >= 0 && halves_ >= orders_.yo.half_cycles;
   switch (orders.cause) {
-    case Cause::any_idle: return has_finished() || yo_ended;
+    case Cause::any_idle: return has_no_heading() || yo_ended;
     case Cause::yo_idle: return yo_ended;
-    case Cause::list_idle: return has_finished();
+    case Cause::list_idle: return has_no_heading();
     case Cause::after_end: return known.time - ended_[index] >= orders.interval;
     case Cause::near_waypoint:
-      return !has_finished() && level_distance(path_.stops[stop_].place, known.place) < orders.distance.value;
+      return !has_no_heading() &&
+             level_distance(path_.stops[stop_].place, known.place) < orders.distance.value;
     case Cause::waypoint_hit: return hit_waypoint;
     case Cause::every: return known.time - began_[index] >= orders.interval;
     case Cause::no_contact: return known.time - last_contact_ >= orders.interval;
@@ -200,7 +209,11 @@ void MissionPilot::seek_surface(const Known& known, bool hit_waypoint) {
     if (is_due(orders_.surfaces[i], i, known, hit_waypoint))
       return come_up(orders_.surfaces[i], i, known.time);
   }
-  if (has_finished()) abort("The list is flown, and nothing else gives a heading.");
+  if (has_no_heading()) {
+    abort("The list is flown, and nothing else gives a heading.");
+    ends_ = has_finished();
+    return;
+  }
   if (orders_.yo.half_cycles >= 0 && halves_ >= orders_.yo.half_cycles)
     abort("The yo has ended, and nothing else gives a pitch.");
 }
@@ -212,7 +225,7 @@ void MissionPilot::come_up(const SurfaceOrders& orders, std::size_t index, core:
   climb_ = orders.climb;
   wait_ = orders.wait;
   // A list that is flown leaves nothing to go on with, whether the pilot answers or not.
-  ends_ = orders.ends_mission || has_finished();
+  ends_ = has_finished() || (orders.ends_mission && !awaits_list_);
   if (orders_.yo.half_cycles >= 0 && halves_ >= orders_.yo.half_cycles) halves_ = 0;
   if (has_finished()) {
     reason_ = "The last waypoint was reached.";
@@ -268,6 +281,11 @@ bool MissionPilot::uses_thruster(const avoidance::Guidance& guidance) const {
   return guidance.thruster || half().thruster;
 }
 
+Vector MissionPilot::goal() const {
+  if (phase_ == Phase::surfacing && turns_back_) return open_water_;
+  return path_.stops[has_no_heading() ? stop_ - 1 : stop_].place;
+}
+
 ActuatorTargets MissionPilot::targets(const Known& known, const avoidance::Guidance& guidance) const {
   ActuatorTargets targets;
   if (phase_ == Phase::at_surface || phase_ == Phase::done) {
@@ -280,8 +298,7 @@ ActuatorTargets MissionPilot::targets(const Known& known, const avoidance::Guida
     targets.heading_rad = guidance.heading->value;
     return targets;
   }
-  const bool goes_back = phase_ == Phase::surfacing && turns_back_;
-  const Vector goal = goes_back ? open_water_ : path_.stops[std::min(stop_, path_.stops.size() - 1)].place;
+  const Vector goal = this->goal();
   const double east_m = goal.east - known.place.east;
   const double north_m = goal.north - known.place.north;
   const double gap_m = std::hypot(east_m, north_m);

@@ -17,6 +17,7 @@ namespace floeplan::simulation {
 struct RouteStop {
   Vector place{};
   double radius_m{};
+  bool ends_list{};  // and another list follows
 };
 
 /// What the vehicle's own computer flies by: its goto lists laid end to end.
@@ -34,6 +35,8 @@ struct FlightPath {
 /// Ends     a mission that cannot go on is aborted, and the vehicle comes up: below the depth or beyond the distance of
 ///          abend, held at one depth, given up by the system on board. Where ice that the system knows lies above, it
 ///          looks for a lead for half an hour and then goes back to where it last was at the surface
+/// Lists    at the end of a list the vehicle comes up, by the surfacing for it or by an abort for want of a heading;
+///          there the pilot sends the next one, where there is one, and the mission begins anew
 /// Aim      along the course to the waypoint at the vehicle's speed less the current it reckons with: so steers comet
 ///          in its log of 21 August 2019, also where no heading would hold the course
 class MissionPilot {
@@ -82,6 +85,10 @@ class MissionPilot {
   void seek_surface(const Known& known, bool hit_waypoint);
   void come_up(const SurfaceOrders& orders, std::size_t index, core::UtcTime time);
   void abort(std::string reason);
+  /// Whether the list on board is flown.
+  [[nodiscard]] bool has_no_heading() const { return has_finished() || awaits_list_; }
+  /// Where the vehicle steers for, unless it is guided.
+  [[nodiscard]] Vector goal() const;
   [[nodiscard]] bool is_held_at_one_depth(const Known& known);
   void keep_below_ice(const Known& known, const avoidance::Guidance& guidance);
   [[nodiscard]] bool is_due(const SurfaceOrders& orders, std::size_t index, const Known& known,
@@ -93,6 +100,7 @@ class MissionPilot {
   core::Seconds first_fix_;
   Phase phase_{Phase::at_surface};
   std::size_t stop_{};
+  bool awaits_list_{};                              // those after `stop_` are not on board yet
   int halves_{};                                    // done of the yo
   int turns_{};                                     // since the last time up
   bool held_down_{};                                // on the way up, below ice that the system on board knows

@@ -23,6 +23,7 @@ MissionOrders orders_of(const LoggedSegment& segment) {
     list.waypoints = {segment.waypoints[i].place};
     list.radius = segment.waypoints[i].reached_within.value_or(unknown_radius);
     list.legs = i + 1 < segment.waypoints.size() ? -2 : -1;
+    list.next_on_board = true;
     orders.lists.push_back(list);
   }
   orders.yo.dive = {.depth = segment.turns_down_at,

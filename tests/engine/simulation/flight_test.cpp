@@ -224,6 +224,38 @@ TEST(Flight, TellsHowNearItCameToWhatItPassed) {
   });
 }
 
+TEST(Flight, ComesUpForAFixBetweenOneListAndTheNext) {
+  const World world = uniform_water(0.0, 0.0);
+  MissionOrders orders = orders_through(world, {{2000.0, 0.0, 0.0}});
+  orders.lists.push_back(orders_through(world, {{4000.0, 0.0, 0.0}, {5000.0, 500.0, 0.0}}).lists.front());
+  orders.surfaces = {{.cause = SurfaceOrders::Cause::any_idle,
+                      .ends_mission = true,
+                      .climb = orders.surfaces.front().climb}};
+
+  const FlightRecord record = flown(world, orders, perfect_sensors());
+
+  EXPECT_EQ(record.end, FlightEnd::arrived) << record.end_reason;
+  EXPECT_EQ(count(record, EventKind::surfacing), 2U);
+  const auto first_up = std::ranges::find(record.events, EventKind::surfacing, &FlightEvent::kind);
+  EXPECT_NEAR(first_up->position.east, 2000.0, 300.0);
+  EXPECT_NE(std::ranges::find(first_up, record.events.end(), EventKind::fix, &FlightEvent::kind),
+            record.events.end());
+  EXPECT_NEAR(record.track.back().position.north, 500.0, 500.0);
+}
+
+TEST(Flight, GoesOnWithTheNextListAfterAnAbortForWantOfAHeading) {
+  const World world = uniform_water(0.0, 0.0);
+  MissionOrders orders = orders_through(world, {{2000.0, 0.0, 0.0}});
+  orders.lists.push_back(orders_through(world, {{4000.0, 0.0, 0.0}}).lists.front());
+  orders.surfaces.clear();
+
+  const FlightRecord record = flown(world, orders, perfect_sensors());
+
+  EXPECT_EQ(count(record, EventKind::surfacing), 2U);
+  EXPECT_EQ(count(record, EventKind::waypoint), 2U);
+  EXPECT_NEAR(record.track.back().position.east, 4000.0, 500.0);
+}
+
 TEST(Flight, DoesNotComeUpThroughIce) {
   const World world{{.origin = flight_origin, .ice = IceLayer{core::Metres{2.0}}}};
   MissionOrders orders = orders_through(world, {{500.0, 0.0, 0.0}});

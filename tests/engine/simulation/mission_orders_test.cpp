@@ -89,7 +89,7 @@ TEST(MissionOrders, FlyEveryListOfAPlanThatIsLongerThanOne) {
               ElementsAre(Field(&GotoOrders::waypoints, SizeIs(8)), Field(&GotoOrders::waypoints, SizeIs(8)),
                           Field(&GotoOrders::waypoints, SizeIs(2))));
   EXPECT_NEAR(orders->lists.back().waypoints.back().lon_deg, places.back().lon_deg, 1e-4);
-  EXPECT_THAT(orders->notes, Contains(HasSubstr("sent when the one before it ends")));
+  EXPECT_THAT(orders->notes, Contains(HasSubstr("at the end of the one before")));
 }
 
 TEST(MissionOrders, RefuseFilesForADeeperVehicle) {
