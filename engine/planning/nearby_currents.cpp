@@ -8,7 +8,7 @@ namespace floeplan::planning {
 namespace {
 
 constexpr std::size_t most_reach = 16;  // in cells
-constexpr std::size_t tile_side = 16;  // in cells, chosen: a search meets a few per cent of the data
+constexpr std::size_t tile_side = 16;   // in cells, chosen: a search meets a few per cent of the data
 constexpr std::size_t most_boxed_nodes = 1U << 23U;  // 256 MB of boxes for a voyage as long as the data
 constexpr double beside_chord = 2.5e-4;  // of a cell: how far CurrentLine strays from the data's coordinates
 constexpr float infinite = std::numeric_limits<float>::infinity();

@@ -21,8 +21,8 @@ void add_warnings(Plan& plan, const PlanRequest& request) {
   }
   if (request.refine && request.method != Method::direct && !plan.refinement) {
     plan.warnings.push_back(
-        "the way is that of the grid, without refinement: the better ones that it led to break what binds the way as "
-        "a whole, such as the time without a place to surface");
+        "the way is that of the grid, without refinement: the better ones that it led to break what binds "
+        "the way as a whole, such as the time without a place to surface");
   }
   if (plan.search.worst_fifo_violation) plan.warnings.push_back(describe(*plan.search.worst_fifo_violation));
   if (request.max_waypoints && plan.waypoints.size() > static_cast<std::size_t>(*request.max_waypoints)) {

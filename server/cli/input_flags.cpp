@@ -112,8 +112,9 @@ void InputFlags::add_voyage(CLI::App& command) {
                      "add: to currents that are without tides; only: tidal currents alone");
   command.add_option("--bathymetry", bathymetry_,
                      "ID[,ID...] in order of priority, or none; default: all of the area, the finest first");
-  command.add_option("--ice", ice_,
-                     "Sea ice, ID or none; default: the newest of the time, older ones where it tells nothing");
+  command.add_option(
+      "--ice", ice_,
+      "Sea ice, ID or none; default: the newest of the time, older ones where it tells nothing");
   command.add_option("--icebergs", icebergs_,
                      "ID[,ID...] or none; default: the newest, and those made by hand beside it");
   command.add_option("--icebergs-as-of", icebergs_as_of_, "Latest sighting to use; default: the departure");
