@@ -244,8 +244,13 @@ json change_json(const planning::Change& change) {
         },
         alternative);
   };
-  return {
-      {"input", change.input}, {"from", value(change.from)}, {"to", value(change.to)}, {"text", change.text}};
+  json with = json::array();
+  for (const planning::Change& other : change.with) with.push_back(change_json(other));
+  return {{"input", change.input},
+          {"from", value(change.from)},
+          {"to", value(change.to)},
+          {"text", change.text},
+          {"with", std::move(with)}};
 }
 
 }  // namespace

@@ -42,7 +42,10 @@ Infeasible what_would_help(const ocean::Environment& environment, const PlanRequ
   why =
       with_what_would_help(environment, leaving_at(request, request.depart), std::move(why), stop, progress);
   // The window ends where it did: leaving later than that is another request.
-  std::erase_if(why.changes, [](const Change& change) { return change.input == "depart"; });
+  const auto departs_later = [](const Change& change) { return change.input == "depart"; };
+  std::erase_if(why.changes, [&](const Change& change) {
+    return departs_later(change) || std::ranges::any_of(change.with, departs_later);
+  });
   return why;
 }
 

@@ -64,7 +64,9 @@ struct Change {
   std::string input;
   Value from;
   Value to;
-  std::string text;  // for a person: "raise the speed through the water from 0.35 to 0.42 m/s"
+  std::string
+      text;  // for a person: "raise the speed through the water from 0.35 to 0.42 m/s"; of all of `with`, too
+  std::vector<Change> with{};  // to be made as well, for alone it does not help
 };
 
 /// Who goes on at once is stopped by something that opens again.
@@ -81,7 +83,7 @@ struct Infeasible {
   std::string explanation{};  // for a person, one sentence
   std::string suggestion{};   // what would help, one sentence
   Constraint binding{};
-  std::vector<Change> changes{};  // found to make it possible, each alone; the smallest first
+  std::vector<Change> changes{};  // found to make it possible, any one of them; the smallest first
   /// Of a stop that cannot be used, to where the vehicle may be: not tried yet, what is likelier to help first.
   std::vector<Change> moves{};
   /// The search came to its bound on memory: there may be a way all the same.

@@ -260,6 +260,7 @@ void InputChanges::leave_out_stored_zones(const Trial& without) {
                                ? " and " + std::to_string(environment_.zones.size() - 1) + " more"
                                : std::string{};
   add("zones", name + more, std::string{"none"}, 3.0, "leave out the stored areas: \"" + name + "\"" + more);
+  found_.back().changed.reset();
 }
 
 void InputChanges::refine_the_grid() {
@@ -305,6 +306,7 @@ core::Seconds InputChanges::add_departure(double hours, const std::string& note)
   const core::UtcTime later = request_.depart + hours * an_hour;
   add("depart", request_.depart, later, 1.0 + hours / 24.0,
       "depart " + written("%.0f h later, at ", hours, 0.0) + core::iso8601(later) + note);
+  found_.back().changed = leaving(hours);
   return hours * an_hour;
 }
 
@@ -371,12 +373,14 @@ void InputChanges::take_move(const Change& move) {
 
 void InputChanges::add(std::string input, Change::Value from, Change::Value to, double effort,
                        std::string text) {
-  found_.push_back({{std::move(input), std::move(from), std::move(to), std::move(text)}, effort});
+  found_.push_back(
+      {{std::move(input), std::move(from), std::move(to), std::move(text)}, effort, trials_.last_possible()});
 }
 
 FoundChanges InputChanges::found() && {
   std::ranges::stable_sort(found_, {}, &Found::effort);
   FoundChanges result{.changes = {}, .cut_short = trials_.told_too_little()};
+  if (!found_.empty()) result.changed = std::move(found_.front().changed);
   for (Found& found : found_) result.changes.push_back(std::move(found.change));
   return result;
 }

@@ -14,8 +14,9 @@
 namespace floeplan::planning {
 
 struct FoundChanges {
-  std::vector<Change> changes;  // the one that asks least first
-  bool cut_short{false};        // some trial told nothing: smaller changes, or others, may help, too
+  std::vector<Change> changes;           // the one that asks least first
+  bool cut_short{false};                 // some trial told nothing: smaller changes, or others, may help, too
+  std::optional<PlanRequest> changed{};  // by the first of them; empty where no request says it
 };
 
 /// Changes one input of a request at a time and keeps the least change of it, by trials, that makes the request
@@ -78,6 +79,7 @@ class InputChanges {
   struct Found {
     Change change;
     double effort;  // how much is asked: 1 for nothing, 2 for twice the value or a day
+    std::optional<PlanRequest> changed{};
   };
 
   /// The value nearest to `now` that helps, on the way to `extreme`; `set(request, value)` writes it.
@@ -95,6 +97,7 @@ class InputChanges {
   bool leave_out_a_zone();
   void leave_out_all_zones();
   core::Seconds add_departure(double hours, const std::string& note = {});
+  /// A change by which the last trial that found a way was made.
   void add(std::string input, Change::Value from, Change::Value to, double effort, std::string text);
 
   const ocean::Environment& environment_;

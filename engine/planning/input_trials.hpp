@@ -32,6 +32,8 @@ class InputTrials {
   [[nodiscard]] bool is_over() const { return told_nothing_ || stop_.stop_requested(); }
   /// Whether some trial told nothing.
   [[nodiscard]] bool told_too_little() const { return told_too_little_; }
+  /// The request of the last trial that found a way; empty before there was one.
+  [[nodiscard]] const std::optional<PlanRequest>& last_possible() const { return last_possible_; }
 
   bool works(const PlanRequest& request) { return works_by(trial_, request); }
   /// By another trial, of another sea.
@@ -108,6 +110,7 @@ class InputTrials {
     if (!request.violations().empty()) return TrialOutcome::impossible;
     const TrialOutcome outcome = trial(request);
     if (outcome == TrialOutcome::not_known) told_too_little_ = true;
+    if (outcome == TrialOutcome::possible) last_possible_ = request;
     return outcome;
   }
 
@@ -115,6 +118,7 @@ class InputTrials {
   const std::stop_token& stop_;
   bool told_nothing_{false};     // a trial of the input at hand
   bool told_too_little_{false};  // likewise of any input
+  std::optional<PlanRequest> last_possible_{};
 };
 
 }  // namespace floeplan::planning

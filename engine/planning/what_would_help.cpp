@@ -7,6 +7,7 @@
 #include <variant>
 
 #include "engine/planning/explanation.hpp"
+#include "engine/planning/paired_changes.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/relaxation.hpp"
 #include "engine/planning/way_trials.hpp"
@@ -161,6 +162,12 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
       if (*other.constraint == Constraint::current && found.changes.empty()) why = met_last;
     }
     found.cut_short = found.cut_short || cut_short;
+    if (found.changes.empty()) {
+      WayTrials of_pairs{environment, stop, WayTrials::standard_work / 2};
+      auto both = change_with_another(
+          environment, request, why, [&](const PlanRequest& changed) { return of_pairs(changed); }, stop);
+      if (both) found.changes = {*std::move(both)};
+    }
   }
   if (stop.stop_requested()) return explain_cancelled(request);
   why.changes = std::move(found.changes);

@@ -121,8 +121,11 @@ TEST(Relaxation, LeavesOutAnAreaWithAllItsPartsAndNamesItsFeature) {
   PlanRequest request = eastward_request();
   const auto part = [](double west, double east, std::size_t feature) {
     return ocean::Zone{
+        .name = {},
         .kind = ocean::ZoneKind::no_go,
         .area = {.outer = {{west, 67.6}, {east, 67.6}, {east, 70.4}, {west, 70.4}}, .holes = {}},
+        .from = {},
+        .until = {},
         .feature = feature};
   };
   request.zones = {part(-50.5, -50.4, 0), part(-50.3, -50.2, 0), part(-53.01, -52.99, 1),
@@ -594,6 +597,7 @@ struct Asked {
   PlanRequest request;
 
   void apply(const Change& change) {
+    for (const Change& other : change.with) apply(other);
     const auto number = [&] { return std::get<double>(change.to); };
     if (change.input == "speed_m_s") {
       request.vehicle.speed_through_water = {number()};

@@ -143,6 +143,7 @@ export interface Change {
   from: unknown;
   to: unknown;
   text: string;
+  with?: Change[]; // to be made as well
 }
 
 export interface DatasetRef {

@@ -28,14 +28,22 @@ export function sortViolations(violations: Violation[]): { faults: Faults; gener
   return { faults: sorted, general };
 }
 
-/** A change that the server proposes, as an edit of the set-up; undefined where the set-up has no field for it. */
-export function editFor({ input, to }: Change, form: Draft): Partial<Draft> | undefined {
+/** A change that the server proposes, with those that belong to it, as an edit of the set-up; undefined where the set-up has no field for one. */
+export function editFor(change: Change, form: Draft): Partial<Draft> | undefined {
+  return [...(change.with ?? []), change].reduce<Partial<Draft> | undefined>((made, one) => {
+    const more = made && editOfOne(one, { ...form, ...made });
+    return more && { ...made, ...more };
+  }, {});
+}
+
+function editOfOne({ input, to }: Change, form: Draft): Partial<Draft> | undefined {
   const field = fieldAt(input);
   if (!field) return undefined;
   const isInFile = hasGoalsFile(form) && (field === 'to' || field === 'via' || (field === 'from' && form.from.trim() === ''));
   if (isInFile) return undefined;
   if (field === 'via') return viaEdit(input, to, form);
   if (field === 'spacing_m') return spacingEdit(to);
+  if (field === 'areas') return areasEdit(input, form);
   if (isPosition(to)) return { [field]: exact(to) };
   if (typeof to === 'number') return field in numberFields ? { [field]: String(Number((to / numberFields[field as NumberField]).toPrecision(8))) } : undefined;
   if (typeof to === 'boolean' && typeof emptyDraft[field] === 'boolean') return { [field]: to };
@@ -49,6 +57,13 @@ function viaEdit(input: string, to: unknown, form: Draft): Partial<Draft> | unde
   const index = Number(input.split('/')[1]);
   if (!isPosition(to) || !(index in lines)) return undefined;
   return { via: lines.map((line, i) => (i === index ? exact(to) : line)).join('\n') };
+}
+
+/** Without the area that the input names, or without any. */
+function areasEdit(input: string, form: Draft): Partial<Draft> | undefined {
+  if (input === 'areas') return { areas: [] };
+  const index = Number(input.split('/')[2]);
+  return index in form.areas ? { areas: form.areas.filter((_, i) => i !== index) } : undefined;
 }
 
 /** One spacing, or two: along × across. */

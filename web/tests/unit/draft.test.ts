@@ -1,4 +1,5 @@
 import { describe, expect, it } from 'vitest';
+import { newArea } from '../../src/model/area';
 import { draft, edit, emptyDraft, redoDraft, undoDraft } from '../../src/model/draft';
 import { editFor, sortViolations } from '../../src/model/draft_answer';
 import { inputsOf } from '../../src/model/draft_request';
@@ -130,6 +131,20 @@ describe('the set-up', () => {
     expect(editFor({ input: 'under_ice/margin_below_ice_m', from: 10, to: 4, text: '' }, form)).toEqual({ 'under_ice.margin_below_ice_m': '4' });
     expect(editFor({ input: 'vehicle/thruster/speed_m_s', from: 0.5, to: 0.6, text: '' }, form)).toBeUndefined();
     expect(editFor({ input: 'nothing_known', from: 0, to: 1, text: '' }, form)).toBeUndefined();
+  });
+
+  it('leaves out the area that a change names', () => {
+    const form = { ...good, areas: ['bank', 'reef'].map((name, i) => ({ ...newArea([[-52, 69], [-51, 69], [-51, 69.5]], i), name })) };
+    expect(editFor({ input: 'areas/features/0', from: 'bank', to: '', text: '' }, form)).toEqual({ areas: [form.areas[1]] });
+    expect(editFor({ input: 'areas', from: '2 areas', to: null, text: '' }, form)).toEqual({ areas: [] });
+    expect(editFor({ input: 'areas/features/2', from: '', to: '', text: '' }, form)).toBeUndefined();
+  });
+
+  it('takes in a change with another that belongs to it, or neither', () => {
+    const margin = { input: 'margin_m', from: 500, to: 320, text: '' };
+    const depth = { input: 'altimeter_margin_m', from: 20, to: 12, text: '' };
+    expect(editFor({ ...margin, with: [depth] }, good)).toEqual({ margin_m: '320', altimeter_margin_m: '12' });
+    expect(editFor({ ...margin, with: [{ ...depth, input: 'nothing_known' }] }, good)).toBeUndefined();
   });
 
   it('is undone field by field', () => {
