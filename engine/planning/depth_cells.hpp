@@ -15,7 +15,7 @@ namespace floeplan::planning {
 [[nodiscard]] std::optional<motion::EdgeClosed> judge_depth(std::optional<core::Metres> depth,
                                                             core::Metres least_depth);
 
-/// Judges each cell by the least depth known in it: at its corners and at the nodes of the bathymetry inside it.
+/// Judges each cell by the least depth in it (`LeastDepthRows`).
 /// Stops    early once `stop` is requested; the states are then incomplete
 [[nodiscard]] std::vector<CellState> judge_depths(const PlaneRaster& raster,
                                                   const ocean::Bathymetry& bathymetry,
