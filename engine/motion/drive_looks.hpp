@@ -7,6 +7,13 @@
 
 namespace floeplan::motion {
 
+/// The place so far along the edge, its end at most.
+inline geo::PlanePoint place_along(const PlaneEdge& edge, double way_m) {
+  const double along = std::min(way_m / edge.ground_length.value, 1.0);
+  return {edge.from.x_m + along * (edge.to.x_m - edge.from.x_m),
+          edge.from.y_m + along * (edge.to.y_m - edge.from.y_m)};
+}
+
 /// Looks along a piece of a drive: calls `visit(point, time)` at least every `step` metres of the way, and at the
 /// piece's end, until it answers false. The piece's beginning is the end of the one before.
 template <class Visit>
@@ -20,10 +27,7 @@ void look_along(const PlaneEdge& edge, const EdgePiece& piece, core::Metres step
   for (int look = 1; look <= looks; ++look) {
     const double share = static_cast<double>(look) / looks;
     const double way = piece.way0_m + share * (v0 + share * (b + share * a));
-    const double along = std::min(way / edge.ground_length.value, 1.0);
-    const geo::PlanePoint point{edge.from.x_m + along * (edge.to.x_m - edge.from.x_m),
-                                edge.from.y_m + along * (edge.to.y_m - edge.from.y_m)};
-    if (!visit(point, core::Seconds{piece.t0_s + share * duration})) return;
+    if (!visit(place_along(edge, way), core::Seconds{piece.t0_s + share * duration})) return;
   }
 }
 

@@ -113,12 +113,14 @@ bool IcebergDiscs::has_room_under(const Berg& berg, const motion::EvenMove& move
   constexpr double step_m = 100.0;  // about the finest bathymetry in use
   const double length_m = geo::distance_m(move.from, move.to);
   const int steps = std::max(1, static_cast<int>(std::ceil(length_m / step_m)));
+  geo::PlanePoint last = move.from;
   for (int i = 0; i <= steps; ++i) {
     const double t_s = move.t0_s + (move.t1_s - move.t0_s) * i / steps;
     const geo::PlanePoint point = motion::place_at(move, t_s);
     const auto gap = berg.disc.gap_m(point, t_s);
     const bool near = gap && *gap <= step_m + slack_m;
-    if (near && !pass_under_->has_room(point, berg.keel->upper_turn)) return false;
+    if (near && !pass_under_->has_room_along(last, point, berg.keel->upper_turn)) return false;
+    last = point;
   }
   return true;
 }

@@ -17,13 +17,14 @@ bool is_size_known(const ocean::Iceberg& iceberg) {
 
 PassUnder::PassUnder(const ocean::Environment& environment, const IcebergRules& rules,
                      const vehicle::GliderProfile& vehicle, const geo::LocalProjection& projection,
-                     const PlaneBox& area, const std::stop_token& stop)
+                     const PlaneBox& area, core::Metres cell, const std::stop_token& stop)
     : rules_{rules},
       needed_below_{vehicle.least_water_below_turn()},
       dive_room_{needed_below_ - vehicle.altimeter_margin},
       dive_depth_{vehicle.dive_depth} {
   if (rules.pass_under && environment.bathymetry)
-    bed_.emplace(environment.bathymetry, projection, area, stop);
+    bed_.emplace(*environment.bathymetry, dive_depth_ + vehicle.altimeter_margin, projection, area, cell,
+                 stop);
 }
 
 std::optional<Keel> PassUnder::keel_of(const ocean::Iceberg& iceberg) const {
@@ -36,9 +37,11 @@ std::optional<Keel> PassUnder::keel_of(const ocean::Iceberg& iceberg) const {
 }
 
 bool PassUnder::has_room(geo::PlanePoint point, core::Metres upper_turn) const {
-  if (!bed_) return true;
-  const auto depth = bed_->depth(point);
-  return depth && *depth >= upper_turn + needed_below_;
+  return !bed_ || bed_->is_deep_at(point, upper_turn + needed_below_);
+}
+
+bool PassUnder::has_room_along(geo::PlanePoint a, geo::PlanePoint b, core::Metres upper_turn) const {
+  return !bed_ || bed_->is_deep_along(a, b, upper_turn + needed_below_);
 }
 
 }  // namespace floeplan::planning

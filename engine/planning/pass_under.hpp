@@ -4,9 +4,9 @@
 #include <stop_token>
 
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/bed_cells.hpp"
 #include "engine/planning/keel.hpp"
 #include "engine/planning/plan_request.hpp"
-#include "engine/planning/plane_bed.hpp"
 
 namespace floeplan::planning {
 
@@ -19,19 +19,22 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class PassUnder {
  public:
-  /// Once `stop` is requested it stays incomplete and must not be used.
+  /// `cell`  in which the depth is the least that is known in it. Once `stop` is requested it stays incomplete and must
+  /// not be used
   PassUnder(const ocean::Environment& environment, const IcebergRules& rules,
             const vehicle::GliderProfile& vehicle, const geo::LocalProjection& projection,
-            const PlaneBox& area, const std::stop_token& stop);
+            const PlaneBox& area, core::Metres cell, const std::stop_token& stop);
 
   /// Empty where the rules do not allow it, and where the vehicle does not dive deep enough.
   [[nodiscard]] std::optional<Keel> keel_of(const ocean::Iceberg& iceberg) const;
   /// Whether the sea is deep enough here for dives that turn at this depth.
   [[nodiscard]] bool has_room(geo::PlanePoint point, core::Metres upper_turn) const;
+  /// The same all along the straight line from a to b.
+  [[nodiscard]] bool has_room_along(geo::PlanePoint a, geo::PlanePoint b, core::Metres upper_turn) const;
 
  private:
   IcebergRules rules_;
-  std::optional<PlaneBed> bed_;  // empty: every depth will do
+  std::optional<BedCells> bed_;  // empty: every depth will do
   core::Metres needed_below_;    // from the upper turn to the sea bed
   core::Metres dive_room_;       // from the upper turn to the deepest point of the dives
   core::Metres dive_depth_;

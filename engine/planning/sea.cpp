@@ -50,7 +50,7 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{lay_out_timed_zones(zones.timed, request, projection, area)},
-      icebergs_{lay_out_icebergs(environment, request, projection, area, stop)},
+      icebergs_{lay_out_icebergs(environment, request, projection, area, cell, stop)},
       encounters_{lay_out_encounters(icebergs_, environment, request, area, stop)},
       ice_{lay_out_ice(environment, request, projection, area, cell, stop)},
       depths_{request.vehicle.dive_limits(), environment.bathymetry},

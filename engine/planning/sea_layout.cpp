@@ -35,9 +35,9 @@ core::Seconds forecast_horizon(const ocean::Environment& environment, const Plan
 
 std::optional<PassUnder> lay_out_under(const ocean::Environment& environment, const PlanRequest& request,
                                        const geo::LocalProjection& projection, const PlaneBox& area,
-                                       const std::stop_token& stop) {
+                                       core::Metres cell, const std::stop_token& stop) {
   if (!request.icebergs.pass_under) return std::nullopt;
-  return PassUnder{environment, request.icebergs, request.vehicle, projection, area, stop};
+  return PassUnder{environment, request.icebergs, request.vehicle, projection, area, cell, stop};
 }
 
 /// What a way that is searched for keeps from the rims of icebergs and zones beside what is asked: a route that just
@@ -93,7 +93,7 @@ TimedZones lay_out_timed_zones(const std::vector<ocean::Zone>& timed, const Plan
 }
 
 IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanRequest& request,
-                              const geo::LocalProjection& projection, const PlaneBox& area,
+                              const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
                               const std::stop_token& stop) {
   return {environment,
           request.icebergs,
@@ -102,7 +102,7 @@ IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanR
           request.depart,
           forecast_horizon(environment, request),
           stop,
-          lay_out_under(environment, request, projection, area, stop),
+          lay_out_under(environment, request, projection, area, cell, stop),
           stops_of(request, projection),
           kept_for_rounding(request)};
 }
@@ -119,9 +119,9 @@ std::shared_ptr<const PlaneCurrents> lay_out_currents(const ocean::Environment& 
 
 std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment, const PlanRequest& request,
                                     const geo::LocalProjection& projection, const PlaneBox& area,
-                                    core::Metres step, const std::stop_token& stop) {
+                                    core::Metres cell, const std::stop_token& stop) {
   if (!environment.ice) return std::nullopt;
-  return UnderIce{environment, request, projection, area, step, stop};
+  return UnderIce{environment, request, projection, area, cell, stop};
 }
 
 std::optional<EncounterMap> lay_out_encounters(const IcebergDiscs& icebergs,

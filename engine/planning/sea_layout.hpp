@@ -34,20 +34,21 @@ namespace floeplan::planning {
 
 /// The icebergs' drift for as long as it matters: from the last departure of a window, or the wanted arrival,
 /// on no less than a slow way with detours takes, and to the end of the currents, at most 30 days.
+/// `cell`   of the safety map, in which the sea bed below icebergs is judged
 [[nodiscard]] IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanRequest& request,
                                             const geo::LocalProjection& projection, const PlaneBox& area,
-                                            const std::stop_token& stop);
+                                            core::Metres cell, const std::stop_token& stop);
 
 [[nodiscard]] std::optional<EncounterMap> lay_out_encounters(const IcebergDiscs& icebergs,
                                                              const ocean::Environment& environment,
                                                              const PlanRequest& request, const PlaneBox& area,
                                                              const std::stop_token& stop);
 
-/// `step`: how closely ice is looked at.
+/// `cell`   of the safety map: the ice is looked at as closely, and the sea bed below it is judged in each
 [[nodiscard]] std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment,
                                                   const PlanRequest& request,
                                                   const geo::LocalProjection& projection,
-                                                  const PlaneBox& area, core::Metres step,
+                                                  const PlaneBox& area, core::Metres cell,
                                                   const std::stop_token& stop);
 
 /// `ice`: null where nothing is known of it.

@@ -7,9 +7,9 @@
 
 #include "engine/motion/edge_time.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/bed_cells.hpp"
 #include "engine/planning/ice_covers.hpp"
 #include "engine/planning/plan_request.hpp"
-#include "engine/planning/plane_bed.hpp"
 
 namespace floeplan::planning {
 
@@ -20,14 +20,16 @@ namespace floeplan::planning {
 ///          as it otherwise needs from the surface, with room for a saw-tooth above the altimeter's margin; its dives
 ///          must reach that deep. Where nothing is known of the ice it may pass, below the keels that were known last,
 ///          but not count on surfacing
-/// Along a drive  looked at every `step()`; the time between two looks counts as under ice unless the vehicle may
+/// Depth    the least in the cells of the safety map that a way enters: no sill between two looks is missed
+/// Along a drive  looked at every `step()`, with the deeper of the turns at both ends of a step; the time between two looks counts as under ice unless the vehicle may
 ///          surface at both, so that what counts is never shorter than the truth but for ice narrower than a step
 /// Threads  const members may be called from several threads at once
 class UnderIce {
  public:
-  /// Once `stop` is requested it stays incomplete and must not be used. `environment` must have ice.
+  /// `cell`  of the safety map; the ice is looked at as closely, or closer where its own data are finer. Once `stop`
+  /// is requested it stays incomplete and must not be used. `environment` must have ice
   UnderIce(const ocean::Environment& environment, const PlanRequest& request,
-           const geo::LocalProjection& projection, const PlaneBox& area, core::Metres step,
+           const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
            const std::stop_token& stop = {});
 
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const {
@@ -71,14 +73,16 @@ class UnderIce {
   [[nodiscard]] bool may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const;
   [[nodiscard]] core::Metres step() const { return core::Metres{step_m_}; }
 
-  [[nodiscard]] std::size_t bytes() const { return cover_.bytes(); }
+  [[nodiscard]] std::size_t bytes() const { return cover_.bytes() + (bed_ ? bed_->bytes() : 0); }
 
  private:
-  [[nodiscard]] bool has_room_below(geo::PlanePoint point, const IceAbove& ice) const;
+  [[nodiscard]] core::Metres turn_below(const IceAbove& ice) const;
+  /// Whether a turn at this depth leaves room for a dive; zero: nothing is in the way above.
+  [[nodiscard]] bool has_room_below(core::Metres turn, geo::PlanePoint a, geo::PlanePoint b) const;
 
   UnderIceRules rules_;
   IceCovers cover_;
-  std::optional<PlaneBed> bed_;  // empty: every depth will do
+  std::optional<BedCells> bed_;  // empty: every depth will do
   double needed_below_m_;        // from the upper turn to the sea bed
   double dive_room_m_;           // from the upper turn to the deepest point of the dives
   double dive_depth_m_;

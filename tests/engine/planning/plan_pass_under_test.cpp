@@ -73,7 +73,7 @@ TEST(PassUnder, LeavesRoomForADiveBelowTheKeelWhateverTheMargins) {
     vehicle.dive_depth = core::Metres{support::uniform(rng, 30.0, 200.0)};
     ocean::Iceberg berg = support::iceberg_at({-53.0, 69.0}, 60.0);
     berg.draft = core::Metres{support::uniform(rng, 1.0, 100.0)};
-    const PassUnder under{environment, rules, vehicle, projection, area, {}};
+    const PassUnder under{environment, rules, vehicle, projection, area, core::Metres{500.0}, {}};
 
     const auto keel = under.keel_of(berg);
     if (!keel || !under.has_room({0.0, 0.0}, keel->upper_turn)) return;
@@ -127,7 +127,7 @@ TEST(PassUnder, IsNotPossibleWhereTheSeaIsTooShallow) {
   environment.bathymetry = deep_as(85.0);
   EXPECT_FALSE(plan(environment, request));
 
-  environment.bathymetry = deep_as(95.0);
+  environment.bathymetry = deep_as(130.0);  // and 90 m still for 1.8 km to either side
   EXPECT_TRUE(plan(environment, request));
 }
 
