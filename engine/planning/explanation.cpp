@@ -290,7 +290,8 @@ Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::Plane
                             const PlanRequest& request) {
   const RouteClosed& closed = opens_later.closed;
   const bool in_zone = closed.reason == motion::EdgeClosed::in_zone;
-  const std::vector<TimeSpan> closures = sea.closed_times(stop);
+  const std::vector<TimeSpan> closures =
+      in_zone ? sea.closed_times_by_zones(stop) : sea.closed_times_by_icebergs(stop);
   const auto at_stop = std::ranges::find_if(closures, [&](const TimeSpan& span) {
     return span.from <= closed.when + sea.least_time(closed.at, stop) && closed.when <= span.until;
   });

@@ -130,12 +130,42 @@ bool is_refused_for_circling(RouteSearch& result, const Sea& sea, const OpenGrid
   return true;
 }
 
-/// What keeps the goal when the vehicle could be there, if it opens later: no way was found that is there then, because
-/// labels ran out or nothing but circling would do.
+/// Until when a place is closed that is closed then; zero where it is open.
+core::Seconds closed_until(const std::vector<TimeSpan>& closures, core::Seconds when) {
+  const auto holds = [&](const TimeSpan& span) { return span.from <= when && when <= span.until; };
+  const auto closure = std::ranges::find_if(closures, holds);
+  return closure == closures.end() ? core::Seconds{0.0} : closure->until;
+}
+
+/// What closes a place then, zone or iceberg: of both the one that does so for longer; empty where it is open.
+std::optional<RouteClosed> closed_place(const Sea& sea, geo::PlanePoint place, core::Seconds when) {
+  const core::Seconds by_zones = closed_until(sea.closed_times_by_zones(place), when);
+  const core::Seconds by_icebergs = closed_until(sea.closed_times_by_icebergs(place), when);
+  if (by_zones <= when && by_icebergs <= when) return std::nullopt;
+  const auto reason = by_zones > by_icebergs ? motion::EdgeClosed::in_zone : motion::EdgeClosed::obstacle;
+  return RouteClosed{.reason = reason, .at = place, .when = when};
+}
+
+/// What keeps the goal when the vehicle could be there, as if nothing closed and opened in time. Empty where that is
+/// open then, and where something of another kind closes the way before it.
+std::optional<RouteClosed> closed_goal(const Sea& sea, geo::PlanePoint goal, const AtOnce& at_once,
+                                       core::Seconds depart) {
+  const auto on_the_way = closed_at_once(sea, at_once.path, depart);
+  if (!on_the_way) return std::nullopt;
+  const auto closures = on_the_way->reason == motion::EdgeClosed::in_zone
+                            ? sea.closed_times_by_zones(goal)
+                            : sea.closed_times_by_icebergs(goal);
+  if (closed_until(closures, at_once.arrival) <= at_once.arrival) return std::nullopt;
+  return closed_place(sea, goal, at_once.arrival);
+}
+
+/// The goal's opening, if it opens later: no way was found that is there then, because labels ran out or nothing but
+/// circling would do.
 std::optional<OpensLater> goal_opens_later(const Sea& sea, const OpenGrid& open, const AtOnce& at_once,
                                            core::Seconds depart) {
-  const auto opens = opens_at(sea, open.grid.point(open.grid.goal), at_once.arrival);
-  const auto closed = opens ? closed_at_once(sea, at_once.path, depart) : std::nullopt;
+  const geo::PlanePoint goal = open.grid.point(open.grid.goal);
+  const auto opens = opens_at(sea, goal, at_once.arrival);
+  const auto closed = opens ? closed_goal(sea, goal, at_once, depart) : std::nullopt;
   if (!closed) return std::nullopt;
   return OpensLater{*closed, *opens - at_once.arrival};
 }
@@ -143,12 +173,11 @@ std::optional<OpensLater> goal_opens_later(const Sea& sea, const OpenGrid& open,
 /// Whether the goal opens too late for any way there that may be flown; the result then says so.
 bool is_refused_for_late_goal(RouteSearch& result, const Sea& sea, const OpenGrid& open,
                               const AtOnce& at_once, core::Seconds depart) {
-  const geo::PlanePoint end = open.grid.point(open.grid.goal);
-  const auto circling = end_opens_too_late(sea, end, depart, at_once.arrival);
-  if (!circling) return false;
-  const auto closed = closed_at_once(sea, at_once.path, depart);
+  const geo::PlanePoint goal = open.grid.point(open.grid.goal);
+  const auto circling = end_opens_too_late(sea, goal, depart, at_once.arrival);
+  const auto closed = circling ? closed_goal(sea, goal, at_once, depart) : std::nullopt;
   if (!closed) return false;
-  result.opens_later = OpensLater{*closed, *circling, opens_at(sea, end, at_once.arrival)};
+  result.opens_later = OpensLater{*closed, *circling, opens_at(sea, goal, at_once.arrival)};
   result.path.clear();
   return true;
 }

@@ -233,11 +233,9 @@ bool Sea::holds_against_current(geo::PlanePoint point, core::Seconds time) const
 }
 
 std::vector<TimeSpan> Sea::closed_times(geo::PlanePoint point) const {
-  std::vector<TimeSpan> closed = timed_zones_.closed_times(point);
-  if (!icebergs_.standing()) {
-    const std::vector<TimeSpan> by_icebergs = icebergs_.closed_times(point);
-    closed.insert(closed.end(), by_icebergs.begin(), by_icebergs.end());
-  }
+  std::vector<TimeSpan> closed = closed_times_by_zones(point);
+  const std::vector<TimeSpan> by_icebergs = closed_times_by_icebergs(point);
+  closed.insert(closed.end(), by_icebergs.begin(), by_icebergs.end());
   return joined(std::move(closed));
 }
 

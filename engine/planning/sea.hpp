@@ -95,6 +95,10 @@ class Sea {
   [[nodiscard]] std::vector<TimeSpan> closed_times_by_zones(geo::PlanePoint point) const {
     return timed_zones_.closed_times(point);
   }
+  /// By icebergs that move alone.
+  [[nodiscard]] std::vector<TimeSpan> closed_times_by_icebergs(geo::PlanePoint point) const {
+    return icebergs_.standing() ? std::vector<TimeSpan>{} : icebergs_.closed_times(point);
+  }
   /// Travel time of the straight leg for a vehicle that is to be at its end at `arrive`: it leaves that much
   /// earlier. Closed where the vehicle that leaves then finds the leg closed; too_late when it would certainly have
   /// to leave before `earliest`.

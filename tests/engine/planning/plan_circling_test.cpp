@@ -60,6 +60,43 @@ TEST(Circling, IsNoPlanWhereTheGoalOpensLongAfterTheVehicleCouldBeThere) {
   EXPECT_NE(why.find(", until " + until.substr(0, 13)), std::string::npos) << why;
 }
 
+ocean::Zone closed_area(double west, double east) {
+  return {.name = "area",
+          .kind = ocean::ZoneKind::no_go,
+          .area = {.outer = {{west, 67.6}, {east, 67.6}, {east, 70.4}, {west, 70.4}}, .holes = {}},
+          .from = {},
+          .until = {}};
+}
+
+TEST(Circling, IsBlamedOnTheAreaThatKeepsTheGoalForLongerThanTheIceberg) {
+  auto [request, environment] = goal_in_a_growing_disc();
+  request.zones = {closed_area(-53.26, -53.24)};
+  request.zones[0].until = start + opening(request) + core::Seconds{36'000.0};
+
+  const Result<Plan> result = plan(environment, request);
+
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().reason, Reason::goal_in_zone);
+  EXPECT_EQ(result.error().binding, Constraint::zone);
+  const std::string& why = result.error().explanation;
+  EXPECT_NE(why.find(", until " + core::iso8601(*request.zones[0].until).substr(0, 13)), std::string::npos)
+      << why;
+}
+
+TEST(Circling, IsNotBlamedOnTheGoalWhereAnAreaClosesTheWayForGood) {
+  auto [request, environment] = goal_in_a_growing_disc();
+  request.zones = {closed_area(-53.41, -53.39)};
+  request.zones[0].from = start + core::Seconds{3600.0};
+
+  const Result<Plan> result = plan(environment, request);
+
+  ASSERT_FALSE(result);
+  EXPECT_EQ(result.error().reason, Reason::goal_unreachable);
+  EXPECT_EQ(result.error().binding, Constraint::zone);
+  EXPECT_EQ(result.error().explanation.find("the goal lies"), std::string::npos)
+      << result.error().explanation;
+}
+
 TEST(Circling, IsRefusedWithTheDepartureThatNeedsNone) {
   auto [request, environment] = goal_in_a_growing_disc();
   const Result<Plan> refused = plan(environment, request);
