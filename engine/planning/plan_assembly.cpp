@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
 #include <limits>
 #include <optional>
 
@@ -12,6 +13,7 @@
 #include "engine/planning/coast_lines.hpp"
 #include "engine/planning/plane_distance.hpp"
 #include "engine/planning/surfacing.hpp"
+#include "engine/planning/water_warnings.hpp"
 #include "engine/vehicle/dive_band.hpp"
 
 namespace floeplan::planning {
@@ -167,23 +169,6 @@ std::optional<core::Metres> land_clearance(const Sea& sea, const ocean::Environm
   return core::Metres{least};
 }
 
-void warn_of_extended_currents(Plan& plan, const Sea& sea, const std::vector<geo::PlanePoint>& route) {
-  if (!sea.currents()) return;
-  int extended = 0;
-  int all = 0;
-  for_each_sample(route, [&](geo::PlanePoint point) {
-    ++all;
-    if (sea.currents()->is_extended(point)) ++extended;
-  });
-  if (extended == 0) return;
-  char text[160];
-  std::snprintf(
-      text, sizeof text,
-      "on %.0f %% of the route the current is that of the nearest water in the model, whose coast is coarser",
-      std::max(1.0, 100.0 * extended / all));
-  plan.warnings.emplace_back(text);
-}
-
 /// Names the icebergs that count for an earlier departure only.
 void warn_of_old_sightings(Plan& plan, const ocean::Environment& environment, const PlanRequest& request) {
   constexpr std::size_t most_names = 10;
@@ -275,6 +260,21 @@ void warn_of_surfacings_near_ice(Plan& plan) {
   plan.warnings.emplace_back(text);
 }
 
+/// Of openings in the ice that the bound counts on and the vehicle may miss.
+void warn_of_openings_missed(Plan& plan, const PlanRequest& request) {
+  const auto& bound = request.under_ice.max_time_without_surfacing;
+  const core::Seconds sure = plan.surfacing->longest_without_sure;
+  if (!bound || sure <= std::max(*bound, plan.surfacing->longest_without)) return;
+  char text[320];
+  std::snprintf(
+      text, sizeof text,
+      "the bound of %.1f h without a place to surface is kept by openings in the ice that the vehicle may "
+      "miss: counting those that are wider than the error of its position it is %.1f h; allow less time "
+      "(--max-time-without-surfacing), or keep off the ice",
+      bound->count() / 3600.0, sure.count() / 3600.0);
+  plan.warnings.emplace_back(text);
+}
+
 void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
                     const std::vector<geo::PlanePoint>& route, const Schedule& schedule,
                     const std::vector<vehicle::Drive>& drives) {
@@ -294,6 +294,7 @@ void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
   warn_of_deep_turns(plan, request);
   warn_of_ice_beside(plan, request);
   warn_of_surfacings_near_ice(plan);
+  warn_of_openings_missed(plan, request);
   if (!plan.surfacing->waypoints.back().may_surface)
     plan.warnings.emplace_back(
         "the vehicle may not surface at the goal: the ice there is too dense or unknown");
@@ -343,7 +344,8 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
   plan.datasets = environment.datasets;
   plan.warnings = environment.warnings;
   warn_of_old_sightings(plan, environment, request);
-  warn_of_extended_currents(plan, sea, route);
+  std::ranges::move(water_warnings(sea, environment, request, route, schedule, drives),
+                    std::back_inserter(plan.warnings));
   add_passages_under(plan, sea, route, schedule, drives);
   add_surfacings(plan, sea, request, route, schedule, drives);
   return plan;

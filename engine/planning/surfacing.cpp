@@ -4,6 +4,8 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/planning/position_error.hpp"
+
 namespace floeplan::planning {
 namespace {
 
@@ -11,12 +13,17 @@ namespace {
 class Log {
  public:
   Log(const Sea& sea, const PlanRequest& request, geo::PlanePoint start)
-      : sea_{sea}, request_{request}, here_{{start, core::Seconds{0.0}}}, fix_{here_}, last_open_{here_} {}
+      : sea_{sea},
+        request_{request},
+        here_{{start, core::Seconds{0.0}}},
+        fix_{here_},
+        last_open_{here_},
+        last_sure_{here_} {}
 
   /// The next look: until then the vehicle is under way by `drive`.
   void look(const Sea::Passage& now, vehicle::Drive drive) {
     const Look last = here_;
-    here_ = {now, last.error + growth(drive, now.time - last.at.time)};
+    here_ = {now, last.error + grown_error(request_.under_ice, sea_.speed(drive), now.time - last.at.time)};
     const bool open = sea_.may_surface(now.point, now.time);
     if (request_.under_ice.surfacing_interval) surface_when_due(open);
     if (!(open && was_open_))
@@ -26,6 +33,11 @@ class Log {
       if (!request_.under_ice.surfacing_interval) fix_ = here_;
     }
     was_open_ = open;
+    if (open && !ice_within(here_.error - last_sure_.error)) {
+      last_sure_ = here_;
+    } else {
+      plan.longest_without_sure = std::max(plan.longest_without_sure, now.time - last_sure_.at.time);
+    }
     const core::Metres turn = sea_.least_upper_turn(now.point, now.time);
     const core::Metres step = sea_.ground_length(last.at.point, now.point);
     leg_upper_turn_ = std::max(leg_upper_turn_, turn);
@@ -95,12 +107,6 @@ class Log {
       plan.ice_beside = {turn, error, sea_.projection().to_lon_lat(point)};
   }
 
-  [[nodiscard]] core::Metres growth(vehicle::Drive drive, core::Seconds time) const {
-    const core::Metres through_water{sea_.speed(drive).value * time.count()};
-    const core::Metres by_currents{request_.under_ice.current_uncertainty.value * time.count()};
-    return request_.under_ice.dead_reckoning_share * through_water + by_currents;
-  }
-
   [[nodiscard]] core::Metres error_at(const Look& look) const { return look.error - fix_.error; }
 
   [[nodiscard]] bool is_due() const {
@@ -140,6 +146,7 @@ class Log {
   Look here_;
   Look fix_;
   Look last_open_;
+  Look last_sure_;                         // open with no ice within the error grown since the one before
   std::optional<Opening> best_opening_{};  // since the last fix, the last of those as good
   bool was_open_{true};                    // the vehicle starts at the surface
   core::Metres leg_upper_turn_{};          // the deepest since the last waypoint

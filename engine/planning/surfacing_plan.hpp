@@ -51,8 +51,10 @@ struct EscapeWay {
 
 /// When and where the vehicle can show itself, and how well it knows where it is.
 struct SurfacingPlan {
-  core::Seconds longest_without{};           // the longest time between places where it may surface
-  core::Metres unknown_ice{};                // length of the route where nothing is known of the ice
+  core::Seconds longest_without{};  // the longest time between places where it may surface
+  core::Seconds
+      longest_without_sure{};  // counting those that its position error cannot miss; not kept stored
+  core::Metres unknown_ice{};  // length of the route where nothing is known of the ice
   std::vector<SurfacingState> waypoints;     // one for each
   std::vector<PlannedSurfacing> surfacings;  // empty unless an interval was asked for
   std::vector<EscapeWay> escapes;            // one for each waypoint, if they were asked for

@@ -91,6 +91,34 @@ TEST(PlanUnderIce, WarnsOfDeeperIceWithinTheErrorOfPosition) {
   EXPECT_THAT(try_to_plan(sea_with(69.02), request, {}, {}, {}).value().warnings, warns);
 }
 
+TEST(PlanUnderIce, WarnsOfOpeningsThatKeepTheBoundAndMayBeMissed) {
+  // 15 km of ice on either side of an opening whose middle lies 2.4 km from it: the position is off by 3 km then.
+  const ocean::Environment sea{.ice = support::ice_from(
+                                   [](geo::LonLat place, double) {
+                                     if (std::abs(place.lon_deg + 52.95) < 0.06) return 0.0;
+                                     return std::abs(place.lon_deg + 52.95) < 0.4 ? 1.0 : 0.0;
+                                   },
+                                   {0.0}, 1.0)};
+  PlanRequest request = support::eastward_request();
+  request.method = Method::direct;
+  const auto warns = testing::Contains(testing::HasSubstr("that the vehicle may miss"));
+
+  EXPECT_THAT(planned(sea, request).warnings, testing::Not(warns)) << "nothing counts on it";
+  request.under_ice.max_time_without_surfacing = core::Seconds{15.0 * 3600.0};
+  EXPECT_THAT(planned(sea, request).warnings, warns);
+  request.under_ice.current_uncertainty = {0.0};
+  EXPECT_THAT(planned(sea, request).warnings, testing::Not(warns)) << "less off than the opening is wide";
+}
+
+TEST(PlanUnderIce, WarnsOfEscapesThatEndAtTheEdgeOfTheIce) {
+  PlanRequest request = support::eastward_request();
+  request.max_leg = core::Metres{4000.0};
+  request.under_ice.escape_plan = true;
+
+  EXPECT_THAT(planned(band_of_ice(), request).warnings,
+              testing::Contains(testing::HasSubstr("escapes end nearer to ice")));
+}
+
 TEST(PlanUnderIce, PassesBelowTheIceWhenNothingBoundsTheTimeThere) {
   const Plan plan = planned(band_of_ice(), support::eastward_request());
 
