@@ -4,6 +4,8 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <functional>
+#include <set>
 #include <span>
 #include <utility>
 
@@ -135,13 +137,28 @@ void InputChanges::dive_towards(double extreme) {
 void InputChanges::dive_deeper() { dive_towards(request_.vehicle.depth_rating.value); }
 
 void InputChanges::dive_less_deep() {
-  const auto has_depths = [](const ocean::Zone& zone) {
-    return zone.top.value > 0.0 || std::isfinite(zone.bottom.value);
-  };
-  if (std::ranges::none_of(request_.zones, has_depths) &&
-      std::ranges::none_of(environment_.zones, has_depths))
-    return;
-  dive_towards(std::ceil(request_.vehicle.climb_to.value + vehicle::lowest_tooth.value));
+  const double least_m = std::ceil(request_.vehicle.climb_to.value + vehicle::lowest_tooth.value);
+  std::set<double, std::greater<>> above_tops_m;
+  bool has_depths = false;
+  for (const auto* zones : {&request_.zones, &environment_.zones}) {
+    for (const ocean::Zone& zone : *zones) {
+      has_depths = has_depths || zone.top.value > 0.0 || std::isfinite(zone.bottom.value);
+      const double above_m = std::ceil(zone.top.value) - 1.0;
+      if (above_m >= least_m && above_m < request_.vehicle.dive_depth.value) above_tops_m.insert(above_m);
+    }
+  }
+  if (!has_depths) return;
+  // Just above a zone first: the shallowest dives of all may take too much energy or be carried away.
+  std::size_t tried = 0;
+  for (const double above_m : above_tops_m) {
+    if (++tried > most_zones) break;
+    trials_.begin_input();
+    PlanRequest changed = request_;
+    changed.vehicle.dive_depth = {above_m};
+    if (trials_.is_over()) return;
+    if (trials_.works(changed)) return dive_towards(above_m);
+  }
+  dive_towards(least_m);
 }
 
 double InputChanges::standard_margin_m() const {

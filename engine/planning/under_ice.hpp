@@ -21,8 +21,9 @@ namespace floeplan::planning {
 ///          must reach that deep. Where nothing is known of the ice it may pass, below the keels that were known last,
 ///          but not count on surfacing
 /// Depth    the least in the cells of the safety map that a way enters: no sill between two looks is missed
-/// Along a drive  looked at every `step()`, with the deeper of the turns at both ends of a step; the time between two looks counts as under ice unless the vehicle may
-///          surface at both, so that what counts is never shorter than the truth but for ice narrower than a step
+/// Along a drive  looked at every `step()`, with the deeper of the turns at both ends of a step; the time between two
+///          looks counts as under ice unless the vehicle may surface at both, so that what counts is never shorter
+///          than the truth but for ice narrower than a step
 /// Threads  const members may be called from several threads at once
 class UnderIce {
  public:

@@ -38,8 +38,8 @@ std::optional<Change> move_that_helps(const ocean::Environment& environment, con
   return move_of("to", request.to, *nearest);
 }
 
-/// Whether anywhere and at any time a current is as fast as the vehicle: weaker ones close no leg, though they may make a
-/// way too long for what else is asked of it. False once `stop` is requested.
+/// Whether anywhere and at any time a current is as fast as the vehicle: weaker ones close no leg, though they may make
+/// a way too long for what else is asked of it. False once `stop` is requested.
 bool any_current_may_close(const ocean::CurrentGrid& currents, const PlanRequest& request,
                            const std::stop_token& stop) {
   constexpr std::size_t between_looks = 1 << 20;  // about a millisecond of samples
@@ -134,7 +134,9 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
                                 const core::ProgressCallback& progress) {
   if (why.reason == Reason::cancelled || !why.changes.empty()) return why;
   if (progress) progress("what would help", 0.95);
-  if (!why.moves.empty()) {
+  // Of all places that a stop could be moved to only the nearest are tried.
+  const bool has_moves = !why.moves.empty();
+  if (has_moves) {
     auto move = move_that_helps(environment, request, why.moves, stop);
     if (move) why.changes = {std::move(*move)};
   }
@@ -171,7 +173,7 @@ Infeasible with_what_would_help(const ocean::Environment& environment, const Pla
   }
   if (stop.stop_requested()) return explain_cancelled(request);
   why.changes = std::move(found.changes);
-  why.changes_cut_short = found.cut_short;
+  why.changes_cut_short = found.cut_short || (has_moves && why.changes.empty());
   return why;
 }
 

@@ -30,6 +30,19 @@ const Change* change_of(const Infeasible& infeasible, const std::string& input) 
   return nullptr;
 }
 
+/// From north to south, 500 m to either side of a meridian.
+ocean::Zone zone_across(std::string name, double lon_deg) {
+  return {.name = std::move(name),
+          .kind = ocean::ZoneKind::no_go,
+          .area = {.outer = {{lon_deg - 0.01, 67.6},
+                             {lon_deg + 0.01, 67.6},
+                             {lon_deg + 0.01, 70.4},
+                             {lon_deg - 0.01, 70.4}},
+                   .holes = {}},
+          .from = {},
+          .until = {}};
+}
+
 /// A stream against the way everywhere, 0.6 m/s until the given hour, weak afterwards.
 ocean::Environment headwind_until(double hour_of_change) {
   return {.currents = currents_from(
@@ -325,6 +338,24 @@ TEST(Relaxation, NamesWhatMakesADepartureOfAWindowPossible) {
   EXPECT_TRUE(plan_window(environment, request, {}, {}).plan.has_value());
 }
 
+TEST(Relaxation, NamesDivesAboveAnAreaWhereShallowerOnesAreCarriedAway) {
+  // Against the way, 0.5 m/s near the surface and hardly anything in the mean down to 60 m.
+  const ocean::Environment environment{.currents = support::sheared_currents(), .steady_currents = true};
+  PlanRequest request = eastward_request();
+  std::swap(request.from, request.to);
+  request.zones = {zone_across("trawlers", -53.0)};
+  request.zones[0].top = core::Metres{60.0};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  const Change* shallower = change_of(found.error(), "dive_depth_m");
+  ASSERT_NE(shallower, nullptr);
+  EXPECT_EQ(std::get<double>(shallower->to), 59.0);
+  request.vehicle.dive_depth = {59.0};
+  EXPECT_TRUE(plan(environment, request).has_value());
+}
+
 TEST(Relaxation, NamesTheDepthOfDivesThatIsAllowed) {
   PlanRequest request = eastward_request();
   request.zones = {
@@ -527,19 +558,6 @@ TEST(Relaxation, NamesNoVehicleThatCannotFlyAsIsAskedForWhateverItIs) {
 
   ASSERT_FALSE(found.has_value());
   EXPECT_EQ(change_of(found.error(), "vehicle"), nullptr);
-}
-
-/// From north to south, 500 m to either side of a meridian.
-ocean::Zone zone_across(std::string name, double lon_deg) {
-  return {.name = std::move(name),
-          .kind = ocean::ZoneKind::no_go,
-          .area = {.outer = {{lon_deg - 0.01, 67.6},
-                             {lon_deg + 0.01, 67.6},
-                             {lon_deg + 0.01, 70.4},
-                             {lon_deg - 0.01, 70.4}},
-                   .holes = {}},
-          .from = {},
-          .until = {}};
 }
 
 TEST(Relaxation, NamesTheSpeedThatPassesAnAreaBeforeItCloses) {
