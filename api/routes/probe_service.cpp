@@ -50,6 +50,26 @@ Source choose(const std::vector<Dataset>& datasets, DatasetKind kind, const std:
   return source;
 }
 
+/// As `choose`, but of those that cover place and time the first of which the steps tell most of it, as plans ask them:
+/// what lies in a long gap of one may be in another.
+Source choose_ice(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+                  const std::optional<Dataset>& named, const ProbeQuery& query) {
+  Source source = choose(datasets, DatasetKind::ice, named, query);
+  if (named && named->kind == DatasetKind::ice) return source;
+  auto most = ocean::IceStanding::not_begun;
+  for (const Dataset& dataset : datasets) {
+    if (dataset.kind != DatasetKind::ice || !geo::contains(dataset.bounds, query.place)) continue;
+    if (!covers_time(dataset, query.time)) continue;
+    const auto shape = repository::FieldRepository{db}.shape(dataset.id);
+    if (!shape || !shape->times_s) continue;
+    const auto standing = ocean::ice_moment(shape->times_s->nodes(), core::unix_seconds(query.time)).standing;
+    if (standing <= most) continue;
+    most = standing;
+    source.dataset = dataset;
+  }
+  return source;
+}
+
 /// The depths that plans are made with at this place: of the finest dataset that knows any, or of the named one.
 void read_depth(sqlite::Connection& db, const std::vector<Dataset>& datasets,
                 const std::optional<Dataset>& named, codec::Probe& probe) {
@@ -278,7 +298,7 @@ tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const
   ProbeQuery above = query;
   above.depth.reset();
   read_velocity(db, datasets, DatasetKind::wind, named, above, result.wind);
-  read_ice(db, choose(datasets, DatasetKind::ice, named, query), result);
+  read_ice(db, choose_ice(db, datasets, named, query), result);
   result.tide = probe_tide(db, datasets, named, query);
   read_land(db, datasets, result);
   read_icebergs(db, datasets, result);

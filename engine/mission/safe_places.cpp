@@ -24,23 +24,41 @@ struct IceThere {
   bool known{false};  // all the time
 };
 
-IceThere ice_of(const ocean::IceField& product, const planning::Plan& plan, geo::LonLat place) {
+/// As the steps around the time, or the one that is held for it, have it.
+std::optional<double> concentration_then(const ocean::IceField& product, geo::LonLat place, double time_s) {
   const ocean::Axis& steps_s = product.samples().times_s;
-  const double hold_s = ocean::longest_ice_hold.count();
-  const double from_s = std::max(core::unix_seconds(plan.departure), steps_s.front() - hold_s);
-  const double until_s = std::min(core::unix_seconds(plan.arrival), steps_s.back() + hold_s);
-  if (from_s > until_s) return {};
+  const ocean::IceMoment when = ocean::ice_moment(steps_s.nodes(), time_s);
+  if (!when.is_known()) return std::nullopt;
+  const auto first = product.at(place, core::from_unix_seconds(steps_s[when.first]));
+  const auto second = product.at(place, core::from_unix_seconds(steps_s[when.second]));
+  if (!first || (!second && when.share > 0.0)) return std::nullopt;
+  if (when.share == 0.0) return first->concentration;
+  return first->concentration + when.share * (second->concentration - first->concentration);
+}
 
-  const auto held = [&](double time_s) { return std::clamp(time_s, steps_s.front(), steps_s.back()); };
-  std::vector<double> times_s{held(from_s), held(until_s)};  // the ice is linear between its steps
-  for (std::size_t i = 0; i < steps_s.size(); ++i)
-    if (steps_s[i] > from_s && steps_s[i] < until_s) times_s.push_back(steps_s[i]);
-  IceThere found{.known = from_s == core::unix_seconds(plan.departure) &&
-                          until_s == core::unix_seconds(plan.arrival)};
+/// Whether two steps are so far apart that nothing is known of some time between these two.
+bool has_wide_gap(const std::vector<double>& steps_s, double from_s, double until_s) {
+  const double hold_s = ocean::longest_ice_hold.count();
+  const auto gap = std::ranges::adjacent_find(steps_s, [&](double before_s, double after_s) {
+    return after_s - before_s > ocean::longest_ice_gap.count() && before_s + hold_s < until_s &&
+           after_s - hold_s > from_s;
+  });
+  return gap != steps_s.end();
+}
+
+IceThere ice_of(const ocean::IceField& product, const planning::Plan& plan, geo::LonLat place) {
+  const std::vector<double>& steps_s = product.samples().times_s.nodes();
+  const double from_s = core::unix_seconds(plan.departure);
+  const double until_s = core::unix_seconds(plan.arrival);
+  std::vector<double> times_s{from_s, until_s};  // the ice is linear between its steps, or held
+  for (const double step_s : steps_s)
+    if (step_s > from_s && step_s < until_s) times_s.push_back(step_s);
+
+  IceThere found{.known = !has_wide_gap(steps_s, from_s, until_s)};
   for (const double time_s : times_s) {
-    const auto ice = product.at(place, core::from_unix_seconds(time_s));
+    const auto ice = concentration_then(product, place, time_s);
     found.known = found.known && ice.has_value();
-    if (ice) found.densest = std::max(found.densest, ice->concentration);
+    if (ice) found.densest = std::max(found.densest, *ice);
   }
   return found;
 }

@@ -30,7 +30,7 @@ struct Environment {
   std::shared_ptr<const CurrentGrid> wind{};
   std::shared_ptr<const Bathymetry> bathymetry{};
   std::shared_ptr<const IceField> ice{};  // null: nothing is known of sea ice, open water is assumed
-  /// Of other products, the preferred one first: asked where and when `ice` tells nothing.
+  /// Of other products, the preferred one first: asked where and when `ice` has no data of the time or tells nothing.
   std::vector<std::shared_ptr<const IceField>> further_ice{};
   std::vector<geo::Polygon> land{};
   std::vector<Iceberg> icebergs{};  // the latest sighting of each berg, none after the moment asked for

@@ -26,6 +26,8 @@ std::optional<IceState> IceField::at(geo::LonLat place, core::UtcTime time) cons
   const auto position = samples_.grid.locate(place);
   const auto when = samples_.times_s.locate(core::unix_seconds(time));
   if (!position || !when) return std::nullopt;
+  const core::Seconds apart{samples_.times_s[when->upper] - samples_.times_s[when->lower]};
+  if (apart > longest_ice_gap) return std::nullopt;
 
   const std::size_t slice = samples_.grid.size();
   const auto value = [&](const std::vector<float>& all) -> std::optional<double> {

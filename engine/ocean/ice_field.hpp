@@ -7,6 +7,7 @@
 #include "engine/core/units.hpp"
 #include "engine/ocean/axis.hpp"
 #include "engine/ocean/horizontal_grid.hpp"
+#include "engine/ocean/ice_moment.hpp"
 
 namespace floeplan::ocean {
 
@@ -17,22 +18,13 @@ struct IceState {
                                           // do not tell
 };
 
-/// For how long beyond its period, before and after, a plan takes the ice to stay as its first or last step has it.
-/// Analyses come once a day and with a delay of a day or two; floes drift ten kilometres or so a day, so that an older
-/// one says little of where the edge is.
-inline constexpr core::Seconds longest_ice_hold{3.0 * 86400.0};
-
-/// For how long beyond its period ice counts as data of the time itself, before other data that are: analyses come
-/// once a day, many as the mean of a day that is given as its noon.
-inline constexpr core::Seconds ice_speaks_before{0.5 * 86400.0};
-inline constexpr core::Seconds ice_speaks_after{1.0 * 86400.0};
-
 /// Sea ice of a model or an analysis on a grid; bilinear in place, linear in time.
 /// Shape    concentration and thickness_m are [time][y][x], last index fastest; thickness_m may be empty: the
 ///          data have none. NaN marks a missing sample inside the arrays; it never leaves the class
 /// Units    concentration from 0 to 1, thickness in metres
 /// Outside  nullopt where a concentration needed is missing (land, the hole of a satellite's orbit round the
-///          pole), beyond the grid and beyond the times; never extrapolates
+///          pole), beyond the grid, beyond the times and between two that are further apart than longest_ice_gap;
+///          never extrapolates
 /// Errors   std::invalid_argument from the constructor when the sizes do not agree, and for a question that is
 ///          not finite
 /// Threads  const members may be called from several threads at once

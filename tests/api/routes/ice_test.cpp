@@ -1,3 +1,5 @@
+#include <array>
+
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
@@ -11,30 +13,48 @@ using support::json_of;
 /// A store with two days of ice that thickens from a fifth to three fifths.
 class IceRoutesTest : public support::ApiTest {
  protected:
-  IceRoutesTest() {
-    const ocean::Axis times{{1.8e9, 1.8e9 + 86400.0}};
-    repository::DatasetRepository{db_}.insert({.id = {"ice-1"},
+  IceRoutesTest() { add_ice("ice-1", 1.8e9, 1.8e9 + 86400.0, {0.2F, 0.6F}); }
+
+  /// Two steps, ingested after those before.
+  void add_ice(const std::string& id, double first_s, double second_s, std::array<float, 2> concentration) {
+    repository::Provenance provenance;
+    provenance.ingested = core::from_unix_seconds(1.8e9 + added_++);
+    repository::DatasetRepository{db_}.insert({.id = {id},
                                                .kind = repository::DatasetKind::ice,
                                                .name = "ice of the strait",
                                                .variables = {"siconc", "sithick"},
                                                .bounds = {-54.0, 68.0, -52.0, 70.0},
-                                               .time_start = core::from_unix_seconds(times.front()),
-                                               .time_end = core::from_unix_seconds(times.back()),
+                                               .time_start = core::from_unix_seconds(first_s),
+                                               .time_end = core::from_unix_seconds(second_s),
                                                .rows_accepted = 4,
                                                .rows_refused = 0,
                                                .warnings = {},
-                                               .provenance = {}});
+                                               .provenance = provenance});
     repository::FieldRepository fields{db_};
-    fields.create(
-        {"ice-1"},
-        {{geo::GeographicFrame{}, ocean::Axis{{-54.0, -52.0}}, ocean::Axis{{68.0, 70.0}}}, {}, times});
-    for (std::size_t day = 0; day < 2; ++day) {
-      const float concentration = day == 0 ? 0.2F : 0.6F;
-      fields.write_slice({"ice-1"}, "concentration", day, 0, std::vector<float>(4, concentration));
-      fields.write_slice({"ice-1"}, "thickness_m", day, 0, std::vector<float>(4, 1.5F));
+    fields.create({id}, {{geo::GeographicFrame{}, ocean::Axis{{-54.0, -52.0}}, ocean::Axis{{68.0, 70.0}}},
+                         {},
+                         ocean::Axis{{first_s, second_s}}});
+    for (std::size_t step = 0; step < 2; ++step) {
+      fields.write_slice({id}, "concentration", step, 0, std::vector<float>(4, concentration[step]));
+      fields.write_slice({id}, "thickness_m", step, 0, std::vector<float>(4, 1.5F));
     }
   }
+
+ private:
+  int added_{0};
 };
+
+TEST_F(IceRoutesTest, AProbeInALongGapTellsWhatOthersKnowOrNothing) {
+  add_ice("gap", 1.8e9 - 10.0 * 86400.0, 1.8e9 + 10.0 * 86400.0, {0.0F, 0.0F});
+
+  const json known = json_of(ask("GET", "/probe?lon=-53&lat=69&time=2027-01-15T20:00:00Z"));
+  EXPECT_EQ(known["ice"]["dataset_id"], "ice-1");
+  EXPECT_NEAR(known["ice_concentration"], 0.4, 1e-6);
+
+  const json unknown = json_of(ask("GET", "/probe?lon=-53&lat=69&time=2027-01-20T20:00:00Z"));
+  EXPECT_TRUE(unknown["ice_concentration"].is_null());
+  EXPECT_THAT(unknown["ice_concentration_reason"], testing::HasSubstr("a gap of the data"));
+}
 
 TEST_F(IceRoutesTest, AProbeTellsConcentrationAndThicknessBetweenTwoSteps) {
   const auto response = ask("GET", "/probe?lon=-53&lat=69&time=2027-01-15T20:00:00Z");

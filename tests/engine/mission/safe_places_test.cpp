@@ -110,6 +110,9 @@ TEST(SafePlaces, OfWhichNothingIsKnownAreNamed) {
   EXPECT_THAT(findings(plan, {refuge, sea(plan, 300.0, {{-200.0, 0.0F}, {-100.0, 0.0F}})}).warnings,
               ElementsAre(HasSubstr("known of the ice at")))
       << "older than ice holds";
+  EXPECT_THAT(findings(plan, {refuge, sea(plan, 300.0, {{-240.0, 0.0F}, {240.0, 0.0F}})}).warnings,
+              ElementsAre(HasSubstr("known of the ice at")))
+      << "in a long gap";
 }
 
 TEST(SafePlaces, LieInNoAreaThatIsForbiddenThen) {

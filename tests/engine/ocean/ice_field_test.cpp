@@ -39,6 +39,16 @@ TEST(IceField, SaysNothingBeyondItsAreaAndItsPeriod) {
   EXPECT_FALSE(field.at({-53.5, 69.5}, at_hour(24.1)));
 }
 
+TEST(IceField, SaysNothingBetweenStepsThatAreMoreThanAWeekApart) {
+  IceField::Samples samples = rising();
+  samples.times_s = Axis{{0.0, 20.0 * 86400.0}};
+  const IceField field{samples};
+
+  EXPECT_TRUE(field.at({-53.5, 69.5}, at_hour(0.0)));
+  EXPECT_FALSE(field.at({-53.5, 69.5}, at_hour(24.0)));
+  EXPECT_TRUE(field.at({-53.5, 69.5}, at_hour(480.0)));
+}
+
 TEST(IceField, SaysNothingWhereANodeThatCountsIsMissing) {
   IceField::Samples samples = rising();
   samples.concentration[1] = missing;  // 53 W 69 N at the first time
