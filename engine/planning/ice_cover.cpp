@@ -10,12 +10,12 @@ namespace {
 
 constexpr float missing = std::numeric_limits<float>::quiet_NaN();
 
-float keel_draft(float concentration, float thickness_m, const UnderIceRules& rules) {
+/// Whether there is ice and the data do not tell how thick it is.
+bool is_thickness_missing(float concentration, float thickness_m, const UnderIceRules& rules) {
   // Dense ice without any thickness is a product that has none for it, not a cover without keels.
   const bool contradicts =
       thickness_m <= 0.0F && static_cast<double>(concentration) > rules.max_concentration_to_surface;
-  if (!std::isnan(thickness_m) && !contradicts) return static_cast<float>(keel_over_thickness) * thickness_m;
-  return concentration > 0.0F ? static_cast<float>(rules.draft_if_unknown.value) : 0.0F;
+  return concentration > 0.0F && (std::isnan(thickness_m) || contradicts);
 }
 
 }  // namespace
@@ -35,8 +35,12 @@ IceCover::IceCover(const ocean::IceField& ice, const UnderIceRules& rules,
         const std::size_t i =
             t * samples.grid.size() + grid_.row(iy) * samples.grid.x().size() + grid_.column(ix);
         const float thickness_m = samples.thickness_m.empty() ? missing : samples.thickness_m[i];
-        nodes_.push_back(
-            {samples.concentration[i], keel_draft(samples.concentration[i], thickness_m, rules)});
+        const bool is_assumed = is_thickness_missing(samples.concentration[i], thickness_m, rules);
+        const float told_m =
+            std::isnan(thickness_m) ? 0.0F : static_cast<float>(keel_over_thickness) * thickness_m;
+        nodes_.push_back({samples.concentration[i],
+                          is_assumed ? static_cast<float>(rules.draft_if_unknown.value) : told_m});
+        assumed_.push_back(is_assumed);
       }
     }
   }
@@ -115,6 +119,7 @@ void IceCover::keep_last_keels() {
     if (!std::isnan(nodes_[i].concentration)) continue;
     const bool was_dense = i >= grid_.size() && is_dense(nodes_[i - grid_.size()]);
     nodes_[i].draft_m = was_dense ? nodes_[i - grid_.size()].draft_m : 0.0F;
+    assumed_[i] = was_dense && assumed_[i - grid_.size()];
   }
 }
 
@@ -136,7 +141,9 @@ void IceCover::extend_to_coast() {
             extended_[begin + iy * nx + ix] = true;
             if (!(node.concentration >= neighbour.concentration))
               node.concentration = neighbour.concentration;
-            node.draft_m = std::max(node.draft_m, neighbour.draft_m);
+            if (!(neighbour.draft_m > node.draft_m)) continue;
+            node.draft_m = neighbour.draft_m;
+            assumed_[begin + iy * nx + ix] = assumed_[begin + jy * nx + jx];
           }
         }
       }
@@ -144,19 +151,10 @@ void IceCover::extend_to_coast() {
   }
 }
 
-bool IceCover::speaks_for(core::Seconds time) const {
-  return time.count() >= times_s_.front() - ocean::ice_speaks_before.count() &&
-         time.count() <= times_s_.back() + ocean::ice_speaks_after.count();
-}
-
-core::Seconds IceCover::beyond_steps(core::Seconds time) const {
-  return core::Seconds{std::max({times_s_.front() - time.count(), time.count() - times_s_.back(), 0.0})};
-}
-
 bool IceCover::is_extended(geo::PlanePoint point, core::Seconds time) const {
   const auto cell = grid_.corner(point);
   if (!cell) return false;
-  const Moment when = moment(time.count());
+  const ocean::IceMoment when = moment(time);
   for (const std::size_t step : {when.first, when.second}) {
     const std::size_t south = step * grid_.size() + cell->first;
     for (const std::size_t node : {south, south + 1, south + grid_.nx(), south + grid_.nx() + 1})
@@ -165,23 +163,28 @@ bool IceCover::is_extended(geo::PlanePoint point, core::Seconds time) const {
   return false;
 }
 
-IceCover::Moment IceCover::moment(double time_s) const {
-  const double hold_s = ocean::longest_ice_hold.count();
-  const bool known = time_s >= times_s_.front() - hold_s && time_s <= times_s_.back() + hold_s;
-  const std::size_t last = times_s_.size() - 1;
-  if (time_s <= times_s_.front()) return {0, 0, 0.0, known};
-  if (time_s >= times_s_.back()) return {last, last, 0.0, known};
-  const auto after = static_cast<std::size_t>(std::ranges::upper_bound(times_s_, time_s) - times_s_.begin());
-  const double before_s = times_s_[after - 1];
-  return {after - 1, after, (time_s - before_s) / (times_s_[after] - before_s), known};
+IceCover::Keels IceCover::keels(geo::PlanePoint point, core::Seconds time) const {
+  const auto cell = grid_.corner(point);
+  if (!cell) return {};
+  const ocean::IceMoment when = moment(time);
+  Keels found;
+  const auto look = [&](std::size_t step) {
+    const std::size_t south = step * grid_.size() + cell->first;
+    for (const std::size_t node : {south, south + 1, south + grid_.nx(), south + grid_.nx() + 1}) {
+      if (assumed_[node]) found.all_told = false;
+      if (!assumed_[node]) found.told_m = std::max(found.told_m, static_cast<double>(nodes_[node].draft_m));
+    }
+  };
+  look(when.first);
+  if (when.share > 0.0) look(when.second);
+  return found;
 }
 
 IceAbove IceCover::above(geo::PlanePoint point, core::Seconds time) const {
   const auto cell = grid_.corner(point);
   if (!cell) return {};
-  const Moment when = moment(time.count());
-  const bool is_before_all = !when.known && time.count() < times_s_.front();
-  if (is_before_all) return {};
+  const ocean::IceMoment when = moment(time);
+  if (when.standing == ocean::IceStanding::not_begun) return {};
 
   const std::size_t nx = grid_.nx();
   double draft_m = 0.0;
@@ -202,9 +205,9 @@ IceAbove IceCover::above(geo::PlanePoint point, core::Seconds time) const {
   };
   double concentration = concentration_at(when.first);
   if (when.share > 0.0) concentration += when.share * (concentration_at(when.second) - concentration);
-  if (std::isnan(concentration)) return {.draft_m = last_draft_m};
-  if (concentration <= limit_) return {.known = when.known, .may_surface = when.known, .draft_m = 0.0};
-  return {.known = when.known, .may_surface = false, .draft_m = draft_m};
+  if (concentration > limit_) return {.known = when.is_known(), .may_surface = false, .draft_m = draft_m};
+  if (concentration <= limit_ && when.is_known()) return {.known = true, .may_surface = true, .draft_m = 0.0};
+  return {.draft_m = last_draft_m};
 }
 
 }  // namespace floeplan::planning

@@ -23,9 +23,10 @@ struct IceAbove {
 /// Interpolation  concentration as the data's own: bilinear between its nodes, linear between its times; the draft is
 ///                the deepest of the nodes and times around
 /// Coast    a node without data takes the most ice of its neighbours, one ring deep: masks of land are coarse
-/// Time     counted from `epoch`; the first and the last step hold for ocean::longest_ice_hold beyond
-/// Outside  nothing known beyond the nodes with data (and that ring) and that period. Keels below dense ice that were
-///          known last, at a node or in all, stay to be kept below: that nobody looked for them since lifts none
+/// Time     counted from `epoch`; which steps count for it is what ocean::ice_moment says
+/// Outside  nothing known beyond the nodes with data (and that ring), before and after the period and in long gaps of
+///          it. Keels below dense ice that were known last, at a node or in all, stay to be kept below: that nobody
+///          looked for them since lifts none
 /// Threads  const members may be called from several threads at once
 class IceCover {
  public:
@@ -34,12 +35,20 @@ class IceCover {
            const PlaneBox& area, core::UtcTime epoch, const std::stop_token& stop = {});
 
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const;
-  /// Whether the data are meant for this time, and not only held for want of others.
-  [[nodiscard]] bool speaks_for(core::Seconds time) const;
-  /// From the nearest step; zero between the first and the last.
-  [[nodiscard]] core::Seconds beyond_steps(core::Seconds time) const;
+  /// What the data tell of this time.
+  [[nodiscard]] ocean::IceMoment moment(core::Seconds time) const {
+    return ocean::ice_moment(times_s_, time.count());
+  }
   /// Whether what is above rests on a node without data that took those of its neighbours.
   [[nodiscard]] bool is_extended(geo::PlanePoint point, core::Seconds time) const;
+  /// Of what is above.
+  struct Keels {
+    double told_m{};      // the deepest by the thickness that the data tell
+    bool all_told{true};  // none is assumed
+  };
+  [[nodiscard]] Keels keels(geo::PlanePoint point, core::Seconds time) const;
+  /// First step of the data.
+  [[nodiscard]] core::Seconds first_step() const { return core::Seconds{times_s_.front()}; }
   /// Whether there is ice anywhere, at any time, through which the vehicle may not surface.
   [[nodiscard]] bool has_dense_ice() const { return has_dense_ice_; }
   /// Whether dense ice may come or go.
@@ -67,14 +76,6 @@ class IceCover {
     float concentration;  // NaN where nothing is known
     float draft_m;        // of its keels; there of the dense ice that was known last, 0 for none
   };
-  /// Steps around a time and the share of the way to the second.
-  struct Moment {
-    std::size_t first;
-    std::size_t second;
-    double share;
-    bool known;  // within the period for which steps are held
-  };
-  [[nodiscard]] Moment moment(double time_s) const;
   [[nodiscard]] bool is_dense(const Node& node) const;
   void keep_last_keels();
   void extend_to_coast();
@@ -85,6 +86,7 @@ class IceCover {
   PlaneGrid grid_;
   std::vector<double> times_s_;  // since epoch
   std::vector<Node> nodes_;      // [time][y][x]
+  std::vector<bool> assumed_;    // [time][y][x], whether its draft is
   std::vector<bool> extended_;   // [time][y][x]
   double limit_;
   bool has_dense_ice_{false};

@@ -1,7 +1,6 @@
 #include "engine/planning/ice_covers.hpp"
 
-#include <limits>
-#include <optional>
+#include <utility>
 
 namespace floeplan::planning {
 
@@ -12,39 +11,60 @@ IceCovers::IceCovers(const ocean::Environment& environment, const UnderIceRules&
   covers_.emplace_back(*environment.ice, rules, projection, area, epoch, stop);
   for (const auto& ice : environment.further_ice)
     covers_.emplace_back(*ice, rules, projection, area, epoch, stop);
+  begins_ = std::ranges::min(covers_, {}, &IceCover::first_step).first_step() - ocean::longest_ice_hold;
+}
+
+template <class Accept>
+std::optional<IceCovers::Answer> IceCovers::first_of(geo::PlanePoint point, core::Seconds time,
+                                                     const Accept& accept) const {
+  using ocean::IceStanding;
+  for (const IceStanding standing : {IceStanding::own, IceStanding::speaks, IceStanding::held}) {
+    std::optional<Answer> first;
+    std::pair<bool, core::Seconds> least{};  // whether it is extended, and how far away
+    for (const IceCover& cover : covers_) {
+      const ocean::IceMoment moment = cover.moment(time);
+      if (moment.standing != standing) continue;
+      const Answer answer{&cover, cover.above(point, time)};
+      if (!accept(answer)) continue;
+      const std::pair rank{cover.is_extended(point, time),
+                           standing == IceStanding::own ? core::Seconds{0.0} : moment.away};
+      if (first && !(rank < least)) continue;
+      first = answer;
+      least = rank;
+      if (standing == IceStanding::own && !rank.first) break;
+    }
+    if (first) return first;
+  }
+  return std::nullopt;
 }
 
 IceAbove IceCovers::first_known(geo::PlanePoint point, core::Seconds time) const {
-  std::optional<IceAbove> extended;
-  for (const IceCover& cover : covers_) {
-    if (!cover.speaks_for(time)) continue;
-    const IceAbove ice = cover.above(point, time);
-    if (!ice.known) continue;
-    if (!cover.is_extended(point, time)) return ice;
-    if (!extended) extended = ice;
+  const auto answer = first_of(point, time, [](const Answer& found) { return found.ice.known; });
+  if (!answer) {
+    IceAbove unknown;
+    for (const IceCover& cover : covers_)
+      unknown.draft_m = std::max(unknown.draft_m, cover.above(point, time).draft_m);
+    return unknown;
   }
-  return extended ? *extended : held(point, time);
+  if (answer->ice.may_surface) return answer->ice;
+
+  const IceCover::Keels keels = answer->cover->keels(point, time);
+  if (keels.all_told) return answer->ice;
+  const auto told = first_of(point, time, [&](const Answer& found) {
+    return found.ice.known && !found.ice.may_surface && found.cover->keels(point, time).all_told;
+  });
+  IceAbove ice = answer->ice;
+  if (told) ice.draft_m = std::max(keels.told_m, told->ice.draft_m);
+  return ice;
 }
 
-IceAbove IceCovers::held(geo::PlanePoint point, core::Seconds time) const {
-  std::optional<IceAbove> known;
-  core::Seconds nearest{std::numeric_limits<double>::infinity()};
-  IceAbove unknown;
-  for (const IceCover& cover : covers_) {
-    const IceAbove ice = cover.above(point, time);
-    if (!ice.known) {
-      unknown.draft_m = std::max(unknown.draft_m, ice.draft_m);
-    } else if (cover.beyond_steps(time) < nearest) {
-      known = ice;
-      nearest = cover.beyond_steps(time);
-    }
-  }
-  return known.value_or(unknown);
+bool IceCovers::changes() const {
+  if (covers_.size() == 1 && !is_open_at_first()) return covers_.front().changes();
+  return has_dense_ice();
 }
-
-bool IceCovers::changes() const { return covers_.size() == 1 ? covers_.front().changes() : has_dense_ice(); }
 
 core::Metres IceCovers::least_way_to_opening(geo::PlanePoint point) const {
+  if (is_open_at_first()) return core::Metres{0.0};
   core::Metres least = covers_.front().least_way_to_opening(point);
   for (const IceCover& cover : covers_) least = std::min(least, cover.least_way_to_opening(point));
   return least;
@@ -52,6 +72,7 @@ core::Metres IceCovers::least_way_to_opening(geo::PlanePoint point) const {
 
 std::vector<core::Metres> IceCovers::least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
                                                            core::Seconds from, core::Seconds until) const {
+  if (from < begins_) return std::vector<core::Metres>(points.size(), core::Metres{0.0});
   std::vector<core::Metres> least = covers_.front().least_ways_to_opening(points, from, until);
   for (std::size_t i = 1; i < covers_.size(); ++i) {
     const std::vector<core::Metres> ways = covers_[i].least_ways_to_opening(points, from, until);

@@ -1,6 +1,7 @@
 #pragma once
 
 #include <algorithm>
+#include <optional>
 #include <stop_token>
 #include <vector>
 
@@ -9,10 +10,14 @@
 
 namespace floeplan::planning {
 
-/// The sea ice of all products that an environment holds. At each place and time the first of them that speaks for that
-/// time and knows the place answers, by its own data before what they are extended by; where none does, the one that
-/// holds the step nearest to that time.
-/// Outside  nothing known where none of them knows; the deepest keel that any of them knew last
+/// The sea ice of all products that an environment holds.
+/// Choice   at each place and time the first of them answers that knows the place and whose own data are of that time,
+///          else the one with the nearest step that speaks for it, else with the nearest that is held for it
+///          (ocean::IceStanding); of each, data of the place before what they are extended by
+/// Keels    where that one tells no thickness, those of the next in this order that does and has dense ice there; only
+///          where none does, the assumed ones
+/// Outside  open water is assumed until the first of all products may be held for the time: as with no product at all.
+///          Then nothing is known where none of them knows; the deepest keel that any of them knew last
 /// Threads  const members may be called from several threads at once
 class IceCovers {
  public:
@@ -22,9 +27,11 @@ class IceCovers {
             const std::stop_token& stop = {});
 
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const {
+    if (time < begins_) return {.known = true, .may_surface = true, .draft_m = 0.0};
     return covers_.size() == 1 ? covers_.front().above(point, time) : first_known(point, time);
   }
-  /// As the members of `IceCover` of these names; a bound where several covers are less sharp together.
+  /// As the members of `IceCover` of these names, of times from the epoch on; a bound where several covers are less
+  /// sharp together.
   [[nodiscard]] bool has_dense_ice() const { return std::ranges::any_of(covers_, &IceCover::has_dense_ice); }
   [[nodiscard]] bool changes() const;
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
@@ -37,11 +44,19 @@ class IceCovers {
   [[nodiscard]] std::size_t bytes() const;
 
  private:
+  struct Answer {
+    const IceCover* cover;
+    IceAbove ice;
+  };
   [[nodiscard]] IceAbove first_known(geo::PlanePoint point, core::Seconds time) const;
-  /// By the step nearest to a time for which none that knows the place speaks.
-  [[nodiscard]] IceAbove held(geo::PlanePoint point, core::Seconds time) const;
+  /// The first, in the order in which they are asked, that `accept` takes.
+  template <class Accept>
+  [[nodiscard]] std::optional<Answer> first_of(geo::PlanePoint point, core::Seconds time,
+                                               const Accept& accept) const;
+  [[nodiscard]] bool is_open_at_first() const { return begins_.count() > 0.0; }
 
   std::vector<IceCover> covers_;
+  core::Seconds begins_{};  // before it the water is taken to be open
 };
 
 }  // namespace floeplan::planning

@@ -71,6 +71,36 @@ TEST(IceCover, HoldsTheFirstAndTheLastStepForThreeDays) {
   EXPECT_FALSE(cover.above({0.0, 0.0}, hours(24.0 + 73.0)).known);
 }
 
+TEST(IceCover, IsUnknownInALongGapAndKeepsTheKeelsOnBothSidesOfIt) {
+  const auto cover_with_gap = [](double before, double after) {
+    return cover_of(support::ice_from([=](geo::LonLat, double hour) { return hour < 1.0 ? before : after; },
+                                      {0.0, 480.0}, 1.0));
+  };
+  const IceCover open = cover_with_gap(0.0, 0.0);
+  const IceCover closes = cover_with_gap(0.0, 0.9);
+  const IceCover opens = cover_with_gap(0.9, 0.0);
+
+  EXPECT_TRUE(open.above({0.0, 0.0}, hours(71.0)).may_surface);
+  EXPECT_FALSE(open.above({0.0, 0.0}, hours(73.0)).known);
+  EXPECT_EQ(open.above({0.0, 0.0}, hours(240.0)).draft_m, 0.0);
+  EXPECT_FALSE(closes.above({0.0, 0.0}, hours(409.0)).may_surface) << "the step after the gap is held";
+  for (const IceCover& cover : {closes, opens}) {
+    EXPECT_FALSE(cover.above({0.0, 0.0}, hours(240.0)).known);
+    EXPECT_EQ(cover.above({0.0, 0.0}, hours(240.0)).draft_m, 8.0);
+  }
+}
+
+TEST(IceCover, TellsOfWhichKeelsTheDraftIsAssumed) {
+  const auto closed = [](geo::LonLat, double) { return 0.9; };
+  const IceCover::Keels told = cover_of(support::ice_from(closed, {0.0}, 1.5)).keels({0.0, 0.0}, hours(0.0));
+  const IceCover::Keels assumed = cover_of(support::ice_from(closed, {0.0})).keels({0.0, 0.0}, hours(0.0));
+
+  EXPECT_TRUE(told.all_told);
+  EXPECT_NEAR(told.told_m, 12.0, 1e-5);
+  EXPECT_FALSE(assumed.all_told);
+  EXPECT_EQ(assumed.told_m, 0.0);
+}
+
 /// A gap in a later step lifts no keel: nobody looked.
 TEST(IceCover, KeepsTheKeelsThatALaterStepDoesNotTellOf) {
   const IceCover cover = cover_of(support::ice_from(

@@ -53,8 +53,8 @@ TEST(IceCovers, HoldWhatNoneSpeaksFor) {
 }
 
 TEST(IceCovers, AskTheNextWhereTheFirstKnowsNothing) {
-  const Field in_the_west =
-      support::ice_from([](geo::LonLat p, double) { return p.lon_deg < -53.3 ? 0.0 : unknown; }, {0.0}, 1.0);
+  const Field in_the_west = support::ice_from(
+      [](geo::LonLat p, double) { return p.lon_deg < -53.3 ? 0.0 : unknown; }, {0.0, 24.0}, 1.0);
   const IceCovers covers = covers_of(in_the_west, {even_ice(concentration_that_closes, 0.0, 24.0)});
 
   EXPECT_TRUE(covers.above({-30'000.0, 0.0}, hours(1.0)).may_surface);
@@ -65,14 +65,83 @@ TEST(IceCovers, AskTheNextWhereTheFirstKnowsNothing) {
 
 /// Beside its last node a product goes by that node; one that has data there knows better.
 TEST(IceCovers, AskForDataBeforeWhatIsExtendedToACoast) {
-  const Field in_the_west =
-      support::ice_from([](geo::LonLat p, double) { return p.lon_deg < -53.05 ? 0.0 : unknown; }, {0.0}, 1.0);
+  const Field in_the_west = support::ice_from(
+      [](geo::LonLat p, double) { return p.lon_deg < -53.05 ? 0.0 : unknown; }, {0.0, 24.0}, 1.0);
   const geo::PlanePoint beside{-1'200.0, 0.0};  // between the last node with data, at 53.1 W, and the next
 
   EXPECT_TRUE(covers_of(in_the_west, {}).above(beside, hours(1.0)).may_surface);
   EXPECT_FALSE(covers_of(in_the_west, {even_ice(concentration_that_closes, 0.0, 24.0)})
                    .above(beside, hours(1.0))
                    .may_surface);
+}
+
+/// A chart that was filled in later lies beside daily data of the whole time.
+TEST(IceCovers, AskDataOfTheTimeItselfBeforeANewerStepThatIsNear) {
+  const Field daily = support::ice_from([](geo::LonLat, double) { return concentration_that_closes; },
+                                        {-48.0, -24.0, 0.0, 24.0, 48.0}, 1.0);
+  const Field chart = support::ice_from([](geo::LonLat, double) { return 0.0; }, {-18.0}, 1.0);
+  const IceCovers covers = covers_of(chart, {daily});
+
+  EXPECT_TRUE(covers.above({0.0, 0.0}, hours(-18.0)).may_surface) << "the chart's own time";
+  for (const double hour : {-17.0, 1.0, 5.0, 40.0})
+    EXPECT_FALSE(covers.above({0.0, 0.0}, hours(hour)).may_surface) << hour;
+}
+
+/// In whichever order charts of single days were stored.
+TEST(IceCovers, AskTheNearestOfTheChartsOfSingleDays) {
+  const Field first_day = support::ice_from([](geo::LonLat, double) { return 0.0; }, {-18.0}, 1.0);
+  const Field next_day =
+      support::ice_from([](geo::LonLat, double) { return concentration_that_closes; }, {6.0}, 1.0);
+
+  for (const IceCovers& covers : {covers_of(first_day, {next_day}), covers_of(next_day, {first_day})}) {
+    EXPECT_TRUE(covers.above({0.0, 0.0}, hours(-7.0)).may_surface);
+    EXPECT_FALSE(covers.above({0.0, 0.0}, hours(-5.0)).may_surface);
+    EXPECT_FALSE(covers.above({0.0, 0.0}, hours(5.9)).may_surface);
+  }
+}
+
+TEST(IceCovers, AskOthersInALongGapOfTheFirst) {
+  const Field with_gap = even_ice(0.0, -240.0, 240.0);
+  const Field daily = support::ice_from([](geo::LonLat, double) { return concentration_that_closes; },
+                                        {-48.0, -24.0, 0.0, 24.0, 48.0}, 1.0);
+
+  EXPECT_FALSE(covers_of(with_gap, {daily}).above({0.0, 0.0}, hours(1.0)).may_surface);
+  EXPECT_TRUE(covers_of(with_gap, {daily}).above({0.0, 0.0}, hours(1.0)).known);
+  EXPECT_FALSE(covers_of(with_gap, {}).above({0.0, 0.0}, hours(1.0)).known);
+}
+
+/// As where no ice is stored at all, but for the time for which its first step is held.
+TEST(IceCovers, TakeTheWaterToBeOpenUntilTheFirstOfThemMayBeHeld) {
+  const Field later = even_ice(concentration_that_closes, 96.0, 120.0);
+  const IceCovers alone = covers_of(later, {});
+  const IceCovers after_another = covers_of(later, {even_ice(concentration_that_closes, -200.0, -190.0)});
+
+  EXPECT_TRUE(alone.above({0.0, 0.0}, hours(23.0)).may_surface);
+  EXPECT_FALSE(alone.above({0.0, 0.0}, hours(25.0)).may_surface);
+  EXPECT_EQ(alone.least_way_to_opening({0.0, 0.0}).value, 0.0);
+  EXPECT_EQ(alone.least_ways_to_opening({{0.0, 0.0}}, hours(20.0), hours(30.0))[0].value, 0.0);
+  EXPECT_GT(alone.least_ways_to_opening({{0.0, 0.0}}, hours(25.0), hours(30.0))[0].value, 1e5);
+  EXPECT_TRUE(alone.changes());
+  EXPECT_FALSE(after_another.above({0.0, 0.0}, hours(0.0)).known) << "there was ice before";
+  EXPECT_EQ(after_another.above({0.0, 0.0}, hours(0.0)).draft_m, 8.0);
+}
+
+TEST(IceCovers, TakeTheKeelsOfAnotherWhereTheFirstTellsNoThickness) {
+  const auto closed = [](geo::LonLat, double) { return concentration_that_closes; };
+  const auto draft_m = [](const IceCovers& covers) { return covers.above({0.0, 0.0}, hours(1.0)).draft_m; };
+  const Field without = support::ice_from(closed, {0.0, 24.0});
+  const Field thick = support::ice_from(closed, {0.0, 24.0}, 6.0);
+  const Field thin = support::ice_from(closed, {0.0, 24.0}, 1.0);
+  const Field open = support::ice_from([](geo::LonLat, double) { return 0.0; }, {0.0, 24.0}, 0.0);
+  const Field held = support::ice_from(closed, {-40.0}, 2.0);
+
+  EXPECT_EQ(draft_m(covers_of(without, {thick})), 48.0);
+  EXPECT_EQ(draft_m(covers_of(without, {thin, thick})), 8.0) << "the first that tells";
+  EXPECT_EQ(draft_m(covers_of(without, {held, thin})), 8.0) << "data of the time before what is held";
+  EXPECT_EQ(draft_m(covers_of(without, {held})), 16.0);
+  EXPECT_EQ(draft_m(covers_of(thin, {thick})), 8.0);
+  EXPECT_EQ(draft_m(covers_of(without, {open})), 30.0) << "which tells of no keels";
+  EXPECT_EQ(draft_m(covers_of(without, {without})), 30.0);
 }
 
 TEST(IceCovers, HoldTheNearestStep) {
@@ -89,13 +158,13 @@ TEST(IceCovers, BoundTheWaysToOpeningsAndToDenseIce) {
   support::for_each_seed(40, [&](std::mt19937_64& rng) {
     const auto random_ice = [&] {
       const double phase = support::uniform(rng, 0.0, 6.28);
-      const double from_hour = support::uniform(rng, -40.0, 60.0);
+      const double from_hour = support::uniform(rng, -240.0, 120.0);
       return support::ice_from(
           [=](geo::LonLat p, double hour) {
             const double wave = std::sin(6.0 * p.lon_deg + 9.0 * p.lat_deg + 0.1 * hour + phase);
             return wave > 0.7 ? unknown : std::clamp(wave, 0.0, 1.0);
           },
-          {from_hour, from_hour + 20.0}, 1.0);
+          {from_hour, from_hour + 20.0, from_hour + support::uniform(rng, 40.0, 400.0)}, 1.0);
     };
     const IceCovers covers = covers_of(random_ice(), {random_ice(), random_ice()});
     const auto random_point = [&] {
@@ -105,7 +174,7 @@ TEST(IceCovers, BoundTheWaysToOpeningsAndToDenseIce) {
     for (int i = 0; i < 100; ++i) {
       const geo::PlanePoint from = random_point();
       const geo::PlanePoint there = random_point();
-      const core::Seconds time = hours(support::uniform(rng, -50.0, 100.0));
+      const core::Seconds time = hours(support::uniform(rng, 0.0, 300.0));
       const IceAbove ice = covers.above(there, time);
       const double way_m = geo::distance_m(from, there);
       if (ice.may_surface) {
