@@ -15,6 +15,8 @@ namespace {
 
 /// No mission that is planned at once lasts longer.
 constexpr core::Seconds longest_mission{30.0 * 86400.0};
+/// Ice that ended longer than this before the departure says nothing of the keels that there are then: a judgement.
+constexpr core::Seconds longest_memory{30.0 * 86400.0};
 /// More than one a day of such a mission. A judgement.
 constexpr std::size_t most_products = 40;
 /// Older ones of a time that newer ones tell of all over, but for land or gaps: looked at for what is in the gaps.
@@ -25,50 +27,90 @@ constexpr int most_looks_into_gaps = 3;
 /// them nothing is known, so that as the newest ice they would hide a concentration that is.
 bool is_areas_alone(const Dataset& dataset) { return dataset.variables == std::vector<std::string>{"ice"}; }
 
-std::optional<Period> overlap(const Period& a, const Period& b) {
-  const Period both{std::max(a.from, b.from), std::min(a.to, b.to)};
-  return both.from <= both.to ? std::optional{both} : std::nullopt;
+/// When a plan may need ice: from the earliest departure until after the latest that is asked for.
+Period mission_of(const EnvironmentQuery& query) {
+  const core::UtcTime latest = query.until ? std::max(query.depart, query.until->time) : query.depart;
+  return {query.depart, latest + longest_mission};
 }
 
-bool is_within(const Period& inner, const Period& outer) {
-  return outer.from <= inner.from && inner.to <= outer.to;
+/// The period for which data of this one are held.
+Period held(const Period& period) {
+  return {period.from - ocean::longest_ice_hold, period.to + ocean::longest_ice_hold};
 }
 
-/// When data of a period count.
-struct Validity {
-  explicit Validity(const Period& period)
-      : speaks{period.from - ocean::ice_speaks_before, period.to + ocean::ice_speaks_after},
-        held{period.from - ocean::longest_ice_hold, period.to + ocean::longest_ice_hold} {}
+bool is_over(const Dataset& dataset, const Period& mission) {
+  const auto period = period_of(dataset);
+  return period && held(*period).to < mission.from;
+}
 
-  Period speaks;
-  Period held;
-};
+/// Whether something of data of this period counts in the mission: all of it, or what keels were known last.
+bool counts_in(const Period& period, const Period& mission) {
+  return held(period).from <= mission.to && period.to >= mission.from - longest_memory;
+}
 
 /// One that is used.
 struct Product {
   Dataset dataset;
   Period period;
-  Validity valid;
+  ocean::Axis steps_s;
   bool reaches_all_of_the_area{};
   std::shared_ptr<const ocean::IceField> ice;
+
+  [[nodiscard]] bool has_thickness() const { return !ice->samples().thickness_m.empty(); }
+  [[nodiscard]] ocean::IceMoment moment(core::UtcTime time) const {
+    return ocean::ice_moment(steps_s.nodes(), core::unix_seconds(time));
+  }
 };
 
 bool reaches_all_of(const geo::BoundingBox& area, const ocean::HorizontalGrid& grid) {
   return holds_all_over(area, 16, [&](geo::LonLat place) { return grid.locate(place).has_value(); });
 }
 
-/// Those before it that tell of all the times, and of all the area but for gaps, of which data with this validity do.
-std::vector<const Product*> covering(const Validity& valid, const Period& mission,
-                                     const std::vector<Product>& before) {
-  const auto speaks = overlap(valid.speaks, mission);
-  const auto held = overlap(valid.held, mission);
-  std::vector<const Product*> found;
-  for (const Product& product : before) {
-    if (!product.reaches_all_of_the_area) continue;
-    if (speaks ? is_within(*speaks, product.valid.speaks) : is_within(*held, product.valid.held))
-      found.push_back(&product);
+/// Whether one of these moments counts before one of those where both know the place.
+bool counts_before(const ocean::IceMoment& these, const ocean::IceMoment& those) {
+  if (these.standing != those.standing) return these.standing > those.standing;
+  return these.standing != ocean::IceStanding::own && these.away < those.away;
+}
+
+/// Whether data with these steps count before newer ones with those at any time of the mission. Between the times that
+/// are looked at nothing changes but how far away the nearest steps are, and that evenly.
+bool ever_counts_before(const ocean::Axis& these, const ocean::Axis& those, const Period& mission) {
+  const double from_s = core::unix_seconds(mission.from);
+  const double to_s = core::unix_seconds(mission.to);
+  std::vector<double> times_s{from_s, to_s};
+  for (const ocean::Axis* steps_s : {&these, &those}) {
+    for (std::size_t i = 0; i < steps_s->size(); ++i) {
+      const double step_s = (*steps_s)[i];
+      const double next_s = (*steps_s)[std::min(i + 1, steps_s->size() - 1)];
+      for (const double time_s :
+           {step_s, 0.5 * (step_s + next_s), step_s - ocean::longest_ice_hold.count(),
+            step_s - ocean::ice_speaks_before.count(), step_s + ocean::ice_speaks_after.count(),
+            step_s + ocean::longest_ice_hold.count()})
+        if (time_s > from_s && time_s < to_s) times_s.push_back(time_s);
+    }
   }
+  std::ranges::sort(times_s);
+  const auto is_before = [&](double time_s) {
+    return counts_before(ocean::ice_moment(these.nodes(), time_s), ocean::ice_moment(those.nodes(), time_s));
+  };
+  for (std::size_t i = 0; i + 1 < times_s.size(); ++i)
+    if (is_before(times_s[i]) || is_before(0.5 * (times_s[i] + times_s[i + 1]))) return true;
+  return is_before(to_s);
+}
+
+/// Those before it that tell of all the times, and of all the area but for gaps, of which data with these steps do.
+std::vector<const Product*> covering(const ocean::Axis& steps_s, const Period& mission,
+                                     const std::vector<Product>& before) {
+  std::vector<const Product*> found;
+  for (const Product& product : before)
+    if (product.reaches_all_of_the_area && !ever_counts_before(steps_s, product.steps_s, mission))
+      found.push_back(&product);
   return found;
+}
+
+bool holds_thickness(const FieldRepository& fields, const DatasetId& id) {
+  const std::vector<std::string> names = fields.variables(id);
+  return std::ranges::find(names, "thickness_m") != names.end();
 }
 
 bool knows_always(const ocean::IceField& ice, geo::LonLat place) {
@@ -95,16 +137,37 @@ bool fills_a_gap(const ocean::IceField& ice, const geo::BoundingBox& area,
   return false;
 }
 
-void warn_of_what_is_held(EnvironmentDraft& draft, const std::vector<Product>& used) {
+/// The one that counts at a time where all know the place.
+const Product& first_then(const std::vector<Product>& used, core::UtcTime time) {
+  const Product* first = &used.front();
+  for (const Product& product : used)
+    if (counts_before(product.moment(time), first->moment(time))) first = &product;
+  return *first;
+}
+
+void warn_of_the_departure(EnvironmentDraft& draft, const std::vector<Product>& used) {
   const core::UtcTime depart = draft.query.depart;
-  const auto speaks = [&](const Product& product) { return covers(product.valid.speaks, depart); };
-  const auto is_held = [&](const Product& product) { return covers(product.valid.held, depart); };
-  const auto spoken = std::ranges::find_if(used, speaks);
-  const auto now = spoken != used.end() ? spoken : std::ranges::find_if(used, is_held);
-  if (now == used.end() || covers(now->period, depart)) return;
-  draft.warn("ice of " + title(now->dataset) + " is held as at " +
-             core::iso8601(depart > now->period.to ? now->period.to : now->period.from) +
-             ", the step nearest to the departure");
+  const Product& now = first_then(used, depart);
+  const ocean::IceMoment moment = now.moment(depart);
+  const auto step = [&](std::size_t i) { return core::iso8601(core::from_unix_seconds(now.steps_s[i])); };
+  switch (moment.standing) {
+    case ocean::IceStanding::own: return;
+    case ocean::IceStanding::speaks:
+    case ocean::IceStanding::held:
+      if (moment.share > 0.0) return;
+      return draft.warn("ice of " + title(now.dataset) + " is held as at " + step(moment.first) +
+                        ", the step nearest to the departure");
+    case ocean::IceStanding::unknown:
+      return draft.warn("nothing is known of the ice at the departure: " + title(now.dataset) +
+                        " tells of it at " + step(moment.first) +
+                        ", and ice is held for at most 3 days; dives keep below the keels that were known "
+                        "last, and no surfacing is counted on");
+    case ocean::IceStanding::not_begun: break;
+  }
+  const core::UtcTime begin =
+      std::ranges::min(used, {}, [](const Product& product) { return product.period.from; }).period.from;
+  draft.warn("no ice is stored before " + core::iso8601(begin) + ": open water is assumed until " +
+             core::iso8601(begin - ocean::longest_ice_hold) + ", from when on its first step is held");
 }
 
 void report(EnvironmentDraft& draft, const std::vector<Product>& used) {
@@ -114,16 +177,21 @@ void report(EnvironmentDraft& draft, const std::vector<Product>& used) {
     names += (names.empty() ? "" : ", then ") + title(product.dataset);
   }
   if (used.size() > 1)
-    draft.warn("ice is taken from several datasets, each where or when those before it tell nothing: " +
-               names);
-  warn_of_what_is_held(draft, used);
+    draft.warn(
+        "ice is taken from several datasets, at each place and time from the one whose data are nearest "
+        "to that time, the first where several are: " +
+        names);
+  warn_of_the_departure(draft, used);
 }
 
 void adopt(EnvironmentDraft& draft, const std::vector<Product>& used) {
+  const bool is_thickness_told = std::ranges::any_of(used, &Product::has_thickness);
   for (const Product& product : used) {
-    if (product.ice->samples().thickness_m.empty())
-      draft.warn("ice of " + title(product.dataset) +
-                 " has no thickness: a draft is assumed wherever there is ice");
+    if (!product.has_thickness())
+      draft.warn("ice of " + title(product.dataset) + " has no thickness: " +
+                 (is_thickness_told ? "that of others is taken where they tell of dense ice, and elsewhere "
+                                      "a draft is assumed"
+                                    : "a draft is assumed wherever there is ice"));
     if (!draft.environment.ice) {
       draft.environment.ice = product.ice;
     } else {
@@ -132,24 +200,26 @@ void adopt(EnvironmentDraft& draft, const std::vector<Product>& used) {
   }
 }
 
-}  // namespace
+/// Those that are asked first, first: by their order, but what is over before the mission, and at last areas alone,
+/// after the rest, so that they are read only for what the rest leaves open.
+std::vector<Dataset> in_order(std::vector<Dataset> found, const Period& mission) {
+  std::ranges::stable_partition(found, [&](const Dataset& dataset) { return !is_over(dataset, mission); });
+  std::ranges::stable_partition(found, std::not_fn(is_areas_alone));
+  return found;
+}
 
-void add_ice(EnvironmentDraft& draft) {
-  const EnvironmentQuery& query = draft.query;
-  auto found = candidates(draft.stored, DatasetKind::ice, query.ice, query.area, draft.violations);
-  const auto areas = std::ranges::stable_partition(found, std::not_fn(is_areas_alone));
-  const bool named = query.ice.how == DatasetChoice::How::named;
-  if (named && query.ice.ids.size() > 1) {
-    draft.refuse(DatasetKind::ice, "one dataset at a time; name the one to plan with");
-    return;
-  }
-
-  const Period mission{query.depart, query.depart + longest_mission};
-  const auto tells_of_departure = [&](const Product& product) {
-    return covers(product.valid.held, query.depart);
-  };
-  std::string periods_missed;
+struct Choice {
   std::vector<Product> used;
+  std::string periods_missed;
+};
+
+Choice choose(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
+  const EnvironmentQuery& query = draft.query;
+  const Period mission = mission_of(query);
+  const bool named = query.ice.how == DatasetChoice::How::named;
+  const FieldRepository fields{draft.db, draft.reading.stop};
+  Choice choice;
+  std::vector<Product>& used = choice.used;
   int looks_into_gaps = 0;
   for (const Dataset& dataset : found) {
     const auto period = period_of(dataset);
@@ -159,37 +229,60 @@ void add_ice(EnvironmentDraft& draft) {
                  " datasets of ice are stored for this area and time: the oldest are not asked");
       break;
     }
-    if (is_areas_alone(dataset) && std::ranges::any_of(used, tells_of_departure)) break;
-    const Validity valid{*period};
-    if (!covers(valid.held, query.depart) && (named || !overlap(valid.held, mission))) {
-      periods_missed +=
-          (periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
+    const bool tells_of_departure = std::ranges::any_of(
+        used, [&](const Product& product) { return product.moment(query.depart).is_known(); });
+    if (is_areas_alone(dataset) && tells_of_departure) break;
+    if (named ? !covers(held(*period), query.depart) : !counts_in(*period, mission)) {
+      choice.periods_missed +=
+          (choice.periods_missed.empty() ? "" : "; ") + title(dataset) + " covers " + period_text(*period);
       continue;
     }
-    const std::vector<const Product*> before = covering(valid, mission, used);
+    const auto shape = fields.shape(dataset.id);
+    if (!shape || !shape->times_s) continue;
+    std::vector<const Product*> before = covering(*shape->times_s, mission, used);
+    if (!before.empty() && is_over(dataset, mission)) continue;
+    const bool may_add_thickness = !before.empty() && std::ranges::none_of(before, &Product::has_thickness);
+    if (may_add_thickness && holds_thickness(fields, dataset.id)) before.clear();
     if (!before.empty() && looks_into_gaps++ >= most_looks_into_gaps) continue;
     const Period wanted{std::clamp(query.depart, period->from, period->to), period->to};
-    auto ice = FieldRepository{draft.db, draft.reading.stop}.load_ice(dataset.id, query.area, wanted);
+    auto ice = fields.load_ice(dataset.id, query.area, wanted);
     if (!ice || (!before.empty() && !fills_a_gap(*ice, query.area, before))) continue;
     const bool reaches_all = reaches_all_of(query.area, ice->samples().grid);
-    used.push_back(
-        {dataset, *period, valid, reaches_all, std::make_shared<const ocean::IceField>(std::move(*ice))});
+    used.push_back({dataset, *period, *shape->times_s, reaches_all,
+                    std::make_shared<const ocean::IceField>(std::move(*ice))});
   }
-  // Of ice that begins later alone nothing follows for the beginning of a mission, which may end before it.
-  if (std::ranges::none_of(used, tells_of_departure)) {
-    for (const Product& product : used)
-      periods_missed += (periods_missed.empty() ? "" : "; ") + title(product.dataset) + " covers " +
-                        period_text(product.period);
-    used.clear();
+  return choice;
+}
+
+/// Areas that are left out beside other ice.
+void warn_of_unused_areas(EnvironmentDraft& draft, const std::vector<Dataset>& found,
+                          const std::vector<Product>& used) {
+  for (const Dataset& dataset : found) {
+    const bool is_used =
+        std::ranges::any_of(used, [&](const Product& product) { return product.dataset.id == dataset.id; });
+    if (is_areas_alone(dataset) && !is_used && !is_areas_alone(used.front().dataset))
+      draft.warn(title(dataset) + " holds areas of ice and nothing outside them; not used beside " +
+                 title(used.front().dataset) + "; make zones of them, or name it to plan with it alone");
+  }
+}
+
+}  // namespace
+
+void add_ice(EnvironmentDraft& draft) {
+  const EnvironmentQuery& query = draft.query;
+  const bool named = query.ice.how == DatasetChoice::How::named;
+  const auto found = in_order(
+      candidates(draft.stored, DatasetKind::ice, query.ice, query.area, draft.violations), mission_of(query));
+  if (named && query.ice.ids.size() > 1) {
+    draft.refuse(DatasetKind::ice, "one dataset at a time; name the one to plan with");
+    return;
   }
 
+  const auto [used, periods_missed] = choose(draft, found);
   if (!used.empty()) {
     adopt(draft, used);
     report(draft, used);
-    if (is_areas_alone(used.front().dataset)) return;
-    for (const Dataset& unused : areas)
-      draft.warn(title(unused) + " holds areas of ice and nothing outside them; not used beside " +
-                 title(used.front().dataset) + "; make zones of them, or name it to plan with it alone");
+    warn_of_unused_areas(draft, found, used);
   } else if (named && !periods_missed.empty()) {
     draft.refuse(DatasetKind::ice, "says nothing of the ice at " + core::iso8601(query.depart) + ": " +
                                        periods_missed + ", and ice is held for at most 3 days beyond");

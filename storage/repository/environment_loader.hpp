@@ -72,8 +72,10 @@ struct Reading {
 ///          when icebergs drift) to their end: how long a plan takes is not yet known. Currents without time are
 ///          held steady. Drifting icebergs are also read up to 100 km beyond the area, and with them the
 ///          currents that carry them, down to their keels (less far where these are more than 32 million
-///          samples); warnings name those of which the current is not known. Ice is taken where its period,
-///          lengthened by ocean::longest_ice_hold, covers the departure; a named one that does not is refused
+///          samples); warnings name those of which the current is not known. Ice is taken that
+///          counts at some time of a mission of 30 days from the latest departure on, or that ended no more than 30
+///          days before the earliest; a named one whose period, lengthened by ocean::longest_ice_hold, does not cover
+///          the earliest departure is refused
 /// Stops    early once `reading.stop` is requested; what is returned then is incomplete and must not be used
 [[nodiscard]] tl::expected<ocean::Environment, core::Violations> load_environment(
     sqlite::Connection& db, const EnvironmentQuery& query, const Reading& reading = {});

@@ -700,12 +700,61 @@ TEST_F(EnvironmentLoaderTest, TakesOlderIceWhereTheNewestHasAGapOrEnds) {
   EXPECT_THAT(cited(load()), testing::IsSupersetOf({"gaps", "full"}));
 }
 
-/// A mission that may end before ice of next week knows nothing of today's ice.
-TEST_F(EnvironmentLoaderTest, TakesNoIceThatBeginsLongAfterTheDeparture) {
+/// The plan may last until then.
+TEST_F(EnvironmentLoaderTest, TakesIceThatBeginsWhileTheMissionMayLast) {
   add_ice("later", sample_time + 9.0 * day, 5);
 
+  EXPECT_NE(load().ice, nullptr);
+  EXPECT_THAT(load().warnings, Contains(AllOf(HasSubstr("no ice is stored before 2027-01-24T"),
+                                              HasSubstr("open water is assumed until 2027-01-21T"))));
+
+  query_.ice = named({"later"});
+  EXPECT_THAT(violations(), ElementsAre(HasSubstr("/ice says nothing of the ice at")));
+}
+
+TEST_F(EnvironmentLoaderTest, TakesTheIceOfTheLatestDepartureToo) {
+  add_ice("later", sample_time + 40.0 * day, 5);
   EXPECT_EQ(load().ice, nullptr);
   EXPECT_THAT(load().warnings, Contains(HasSubstr("no stored ice for the time of departure")));
+
+  query_.steady = true;
+  query_.until = CoveredUntil{"arrive_by", sample_time + 30.0 * day};
+  EXPECT_NE(load().ice, nullptr);
+}
+
+TEST_F(EnvironmentLoaderTest, TakesAChartThatWasFilledInLaterBesideTheDataOfTheTime) {
+  add_ice("daily", sample_time - 2.0 * day, 10);
+  add_ice("chart", sample_time - 0.75 * day, 1);
+
+  EXPECT_EQ(load().ice->samples().times_s.size(), 1U);
+  EXPECT_EQ(load().further_ice.size(), 1U);
+  EXPECT_THAT(load().warnings, Not(Contains(HasSubstr("is held as at"))));
+}
+
+TEST_F(EnvironmentLoaderTest, TakesOlderIceInALongGapOfTheNewest) {
+  add_ice("daily", sample_time - 2.0 * day, 10);
+  add(std::string{"gap"}, DatasetKind::ice, bay, sample_time - 10.0 * day, sample_time + 10.0 * day);
+  const ocean::Axis times_s{
+      {core::unix_seconds(sample_time - 10.0 * day), core::unix_seconds(sample_time + 10.0 * day)}};
+  const FieldShape shape{grid(bay, 0.5), {}, times_s};
+  FieldRepository fields{db_};
+  fields.create({"gap"}, shape);
+  for (const std::size_t time : {0U, 1U})
+    fields.write_slice({"gap"}, "concentration", time, 0, std::vector(shape.grid.size(), 0.0F));
+
+  EXPECT_EQ(load().further_ice.size(), 1U);
+  query_.ice = named({"gap"});
+  EXPECT_THAT(load().warnings, Contains(HasSubstr("nothing is known of the ice at the departure")));
+}
+
+TEST_F(EnvironmentLoaderTest, TakesOlderIceForItsThicknessWhereTheNewestHasNone) {
+  add_ice("older", sample_time - day, 5, false);
+  add_ice("model", sample_time - day, 5);
+  add_ice("satellite", sample_time - day, 5, false);
+
+  EXPECT_THAT(cited(load()), testing::IsSupersetOf({"satellite", "model"}));
+  EXPECT_THAT(cited(load()), Not(Contains("older")));
+  EXPECT_THAT(load().warnings, Contains(HasSubstr("has no thickness: that of others is taken")));
 }
 
 TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
@@ -727,8 +776,24 @@ TEST_F(EnvironmentLoaderTest, TakesAreasOfFastIceOnlyWhereThereIsNoOtherIce) {
   EXPECT_EQ(load().ice->at({-52.0, 69.0}, sample_time)->concentration, 1.0);
 }
 
-TEST_F(EnvironmentLoaderTest, TakesNoIceOfAnotherTime) {
+/// What there is now is not known, and what keels there were is no reason to take the water to be open.
+TEST_F(EnvironmentLoaderTest, TakesIceThatEndedBeforeTheDepartureForTheKeelsThatWereKnownLast) {
   add_ice("ice", sample_time - 9.0 * day, 2);
+
+  const ocean::Environment environment = load();
+
+  ASSERT_NE(environment.ice, nullptr);
+  EXPECT_EQ(environment.ice->samples().times_s.size(), 1U);
+  EXPECT_THAT(environment.warnings,
+              Contains(AllOf(HasSubstr("nothing is known of the ice at the departure"),
+                             HasSubstr("2027-01-07T"), HasSubstr("keels that were known last"))));
+
+  add_ice("newer", sample_time - day, 5);
+  EXPECT_THAT(load().further_ice, IsEmpty()) << "newer keels are known";
+}
+
+TEST_F(EnvironmentLoaderTest, TakesNoIceOfAnotherTime) {
+  add_ice("ice", sample_time - 39.0 * day, 2);
 
   const ocean::Environment environment = load();
 
