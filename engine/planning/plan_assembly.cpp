@@ -295,6 +295,10 @@ void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
   warn_of_ice_beside(plan, request);
   warn_of_surfacings_near_ice(plan);
   warn_of_openings_missed(plan, request);
+  if (!plan.surfacing->waypoints.front().may_surface)
+    plan.warnings.emplace_back(
+        "the vehicle may not surface at the departure: the ice there is too dense or unknown, so that it can "
+        "begin only where it is brought below the ice");
   if (!plan.surfacing->waypoints.back().may_surface)
     plan.warnings.emplace_back(
         "the vehicle may not surface at the goal: the ice there is too dense or unknown");

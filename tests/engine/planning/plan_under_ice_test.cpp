@@ -468,6 +468,31 @@ TEST(PlanUnderIce, TheErrorOfThePositionGrowsUntilTheVehicleMaySurfaceAgain) {
   EXPECT_THAT(plan.warnings, Contains(HasSubstr("may not surface at the goal")));
 }
 
+TEST(PlanUnderIce, WarnsWhereTheVehicleMayNotSurfaceAtTheDeparture) {
+  PlanRequest request = support::eastward_request();
+  EXPECT_THAT(planned(band_of_ice(), request).warnings,
+              Not(Contains(HasSubstr("may not surface at the departure"))));
+  request.from = {-53.0, 69.0};  // in the ice
+
+  EXPECT_THAT(planned(band_of_ice(), request).warnings,
+              Contains(HasSubstr("may not surface at the departure")));
+}
+
+/// The ice is stored from four days after the departure on, and held for three days before that.
+TEST(PlanUnderIce, MeetsTheIceThatBeginsWhileItLasts) {
+  const ocean::Environment later{
+      .ice = support::ice_from([](geo::LonLat, double) { return 0.9; }, {96.0, 120.0}, 1.0)};
+  PlanRequest request = support::eastward_request();
+
+  const Plan plan = planned(later, request);
+  EXPECT_TRUE(plan.surfacing->waypoints.front().may_surface);
+  EXPECT_FALSE(plan.surfacing->waypoints.back().may_surface);
+  EXPECT_EQ(plan.surfacing->unknown_ice.value, 0.0);
+
+  request.under_ice.max_time_without_surfacing = core::Seconds{3600.0 * 2.0};
+  EXPECT_FALSE(plan_route(later, request, {}, quiet));
+}
+
 TEST(PlanUnderIce, TheErrorGrowsWithTheSpeedOfEachLegsDrive) {
   const ocean::Environment ice_everywhere{
       .ice = support::ice_from([](geo::LonLat, double) { return 0.9; }, {0.0}, 1.0)};
