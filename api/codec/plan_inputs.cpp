@@ -106,7 +106,7 @@ geo::BoundingBox area_of_a_plan(planning::PlanRequest request) {
 constexpr double lattice_deg = 0.25;
 
 void fill_data(const planning::PlanRequest& request, repository::EnvironmentQuery& data) {
-  data.area = geo::on_lattice(planning::planning_area(request), lattice_deg);
+  data.area = area_of_data(request);
   fill_period(request, data);
   data.dive_depth = request.vehicle.dive_depth;
 }
@@ -140,6 +140,10 @@ json common_json(const planning::PlanRequest& request, const repository::Environ
 }
 
 }  // namespace
+
+geo::BoundingBox area_of_data(const planning::PlanRequest& request) {
+  return geo::on_lattice(planning::planning_area(request), lattice_deg);
+}
 
 tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs) {
   InputReader reader{inputs};

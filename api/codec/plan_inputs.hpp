@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "engine/core/violation.hpp"
+#include "engine/geo/bounding_box.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/planning/plan_request.hpp"
 #include "storage/repository/environment_loader.hpp"
@@ -42,6 +43,10 @@ struct EvaluateInputs {
 /// legs may be of any length.
 [[nodiscard]] tl::expected<EvaluateInputs, core::Violations> parse_flight_inputs(
     const nlohmann::json& inputs, std::vector<geo::LonLat> route);
+
+/// Whose data a plan for the request is made in: its planning area, so rounded that requests that differ little read
+/// the same.
+[[nodiscard]] geo::BoundingBox area_of_data(const planning::PlanRequest& request);
 
 /// The inputs with every default written out and keys in a fixed order: the same request gives the same text.
 [[nodiscard]] nlohmann::json to_json(const PlanInputs& inputs);

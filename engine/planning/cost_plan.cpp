@@ -170,9 +170,10 @@ bool costs_less(const Result<Plan>& a, const Result<Plan>& b, const Objective& o
 Result<Plan> plan_on_either_reach(const ocean::Environment& environment, const PlanRequest& request,
                                   const std::stop_token& stop, const core::ProgressCallback& progress,
                                   const core::SteadyClock& clock) {
-  Attempt attempt = plan_within(first_reach, environment, request, stop, progress, clock);
-  if (!attempt.wider_may_help) return std::move(attempt.plan);
-  Attempt wider = plan_within(second_reach, environment, request, stop, progress, clock);
+  const std::vector<GridReach> to_try = reaches(request);
+  Attempt attempt = plan_within(to_try.front(), environment, request, stop, progress, clock);
+  if (!attempt.wider_may_help || to_try.size() == 1) return std::move(attempt.plan);
+  Attempt wider = plan_within(to_try.back(), environment, request, stop, progress, clock);
   const bool is_better =
       costs_less(wider.plan, attempt.plan, request.objective()) || (!attempt.plan && !wider.plan);
   return std::move(is_better ? wider.plan : attempt.plan);

@@ -193,10 +193,11 @@ class Comparison {
       : environment_{environment}, request_{request}, stop_{stop} {}
 
   Result<Journey> leave(core::Seconds after) {
-    auto first = on(near_, first_reach, after);
+    const std::vector<GridReach> to_try = reaches(request_);
+    auto first = on(near_, to_try.front(), after);
     const bool wider_may_help = first ? first->touches_rim : may_be_mended(first.error().reason);
-    if (!wider_may_help || request_.method == Method::direct) return first;
-    auto second = on(wide_, second_reach, after);
+    if (!wider_may_help || to_try.size() == 1 || request_.method == Method::direct) return first;
+    auto second = on(wide_, to_try.back(), after);
     if (first && (!second || first->cost <= second->cost)) return first;
     return second;
   }
@@ -259,47 +260,10 @@ std::size_t best_planned(const std::vector<DepartureOutcome>& outcomes,
   return departures[*best_departure(of_planned, objective)];
 }
 
-}  // namespace
-
-Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environment& environment,
-                                                         const PlanRequest& request,
-                                                         const std::stop_token& stop,
-                                                         const core::ProgressCallback& progress) {
-  throw_if_invalid(request);
-  const std::vector<core::UtcTime> departures = request.departures.departures(request.depart);
-  const bool is_robust =
-      request.uncertainty.objective != RobustObjective::none && has_uncertain_currents(environment, request);
-  const std::size_t seas = is_robust ? 1 + SeaMembers{environment, request.uncertainty}.size() : 1;
-  const auto report = [&](std::size_t sea, std::size_t departure) {
-    if (!progress) return;
-    const double done = static_cast<double>(departure) / static_cast<double>(departures.size());
-    progress("departures", (static_cast<double>(sea) + done) / static_cast<double>(seas));
-  };
-
-  Comparison comparison{environment, request, stop};
-  std::vector<DepartureOutcome> outcomes;
-  for (const core::UtcTime departure : departures) {
-    report(0, outcomes.size());
-    auto found = comparison.leave(departure - request.depart);
-    DepartureOutcome outcome{.departure = departure};
-    if (found) {
-      outcome.travel_time = found->arrival - (departure - request.depart);
-      outcome.energy = found->energy;
-    } else if (found.error().reason == Reason::cancelled) {
-      return tl::unexpected(std::move(found.error()));
-    } else {
-      outcome.closed = std::move(found.error());
-    }
-    outcomes.push_back(std::move(outcome));
-  }
-  if (is_robust && !weigh_members(outcomes, environment, request, stop, report))
-    return tl::unexpected(explain_cancelled(request));
-  return outcomes;
-}
-
-WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
-                       const std::stop_token& stop, const core::ProgressCallback& progress,
-                       const core::SteadyClock& clock) {
+/// As `plan_window` on the request's own grids; an infeasible request is not told what would help.
+WindowPlan try_to_plan_window(const ocean::Environment& environment, const PlanRequest& request,
+                              const std::stop_token& stop, const core::ProgressCallback& progress,
+                              const core::SteadyClock& clock) {
   auto outcomes = compare_departures(environment, request, stop, progress);
   if (!outcomes) return {.departures = {}, .plan = tl::unexpected(outcomes.error())};
   std::optional<Infeasible> refused;
@@ -341,8 +305,71 @@ WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest&
                        " departures were tried, " + std::to_string(left) +
                        " with a way were not: a shorter window looks at them";
   }
-  return {.departures = std::move(*outcomes),
-          .plan = tl::unexpected(what_would_help(environment, request, std::move(why), stop, progress))};
+  return {.departures = std::move(*outcomes), .plan = tl::unexpected(std::move(why))};
+}
+
+}  // namespace
+
+Result<std::vector<DepartureOutcome>> compare_departures(const ocean::Environment& environment,
+                                                         const PlanRequest& request,
+                                                         const std::stop_token& stop,
+                                                         const core::ProgressCallback& progress) {
+  throw_if_invalid(request);
+  const std::vector<core::UtcTime> departures = request.departures.departures(request.depart);
+  const bool is_robust =
+      request.uncertainty.objective != RobustObjective::none && has_uncertain_currents(environment, request);
+  const std::size_t seas = is_robust ? 1 + SeaMembers{environment, request.uncertainty}.size() : 1;
+  const auto report = [&](std::size_t sea, std::size_t departure) {
+    if (!progress) return;
+    const double done = static_cast<double>(departure) / static_cast<double>(departures.size());
+    progress("departures", (static_cast<double>(sea) + done) / static_cast<double>(seas));
+  };
+
+  Comparison comparison{environment, request, stop};
+  std::vector<DepartureOutcome> outcomes;
+  for (const core::UtcTime departure : departures) {
+    report(0, outcomes.size());
+    auto found = comparison.leave(departure - request.depart);
+    DepartureOutcome outcome{.departure = departure};
+    if (found) {
+      outcome.travel_time = found->arrival - (departure - request.depart);
+      outcome.energy = found->energy;
+    } else if (found.error().reason == Reason::cancelled) {
+      return tl::unexpected(std::move(found.error()));
+    } else {
+      outcome.closed = std::move(found.error());
+    }
+    outcomes.push_back(std::move(outcome));
+  }
+  if (is_robust && !weigh_members(outcomes, environment, request, stop, report))
+    return tl::unexpected(explain_cancelled(request));
+  return outcomes;
+}
+
+WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
+                       const std::stop_token& stop, const core::ProgressCallback& progress,
+                       const core::SteadyClock& clock, const WiderSea& wider) {
+  WindowPlan window = try_to_plan_window(environment, request, stop, progress, clock);
+  if (window.plan) {
+    const PlanOnce plan_once = [&](const ocean::Environment& sea, const PlanRequest& asked) {
+      return try_to_plan(sea, asked, stop, progress, clock);
+    };
+    const PlanRequest best = leaving_at(request, window.plan->departure);
+    window.plan = best_of_more_grids(std::move(window.plan), environment, best, wider, plan_once, stop);
+    return window;
+  }
+  if (more_room_may_help(window.plan.error(), environment, request, stop)) {
+    const auto roomy = with_more_room(environment, request, wider);
+    if (roomy) {
+      WindowPlan in_room = try_to_plan_window(roomy->sea, roomy->request, stop, progress, clock);
+      if (in_room.plan) return in_room;
+    }
+    window.plan =
+        tl::unexpected(with_area_searched(std::move(window.plan.error()), roomy ? roomy->request : request));
+  }
+  window.plan =
+      tl::unexpected(what_would_help(environment, request, std::move(window.plan.error()), stop, progress));
+  return window;
 }
 
 std::optional<std::size_t> best_departure(const std::vector<DepartureOutcome>& outcomes,

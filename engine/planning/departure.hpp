@@ -11,6 +11,7 @@
 #include "engine/planning/infeasible.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/strong_currents.hpp"
 
 namespace floeplan::planning {
 
@@ -49,10 +50,11 @@ struct WindowPlan {
   Result<Plan> plan;  // the reason of the best departure, or of the first one when every one is closed
 };
 
-/// `clock`: as plan_route's.
+/// `clock` and `wider`: as plan_route's. Where no departure has a plan for currents as fast as the vehicle, all are
+/// compared with more room.
 [[nodiscard]] WindowPlan plan_window(const ocean::Environment& environment, const PlanRequest& request,
                                      const std::stop_token& stop, const core::ProgressCallback& progress,
-                                     const core::SteadyClock& clock = {});
+                                     const core::SteadyClock& clock = {}, const WiderSea& wider = {});
 
 /// The departure that costs least by the objective, the first of equals; with a robust objective of those that most
 /// members let through. Empty when every one is closed.

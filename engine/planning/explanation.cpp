@@ -197,6 +197,14 @@ Infeasible words_for_place(motion::EdgeClosed closed, Stop stop, geo::LonLat pla
           "ingest data that cover it, or leave the kind of data out (for example --bathymetry none)"};
 }
 
+/// How a search that found no way may be made to find one, as the end of a sentence.
+const char* what_helps_a_search(motion::EdgeClosed binding, bool cut_short) {
+  if (cut_short) return "; a coarser grid (--spacing) needs less memory";
+  if (binding == motion::EdgeClosed::current_too_strong)
+    return "; a place to pass (--via) has ways looked for further round";
+  return "; a finer grid (--spacing) finds narrower passages";
+}
+
 }  // namespace
 
 Infeasible explain_place(motion::EdgeClosed closed, Stop stop, geo::LonLat place, const Sea& sea,
@@ -258,9 +266,7 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
           .when = clock(request, search.nearest_arrival),
           .explanation =
               "no way was found to the goal; the nearest place reached is marked, where " + words.explanation,
-          .suggestion = words.suggestion + (search.statistics.cut_short
-                                                ? "; a coarser grid (--spacing) needs less memory"
-                                                : "; a finer grid (--spacing) finds narrower passages"),
+          .suggestion = words.suggestion + what_helps_a_search(binding, search.statistics.cut_short),
           .binding = constraint_of(binding, search.out_of_time),
           .search_cut_short = search.statistics.cut_short};
 }

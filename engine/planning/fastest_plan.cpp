@@ -115,9 +115,10 @@ Attempt plan_within(GridReach reach, const ocean::Environment& environment, cons
 Attempt best_attempt(const ocean::Environment& environment, const PlanRequest& request,
                      const std::stop_token& stop, const core::ProgressCallback& progress,
                      const core::SteadyClock& clock) {
-  Attempt best = plan_within(first_reach, environment, request, stop, progress, clock);
-  if (best.wider_may_help) {
-    Attempt wider = plan_within(second_reach, environment, request, stop, progress, clock);
+  const std::vector<GridReach> to_try = reaches(request);
+  Attempt best = plan_within(to_try.front(), environment, request, stop, progress, clock);
+  if (best.wider_may_help && to_try.size() > 1) {
+    Attempt wider = plan_within(to_try.back(), environment, request, stop, progress, clock);
     const bool nearer_will_do = best.plan && (!wider.plan || best.plan->arrival <= wider.plan->arrival);
     if (!nearer_will_do) best = std::move(wider);
   }

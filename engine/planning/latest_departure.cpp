@@ -43,7 +43,7 @@ Result<Beginning> begin(const ocean::Environment& environment, const PlanRequest
                         const std::stop_token& stop) {
   constexpr core::Seconds earliest{0.0};
   Beginning beginning{request.depart, *request.departures.arrive_by};
-  for (const GridReach reach : {first_reach, second_reach}) {
+  for (const GridReach reach : reaches(request)) {
     const auto chart = draw_chart(environment, request, reach, stop);
     if (!chart) return tl::unexpected(chart.error());
     const core::Seconds arrive = last_open_moment(chart->sea, chart->layout.points.back(),
@@ -262,9 +262,17 @@ std::optional<core::Seconds> latest_departure(const Sea& sea, const std::vector<
 
 Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanRequest& request,
                           const std::stop_token& stop, const core::ProgressCallback& progress,
-                          const core::SteadyClock& clock) {
+                          const core::SteadyClock& clock, const WiderSea& wider) {
   throw_if_invalid(request);
   Result<Plan> plan = LatestDeparture{environment, request, stop, progress, clock}.find();
+  if (!plan && more_room_may_help(plan.error(), environment, request, stop)) {
+    const auto roomy = with_more_room(environment, request, wider);
+    if (roomy) {
+      Result<Plan> in_room = LatestDeparture{roomy->sea, roomy->request, stop, progress, clock}.find();
+      if (in_room) return in_room;
+    }
+    plan = tl::unexpected(with_area_searched(std::move(plan.error()), roomy ? roomy->request : request));
+  }
   if (plan) return plan;
   return tl::unexpected(with_what_would_help(environment, request, std::move(plan.error()), stop, progress));
 }

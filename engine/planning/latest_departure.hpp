@@ -12,6 +12,7 @@
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
 #include "engine/planning/sea.hpp"
+#include "engine/planning/strong_currents.hpp"
 
 namespace floeplan::planning {
 
@@ -34,9 +35,10 @@ namespace floeplan::planning {
 /// Errors   Reason::arrival_too_early when even the earliest departure, `request.depart`, arrives later; else
 ///          as plan_route
 /// Throws   std::invalid_argument when `request.violations()` is not empty or no arrival is asked for
-/// `clock`: as plan_route's.
+/// `clock` and `wider`: as plan_route's. More room is tried where no departure has a plan in time for currents as fast
+/// as the vehicle.
 [[nodiscard]] Result<Plan> plan_arrival(const ocean::Environment& environment, const PlanRequest& request,
                                         const std::stop_token& stop, const core::ProgressCallback& progress,
-                                        const core::SteadyClock& clock = {});
+                                        const core::SteadyClock& clock = {}, const WiderSea& wider = {});
 
 }  // namespace floeplan::planning

@@ -17,6 +17,8 @@ constexpr double steps_per_distance = 200.0;
 constexpr double least_spacing_m = 250.0;
 constexpr double most_spacing_m = 5000.0;
 
+constexpr double most_steps_of_room = 150.0;  // on every side: a hundred thousand vertices for a short way
+
 double length_m(geo::PlanePoint step) { return std::hypot(step.x_m, step.y_m); }
 
 std::vector<geo::LonLat> stops_of(const PlanRequest& request) {
@@ -78,15 +80,22 @@ Layout lay_out(const PlanRequest& request, GridReach reach, const geo::LocalProj
   return layout;
 }
 
+std::vector<GridReach> reaches(const PlanRequest& request) {
+  if (!request.room) return {first_reach, second_reach};
+  return {GridReach{second_reach.across, second_reach.beyond, *request.room}};
+}
+
 GridSpacing spacing_for(const PlanRequest& request, core::Metres distance) {
   const core::Metres standard{
       std::clamp(distance.value / steps_per_distance, least_spacing_m, most_spacing_m)};
   const core::Metres along = request.spacing_along.value_or(standard);
-  return {along, request.spacing_across.value_or(along)};
+  const core::Metres across = request.spacing_across.value_or(along);
+  const core::Metres least = (1.0 / most_steps_of_room) * request.room.value_or(core::Metres{0.0});
+  return {std::max(along, least), std::max(across, least)};
 }
 
 geo::BoundingBox planning_area(const PlanRequest& request) {
-  const Layout layout = lay_out(request, second_reach);
+  const Layout layout = lay_out(request, reaches(request).back());
   return lon_lat_box(layout.bounds(), layout.projection);
 }
 

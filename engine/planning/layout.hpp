@@ -15,6 +15,10 @@ inline constexpr GridReach first_reach{0.5, 0.25};
 /// Tried when the first leave no way, or when the way runs along their rim.
 inline constexpr GridReach second_reach{1.0, 0.75, core::Metres{15'000.0}};
 
+/// The reaches of a request's grids in the order in which they are tried: those two, or a single one with the room that
+/// it names.
+[[nodiscard]] std::vector<GridReach> reaches(const PlanRequest& request);
+
 /// Where a request takes place: its plane, its stops and the grids between them.
 struct Layout {
   geo::LocalProjection projection;
@@ -38,7 +42,8 @@ struct Layout {
 /// The middle of the box round start, vias and goal.
 [[nodiscard]] geo::LonLat middle_of_stops(const PlanRequest& request);
 
-/// Grid steps for a way of this length: as asked for, or distance/200 within 250 m .. 5 km.
+/// Grid steps for a way of this length: as asked for, or distance/200 within 250 m .. 5 km; with room that is named no
+/// less than what keeps the grid as small as usual.
 [[nodiscard]] GridSpacing spacing_for(const PlanRequest& request, core::Metres distance);
 
 /// The request on grids of larger steps, for searches that come to no end on those that it would have.

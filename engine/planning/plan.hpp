@@ -114,7 +114,8 @@ struct Plan {
   std::optional<SurfacingPlan> surfacing;  // where something is known of ice or surfacings were asked for
   std::optional<PlanEnergy> energy;
   std::optional<double> optimality_gap;
-  std::string optimality_gap_reason;  // why the gap is not given; empty when it is
+  std::string optimality_gap_reason;          // why the gap is not given; empty when it is
+  core::MetresPerSecond strongest_current{};  // in the area that the way was looked for in
   std::vector<ocean::DatasetRef> datasets;
   std::vector<std::string> warnings;
 

@@ -345,6 +345,7 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
   plan.clearances.bottom = bottom_clearance(sea, environment, request, route);
   plan.clearances.land = land_clearance(sea, environment, route);
   plan.optimality_gap_reason = "not asked for";
+  if (sea.currents()) plan.strongest_current = sea.currents()->strongest();
   plan.datasets = environment.datasets;
   plan.warnings = environment.warnings;
   warn_of_old_sightings(plan, environment, request);

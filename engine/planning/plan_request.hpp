@@ -46,6 +46,9 @@ struct PlanRequest {
       spacing_along;  // of the grid, towards the goal; default distance/200 in 250 m .. 5 km
   std::optional<core::Metres> spacing_across;  // default the same as along
   int sectors{3};                              // reach of the grid's edges, 1 to 5
+  /// How far ways are looked for on every side, however near the stops are to each other; empty: as usual. For who
+  /// plans a request again where currents carry the vehicle far round.
+  std::optional<core::Metres> room{};
   Method method{Method::astar};
   bool refine{true};
   core::Seconds refine_time{1.0};       // refinement at most

@@ -96,8 +96,12 @@ Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanReques
 
 Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
                         const std::stop_token& stop, const core::ProgressCallback& report,
-                        const core::SteadyClock& clock) {
-  Result<Plan> plan = try_to_plan(environment, request, stop, report, clock);
+                        const core::SteadyClock& clock, const WiderSea& wider) {
+  const PlanOnce plan_once = [&](const ocean::Environment& sea, const PlanRequest& asked) {
+    return try_to_plan(sea, asked, stop, report, clock);
+  };
+  Result<Plan> plan =
+      best_of_more_grids(plan_once(environment, request), environment, request, wider, plan_once, stop);
   if (plan) return plan;
   return tl::unexpected(with_what_would_help(environment, request, std::move(plan.error()), stop, report));
 }

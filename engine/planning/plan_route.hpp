@@ -8,6 +8,7 @@
 #include "engine/planning/infeasible.hpp"
 #include "engine/planning/plan.hpp"
 #include "engine/planning/plan_request.hpp"
+#include "engine/planning/strong_currents.hpp"
 
 namespace floeplan::planning {
 
@@ -19,11 +20,15 @@ namespace floeplan::planning {
 /// Stops    within 100 ms of a request of `stop`, with Reason::cancelled; refinement also once `clock` has
 ///          gone on by the request's `refine_time`, and then, as the plan says, the route may differ from one
 ///          machine to the next
+/// Area     ways are looked for within half the distance between stops beside the straight line, within the whole
+///          of it where that leaves none or one along its rim, and where currents are as fast as the vehicle up to
+///          250 km round, in what `wider` knows of that: as `best_of_more_grids`
 [[nodiscard]] Result<Plan> plan_route(const ocean::Environment& environment, const PlanRequest& request,
                                       const std::stop_token& stop, const core::ProgressCallback& progress,
-                                      const core::SteadyClock& clock = {});
+                                      const core::SteadyClock& clock = {}, const WiderSea& wider = {});
 
-/// The same for who asks again and again: an infeasible request is not told what would help.
+/// The same for who asks again and again: an infeasible request is not told what would help, and one sort of grids is
+/// tried whatever the currents.
 [[nodiscard]] Result<Plan> try_to_plan(const ocean::Environment& environment, const PlanRequest& request,
                                        const std::stop_token& stop, const core::ProgressCallback& progress,
                                        const core::SteadyClock& clock = {});

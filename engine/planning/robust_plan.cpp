@@ -48,7 +48,7 @@ std::vector<std::optional<DrivenTimes>> drive_all(const ocean::Environment& envi
                                                   const PlanRequest& request, const std::vector<Plan>& plans,
                                                   const std::stop_token& stop) {
   std::vector<std::optional<DrivenTimes>> result(plans.size());
-  for (const GridReach reach : {first_reach, second_reach}) {
+  for (const GridReach reach : reaches(request)) {
     if (stop.stop_requested() ||
         std::ranges::all_of(result, [](const auto& times) { return times.has_value(); }))
       break;

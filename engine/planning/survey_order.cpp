@@ -32,7 +32,7 @@ EstimatedOrder estimated(const VisitingOrder& order) {
 
 std::optional<EstimatedOrder> best_via_order(const ocean::Environment& environment,
                                              const PlanRequest& request, const std::stop_token& stop) {
-  const Result<Chart> chart = draw_chart(environment, request, second_reach, stop);
+  const Result<Chart> chart = draw_chart(environment, request, reaches(request).back(), stop);
   if (!chart) return std::nullopt;
   TourLegs legs{chart->sea, chart->layout, request, stop};
   const TourLegTime bearable = leg_times(legs, &TourLegs::bearable_time);
@@ -52,7 +52,7 @@ std::optional<EstimatedOrder> best_via_order(const ocean::Environment& environme
 std::vector<EstimatedOrder> promising_via_orders(const ocean::Environment& environment,
                                                  const PlanRequest& request, std::size_t most,
                                                  const std::stop_token& stop) {
-  const Result<Chart> chart = draw_chart(environment, request, second_reach, stop);
+  const Result<Chart> chart = draw_chart(environment, request, reaches(request).back(), stop);
   if (!chart) return {};
   TourLegs legs{chart->sea, chart->layout, request, stop};
   const TourLegTime bearable = leg_times(legs, &TourLegs::bearable_time);

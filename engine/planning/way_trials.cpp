@@ -240,7 +240,7 @@ TrialOutcome WayTrials::operator()(const PlanRequest& request) {
   const std::int64_t share = left_ / 4;
   std::int64_t of_share = share;
   TrialOutcome outcome = TrialOutcome::impossible;
-  for (const GridReach reach : {first_reach, second_reach}) {
+  for (const GridReach reach : reaches(request)) {
     outcome = within(reach, plain, of_share);
     if (outcome != TrialOutcome::impossible || plain.method == Method::direct) break;
   }

@@ -1,6 +1,5 @@
 #include "engine/planning/what_would_help.hpp"
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <utility>
@@ -10,6 +9,7 @@
 #include "engine/planning/paired_changes.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/relaxation.hpp"
+#include "engine/planning/strong_currents.hpp"
 #include "engine/planning/way_trials.hpp"
 
 namespace floeplan::planning {
@@ -36,22 +36,6 @@ std::optional<Change> move_that_helps(const ocean::Environment& environment, con
   moved.to = *nearest;
   if (!arrives(try_to_plan(environment, for_any_way(moved), stop, {}))) return std::nullopt;
   return move_of("to", request.to, *nearest);
-}
-
-/// Whether anywhere and at any time a current is as fast as the vehicle: weaker ones close no leg, though they may make
-/// a way too long for what else is asked of it. False once `stop` is requested.
-bool any_current_may_close(const ocean::CurrentGrid& currents, const PlanRequest& request,
-                           const std::stop_token& stop) {
-  constexpr std::size_t between_looks = 1 << 20;  // about a millisecond of samples
-  const auto through_water =
-      static_cast<float>(drive_speed(request.vehicle, drives(request.energy, request.vehicle).back()).value);
-  const auto& samples = currents.samples();
-  for (std::size_t i = 0; i < samples.u.size(); ++i) {
-    if (i % between_looks == 0 && stop.stop_requested()) return false;
-    if (samples.u[i] * samples.u[i] + samples.v[i] * samples.v[i] >= through_water * through_water)
-      return true;
-  }
-  return false;
 }
 
 /// Whether the sea or the request holds anything of the kind that can be taken away and may stand in the way.

@@ -5,6 +5,7 @@
 #include <ctime>
 #include <iterator>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "api/codec/departure_document.hpp"
 #include "api/codec/plan_document.hpp"
@@ -61,14 +62,16 @@ core::Seconds thread_time() {
 
 /// The plan for the departure, for the best one of a window, or for the latest one that arrives in time.
 planning::WindowPlan make_plan(const ocean::Environment& environment, const planning::PlanRequest& request,
-                               const std::stop_token& stop, const core::ProgressCallback& progress) {
+                               const planning::WiderSea& wider, const std::stop_token& stop,
+                               const core::ProgressCallback& progress) {
   if (request.departures.until)
-    return planning::plan_window(environment, request, stop, progress, thread_time);
+    return planning::plan_window(environment, request, stop, progress, thread_time, wider);
   if (request.departures.arrive_by) {
     return {.departures = {},
-            .plan = planning::plan_arrival(environment, request, stop, progress, thread_time)};
+            .plan = planning::plan_arrival(environment, request, stop, progress, thread_time, wider)};
   }
-  return {.departures = {}, .plan = planning::plan_route(environment, request, stop, progress, thread_time)};
+  return {.departures = {},
+          .plan = planning::plan_route(environment, request, stop, progress, thread_time, wider)};
 }
 
 /// Documents of a window carry its curve.
@@ -101,8 +104,16 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
   const auto environment = repository::load_environment(db, inputs.data, reading(stop, kept));
   if (!environment) return tl::unexpected(environment.error());
 
+  const planning::WiderSea wider =
+      [&](const planning::PlanRequest& roomy) -> std::optional<ocean::Environment> {
+    repository::EnvironmentQuery query = inputs.data;
+    query.area = codec::area_of_data(roomy);
+    auto sea = repository::load_environment(db, query, reading(stop, kept));
+    if (!sea || stop.stop_requested()) return std::nullopt;
+    return std::move(*sea);
+  };
   const Stopwatch watch;
-  auto [departures, plan] = make_plan(*environment, inputs.request, stop, progress);
+  auto [departures, plan] = make_plan(*environment, inputs.request, wider, stop, progress);
   if (!plan) {
     json document = codec::infeasible_document(plan.error(), *environment);
     add_departures(document, departures);

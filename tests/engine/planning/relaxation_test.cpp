@@ -43,11 +43,11 @@ ocean::Zone zone_across(std::string name, double lon_deg) {
           .until = {}};
 }
 
-/// A stream against the way everywhere, 0.6 m/s until the given hour, weak afterwards.
-ocean::Environment headwind_until(double hour_of_change) {
+/// A stream against the way everywhere, strong until the given hour, weak afterwards.
+ocean::Environment headwind_until(double hour_of_change, double m_s = 0.6) {
   return {.currents = currents_from(
               [=](geo::LonLat, double hour) {
-                return geo::VelocityEn{{hour < hour_of_change ? -0.6 : -0.02}, {0.0}};
+                return geo::VelocityEn{{hour < hour_of_change ? -m_s : -0.02}, {0.0}};
               },
               120)};
 }
@@ -69,8 +69,8 @@ TEST(Relaxation, NamesTheSpeedThatIsJustEnoughAgainstACurrent) {
 }
 
 TEST(Relaxation, NamesTheNextDepartureThatACurrentLetsPass) {
-  // So long that the vehicle, which may drift back and come again, would drift out of every grid.
-  const ocean::Environment environment = headwind_until(26.0);
+  // So long and strong that the vehicle, which may drift back and come again, would drift out of every grid.
+  const ocean::Environment environment = headwind_until(26.0, 2.0);
   PlanRequest request = eastward_request();
 
   const auto found = plan(environment, request);
