@@ -104,7 +104,7 @@ json to_json(const ReachInputs& inputs) {
               {from ? "depart" : "arrive_by", core::iso8601(request.time)},
               {"hours", std::move(hours)},
               {"spacing_m", request.step().value},
-              {"sectors", request.sectors},
+              {"sectors", request.sectors ? json(*request.sectors) : json()},
               {"areas", request.zones.empty() ? json() : areas_json(request.zones)},
               {"name", inputs.name}};
   write_vehicle(request.vehicle, result);

@@ -24,6 +24,10 @@ constexpr double map_cells_per_step = 3.0;     // of the safety map
 constexpr int halvings = 8;                    // of a line between two vertices, where something closes it
 // Legs of a k-sector grid pass over k vertices at most: those next to the border then have their own arrivals.
 constexpr double steps_beyond = 3.0;
+/// In the Kuroshio and the Agulhas Current 3 sectors gave 0.79 to 1.0 of the area of a finer search, 5 sectors 0.96 to
+/// 1.03, in three times the time.
+constexpr int sectors_in_strong_currents = 5;
+constexpr int usual_sectors = 3;
 
 PlaneBox box_around(geo::PlanePoint centre, double radius_m) {
   return PlaneBox{centre, centre}.grown(radius_m);
@@ -162,6 +166,25 @@ bool touches_rim(const Reached& reached, const RouteGrid& grid, core::Seconds le
   return false;
 }
 
+bool has_strong_currents(const Sea& sea) {
+  return sea.currents() && sea.currents()->strongest() >= sea.through_water();
+}
+
+/// What areas lack where currents are as fast as the vehicle.
+std::string strong_currents_warning(Direction direction) {
+  std::string text =
+      "currents here are as fast as the vehicle: whole legs of the grid are closed in them, and the areas "
+      "may be "
+      "some per cent smaller than the truth";
+  if (direction == Direction::to) {
+    text +=
+        "; places from which the vehicle is in time only because a current that closes its way opens again "
+        "later "
+        "may be missing";
+  }
+  return text + "; another --spacing may show more";
+}
+
 /// Says so when the battery does not last as long as the longest span.
 std::optional<std::string> battery_warning(const Sea& sea, const ReachRequest& request) {
   const core::Joules usable = request.vehicle.energy.usable();
@@ -202,8 +225,10 @@ Result<Reach> find_reach(const ocean::Environment& environment, const ReachReque
   }
   sea.safety().open_around(place);
 
+  const bool is_strong = has_strong_currents(sea);
+  const int sectors = request.sectors.value_or(is_strong ? sectors_in_strong_currents : usual_sectors);
   const OpenGrid open =
-      open_grid(sea, grid_around(place, grid_radius(sea, request), request.step()), request.sectors, stop);
+      open_grid(sea, grid_around(place, grid_radius(sea, request), request.step()), sectors, stop);
   const core::Seconds begin = request.direction == Direction::from ? core::Seconds{0.0} : -request.reach();
   const core::Seconds beyond = steps_beyond * (request.step() / sea.through_water());
   const Reached reached = search_reach(
@@ -232,6 +257,7 @@ Result<Reach> find_reach(const ocean::Environment& environment, const ReachReque
     one.time = request.direction == Direction::from ? request.time + span : request.time - span;
     reach.areas.push_back(std::move(one));
   }
+  if (is_strong) reach.warnings.push_back(strong_currents_warning(request.direction));
   if (auto warning = battery_warning(sea, request)) reach.warnings.push_back(std::move(*warning));
   if (reached.full) {
     reach.warnings.push_back("the search was cut short: more may be within reach; a larger --spacing helps");

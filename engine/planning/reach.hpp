@@ -34,11 +34,13 @@ struct Reach {
 /// than at that moment where an iceberg or a zone covers the place then. One search for all spans: the areas are
 /// nested, the larger span around the smaller one.
 /// Accuracy  borders are interpolated between vertices of the grid; legs keep to the grid's directions, which makes a
-///           way up to 1.3 % longer with 3 sectors. Land and closed water thinner than a step of the grid may lie
-///           inside. Among icebergs that drift and zones in force for a while the earliest arrival everywhere is taken:
-///           a place that only a later one leads to is left out. With a bound on the time without surfacing, places
-///           that only ways lead to that need nearly all of it may be left out. A battery that does not last cuts
-///           nothing off: a warning says so
+///           way up to 1.3 % longer with 3 sectors. Where currents are as fast as the vehicle legs are closed that
+///           would be open in other directions: areas are some per cent too small there, and backwards lack places
+///           from which a current opens later; a warning says so. Land and closed water thinner than a step of the
+///           grid may lie inside. Among icebergs that drift and zones in force for a while the earliest arrival
+///           everywhere is taken: a place that only a later one leads to is left out. With a bound on the time
+///           without surfacing, places that only ways lead to that need nearly all of it may be left out. A battery
+///           that does not last cuts nothing off: a warning says so
 /// Errors    why the place cannot be used; Reason::too_large; Reason::cancelled within 100 ms of a request of `stop`
 /// Throws    std::invalid_argument when `request.violations()` is not empty
 [[nodiscard]] Result<Reach> find_reach(const ocean::Environment& environment, const ReachRequest& request,

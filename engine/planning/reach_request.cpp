@@ -54,7 +54,7 @@ core::Violations ReachRequest::violations() const {
     require(span.count() > 0.0 && span <= longest_span, "/hours",
             "must be more than 0 and at most 720 hours");
   }
-  require(sectors >= 1 && sectors <= 5, "/sectors", "must be 1, 2, 3, 4 or 5");
+  require(!sectors || (*sectors >= 1 && *sectors <= 5), "/sectors", "must be 1, 2, 3, 4 or 5");
   require(!spacing || (spacing->value >= 1.0 && spacing->value <= 100'000.0), "/spacing_m",
           "must be between 1 m and 100 km");
   std::ranges::move(icebergs.violations(), std::back_inserter(found));
@@ -74,7 +74,7 @@ PlanRequest voyage_of(const ReachRequest& request) {
   voyage.depart = request.begin();
   voyage.departures.until = request.end();  // icebergs drift as long as it is under way
   voyage.vehicle = request.vehicle;
-  voyage.sectors = request.sectors;
+  if (request.sectors) voyage.sectors = *request.sectors;
   voyage.zones = request.zones;
   voyage.icebergs = request.icebergs;
   voyage.under_ice = request.under_ice;

@@ -30,7 +30,8 @@ struct ReachRequest {
   vehicle::GliderProfile vehicle;
   std::optional<core::Metres>
       spacing;  // of the grid; default a hundredth of the way in still water, 100 m to 5 km
-  int sectors{3};
+  /// Reach of the grid's edges, 1 to 5; empty: 3, and 5 where currents are as fast as the vehicle.
+  std::optional<int> sectors{};
   std::vector<ocean::Zone> zones;  // obeyed beside those of the environment
   IcebergRules icebergs;
   UnderIceRules under_ice;  // planned surfacings and escapes are of no account

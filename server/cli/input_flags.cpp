@@ -241,7 +241,9 @@ void InputFlags::add_reach(CLI::App& command) {
   command.add_option("--hours", hours_, "Hours after the departure, or before the arrival, as 6,12,24");
   command.add_option("--spacing", spacing_m_,
                      "Grid step, metres; default a hundredth of the way in still water, 100 m to 5 km");
-  command.add_option("--sectors", sectors_, "Reach of the grid's edges, 1 to 5; default 3");
+  command.add_option(
+      "--sectors", sectors_,
+      "Reach of the grid's edges, 1 to 5; default 3, and 5 where currents are as fast as the vehicle");
   add_passing_under_ice(command);
 }
 

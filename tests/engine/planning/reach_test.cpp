@@ -69,6 +69,54 @@ TEST(Reach, IsACircleInStillWaterBothWays) {
   }
 }
 
+/// An eddy of 30 km about the place's east, as fast as the vehicle and more where `m_s` says so.
+ocean::Environment eddy(double m_s) {
+  ocean::Environment sea;
+  sea.currents = support::currents_from(
+      [&](geo::LonLat place, double) {
+        const double east_km = 40.0 * (place.lon_deg + 52.7);
+        const double north_km = 111.2 * (place.lat_deg - 69.0);
+        const double away = std::hypot(east_km, north_km) / 15.0;
+        const double spin = m_s * std::exp(0.5 - 0.5 * away * away) / 15.0;
+        return geo::VelocityEn{{-spin * north_km}, {spin * east_km}};
+      },
+      0);
+  sea.steady_currents = true;
+  return sea;
+}
+
+TEST(Reach, IsSearchedInMoreDirectionsInStrongCurrentsAndSaysWhatItMayLack) {
+  for (const Direction direction : {Direction::from, Direction::to}) {
+    const ocean::Environment sea = eddy(0.8);
+    ReachRequest request = reach_request(direction, {24.0});
+    const Reach found = reach(sea, request);
+    request.sectors = 5;
+    const Reach in_more_directions = reach(sea, request);
+    request.sectors = 3;
+    const Reach in_fewer = reach(sea, request);
+
+    EXPECT_EQ(found.areas.front().area_m2, in_more_directions.areas.front().area_m2);
+    EXPECT_GT(found.areas.front().area_m2, in_fewer.areas.front().area_m2);
+    for (const Reach& any : {found, in_fewer})
+      EXPECT_THAT(any.warnings, testing::Contains(testing::HasSubstr("smaller than the truth")));
+    EXPECT_EQ(std::ranges::any_of(found.warnings,
+                                  [](const std::string& text) {
+                                    return text.find("opens again later") != std::string::npos;
+                                  }),
+              direction == Direction::to);
+  }
+}
+
+TEST(Reach, IsSearchedInThreeSectorsWhereCurrentsAreWeaker) {
+  const ocean::Environment sea = eddy(0.2);
+  ReachRequest request = reach_request(Direction::from, {24.0});
+  const Reach found = reach(sea, request);
+  request.sectors = 3;
+
+  EXPECT_EQ(found.areas.front().area_m2, reach(sea, request).areas.front().area_m2);
+  EXPECT_TRUE(found.warnings.empty());
+}
+
 TEST(Reach, IsACircleAtTheSpeedOfAThrusterThatTheVehicleHas) {
   for (const Direction direction : {Direction::from, Direction::to}) {
     ReachRequest request = reach_request(direction, {12.0});
