@@ -11,7 +11,9 @@ IceCovers::IceCovers(const ocean::Environment& environment, const UnderIceRules&
   covers_.emplace_back(*environment.ice, rules, projection, area, epoch, stop);
   for (const auto& ice : environment.further_ice)
     covers_.emplace_back(*ice, rules, projection, area, epoch, stop);
-  begins_ = std::ranges::min(covers_, {}, &IceCover::first_step).first_step() - ocean::longest_ice_hold;
+  const core::Seconds begins =
+      std::ranges::min(covers_, {}, &IceCover::first_step).first_step() - ocean::longest_ice_hold;
+  if (begins.count() > 0.0) open_until_ = begins;
 }
 
 template <class Accept>
@@ -59,12 +61,12 @@ IceAbove IceCovers::first_known(geo::PlanePoint point, core::Seconds time) const
 }
 
 bool IceCovers::changes() const {
-  if (covers_.size() == 1 && !is_open_at_first()) return covers_.front().changes();
+  if (covers_.size() == 1 && !open_until_) return covers_.front().changes();
   return has_dense_ice();
 }
 
 core::Metres IceCovers::least_way_to_opening(geo::PlanePoint point) const {
-  if (is_open_at_first()) return core::Metres{0.0};
+  if (open_until_) return core::Metres{0.0};
   core::Metres least = covers_.front().least_way_to_opening(point);
   for (const IceCover& cover : covers_) least = std::min(least, cover.least_way_to_opening(point));
   return least;
@@ -72,7 +74,7 @@ core::Metres IceCovers::least_way_to_opening(geo::PlanePoint point) const {
 
 std::vector<core::Metres> IceCovers::least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
                                                            core::Seconds from, core::Seconds until) const {
-  if (from < begins_) return std::vector<core::Metres>(points.size(), core::Metres{0.0});
+  if (open_until_ && from < *open_until_) return std::vector<core::Metres>(points.size(), core::Metres{0.0});
   std::vector<core::Metres> least = covers_.front().least_ways_to_opening(points, from, until);
   for (std::size_t i = 1; i < covers_.size(); ++i) {
     const std::vector<core::Metres> ways = covers_[i].least_ways_to_opening(points, from, until);

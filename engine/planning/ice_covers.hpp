@@ -16,8 +16,9 @@ namespace floeplan::planning {
 ///          (ocean::IceStanding); of each, data of the place before what they are extended by
 /// Keels    where that one tells no thickness, those of the next in this order that does and has dense ice there; only
 ///          where none does, the assumed ones
-/// Outside  open water is assumed until the first of all products may be held for the time: as with no product at all.
-///          Then nothing is known where none of them knows; the deepest keel that any of them knew last
+/// Outside  where the first of all products may be held only for times after the epoch, open water is assumed until
+///          then, as with no product at all. Else nothing is known where none of them knows; the deepest keel that any
+///          of them knew last
 /// Threads  const members may be called from several threads at once
 class IceCovers {
  public:
@@ -27,11 +28,10 @@ class IceCovers {
             const std::stop_token& stop = {});
 
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const {
-    if (time < begins_) return {.known = true, .may_surface = true, .draft_m = 0.0};
+    if (open_until_ && time < *open_until_) return {.known = true, .may_surface = true, .draft_m = 0.0};
     return covers_.size() == 1 ? covers_.front().above(point, time) : first_known(point, time);
   }
-  /// As the members of `IceCover` of these names, of times from the epoch on; a bound where several covers are less
-  /// sharp together.
+  /// As the members of `IceCover` of these names; a bound where several covers are less sharp together.
   [[nodiscard]] bool has_dense_ice() const { return std::ranges::any_of(covers_, &IceCover::has_dense_ice); }
   [[nodiscard]] bool changes() const;
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
@@ -53,10 +53,9 @@ class IceCovers {
   template <class Accept>
   [[nodiscard]] std::optional<Answer> first_of(geo::PlanePoint point, core::Seconds time,
                                                const Accept& accept) const;
-  [[nodiscard]] bool is_open_at_first() const { return begins_.count() > 0.0; }
 
   std::vector<IceCover> covers_;
-  core::Seconds begins_{};  // before it the water is taken to be open
+  std::optional<core::Seconds> open_until_{};  // empty: some ice is stored for the epoch
 };
 
 }  // namespace floeplan::planning

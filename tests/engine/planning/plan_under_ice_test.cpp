@@ -79,7 +79,7 @@ TEST(PlanUnderIce, WarnsOfDeeperIceWithinTheErrorOfPosition) {
           if (std::abs(place.lon_deg + 53.0) > 0.35) return 0.0;
           return place.lat_deg > dense_from_lat ? 1.0 : 0.0;
         },
-        {0.0, 200.0}, 10.0);
+        {0.0, 100.0, 200.0}, 10.0);
     return sea;
   };
   PlanRequest request = support::eastward_request();

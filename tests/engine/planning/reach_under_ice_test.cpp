@@ -96,13 +96,15 @@ TEST(ReachUnderIce, KeepsMoreFromIceThatMayBeDeeper) {
 ocean::Environment patches_of_ice(std::mt19937_64& rng) {
   const double phase = support::uniform(rng, 0.0, 6.28);
   const double other = support::uniform(rng, 0.0, 6.28);
+  std::vector<double> hours;
+  for (double hour = 0.0; hour <= 2400.0; hour += 150.0) hours.push_back(hour);
   return {.ice = support::ice_from(
               [&](geo::LonLat p, double) {
                 return std::clamp(
                     0.45 + 0.5 * std::sin(9.0 * p.lon_deg + phase) + 0.4 * std::sin(25.0 * p.lat_deg + other),
                     0.0, 1.0);
               },
-              {0.0, 2400.0}, 1.0)};
+              hours, 1.0)};
 }
 
 PlanRequest bounded_voyage(core::Seconds bound) {

@@ -265,7 +265,7 @@ TEST(SurfacingSearch, FindsAnyWayBeforeItLooksForABetterOne) {
           [](geo::LonLat p, double) {
             return std::abs(p.lon_deg + 53.0) < 0.3 && std::abs(p.lat_deg - 69.0) < 0.15 ? 0.9 : 0.0;
           },
-          {0.0, 240.0}, 1.0)};
+          {0.0, 120.0, 240.0}, 1.0)};
   for (const double lat_deg : {68.82, 69.18})
     environment.icebergs.push_back(drifting_berg({-53.0, lat_deg}, 100.0, 0.05, 90.0));
   const PlanRequest request = bounded_request(6.0);
@@ -297,8 +297,8 @@ TEST(SurfacingSearch, ProvesThatNoWayKeepsTheBound) {
   // A belt of ice from north to south that takes more than a day to cross.
   const ocean::Environment environment{
       .ice = support::ice_from(
-          [](geo::LonLat p, double) { return std::abs(p.lon_deg + 53.0) < 0.5 ? 0.9 : 0.0; }, {0.0, 240.0},
-          1.0)};
+          [](geo::LonLat p, double) { return std::abs(p.lon_deg + 53.0) < 0.5 ? 0.9 : 0.0; },
+          {0.0, 120.0, 240.0}, 1.0)};
   RouteGrid grid = small_grid(41, 31);
   grid.along.x_m /= 4.0;
   grid.across.y_m /= 4.0;
