@@ -84,7 +84,7 @@ tl::expected<std::vector<codec::SimulatedFile>, core::Violations> files_of(const
   mission::MissionSetOptions options;
   options.vehicle = flown.vehicle;
   options.lists.max_waypoints = flown.vehicle.max_waypoints_per_list;
-  options.lists.may_end_below_ice = true;  // nobody is lost in a simulation, which flies on from list to list
+  options.lists.may_end_below_ice = true;  // nobody is lost in a simulation, which flies on from there
   options.lists.origin = {flown.record.id.value, flown.record.name, flown.plan.departure, "floeplan"};
   // Below ice the files ask for open water to recover to, which nobody recovers to here: the start is such a place.
   if (const core::Metres turn = mission::least_upper_turn(flown.plan); turn.value > 0.0)
@@ -107,6 +107,23 @@ tl::expected<simulation::MissionOrders, core::Violations> orders_of(
   auto orders = simulation::read_orders(documents, vehicle);
   if (!orders) return tl::unexpected(of_mission_files(orders.error()));
   return orders;
+}
+
+/// A list that ends below ice could not be sent to a vehicle, which comes up at its end: here the next one follows at
+/// once. `orders` are those of the plan's own files.
+void fly_on_below_ice(simulation::MissionOrders& orders, const planning::Plan& plan) {
+  if (!plan.surfacing) return;
+  bool flies_on = false;
+  std::size_t waypoint = 0;
+  for (simulation::GotoOrders& list : orders.lists) {
+    waypoint += list.waypoints.size();
+    list.next_on_board =
+        waypoint < plan.surfacing->waypoints.size() && !plan.surfacing->waypoints[waypoint].may_surface;
+    flies_on = flies_on || (list.next_on_board && &list != &orders.lists.back());
+  }
+  if (flies_on)
+    orders.notes.emplace_back(
+        "A goto list ends below ice, where no vehicle can come up: the next one is flown at once.");
 }
 
 /// The same plan, inputs and data, simulated by the same version, have the same id.
@@ -308,8 +325,9 @@ tl::expected<json, core::Violations> simulate_plan_document(sqlite::Connection& 
   if (!flown) return tl::unexpected(flown.error());
   const auto files = files_of(inputs, *flown);
   if (!files) return tl::unexpected(files.error());
-  const auto orders = orders_of(*files, flown->vehicle);
+  auto orders = orders_of(*files, flown->vehicle);
   if (!orders) return tl::unexpected(orders.error());
+  if (inputs.mission_files.empty()) fly_on_below_ice(*orders, flown->plan);
   const auto environment = repository::load_environment(db, flown->data, {stop});
   if (!environment) return tl::unexpected(environment.error());
 
