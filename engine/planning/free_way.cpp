@@ -30,7 +30,8 @@ tl::expected<TimedWay, NoFreeWay> with_legs(const TimedWay& start, std::size_t l
 
 TimedWay find_rough_free_way(const TimedWay& start, const LegTimer& leg_timer, const std::stop_token& stop) {
   WayDescent rough = descend_roughly(start, rough_legs, leg_timer, stop);
-  return rough.closed ? start : std::move(rough.way);
+  if (rough.closed) return start;
+  return std::move(rough.way);
 }
 
 bool lead_to_one_way(const TimedWay& a, const TimedWay& b) {

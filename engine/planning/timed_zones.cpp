@@ -57,6 +57,7 @@ void TimedZones::Areas::index(const PlaneBox& within) {
   constexpr double most_copies = 16.0;  // of a zone on the average: large ones lie in many cells
   const double side_m = std::max(within.width_m(), within.height_m());
   std::vector<DiscIndex::Entry> entries;
+  entries.reserve(areas_.size());
   for (const Area& area : areas_)
     entries.push_back({static_cast<std::uint32_t>(entries.size()), area.polygon.box(), whenever});
   const auto copies = [&](double cell_m) {
