@@ -1,6 +1,7 @@
 #include "engine/planning/pass_under.hpp"
 
 #include <algorithm>
+#include <utility>
 
 #include "engine/ocean/iceberg_draft.hpp"
 
@@ -15,17 +16,13 @@ bool is_size_known(const ocean::Iceberg& iceberg) {
 
 }  // namespace
 
-PassUnder::PassUnder(const ocean::Environment& environment, const IcebergRules& rules,
-                     const vehicle::GliderProfile& vehicle, const geo::LocalProjection& projection,
-                     const PlaneBox& area, core::Metres cell, const std::stop_token& stop)
+PassUnder::PassUnder(const IcebergRules& rules, const vehicle::GliderProfile& vehicle,
+                     std::shared_ptr<const BedCells> bed)
     : rules_{rules},
+      bed_{std::move(bed)},
       needed_below_{vehicle.least_water_below_turn()},
       dive_room_{needed_below_ - vehicle.altimeter_margin},
-      dive_depth_{vehicle.dive_depth} {
-  if (rules.pass_under && environment.bathymetry)
-    bed_.emplace(*environment.bathymetry, dive_depth_ + vehicle.altimeter_margin, projection, area, cell,
-                 stop);
-}
+      dive_depth_{vehicle.dive_depth} {}
 
 std::optional<Keel> PassUnder::keel_of(const ocean::Iceberg& iceberg) const {
   if (!rules_.pass_under || !is_size_known(iceberg)) return std::nullopt;

@@ -1,9 +1,9 @@
 #pragma once
 
+#include <memory>
 #include <optional>
-#include <stop_token>
 
-#include "engine/ocean/environment.hpp"
+#include "engine/ocean/iceberg.hpp"
 #include "engine/planning/bed_cells.hpp"
 #include "engine/planning/keel.hpp"
 #include "engine/planning/plan_request.hpp"
@@ -19,11 +19,9 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class PassUnder {
  public:
-  /// `cell`  in which the depth is the least that is known in it. Once `stop` is requested it stays incomplete and must
-  /// not be used
-  PassUnder(const ocean::Environment& environment, const IcebergRules& rules,
-            const vehicle::GliderProfile& vehicle, const geo::LocalProjection& projection,
-            const PlaneBox& area, core::Metres cell, const std::stop_token& stop);
+  /// `bed`  null: every depth will do
+  PassUnder(const IcebergRules& rules, const vehicle::GliderProfile& vehicle,
+            std::shared_ptr<const BedCells> bed);
 
   /// Empty where the rules do not allow it, and where the vehicle does not dive deep enough.
   [[nodiscard]] std::optional<Keel> keel_of(const ocean::Iceberg& iceberg) const;
@@ -34,9 +32,9 @@ class PassUnder {
 
  private:
   IcebergRules rules_;
-  std::optional<BedCells> bed_;  // empty: every depth will do
-  core::Metres needed_below_;    // from the upper turn to the sea bed
-  core::Metres dive_room_;       // from the upper turn to the deepest point of the dives
+  std::shared_ptr<const BedCells> bed_;  // null: every depth will do
+  core::Metres needed_below_;            // from the upper turn to the sea bed
+  core::Metres dive_room_;               // from the upper turn to the deepest point of the dives
   core::Metres dive_depth_;
 };
 

@@ -50,9 +50,10 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
       safety_{environment, request.vehicle.least_water(), std::move(zones.standing), projection, area, cell,
               stop},
       timed_zones_{lay_out_timed_zones(zones.timed, request, projection, area)},
-      icebergs_{lay_out_icebergs(environment, request, projection, area, cell, stop)},
+      bed_{lay_out_bed_below(environment, request, projection, area, cell, stop)},
+      icebergs_{lay_out_icebergs(environment, request, projection, area, bed_, stop)},
       encounters_{lay_out_encounters(icebergs_, environment, request, area, stop)},
-      ice_{lay_out_ice(environment, request, projection, area, cell, stop)},
+      ice_{lay_out_ice(environment, request, projection, area, cell, bed_, stop)},
       depths_{request.vehicle.dive_limits(), environment.bathymetry},
       currents_{shelf != nullptr
                     ? shelf->take(request, depths_, ice_ ? &*ice_ : nullptr, projection, area, stop)
@@ -76,7 +77,9 @@ Sea::Sea(const ocean::Environment& environment, const PlanRequest& request, Zone
 }
 
 std::size_t Sea::bytes() const {
-  return safety_.bytes() + icebergs_.bytes() + energy_.bytes() + (ice_ ? ice_->bytes() : 0) +
+  // The ice counts the bed that it shares.
+  const std::size_t of_bed = bed_ && !ice_ ? bed_->bytes() : 0;
+  return safety_.bytes() + icebergs_.bytes() + energy_.bytes() + of_bed + (ice_ ? ice_->bytes() : 0) +
          (currents_ ? currents_->bytes() : 0);
 }
 
@@ -337,8 +340,8 @@ tl::expected<Sea::LegBack, motion::EdgeClosed> Sea::leg_back(geo::PlanePoint a, 
   });
 }
 
-UnderIce::Leave Sea::leave(geo::PlanePoint point, core::Seconds time) const {
-  UnderIce::Leave leave = ice_ ? ice_->leave(point, time) : UnderIce::Leave{true, true};
+UnderIce::Leave Sea::leave(std::optional<IceWatch>& watch, geo::PlanePoint point, core::Seconds time) const {
+  UnderIce::Leave leave = watch ? watch->look(point, time) : UnderIce::Leave{true, true};
   leave.to_surface = leave.to_surface && !icebergs_.least_upper_turn(point, time);
   return leave;
 }

@@ -150,8 +150,10 @@ class Sea {
   [[nodiscard]] bool may_surface(geo::PlanePoint point, core::Seconds time) const {
     return (!ice_ || ice_->may_surface(point, time)) && !icebergs_.least_upper_turn(point, time);
   }
-  /// The same, and whether there is room below the ice.
-  [[nodiscard]] UnderIce::Leave leave(geo::PlanePoint point, core::Seconds time) const;
+  /// The same, and whether there is room below the ice from the last look at it; `watch` is empty where nothing is known
+  /// of ice.
+  [[nodiscard]] UnderIce::Leave leave(std::optional<IceWatch>& watch, geo::PlanePoint point,
+                                      core::Seconds time) const;
   /// How close together looks at what is above are.
   [[nodiscard]] core::Metres surfacing_look() const;
   /// Never more than the time to where the vehicle may surface, at whatever time it is there; infinite where that is
@@ -253,6 +255,7 @@ class Sea {
   motion::EdgeAccuracy accuracy_;
   SafetyMap safety_;
   TimedZones timed_zones_;
+  std::shared_ptr<const BedCells> bed_;  // for icebergs and ice; null where no iceberg may be passed under
   IcebergDiscs icebergs_;
   std::optional<EncounterMap> encounters_;  // empty: nothing weighs them
   std::optional<UnderIce> ice_;             // empty: nothing is known of ice

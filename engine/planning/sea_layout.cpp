@@ -33,11 +33,9 @@ core::Seconds forecast_horizon(const ocean::Environment& environment, const Plan
   return (last - request.depart) + std::min(under_way, longest_drift);
 }
 
-std::optional<PassUnder> lay_out_under(const ocean::Environment& environment, const PlanRequest& request,
-                                       const geo::LocalProjection& projection, const PlaneBox& area,
-                                       core::Metres cell, const std::stop_token& stop) {
+std::optional<PassUnder> lay_out_under(const PlanRequest& request, std::shared_ptr<const BedCells> bed) {
   if (!request.icebergs.pass_under) return std::nullopt;
-  return PassUnder{environment, request.icebergs, request.vehicle, projection, area, cell, stop};
+  return PassUnder{request.icebergs, request.vehicle, std::move(bed)};
 }
 
 /// What a way that is searched for keeps from the rims of icebergs and zones beside what is asked: a route that just
@@ -69,6 +67,7 @@ core::Seconds drift_for_the_way(const PlanRequest& request) {
     last = via;
   }
   way = way + geo::geodesic_between(last, request.to).length;
+  if (request.room) way = way + *request.room;
   const core::Seconds longest = detours * (way / request.vehicle.speed_through_water) + day;
   return std::ceil(longest / day) * day;
 }
@@ -92,9 +91,18 @@ TimedZones lay_out_timed_zones(const std::vector<ocean::Zone>& timed, const Plan
   return {timed, projection, area, request.depart, Room{kept_for_rounding(request), time}};
 }
 
+std::shared_ptr<const BedCells> lay_out_bed_below(const ocean::Environment& environment,
+                                                  const PlanRequest& request,
+                                                  const geo::LocalProjection& projection,
+                                                  const PlaneBox& area, core::Metres cell,
+                                                  const std::stop_token& stop) {
+  if (!request.icebergs.pass_under || !environment.bathymetry) return nullptr;
+  return lay_out_bed(environment.bathymetry, request.vehicle, projection, area, cell, stop);
+}
+
 IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanRequest& request,
-                              const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
-                              const std::stop_token& stop) {
+                              const geo::LocalProjection& projection, const PlaneBox& area,
+                              std::shared_ptr<const BedCells> bed, const std::stop_token& stop) {
   return {environment,
           request.icebergs,
           projection,
@@ -102,7 +110,7 @@ IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanR
           request.depart,
           forecast_horizon(environment, request),
           stop,
-          lay_out_under(environment, request, projection, area, cell, stop),
+          lay_out_under(request, std::move(bed)),
           stops_of(request, projection),
           kept_for_rounding(request)};
 }
@@ -119,9 +127,10 @@ std::shared_ptr<const PlaneCurrents> lay_out_currents(const ocean::Environment& 
 
 std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment, const PlanRequest& request,
                                     const geo::LocalProjection& projection, const PlaneBox& area,
-                                    core::Metres cell, const std::stop_token& stop) {
+                                    core::Metres cell, std::shared_ptr<const BedCells> bed,
+                                    const std::stop_token& stop) {
   if (!environment.ice) return std::nullopt;
-  return UnderIce{environment, request, projection, area, cell, stop};
+  return UnderIce{environment, request, projection, area, cell, stop, std::move(bed)};
 }
 
 std::optional<EncounterMap> lay_out_encounters(const IcebergDiscs& icebergs,

@@ -28,27 +28,36 @@ namespace floeplan::planning {
                                              const geo::LocalProjection& projection, const PlaneBox& area);
 
 /// How long icebergs drift while a vehicle is on its way, at most: six times the straight way from stop to
-/// stop, for detours and head currents, and a day; whole days, so that ways of about one length have the
+/// stop and the room that is asked for, for detours and head currents, and a day; whole days, so that ways of about one length have the
 /// same. Where it may wait on its way, 30 days.
 [[nodiscard]] core::Seconds drift_for_the_way(const PlanRequest& request);
 
+/// Where icebergs may be passed under.
+[[nodiscard]] std::shared_ptr<const BedCells> lay_out_bed_below(const ocean::Environment& environment,
+                                                                const PlanRequest& request,
+                                                                const geo::LocalProjection& projection,
+                                                                const PlaneBox& area, core::Metres cell,
+                                                                const std::stop_token& stop);
+
 /// The icebergs' drift for as long as it matters: from the last departure of a window, or the wanted arrival,
 /// on no less than a slow way with detours takes, and to the end of the currents, at most 30 days.
-/// `cell`   of the safety map, in which the sea bed below icebergs is judged
+/// `bed`    null: every depth will do below those that may be passed under
 [[nodiscard]] IcebergDiscs lay_out_icebergs(const ocean::Environment& environment, const PlanRequest& request,
                                             const geo::LocalProjection& projection, const PlaneBox& area,
-                                            core::Metres cell, const std::stop_token& stop);
+                                            std::shared_ptr<const BedCells> bed, const std::stop_token& stop);
 
 [[nodiscard]] std::optional<EncounterMap> lay_out_encounters(const IcebergDiscs& icebergs,
                                                              const ocean::Environment& environment,
                                                              const PlanRequest& request, const PlaneBox& area,
                                                              const std::stop_token& stop);
 
-/// `cell`   of the safety map: the ice is looked at as closely, and the sea bed below it is judged in each
+/// `cell`   of the safety map: the ice is looked at as closely
+/// `bed`    null: laid out where it is needed
 [[nodiscard]] std::optional<UnderIce> lay_out_ice(const ocean::Environment& environment,
                                                   const PlanRequest& request,
                                                   const geo::LocalProjection& projection,
                                                   const PlaneBox& area, core::Metres cell,
+                                                  std::shared_ptr<const BedCells> bed,
                                                   const std::stop_token& stop);
 
 /// `ice`: null where nothing is known of it.

@@ -8,8 +8,10 @@ std::optional<motion::EdgeClosed> SurfacingWatch::operator()(const motion::EdgeP
   std::optional<motion::EdgeClosed> closed;
   const auto longest = sea_.longest_without_surfacing();
   double now_s = piece.t0_s;
+  if (sea_.ice() && !ice_)
+    ice_.emplace(*sea_.ice(), motion::place_along(edge_, piece.way0_m), core::Seconds{piece.t0_s});
   motion::look_along(edge_, piece, sea_.surfacing_look(), [&](geo::PlanePoint point, core::Seconds time) {
-    const UnderIce::Leave leave = sea_.leave(point, time);
+    const UnderIce::Leave leave = sea_.leave(ice_, point, time);
     const bool open_all_along = leave.to_surface && since_s_ == 0.0;
     if (!open_all_along) since_s_ += time.count() - now_s;
     if (!leave.to_transit) {
@@ -25,12 +27,14 @@ std::optional<motion::EdgeClosed> SurfacingWatch::operator()(const motion::EdgeP
 }
 
 SurfacingOutlook::SurfacingOutlook(const Sea& sea, const motion::PlaneEdge& edge, core::Seconds depart)
-    : sea_{sea}, edge_{edge}, looks_{{depart.count(), sea.may_surface(edge.from, depart)}} {}
+    : sea_{sea}, edge_{edge}, looks_{{depart.count(), sea.may_surface(edge.from, depart)}} {
+  if (sea.ice()) ice_.emplace(*sea.ice(), edge.from, depart);
+}
 
 std::optional<motion::EdgeClosed> SurfacingOutlook::operator()(const motion::EdgePiece& piece) {
   std::optional<motion::EdgeClosed> closed;
   motion::look_along(edge_, piece, sea_.surfacing_look(), [&](geo::PlanePoint point, core::Seconds time) {
-    const UnderIce::Leave leave = sea_.leave(point, time);
+    const UnderIce::Leave leave = sea_.leave(ice_, point, time);
     looks_.push_back({time.count(), leave.to_surface});
     if (!leave.to_transit) closed = motion::EdgeClosed::under_ice;
     return !closed;

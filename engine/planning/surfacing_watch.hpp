@@ -27,6 +27,7 @@ class SurfacingWatch {
  private:
   const Sea& sea_;
   const motion::PlaneEdge& edge_;
+  std::optional<IceWatch> ice_{};  // from the first piece on, where anything is known of ice
   double since_s_;
 };
 
@@ -50,7 +51,8 @@ class SurfacingOutlook {
 
   const Sea& sea_;
   const motion::PlaneEdge& edge_;
-  std::vector<Look> looks_;  // from the drive's beginning to its end
+  std::optional<IceWatch> ice_{};  // where anything is known of ice
+  std::vector<Look> looks_;        // from the drive's beginning to its end
 };
 
 }  // namespace floeplan::planning

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "engine/motion/drive_looks.hpp"
 
@@ -15,16 +16,16 @@ bool is_free(const IceAbove& ice) { return ice.may_surface || (!ice.known && !(i
 
 UnderIce::UnderIce(const ocean::Environment& environment, const PlanRequest& request,
                    const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
-                   const std::stop_token& stop)
+                   const std::stop_token& stop, std::shared_ptr<const BedCells> bed)
     : rules_{request.under_ice},
       cover_{environment, request.under_ice, projection, area, request.depart, stop},
+      bed_{std::move(bed)},
       needed_below_m_{request.vehicle.least_water_below_turn().value},
       dive_room_m_{needed_below_m_ - request.vehicle.altimeter_margin.value},
       dive_depth_m_{request.vehicle.dive_depth.value},
       step_m_{std::min(cell.value, 0.25 * cover_.spacing().value)} {
-  if (!environment.bathymetry || !cover_.has_dense_ice()) return;
-  const core::Metres enough = request.vehicle.dive_depth + request.vehicle.altimeter_margin;
-  bed_.emplace(*environment.bathymetry, enough, projection, area, cell, stop);
+  if (!bed_ && environment.bathymetry && cover_.has_dense_ice())
+    bed_ = lay_out_bed(environment.bathymetry, request.vehicle, projection, area, cell, stop);
 }
 
 core::Metres UnderIce::turn_below(const IceAbove& ice) const {
@@ -45,24 +46,25 @@ bool UnderIce::may_transit(geo::PlanePoint point, core::Seconds time) const {
   return has_room_below(least_upper_turn(point, time), point, point);
 }
 
-UnderIce::Leave UnderIce::leave(geo::PlanePoint point, core::Seconds time) const {
-  const IceAbove ice = cover_.above(point, time);
-  return {.to_surface = ice.may_surface, .to_transit = has_room_below(turn_below(ice), point, point)};
-}
-
 bool UnderIce::may_transit_along(const motion::PlaneEdge& edge, const motion::EdgePiece& piece) const {
   if (!may_be_dense_along(edge.from, edge.to)) return true;
-  geo::PlanePoint last = motion::place_along(edge, piece.way0_m);
-  core::Metres last_turn = least_upper_turn(last, core::Seconds{piece.t0_s});
+  IceWatch watch{*this, motion::place_along(edge, piece.way0_m), core::Seconds{piece.t0_s}};
   bool open = true;
   motion::look_along(edge, piece, step(), [&](geo::PlanePoint point, core::Seconds time) {
-    const core::Metres turn = least_upper_turn(point, time);
-    open = has_room_below(std::max(last_turn, turn), last, point);
-    last = point;
-    last_turn = turn;
+    open = watch.look(point, time).to_transit;
     return open;
   });
   return open;
+}
+
+UnderIce::Leave IceWatch::look(geo::PlanePoint point, core::Seconds time) {
+  const IceAbove ice = ice_.above(point, time);
+  const core::Metres turn = ice_.turn_below(ice);
+  const UnderIce::Leave leave{.to_surface = ice.may_surface,
+                              .to_transit = ice_.has_room_below(std::max(last_turn_, turn), last_, point)};
+  last_ = point;
+  last_turn_ = turn;
+  return leave;
 }
 
 }  // namespace floeplan::planning

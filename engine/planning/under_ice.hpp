@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cmath>
+#include <memory>
 #include <optional>
 #include <stop_token>
 #include <vector>
@@ -20,7 +21,7 @@ namespace floeplan::planning {
 ///          as it otherwise needs from the surface, with room for a saw-tooth above the altimeter's margin; its dives
 ///          must reach that deep. Where nothing is known of the ice it may pass, below the keels that were known last,
 ///          but not count on surfacing
-/// Depth    the least in the cells of the safety map that a way enters: no sill between two looks is missed
+/// Depth    that of the bed all along a way: no sill between two looks is missed
 /// Along a drive  looked at every `step()`, with the deeper of the turns at both ends of a step; the time between two
 ///          looks counts as under ice unless the vehicle may surface at both, so that what counts is never shorter
 ///          than the truth but for ice narrower than a step
@@ -28,10 +29,11 @@ namespace floeplan::planning {
 class UnderIce {
  public:
   /// `cell`  of the safety map; the ice is looked at as closely, or closer where its own data are finer. Once `stop`
-  /// is requested it stays incomplete and must not be used. `environment` must have ice
+  /// is requested it stays incomplete and must not be used. `environment` must have ice. `bed`  of all the area; null:
+  /// it is laid out here, where there is bathymetry
   UnderIce(const ocean::Environment& environment, const PlanRequest& request,
            const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
-           const std::stop_token& stop = {});
+           const std::stop_token& stop = {}, std::shared_ptr<const BedCells> bed = nullptr);
 
   [[nodiscard]] IceAbove above(geo::PlanePoint point, core::Seconds time) const {
     return cover_.above(point, time);
@@ -48,7 +50,6 @@ class UnderIce {
     bool to_surface{};
     bool to_transit{};
   };
-  [[nodiscard]] Leave leave(geo::PlanePoint point, core::Seconds time) const;
   /// Never more than the way in the plane to where the vehicle may surface, at whatever time; infinite where that is
   /// nowhere.
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const {
@@ -77,17 +78,35 @@ class UnderIce {
   [[nodiscard]] std::size_t bytes() const { return cover_.bytes() + (bed_ ? bed_->bytes() : 0); }
 
  private:
+  friend class IceWatch;
+
   [[nodiscard]] core::Metres turn_below(const IceAbove& ice) const;
   /// Whether a turn at this depth leaves room for a dive; zero: nothing is in the way above.
   [[nodiscard]] bool has_room_below(core::Metres turn, geo::PlanePoint a, geo::PlanePoint b) const;
 
   UnderIceRules rules_;
   IceCovers cover_;
-  std::optional<BedCells> bed_;  // empty: every depth will do
-  double needed_below_m_;        // from the upper turn to the sea bed
-  double dive_room_m_;           // from the upper turn to the deepest point of the dives
+  std::shared_ptr<const BedCells> bed_;  // null: every depth will do
+  double needed_below_m_;                // from the upper turn to the sea bed
+  double dive_room_m_;                   // from the upper turn to the deepest point of the dives
   double dive_depth_m_;
   double step_m_;
+};
+
+/// Looks at what is above along a drive, one place after the other.
+class IceWatch {
+ public:
+  /// `ice` is borrowed.
+  IceWatch(const UnderIce& ice, geo::PlanePoint start, core::Seconds time)
+      : ice_{ice}, last_{start}, last_turn_{ice.least_upper_turn(start, time)} {}
+
+  /// The next look: whether the vehicle may surface there, and whether there is room for it on the way to there.
+  [[nodiscard]] UnderIce::Leave look(geo::PlanePoint point, core::Seconds time);
+
+ private:
+  const UnderIce& ice_;
+  geo::PlanePoint last_;
+  core::Metres last_turn_;
 };
 
 }  // namespace floeplan::planning

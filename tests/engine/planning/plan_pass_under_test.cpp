@@ -73,7 +73,9 @@ TEST(PassUnder, LeavesRoomForADiveBelowTheKeelWhateverTheMargins) {
     vehicle.dive_depth = core::Metres{support::uniform(rng, 30.0, 200.0)};
     ocean::Iceberg berg = support::iceberg_at({-53.0, 69.0}, 60.0);
     berg.draft = core::Metres{support::uniform(rng, 1.0, 100.0)};
-    const PassUnder under{environment, rules, vehicle, projection, area, core::Metres{500.0}, {}};
+    const PassUnder under{
+        rules, vehicle,
+        lay_out_bed(environment.bathymetry, vehicle, projection, area, core::Metres{500.0}, {})};
 
     const auto keel = under.keel_of(berg);
     if (!keel || !under.has_room({0.0, 0.0}, keel->upper_turn)) return;

@@ -23,7 +23,7 @@ PlanRequest short_request() {
 core::Metres drifted(const PlanRequest& request, const ocean::Environment& environment, core::Seconds time) {
   const geo::LocalProjection projection{request.from};
   const ocean::Iceberg& berg = environment.icebergs.front();
-  const IcebergDiscs discs = lay_out_icebergs(environment, request, projection, {}, core::Metres{500.0}, {});
+  const IcebergDiscs discs = lay_out_icebergs(environment, request, projection, {}, nullptr, {});
   return discs.nearest(projection.to_plane(berg.place), time).value().from_hull +
          core::Metres{0.5 * berg.length->value};
 }

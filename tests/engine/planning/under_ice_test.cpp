@@ -67,7 +67,11 @@ TEST(UnderIce, SeesASillBetweenTwoLooks) {
   const auto may_pass = [&](double sill_m) {
     const ocean::Environment environment = sea_over(sill_m);
     const Sea sea{environment, request, projection, area, core::Metres{4000.0}};
-    return sea.leg_time({20'000.0, -9000.0}, {20'000.0, 9000.0}, at_once).has_value();
+    const geo::PlanePoint south{20'000.0, -9000.0};
+    const geo::PlanePoint north{20'000.0, 9000.0};
+    const bool may = sea.leg_time(south, north, at_once).has_value();
+    EXPECT_EQ(sea.leg(south, north, at_once, at_once, sea.drives().front()).has_value(), may);
+    return may;
   };
 
   EXPECT_FALSE(may_pass(25.0));
