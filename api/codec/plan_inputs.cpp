@@ -183,6 +183,12 @@ tl::expected<EvaluateInputs, core::Violations> parse_evaluate_inputs(const json&
   return result;
 }
 
+void cover_way(PlanInputs& inputs, const geo::BoundingBox& way) {
+  constexpr core::Metres round_the_way{20'000.0};  // what a vehicle in a simulation strays by, and more
+  inputs.data.area =
+      geo::united(inputs.data.area, geo::on_lattice(geo::grown(way, round_the_way), lattice_deg));
+}
+
 tl::expected<EvaluateInputs, core::Violations> parse_flight_inputs(const json& inputs,
                                                                    std::vector<geo::LonLat> route) {
   InputReader reader{inputs};

@@ -129,7 +129,9 @@ tl::expected<mission::MissionFiles, core::Violations> mission_set_of(
 
 std::optional<codec::PlanInputs> inputs_of(const repository::PlanRecord& record) {
   auto inputs = codec::parse_plan_inputs(json::parse(record.request_json));
-  return inputs ? std::optional{std::move(*inputs)} : std::nullopt;
+  if (!inputs) return std::nullopt;
+  codec::cover_way(*inputs, record.bounds);
+  return std::move(*inputs);
 }
 
 vehicle::GliderProfile vehicle_of(const repository::PlanRecord& record, const planning::Plan& plan) {

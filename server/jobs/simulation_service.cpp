@@ -71,6 +71,7 @@ tl::expected<FlownPlan, core::Violations> plan_of(sqlite::Connection& db, const 
                          vehicle.name + "; plan anew for the vehicle that shall fly, or leave it out"}});
   }
   planning::Plan plan = codec::parse_plan_document(json::parse(record->document_json));
+  codec::cover_way(*planned, record->bounds);
   planned->data.depart = plan.departure;
   planned->data.until = repository::CoveredUntil{"plan_id", plan.arrival};
   planned->data.may_begin_later = false;
