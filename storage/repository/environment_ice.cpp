@@ -244,7 +244,8 @@ Choice choose(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
     const bool may_add_thickness = !before.empty() && std::ranges::none_of(before, &Product::has_thickness);
     if (may_add_thickness && holds_thickness(fields, dataset.id)) before.clear();
     if (!before.empty() && looks_into_gaps++ >= most_looks_into_gaps) continue;
-    const Period wanted{std::clamp(query.depart, period->from, period->to), period->to};
+    const Period wanted{std::clamp(query.depart, period->from, period->to),
+                        std::clamp(mission.to, period->from, period->to)};
     auto ice = fields.load_ice(dataset.id, query.area, wanted);
     if (!ice || (!before.empty() && !fills_a_gap(*ice, query.area, before))) continue;
     const bool reaches_all = reaches_all_of(query.area, ice->samples().grid);
