@@ -14,7 +14,7 @@ constexpr core::MetresPerSecond fastest{5.0};  // the most that a request may as
 /// The inputs that can help against a constraint, all at once.
 struct Inputs {
   Constraint against;
-  bool (*apply)(const ocean::Environment&, const PlanRequest&);
+  bool (*may_help)(const ocean::Environment&, const PlanRequest&);
   void (*open)(PlanRequest&);                         // as far as they go
   void (*take)(PlanRequest&, const PlanRequest& of);  // as they are in another request
 };
@@ -72,6 +72,8 @@ constexpr std::array all_inputs{
     Inputs{Constraint::ice, has_ice, come_nearer_to_ice, take_ice},
     Inputs{Constraint::current, has_currents, go_faster, take_speed}};
 
+bool is_speed(const Change& change) { return change.input == "speed_m_s"; }
+
 /// What stood in the way is known by its kind alone: of other requests nothing more was found out.
 Infeasible bound_by(Constraint binding, const Infeasible& why) {
   return {.reason = why.reason, .at = why.at, .when = why.when, .binding = binding};
@@ -86,16 +88,18 @@ std::optional<Change> change_with_another(const ocean::Environment& environment,
     return find_changes(environment, of, bound_by(binding, why), trial, stop);
   };
   for (const Inputs& others : all_inputs) {
-    if (others.against == why.binding || !others.apply(environment, request)) continue;
+    if (others.against == why.binding || !others.may_help(environment, request)) continue;
     PlanRequest opened = request;
     others.open(opened);
     FoundChanges first = changes_against(why.binding, opened);
     if (first.changes.empty() || !first.changed) continue;
     PlanRequest changed = *std::move(first.changed);
     others.take(changed, request);
+    // Where the first change is one of those inputs' own, it is taken back by that.
+    if (others.against == Constraint::current && is_speed(first.changes.front())) continue;
     FoundChanges second = changes_against(others.against, changed);
     if (stop.stop_requested()) return std::nullopt;
-    if (second.changes.empty()) continue;
+    if (second.changes.empty() || second.changes.front().input == first.changes.front().input) continue;
     Change both = std::move(second.changes.front());
     both.text += ", and " + first.changes.front().text;
     both.with.push_back(std::move(first.changes.front()));
