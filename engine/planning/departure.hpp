@@ -18,7 +18,7 @@ namespace floeplan::planning {
 /// What leaving at one moment leads to.
 struct DepartureOutcome {
   core::UtcTime departure;
-  std::optional<core::Seconds> travel_time{};  // of the grid's way, before refinement; empty: there is none
+  std::optional<core::Seconds> travel_time{};  // of one grid's way, before refinement; empty: there is none
   std::optional<core::Joules> energy{};        // drawn on that way; empty likewise
   std::optional<Infeasible> closed{};          // why there is none
   /// What a robust objective counts of the costs of the best ways in all members, which one way for all of them cannot

@@ -23,6 +23,7 @@ constexpr int most_sectors = 5;
 /// Ways that were found in the Agulhas Current, the Kuroshio, the Gulf Stream and off the Falklands lead round eddies
 /// of 100 to 250 km, four times as far as from start to goal where these are 50 km apart.
 constexpr double distances_of_room = 5.0;
+constexpr core::Metres least_room{50'000.0};  // for eddies are no smaller where the way is short
 constexpr core::Metres most_room{250'000.0};
 constexpr double most_samples = 3.2e7;  // of the currents of an area with room: a quarter of a gigabyte
 
@@ -30,9 +31,10 @@ constexpr double most_samples = 3.2e7;  // of the currents of an area with room:
 constexpr std::int64_t much_work = 5'000'000;
 
 constexpr const char* several_grids_warning =
-    "currents here are as fast as the vehicle: a little closes or opens a way, and this plan is the best of "
-    "those on "
-    "several grids; another --spacing, or a place to pass (--via), may lead to a better one";
+    "currents somewhere in the area are as fast as the vehicle: a little closes or opens a way, and this "
+    "plan is "
+    "the best of those on several grids; another --spacing, or a place to pass (--via), may lead to a better "
+    "one";
 
 core::MetresPerSecond through_water(const PlanRequest& request) {
   return drive_speed(request.vehicle, drives(request.energy, request.vehicle).back());
@@ -100,8 +102,9 @@ std::optional<Roomy> with_more_room(const ocean::Environment& environment, const
   const core::Metres longest = longest_stretch(request);
   const double usual_deg2 = size(planning_area(request));
   PlanRequest roomy = with_more_directions(request);
-  roomy.room = std::min(distances_of_room * longest, most_room);
-  while (second_reach.across * longest < *roomy.room) {
+  roomy.room = std::clamp(distances_of_room * longest, least_room, most_room);
+  const core::Metres usual = std::max(second_reach.across * longest, second_reach.at_least);
+  while (usual < *roomy.room) {
     const double grows_by = size(planning_area(roomy)) / usual_deg2;
     if (!wider) return Roomy{std::move(roomy), environment};
     if (grows_by * samples_of(environment) <= most_samples) {
