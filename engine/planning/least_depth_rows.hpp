@@ -17,6 +17,8 @@ namespace floeplan::planning {
 /// it, where its sides do not run along the data's. Between its nodes the bed is bilinear, so that the least depth in a
 /// box of the data's coordinates is found at its corners, at the nodes inside it and where the data's lines cross its
 /// sides.
+/// Edges    within few cells of a pole the sides of a cell bend in the data's coordinates, and less is certain; the
+///          cell round it is known only where the data reach it
 /// Threads  one at a time
 class LeastDepthRows {
  public:

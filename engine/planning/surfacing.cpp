@@ -33,11 +33,11 @@ class Log {
       if (!request_.under_ice.surfacing_interval) fix_ = here_;
     }
     was_open_ = open;
-    if (open && !ice_within(here_.error - last_sure_.error)) {
-      last_sure_ = here_;
-    } else {
+    const bool sure = open && !ice_within(here_.error - last_sure_.error);
+    if (!(sure && was_sure_))
       plan.longest_without_sure = std::max(plan.longest_without_sure, now.time - last_sure_.at.time);
-    }
+    if (sure) last_sure_ = here_;
+    was_sure_ = sure;
     const core::Metres turn = sea_.least_upper_turn(now.point, now.time);
     const core::Metres step = sea_.ground_length(last.at.point, now.point);
     leg_upper_turn_ = std::max(leg_upper_turn_, turn);
@@ -149,7 +149,8 @@ class Log {
   Look last_sure_;                         // open with no ice within the error grown since the one before
   std::optional<Opening> best_opening_{};  // since the last fix, the last of those as good
   bool was_open_{true};                    // the vehicle starts at the surface
-  core::Metres leg_upper_turn_{};          // the deepest since the last waypoint
+  bool was_sure_{true};
+  core::Metres leg_upper_turn_{};   // the deepest since the last waypoint
   core::Metres ice_free_before_{};  // counted from the first open look: what lies before it may be closed
   bool was_below_ice_{false};       // at the last look
 };

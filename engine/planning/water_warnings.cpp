@@ -87,7 +87,7 @@ std::optional<std::string> of_unknown_depths(const Sea& sea, const ocean::Enviro
     flown = band.bottom;
   });
   if (unknown_m == 0.0) return std::nullopt;
-  char text[240];
+  char text[320];
   std::snprintf(
       text, sizeof text,
       "on %.1f km of the route dives go much deeper than the model's water, at worst to %.0f m where its "
@@ -134,7 +134,7 @@ std::optional<std::string> of_hardly_enough_speed(const Sea& sea, const PlanRequ
     if (most_on_leg > hardly_enough) ++legs;
   }
   if (legs == 0) return std::nullopt;
-  char text[240];
+  char text[320];
   std::snprintf(
       text, sizeof text,
       "on %zu %s the current takes more than %.0f %% of the vehicle's speed to hold the course, most on leg "

@@ -34,8 +34,9 @@ std::vector<float> least_depths(const PlaneRaster& raster, const ocean::Bathymet
   return all;
 }
 
-TEST(LeastDepthRows, AreBelowEveryDepthInTheirCells) {
-  for_each_seed(40, [](std::mt19937_64& rng) {
+TEST(LeastDepthRows, AreBelowEveryDepthInTheirCellsAndNotMuch) {
+  std::size_t known = 0;
+  for_each_seed(40, [&](std::mt19937_64& rng) {
     const geo::LonLat place{uniform(rng, -180.0, 180.0), uniform(rng, -80.0, 80.0)};
     const geo::LocalProjection projection{place};
     const auto grid = grid_about(place, uniform(rng, 0.002, 0.05), uniform(rng, 0.002, 0.02), 40);
@@ -55,8 +56,16 @@ TEST(LeastDepthRows, AreBelowEveryDepthInTheirCells) {
       const float least = exact[cell.value()];
       EXPECT_FALSE(least > depth->value + 0.2);  // the table of the plane is true to a metre
       EXPECT_EQ(exact[*cell] < 20.0F, enough[*cell] < 20.0F);
+      known += least > 0.0F ? 1 : 0;
     }
   });
+  EXPECT_GT(known, 50'000U);
+
+  const auto grid = grid_about(middle, 0.02, 0.01, 21);
+  const ocean::Bathymetry flat{grid, std::vector<float>(grid.size(), 50.0F)};
+  const PlaneRaster raster{{{-1000.0, -1000.0}, {1000.0, 1000.0}}, core::Metres{100.0}};
+  for (const float least : least_depths(raster, flat, core::Metres{1000.0}, geo::LocalProjection{middle}))
+    EXPECT_NEAR(least, 50.0F, 1e-3F);
 }
 
 TEST(LeastDepthRows, SeeARidgeOfOneRowBetweenTheCornersOfTheirCells) {

@@ -114,9 +114,12 @@ TEST(PlanUnderIce, WarnsOfEscapesThatEndAtTheEdgeOfTheIce) {
   PlanRequest request = support::eastward_request();
   request.max_leg = core::Metres{4000.0};
   request.under_ice.escape_plan = true;
+  const auto warns = testing::Contains(testing::HasSubstr("escapes end nearer to ice"));
 
-  EXPECT_THAT(planned(band_of_ice(), request).warnings,
-              testing::Contains(testing::HasSubstr("escapes end nearer to ice")));
+  EXPECT_THAT(planned(band_of_ice(), request).warnings, warns);
+  request.under_ice.current_uncertainty = {0.0};
+  request.under_ice.dead_reckoning_share = 0.0;
+  EXPECT_THAT(planned(band_of_ice(), request).warnings, testing::Not(warns)) << "whose position is certain";
 }
 
 TEST(PlanUnderIce, PassesBelowTheIceWhenNothingBoundsTheTimeThere) {
