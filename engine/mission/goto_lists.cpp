@@ -151,6 +151,19 @@ std::string warning_of_thruster(const planning::Plan& plan, const GotoListOption
          "yo for them, or plan with the thruster on all legs or on none.";
 }
 
+/// Before it has come up once a vehicle knows nothing of the current; empty where it passes below no ice.
+std::string warning_of_first_dives(const planning::Plan& plan, const List& first) {
+  if (!passes_below(plan, {1, plan.waypoints.size() - 1})) return "";
+  const core::Seconds time = plan.waypoints[first.part.last].eta - plan.departure;
+  return first.file_name + " is flown for " + print("%.1f h", time.count() / 3600.0) +
+         " before the vehicle comes up for the first time: until then it reckons with the current of its "
+         "last mission, "
+         "or with none, and each 0.1 m/s of it takes it " +
+         print("%.1f km", 0.1 * time.count() / 1000.0) +
+         " off, beside ice or below it. Have it make a short dive at the start, or send the first waypoint "
+         "alone.";
+}
+
 std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoListOptions& options,
                                       const std::vector<core::Metres>& legs, const std::vector<List>& lists) {
   std::vector<std::string> warnings;
@@ -162,6 +175,8 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
         ". The vehicle flies the list its mission names and no other: send the next one when a list ends.");
   }
   if (std::string text = warning_of_thruster(plan, options); !text.empty())
+    warnings.push_back(std::move(text));
+  if (std::string text = warning_of_first_dives(plan, lists.front()); !text.empty())
     warnings.push_back(std::move(text));
   for (const List& list : lists) {
     std::string text = warning_of_end(plan, list);

@@ -11,6 +11,7 @@
 #include "engine/mission/flight_files.hpp"
 #include "engine/mission/ice_files.hpp"
 #include "engine/mission/line_words.hpp"
+#include "engine/mission/list_parts.hpp"
 #include "engine/mission/thruster_yo.hpp"
 
 namespace floeplan::mission {
@@ -48,13 +49,28 @@ core::Violations violations_of(const planning::Plan& plan, const MissionSetOptio
   return found;
 }
 
-/// Farthest that a waypoint may lie from where the vehicle is when it turns to it, before it aborts.
-double max_waypoint_distance_m(const planning::Plan& plan) {
+/// The most that the position may be off at a fix that ends a list.
+core::Metres largest_error(const planning::Plan& plan, const GotoListOptions& options) {
+  core::Metres largest{0.0};
+  if (!plan.surfacing) return largest;
+  const auto& states = plan.surfacing->waypoints;
+  for (const ListPart& part : part_into_lists(plan, {static_cast<std::size_t>(options.max_waypoints)})) {
+    const auto& before = states[part.first - 1].error_without_fix;
+    const auto& after = states[part.last].error_without_fix;
+    if (before && after) largest = std::max(largest, *after - *before);
+  }
+  return largest;
+}
+
+/// Farthest that a waypoint may lie from where the vehicle is when it turns to it, before it aborts. After a fix it is
+/// farther away by what the position was off, here twice as much as is expected.
+double max_waypoint_distance_m(const planning::Plan& plan, const GotoListOptions& options) {
   double longest_m = 0.0;
   for (const planning::Waypoint& waypoint : plan.waypoints) {
     if (waypoint.leg_length) longest_m = std::max(longest_m, waypoint.leg_length->value);
   }
-  return 1000.0 * std::ceil(room_for_detours * longest_m / 1000.0);
+  const double error_m = 2.0 * largest_error(plan, options).value;
+  return 1000.0 * std::ceil((room_for_detours * longest_m + error_m) / 1000.0);
 }
 
 std::string behavior_from_file(const char* behavior, int number) {
@@ -70,13 +86,14 @@ std::string mission_text(const planning::Plan& plan, const MissionSetOptions& op
                      "\nsensor: u_use_current_correction(nodim) 1\n"
                      "sensor: c_science_all_on_enabled(bool) 1\n";
   if (options.under_ice) text += ice_settings(plan, options);
-  text += "\nbehavior: abend\n" +
-          argument_lines("abend", {{"overdepth", whole(options.vehicle.depth_rating.value)},
-                                   {"overtime", "-1"},
-                                   {"samedepth_for", "1800"},
-                                   {"stalled_for", "1800"},
-                                   {"no_cop_tickle_for", "48600"},
-                                   {"max_wpt_distance", whole(max_waypoint_distance_m(plan))}});
+  text +=
+      "\nbehavior: abend\n" +
+      argument_lines("abend", {{"overdepth", whole(options.vehicle.depth_rating.value)},
+                               {"overtime", "-1"},
+                               {"samedepth_for", "1800"},
+                               {"stalled_for", "1800"},
+                               {"no_cop_tickle_for", "48600"},
+                               {"max_wpt_distance", whole(max_waypoint_distance_m(plan, options.lists))}});
   for (const Surfacing& surfacing : surfacings_of(options)) {
     text += "\n# Comes up when " + surfacing.why + ".";
     text += behavior_from_file("surface", surfacing.number);

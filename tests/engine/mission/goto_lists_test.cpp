@@ -283,6 +283,13 @@ TEST(GotoLists, EndWhereNothingIsKnownOfTheIceOnlyIfTheyMustAndSaySo) {
   EXPECT_THAT(lists->warnings, testing::Not(Contains(HasSubstr("goto_l10.ma ends"))));
 }
 
+TEST(GotoLists, SayHowLongTheFirstIsFlownBeforeAnyCurrentIsKnown) {
+  const auto says = Contains(HasSubstr("before the vehicle comes up for the first time"));
+
+  EXPECT_THAT(write_goto_lists(plan_below_ice(14, {4, 5, 6, 7, 8}), {})->warnings, says);
+  EXPECT_THAT(write_goto_lists(plan_below_ice(14, {}), {})->warnings, testing::Not(says));
+}
+
 /// Below ice up to 2 km before its goal, where it may be off by 600 m.
 planning::Plan plan_out_of_the_ice() {
   planning::Plan plan = plan_below_ice(3, {1});

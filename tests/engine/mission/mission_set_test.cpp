@@ -149,6 +149,22 @@ TEST(MissionSet, LeavesTheThrusterOffWhereOneYoCannotFlyThePlanOnIt) {
   EXPECT_THAT(write_mission_set(slow, options)->warnings, Not(warns_of_thruster));
 }
 
+TEST(MissionSet, LeavesRoomForWhatTheVehicleIsOffAtAFix) {
+  planning::Plan plan = two_legs();
+  plan.surfacing = planning::SurfacingPlan{};
+  plan.surfacing->waypoints.resize(plan.waypoints.size());
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
+    plan.surfacing->waypoints[i].may_surface = true;
+    plan.surfacing->waypoints[i].error_without_fix = core::Metres{2500.0 * static_cast<double>(i)};
+  }
+
+  const auto set = write_mission_set(plan, options_for("slocum-g3-1000"));
+
+  ASSERT_TRUE(set.has_value());
+  EXPECT_EQ(value_of(read_of(*set, "plan.mi"), "max_wpt_distance"), 91000.0)
+      << "10 km more for 5 km of error";
+}
+
 TEST(MissionSet, TakesDepthsAndDistancesFromVehicleAndPlan) {
   const auto set = write_mission_set(two_legs(), options_for("slocum-g3-1000"));
 
