@@ -77,7 +77,7 @@ tl::expected<ReachInputs, core::Violations> parse_reach_inputs(const json& input
   read_vehicle(reader, request.vehicle);
   if (const auto spacing = reader.number("spacing_m", {10.0, 100'000.0}))
     request.spacing = core::Metres{*spacing};
-  if (const auto sectors = reader.integer("sectors", 1, 5)) request.sectors = *sectors;
+  request.sectors = reader.integer("sectors", 1, 5);
   request.zones = read_areas(reader);
   read_data(reader, result.data);
   read_iceberg_rules(reader, request.icebergs, result.data);
