@@ -15,7 +15,6 @@
 namespace floeplan::planning {
 namespace {
 
-constexpr double fastest_m_s = 5.0;     // the most that a request may ask for
 constexpr std::size_t most_zones = 10;  // that are left out, each alone
 constexpr core::Seconds an_hour = InputTrials::an_hour;
 constexpr core::Seconds a_day{86'400.0};
@@ -29,6 +28,11 @@ std::string written(const char* format, double from, double to) {
 
 }  // namespace
 
+core::MetresPerSecond fastest_tried(core::MetresPerSecond now) {
+  constexpr core::MetresPerSecond fastest{5.0};  // the most that a request may ask for
+  return std::min(fastest, 8.0 * now);
+}
+
 template <class Set>
 std::optional<double> InputChanges::nearest(double now, double extreme, double unit, const Set& set) {
   return trials_.nearest_that_helps(now, extreme, unit, [&](double value) {
@@ -40,9 +44,9 @@ std::optional<double> InputChanges::nearest(double now, double extreme, double u
 
 void InputChanges::raise_speed() {
   const double now = request_.vehicle.speed_through_water.value;
-  const auto needed =
-      nearest(now, std::min(fastest_m_s, 8.0 * now), 0.01,
-              [](PlanRequest& changed, double speed) { changed.vehicle.speed_through_water = {speed}; });
+  const auto needed = nearest(now, fastest_tried({now}).value, 0.01, [](PlanRequest& changed, double speed) {
+    changed.vehicle.speed_through_water = {speed};
+  });
   if (!needed) return;
   add("speed_m_s", now, *needed, *needed / now,
       written("raise the speed through the water from %.2f to %.2f m/s", now, *needed));
@@ -51,11 +55,9 @@ void InputChanges::raise_speed() {
 void InputChanges::raise_the_thrusters_speed() {
   if (drives(request_.energy, request_.vehicle).back() != vehicle::Drive::thruster) return;
   const double now = request_.vehicle.thruster->speed.value;
-  const auto needed =
-      nearest(now, std::min(fastest_m_s, 8.0 * now), 0.01, [](PlanRequest& changed, double speed) {
-        changed.vehicle.thruster =
-            vehicle::Thruster{.speed = {speed}, .power = vehicle::thruster_power({speed})};
-      });
+  const auto needed = nearest(now, fastest_tried({now}).value, 0.01, [](PlanRequest& changed, double speed) {
+    changed.vehicle.thruster = vehicle::Thruster{.speed = {speed}, .power = vehicle::thruster_power({speed})};
+  });
   if (!needed) return;
   add("vehicle/thruster/speed_m_s", now, *needed, *needed / now,
       written("raise the thruster's speed from %.2f to %.2f m/s", now, *needed));

@@ -13,6 +13,9 @@
 
 namespace floeplan::planning {
 
+/// As far as a higher speed than `now` is tried, of the vehicle or of its thruster.
+[[nodiscard]] core::MetresPerSecond fastest_tried(core::MetresPerSecond now);
+
 struct FoundChanges {
   std::vector<Change> changes;           // the one that asks least first
   bool cut_short{false};                 // some trial told nothing: smaller changes, or others, may help, too

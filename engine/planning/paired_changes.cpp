@@ -4,12 +4,11 @@
 #include <array>
 #include <utility>
 
+#include "engine/planning/input_changes.hpp"
 #include "engine/planning/relaxation.hpp"
 
 namespace floeplan::planning {
 namespace {
-
-constexpr core::MetresPerSecond fastest{5.0};  // the most that a request may ask for
 
 /// The inputs that can help against a constraint, all at once.
 struct Inputs {
@@ -23,8 +22,11 @@ bool has_areas(const ocean::Environment&, const PlanRequest& request) { return !
 void leave_out_areas(PlanRequest& request) { request.zones.clear(); }
 void take_areas(PlanRequest& request, const PlanRequest& of) { request.zones = of.zones; }
 
-bool has_bed(const ocean::Environment& environment, const PlanRequest& request) {
-  return environment.bathymetry != nullptr && vehicle::find_profile(request.vehicle.name).has_value();
+bool has_depths_to_spare(const ocean::Environment& environment, const PlanRequest& request) {
+  const auto profile = vehicle::find_profile(request.vehicle.name);
+  return environment.bathymetry && profile &&
+         (request.vehicle.altimeter_margin > profile->altimeter_margin ||
+          request.vehicle.minimum_working_depth > profile->minimum_working_depth);
 }
 void come_nearer_to_the_bed(PlanRequest& request) {
   const auto profile = vehicle::find_profile(request.vehicle.name);
@@ -37,15 +39,18 @@ void take_depths(PlanRequest& request, const PlanRequest& of) {
   request.vehicle.minimum_working_depth = of.vehicle.minimum_working_depth;
 }
 
-bool has_icebergs(const ocean::Environment& environment, const PlanRequest&) {
-  return !environment.icebergs.empty();
+bool has_margin_of_icebergs(const ocean::Environment& environment, const PlanRequest& request) {
+  return !environment.icebergs.empty() && request.icebergs.margin.value > 0.0;
 }
 void come_nearer_to_icebergs(PlanRequest& request) { request.icebergs.margin = core::Metres{0.0}; }
 void take_margin(PlanRequest& request, const PlanRequest& of) {
   request.icebergs.margin = of.icebergs.margin;
 }
 
-bool has_ice(const ocean::Environment& environment, const PlanRequest&) { return environment.ice != nullptr; }
+bool has_rules_of_ice(const ocean::Environment& environment, const PlanRequest& request) {
+  const UnderIceRules& rules = request.under_ice;
+  return environment.ice && (rules.max_time_without_surfacing || rules.margin_below_ice.value > 0.0);
+}
 void come_nearer_to_ice(PlanRequest& request) {
   request.under_ice.max_time_without_surfacing.reset();
   request.under_ice.margin_below_ice = core::Metres{0.0};
@@ -59,7 +64,7 @@ bool has_currents(const ocean::Environment& environment, const PlanRequest&) {
   return environment.currents != nullptr;
 }
 void go_faster(PlanRequest& request) {
-  request.vehicle.speed_through_water = std::min(fastest, 8.0 * request.vehicle.speed_through_water);
+  request.vehicle.speed_through_water = fastest_tried(request.vehicle.speed_through_water);
 }
 void take_speed(PlanRequest& request, const PlanRequest& of) {
   request.vehicle.speed_through_water = of.vehicle.speed_through_water;
@@ -67,9 +72,9 @@ void take_speed(PlanRequest& request, const PlanRequest& of) {
 
 constexpr std::array all_inputs{
     Inputs{Constraint::zone, has_areas, leave_out_areas, take_areas},
-    Inputs{Constraint::depth, has_bed, come_nearer_to_the_bed, take_depths},
-    Inputs{Constraint::iceberg, has_icebergs, come_nearer_to_icebergs, take_margin},
-    Inputs{Constraint::ice, has_ice, come_nearer_to_ice, take_ice},
+    Inputs{Constraint::depth, has_depths_to_spare, come_nearer_to_the_bed, take_depths},
+    Inputs{Constraint::iceberg, has_margin_of_icebergs, come_nearer_to_icebergs, take_margin},
+    Inputs{Constraint::ice, has_rules_of_ice, come_nearer_to_ice, take_ice},
     Inputs{Constraint::current, has_currents, go_faster, take_speed}};
 
 bool is_speed(const Change& change) { return change.input == "speed_m_s"; }
