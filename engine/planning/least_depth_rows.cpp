@@ -12,13 +12,6 @@ namespace {
 
 constexpr float unknown = std::numeric_limits<float>::quiet_NaN();
 
-/// Which of the cells between the nodes holds the value.
-std::optional<std::size_t> cell_of(const ocean::Axis& axis, double value) {
-  if (!(value >= axis.front() && value <= axis.back()) || axis.size() < 2) return std::nullopt;
-  const auto above = std::ranges::upper_bound(axis.nodes(), value);
-  return std::min(static_cast<std::size_t>(above - axis.nodes().begin()), axis.size() - 1) - 1;
-}
-
 /// Where a box ends, or a line of the data through it.
 struct Line {
   double at;
@@ -49,6 +42,8 @@ LeastDepthRows::LeastDepthRows(const PlaneRaster& raster, const ocean::Bathymetr
       bathymetry_{bathymetry},
       enough_m_{static_cast<float>(enough.value)},
       geographic_{std::holds_alternative<geo::GeographicFrame>(bathymetry.grid().frame())},
+      columns_{bathymetry.grid().x().nodes()},
+      rows_{bathymetry.grid().y().nodes()},
       lookup_{bathymetry.grid().frame(), projection, raster.area().grown(raster.cell_m()), stop},
       below_(static_cast<std::size_t>(raster.nx() + 1)),
       above_(below_.size()),
@@ -71,7 +66,7 @@ void LeastDepthRows::fill(std::int64_t iy, std::vector<Corner>& corners) const {
     geo::GridPoint at =
         lookup_.coordinates({raster_.area().low.x_m + raster_.cell_m() * static_cast<double>(i), y_m});
     if (geographic_) at.x -= 360.0 * std::floor((at.x - grid.x().front()) / 360.0 + 1e-9);
-    corners[i] = {at.x, at.y, cell_of(grid.x(), at.x), cell_of(grid.y(), at.y)};
+    corners[i] = {at.x, at.y, columns_.locate(at.x), rows_.locate(at.y)};
   }
 }
 
@@ -95,8 +90,9 @@ std::optional<float> LeastDepthRows::least_node(const Corner& a, const Corner& b
                                                 const Corner& d) const {
   if (!a.column || !b.column || !c.column || !d.column || !a.row || !b.row || !c.row || !d.row)
     return std::nullopt;
-  const auto [first_column, last_column] = std::minmax({*a.column, *b.column, *c.column, *d.column});
-  const auto [first_row, last_row] = std::minmax({*a.row, *b.row, *c.row, *d.row});
+  const auto [first_column, last_column] =
+      std::minmax({a.column->cell, b.column->cell, c.column->cell, d.column->cell});
+  const auto [first_row, last_row] = std::minmax({a.row->cell, b.row->cell, c.row->cell, d.row->cell});
   const std::vector<float>& depths_m = bathymetry_.shoalest_m();
   const std::size_t columns = bathymetry_.grid().x().size();
   float least_m = std::numeric_limits<float>::infinity();

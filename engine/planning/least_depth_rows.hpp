@@ -1,6 +1,5 @@
 #pragma once
 
-#include <cstddef>
 #include <cstdint>
 #include <optional>
 #include <stop_token>
@@ -8,6 +7,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/ocean/bathymetry.hpp"
+#include "engine/planning/fast_axis.hpp"
 #include "engine/planning/grid_lookup.hpp"
 #include "engine/planning/plane_raster.hpp"
 
@@ -34,8 +34,8 @@ class LeastDepthRows {
   struct Corner {
     double x{};
     double y{};
-    std::optional<std::size_t> column{};
-    std::optional<std::size_t> row{};
+    std::optional<CellPosition> column{};
+    std::optional<CellPosition> row{};
   };
 
   void fill(std::int64_t iy, std::vector<Corner>& corners) const;
@@ -52,6 +52,8 @@ class LeastDepthRows {
   const ocean::Bathymetry& bathymetry_;
   float enough_m_;
   bool geographic_;
+  FastAxis columns_;
+  FastAxis rows_;
   GridLookup lookup_;
   std::int64_t row_{};
   std::vector<Corner> below_;
