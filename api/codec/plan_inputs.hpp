@@ -36,8 +36,9 @@ struct EvaluateInputs {
 /// Reads the `inputs` object of an execute request (or of a request file).
 /// Errors   every violation at once, each with the JSON pointer of its value relative to `inputs` ("/depart")
 [[nodiscard]] tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const nlohmann::json& inputs);
-/// Widens the data asked for to some kilometres round the way of a plan that was made, which may lead further round than
-/// the request's own area reaches.
+
+/// Widens the data asked for to some kilometres round the way of a plan that was made, which may lead further round
+/// than the request's own area reaches.
 void cover_way(PlanInputs& inputs, const geo::BoundingBox& way);
 
 [[nodiscard]] tl::expected<EvaluateInputs, core::Violations> parse_evaluate_inputs(

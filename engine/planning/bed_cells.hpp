@@ -18,7 +18,8 @@ namespace floeplan::planning {
 /// Threads  const members may be called from several threads at once
 class BedCells {
  public:
-  /// `bathymetry` must not be null. `enough`  the most that is ever asked for. Once `stop` is requested it stays incomplete and must not be used
+  /// `bathymetry` must not be null. `enough`  the most that is ever asked for. Once `stop` is requested it stays
+  /// incomplete and must not be used
   BedCells(std::shared_ptr<const ocean::Bathymetry> bathymetry, core::Metres enough,
            const geo::LocalProjection& projection, const PlaneBox& area, core::Metres cell,
            const std::stop_token& stop);

@@ -173,14 +173,12 @@ bool has_strong_currents(const Sea& sea) {
 /// What areas lack where currents are as fast as the vehicle.
 std::string strong_currents_warning(Direction direction) {
   std::string text =
-      "currents somewhere in the area are as fast as the vehicle: whole legs of the grid are closed in them, "
-      "and "
-      "the areas may be some per cent smaller than the truth";
+      "currents somewhere in the area are as fast as the vehicle: whole legs of the grid are closed "
+      "in them, and the areas may be some per cent smaller than the truth";
   if (direction == Direction::to) {
     text +=
-        "; places from which the vehicle is in time only because a current that closes its way opens again "
-        "later "
-        "may be missing";
+        "; places from which the vehicle is in time only because a current that closes its way opens "
+        "again later may be missing";
   }
   return text + "; another --spacing may show more";
 }

@@ -150,8 +150,8 @@ class Sea {
   [[nodiscard]] bool may_surface(geo::PlanePoint point, core::Seconds time) const {
     return (!ice_ || ice_->may_surface(point, time)) && !icebergs_.least_upper_turn(point, time);
   }
-  /// The same, and whether there is room below the ice from the last look at it; `watch` is empty where nothing is known
-  /// of ice.
+  /// The same, and whether there is room below the ice from the last look at it; `watch` is empty where nothing is
+  /// known of ice.
   [[nodiscard]] UnderIce::Leave leave(std::optional<IceWatch>& watch, geo::PlanePoint point,
                                       core::Seconds time) const;
   /// How close together looks at what is above are.

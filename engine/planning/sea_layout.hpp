@@ -28,8 +28,8 @@ namespace floeplan::planning {
                                              const geo::LocalProjection& projection, const PlaneBox& area);
 
 /// How long icebergs drift while a vehicle is on its way, at most: six times the straight way from stop to
-/// stop and the room that is asked for, for detours and head currents, and a day; whole days, so that ways of about one length have the
-/// same. Where it may wait on its way, 30 days.
+/// stop and the room that is asked for, for detours and head currents, and a day; whole days, so that ways of
+/// about one length have the same. Where it may wait on its way, 30 days.
 [[nodiscard]] core::Seconds drift_for_the_way(const PlanRequest& request);
 
 /// Where icebergs may be passed under.

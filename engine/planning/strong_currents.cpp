@@ -31,10 +31,9 @@ constexpr double most_samples = 3.2e7;  // of the currents of an area with room:
 constexpr std::int64_t much_work = 5'000'000;
 
 constexpr const char* several_grids_warning =
-    "currents somewhere in the area are as fast as the vehicle: a little closes or opens a way, and this "
-    "plan is "
-    "the best of those on several grids; another --spacing, or a place to pass (--via), may lead to a better "
-    "one";
+    "currents somewhere in the area are as fast as the vehicle: a little closes or opens a way, and "
+    "this plan is the best of those on several grids; another --spacing, or a place to pass (--via), may "
+    "lead to a better one";
 
 core::MetresPerSecond through_water(const PlanRequest& request) {
   return drive_speed(request.vehicle, drives(request.energy, request.vehicle).back());
@@ -49,6 +48,11 @@ core::Metres longest_stretch(const PlanRequest& request) {
   for (std::size_t i = 1; i < stops.size(); ++i)
     longest = std::max(longest, geo::geodesic_between(stops[i - 1], stops[i]).length);
   return longest;
+}
+
+/// Beside the straight line and beyond its ends, as usual grids reach at most.
+core::Metres usual_room(const PlanRequest& request) {
+  return std::max(second_reach.across * longest_stretch(request), second_reach.at_least);
 }
 
 /// Of a box in degrees, for comparison with another one at about the same latitude.
@@ -99,11 +103,10 @@ bool any_current_may_close(const ocean::CurrentGrid& currents, const PlanRequest
 
 std::optional<Roomy> with_more_room(const ocean::Environment& environment, const PlanRequest& request,
                                     const WiderSea& wider) {
-  const core::Metres longest = longest_stretch(request);
   const double usual_deg2 = size(planning_area(request));
   PlanRequest roomy = with_more_directions(request);
-  roomy.room = std::clamp(distances_of_room * longest, least_room, most_room);
-  const core::Metres usual = std::max(second_reach.across * longest, second_reach.at_least);
+  roomy.room = std::clamp(distances_of_room * longest_stretch(request), least_room, most_room);
+  const core::Metres usual = usual_room(request);
   while (usual < *roomy.room) {
     const double grows_by = size(planning_area(roomy)) / usual_deg2;
     if (!wider) return Roomy{std::move(roomy), environment};
@@ -131,8 +134,7 @@ bool more_room_may_help(const Infeasible& why, const ocean::Environment& environ
 }
 
 Infeasible with_area_searched(Infeasible why, const PlanRequest& looked_for) {
-  const core::Metres usual =
-      std::max(second_reach.across * longest_stretch(looked_for), second_reach.at_least);
+  const core::Metres usual = usual_room(looked_for);
   why.explanation += "; ways were looked for no further than " +
                      kilometres_text(std::max(looked_for.room.value_or(usual), usual)) +
                      " beside the straight line and beyond its ends";
