@@ -37,7 +37,9 @@ json waypoint_json(const planning::Waypoint& waypoint, std::size_t index) {
           {"iceberg_encounters", optional_number(waypoint.iceberg_encounters)},
           {"energy_j", optional_value(waypoint.energy)},
           {"propulsion", waypoint.drive ? json(planning::drive_name(*waypoint.drive)) : json()},
-          {"speed_through_water_m_s", optional_value(waypoint.speed_through_water)}};
+          {"speed_through_water_m_s", optional_value(waypoint.speed_through_water)},
+          {"current_east_m_s", waypoint.current ? json(waypoint.current->east.value) : json()},
+          {"current_north_m_s", waypoint.current ? json(waypoint.current->north.value) : json()}};
 }
 
 json late_opening_json(const std::optional<planning::LateOpening>& opening) {
@@ -96,6 +98,14 @@ std::optional<vehicle::Drive> stored_drive(const json& object) {
   return drive;
 }
 
+/// Plans of older versions do not tell.
+std::optional<geo::VelocityEn> stored_current(const json& object) {
+  const auto east = stored_quantity<core::MetresPerSecond>(object, "current_east_m_s");
+  const auto north = stored_quantity<core::MetresPerSecond>(object, "current_north_m_s");
+  if (!east || !north) return std::nullopt;
+  return geo::VelocityEn{*east, *north};
+}
+
 planning::Waypoint parse_waypoint(const json& object) {
   planning::Waypoint waypoint{.place = {object.at("lon").get<double>(), object.at("lat").get<double>()},
                               .eta = stored_time(object, "eta"),
@@ -114,6 +124,7 @@ planning::Waypoint parse_waypoint(const json& object) {
   }
   waypoint.drive = stored_drive(object);
   waypoint.speed_through_water = stored_quantity<core::MetresPerSecond>(object, "speed_through_water_m_s");
+  waypoint.current = stored_current(object);
   waypoint.energy = stored_quantity<core::Joules>(object, "energy_j");
   return waypoint;
 }

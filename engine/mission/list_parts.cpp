@@ -41,6 +41,54 @@ std::optional<core::Metres> beyond_iceberg(const planning::Plan& plan, const Lis
   return least;
 }
 
+/// Along a leg's course, with a current, of a vehicle that makes good the course; zero or less: it cannot.
+double made_good_m_s(const planning::Waypoint& leg, geo::VelocityEn current) {
+  const double course = core::degrees_to_radians(*leg.course_deg);
+  const double along_m_s = current.east.value * std::sin(course) + current.north.value * std::cos(course);
+  const double across_m_s = current.east.value * std::cos(course) - current.north.value * std::sin(course);
+  const double speed_m_s = leg.speed_through_water->value;
+  if (speed_m_s <= std::abs(across_m_s)) return 0.0;
+  return along_m_s + std::sqrt(speed_m_s * speed_m_s - across_m_s * across_m_s);
+}
+
+/// How long the vehicle is under way on a leg, at least as the plan has it, by its own reckoning if that is longer.
+double time_under_way_s(const planning::Waypoint& leg, core::Seconds planned, geo::VelocityEn reckoned_with) {
+  if (!leg.course_deg || !leg.leg_length || !leg.speed_through_water) return planned.count();
+  const double speed_m_s = made_good_m_s(leg, reckoned_with);
+  return speed_m_s > 0.0 ? std::max(planned.count(), leg.leg_length->value / speed_m_s) : planned.count();
+}
+
+/// Mean over the legs from one waypoint to another; none where the plan tells none.
+geo::VelocityEn mean_current(const planning::Plan& plan, std::size_t from, std::size_t to) {
+  double east_m = 0.0;
+  double north_m = 0.0;
+  for (std::size_t i = from + 1; i <= to; ++i) {
+    const geo::VelocityEn current = plan.waypoints[i].current.value_or(geo::VelocityEn{});
+    const double time_s = (plan.waypoints[i].eta - plan.waypoints[i - 1].eta).count();
+    east_m += current.east.value * time_s;
+    north_m += current.north.value * time_s;
+  }
+  const double all_s = (plan.waypoints[to].eta - plan.waypoints[from].eta).count();
+  if (all_s <= 0.0) return {};
+  return {{east_m / all_s}, {north_m / all_s}};
+}
+
+/// How far the currents on the list's way carry the vehicle against what it reckons with.
+core::Metres carried_off(const planning::Plan& plan, const ListPart& part) {
+  const geo::VelocityEn reckoned_with =
+      part.before > 0 ? mean_current(plan, part.before - 1, part.first - 1) : geo::VelocityEn{};
+  double east_m = 0.0;
+  double north_m = 0.0;
+  for (std::size_t i = part.first; i <= part.last; ++i) {
+    const planning::Waypoint& leg = plan.waypoints[i];
+    if (!leg.current) continue;
+    const double time_s = time_under_way_s(leg, leg.eta - plan.waypoints[i - 1].eta, reckoned_with);
+    east_m += (leg.current->east - reckoned_with.east).value * time_s;
+    north_m += (leg.current->north - reckoned_with.north).value * time_s;
+  }
+  return {std::hypot(east_m, north_m)};
+}
+
 /// Whether the list may end there with room for more than so much.
 bool has_room(const planning::Plan& plan, const ListPart& part, core::Metres (ListEnd::*room)() const,
               core::Metres radius) {
@@ -50,7 +98,8 @@ bool has_room(const planning::Plan& plan, const ListPart& part, core::Metres (Li
 }
 
 /// Of the list that begins with this waypoint.
-std::size_t last_of_list(const planning::Plan& plan, std::size_t first, const ListRules& rules) {
+std::size_t last_of_list(const planning::Plan& plan, std::size_t first, std::size_t before,
+                         const ListRules& rules) {
   const std::size_t farthest = std::min(first + rules.max_waypoints, plan.waypoints.size()) - 1;
   const auto farthest_where = [&](const auto& suits) -> std::optional<std::size_t> {
     for (std::size_t last = farthest; last >= first; --last)
@@ -58,8 +107,8 @@ std::size_t last_of_list(const planning::Plan& plan, std::size_t first, const Li
     return std::nullopt;
   };
   for (const auto room : {&ListEnd::sure_room, &ListEnd::room}) {
-    if (const auto last =
-            farthest_where([&](std::size_t i) { return has_room(plan, {first, i}, room, rules.radius); }))
+    if (const auto last = farthest_where(
+            [&](std::size_t i) { return has_room(plan, {first, i, before}, room, rules.radius); }))
       return *last;
   }
   for (const Overhead wanted : {Overhead::unknown, Overhead::open}) {
@@ -87,6 +136,14 @@ bool passes_below(const planning::Plan& plan, const ListPart& part) {
   return false;
 }
 
+core::Metres error_of(const planning::Plan& plan, const ListPart& part) {
+  if (!plan.surfacing) return {};
+  const auto& before = plan.surfacing->waypoints[part.first - 1].error_without_fix;
+  const auto& after = plan.surfacing->waypoints[part.last].error_without_fix;
+  if (!before || !after) return {};
+  return *after - *before + carried_off(plan, part);
+}
+
 core::Metres ListEnd::room() const {
   core::Metres least{std::numeric_limits<double>::infinity()};
   if (beyond_ice) least = *beyond_ice;
@@ -109,7 +166,7 @@ std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part) 
   if (!last.ice_free_before || !last.error_without_fix || !before.error_without_fix) return std::nullopt;
   ListEnd end{.beyond_iceberg = beyond_iceberg(plan, part),
               .from_ice = last.nearest_ice,
-              .error = *last.error_without_fix - *before.error_without_fix};
+              .error = error_of(plan, part)};
   if (*last.ice_free_before < length_of(plan, part)) end.beyond_ice = *last.ice_free_before;
   return end;
 }
@@ -134,8 +191,10 @@ std::string text_of(const ListEnd& end, core::Metres radius) {
 
 std::vector<ListPart> part_into_lists(const planning::Plan& plan, const ListRules& rules) {
   std::vector<ListPart> parts;
+  std::size_t before = 0;
   for (std::size_t first = 1; first < plan.waypoints.size();) {
-    parts.push_back({first, last_of_list(plan, first, rules)});
+    parts.push_back({first, last_of_list(plan, first, before, rules), before});
+    before = first;
     first = parts.back().last + 1;
   }
   return parts;

@@ -15,6 +15,7 @@ namespace floeplan::mission {
 struct ListPart {
   std::size_t first{};
   std::size_t last{};
+  std::size_t before{};  // first row of the list before it, 0: there is none
 
   friend bool operator==(const ListPart&, const ListPart&) = default;
 };
@@ -36,12 +37,18 @@ struct ListEnd {
   std::optional<core::Metres> beyond_iceberg{};  // the same
   /// To any side; empty: it is farther than any error, nothing is known of it, or the plan is older than this.
   std::optional<core::Metres> from_ice{};
-  core::Metres error{};  // at most, grown on the way of the list, on which there is no fix
+  core::Metres error{};  // of the list, as error_of tells
 
   /// For the radius, of a vehicle that knows where it is and comes along its way.
   [[nodiscard]] core::Metres room() const;
   [[nodiscard]] core::Metres sure_room() const;  // the same, however far it is off; may be negative
 };
+
+/// How far the position may be off where a list ends, on whose way there is no fix: what the error has grown by, and how
+/// far the currents of the plan carry the vehicle against the one that it reckons with, the mean over the list before,
+/// on the first list none. Against currents that it does not know of it is as long under way as it takes by its own
+/// reckoning, if that is longer. Zero for plans that do not tell of their error.
+[[nodiscard]] core::Metres error_of(const planning::Plan& plan, const ListPart& part);
 
 /// Empty where the list's way passes below nothing and no ice is near its end, and in plans stored before it was kept.
 [[nodiscard]] std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part);

@@ -52,13 +52,8 @@ core::Violations violations_of(const planning::Plan& plan, const MissionSetOptio
 /// The most that the position may be off at a fix that ends a list.
 core::Metres largest_error(const planning::Plan& plan, const GotoListOptions& options) {
   core::Metres largest{0.0};
-  if (!plan.surfacing) return largest;
-  const auto& states = plan.surfacing->waypoints;
-  for (const ListPart& part : part_into_lists(plan, {static_cast<std::size_t>(options.max_waypoints)})) {
-    const auto& before = states[part.first - 1].error_without_fix;
-    const auto& after = states[part.last].error_without_fix;
-    if (before && after) largest = std::max(largest, *after - *before);
-  }
+  for (const ListPart& part : part_into_lists(plan, {static_cast<std::size_t>(options.max_waypoints)}))
+    largest = std::max(largest, error_of(plan, part));
   return largest;
 }
 

@@ -7,6 +7,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/geo/velocity.hpp"
 #include "engine/ocean/dataset_ref.hpp"
 #include "engine/planning/energy_use.hpp"
 #include "engine/planning/keel.hpp"
@@ -31,6 +32,9 @@ struct Waypoint {
   std::optional<core::Joules> energy{};      // drawn since the departure
   std::optional<vehicle::Drive> drive{};     // of the leg
   std::optional<core::MetresPerSecond> speed_through_water{};  // horizontal, on the leg
+  /// Mean over the leg, averaged over the depths flown; empty at the start, where no currents are known, and in plans
+  /// stored before it was kept.
+  std::optional<geo::VelocityEn> current{};
   core::Seconds wait{};  // here, after the arrival and before the next leg; draws energy as if under way
 };
 

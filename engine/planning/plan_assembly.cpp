@@ -11,6 +11,7 @@
 #include "engine/geo/coarse_outline.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/coast_lines.hpp"
+#include "engine/planning/met_currents.hpp"
 #include "engine/planning/plane_distance.hpp"
 #include "engine/planning/surfacing.hpp"
 #include "engine/planning/water_warnings.hpp"
@@ -315,11 +316,13 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
   plan.vehicle = request.vehicle.name;
   plan.departure = request.depart;
   plan.arrival = request.depart + arrivals.back();
+  const auto currents = leg_currents(sea, route, schedule, drives);
   EnergyUse drawn;
   for (std::size_t i = 0; i < route.size(); ++i) {
     Waypoint waypoint;
     waypoint.place = sea.projection().to_lon_lat(route[i]);
     waypoint.eta = request.depart + arrivals[i];
+    waypoint.current = currents[i];
     if (environment.bathymetry) waypoint.depth = environment.bathymetry->depth(waypoint.place);
     if (i > 0) {
       const geo::GeodesicLine leg = geo::geodesic_between(plan.waypoints.back().place, waypoint.place);

@@ -4,6 +4,7 @@
 #include <cmath>
 #include <optional>
 
+#include "engine/planning/met_currents.hpp"
 #include "engine/planning/position_error.hpp"
 
 namespace floeplan::planning {
@@ -16,27 +17,29 @@ class Log {
       : sea_{sea},
         request_{request},
         here_{{start, core::Seconds{0.0}}},
-        fix_{here_},
+        fix_{.look = here_},
         last_open_{here_},
-        last_sure_{here_} {}
+        last_sure_{.look = here_} {}
 
   /// The next look: until then the vehicle is under way by `drive`.
   void look(const Sea::Passage& now, vehicle::Drive drive) {
     const Look last = here_;
-    here_ = {now, last.error + grown_error(request_.under_ice, sea_.speed(drive), now.time - last.at.time)};
+    here_ = {now, last.error + grown_error(request_.under_ice, sea_.speed(drive), now.time - last.at.time),
+             last.carried + carried_between(sea_, last.at, now)};
+    farthest_carried_ = std::max(farthest_carried_, here_.carried.length());
     const bool open = sea_.may_surface(now.point, now.time);
     if (request_.under_ice.surfacing_interval) surface_when_due(open);
     if (!(open && was_open_))
       plan.longest_without = std::max(plan.longest_without, now.time - last_open_.at.time);
     if (open) {
       last_open_ = here_;
-      if (!request_.under_ice.surfacing_interval) fix_ = here_;
+      if (!request_.under_ice.surfacing_interval) fix_ = next_fix(fix_, here_);
     }
     was_open_ = open;
-    const bool sure = open && !ice_within(here_.error - last_sure_.error);
+    const bool sure = open && !ice_within(error_since(last_sure_, here_));
     if (!(sure && was_sure_))
-      plan.longest_without_sure = std::max(plan.longest_without_sure, now.time - last_sure_.at.time);
-    if (sure) last_sure_ = here_;
+      plan.longest_without_sure = std::max(plan.longest_without_sure, now.time - last_sure_.look.at.time);
+    if (sure) last_sure_ = next_fix(last_sure_, here_);
     was_sure_ = sure;
     const core::Metres turn = sea_.least_upper_turn(now.point, now.time);
     const core::Metres step = sea_.ground_length(last.at.point, now.point);
@@ -62,6 +65,12 @@ class Log {
   struct Look {
     Sea::Passage at;
     core::Metres error{};  // grown since the start without any fix
+    CarriedWay carried{};  // by the currents since the start
+  };
+  /// A fix of the position, and the current that the vehicle reckons with from then on.
+  struct Fix {
+    Look look;
+    motion::CurrentXy assumed{};  // none before the first dive is over
   };
   /// A look at which the vehicle might have surfaced.
   struct Opening {
@@ -84,7 +93,7 @@ class Log {
                          .least_upper_turn = sea_.least_upper_turn(point, time),
                          .ice_free_before = ice_free_before_,
                          .error_without_fix = here_.error};
-    state.nearest_ice = ice_within(here_.error);
+    state.nearest_ice = ice_within(here_.error + 2.0 * farthest_carried_);
     if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
     return state;
   }
@@ -107,10 +116,24 @@ class Log {
       plan.ice_beside = {turn, error, sea_.projection().to_lon_lat(point)};
   }
 
-  [[nodiscard]] core::Metres error_at(const Look& look) const { return look.error - fix_.error; }
+  /// Grown since the fix, and how far the currents have carried the vehicle against the one that it reckons with.
+  [[nodiscard]] static core::Metres error_since(const Fix& fix, const Look& look) {
+    const CarriedWay reckoned = fix.assumed * (look.at.time - fix.look.at.time);
+    return look.error - fix.look.error + (look.carried - fix.look.carried - reckoned).length();
+  }
+
+  /// It tells of the current since the fix before.
+  [[nodiscard]] static Fix next_fix(const Fix& before, const Look& look) {
+    const double under_water_s = (look.at.time - before.look.at.time).count();
+    if (under_water_s <= 0.0) return {look, before.assumed};
+    const CarriedWay carried = look.carried - before.look.carried;
+    return {look, {carried.x_m / under_water_s, carried.y_m / under_water_s}};
+  }
+
+  [[nodiscard]] core::Metres error_at(const Look& look) const { return error_since(fix_, look); }
 
   [[nodiscard]] bool is_due() const {
-    return here_.at.time - fix_.at.time > *request_.under_ice.surfacing_interval;
+    return here_.at.time - fix_.look.at.time > *request_.under_ice.surfacing_interval;
   }
 
   [[nodiscard]] Opening opening_here() const {
@@ -137,16 +160,17 @@ class Log {
     const Look look = opening.look;
     plan.surfacings.push_back({sea_.projection().to_lon_lat(look.at.point), request_.depart + look.at.time,
                                error_at(look), opening.nearest_ice});
-    fix_ = look;
+    fix_ = next_fix(fix_, look);
     best_opening_.reset();
   }
 
   const Sea& sea_;
   const PlanRequest& request_;
   Look here_;
-  Look fix_;
+  Fix fix_;
   Look last_open_;
-  Look last_sure_;                         // open with no ice within the error grown since the one before
+  Fix last_sure_;                          // open with no ice within the error since the one before
+  core::Metres farthest_carried_{};        // at any look
   std::optional<Opening> best_opening_{};  // since the last fix, the last of those as good
   bool was_open_{true};                    // the vehicle starts at the surface
   bool was_sure_{true};

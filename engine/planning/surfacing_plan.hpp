@@ -13,7 +13,9 @@ namespace floeplan::planning {
 struct SurfacingState {
   bool may_surface{true};
   core::Seconds since_surfacing{};  // since the last place where it might have surfaced
-  core::Metres position_error{};    // of dead reckoning since the last fix
+  /// Of dead reckoning since the last fix: grown by the rules, and by how far the currents of the plan carry the vehicle
+  /// against the one that it takes them for, the mean of its dive before that fix (none before the first).
+  core::Metres position_error{};
   core::Metres least_upper_turn{};  // how deep the dives must turn here; 0 where the vehicle may surface
   /// How deep they must turn where that is deepest on the leg that leads here and in the wait before it; 0 where
   /// nothing is above. Empty at the start, and in plans stored before it was kept.
@@ -21,10 +23,11 @@ struct SurfacingState {
   /// Length of the way up to here above which there has been no ice that dives must turn below, back to the start at
   /// most; 0 where there is. Empty in plans stored before it was kept.
   std::optional<core::Metres> ice_free_before{};
-  /// Of dead reckoning since the start, were there no fix on the way. Empty in plans stored before it was kept.
+  /// Grown by the rules since the start, were there no fix on the way, without what the currents carry. Empty in plans
+  /// stored before it was kept.
   std::optional<core::Metres> error_without_fix{};
-  /// From here to the nearest ice that dives must turn below, to any side. Empty where there is none within that
-  /// error, and in plans stored before it was kept.
+  /// From here to the nearest ice that dives must turn below, to any side. Empty where there is none within that error
+  /// and twice as far as the currents have carried the vehicle, and in plans stored before it was kept.
   std::optional<core::Metres> nearest_ice{};
 };
 

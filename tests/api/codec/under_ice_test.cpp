@@ -81,6 +81,7 @@ planning::Plan plan_with_surfacings() {
   plan.waypoints[0].eta = plan.departure;
   plan.waypoints[1].place = {-52.9, 69.0};
   plan.waypoints[1].eta = plan.arrival;
+  plan.waypoints[1].current = geo::VelocityEn{{0.12}, {-0.03}};
   plan.surfacing = planning::SurfacingPlan{
       .longest_without = core::Seconds{5400.0},
       .unknown_ice = {1200.0},
@@ -118,6 +119,9 @@ TEST(PlanDocument, SaysOfEachWaypointWhatIceMeansThere) {
   EXPECT_EQ(last.at("ice_free_before_m"), 0.0);
   EXPECT_EQ(last.at("error_without_fix_m"), 511.2);
   EXPECT_EQ(last.at("nearest_ice_m"), 120.5);
+  EXPECT_EQ(last.at("current_east_m_s"), 0.12);
+  EXPECT_EQ(last.at("current_north_m_s"), -0.03);
+  EXPECT_TRUE(document.at("waypoints").at(0).at("current_east_m_s").is_null());
   EXPECT_TRUE(document.at("waypoints").at(0).at("nearest_ice_m").is_null());
   EXPECT_TRUE(document.at("waypoints").at(0).at("leg_upper_turn_m").is_null());
   EXPECT_EQ(document.at("surfacing").at("planned").at(0).at("time"), "2027-01-15T08:30:00Z");
@@ -138,8 +142,8 @@ TEST(PlanDocument, WithSurfacingsIsReadBackTheSame) {
 TEST(PlanDocument, FromBeforeLegsToldHowDeepTheirDivesTurnIsStillRead) {
   json document = plan_document(plan_with_surfacings(), "p1", "");
   for (json& waypoint : document.at("waypoints"))
-    for (const char* later :
-         {"leg_upper_turn_m", "ice_free_before_m", "error_without_fix_m", "nearest_ice_m"})
+    for (const char* later : {"leg_upper_turn_m", "ice_free_before_m", "error_without_fix_m", "nearest_ice_m",
+                              "current_east_m_s", "current_north_m_s"})
       waypoint.erase(later);
 
   const planning::Plan plan = parse_plan_document(document);

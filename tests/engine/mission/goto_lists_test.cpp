@@ -334,6 +334,43 @@ TEST(GotoLists, WarnWhereTheVehicleMayBeOffSoFarThatItComesUpBelowTheIce) {
                                                        HasSubstr("more than 899 m from it"))));
 }
 
+/// Against a current that it has not measured the vehicle is off by as far as that carries it, too.
+TEST(GotoLists, CountWhatTheCurrentsOfThePlanCarryTheVehicle) {
+  planning::Plan plan = plan_out_of_the_ice();
+  for (std::size_t i = 0; i < 3; ++i) {
+    plan.waypoints[i].eta = plan.departure + core::Seconds{10'000.0 * static_cast<double>(i)};
+    plan.waypoints[i].current = geo::VelocityEn{{0.03}, {0.04}};
+  }
+
+  const auto once = write_goto_lists(plan, {});
+  const auto each = write_goto_lists(plan, {.max_waypoints = 1, .may_end_below_ice = true});
+
+  ASSERT_TRUE(once && each);
+  EXPECT_THAT(once->warnings, Contains(HasSubstr("may be off by 1600 m")))
+      << "600 m, and 20,000 s at 0.05 m/s";
+  EXPECT_THAT(each->warnings, testing::Not(Contains(HasSubstr("may be off by 1600 m"))))
+      << "the second list begins where the current of the first one is known";
+}
+
+/// Who takes a current that helps for none has farther to go by its own reckoning, and goes on for longer.
+TEST(GotoLists, CountThatTheVehicleGoesOnUntilItTakesItselfToBeThere) {
+  planning::Plan plan = plan_out_of_the_ice();
+  for (std::size_t i = 0; i < 3; ++i) {
+    planning::Waypoint& leg = plan.waypoints[i];
+    leg.eta = plan.departure + core::Seconds{10'000.0 * static_cast<double>(i)};
+    leg.leg_length = core::Metres{5000.0};
+    leg.course_deg = 90.0;
+    leg.speed_through_water = core::MetresPerSecond{0.25};
+    leg.current = geo::VelocityEn{{0.25}, {0.0}};
+  }
+
+  const auto lists = write_goto_lists(plan, {});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(lists->warnings, Contains(HasSubstr("may be off by 10600 m")))
+      << "40,000 s at 0.25 m/s, and 600 m";
+}
+
 /// The first list ends in open water just in front of the ice that the second one passes below.
 TEST(GotoLists, EndInFrontOfIceOnlyWhereTheyMustAndSaySo) {
   planning::Plan plan = plan_below_ice(6, {4});

@@ -471,6 +471,59 @@ TEST(PlanUnderIce, TheErrorOfThePositionGrowsUntilTheVehicleMaySurfaceAgain) {
   EXPECT_THAT(plan.warnings, Contains(HasSubstr("may not surface at the goal")));
 }
 
+/// Straight on to a goal in ice, in which the current runs northwards at `in_ice_m_s`, and with `outside_m_s` in front
+/// of it.
+Plan planned_into_ice_with_currents(const ocean::Environment& ice, double outside_m_s, double in_ice_m_s) {
+  PlanRequest request = support::eastward_request();
+  request.method = Method::direct;
+  request.to = {-53.0, 69.0};
+  ocean::Environment sea = ice;
+  sea.currents = support::currents_from(
+      [=](geo::LonLat place, double) {
+        return geo::VelocityEn{{0.0}, {place.lon_deg > -53.26 ? in_ice_m_s : outside_m_s}};
+      },
+      96);
+  return planned(sea, request);
+}
+
+core::Metres grown_by_the_rules(const SurfacingState& state) {
+  return {(0.06 * 0.35 + 0.05) * state.since_surfacing.count()};
+}
+
+TEST(PlanUnderIce, TheErrorCountsWhatCurrentsCarryWhoHasNotMeasuredThem) {
+  const ocean::Environment everywhere{
+      .ice = support::ice_from([](geo::LonLat, double) { return 0.9; }, {0.0}, 1.0)};
+
+  const Plan plan = planned_into_ice_with_currents(everywhere, 0.15, 0.15);
+
+  const SurfacingState& goal = plan.surfacing->waypoints.back();
+  const double carried_m = 0.15 * plan.travel_time().count();
+  EXPECT_NEAR(goal.position_error.value, grown_by_the_rules(goal).value + carried_m, 0.01 * carried_m);
+}
+
+TEST(PlanUnderIce, TheErrorDoesNotCountACurrentThatWasMeasuredBeforeTheDive) {
+  const Plan steady = planned_into_ice_with_currents(band_of_ice(), 0.15, 0.15);
+  const SurfacingState& goal = steady.surfacing->waypoints.back();
+  EXPECT_NEAR(goal.position_error.value, grown_by_the_rules(goal).value, 50.0);
+
+  const Plan turned = planned_into_ice_with_currents(band_of_ice(), -0.15, 0.15);
+  const SurfacingState& off = turned.surfacing->waypoints.back();
+  const double carried_m = 0.3 * off.since_surfacing.count();
+  const double against_m = off.position_error.value - grown_by_the_rules(off).value;
+  EXPECT_LT(against_m, carried_m);
+  EXPECT_GT(against_m, 0.75 * carried_m) << "it turns between two nodes of the data, not at once";
+}
+
+TEST(PlanUnderIce, TellsOfEachLegItsMeanCurrent) {
+  const Plan plan = planned_into_ice_with_currents(band_of_ice(), 0.1, 0.1);
+
+  EXPECT_FALSE(plan.waypoints.front().current.has_value());
+  ASSERT_TRUE(plan.waypoints.back().current.has_value());
+  EXPECT_NEAR(plan.waypoints.back().current->east.value, 0.0, 2e-3);
+  EXPECT_NEAR(plan.waypoints.back().current->north.value, 0.1, 2e-3);
+  EXPECT_FALSE(planned(band_of_ice(), support::eastward_request()).waypoints.back().current.has_value());
+}
+
 TEST(PlanUnderIce, WarnsWhereTheVehicleMayNotSurfaceAtTheDeparture) {
   PlanRequest request = support::eastward_request();
   EXPECT_THAT(planned(band_of_ice(), request).warnings,

@@ -84,6 +84,8 @@ export interface Waypoint {
   course_deg: number | null;
   speed_over_ground_m_s: number | null;
   depth_m: number | null;
+  current_east_m_s?: number | null; // mean over the leg, newer than the rest
+  current_north_m_s?: number | null;
   may_surface?: boolean | null;
   since_last_surfacing_s?: number | null;
   position_error_m?: number | null;
