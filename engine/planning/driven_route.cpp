@@ -77,7 +77,7 @@ tl::expected<DrivenTimes, motion::EdgeClosed> drive_along(const Sea& sea, const 
 tl::expected<DrivenTimes, motion::EdgeClosed> drive_in_time(const Sea& sea, const DrivenRoute& route,
                                                             core::Seconds depart) {
   const vehicle::Drive first = sea.drives().front();
-  const bool waits = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
+  const bool waits = waits_may_help(sea);
   if (!waits || std::ranges::any_of(route.drives, [&](vehicle::Drive drive) { return drive != first; }))
     return drive_along(sea, route, depart);
   const auto schedule = schedule_along(sea, route.points, depart);

@@ -240,7 +240,9 @@ Infeasible explain_search(const RouteSearch& search, const Sea& sea, const PlanR
             opening->place,
             opening->refused,
             "no way was found to the goal: " + describe(*opening),
-            "depart later, or have the departure searched in a window (--depart-until)",
+            std::string{"depart later, "} +
+                (sea.longest_wait().count() > 0.0 ? "let the vehicle wait longer" : "let the vehicle wait") +
+                " (--max-loiter), or have the departure searched in a window (--depart-until)",
             Constraint::current};
   }
   // What closes most of the ways onward from the place nearest to the goal binds there; equal counts: the

@@ -144,23 +144,28 @@ Attempt plan_on_grids(const ocean::Environment& environment, const PlanRequest& 
   return best;
 }
 
+bool waits_somewhere(const Result<Plan>& plan) {
+  return plan && std::ranges::any_of(plan->waypoints,
+                                     [](const Waypoint& waypoint) { return waypoint.wait.count() > 0.0; });
+}
+
 /// Whether a plan only seems the better one: it kills time under way where the other one waits, and is earlier by no
 /// more than the searches are exact to.
 bool only_kills_time(const Attempt& moving, const Result<Plan>& waiting) {
   constexpr double just_as_good = 2e-3;  // of a search and of a refinement
-  const bool waits = waiting && std::ranges::any_of(waiting->waypoints, [](const Waypoint& waypoint) {
-                       return waypoint.wait.count() > 0.0;
-                     });
-  if (!waits || waiting->travel_time() > (1.0 + just_as_good) * moving.plan->travel_time()) return false;
+  if (!waits_somewhere(waiting) || waiting->travel_time() > (1.0 + just_as_good) * moving.plan->travel_time())
+    return false;
   const Sea& sea = moving.chart->sea;
   const auto schedule = schedule_along(sea, moving.route.points, at_departure);
   return schedule && longest_killing_of_time(sea, moving.route, *schedule).has_value();
 }
 
-/// The request without its leave to wait and to pass under icebergs; empty where neither can make a difference.
-std::optional<PlanRequest> without_leave(const ocean::Environment& environment, const PlanRequest& request) {
+/// The request without its leave to wait and to pass under icebergs; empty where neither made a difference to `plan`.
+std::optional<PlanRequest> without_leave(const ocean::Environment& environment, const PlanRequest& request,
+                                         const Result<Plan>& plan) {
   const bool has_icebergs = !environment.icebergs.empty();
-  const bool something_opens = has_icebergs || !environment.zones.empty() || !request.zones.empty();
+  const bool something_opens =
+      has_icebergs || !environment.zones.empty() || !request.zones.empty() || waits_somewhere(plan);
   const bool may_wait = request.max_loiter.count() > 0.0 && something_opens;
   const bool may_pass_under = request.icebergs.pass_under && has_icebergs;
   if (!may_wait && !may_pass_under) return std::nullopt;
@@ -176,7 +181,7 @@ Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanReque
                           const std::stop_token& stop, const core::ProgressCallback& progress,
                           const core::SteadyClock& clock) {
   Attempt best = plan_on_grids(environment, request, stop, progress, clock);
-  const std::optional<PlanRequest> strict = without_leave(environment, request);
+  const std::optional<PlanRequest> strict = without_leave(environment, request, best.plan);
   if (strict && !stop.stop_requested()) {
     // Refinement finds other ways where less is allowed: a leave must never make a plan later, but for the time that is
     // killed else.

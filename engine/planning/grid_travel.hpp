@@ -7,6 +7,7 @@
 
 #include "engine/graph/grid_graph.hpp"
 #include "engine/motion/edge_closed.hpp"
+#include "engine/planning/loiter.hpp"
 #include "engine/planning/route_grid.hpp"
 #include "engine/planning/sea.hpp"
 
@@ -59,6 +60,18 @@ struct UntimedTravelTime {
     return note_refusal(
         refused, edge, depart,
         sea.leg_time_without_timed_closures(grid.point(edge.tail), grid.point(edge.head), depart, latest));
+  }
+};
+
+/// With a wait at the tail, as long as the request allows, until the edge is open.
+struct WaitedTravelTime {
+  const Sea& sea;
+  const RouteGrid& grid;
+
+  tl::expected<core::Seconds, motion::EdgeClosed> operator()(const graph::Edge& edge, core::Seconds depart,
+                                                             core::Seconds latest) const {
+    return leg_when_open(sea, grid.point(edge.tail), grid.point(edge.head), depart, latest)
+        .map([](const WaitedLeg& leg) { return leg.total(); });
   }
 };
 

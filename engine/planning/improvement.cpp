@@ -31,7 +31,7 @@ struct SeaTimer {
 
 RefinementBudget budget_of(const Sea& sea, const PlanRequest& request, const std::stop_token& stop,
                            const core::SteadyClock& clock) {
-  const bool waits = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
+  const bool waits = waits_may_help(sea);
   const double per_second = waits ? timed_legs_per_second / cost_of_waiting : timed_legs_per_second;
   return refinement_budget(request, per_second, stop, clock);
 }

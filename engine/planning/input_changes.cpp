@@ -348,7 +348,10 @@ std::optional<core::Seconds> InputChanges::depart_later() {
 }
 
 void InputChanges::depart_later_or_wait() {
-  if (const auto delay = depart_later()) wait_for(*delay);
+  // On the way a current may turn where who departs later meets the next one.
+  constexpr core::Seconds half_a_tide{6.21 * 3600.0};
+  const auto delay = depart_later();
+  if (delay || request_.max_loiter.count() == 0.0) wait_for(delay.value_or(half_a_tide));
 }
 
 void InputChanges::depart_after(core::Seconds circling) {

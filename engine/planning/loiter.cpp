@@ -9,6 +9,8 @@ namespace {
 
 constexpr core::Seconds between_looks{900.0};
 constexpr int most_tries = 8;  // of a leg, each at a departure at which the straight and even way is clear
+constexpr int tries_in_currents = 48;  // a tidal cycle in quarters of an hour
+constexpr double tries_per_time_step = 4.0;
 constexpr core::Seconds least_delay{30.0};
 constexpr double least_delay_share = 0.02;  // of the leg's time
 
@@ -44,7 +46,32 @@ WaitedLeg soonest(const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Se
   return open;
 }
 
+/// The leg once the current that closes it at the arrival has slackened.
+tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_slack(const Sea& sea, geo::PlanePoint a,
+                                                           geo::PlanePoint b, core::Seconds arrive,
+                                                           core::Seconds latest, core::Seconds not_before) {
+  const auto closed = tl::unexpected(motion::EdgeClosed::current_too_strong);
+  const auto time_step = sea.currents() ? sea.currents()->time_step() : std::nullopt;
+  if (!time_step) return closed;
+  const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.longest_wait());
+  const core::Seconds between =
+      std::max(*time_step / tries_per_time_step, (stays - arrive) / tries_in_currents);
+  core::Seconds refused = arrive;
+  while (refused < stays) {
+    const core::Seconds depart = std::min(refused + between, stays);
+    if (const auto time = sea.leg_time(a, b, depart, latest); time && depart >= not_before)
+      return soonest(sea, a, b, arrive, latest, std::max(refused, not_before), {depart - arrive, *time});
+    refused = depart;
+  }
+  return closed;
+}
+
 }  // namespace
+
+bool waits_may_help(const Sea& sea) {
+  const bool currents_change = sea.currents() && sea.currents()->time_step();
+  return sea.longest_wait().count() > 0.0 && (sea.has_timed_closures() || currents_change);
+}
 
 core::Seconds next_closure(const Sea& sea, geo::PlanePoint place, core::Seconds from) {
   for (const TimeSpan& closed : sea.closed_times(place))
@@ -71,6 +98,8 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(const Sea& sea, geo::P
   const core::Seconds earliest = std::max(arrive, not_before);
   const auto at_once = sea.leg_time(a, b, arrive, latest);
   if (at_once && earliest == arrive) return WaitedLeg{core::Seconds{0.0}, *at_once};
+  if (!at_once && at_once.error() == motion::EdgeClosed::current_too_strong && waits_may_help(sea))
+    return leg_when_slack(sea, a, b, arrive, latest, earliest);
   const bool may_wait = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
   if (!may_wait || (!at_once && !opens_again(at_once.error())))
     return at_once.map([](core::Seconds time) { return WaitedLeg{core::Seconds{0.0}, time}; });

@@ -18,6 +18,10 @@ struct WaitedLeg {
   [[nodiscard]] core::Seconds total() const { return wait + time; }
 };
 
+/// Whether a wait may bring the vehicle through what it could not pass before: it has leave to, and zones, icebergs or
+/// currents are in its way for a while only.
+[[nodiscard]] bool waits_may_help(const Sea& sea);
+
 /// When a place is next closed for a while, or has been since, for who is there at `from`; infinite: never again.
 [[nodiscard]] core::Seconds next_closure(const Sea& sea, geo::PlanePoint place, core::Seconds from);
 
@@ -39,11 +43,13 @@ inline constexpr core::Seconds punctual{0.1};
 [[nodiscard]] core::Seconds fineness_of_waits(core::Seconds leg_time);
 
 /// The leg for a vehicle that is at its beginning at `arrive`: at once, or after the least wait, up to the request's
-/// longest, that lets it through what is closed for a while.
+/// longest, that lets it through what is closed for a while, or against a current that slackens.
 /// `not_before`: an earliest departure beside the arrival.
 /// Errors    as Sea::leg_time, for the departure at once
-/// Accuracy  that of Sea::first_clear_departure, or `punctual` where the leg is still closed then and stays open once it is; one that is open for less than `fineness_of_waits`, or a
-///           quarter of an hour, may be overlooked
+/// Accuracy  that of Sea::first_clear_departure, or `punctual` where the leg is still closed then and stays open once it
+///           is; one that is open for less than `fineness_of_waits`, or a quarter of an hour, may be overlooked; one that
+///           a current closed, if it is open for less than a quarter of the currents' time step or a forty-eighth of the
+///           time that the vehicle can stay
 [[nodiscard]] tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(
     const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
     core::Seconds latest = core::Seconds{INFINITY}, core::Seconds not_before = core::Seconds{0.0});

@@ -127,8 +127,7 @@ std::optional<Schedule> with_waits(const Sea& sea, const std::vector<geo::PlaneP
 tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::vector<geo::PlanePoint>& route,
                                                    core::Seconds depart, core::Seconds since_surfacing) {
   auto at_once = without_waits(sea, route, depart, since_surfacing);
-  const bool may_wait = sea.longest_wait().count() > 0.0 && sea.has_timed_closures();
-  if (at_once || !may_wait) return at_once;
+  if (at_once || !waits_may_help(sea)) return at_once;
   if (auto waited = with_waits(sea, route, depart, since_surfacing)) return *std::move(waited);
   return at_once;
 }

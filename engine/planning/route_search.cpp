@@ -231,6 +231,26 @@ bool look_for_a_wait(RouteSearch& result, const Sea& sea, const OpenGrid& open, 
   return true;
 }
 
+/// Replaces the way by one that waits until a current slackens, if it arrives earlier and the request allows it.
+void look_for_waits_in_currents(RouteSearch& result, const Sea& sea, const OpenGrid& open,
+                                const graph::Query& query, const StraightBound& straight,
+                                const std::stop_token& stop, const graph::ExpansionCallback& report) {
+  if (!waits_may_help(sea)) return;
+  const graph::SearchTree tree = graph::find_earliest_arrivals(
+      open.graph, query, WaitedTravelTime{sea, open.grid}, stop, straight, report);
+  result.cancelled = tree.stopped;
+  result.statistics.edge_evaluations += tree.counters.edge_evaluations;
+  result.statistics.expansions += tree.counters.expansions;
+  const core::Seconds arrival{tree.arrival_s(open.grid.goal)};
+  if (tree.stopped || !tree.is_reached(open.grid.goal) || (!result.path.empty() && arrival >= result.arrival))
+    return;
+  result.path.clear();
+  for (const Vertex v : graph::path_to(open.graph, tree, open.grid.goal))
+    result.path.push_back(open.grid.point(v));
+  result.arrival = arrival;
+  result.statistics.worst_fifo_violation.reset();  // who may wait loses nothing by it
+}
+
 /// The search as if the time without surfacing were not bounded.
 RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanRequest& request,
                              core::Seconds depart, const std::stop_token& stop,
@@ -365,6 +385,8 @@ RouteSearch search_unbounded(const Sea& sea, const OpenGrid& open, const PlanReq
       result.statistics.worst_fifo_violation = worse_of(result.statistics.worst_fifo_violation, opening);
     }
   }
+  if (result.statistics.fifo_violations > 0 && !result.cancelled)
+    look_for_waits_in_currents(result, sea, open, query, straight, stop, report);
   if (result.path.empty() && !result.cancelled) describe_end(result, sea, grid, graph, tree);
   return result;
 }

@@ -77,7 +77,10 @@ class GridTrial {
                                                   leaves, latest);
     };
     const GridTravelTime timed{sea_, open_.grid};
-    if (!sea_.has_timed_closures()) return likely_or_earliest_way(depart, timed).path;
+    if (!sea_.has_timed_closures()) {
+      Way at_once = likely_or_earliest_way(depart, timed);
+      return at_once.path.empty() && waits_may_help(sea_) ? path_with_waits(depart) : std::move(at_once.path);
+    }
 
     Way way = likely_or_earliest_way(depart, untimed);
     if (way.path.empty() || schedule_along(sea_, way.path, depart)) return std::move(way.path);
@@ -173,6 +176,19 @@ class GridTrial {
     const Bound bound{TowardsEarliestWay{{foresight_, straight, until_when}, last}};
     if (bound.latest_use(open_.grid.start) < depart) return graph::SearchTree{open_.graph.size()};
     return graph::find_earliest_arrivals(open_.graph, query, travel_time, stop_, bound);
+  }
+
+  /// Where the current slackens for who waits.
+  std::vector<geo::PlanePoint> path_with_waits(core::Seconds depart) {
+    const StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
+    const graph::Query query{open_.grid.start, open_.grid.goal, depart, whenever};
+    const WaitedTravelTime waited{sea_, open_.grid};
+    const graph::SearchTree tree =
+        graph::find_earliest_arrivals(open_.graph, query, rationed(waited), stop_, straight);
+    std::vector<geo::PlanePoint> path;
+    for (const graph::Vertex v : graph::path_to(open_.graph, tree, open_.grid.goal))
+      path.push_back(open_.grid.point(v));
+    return path;
   }
 
   std::vector<geo::PlanePoint> later_path(core::Seconds depart) {

@@ -158,9 +158,10 @@ void InputFlags::add_route_rules(CLI::App& command) {
   command.add_option("--thruster", thruster_, "auto (default: as the objective has it), on or off");
   command.add_flag("--require-battery", require_battery_, "No plan beyond what the battery gives");
   command
-      .add_option("--max-loiter", max_loiter_s_,
-                  "Let the vehicle wait at a waypoint for what clears later, icebergs or timed areas, at "
-                  "most so many seconds, or as PT2H; default 0")
+      .add_option(
+          "--max-loiter", max_loiter_s_,
+          "Let the vehicle wait at a waypoint for what clears later, icebergs, timed areas or currents, at "
+          "most so many seconds, or as PT2H; default 0")
       ->transform(seconds_or_duration());
   add_passing_under_ice(command);
   command

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "engine/planning/plan_route.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
@@ -75,6 +77,69 @@ TEST(LateOpenings, AreWhatHelpsWhenThereIsNoOtherWay) {
   EXPECT_NE(found.error().explanation.find("lets it through from"), std::string::npos)
       << found.error().explanation;
   EXPECT_NE(found.error().suggestion.find("depart later"), std::string::npos);
+}
+
+/// Who waits at a place in the way of the strait need not leave later, and is no later than who did.
+TEST(LateOpenings, AreWaitedForWhereTheRequestAllowsIt) {
+  PlanRequest request = coarse_request();
+  request.refine = false;
+  const ocean::Environment environment = strait(20.0, wall_end_deg);
+  core::UtcTime best_of_later = at_hour(240.0);
+  for (double hour = 8.0; hour <= 14.0; hour += 0.5) {
+    request.depart = at_hour(hour);
+    if (const auto later = plan_route(environment, request, {}, {}))
+      best_of_later = std::min(best_of_later, later->arrival);
+  }
+  request.depart = at_hour(0.0);
+  request.max_loiter = core::Seconds{3600.0 * 24.0};
+
+  const auto found = plan_route(environment, request, {}, {});
+
+  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  EXPECT_LE(found->arrival, best_of_later + core::Seconds{60.0});
+  EXPECT_FALSE(found->search.worst_fifo_violation.has_value());
+  const auto waits =
+      std::ranges::count_if(found->waypoints, [](const Waypoint& w) { return w.wait.count() > 0.0; });
+  EXPECT_GE(waits, 1);
+  for (const Waypoint& waypoint : found->waypoints) EXPECT_LE(waypoint.wait, request.max_loiter);
+}
+
+TEST(LateOpenings, AreWaitedForByRefinedPlansNoLess) {
+  PlanRequest request = coarse_request();
+  request.max_loiter = core::Seconds{3600.0 * 24.0};
+  const ocean::Environment environment = strait(20.0, no_end_deg);
+
+  const auto refined = plan_route(environment, request, {}, {});
+  request.refine = false;
+  const auto on_grid = plan_route(environment, request, {}, {});
+
+  ASSERT_TRUE(on_grid.has_value()) << on_grid.error().explanation;
+  ASSERT_TRUE(refined.has_value()) << refined.error().explanation;
+  EXPECT_LE(refined->arrival, on_grid->arrival);
+  EXPECT_GT(refined->arrival, at_hour(20.0));
+}
+
+TEST(LateOpenings, AreNotWaitedForLongerThanAllowed) {
+  PlanRequest request = coarse_request();
+  request.max_loiter = core::Seconds{3600.0};  // of about thirty hours that are needed
+
+  const auto found = plan_route(strait(40.0, no_end_deg), request, {}, {});
+
+  EXPECT_FALSE(found.has_value());
+}
+
+TEST(LateOpenings, AreNamedWithTheWaitThatHelps) {
+  PlanRequest request = coarse_request();
+  const ocean::Environment environment = strait(40.0, no_end_deg);
+
+  const auto refused = plan_route(environment, request, {}, {});
+
+  ASSERT_FALSE(refused.has_value());
+  const auto& changes = refused.error().changes;
+  const auto wait = std::ranges::find(changes, "max_loiter_s", &Change::input);
+  ASSERT_NE(wait, changes.end());
+  request.max_loiter = core::Seconds{std::get<double>(wait->to)};
+  EXPECT_TRUE(plan_route(environment, request, {}, {}).has_value());
 }
 
 TEST(LateOpenings, AreTheSameForEveryExactSearch) {
