@@ -51,8 +51,6 @@ class IceCover {
   [[nodiscard]] core::Seconds first_step() const { return core::Seconds{times_s_.front()}; }
   /// Whether there is ice anywhere, at any time, through which the vehicle may not surface.
   [[nodiscard]] bool has_dense_ice() const { return has_dense_ice_; }
-  /// Whether dense ice may come or go.
-  [[nodiscard]] bool changes() const { return has_dense_ice_ && times_s_.size() > 1; }
   /// Never more than the way in the plane to where the vehicle may surface, at whatever time; zero beyond the nodes.
   /// Infinite where that is nowhere.
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;

@@ -60,11 +60,6 @@ IceAbove IceCovers::first_known(geo::PlanePoint point, core::Seconds time) const
   return ice;
 }
 
-bool IceCovers::changes() const {
-  if (covers_.size() == 1 && !open_until_) return covers_.front().changes();
-  return has_dense_ice();
-}
-
 core::Metres IceCovers::least_way_to_opening(geo::PlanePoint point) const {
   if (open_until_) return core::Metres{0.0};
   core::Metres least = covers_.front().least_way_to_opening(point);

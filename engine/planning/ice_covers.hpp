@@ -33,7 +33,6 @@ class IceCovers {
   }
   /// As the members of `IceCover` of these names; a bound where several covers are less sharp together.
   [[nodiscard]] bool has_dense_ice() const { return std::ranges::any_of(covers_, &IceCover::has_dense_ice); }
-  [[nodiscard]] bool changes() const;
   [[nodiscard]] core::Metres least_way_to_opening(geo::PlanePoint point) const;
   [[nodiscard]] std::vector<core::Metres> least_ways_to_opening(const std::vector<geo::PlanePoint>& points,
                                                                 core::Seconds from,

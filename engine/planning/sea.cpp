@@ -405,7 +405,9 @@ core::Seconds Sea::least_time(core::Metres length, core::MetresPerSecond astern)
 }
 
 bool Sea::is_steady() const {
-  return !has_timed_closures() && (!currents_ || !currents_->end()) && !(ice_ && ice_->changes());
+  // Ice comes and goes, and even of one step it is known for some days only.
+  const bool ice_matters = ice_ && (ice_->has_dense_ice() || bounds_surfacing());
+  return !has_timed_closures() && (!currents_ || !currents_->end()) && !ice_matters;
 }
 
 core::Seconds Sea::least_time(geo::PlanePoint a, geo::PlanePoint b) const {

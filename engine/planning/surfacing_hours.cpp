@@ -40,7 +40,11 @@ class Spans {
   }
   /// Of each vertex, the least time to where it may surface within the span.
   [[nodiscard]] std::vector<double> to_openings_s(std::size_t span) const {
-    return sea_.least_times_to_opening_s(points_, depart_ + core::Seconds{begins_s(span)},
+    return to_openings_s(points_, span);
+  }
+  [[nodiscard]] std::vector<double> to_openings_s(const std::vector<geo::PlanePoint>& points,
+                                                  std::size_t span) const {
+    return sea_.least_times_to_opening_s(points, depart_ + core::Seconds{begins_s(span)},
                                          depart_ + core::Seconds{ends_s(span)});
   }
 
@@ -63,6 +67,29 @@ std::vector<double> earliest_arrivals(const FavourableGrid& grid, const std::sto
   return arrivals_s;
 }
 
+/// The last span in which the vehicle can have surfaced before it comes to the goal; the first where there is none.
+std::size_t last_of_use(const Spans& spans, const FavourableGrid& grid, double longest_s,
+                        const std::stop_token& stop) {
+  std::vector<double> to_goal_s(grid.open().graph.size(), never);
+  to_goal_s[grid.open().grid.goal] = 0.0;
+  lower_times(to_goal_s, longest_s, stop, [&](Vertex v, double time_s, const auto& visit) {
+    grid.for_each_edge_to(v, [&](const Edge& edge, double edge_s) { visit(edge.tail, time_s + edge_s); });
+  });
+  std::vector<geo::PlanePoint> near_goal;
+  std::vector<double> left_s;
+  for (Vertex v = 0; v < to_goal_s.size(); ++v) {
+    if (to_goal_s[v] > longest_s) continue;
+    near_goal.push_back(grid.open().grid.point(v));
+    left_s.push_back(longest_s - to_goal_s[v]);
+  }
+  for (std::size_t span = spans.count() - 1; span > 0 && !stop.stop_requested(); --span) {
+    const std::vector<double> to_openings_s = spans.to_openings_s(near_goal, span);
+    for (std::size_t i = 0; i < left_s.size(); ++i)
+      if (to_openings_s[i] <= left_s[i]) return span;
+  }
+  return 0;
+}
+
 }  // namespace
 
 HourlyReach reach_hour_by_hour(const Sea& sea, const FavourableGrid& grid, core::Seconds depart,
@@ -75,10 +102,11 @@ HourlyReach reach_hour_by_hour(const Sea& sea, const FavourableGrid& grid, core:
     return result;
   }
   const Spans spans{sea, grid, depart, longest_s};
+  const std::size_t last_span = last_of_use(spans, grid, longest_s, stop);
   const std::vector<double> earliest_s = earliest_arrivals(grid, stop);
   std::vector<std::vector<double>> to_openings_s(spans.count());
   std::vector<std::vector<Vertex>> surfacings(spans.count());
-  for (std::size_t span = 0; span < spans.count() && !stop.stop_requested(); ++span) {
+  for (std::size_t span = 0; span <= last_span && !stop.stop_requested(); ++span) {
     for (std::size_t later = span; later <= spans.last_after(span); ++later) {
       if (to_openings_s[later].empty()) to_openings_s[later] = spans.to_openings_s(later);
     }
@@ -115,6 +143,7 @@ HourlyReach reach_hour_by_hour(const Sea& sea, const FavourableGrid& grid, core:
     to_openings_s[span].clear();
     surfacings[span].clear();
   }
+  if (last_span + 1 < spans.count()) result.reached.assign(open.graph.size(), true);
   return result;
 }
 

@@ -110,9 +110,12 @@ std::vector<bool> SurfacingReach::find_ways(const Sea& sea, const OpenGrid& open
       });
   has_hope_ = within[open.grid.goal];
   if (!has_hope_ || stop.stop_requested()) return within;
-  HourlyReach hourly = reach_hour_by_hour(sea, grid, depart, since_surfacing, stop);
+  const HourlyReach hourly = reach_hour_by_hour(sea, grid, depart, since_surfacing, stop);
   has_hope_ = hourly.reaches_goal;
-  if (!has_hope_) return std::move(hourly.reached);
+  if (!has_hope_) {
+    for (Vertex v = 0; v < open.graph.size(); ++v) within[v] = within[v] && hourly.reached[v];
+    return within;
+  }
   const std::vector<bool> leads_on =
       reached_from(open.grid.goal, open.graph.size(), [&](Vertex v, const auto& visit) {
         grid.for_each_edge_to(v, [&](const Edge& edge, double edge_s) {

@@ -63,8 +63,6 @@ class UnderIce {
   }
   /// Whether there is ice anywhere, at any time, that the vehicle would have to pass below.
   [[nodiscard]] bool has_dense_ice() const { return cover_.has_dense_ice(); }
-  /// Whether dense ice may come or go.
-  [[nodiscard]] bool changes() const { return cover_.changes(); }
   /// Of the data of the ice.
   [[nodiscard]] core::Seconds last_step() const { return cover_.last_step(); }
   /// Whether there may be ice on a line that the vehicle would have to pass below.

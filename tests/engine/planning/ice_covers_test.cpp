@@ -60,7 +60,6 @@ TEST(IceCovers, AskTheNextWhereTheFirstKnowsNothing) {
   EXPECT_TRUE(covers.above({-30'000.0, 0.0}, hours(1.0)).may_surface);
   EXPECT_FALSE(covers.above({30'000.0, 0.0}, hours(1.0)).may_surface);
   EXPECT_TRUE(covers.above({30'000.0, 0.0}, hours(1.0)).known);
-  EXPECT_TRUE(covers.changes()) << "when one ends and another begins";
 }
 
 /// Beside its last node a product goes by that node; one that has data there knows better.
@@ -121,7 +120,6 @@ TEST(IceCovers, TakeTheWaterToBeOpenUntilTheFirstOfThemMayBeHeld) {
   EXPECT_EQ(alone.least_way_to_opening({0.0, 0.0}).value, 0.0);
   EXPECT_EQ(alone.least_ways_to_opening({{0.0, 0.0}}, hours(20.0), hours(30.0))[0].value, 0.0);
   EXPECT_GT(alone.least_ways_to_opening({{0.0, 0.0}}, hours(25.0), hours(30.0))[0].value, 1e5);
-  EXPECT_TRUE(alone.changes());
   EXPECT_FALSE(after_another.above({0.0, 0.0}, hours(0.0)).known) << "there was ice before";
   EXPECT_EQ(after_another.above({0.0, 0.0}, hours(0.0)).draft_m, 8.0);
 }
