@@ -40,11 +40,12 @@ bool has_steps(DatasetKind kind) {
 }
 
 void sort_newest_run_first(std::vector<Dataset>& datasets) {
-  const auto age_of = [](const Dataset& dataset) {
-    return dataset.run.value_or(dataset.provenance.ingested);
+  const auto newness = [](const Dataset& dataset) {
+    return std::tuple{dataset.run.value_or(dataset.provenance.ingested), dataset.time_start,
+                      dataset.time_end};
   };
   std::ranges::stable_sort(datasets, [&](const Dataset& a, const Dataset& b) {
-    return std::tuple{age_of(b), a.id} < std::tuple{age_of(a), b.id};
+    return std::tuple{newness(b), a.id} < std::tuple{newness(a), b.id};
   });
 }
 

@@ -875,6 +875,24 @@ TEST_F(EnvironmentLoaderTest, TakesEachTimeFromTheNewestRunThatCoversIt) {
   EXPECT_THAT(environment.warnings, Contains(HasSubstr("joined in time")));
 }
 
+/// Their ids come from their bytes and say nothing.
+TEST_F(EnvironmentLoaderTest, GoesByWhenTheDataBeginWhereFilesWithoutARunWereIngestedTogether) {
+  for (const auto& [yesterday, today] :
+       {std::pair{"a-yesterday", "b-today"}, std::pair{"d-yesterday", "c-today"}}) {
+    add_currents(yesterday, sample_time - day, 49, levels_);
+    add_currents(today, sample_time, 25, levels_);
+    sqlite::Statement at_once{db_, "UPDATE dataset SET ingested_s = ?1"};
+    at_once.bind_all(sample_time);
+    at_once.run();
+
+    const ocean::Environment environment = load();
+
+    const auto current = environment.currents->at({-52.0, 69.0}, core::Metres{0.0}, sample_time + hour);
+    EXPECT_NEAR(current->east.value, 1.0, 1e-6) << "the second step of today's, not yesterday's 26th";
+    for (const char* const id : {yesterday, today}) DatasetRepository{db_}.remove({id});
+  }
+}
+
 TEST_F(EnvironmentLoaderTest, GoesByWhenARunBeganAndNotByWhenItArrived) {
   add_currents("later", sample_time, 5, levels_);
   add_currents("earlier", sample_time, 5, levels_);
