@@ -7,6 +7,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/environment_drift.hpp"
+#include "storage/repository/shortened_list.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -120,6 +121,20 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
   draft.environment.drift_members = std::move(drift_members);
 }
 
+/// Whoever has currents stored expects them to count: none of them reaching the area is a mistake, often of coordinates.
+void refuse_other_waters(EnvironmentDraft& draft) {
+  if (draft.query.currents.how != DatasetChoice::How::newest || draft.query.tides.wanted()) return;
+  std::vector<std::string> elsewhere;
+  for (const Dataset& dataset : draft.stored) {
+    if (dataset.kind == DatasetKind::currents)
+      elsewhere.push_back(title(dataset) + " covers " + bounds_text(dataset.bounds));
+  }
+  if (elsewhere.empty()) return;
+  draft.refuse(DatasetKind::currents, "none of those stored reaches " + bounds_text(draft.query.area) + ": " +
+                                          shortened_list(elsewhere) +
+                                          ". Ingest some for this water, or plan without (--currents none)");
+}
+
 void add_currents(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
   const auto found =
@@ -152,6 +167,7 @@ void add_currents(EnvironmentDraft& draft) {
   if (!periods_missed.empty()) return refuse_period(draft, periods_missed, begins);
   if (named && !found.empty())
     draft.refuse(DatasetKind::currents, title(found.front()) + " has no node near the area");
+  if (!named) refuse_other_waters(draft);
   if (!named) warn_of_gap(draft, DatasetKind::currents, query.currents, "planned in still water");
 }
 

@@ -22,6 +22,7 @@ namespace {
 using testing::AllOf;
 using testing::Contains;
 using testing::ElementsAre;
+using testing::Field;
 using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
@@ -163,6 +164,21 @@ TEST_F(EnvironmentLoaderTest, WarnsOfEverythingThatIsMissing) {
                           HasSubstr("no stored bathymetry"),
                           AllOf(HasSubstr("no stored ice for"), HasSubstr("open water is assumed")),
                           HasSubstr("no stored icebergs"), HasSubstr("no stored coastline")));
+}
+
+TEST_F(EnvironmentLoaderTest, RefusesToPlanInStillWaterWhereItHasCurrentsOfOtherWatersOnly) {
+  add_currents("currents-far", sample_time, 5, levels_, elsewhere);
+  const auto refused = load_environment(db_, query_);
+  query_.currents = none();
+  const auto still = load_environment(db_, query_);
+
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error(),
+              ElementsAre(AllOf(Field(&core::Violation::field, "/currents"),
+                                Field(&core::Violation::rule, HasSubstr("currents-far")),
+                                Field(&core::Violation::rule, HasSubstr("--currents none")))));
+  ASSERT_TRUE(still);
+  EXPECT_EQ(still->currents, nullptr);
 }
 
 TEST_F(EnvironmentLoaderTest, WarnsOfWhatWasLeftOutAsRequested) {
