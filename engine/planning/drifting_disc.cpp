@@ -54,11 +54,11 @@ std::optional<TimeSpan> time_within(const motion::MovingDisc& disc, const motion
 
 DriftingDisc::DriftingDisc(const std::vector<TrackPoint>& track, core::Metres hull, core::Metres margin,
                            core::Metres rounding)
-    : hull_radius_m_{track.front().scale * hull.value},
+    : hull_m_{hull.value},
       kept_m_{track.front().scale * (hull.value + margin.value)},
-      scale_{track.front().scale},
       swept_{track.front().centre, track.front().centre} {
   for (const TrackPoint& point : track) {
+    scales_.push_back(point.scale);
     knots_.push_back({point.t_s, point.centre,
                       point.scale * (hull.value + margin.value + point.error.value + rounding.value)});
     swept_.include(box_around(knots_.back()));

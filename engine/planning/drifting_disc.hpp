@@ -36,11 +36,17 @@ class DriftingDisc {
   [[nodiscard]] const PlaneBox& swept() const { return swept_; }
   /// All that it covers from a knot to the next; from the last one on for ever.
   [[nodiscard]] PlaneBox swept_from(std::size_t knot) const;
-  [[nodiscard]] double hull_radius_m() const { return hull_radius_m_; }
+  /// Of the hull alone, and metres of the plane for each metre on the ground, where it is at a time.
+  struct Hull {
+    double radius_m;
+    double scale;
+  };
+  [[nodiscard]] Hull hull(double t_s) const {
+    const double scale = scales_[last_knot_by(t_s)];
+    return {scale * hull_m_, scale};
+  }
   /// Half the length and the margin.
   [[nodiscard]] double kept_m() const { return kept_m_; }
-  /// Of the plane where the forecast begins.
-  [[nodiscard]] double scale() const { return scale_; }
 
   /// First moment at which the move is in the disc, grown by `slack_m`; empty: never.
   [[nodiscard]] std::optional<double> first_touch(const motion::EvenMove& move, double slack_m = 0.0) const;
@@ -59,7 +65,7 @@ class DriftingDisc {
   }
 
   [[nodiscard]] std::size_t bytes() const {
-    return knots_.size() * sizeof(Knot) + blocks_.size() * sizeof(PlaneBox);
+    return knots_.size() * (sizeof(Knot) + sizeof(double)) + blocks_.size() * sizeof(PlaneBox);
   }
 
  private:
@@ -72,11 +78,11 @@ class DriftingDisc {
     return after == knots_.begin() ? 0 : static_cast<std::size_t>(after - knots_.begin()) - 1;
   }
 
-  double hull_radius_m_;
+  double hull_m_;  // on the ground
   double kept_m_;
-  double scale_;
   PlaneBox swept_;
   std::vector<Knot> knots_;
+  std::vector<double> scales_;    // of the plane at each knot
   std::vector<PlaneBox> blocks_;  // what each run of knots covers until the next run begins
 };
 

@@ -196,9 +196,9 @@ std::optional<IcebergDiscs::Nearest> IcebergDiscs::nearest(geo::PlanePoint point
       const double radius_m = disc.radius0_m + (time.count() - disc.t0_s) * disc.growth_m_s;
       if (!distance_m || *distance_m - radius_m >= least_m) return false;
       least_m = *distance_m - radius_m;
-      result = Nearest{berg.name,
-                       {(*distance_m - berg.disc.hull_radius_m()) / berg.disc.scale()},
-                       {(radius_m - berg.disc.hull_radius_m()) / berg.disc.scale()}};
+      const DriftingDisc::Hull hull = berg.disc.hull(time.count());
+      result = Nearest{
+          berg.name, {(*distance_m - hull.radius_m) / hull.scale}, {(radius_m - hull.radius_m) / hull.scale}};
       return false;
     });
   }
@@ -253,7 +253,8 @@ std::optional<core::Metres> IcebergDiscs::distance_from_hulls(const motion::Even
     berg.disc.for_each_piece(move.t0_s, move.t1_s, [&](const motion::MovingDisc& disc) {
       const auto distance_m = motion::least_distance(move, disc);
       if (!distance_m) return false;
-      const core::Metres clear{(*distance_m - berg.disc.hull_radius_m()) / berg.disc.scale()};
+      const DriftingDisc::Hull hull = berg.disc.hull(std::max(disc.t0_s, move.t0_s));
+      const core::Metres clear{(*distance_m - hull.radius_m) / hull.scale};
       if (!least || clear < *least) least = clear;
       return false;
     });

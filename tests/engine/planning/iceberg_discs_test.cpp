@@ -81,6 +81,18 @@ TEST(IcebergDiscs, ThatStandKeepHalfTheLengthTheStatedErrorAndTheMargin) {
   EXPECT_NEAR(discs.distance_from_hulls({eastwards(901.0), eastwards(2000.0), 0.0, 1.0})->value, 801.0, 0.1);
 }
 
+/// What is told to pilots are metres on the ground, wherever the iceberg has drifted to on the plane.
+TEST(IcebergDiscs, HaveTheScaleOfThePlaneWhereTheyAre) {
+  const DriftingDisc disc{{{.t_s = 0.0, .centre = {}, .error = {}, .scale = 1.0},
+                           {.t_s = 3600.0, .centre = {0.0, 5000.0}, .error = {}, .scale = 1.02}},
+                          core::Metres{200.0},
+                          core::Metres{500.0}};
+
+  EXPECT_EQ(disc.hull(10.0).radius_m, 200.0);
+  EXPECT_EQ(disc.hull(7200.0).scale, 1.02);
+  EXPECT_NEAR(disc.hull(7200.0).radius_m, 204.0, 1e-9);
+}
+
 TEST(IcebergDiscs, GrowWithTheAgeOfTheSightingUpToTheMostAllowed) {
   ocean::Environment environment{.icebergs = {support::iceberg_at({-53.0, 69.0}, 200.0)}};
   const IcebergDiscs discs = discs_of(environment, {.max_inflation = core::Metres{3000.0}});
