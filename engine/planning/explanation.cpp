@@ -342,8 +342,9 @@ Infeasible explain_no_escape(const Sea& sea, const PlanRequest& request, geo::Pl
           "from this waypoint no way leads to a place where the vehicle may surface" +
               (bound ? " before it has been " + hours_text(*bound) + " without one" : std::string{}) +
               ", within 200 steps of the grid",
-          "allow more time (--max-time-without-surfacing) or denser ice to surface in "
-          "(--max-concentration-to-surface), choose a wider spacing, or plan without --escape-plan",
+          std::string{"allow "} + (bound ? "more time (--max-time-without-surfacing) or " : "") +
+              "denser ice to surface in (--max-concentration-to-surface), choose a wider spacing, or plan "
+              "without --escape-plan",
           Constraint::ice};
 }
 

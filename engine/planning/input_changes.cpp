@@ -192,6 +192,17 @@ void InputChanges::work_in_shallower_water() {
       written("let the vehicle work in water of %.0f m instead of %.0f m", *needed, now));
 }
 
+void InputChanges::climb_higher() {
+  const double now = request_.vehicle.climb_to.value;
+  const auto profile = vehicle::find_profile(request_.vehicle.name);
+  if (!profile || now <= profile->climb_to.value) return;
+  const auto needed = nearest(now, profile->climb_to.value, 1.0,
+                              [](PlanRequest& changed, double depth) { changed.vehicle.climb_to = {depth}; });
+  if (!needed) return;
+  add("climb_to_m", now, *needed, 2.0 - *needed / now,
+      written("climb to %.0f m on each dive instead of %.0f m", *needed, now));
+}
+
 void InputChanges::take_another_vehicle() {
   if (!vehicle::is_known_but_for_choices(request_.vehicle)) return;
   const vehicle::FlightChoices& flight = request_.flight;

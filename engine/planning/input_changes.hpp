@@ -49,6 +49,7 @@ class InputChanges {
   void dive_less_deep();
   void keep_less_above_the_bed();
   void work_in_shallower_water();
+  void climb_higher();
   /// For shallower water, of the same make, with what was asked for whatever the vehicle.
   void take_another_vehicle();
 

@@ -26,17 +26,20 @@ bool has_depths_to_spare(const ocean::Environment& environment, const PlanReques
   const auto profile = vehicle::find_profile(request.vehicle.name);
   return environment.bathymetry && profile &&
          (request.vehicle.altimeter_margin > profile->altimeter_margin ||
-          request.vehicle.minimum_working_depth > profile->minimum_working_depth);
+          request.vehicle.minimum_working_depth > profile->minimum_working_depth ||
+          request.vehicle.climb_to > profile->climb_to);
 }
 void come_nearer_to_the_bed(PlanRequest& request) {
   const auto profile = vehicle::find_profile(request.vehicle.name);
   const auto no_more = [](core::Metres& depth, core::Metres usual) { depth = std::min(depth, usual); };
   no_more(request.vehicle.altimeter_margin, profile->altimeter_margin);
   no_more(request.vehicle.minimum_working_depth, profile->minimum_working_depth);
+  no_more(request.vehicle.climb_to, profile->climb_to);
 }
 void take_depths(PlanRequest& request, const PlanRequest& of) {
   request.vehicle.altimeter_margin = of.vehicle.altimeter_margin;
   request.vehicle.minimum_working_depth = of.vehicle.minimum_working_depth;
+  request.vehicle.climb_to = of.vehicle.climb_to;
 }
 
 bool has_margin_of_icebergs(const ocean::Environment& environment, const PlanRequest& request) {
@@ -70,12 +73,21 @@ void take_speed(PlanRequest& request, const PlanRequest& of) {
   request.vehicle.speed_through_water = of.vehicle.speed_through_water;
 }
 
+bool needs_its_battery(const ocean::Environment&, const PlanRequest& request) {
+  return request.energy.require_battery;
+}
+void take_any_battery(PlanRequest& request) { request.energy.require_battery = false; }
+void require_battery(PlanRequest& request, const PlanRequest& of) {
+  request.energy.require_battery = of.energy.require_battery;
+}
+
 constexpr std::array all_inputs{
     Inputs{Constraint::zone, has_areas, leave_out_areas, take_areas},
     Inputs{Constraint::depth, has_depths_to_spare, come_nearer_to_the_bed, take_depths},
     Inputs{Constraint::iceberg, has_margin_of_icebergs, come_nearer_to_icebergs, take_margin},
     Inputs{Constraint::ice, has_rules_of_ice, come_nearer_to_ice, take_ice},
-    Inputs{Constraint::current, has_currents, go_faster, take_speed}};
+    Inputs{Constraint::current, has_currents, go_faster, take_speed},
+    Inputs{Constraint::battery, needs_its_battery, take_any_battery, require_battery}};
 
 bool is_speed(const Change& change) { return change.input == "speed_m_s"; }
 

@@ -95,6 +95,7 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
     case Constraint::depth:
       inputs.keep_less_above_the_bed();
       inputs.work_in_shallower_water();
+      inputs.climb_higher();
       inputs.take_another_vehicle();
       if (!at_a_stop) inputs.refine_the_grid();
       break;

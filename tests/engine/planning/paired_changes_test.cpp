@@ -58,6 +58,27 @@ TEST(PairedChanges, NameAnAreaWithTheDepthOfTheSillBehindIt) {
   EXPECT_TRUE(plan(environment, changed).has_value());
 }
 
+TEST(PairedChanges, NameADepthWithTheBatteryThatTheWayNeeds) {
+  const ocean::Environment environment = sea_with_a_sill();
+  PlanRequest request = eastward_request();
+  request.vehicle.minimum_working_depth = core::Metres{180.0};
+  request.vehicle.energy.battery = core::Joules{0.2e6};
+  request.energy.require_battery = true;
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  ASSERT_EQ(found.error().changes.size(), 1U);
+  const Change& both = found.error().changes.front();
+  ASSERT_EQ(both.with.size(), 1U);
+  EXPECT_EQ(both.input, "battery_j");
+  EXPECT_EQ(both.with.front().input, "vehicle/minimum_working_depth_m");
+  PlanRequest changed = request;
+  changed.vehicle.energy.battery = {std::get<double>(both.to)};
+  changed.vehicle.minimum_working_depth = {std::get<double>(both.with.front().to)};
+  EXPECT_TRUE(plan(environment, changed).has_value());
+}
+
 TEST(PairedChanges, AreNotLookedForWhereOneChangeHelps) {
   PlanRequest request = eastward_request();
   request.vehicle.minimum_working_depth = core::Metres{180.0};

@@ -409,6 +409,22 @@ TEST(Relaxation, NamesTheWorkingDepthThatTheWaterAllowsWhereItIsMoreThanUsual) {
   EXPECT_TRUE(plan(environment, request).has_value());
 }
 
+TEST(Relaxation, NamesHowHighToClimbWhereDivesTurnTooDeepForTheWater) {
+  const ocean::Environment environment{.bathymetry = bathymetry_from([](geo::LonLat) { return 60.0; })};
+  PlanRequest request = eastward_request();
+  request.vehicle.climb_to = core::Metres{55.0};
+
+  const auto found = plan(environment, request);
+
+  ASSERT_FALSE(found.has_value());
+  const Change* higher = change_of(found.error(), "climb_to_m");
+  ASSERT_NE(higher, nullptr);
+  request.vehicle.climb_to = {std::get<double>(higher->to)};
+  EXPECT_TRUE(plan(environment, request).has_value());
+  request.vehicle.climb_to.value += 5.0;
+  EXPECT_FALSE(plan(environment, request).has_value());
+}
+
 /// The refusal lies with what a trial of a single plan does not know of.
 TEST(Relaxation, NamesNoChangeOfARequestThatHasASinglePlan) {
   PlanRequest request = eastward_request();
