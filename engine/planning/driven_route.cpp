@@ -5,6 +5,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/planning/loiter.hpp"
 #include "engine/planning/straightening.hpp"
 
 namespace floeplan::planning {

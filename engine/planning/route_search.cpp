@@ -13,6 +13,7 @@
 #include "engine/planning/grid_travel.hpp"
 #include "engine/planning/late_openings.hpp"
 #include "engine/planning/later_ways.hpp"
+#include "engine/planning/loiter.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/surfacing_search.hpp"
 #include "engine/planning/waiting_way.hpp"

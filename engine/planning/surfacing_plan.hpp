@@ -6,6 +6,7 @@
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/planning/ice_beside.hpp"
+#include "engine/vehicle/drive.hpp"
 
 namespace floeplan::planning {
 

@@ -12,6 +12,7 @@
 #include "engine/planning/grid_travel.hpp"
 #include "engine/planning/improvement.hpp"
 #include "engine/planning/later_ways.hpp"
+#include "engine/planning/loiter.hpp"
 #include "engine/planning/published_plan.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/surfacing_search.hpp"
