@@ -22,16 +22,6 @@ geo::VelocityEn to_east_north(motion::CurrentXy current, core::Radians convergen
 
 }  // namespace
 
-core::Metres CarriedWay::length() const { return {std::hypot(x_m, y_m)}; }
-
-CarriedWay operator+(CarriedWay a, CarriedWay b) { return {a.x_m + b.x_m, a.y_m + b.y_m}; }
-
-CarriedWay operator-(CarriedWay a, CarriedWay b) { return {a.x_m - b.x_m, a.y_m - b.y_m}; }
-
-CarriedWay operator*(motion::CurrentXy current, core::Seconds time) {
-  return {current.x_m_s * time.count(), current.y_m_s * time.count()};
-}
-
 CarriedWay carried_between(const Sea& sea, const Sea::Passage& from, const Sea::Passage& to) {
   if (sea.currents() == nullptr) return {};
   const core::Seconds took = to.time - from.time;
@@ -52,10 +42,9 @@ std::vector<std::optional<geo::VelocityEn>> leg_currents(const Sea& sea,
       carried = carried + carried_between(sea, {move.from, core::Seconds{move.t0_s}},
                                           {move.to, core::Seconds{move.t1_s}});
     }
-    const double took_s = (schedule.arrivals[i] - leaves).count();
     const geo::LonLat middle = sea.projection().to_lon_lat(half_way(route[i - 1], route[i]));
     currents[i] =
-        to_east_north({carried.x_m / took_s, carried.y_m / took_s}, sea.projection().at(middle).convergence);
+        to_east_north(carried.over(schedule.arrivals[i] - leaves), sea.projection().at(middle).convergence);
   }
   return currents;
 }

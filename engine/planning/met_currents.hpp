@@ -3,26 +3,13 @@
 #include <optional>
 #include <vector>
 
-#include "engine/core/units.hpp"
 #include "engine/geo/local_projection.hpp"
 #include "engine/geo/velocity.hpp"
-#include "engine/motion/plane_current.hpp"
+#include "engine/planning/carried_way.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/sea.hpp"
 
 namespace floeplan::planning {
-
-/// How far the water carries a vehicle: metres on the ground along the axes of the plane.
-struct CarriedWay {
-  double x_m{};
-  double y_m{};
-
-  [[nodiscard]] core::Metres length() const;
-};
-
-[[nodiscard]] CarriedWay operator+(CarriedWay a, CarriedWay b);
-[[nodiscard]] CarriedWay operator-(CarriedWay a, CarriedWay b);
-[[nodiscard]] CarriedWay operator*(motion::CurrentXy current, core::Seconds time);
 
 /// On the way from one look to the next, with the current half way; none where no current is known.
 [[nodiscard]] CarriedWay carried_between(const Sea& sea, const Sea::Passage& from, const Sea::Passage& to);

@@ -1,51 +1,19 @@
 #include "engine/planning/published_plan.hpp"
 
-#include <cstdio>
-#include <string>
 #include <utility>
 
 #include "engine/planning/battery_check.hpp"
 #include "engine/planning/escape.hpp"
+#include "engine/planning/escape_ends.hpp"
 #include "engine/planning/explanation.hpp"
-#include "engine/planning/ice_beside.hpp"
 #include "engine/planning/late_openings.hpp"
 #include "engine/planning/optimality.hpp"
 #include "engine/planning/plan_assembly.hpp"
-#include "engine/planning/position_error.hpp"
 #include "engine/planning/route.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/time_killing.hpp"
 
 namespace floeplan::planning {
-namespace {
-
-/// Of escapes that come up where the error of the position, grown on their way, may have the vehicle below the ice.
-void warn_of_escapes_to_the_edge(Plan& plan, const Sea& sea, const PlanRequest& request) {
-  if (!sea.ice()) return;
-  std::size_t near = 0;
-  std::string first;
-  for (std::size_t i = 0; i < plan.surfacing->escapes.size(); ++i) {
-    const EscapeWay& escape = plan.surfacing->escapes[i];
-    if (escape.way.size() < 2) continue;
-    const vehicle::Drive drive = escape.drives.empty() ? sea.drives().front() : escape.drives.back();
-    const core::Metres error = plan.surfacing->waypoints[i].position_error +
-                               grown_error(request.under_ice, sea.speed(drive), escape.time);
-    const core::Seconds end = plan.waypoints[i].eta - request.depart + escape.time;
-    const auto ice = nearest_ice_within(error, *sea.ice(), sea.projection().to_plane(escape.way.back()), end);
-    if (!ice || near++ > 0) continue;
-    char text[120];
-    std::snprintf(text, sizeof text, "from waypoint %zu: ice at %.1f km, error %.1f km", i,
-                  ice->value / 1000.0, error.value / 1000.0);
-    first = text;
-  }
-  if (near == 0) return;
-  plan.warnings.push_back(
-      std::to_string(near) +
-      " escapes end nearer to ice than the position may be off by then, the first of them " + first +
-      "; have the vehicle go on before it comes up");
-}
-
-}  // namespace
 
 void add_warnings(Plan& plan, const PlanRequest& request) {
   if (plan.refinement && plan.refinement->end == RefinementEnd::time) {

@@ -57,6 +57,7 @@ class Log {
     plan.waypoints.push_back(state());
     if (plan.waypoints.size() > 1) plan.waypoints.back().leg_upper_turn = leg_upper_turn_;
     leg_upper_turn_ = plan.waypoints.back().least_upper_turn;
+    plan.reckoned.push_back({carried_off(fix_, here_), fix_.assumed});
   }
 
   SurfacingPlan plan;
@@ -118,16 +119,17 @@ class Log {
 
   /// Grown since the fix, and how far the currents have carried the vehicle against the one that it reckons with.
   [[nodiscard]] static core::Metres error_since(const Fix& fix, const Look& look) {
-    const CarriedWay reckoned = fix.assumed * (look.at.time - fix.look.at.time);
-    return look.error - fix.look.error + (look.carried - fix.look.carried - reckoned).length();
+    return look.error - fix.look.error + carried_off(fix, look).length();
+  }
+  [[nodiscard]] static CarriedWay carried_off(const Fix& fix, const Look& look) {
+    return look.carried - fix.look.carried - fix.assumed * (look.at.time - fix.look.at.time);
   }
 
   /// It tells of the current since the fix before.
   [[nodiscard]] static Fix next_fix(const Fix& before, const Look& look) {
-    const double under_water_s = (look.at.time - before.look.at.time).count();
-    if (under_water_s <= 0.0) return {look, before.assumed};
-    const CarriedWay carried = look.carried - before.look.carried;
-    return {look, {carried.x_m / under_water_s, carried.y_m / under_water_s}};
+    const core::Seconds under_water = look.at.time - before.look.at.time;
+    if (under_water.count() <= 0.0) return {look, before.assumed};
+    return {look, (look.carried - before.look.carried).over(under_water)};
   }
 
   [[nodiscard]] core::Metres error_at(const Look& look) const { return error_since(fix_, look); }

@@ -5,6 +5,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/planning/carried_way.hpp"
 #include "engine/planning/ice_beside.hpp"
 #include "engine/vehicle/drive.hpp"
 
@@ -30,6 +31,12 @@ struct SurfacingState {
   /// From here to the nearest ice that dives must turn below, to any side. Empty where there is none within that error
   /// and twice as far as the currents have carried the vehicle, and in plans stored before it was kept.
   std::optional<core::Metres> nearest_ice{};
+};
+
+/// The part of the currents in the error of position.
+struct Reckoned {
+  CarriedWay off;                  // how far they have carried the vehicle from where it takes itself to be
+  motion::CurrentXy with_current;  // that it takes itself to be in
 };
 
 /// A planned surfacing, with a fix of the position.
@@ -60,6 +67,7 @@ struct SurfacingPlan {
       longest_without_sure{};  // counting those that its position error cannot miss; not kept stored
   core::Metres unknown_ice{};  // length of the route where nothing is known of the ice
   std::vector<SurfacingState> waypoints;     // one for each
+  std::vector<Reckoned> reckoned;            // one for each waypoint; not kept with stored plans
   std::vector<PlannedSurfacing> surfacings;  // empty unless an interval was asked for
   std::vector<EscapeWay> escapes;            // one for each waypoint, if they were asked for
   IceBeside ice_beside{};  // the deepest within the error of position; not kept with stored plans

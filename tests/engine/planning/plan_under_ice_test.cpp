@@ -120,6 +120,13 @@ TEST(PlanUnderIce, WarnsOfEscapesThatEndAtTheEdgeOfTheIce) {
   request.under_ice.current_uncertainty = {0.0};
   request.under_ice.dead_reckoning_share = 0.0;
   EXPECT_THAT(planned(band_of_ice(), request).warnings, testing::Not(warns)) << "whose position is certain";
+  ocean::Environment with_currents = band_of_ice();
+  with_currents.currents = support::currents_from(
+      [](geo::LonLat place, double) {
+        return geo::VelocityEn{{0.0}, {std::abs(place.lon_deg + 53.0) < 0.2 ? 0.1 : 0.0}};
+      },
+      120);
+  EXPECT_THAT(planned(with_currents, request).warnings, warns) << "a current that it has not measured";
 }
 
 TEST(PlanUnderIce, PassesBelowTheIceWhenNothingBoundsTheTimeThere) {
