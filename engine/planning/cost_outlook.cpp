@@ -95,8 +95,8 @@ CostOutlook::Moment CostOutlook::Slices::at(double t_s) const {
 
 CostOutlook::Slices CostOutlook::lay_slices(core::Seconds depart, core::Seconds last, std::size_t vertices) {
   const double wanted = std::ceil((last - depart) / least_step);
-  const auto most = static_cast<double>(most_values / vertices);
-  const double steps = std::clamp(wanted, 1.0, std::max(1.0, most - 1.0));
+  const std::size_t most = most_values / vertices;
+  const double steps = std::clamp(wanted, 1.0, std::max(1.0, static_cast<double>(most) - 1.0));
   return {depart.count(), std::max(1.0, (last - depart).count() / steps),
           static_cast<std::size_t>(steps) + 1};
 }
@@ -119,7 +119,7 @@ CostOutlook::CostOutlook(const Sea& sea, const OpenGrid& open, const Objective& 
   std::vector<double> earliest_s(vertices_);
   for (Vertex v = 0; v < vertices_; ++v) {
     if (v % vertices_between_looks == 0 && stop.stop_requested()) return;
-    if (!open.graph.is_open(v) || use.latest_use_s(v) == -INFINITY) continue;
+    if (!open.graph.is_open(v) || use.latest_use_s(v) == -std::numeric_limits<double>::infinity()) continue;
     order.push_back(v);
     earliest_s[v] = (depart + sea.least_time(grid.point(grid.start), grid.point(v))).count();
   }

@@ -24,7 +24,7 @@ Openings::Openings(const Sea& sea, const OpenGrid& grid, core::Seconds latest, c
     if (!grid.graph.is_open(v)) continue;
     const core::Seconds of_use{ladder != nullptr ? ladder->latest_use_s(v)
                                                  : std::numeric_limits<double>::infinity()};
-    if (std::isinf(of_use.count()) && of_use.count() < 0.0) continue;
+    if (of_use.count() == -std::numeric_limits<double>::infinity()) continue;
     std::vector<TimeSpan> spans =
         closures != nullptr ? closures->at(v) : sea.closed_times(grid.grid.point(v));
     for (const TimeSpan& closed : spans) {
