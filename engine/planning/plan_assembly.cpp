@@ -15,6 +15,7 @@
 #include "engine/planning/plane_distance.hpp"
 #include "engine/planning/surfacing.hpp"
 #include "engine/planning/water_warnings.hpp"
+#include "engine/planning/zone_warnings.hpp"
 #include "engine/vehicle/dive_band.hpp"
 
 namespace floeplan::planning {
@@ -354,6 +355,8 @@ Plan assemble_plan(const Sea& sea, const ocean::Environment& environment, const 
   warn_of_old_sightings(plan, environment, request);
   std::ranges::move(water_warnings(sea, environment, request, route, schedule, drives),
                     std::back_inserter(plan.warnings));
+  if (auto text = zone_warning(sea, request, route, schedule, drives))
+    plan.warnings.push_back(*std::move(text));
   add_passages_under(plan, sea, route, schedule, drives);
   add_surfacings(plan, sea, request, route, schedule, drives);
   return plan;

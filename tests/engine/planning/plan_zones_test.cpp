@@ -63,6 +63,36 @@ TEST(PlanZones, GoRoundAnAreaThatIsClosed) {
   EXPECT_GT(found->arrival, straight->arrival);
 }
 
+/// The plan's warning of areas that it passes with little time to spare; empty: there is none.
+std::string warning_of_time(const Plan& found) {
+  for (const std::string& warning : found.warnings)
+    if (warning.find("would break its rule") != std::string::npos) return warning;
+  return "";
+}
+
+TEST(PlanZones, WarnWhereAVehicleThatIsAFewPercentFasterOrSlowerBreaksTheirRule) {
+  PlanRequest request = eastward_request();
+  request.refine = false;
+  const auto straight = plan(request);
+  ASSERT_TRUE(straight);
+  const double middle = 0.5 * (request.from.lon_deg + request.to.lon_deg);
+  const core::Seconds half = 0.5 * straight->travel_time();
+  const auto passing = [&](std::optional<double> from, std::optional<double> until) {
+    Zone line =
+        no_go(box(middle - 0.003, request.from.lat_deg - 0.2, middle + 0.003, request.from.lat_deg + 0.2));
+    if (from) line.from = request.depart + *from * half;
+    if (until) line.until = request.depart + *until * half;
+    PlanRequest past = request;
+    past.zones = {line};
+    return warning_of_time(plan(past).value());
+  };
+
+  EXPECT_NE(passing({}, 0.97).find("after an area opens there"), std::string::npos) << passing({}, 0.97);
+  EXPECT_EQ(passing({}, 0.9), "");
+  EXPECT_NE(passing(1.03, {}).find("before an area closes there"), std::string::npos) << passing(1.03, {});
+  EXPECT_EQ(passing(1.1, {}), "");
+}
+
 TEST(PlanZones, GoRoundAnAreaThatIsLongBesideTheWay) {
   PlanRequest request = eastward_request();
   request.to = {request.from.lon_deg + 0.17, request.from.lat_deg};  // 7 km
