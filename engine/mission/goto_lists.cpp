@@ -23,6 +23,7 @@ constexpr double utm_south_end_deg = -80.0;
 constexpr double smallest_radius_m = 10.0;  // minimum of list_when_wpt_dist in the vehicle's data dictionary
 constexpr double largest_default_radius_m = 500.0;
 constexpr double long_leg_m = 100'000.0;
+constexpr core::Metres far_off{10'000.0};  // a judgement: beyond what pilots expect of dead reckoning
 
 template <class... Values>
 std::string print(const char* format, Values... values) {
@@ -110,6 +111,13 @@ std::vector<List> lists_of(const planning::Plan& plan, const GotoListOptions& op
   return lists;
 }
 
+/// Whether the plan passes below ice or icebergs, or knows of ice near one of its waypoints.
+bool is_beside_ice(const planning::Plan& plan) {
+  const auto is_near = [](const planning::SurfacingState& state) { return state.nearest_ice.has_value(); };
+  return passes_below(plan, {1, plan.waypoints.size() - 1}) ||
+         (plan.surfacing && std::ranges::any_of(plan.surfacing->waypoints, is_near));
+}
+
 /// Why the vehicle may not be able to surface where the list is flown; empty: it can.
 std::string warning_of_end(const planning::Plan& plan, const List& list) {
   const std::string ends = list.file_name + " ends at waypoint " + std::to_string(list.part.last);
@@ -119,7 +127,14 @@ std::string warning_of_end(const planning::Plan& plan, const List& list) {
            "comes up.";
   }
   const auto end = end_of(plan, list.part);
-  if (!end && !passes_below(plan, list.part)) return "";
+  if (!end && !passes_below(plan, list.part)) {
+    const core::Metres error = error_of(plan, list.part);
+    if (error <= far_off || !is_beside_ice(plan)) return "";
+    return ends + print(
+                      ", where the vehicle may be off by %.0f km: no ice is known so near to it, as far as "
+                      "the plan's area reaches. Have it come up on the way.",
+                      std::ceil(error.value / 1000.0));
+  }
   if (!end) {
     return ends +
            " after a way below ice or icebergs, and the plan, stored by an older version, does not tell how "
@@ -151,6 +166,19 @@ std::string warning_of_thruster(const planning::Plan& plan, const GotoListOption
          "yo for them, or plan with the thruster on all legs or on none.";
 }
 
+/// Of plans stored before they told the currents of their legs, where that matters; empty: it does not.
+std::string warning_of_unknown_currents(const planning::Plan& plan) {
+  const auto is_water = [](const ocean::DatasetRef& dataset) {
+    return dataset.kind == "currents" || dataset.kind == "tides";
+  };
+  const bool is_told = std::ranges::any_of(
+      plan.waypoints, [](const planning::Waypoint& waypoint) { return waypoint.current.has_value(); });
+  if (is_told || !is_beside_ice(plan) || std::ranges::none_of(plan.datasets, is_water)) return "";
+  return "The plan, stored by an older version, does not tell the currents on its legs, which may carry the "
+         "vehicle much farther off than the lists here allow for, beside ice or below it: plan it anew "
+         "before it is flown.";
+}
+
 /// Before it has come up once a vehicle knows nothing of the current; empty where it passes below no ice.
 std::string warning_of_first_dives(const planning::Plan& plan, const List& first) {
   if (!passes_below(plan, {1, plan.waypoints.size() - 1})) return "";
@@ -175,6 +203,8 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
         ". The vehicle flies the list its mission names and no other: send the next one when a list ends.");
   }
   if (std::string text = warning_of_thruster(plan, options); !text.empty())
+    warnings.push_back(std::move(text));
+  if (std::string text = warning_of_unknown_currents(plan); !text.empty())
     warnings.push_back(std::move(text));
   if (std::string text = warning_of_first_dives(plan, lists.front()); !text.empty())
     warnings.push_back(std::move(text));

@@ -167,7 +167,9 @@ std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part) 
   ListEnd end{.beyond_iceberg = beyond_iceberg(plan, part),
               .from_ice = last.nearest_ice,
               .error = error_of(plan, part)};
-  if (*last.ice_free_before < length_of(plan, part)) end.beyond_ice = *last.ice_free_before;
+  // What is free of ice as far back as the list goes was summed up in the plane, its legs on the ellipsoid.
+  constexpr double as_long = 1.001;
+  if (as_long * *last.ice_free_before < length_of(plan, part)) end.beyond_ice = *last.ice_free_before;
   return end;
 }
 

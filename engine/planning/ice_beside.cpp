@@ -42,7 +42,7 @@ std::optional<core::Metres> nearest_ice_within(core::Metres distance, const Unde
     return ice.least_upper_turn(there, when).value > 0.0;
   };
   if (is_ice(0.0, 0.0)) return core::Metres{0.0};
-  for (double inner_m = 0.0; inner_m < distance.value;) {
+  for (double inner_m = ice.least_way_to_dense_ice(place).value; inner_m < distance.value;) {
     const double apart_m = std::clamp(inner_m, first_ring_m, most_apart_m);
     const double outer_m = std::min(inner_m + apart_m, distance.value);
     double nearest_m = std::numeric_limits<double>::infinity();

@@ -26,7 +26,6 @@ class Log {
     const Look last = here_;
     here_ = {now, last.error + grown_error(request_.under_ice, sea_.speed(drive), now.time - last.at.time),
              last.carried + carried_between(sea_, last.at, now)};
-    farthest_carried_ = std::max(farthest_carried_, here_.carried.length());
     const bool open = sea_.may_surface(now.point, now.time);
     if (request_.under_ice.surfacing_interval) surface_when_due(open);
     if (!(open && was_open_))
@@ -94,7 +93,7 @@ class Log {
                          .least_upper_turn = sea_.least_upper_turn(point, time),
                          .ice_free_before = ice_free_before_,
                          .error_without_fix = here_.error};
-    state.nearest_ice = ice_within(here_.error + 2.0 * farthest_carried_);
+    state.nearest_ice = ice_within(farthest_ice_told);
     if (state.may_surface) state.since_surfacing = core::Seconds{0.0};
     return state;
   }
@@ -172,7 +171,6 @@ class Log {
   Fix fix_;
   Look last_open_;
   Fix last_sure_;                          // open with no ice within the error since the one before
-  core::Metres farthest_carried_{};        // at any look
   std::optional<Opening> best_opening_{};  // since the last fix, the last of those as good
   bool was_open_{true};                    // the vehicle starts at the surface
   bool was_sure_{true};

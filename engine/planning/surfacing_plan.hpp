@@ -11,6 +11,9 @@
 
 namespace floeplan::planning {
 
+/// Farther than a vehicle may be off at the end of any goto list: a week in a current of 0.3 m/s that it does not know.
+inline constexpr core::Metres farthest_ice_told{200'000.0};
+
 /// What ice means to the vehicle at one waypoint, at its ETA.
 struct SurfacingState {
   bool may_surface{true};
@@ -28,8 +31,8 @@ struct SurfacingState {
   /// Grown by the rules since the start, were there no fix on the way, without what the currents carry. Empty in plans
   /// stored before it was kept.
   std::optional<core::Metres> error_without_fix{};
-  /// From here to the nearest ice that dives must turn below, to any side. Empty where there is none within that error
-  /// and twice as far as the currents have carried the vehicle, and in plans stored before it was kept.
+  /// From here to the nearest ice that dives must turn below, to any side. Empty where there is none within
+  /// `farthest_ice_told`, and in plans stored before it was kept.
   std::optional<core::Metres> nearest_ice{};
 };
 

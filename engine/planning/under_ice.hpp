@@ -63,6 +63,10 @@ class UnderIce {
   }
   /// Whether there is ice anywhere, at any time, that the vehicle would have to pass below.
   [[nodiscard]] bool has_dense_ice() const { return cover_.has_dense_ice(); }
+  /// Never more than the way in the plane to ice that the vehicle would have to pass below, at whatever time.
+  [[nodiscard]] core::Metres least_way_to_dense_ice(geo::PlanePoint point) const {
+    return cover_.least_way_to_dense_ice(point);
+  }
   /// Of the data of the ice.
   [[nodiscard]] core::Seconds last_step() const { return cover_.last_step(); }
   /// Whether there may be ice on a line that the vehicle would have to pass below.

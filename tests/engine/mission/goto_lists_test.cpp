@@ -334,6 +334,31 @@ TEST(GotoLists, WarnWhereTheVehicleMayBeOffSoFarThatItComesUpBelowTheIce) {
                                                        HasSubstr("more than 899 m from it"))));
 }
 
+/// Ice beside a way that is free of it all along is not beyond its start.
+TEST(GotoLists, AreNotBeyondIceThatTheirWayDoesNotPassBelow) {
+  planning::Plan plan = plan_below_ice(3, {});
+  double way_m = 0.0;
+  for (std::size_t i = 0; i < 3; ++i) {
+    way_m += plan.waypoints[i].leg_length.value_or(core::Metres{0.0}).value;
+    plan.surfacing->waypoints[i].ice_free_before = core::Metres{way_m - 0.3};
+    plan.surfacing->waypoints[i].error_without_fix = core::Metres{0.4 * way_m};
+    plan.surfacing->waypoints[i].nearest_ice = core::Metres{10.0 * way_m + 1000.0};
+  }
+
+  EXPECT_THAT(write_goto_lists(plan, {})->warnings, testing::Not(Contains(HasSubstr("beyond the ice"))));
+}
+
+TEST(GotoLists, OfAPlanThatDoesNotTellItsCurrentsSaySo) {
+  const auto says = Contains(HasSubstr("does not tell the currents on its legs"));
+  planning::Plan plan = plan_out_of_the_ice();
+  EXPECT_THAT(write_goto_lists(plan, {})->warnings, testing::Not(says)) << "planned in still water";
+
+  plan.datasets = {{.id = "currents-1", .kind = "currents", .name = "", .sha256 = ""}};
+  EXPECT_THAT(write_goto_lists(plan, {})->warnings, says);
+  plan.waypoints[2].current = geo::VelocityEn{};
+  EXPECT_THAT(write_goto_lists(plan, {})->warnings, testing::Not(says));
+}
+
 /// Against a current that it has not measured the vehicle is off by as far as that carries it, too.
 TEST(GotoLists, CountWhatTheCurrentsOfThePlanCarryTheVehicle) {
   planning::Plan plan = plan_out_of_the_ice();

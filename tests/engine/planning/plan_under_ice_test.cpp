@@ -521,6 +521,20 @@ TEST(PlanUnderIce, TheErrorDoesNotCountACurrentThatWasMeasuredBeforeTheDive) {
   EXPECT_GT(against_m, 0.75 * carried_m) << "it turns between two nodes of the data, not at once";
 }
 
+/// How far a vehicle may be off at the end of a list no plan knows: ice far beyond its own error counts as well.
+TEST(PlanUnderIce, TellsOfIceThatIsFarFromItsWaypoints) {
+  const ocean::Environment in_the_east{
+      .ice = support::ice_from([](geo::LonLat p, double) { return p.lon_deg > -52.25 ? 0.9 : 0.0; }, {0.0},
+                               1.0)};
+
+  const Plan plan = planned(in_the_east, support::eastward_request());
+
+  const SurfacingState& start = plan.surfacing->waypoints.front();
+  ASSERT_TRUE(start.nearest_ice.has_value());
+  const double straight_m = geo::geodesic_between(plan.waypoints.front().place, {-52.25, 69.0}).length.value;
+  EXPECT_NEAR(start.nearest_ice->value, straight_m, 0.1 * straight_m);
+}
+
 TEST(PlanUnderIce, TellsOfEachLegItsMeanCurrent) {
   const Plan plan = planned_into_ice_with_currents(band_of_ice(), 0.1, 0.1);
 

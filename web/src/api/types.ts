@@ -93,7 +93,7 @@ export interface Waypoint {
   leg_upper_turn_m?: number | null; // the deepest on the leg; plans of older servers have none
   ice_free_before_m?: number | null; // of the way up to here; newer than the rest
   error_without_fix_m?: number | null;
-  nearest_ice_m?: number | null; // where there is some within that error
+  nearest_ice_m?: number | null; // where there is some within 200 km
 }
 
 export interface Surfacing {
