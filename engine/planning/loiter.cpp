@@ -20,8 +20,13 @@ bool opens_again(motion::EdgeClosed closed) {
 
 /// Last look until which the vehicle keeps its place against the current and below the ice; before `from`: not at all.
 core::Seconds held_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
+  // Between two steps of the data a current changes evenly, and is never stronger than at both.
+  const auto next_look = [&](core::Seconds now) {
+    const core::Seconds step = sea.currents() ? sea.currents()->next_step(now) : until;
+    return std::min({now + between_looks, step, until});
+  };
   core::Seconds held = from - between_looks;
-  for (core::Seconds now = from;; now = std::min(now + between_looks, until)) {
+  for (core::Seconds now = from;; now = next_look(now)) {
     if (!sea.holds_against_current(place, now)) return held;
     if (sea.ice() && !sea.ice()->may_transit(place, now)) return held;
     held = now;
@@ -51,11 +56,9 @@ tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_slack(const Sea& sea, geo::
                                                            geo::PlanePoint b, core::Seconds arrive,
                                                            core::Seconds latest, core::Seconds not_before) {
   const auto closed = tl::unexpected(motion::EdgeClosed::current_too_strong);
-  const auto time_step = sea.currents() ? sea.currents()->time_step() : std::nullopt;
-  if (!time_step) return closed;
+  if (!sea.currents() || !sea.currents()->time_step()) return closed;
   const core::Seconds stays = can_stay_until(sea, a, arrive, arrive + sea.longest_wait());
-  const core::Seconds between =
-      std::max(*time_step / tries_per_time_step, (stays - arrive) / tries_in_currents);
+  const core::Seconds between = between_tries(sea, stays - arrive);
   core::Seconds refused = arrive;
   while (refused < stays) {
     const core::Seconds depart = std::min(refused + between, stays);
@@ -86,6 +89,10 @@ core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Second
 
 bool current_lets_stay(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
   return held_until(sea, place, from, until) >= until;
+}
+
+core::Seconds between_tries(const Sea& sea, core::Seconds stays) {
+  return std::max(*sea.currents()->time_step() / tries_per_time_step, stays / tries_in_currents);
 }
 
 core::Seconds fineness_of_waits(core::Seconds leg_time) {

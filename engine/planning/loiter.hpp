@@ -29,7 +29,7 @@ struct WaitedLeg {
 /// still: it keeps its place by making way against the current, so it stays only where and as long as the current is
 /// known and weaker than its speed through the water, nothing that is closed for a while comes over it, and there is
 /// room below the ice.
-/// Accuracy  the current is looked at every quarter of an hour; what closes the place is exact
+/// Accuracy  room below the ice is looked at every quarter of an hour; the current and what closes the place are exact
 [[nodiscard]] core::Seconds can_stay_until(const Sea& sea, geo::PlanePoint place, core::Seconds from,
                                            core::Seconds until);
 /// The same as if nothing closed and opened in time.
@@ -41,6 +41,10 @@ inline constexpr core::Seconds punctual{0.1};
 
 /// Between the departures that are tried when only the exact drive of a leg is closed, by the time that it takes.
 [[nodiscard]] core::Seconds fineness_of_waits(core::Seconds leg_time);
+
+/// Between the departures that are tried until a current slackens, for a vehicle that can stay for so long.
+/// Precondition  the currents change
+[[nodiscard]] core::Seconds between_tries(const Sea& sea, core::Seconds stays);
 
 /// The leg for a vehicle that is at its beginning at `arrive`: at once, or after the least wait, up to the request's
 /// longest, that lets it through what is closed for a while, or against a current that slackens.

@@ -259,6 +259,14 @@ std::optional<core::Seconds> PlaneCurrents::time_step() const {
   return core::Seconds{least};
 }
 
+core::Seconds PlaneCurrents::next_step(core::Seconds time) const {
+  constexpr double never = std::numeric_limits<double>::infinity();
+  if (!times_s_) return core::Seconds{never};
+  const std::vector<double>& times = times_s_->nodes();
+  const auto next = std::ranges::upper_bound(times, time.count());
+  return core::Seconds{next == times.end() ? never : *next};
+}
+
 std::optional<core::Seconds> PlaneCurrents::end() const {
   if (!times_s_) return std::nullopt;
   return core::Seconds{times_s_->nodes().back()};

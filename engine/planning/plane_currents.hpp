@@ -56,6 +56,8 @@ class PlaneCurrents {
   [[nodiscard]] core::Metres spacing() const { return spacing_; }
   /// Least time between two steps of the data; empty when there is one step only.
   [[nodiscard]] std::optional<core::Seconds> time_step() const;
+  /// First step of the data that is later; infinite where there is none.
+  [[nodiscard]] core::Seconds next_step(core::Seconds time) const;
   [[nodiscard]] std::size_t bytes() const { return nodes_.size() * sizeof(Node) + extended_.size(); }
   /// Last time that is covered; empty when steady.
   [[nodiscard]] std::optional<core::Seconds> end() const;

@@ -50,6 +50,23 @@ ocean::Zone closed_at_first(double until_h) {
           .until = start + core::Seconds{until_h * hour_s}};
 }
 
+/// Three minutes at the full hour: looks at even times could miss them.
+TEST(Loiter, EndsBeforeACurrentThatIsTooStrongForMinutesOnly) {
+  const auto currents = [](geo::LonLat, double hour) {
+    return geo::VelocityEn{{hour == 5.0 ? 0.36 : 0.0}, {0.0}};
+  };
+  const ocean::Environment environment{.currents = support::currents_from(currents, 48)};
+  const PlanRequest request = support::eastward_request();
+  const geo::LocalProjection projection{request.from};
+  const Sea sea{
+      environment, request, projection, {{-20'000.0, -20'000.0}, {20'000.0, 20'000.0}}, core::Metres{1000.0}};
+
+  const core::Seconds held = can_stay_until(sea, {}, core::Seconds{450.0}, core::Seconds{8.0 * hour_s});
+
+  EXPECT_LT(held.count(), 5.0 * hour_s);
+  EXPECT_GT(held.count(), 4.5 * hour_s);
+}
+
 TEST(Loiter, IsNeverDoneUnasked) {
   auto [request, environment] = closed_gap();
 
