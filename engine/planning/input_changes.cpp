@@ -359,10 +359,7 @@ std::optional<core::Seconds> InputChanges::depart_later() {
 }
 
 void InputChanges::depart_later_or_wait() {
-  // On the way a current may turn where who departs later meets the next one.
-  constexpr core::Seconds half_a_tide{6.21 * 3600.0};
-  const auto delay = depart_later();
-  if (delay || request_.max_loiter.count() == 0.0) wait_for(delay.value_or(half_a_tide));
+  if (const auto delay = depart_later()) wait_for(*delay);
 }
 
 void InputChanges::depart_after(core::Seconds circling) {
@@ -375,10 +372,18 @@ void InputChanges::depart_after(core::Seconds circling) {
 }
 
 void InputChanges::wait_for(core::Seconds circling) {
-  const double now = request_.max_loiter.count();
   // Many short waits, a little way from each other, are as good as circles: nobody would want them.
-  const core::Seconds least = 0.75 * circling;
-  const auto waits = trials_.shortest_that_helps(circling, least, [&](core::Seconds longest) {
+  wait_up_to(circling, 0.75 * circling);
+}
+
+void InputChanges::wait_for_slack(std::optional<core::Seconds> delay) {
+  constexpr core::Seconds half_a_tide{6.21 * 3600.0};
+  wait_up_to(delay.value_or(half_a_tide), core::Seconds{0.0});
+}
+
+void InputChanges::wait_up_to(core::Seconds most, core::Seconds least) {
+  const double now = request_.max_loiter.count();
+  const auto waits = trials_.shortest_that_helps(most, least, [&](core::Seconds longest) {
     PlanRequest changed = request_;
     changed.max_loiter = std::max(longest, request_.max_loiter);
     return changed;

@@ -72,6 +72,9 @@ class InputChanges {
   /// The departure after which nothing has to be circled away, and the first one that may be flown.
   void depart_after(core::Seconds circling);
   void wait_for(core::Seconds circling);
+  /// Until a current slackens: as long as it helped to depart later, or half a tide, and less. On the way a current may
+  /// turn where who departs later meets the next one.
+  void wait_for_slack(std::optional<core::Seconds> delay);
 
   void move_goal(const Change& move);
   /// A move of a stop that helps, as was tried before.
@@ -89,6 +92,7 @@ class InputChanges {
   /// The value nearest to `now` that helps, on the way to `extreme`; `set(request, value)` writes it.
   template <class Set>
   std::optional<double> nearest(double now, double extreme, double unit, const Set& set);
+  void wait_up_to(core::Seconds most, core::Seconds least);
   void dive_towards(double extreme);
   /// Whether the thruster so used makes the request possible.
   bool helps_to_use_it(ThrusterUse use);

@@ -60,7 +60,7 @@ FoundChanges find_changes(const ocean::Environment& environment, const PlanReque
       inputs.use_the_thruster();
       inputs.raise_speed();
       inputs.raise_the_thrusters_speed();
-      inputs.depart_later_or_wait();
+      inputs.wait_for_slack(inputs.depart_later());
       break;
     case Constraint::data_period:
       inputs.use_the_thruster();

@@ -4,6 +4,7 @@
 #include <optional>
 #include <utility>
 
+#include "engine/planning/delayed_schedule.hpp"
 #include "engine/planning/loiter.hpp"
 #include "engine/planning/surfacing_wait.hpp"
 
@@ -128,8 +129,14 @@ tl::expected<Schedule, RouteClosed> schedule_along(const Sea& sea, const std::ve
                                                    core::Seconds depart, core::Seconds since_surfacing) {
   auto at_once = without_waits(sea, route, depart, since_surfacing);
   if (at_once || !waits_may_help(sea)) return at_once;
-  if (auto waited = with_waits(sea, route, depart, since_surfacing)) return *std::move(waited);
-  return at_once;
+  auto waited = with_waits(sea, route, depart, since_surfacing);
+  if (at_once.error().reason == motion::EdgeClosed::current_too_strong && !sea.bounds_surfacing()) {
+    auto delayed = delayed_schedule(sea, route, depart);
+    if (delayed && (!waited || delayed->arrivals.back() < waited->arrivals.back()))
+      waited = std::move(delayed);
+  }
+  if (!waited) return at_once;
+  return *std::move(waited);
 }
 
 std::optional<RouteClosed> closed_at_once(const Sea& sea, const std::vector<geo::PlanePoint>& route,

@@ -9,11 +9,11 @@
 
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/graph/tve_search.hpp"
+#include "engine/planning/current_waits.hpp"
 #include "engine/planning/foresight.hpp"
 #include "engine/planning/grid_travel.hpp"
 #include "engine/planning/late_openings.hpp"
 #include "engine/planning/later_ways.hpp"
-#include "engine/planning/loiter.hpp"
 #include "engine/planning/route_cost.hpp"
 #include "engine/planning/surfacing_search.hpp"
 #include "engine/planning/waiting_way.hpp"
@@ -230,26 +230,6 @@ bool look_for_a_wait(RouteSearch& result, const Sea& sea, const OpenGrid& open, 
   result.path = std::move(waiting.path);
   result.arrival = waiting.arrival;
   return true;
-}
-
-/// Replaces the way by one that waits until a current slackens, if it arrives earlier and the request allows it.
-void look_for_waits_in_currents(RouteSearch& result, const Sea& sea, const OpenGrid& open,
-                                const graph::Query& query, const StraightBound& straight,
-                                const std::stop_token& stop, const graph::ExpansionCallback& report) {
-  if (!waits_may_help(sea)) return;
-  const graph::SearchTree tree = graph::find_earliest_arrivals(
-      open.graph, query, WaitedTravelTime{sea, open.grid}, stop, straight, report);
-  result.cancelled = tree.stopped;
-  result.statistics.edge_evaluations += tree.counters.edge_evaluations;
-  result.statistics.expansions += tree.counters.expansions;
-  const core::Seconds arrival{tree.arrival_s(open.grid.goal)};
-  if (tree.stopped || !tree.is_reached(open.grid.goal) || (!result.path.empty() && arrival >= result.arrival))
-    return;
-  result.path.clear();
-  for (const Vertex v : graph::path_to(open.graph, tree, open.grid.goal))
-    result.path.push_back(open.grid.point(v));
-  result.arrival = arrival;
-  result.statistics.worst_fifo_violation.reset();  // who may wait loses nothing by it
 }
 
 /// The search as if the time without surfacing were not bounded.

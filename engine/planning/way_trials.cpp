@@ -183,13 +183,36 @@ class GridTrial {
   std::vector<geo::PlanePoint> path_with_waits(core::Seconds depart) {
     const StraightBound straight{sea_, open_.grid, open_.graph, open_.grid.goal};
     const graph::Query query{open_.grid.start, open_.grid.goal, depart, whenever};
+    // A leg that is closed is timed at many departures.
+    constexpr std::int64_t times_of_a_wait = 24;
+    const GridTravelTime timed{sea_, open_.grid};
     const WaitedTravelTime waited{sea_, open_.grid};
+    const auto in_time_or_later = [&](const graph::Edge& edge, core::Seconds leaves, core::Seconds latest) {
+      const auto at_once = timed(edge, leaves, latest);
+      if (at_once || at_once.error() != motion::EdgeClosed::current_too_strong) return at_once;
+      left_ -= times_of_a_wait * work_of_a_leg;
+      return waited(edge, leaves, latest);
+    };
     const graph::SearchTree tree =
-        graph::find_earliest_arrivals(open_.graph, query, rationed(waited), stop_, straight);
+        graph::find_earliest_arrivals(open_.graph, query, rationed(in_time_or_later), stop_, straight);
     std::vector<geo::PlanePoint> path;
     for (const graph::Vertex v : graph::path_to(open_.graph, tree, open_.grid.goal))
       path.push_back(open_.grid.point(v));
-    return path;
+    return path.empty() ? path_after_wait_at_start(depart) : path;
+  }
+
+  /// The same where it has to wait at the start already.
+  std::vector<geo::PlanePoint> path_after_wait_at_start(core::Seconds depart) {
+    constexpr int most_tries = 6;
+    const geo::PlanePoint start = open_.grid.point(open_.grid.start);
+    const core::Seconds stays = can_stay_until(sea_, start, depart, depart + sea_.longest_wait());
+    const GridTravelTime timed{sea_, open_.grid};
+    for (int i = 1; i <= most_tries && stays > depart && left_ > 0; ++i) {
+      const core::Seconds later = depart + (static_cast<double>(i) / most_tries) * (stays - depart);
+      Way way = way_by<TowardsEarliestWay>(later, whenever, timed);
+      if (!way.path.empty()) return std::move(way.path);
+    }
+    return {};
   }
 
   std::vector<geo::PlanePoint> later_path(core::Seconds depart) {

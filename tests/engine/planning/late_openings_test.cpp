@@ -119,17 +119,37 @@ TEST(LateOpenings, AreWaitedForByRefinedPlansNoLess) {
   EXPECT_GT(refined->arrival, at_hour(20.0));
 }
 
-TEST(LateOpenings, AreNotWaitedForLongerThanAllowed) {
+/// A stream of 32 km that stands until the hour 12, when a vehicle that went at once is in the middle of it, and again
+/// from the hour 30 on: nobody can keep a place in it meanwhile.
+TEST(LateOpenings, AreWaitedForWhereAStreamLetsInButNotOut) {
+  const auto currents = [](geo::LonLat place, double hour) {
+    const bool in_stream = std::abs(place.lon_deg + 53.0) < 0.4;
+    return geo::VelocityEn{{in_stream && hour > 12.0 && hour < 30.0 ? -0.6 : 0.0}, {0.0}};
+  };
+  const ocean::Environment environment{.currents = support::currents_from(currents, 240)};
   PlanRequest request = coarse_request();
-  request.max_loiter = core::Seconds{3600.0};  // of about thirty hours that are needed
+  request.to.lon_deg += 0.3;
+  request.refine = false;
+  core::UtcTime best_of_later = at_hour(240.0);
+  for (double hour = 16.0; hour <= 30.0; hour += 1.0) {
+    request.depart = at_hour(hour);
+    if (const auto later = plan_route(environment, request, {}, {}))
+      best_of_later = std::min(best_of_later, later->arrival);
+  }
+  request.depart = at_hour(0.0);
+  request.max_loiter = core::Seconds{3600.0 * 36.0};
 
-  const auto found = plan_route(strait(40.0, no_end_deg), request, {}, {});
+  const auto found = plan_route(environment, request, {}, {});
 
-  EXPECT_FALSE(found.has_value());
+  ASSERT_LT(best_of_later, at_hour(200.0));
+  ASSERT_TRUE(found.has_value()) << found.error().explanation;
+  EXPECT_LE(found->arrival, best_of_later + core::Seconds{1800.0}) << "departures are tried every 45 minutes";
+  for (const Waypoint& waypoint : found->waypoints) EXPECT_LE(waypoint.wait, request.max_loiter);
 }
 
 TEST(LateOpenings, AreNamedWithTheWaitThatHelps) {
   PlanRequest request = coarse_request();
+  request.to.lon_deg = -52.75;
   const ocean::Environment environment = strait(40.0, no_end_deg);
 
   const auto refused = plan_route(environment, request, {}, {});
