@@ -29,9 +29,9 @@ struct ListRules {
 [[nodiscard]] bool passes_below(const planning::Plan& plan, const ListPart& part);
 
 /// How far from ice and icebergs a list ends whose way passes below them or that ends near ice. The vehicle comes up as
-/// soon as it takes itself to be within the radius of the last row, which it may be before it. Of ice, which lies there,
-/// its error of position may take as much again; what is uncertain of an iceberg is in its disc, and where the vehicle
-/// is off its way it is as likely to be farther from it.
+/// soon as it takes itself to be within the radius of the last row, which it may be before it. Of ice, which lies
+/// there, its error of position may take as much again; what is uncertain of an iceberg is in its disc, and where the
+/// vehicle is off its way it is as likely to be farther from it.
 struct ListEnd {
   std::optional<core::Metres> beyond_ice{};      // along the way; empty: the way passes below none
   std::optional<core::Metres> beyond_iceberg{};  // the same
@@ -44,10 +44,10 @@ struct ListEnd {
   [[nodiscard]] core::Metres sure_room() const;  // the same, however far it is off; may be negative
 };
 
-/// How far the position may be off where a list ends, on whose way there is no fix: what the error has grown by, and how
-/// far the currents of the plan carry the vehicle against the one that it reckons with, the mean over the list before,
-/// on the first list none. Against currents that it does not know of it is as long under way as it takes by its own
-/// reckoning, if that is longer. Zero for plans that do not tell of their error.
+/// How far the position may be off where a list ends, on whose way there is no fix: what the error has grown by, and
+/// how far the currents of the plan carry the vehicle against the one that it reckons with, the mean over the list
+/// before, on the first list none. Against currents that it does not know of it is as long under way as it takes by its
+/// own reckoning, if that is longer. Zero for plans that do not tell of their error.
 [[nodiscard]] core::Metres error_of(const planning::Plan& plan, const ListPart& part);
 
 /// Empty where the list's way passes below nothing and no ice is near its end, and in plans stored before it was kept.

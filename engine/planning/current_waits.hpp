@@ -10,8 +10,8 @@
 
 namespace floeplan::planning {
 
-/// Replaces the way of a search by one that waits until a current slackens, if it arrives earlier and the request allows
-/// waits: in front of a leg that is closed, or at the start.
+/// Replaces the way of a search by one that waits until a current slackens, if it arrives earlier and the request
+/// allows waits: in front of a leg that is closed, or at the start.
 /// Returns  by `result`, whose LateOpening such a way takes away; cancelled once `stop` is requested
 void look_for_waits_in_currents(RouteSearch& result, const Sea& sea, const OpenGrid& open,
                                 const graph::Query& query, const StraightBound& straight,

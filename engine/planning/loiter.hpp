@@ -50,10 +50,9 @@ inline constexpr core::Seconds punctual{0.1};
 /// longest, that lets it through what is closed for a while, or against a current that slackens.
 /// `not_before`: an earliest departure beside the arrival.
 /// Errors    as Sea::leg_time, for the departure at once
-/// Accuracy  that of Sea::first_clear_departure, or `punctual` where the leg is still closed then and stays open once it
-///           is; one that is open for less than `fineness_of_waits`, or a quarter of an hour, may be overlooked; one that
-///           a current closed, if it is open for less than a quarter of the currents' time step or a forty-eighth of the
-///           time that the vehicle can stay
+/// Accuracy  that of Sea::first_clear_departure, or `punctual` where the leg is still closed then and stays open once
+///           it is; one that is open for less than `fineness_of_waits`, or a quarter of an hour, may be overlooked; one
+///           that a current closed, if it is open for less than `between_tries`
 [[nodiscard]] tl::expected<WaitedLeg, motion::EdgeClosed> leg_when_open(
     const Sea& sea, geo::PlanePoint a, geo::PlanePoint b, core::Seconds arrive,
     core::Seconds latest = core::Seconds{INFINITY}, core::Seconds not_before = core::Seconds{0.0});

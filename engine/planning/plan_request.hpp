@@ -56,7 +56,8 @@ struct PlanRequest {
   std::optional<int> max_waypoints;     // start and goal included
   std::optional<core::Metres> max_leg;  // longer legs are parted
   /// The longest that the vehicle may wait at one waypoint for something that is closed for a while: icebergs that
-  /// drift, zones with times, currents stronger than it. Zero: it never waits. It keeps its place by making way against the current.
+  /// drift, zones with times, currents stronger than it. Zero: it never waits. It keeps its place by making way against
+  /// the current.
   core::Seconds max_loiter{0.0};
   std::vector<ocean::Zone> zones;  // obeyed beside those of the environment
   IcebergRules icebergs;

@@ -18,8 +18,8 @@ struct HourlyReach {
 
 /// Divides the time from the departure on into spans and asks of one after the other where a vehicle may surface within
 /// it, where it may come from there before it has to surface again, and in which spans it may do so. So ice that has
-/// closed is of no use any more, and what opens only later is of none yet. What comes after the last span from which the
-/// goal can be reached is not asked.
+/// closed is of no use any more, and what opens only later is of none yet. What comes after the last span from which
+/// the goal can be reached is not asked.
 /// Law      whoever keeps the bound is at no vertex that is not reached
 /// Accuracy a span is half the bound wide, more where the period would have too many of them: openings count as there
 ///          for a span, and surfacings as possible until the bound after its end

@@ -18,8 +18,8 @@ inline constexpr core::Metres farthest_ice_told{200'000.0};
 struct SurfacingState {
   bool may_surface{true};
   core::Seconds since_surfacing{};  // since the last place where it might have surfaced
-  /// Of dead reckoning since the last fix: grown by the rules, and by how far the currents of the plan carry the vehicle
-  /// against the one that it takes them for, the mean of its dive before that fix (none before the first).
+  /// Of dead reckoning since the last fix: grown by the rules, and by how far the currents of the plan carry the
+  /// vehicle against the one that it takes them for, the mean of its dive before that fix (none before the first).
   core::Metres position_error{};
   core::Metres least_upper_turn{};  // how deep the dives must turn here; 0 where the vehicle may surface
   /// How deep they must turn where that is deepest on the leg that leads here and in the wait before it; 0 where

@@ -121,7 +121,7 @@ void add_ensemble(EnvironmentDraft& draft, const std::vector<Dataset>& found) {
   draft.environment.drift_members = std::move(drift_members);
 }
 
-/// Whoever has currents stored expects them to count: none of them reaching the area is a mistake, often of coordinates.
+/// Whoever has currents stored expects them to count: that none reaches the area is a mistake, often of coordinates.
 void refuse_other_waters(EnvironmentDraft& draft) {
   if (draft.query.currents.how != DatasetChoice::How::newest || draft.query.tides.wanted()) return;
   std::vector<std::string> elsewhere;
