@@ -23,7 +23,9 @@ constexpr double utm_south_end_deg = -80.0;
 constexpr double smallest_radius_m = 10.0;  // minimum of list_when_wpt_dist in the vehicle's data dictionary
 constexpr double largest_default_radius_m = 500.0;
 constexpr double long_leg_m = 100'000.0;
-constexpr core::Metres far_off{10'000.0};  // a judgement: beyond what pilots expect of dead reckoning
+// Judgements: beyond what pilots expect of dead reckoning, and may still find by what a plan knows of the ice around it.
+constexpr core::Metres far_off{5000.0};
+constexpr core::Seconds far_later{2.0 * 3600.0};
 
 template <class... Values>
 std::string print(const char* format, Values... values) {
@@ -129,10 +131,10 @@ std::string warning_of_end(const planning::Plan& plan, const List& list) {
   const auto end = end_of(plan, list.part);
   if (!end && !passes_below(plan, list.part)) {
     const core::Metres error = error_of(plan, list.part);
-    if (error <= far_off || !is_beside_ice(plan)) return "";
+    if (error <= far_off) return "";
     return ends + print(
-                      ", where the vehicle may be off by %.0f km: no ice is known so near to it, as far as "
-                      "the plan's area reaches. Have it come up on the way.",
+                      ", where the vehicle may be off by %.0f km: make sure that the water is open so far to "
+                      "all sides, or have it come up on the way.",
                       std::ceil(error.value / 1000.0));
   }
   if (!end) {
@@ -151,6 +153,18 @@ std::string warning_of_end(const planning::Plan& plan, const List& list) {
   }
   if (!passes_below(plan, list.part)) return "";
   return text + ": make sure that the water is open so far to all sides.";
+}
+
+/// Of a list that is flown for longer than planned, where there may be ice by then; empty: it is not.
+std::string warning_of_delay(const planning::Plan& plan, const List& list) {
+  const core::Seconds late = late_by(plan, list.part);
+  if (!plan.surfacing || late <= far_later) return "";
+  return list.file_name +
+         print(
+             " may be flown for %.1f h longer than planned, because the vehicle reckons with "
+             "the current of the list before: make sure that the water at its end is still "
+             "open then.",
+             late.count() / 3600.0);
 }
 
 /// Of legs that are planned on the thruster, where no file turns it on; empty: there are none.
@@ -209,8 +223,8 @@ std::vector<std::string> warnings_for(const planning::Plan& plan, const GotoList
   if (std::string text = warning_of_first_dives(plan, lists.front()); !text.empty())
     warnings.push_back(std::move(text));
   for (const List& list : lists) {
-    std::string text = warning_of_end(plan, list);
-    if (!text.empty()) warnings.push_back(std::move(text));
+    for (std::string text : {warning_of_end(plan, list), warning_of_delay(plan, list)})
+      if (!text.empty()) warnings.push_back(std::move(text));
   }
   if (options.max_waypoints > documented_max_waypoints) {
     warnings.push_back(

@@ -73,18 +73,26 @@ geo::VelocityEn mean_current(const planning::Plan& plan, std::size_t from, std::
   return {{east_m / all_s}, {north_m / all_s}};
 }
 
+/// That the vehicle reckons with on the list.
+geo::VelocityEn reckoned_with(const planning::Plan& plan, const ListPart& part) {
+  return part.before > 0 ? mean_current(plan, part.before - 1, part.first - 1) : geo::VelocityEn{};
+}
+
+core::Seconds planned_time(const planning::Plan& plan, std::size_t leg) {
+  return plan.waypoints[leg].eta - plan.waypoints[leg - 1].eta;
+}
+
 /// How far the currents on the list's way carry the vehicle against what it reckons with.
 core::Metres carried_off(const planning::Plan& plan, const ListPart& part) {
-  const geo::VelocityEn reckoned_with =
-      part.before > 0 ? mean_current(plan, part.before - 1, part.first - 1) : geo::VelocityEn{};
+  const geo::VelocityEn reckoned = reckoned_with(plan, part);
   double east_m = 0.0;
   double north_m = 0.0;
   for (std::size_t i = part.first; i <= part.last; ++i) {
     const planning::Waypoint& leg = plan.waypoints[i];
     if (!leg.current) continue;
-    const double time_s = time_under_way_s(leg, leg.eta - plan.waypoints[i - 1].eta, reckoned_with);
-    east_m += (leg.current->east - reckoned_with.east).value * time_s;
-    north_m += (leg.current->north - reckoned_with.north).value * time_s;
+    const double time_s = time_under_way_s(leg, planned_time(plan, i), reckoned);
+    east_m += (leg.current->east - reckoned.east).value * time_s;
+    north_m += (leg.current->north - reckoned.north).value * time_s;
   }
   return {std::hypot(east_m, north_m)};
 }
@@ -142,6 +150,17 @@ core::Metres error_of(const planning::Plan& plan, const ListPart& part) {
   const auto& after = plan.surfacing->waypoints[part.last].error_without_fix;
   if (!before || !after) return {};
   return *after - *before + carried_off(plan, part);
+}
+
+core::Seconds late_by(const planning::Plan& plan, const ListPart& part) {
+  const geo::VelocityEn reckoned = reckoned_with(plan, part);
+  core::Seconds late{0.0};
+  for (std::size_t i = part.first; i <= part.last; ++i) {
+    const core::Seconds planned = planned_time(plan, i);
+    if (plan.waypoints[i].current)
+      late += core::Seconds{time_under_way_s(plan.waypoints[i], planned, reckoned)} - planned;
+  }
+  return late;
 }
 
 core::Metres ListEnd::room() const {

@@ -50,6 +50,10 @@ struct ListEnd {
 /// own reckoning, if that is longer. Zero for plans that do not tell of their error.
 [[nodiscard]] core::Metres error_of(const planning::Plan& plan, const ListPart& part);
 
+/// How much longer than planned the vehicle is under way on the list, because it reckons with currents that it does not
+/// meet there. The ice at its end is judged for the planned time alone.
+[[nodiscard]] core::Seconds late_by(const planning::Plan& plan, const ListPart& part);
+
 /// Empty where the list's way passes below nothing and no ice is near its end, and in plans stored before it was kept.
 [[nodiscard]] std::optional<ListEnd> end_of(const planning::Plan& plan, const ListPart& part);
 

@@ -348,6 +348,38 @@ TEST(GotoLists, AreNotBeyondIceThatTheirWayDoesNotPassBelow) {
   EXPECT_THAT(write_goto_lists(plan, {})->warnings, testing::Not(Contains(HasSubstr("beyond the ice"))));
 }
 
+/// Ice far beside a way, or beyond what the plan looked at, is none of its waypoints' nearest.
+TEST(GotoLists, SayHowFarOffTheVehicleMayComeUpWhereNoIceIsKnown) {
+  planning::Plan plan = plan_below_ice(3, {});
+  for (std::size_t i = 0; i < 3; ++i)
+    plan.surfacing->waypoints[i].error_without_fix = core::Metres{4000.0 * static_cast<double>(i)};
+  const auto says = Contains(HasSubstr("may be off by 8 km: make sure"));
+  EXPECT_THAT(write_goto_lists(plan, {})->warnings, says);
+
+  plan.surfacing->waypoints[2].error_without_fix = core::Metres{4500.0};
+  EXPECT_THAT(write_goto_lists(plan, {})->warnings, testing::Not(Contains(HasSubstr("may be off by"))));
+}
+
+/// Against a current that was ahead on the list before the vehicle takes itself to be slower than it is.
+TEST(GotoLists, SayHowMuchLongerTheVehicleIsUnderWayByItsOwnReckoning) {
+  planning::Plan plan = plan_below_ice(3, {});
+  for (std::size_t i = 0; i < 3; ++i) {
+    planning::Waypoint& leg = plan.waypoints[i];
+    leg.eta = plan.departure + core::Seconds{20'000.0 * static_cast<double>(i)};
+    leg.leg_length = core::Metres{5000.0};
+    leg.course_deg = 90.0;
+    leg.speed_through_water = core::MetresPerSecond{0.25};
+    leg.current = geo::VelocityEn{{i == 1 ? -0.125 : 0.0}, {0.0}};
+    plan.surfacing->waypoints[i].error_without_fix = core::Metres{0.0};
+  }
+
+  const auto lists = write_goto_lists(plan, {.max_waypoints = 1});
+
+  ASSERT_TRUE(lists.has_value());
+  EXPECT_THAT(lists->warnings, Contains(HasSubstr("goto_l11.ma may be flown for 5.6 h longer than planned")));
+  EXPECT_THAT(lists->warnings, testing::Not(Contains(HasSubstr("goto_l10.ma may be flown"))));
+}
+
 TEST(GotoLists, OfAPlanThatDoesNotTellItsCurrentsSaySo) {
   const auto says = Contains(HasSubstr("does not tell the currents on its legs"));
   planning::Plan plan = plan_out_of_the_ice();
