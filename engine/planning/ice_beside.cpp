@@ -30,11 +30,11 @@ core::Metres deepest_turn_within(core::Metres distance, const UnderIce& ice, geo
 
 std::optional<core::Metres> nearest_ice_within(core::Metres distance, const UnderIce& ice,
                                                geo::PlanePoint place, core::Seconds when) {
-  // Judgements: rings lie closer to each other near the place, where every metre counts, and farther out no farther
-  // apart than what ice is told in, cells of kilometres.
+  // Judgements: rings lie closer to each other near the place, where every metre counts, and farther out they and
+  // the looks of each are no farther apart than what ice is told in, cells of kilometres.
   constexpr double first_ring_m = 50.0;
   constexpr double most_apart_m = 1000.0;
-  constexpr int looks_of_a_ring = 24;
+  constexpr int least_looks_of_a_ring = 24;
   constexpr int halvings = 6;
   const auto is_ice = [&](double radius_m, double angle) {
     const geo::PlanePoint there{place.x_m + radius_m * std::cos(angle),
@@ -46,6 +46,8 @@ std::optional<core::Metres> nearest_ice_within(core::Metres distance, const Unde
     const double apart_m = std::clamp(inner_m, first_ring_m, most_apart_m);
     const double outer_m = std::min(inner_m + apart_m, distance.value);
     double nearest_m = std::numeric_limits<double>::infinity();
+    const int looks_of_a_ring = std::max(
+        least_looks_of_a_ring, static_cast<int>(std::ceil(2.0 * std::numbers::pi * outer_m / most_apart_m)));
     for (int look = 0; look < looks_of_a_ring; ++look) {
       const double angle = 2.0 * std::numbers::pi * look / looks_of_a_ring;
       if (!is_ice(outer_m, angle)) continue;

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/geo/geodesic.hpp"
+#include "engine/planning/ice_beside.hpp"
 #include "engine/planning/plan_route.hpp"
 #include "engine/planning/sea.hpp"
 #include "engine/planning/surfacing.hpp"
@@ -519,6 +520,40 @@ TEST(PlanUnderIce, TheErrorDoesNotCountACurrentThatWasMeasuredBeforeTheDive) {
   const double against_m = off.position_error.value - grown_by_the_rules(off).value;
   EXPECT_LT(against_m, carried_m);
   EXPECT_GT(against_m, 0.75 * carried_m) << "it turns between two nodes of the data, not at once";
+}
+
+/// A floe of 2 km is as near whichever way it bears.
+TEST(PlanUnderIce, FindsSmallIceToAnySide) {
+  const geo::LocalProjection projection{{-53.0, 69.0}};
+  PlanRequest request = support::eastward_request();
+  for (int bearing_deg = 0; bearing_deg < 360; bearing_deg += 7) {
+    const double bearing = core::degrees_to_radians(bearing_deg);
+    const geo::LonLat floe =
+        projection.to_lon_lat({11'000.0 * std::sin(bearing), 11'000.0 * std::cos(bearing)});
+    const ocean::HorizontalGrid grid{geo::GeographicFrame{}, support::steps(-53.5, 0.01, 101),
+                                     support::steps(68.8, 0.004, 101)};
+    ocean::IceField::Samples samples{
+        .grid = grid, .times_s = ocean::Axis{{support::sea_start_s}}, .concentration = {}, .thickness_m = {}};
+    for (std::size_t iy = 0; iy < grid.y().size(); ++iy) {
+      for (std::size_t ix = 0; ix < grid.x().size(); ++ix) {
+        const bool is_ice = geo::geodesic_between(grid.place(ix, iy), floe).length.value < 1000.0;
+        samples.concentration.push_back(is_ice ? 0.95F : 0.0F);
+        samples.thickness_m.push_back(1.0F);
+      }
+    }
+    const ocean::Environment environment{.ice = std::make_shared<const ocean::IceField>(std::move(samples))};
+    const Sea sea{environment,
+                  request,
+                  projection,
+                  {{-20'000.0, -20'000.0}, {20'000.0, 20'000.0}},
+                  core::Metres{1000.0}};
+
+    const auto nearest =
+        nearest_ice_within(core::Metres{15'000.0}, *sea.ice(), {0.0, 0.0}, core::Seconds{0.0});
+
+    ASSERT_TRUE(nearest.has_value()) << bearing_deg;
+    EXPECT_NEAR(nearest->value, 10'000.0, 700.0) << bearing_deg;
+  }
 }
 
 /// How far a vehicle may be off at the end of a list no plan knows: ice far beyond its own error counts as well.
