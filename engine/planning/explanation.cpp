@@ -297,7 +297,7 @@ Infeasible explain_removable(Infeasible why, Constraint constraint) {
 Infeasible explain_circling(const OpensLater& opens_later, Stop kind, geo::PlanePoint stop, const Sea& sea,
                             const PlanRequest& request) {
   const RouteClosed& closed = opens_later.closed;
-  const bool in_zone = closed.reason == motion::EdgeClosed::in_zone;
+  const bool in_zone = closed.reason == motion::EdgeClosed::in_zone || sea.icebergs().empty();
   const std::vector<TimeSpan> closures =
       in_zone ? sea.closed_times_by_zones(stop) : sea.closed_times_by_icebergs(stop);
   const auto at_stop = std::ranges::find_if(closures, [&](const TimeSpan& span) {

@@ -160,12 +160,13 @@ bool only_kills_time(const Attempt& moving, const Result<Plan>& waiting) {
   return schedule && longest_killing_of_time(sea, moving.route, *schedule).has_value();
 }
 
-/// The request without its leave to wait and to pass under icebergs; empty where neither made a difference to `plan`.
-std::optional<PlanRequest> without_leave(const ocean::Environment& environment, const PlanRequest& request,
-                                         const Result<Plan>& plan) {
+/// The request without its leave to wait and to pass under icebergs; empty where neither can make a difference.
+std::optional<PlanRequest> without_leave(const ocean::Environment& environment, const PlanRequest& request) {
   const bool has_icebergs = !environment.icebergs.empty();
+  const bool currents_change =
+      environment.currents && !environment.steady_currents && environment.currents->times_s().size() > 1;
   const bool something_opens =
-      has_icebergs || !environment.zones.empty() || !request.zones.empty() || waits_somewhere(plan);
+      has_icebergs || !environment.zones.empty() || !request.zones.empty() || currents_change;
   const bool may_wait = request.max_loiter.count() > 0.0 && something_opens;
   const bool may_pass_under = request.icebergs.pass_under && has_icebergs;
   if (!may_wait && !may_pass_under) return std::nullopt;
@@ -181,7 +182,7 @@ Result<Plan> plan_fastest(const ocean::Environment& environment, const PlanReque
                           const std::stop_token& stop, const core::ProgressCallback& progress,
                           const core::SteadyClock& clock) {
   Attempt best = plan_on_grids(environment, request, stop, progress, clock);
-  const std::optional<PlanRequest> strict = without_leave(environment, request, best.plan);
+  const std::optional<PlanRequest> strict = without_leave(environment, request);
   if (strict && !stop.stop_requested()) {
     // Refinement finds other ways where less is allowed: a leave must never make a plan later, but for the time that is
     // killed else.
