@@ -6,6 +6,7 @@
 #include <string>
 
 #include "engine/mission/below_ice.hpp"
+#include "engine/motion/speed_over_ground.hpp"
 
 namespace floeplan::mission {
 namespace {
@@ -41,21 +42,18 @@ std::optional<core::Metres> beyond_iceberg(const planning::Plan& plan, const Lis
   return least;
 }
 
-/// Along a leg's course, with a current, of a vehicle that makes good the course; zero or less: it cannot.
-double made_good_m_s(const planning::Waypoint& leg, geo::VelocityEn current) {
-  const double course = core::degrees_to_radians(*leg.course_deg);
-  const double along_m_s = current.east.value * std::sin(course) + current.north.value * std::cos(course);
-  const double across_m_s = current.east.value * std::cos(course) - current.north.value * std::sin(course);
-  const double speed_m_s = leg.speed_through_water->value;
-  if (speed_m_s <= std::abs(across_m_s)) return 0.0;
-  return along_m_s + std::sqrt(speed_m_s * speed_m_s - across_m_s * across_m_s);
+core::Seconds planned_time(const planning::Plan& plan, std::size_t leg) {
+  return plan.waypoints[leg].eta - plan.waypoints[leg - 1].eta;
 }
 
 /// How long the vehicle is under way on a leg, at least as the plan has it, by its own reckoning if that is longer.
-double time_under_way_s(const planning::Waypoint& leg, core::Seconds planned, geo::VelocityEn reckoned_with) {
-  if (!leg.course_deg || !leg.leg_length || !leg.speed_through_water) return planned.count();
-  const double speed_m_s = made_good_m_s(leg, reckoned_with);
-  return speed_m_s > 0.0 ? std::max(planned.count(), leg.leg_length->value / speed_m_s) : planned.count();
+core::Seconds time_under_way(const planning::Plan& plan, std::size_t number, geo::VelocityEn reckoned) {
+  const core::Seconds planned = planned_time(plan, number);
+  const planning::Waypoint& leg = plan.waypoints[number];
+  if (!leg.course_deg || !leg.leg_length || !leg.speed_through_water) return planned;
+  const auto speed =
+      motion::speed_over_ground(*leg.speed_through_water, reckoned, geo::Bearing::degrees(*leg.course_deg));
+  return speed ? std::max(planned, *leg.leg_length / *speed) : planned;
 }
 
 /// Mean over the legs from one waypoint to another; none where the plan tells none.
@@ -64,7 +62,7 @@ geo::VelocityEn mean_current(const planning::Plan& plan, std::size_t from, std::
   double north_m = 0.0;
   for (std::size_t i = from + 1; i <= to; ++i) {
     const geo::VelocityEn current = plan.waypoints[i].current.value_or(geo::VelocityEn{});
-    const double time_s = (plan.waypoints[i].eta - plan.waypoints[i - 1].eta).count();
+    const double time_s = planned_time(plan, i).count();
     east_m += current.east.value * time_s;
     north_m += current.north.value * time_s;
   }
@@ -78,10 +76,6 @@ geo::VelocityEn reckoned_with(const planning::Plan& plan, const ListPart& part) 
   return part.before > 0 ? mean_current(plan, part.before - 1, part.first - 1) : geo::VelocityEn{};
 }
 
-core::Seconds planned_time(const planning::Plan& plan, std::size_t leg) {
-  return plan.waypoints[leg].eta - plan.waypoints[leg - 1].eta;
-}
-
 /// How far the currents on the list's way carry the vehicle against what it reckons with.
 core::Metres carried_off(const planning::Plan& plan, const ListPart& part) {
   const geo::VelocityEn reckoned = reckoned_with(plan, part);
@@ -90,7 +84,7 @@ core::Metres carried_off(const planning::Plan& plan, const ListPart& part) {
   for (std::size_t i = part.first; i <= part.last; ++i) {
     const planning::Waypoint& leg = plan.waypoints[i];
     if (!leg.current) continue;
-    const double time_s = time_under_way_s(leg, planned_time(plan, i), reckoned);
+    const double time_s = time_under_way(plan, i, reckoned).count();
     east_m += (leg.current->east - reckoned.east).value * time_s;
     north_m += (leg.current->north - reckoned.north).value * time_s;
   }
@@ -156,9 +150,7 @@ core::Seconds late_by(const planning::Plan& plan, const ListPart& part) {
   const geo::VelocityEn reckoned = reckoned_with(plan, part);
   core::Seconds late{0.0};
   for (std::size_t i = part.first; i <= part.last; ++i) {
-    const core::Seconds planned = planned_time(plan, i);
-    if (plan.waypoints[i].current)
-      late += core::Seconds{time_under_way_s(plan.waypoints[i], planned, reckoned)} - planned;
+    if (plan.waypoints[i].current) late += time_under_way(plan, i, reckoned) - planned_time(plan, i);
   }
   return late;
 }

@@ -4,13 +4,12 @@
 #include <cstdio>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/planning/loiter.hpp"
 
 namespace floeplan::planning {
 namespace {
 
 constexpr std::size_t most_legs = 128;
-constexpr int most_tries = 48;  // a tidal cycle in quarters of an hour
-constexpr double tries_per_time_step = 4.0;
 constexpr int halvings = 10;         // of the span in which a leg opens
 constexpr double least_gain_s = 60;  // below it nothing would be planned otherwise
 constexpr std::size_t legs_between_looks = 4;
@@ -40,14 +39,13 @@ std::vector<Suspect> suspects(const OpenGrid& open, const graph::SearchTree& tre
 /// The leg of one suspect at later departures.
 class LaterDepartures {
  public:
-  /// `finest`: step of the tries; they take larger ones where the span is long.
-  LaterDepartures(const Sea& sea, const RouteGrid& grid, const Suspect& suspect, core::Seconds finest)
+  LaterDepartures(const Sea& sea, const RouteGrid& grid, const Suspect& suspect)
       : sea_{sea},
         from_{grid.point(suspect.refused.edge.tail)},
         to_{grid.point(suspect.refused.edge.head)},
         refused_{suspect.refused.when},
         latest_{std::min(core::Seconds{suspect.latest_s}, *sea.currents()->end())},
-        step_{std::max(finest, (latest_ - refused_) / most_tries)} {}
+        step_{between_tries(sea, latest_ - refused_)} {}
 
   /// The earliest departure that gets through and its arrival, when this is in time.
   struct Opening {
@@ -55,9 +53,7 @@ class LaterDepartures {
     core::Seconds arrival;
   };
   [[nodiscard]] std::optional<Opening> first() const {
-    for (int i = 1; i <= most_tries; ++i) {
-      const core::Seconds depart = refused_ + i * step_;
-      if (depart >= latest_) return std::nullopt;
+    for (core::Seconds depart = refused_ + step_; depart < latest_; depart += step_) {
       if (arrival(depart)) return sharpen(depart - step_, depart);
     }
     return std::nullopt;
@@ -97,14 +93,13 @@ std::vector<LateOpening> find_late_openings(const Sea& sea, core::UtcTime epoch,
                                             const graph::SearchTree& tree, const RefusedEdges& refused,
                                             const StraightBound& bound, const std::stop_token& stop) {
   std::vector<LateOpening> found;
-  const auto time_step = sea.currents() ? sea.currents()->time_step() : std::nullopt;
-  if (!time_step) return found;
+  if (!sea.currents() || !sea.currents()->time_step()) return found;
 
   const std::vector<Suspect> all = suspects(open, tree, refused, bound);
   for (std::size_t i = 0; i < all.size(); ++i) {
     if (i % legs_between_looks == 0 && stop.stop_requested()) break;
     const graph::Edge edge = all[i].refused.edge;
-    const auto opening = LaterDepartures{sea, open.grid, all[i], *time_step / tries_per_time_step}.first();
+    const auto opening = LaterDepartures{sea, open.grid, all[i]}.first();
     if (!opening) continue;
     LateOpening late{.place = sea.projection().to_lon_lat(open.grid.point(edge.tail)),
                      .refused = epoch + all[i].refused.when,

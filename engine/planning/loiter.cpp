@@ -20,7 +20,7 @@ bool opens_again(motion::EdgeClosed closed) {
 
 /// Last look until which the vehicle keeps its place against the current and below the ice; before `from`: not at all.
 core::Seconds held_until(const Sea& sea, geo::PlanePoint place, core::Seconds from, core::Seconds until) {
-  // Between two steps of the data a current changes evenly, and is never stronger than at both.
+  // Between two steps of the data a current changes evenly, and is never stronger than at the stronger of both.
   const auto next_look = [&](core::Seconds now) {
     const core::Seconds step = sea.currents() ? sea.currents()->next_step(now) : until;
     return std::min({now + between_looks, step, until});

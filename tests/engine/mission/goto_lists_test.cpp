@@ -360,18 +360,23 @@ TEST(GotoLists, SayHowFarOffTheVehicleMayComeUpWhereNoIceIsKnown) {
   EXPECT_THAT(write_goto_lists(plan, {})->warnings, testing::Not(Contains(HasSubstr("may be off by"))));
 }
 
-/// Against a current that was ahead on the list before the vehicle takes itself to be slower than it is.
-TEST(GotoLists, SayHowMuchLongerTheVehicleIsUnderWayByItsOwnReckoning) {
-  planning::Plan plan = plan_below_ice(3, {});
-  for (std::size_t i = 0; i < 3; ++i) {
+/// Legs of 5 km eastwards at 0.25 m/s through the water, each flown in so much time, with these currents eastwards.
+void set_legs(planning::Plan& plan, core::Seconds each, const std::vector<double>& currents_m_s) {
+  for (std::size_t i = 0; i < plan.waypoints.size(); ++i) {
     planning::Waypoint& leg = plan.waypoints[i];
-    leg.eta = plan.departure + core::Seconds{20'000.0 * static_cast<double>(i)};
+    leg.eta = plan.departure + static_cast<double>(i) * each;
     leg.leg_length = core::Metres{5000.0};
     leg.course_deg = 90.0;
     leg.speed_through_water = core::MetresPerSecond{0.25};
-    leg.current = geo::VelocityEn{{i == 1 ? -0.125 : 0.0}, {0.0}};
-    plan.surfacing->waypoints[i].error_without_fix = core::Metres{0.0};
+    leg.current = geo::VelocityEn{{currents_m_s[i]}, {0.0}};
   }
+}
+
+/// Against a current that was ahead on the list before the vehicle takes itself to be slower than it is.
+TEST(GotoLists, SayHowMuchLongerTheVehicleIsUnderWayByItsOwnReckoning) {
+  planning::Plan plan = plan_below_ice(3, {});
+  set_legs(plan, core::Seconds{20'000.0}, {0.0, -0.125, 0.0});
+  for (auto& state : plan.surfacing->waypoints) state.error_without_fix = core::Metres{0.0};
 
   const auto lists = write_goto_lists(plan, {.max_waypoints = 1});
 
@@ -412,14 +417,7 @@ TEST(GotoLists, CountWhatTheCurrentsOfThePlanCarryTheVehicle) {
 /// Who takes a current that helps for none has farther to go by its own reckoning, and goes on for longer.
 TEST(GotoLists, CountThatTheVehicleGoesOnUntilItTakesItselfToBeThere) {
   planning::Plan plan = plan_out_of_the_ice();
-  for (std::size_t i = 0; i < 3; ++i) {
-    planning::Waypoint& leg = plan.waypoints[i];
-    leg.eta = plan.departure + core::Seconds{10'000.0 * static_cast<double>(i)};
-    leg.leg_length = core::Metres{5000.0};
-    leg.course_deg = 90.0;
-    leg.speed_through_water = core::MetresPerSecond{0.25};
-    leg.current = geo::VelocityEn{{0.25}, {0.0}};
-  }
+  set_legs(plan, core::Seconds{10'000.0}, {0.25, 0.25, 0.25});
 
   const auto lists = write_goto_lists(plan, {});
 
