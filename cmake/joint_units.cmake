@@ -1,6 +1,8 @@
 # Compiles several sources of a target as one unit, which takes a third of the time: headers are read, and templates
 # are instantiated, once for all of them. Sources of one unit share their unnamed namespaces, so a name in two of them
 # is an error there. Which unit a source goes into depends on its name alone, so that a new source moves no other.
+# The units name their sources from the top of the tree (CMake's own name them by absolute paths), so that the compiler's
+# cache knows them again in another clone.
 
 # floeplan_join_sources(<folder>): of every target that this folder and those below it define.
 function(floeplan_join_sources folder)
@@ -29,12 +31,27 @@ function(floeplan_join_sources_of target)
     math(EXPR most "2 * ${most}")
   endwhile()
   foreach(source IN LISTS sources)
+    get_filename_component(path ${source} ABSOLUTE BASE_DIR ${folder})
+    get_source_file_property(options ${path} TARGET_DIRECTORY ${target} COMPILE_OPTIONS)
+    get_source_file_property(includes ${path} TARGET_DIRECTORY ${target} INCLUDE_DIRECTORIES)
+    if(options OR includes OR NOT path MATCHES "\\.cpp$")
+      continue()  # compiled in a way of its own, or not at all
+    endif()
     get_filename_component(name ${source} NAME)
     string(MD5 digest ${name})
     string(SUBSTRING ${digest} 0 4 digits)
     math(EXPR unit "0x${digits} % ${units}")
-    get_filename_component(path ${source} ABSOLUTE BASE_DIR ${folder})
-    set_source_files_properties(${path} TARGET_DIRECTORY ${target} PROPERTIES UNITY_GROUP unit${unit})
+    file(RELATIVE_PATH include ${PROJECT_SOURCE_DIR} ${path})
+    string(APPEND text_of_${unit} "#include \"${include}\"\n")
+    set_source_files_properties(${path} TARGET_DIRECTORY ${target} PROPERTIES HEADER_FILE_ONLY ON)
   endforeach()
-  set_target_properties(${target} PROPERTIES UNITY_BUILD ON UNITY_BUILD_MODE GROUP)
+  math(EXPR last "${units} - 1")
+  foreach(unit RANGE ${last})
+    if(DEFINED text_of_${unit})
+      set(joint ${PROJECT_BINARY_DIR}/joint/${target}/unit${unit}.cpp)
+      file(CONFIGURE OUTPUT ${joint} CONTENT "${text_of_${unit}}" @ONLY)
+      target_sources(${target} PRIVATE ${joint})
+    endif()
+  endforeach()
+  target_include_directories(${target} PRIVATE ${PROJECT_SOURCE_DIR})
 endfunction()

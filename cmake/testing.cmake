@@ -7,10 +7,8 @@ endif()
 function(floeplan_test folder)
   cmake_parse_arguments(PARSE_ARGV 1 TEST "" "" "SOURCES;LIBRARIES")
   add_executable(${folder}_test ${TEST_SOURCES})
-  target_link_libraries(${folder}_test PRIVATE ${TEST_LIBRARIES} GTest::gmock_main floeplan_options)
+  target_link_libraries(${folder}_test PRIVATE ${TEST_LIBRARIES} floeplan_test_places GTest::gmock_main floeplan_options)
   target_include_directories(${folder}_test PRIVATE ${PROJECT_SOURCE_DIR})
-  target_compile_definitions(${folder}_test PRIVATE
-    FLOEPLAN_SOURCE_DIR="${PROJECT_SOURCE_DIR}" FLOEPLAN_BINARY_DIR="${PROJECT_BINARY_DIR}")
   if(FLOEPLAN_SANITIZE OR NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     # What a test calls is optimised as it is for users; its own code is large, runs briefly, and compiles twice as fast.
     # At -Og the compiler takes what a constructor it does not inline sets for uninitialised.

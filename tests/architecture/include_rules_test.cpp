@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <fstream>
 
+#include "tests/support/places.hpp"
+
 namespace floeplan::support::include_rules_test {
 namespace {
 
@@ -20,7 +22,7 @@ class SpoiltTree : public testing::Test {
   SpoiltTree() {
     for (const char* layer : {"engine", "storage", "api", "server"}) {
       fs::create_directories(root_ / layer);
-      fs::copy(fs::path{FLOEPLAN_SOURCE_DIR} / layer, root_ / layer, fs::copy_options::recursive);
+      fs::copy(fs::path{support::source_folder()} / layer, root_ / layer, fs::copy_options::recursive);
     }
   }
   ~SpoiltTree() override { fs::remove_all(root_); }
@@ -32,7 +34,7 @@ class SpoiltTree : public testing::Test {
 
   /// What the test spoilt; faults that the tree itself has are another test's matter.
   [[nodiscard]] std::vector<std::string> new_faults() const {
-    const std::vector<std::string> known = broken_include_rules(FLOEPLAN_SOURCE_DIR);
+    const std::vector<std::string> known = broken_include_rules(support::source_folder());
     std::vector<std::string> faults = broken_include_rules(root_);
     std::erase_if(faults, [&](const std::string& fault) { return std::ranges::count(known, fault) > 0; });
     return faults;
@@ -41,7 +43,7 @@ class SpoiltTree : public testing::Test {
   const fs::path root_ = fs::path{testing::TempDir()} / ("include_rules_" + std::to_string(::getpid()));
 };
 
-TEST(IncludeRules, HoldInThisTree) { EXPECT_THAT(broken_include_rules(FLOEPLAN_SOURCE_DIR), IsEmpty()); }
+TEST(IncludeRules, HoldInThisTree) { EXPECT_THAT(broken_include_rules(support::source_folder()), IsEmpty()); }
 
 TEST_F(SpoiltTree, ShowsAnArrowThatPointsBack) {
   append("engine/core/units.hpp", "#include \"engine/geo/lon_lat.hpp\"");

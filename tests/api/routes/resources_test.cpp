@@ -2,6 +2,7 @@
 #include <cctype>
 
 #include "tests/api/routes/api_fixture.hpp"
+#include "tests/support/places.hpp"
 
 namespace floeplan::routes::resources_test {
 namespace {
@@ -70,7 +71,7 @@ TEST_F(ResourcesTest, ProblemsComeAsPlainJsonToWhoeverTakesNothingElse) {
 }
 
 TEST_F(ResourcesTest, AssetNamesCannotLeaveTheirFolder) {
-  service_.web = FLOEPLAN_SOURCE_DIR "/api/routes";
+  service_.web = support::source_folder() + "/api/routes";
   EXPECT_EQ(ask("GET", "/app/router.cpp").status, 200);
   EXPECT_EQ(ask("GET", "/app/../openapi/openapi.json").status, 404);
   EXPECT_EQ(ask("GET", "/app/%2e%2e/openapi/openapi.json").status, 404);

@@ -4,11 +4,13 @@
 #include <fstream>
 #include <iterator>
 
+#include "tests/support/places.hpp"
+
 namespace floeplan::support {
 
 namespace fs = std::filesystem;
 
-fs::path shared_missions() { return fs::path{FLOEPLAN_SOURCE_DIR} / "../shared/data/gliderdos"; }
+fs::path shared_missions() { return fs::path{support::source_folder()} / "../shared/data/gliderdos"; }
 
 std::vector<fs::path> shared_mission_files() {
   std::vector<fs::path> files;

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "engine/planning/river_extremal.hpp"
+#include "tests/support/places.hpp"
 
 namespace floeplan::reproduction::tables_test {
 namespace {
@@ -20,7 +21,7 @@ struct Golden {
 };
 
 std::vector<Golden> golden(const std::string& file) {
-  std::ifstream stream{std::string{FLOEPLAN_SOURCE_DIR} + "/tests/golden/" + file};
+  std::ifstream stream{support::source_folder() + "/tests/golden/" + file};
   std::vector<Golden> rows;
   std::string line;
   std::getline(stream, line);  // names of the columns

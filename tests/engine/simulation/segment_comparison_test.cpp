@@ -9,6 +9,7 @@
 
 #include "tests/engine/simulation/flown.hpp"
 #include "tests/engine/simulation/logged.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::simulation::segment_comparison_test {
@@ -38,7 +39,7 @@ std::string simulated_log(double east_m_s, double north_m_s) {
 
 std::vector<LoggedSegment> shared_segments() {
   std::vector<LoggedSegment> segments;
-  const auto folder = std::filesystem::path{FLOEPLAN_SOURCE_DIR} / "../shared/data/env/glider";
+  const auto folder = std::filesystem::path{support::source_folder()} / "../shared/data/env/glider";
   for (const char* name :
        {"slocum_amadeus-2014-204-05-000_nav.csv", "slocum_comet-2019-222-02-154_nav.csv"}) {
     std::ifstream stream{folder / name, std::ios::binary};

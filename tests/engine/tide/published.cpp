@@ -4,10 +4,12 @@
 #include <cmath>
 #include <fstream>
 
+#include "tests/support/places.hpp"
+
 namespace floeplan::tide::test {
 
 std::optional<std::filesystem::path> published(const std::string& name) {
-  const auto file = std::filesystem::path{FLOEPLAN_SOURCE_DIR} / "../shared/data/env/tides" / name;
+  const auto file = std::filesystem::path{support::source_folder()} / "../shared/data/env/tides" / name;
   if (!std::filesystem::exists(file)) return std::nullopt;
   return file;
 }

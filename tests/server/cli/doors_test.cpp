@@ -5,6 +5,7 @@
 
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
+#include "tests/support/places.hpp"
 
 namespace floeplan::cli::doors_test {
 namespace {
@@ -104,8 +105,9 @@ TEST(BackupScripts, BringBackWhatWasThereWhenTheCopyWasMade) {
   const fs::path backups = program.folder() / "backups";
   const fs::path other = program.folder() / "other";
   const auto script = [](const std::string& name, const fs::path& first, const fs::path& second) {
-    const std::string command = "FLOEPLAN=" FLOEPLAN_BINARY_DIR "/floeplan " FLOEPLAN_SOURCE_DIR "/deploy/" +
-                                name + " " + first.string() + " " + second.string() + " > /dev/null 2>&1";
+    const std::string command = "FLOEPLAN=" + support::program_folder() + "/floeplan " +
+                                support::source_folder() + "/deploy/" + name + " " + first.string() + " " +
+                                second.string() + " > /dev/null 2>&1";
     return std::system(command.c_str());
   };
   const std::string token = token_of(program, "ship", "admin");

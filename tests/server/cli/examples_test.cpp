@@ -6,6 +6,7 @@
 
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
+#include "tests/support/places.hpp"
 
 namespace floeplan::cli::examples_test {
 namespace {
@@ -37,9 +38,9 @@ class Examples : public testing::TestWithParam<std::string> {
     const fs::path out = folder() / "script.out";
     const fs::path err = folder() / "script.err";
     const std::string command =
-        "PYTHONDONTWRITEBYTECODE=1 FLOEPLAN_TOKEN=" + (token.empty() ? token_ : token) +
-        " timeout 60 " FLOEPLAN_SOURCE_DIR "/api/examples/" + script + GetParam() + ' ' + served_.address() +
-        ' ' + words + " > " + out.string() + " 2> " + err.string();
+        "PYTHONDONTWRITEBYTECODE=1 FLOEPLAN_TOKEN=" + (token.empty() ? token_ : token) + " timeout 60 " +
+        support::source_folder() + "/api/examples/" + script + GetParam() + ' ' + served_.address() + ' ' +
+        words + " > " + out.string() + " 2> " + err.string();
     const int status = std::system(command.c_str());
     return {WEXITSTATUS(status), text_of(out), text_of(err)};
   }

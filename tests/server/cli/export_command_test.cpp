@@ -9,6 +9,7 @@
 
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
+#include "tests/support/places.hpp"
 
 namespace floeplan::cli::export_command_test {
 namespace {
@@ -267,7 +268,7 @@ TEST(HandOverExample, CopiesTheFilesOnceAndReplacesThemOnlyWhenTold) {
   const support::ServedProgram served{program.folder() / "store"};
   const fs::path glider = program.folder() / "gliders" / "amadeus";
   const std::string command =
-      "python3 " FLOEPLAN_SOURCE_DIR "/api/examples/hand_over.py " + served.address() + " ";
+      "python3 " + support::source_folder() + "/api/examples/hand_over.py " + served.address() + " ";
   const std::string quiet = " >/dev/null 2>&1";
   const auto run = [&](const std::string& plan, const std::string& more) {
     return std::system((command + plan + " " + glider.string() + more + quiet).c_str());

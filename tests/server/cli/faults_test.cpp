@@ -2,6 +2,8 @@
 
 #include <cstdlib>
 
+#include "tests/support/places.hpp"
+
 namespace floeplan::cli::faults_test {
 namespace {
 
@@ -11,9 +13,9 @@ namespace {
 TEST(Faults, LoseNothingThatWasPromised) {
   if (std::system("python3 --version > /dev/null 2>&1") != 0)
     GTEST_SKIP() << "install the package python3 to run this test";
-  const char* const command = "PYTHONDONTWRITEBYTECODE=1 python3 " FLOEPLAN_SOURCE_DIR
-                              "/tests/faults/faults.py " FLOEPLAN_BINARY_DIR "/floeplan --kills 12";
-  EXPECT_EQ(std::system(command), 0) << "what was lost is printed above";
+  const std::string command = "PYTHONDONTWRITEBYTECODE=1 python3 " + support::source_folder() +
+                              "/tests/faults/faults.py " + support::program_folder() + "/floeplan --kills 12";
+  EXPECT_EQ(std::system(command.c_str()), 0) << "what was lost is printed above";
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 
 #include "tests/server/cli/program.hpp"
 #include "tests/server/cli/served_program.hpp"
+#include "tests/support/places.hpp"
 
 namespace floeplan::cli::openapi_test {
 namespace {
@@ -41,7 +42,8 @@ class ServedDemo : public testing::Test {
   [[nodiscard]] int run(const std::string& script) const {
     const support::ServedProgram served{program_.folder() / "store"};
     return std::system(
-        ("python3 " FLOEPLAN_SOURCE_DIR "/tests/server/cli/" + script + ' ' + served.address()).c_str());
+        ("python3 " + support::source_folder() + "/tests/server/cli/" + script + ' ' + served.address())
+            .c_str());
   }
 
   support::Program program_;

@@ -7,6 +7,8 @@
 #include <fstream>
 #include <sstream>
 
+#include "tests/support/places.hpp"
+
 namespace floeplan::support {
 namespace {
 
@@ -28,11 +30,12 @@ Outcome Program::run(const std::vector<std::string>& arguments) const {
   for (std::string& word : words) argv.push_back(word.data());
   argv.push_back(nullptr);
 
+  const std::string program = program_folder() + "/floeplan";
   const pid_t child = fork();
   if (child == 0) {
     dup2(open(out.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDOUT_FILENO);
     dup2(open(err.c_str(), O_WRONLY | O_CREAT | O_TRUNC, 0600), STDERR_FILENO);
-    execv(FLOEPLAN_BINARY_DIR "/floeplan", argv.data());
+    execv(program.c_str(), argv.data());
     _exit(127);
   }
   int status = 0;
@@ -41,7 +44,7 @@ Outcome Program::run(const std::vector<std::string>& arguments) const {
 }
 
 std::filesystem::path shared_sample(const std::string& name) {
-  return std::filesystem::path{FLOEPLAN_SOURCE_DIR} / "../shared/data/env" / name;
+  return std::filesystem::path{support::source_folder()} / "../shared/data/env" / name;
 }
 
 }  // namespace floeplan::support

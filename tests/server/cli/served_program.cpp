@@ -9,6 +9,8 @@
 #include <csignal>
 #include <stdexcept>
 
+#include "tests/support/places.hpp"
+
 namespace floeplan::support {
 namespace {
 
@@ -29,6 +31,7 @@ std::uint16_t read_port(int descriptor) {
 
 /// Keeps the other end from filling up while the server runs.
 void drain_in_background(int descriptor) {
+  const std::string program = program_folder() + "/floeplan";
   if (fork() != 0) return;
   char bytes[4096];
   while (read(descriptor, bytes, sizeof bytes) > 0) {
@@ -51,7 +54,7 @@ ServedProgram::ServedProgram(const std::filesystem::path& store, const std::vect
     dup2(ends[1], STDERR_FILENO);
     close(ends[0]);
     close(ends[1]);
-    execv(FLOEPLAN_BINARY_DIR "/floeplan", argv.data());
+    execv(program.c_str(), argv.data());
     _exit(127);
   }
   close(ends[1]);

@@ -13,6 +13,7 @@
 #include "storage/repository/upload_repository.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "tests/server/jobs/wait_until.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/property.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -31,7 +32,7 @@ class ServerProcess {
  public:
   explicit ServerProcess(const std::filesystem::path& store) : pid_{fork()} {
     if (pid_ != 0) return;
-    const std::string program = FLOEPLAN_BINARY_DIR "/floeplan";
+    const std::string program = support::program_folder() + "/floeplan";
     const int nowhere = open("/dev/null", O_WRONLY);
     dup2(nowhere, STDERR_FILENO);
     execl(program.c_str(), "floeplan", "--data", store.c_str(), "serve", "--listen", "127.0.0.1:0", nullptr);

@@ -15,6 +15,7 @@
 #include "tests/storage/ingest/archive_writer.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::ingest::archive_test {
@@ -73,7 +74,7 @@ class Archives : public StoreFixture {
     EXPECT_TRUE(std::filesystem::is_empty(guard_.staging));
   }
 
-  const Guard guard_{.program = FLOEPLAN_BINARY_DIR "/ingest_reader", .staging = path("incoming")};
+  const Guard guard_{.program = support::program_folder() + "/ingest_reader", .staging = path("incoming")};
 };
 
 TEST_F(Archives, OfEveryPackingHoldTheSameDatasetAsTheFileAlone) {

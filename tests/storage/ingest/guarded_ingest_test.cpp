@@ -14,6 +14,7 @@
 #include "storage/sqlite/statement.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::ingest::guarded_ingest_test {
@@ -91,7 +92,7 @@ class GuardedIngest : public StoreFixture {
       "properties": {"id": "a", "observed": "2026-11-20T06:00:00Z", "length_m": 120},
       "geometry": {"type": "Point", "coordinates": [-52.0, 69.0]}}]})"};
   const IngestOptions options_{.positive = "up"};
-  const Guard guard_{.program = FLOEPLAN_BINARY_DIR "/ingest_reader", .staging = path("incoming")};
+  const Guard guard_{.program = support::program_folder() + "/ingest_reader", .staging = path("incoming")};
 };
 
 TEST_F(GuardedIngest, StoresWhatReadingInThisProcessStores) {

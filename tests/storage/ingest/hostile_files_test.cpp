@@ -25,6 +25,7 @@
 #include "tests/storage/ingest/grib_writer.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::ingest::hostile_files_test {
@@ -227,7 +228,7 @@ class HostileFiles : public StoreFixture {
   }
 
   Tally tally_;
-  Guard guard_{.program = FLOEPLAN_BINARY_DIR "/ingest_reader", .staging = path("incoming")};
+  Guard guard_{.program = support::program_folder() + "/ingest_reader", .staging = path("incoming")};
 };
 
 /// One format.

@@ -7,6 +7,7 @@
 #include <ostream>
 
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/places.hpp"
 
 namespace floeplan::ingest::sample_verdicts_test {
 namespace {
@@ -54,8 +55,8 @@ TEST(Samples, AreAllJudged) {
     return std::string{std::istreambuf_iterator<char>{in}, {}};
   };
   std::string tests;
-  for (const auto& file : std::filesystem::directory_iterator{std::filesystem::path{FLOEPLAN_SOURCE_DIR} /
-                                                              "tests/storage/ingest"})
+  for (const auto& file : std::filesystem::directory_iterator{
+           std::filesystem::path{support::source_folder()} / "tests/storage/ingest"})
     tests += text_of(file.path());
   for (const auto& entry : std::filesystem::recursive_directory_iterator{sample_folder()}) {
     const std::string path = entry.path().lexically_relative(sample_folder());

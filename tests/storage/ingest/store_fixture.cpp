@@ -7,6 +7,7 @@
 #include <fstream>
 
 #include "storage/repository/dataset_repository.hpp"
+#include "tests/support/places.hpp"
 
 namespace floeplan::ingest {
 
@@ -71,7 +72,7 @@ void StoreFixture::expect_refused(const std::filesystem::path& file, const std::
 }
 
 std::filesystem::path sample_folder() {
-  const auto folder = std::filesystem::path{FLOEPLAN_SOURCE_DIR} / "../shared/data/env";
+  const auto folder = std::filesystem::path{support::source_folder()} / "../shared/data/env";
   return std::filesystem::is_directory(folder) ? folder : std::filesystem::path{};
 }
 

@@ -12,6 +12,7 @@
 #include "storage/repository/tide_repository.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::ingest::tide_test {
@@ -145,10 +146,10 @@ TEST_F(TideFile, OfTransportsTakesTheDepthsOfTheGridFileThatIsGivenWithAllConsti
   write_tpxo_elevation(path("h_m2_tpxo.nc"));
   write_tpxo_grid(path("grid_tpxo.nc"), 305.75);
 
-  const auto reports =
-      guarded_ingest(db_, {.program = FLOEPLAN_BINARY_DIR "/ingest_reader", .staging = path("incoming")},
-                     {path("grid_tpxo.nc"), path("u_k1_tpxo.nc"), path("h_m2_tpxo.nc"), path("u_m2_tpxo.nc")},
-                     {}, core::from_unix_seconds(1.8e9), {}, {}, {});
+  const auto reports = guarded_ingest(
+      db_, {.program = support::program_folder() + "/ingest_reader", .staging = path("incoming")},
+      {path("grid_tpxo.nc"), path("u_k1_tpxo.nc"), path("h_m2_tpxo.nc"), path("u_m2_tpxo.nc")}, {},
+      core::from_unix_seconds(1.8e9), {}, {}, {});
 
   ASSERT_EQ(reports.size(), 3U);
   for (const IngestReport& report : reports) EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
@@ -358,7 +359,7 @@ TEST_F(TideFile, ThatWasCutShortIsRefused) {
 TEST_F(TideFile, WithFlippedBytesIsRefusedOrHoldsPlausibleConstants) {
   write_tpxo_transport(path("u_k1_tpxo.nc"), true);
   const std::string whole = bytes_of(path("u_k1_tpxo.nc"));
-  const Guard guard{.program = FLOEPLAN_BINARY_DIR "/ingest_reader", .staging = path("incoming")};
+  const Guard guard{.program = support::program_folder() + "/ingest_reader", .staging = path("incoming")};
   support::for_each_seed(10, [&](std::mt19937_64& rng) {
     std::string flipped = whole;
     for (int i = 0; i < 3; ++i) flipped[rng() % flipped.size()] ^= static_cast<char>(1U << (rng() % 8));
