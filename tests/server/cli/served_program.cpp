@@ -49,6 +49,7 @@ ServedProgram::ServedProgram(const std::filesystem::path& store, const std::vect
   argv.push_back(nullptr);
   int ends[2];
   if (pipe(ends) != 0) throw std::runtime_error{"no pipe"};
+  const std::string program = program_folder() + "/floeplan";
   pid_ = fork();
   if (pid_ == 0) {
     dup2(ends[1], STDERR_FILENO);
