@@ -6,6 +6,7 @@
 #include <optional>
 #include <string_view>
 
+#include "engine/core/utf8_text.hpp"
 #include "storage/ingest/ascii_grid_length.hpp"
 #include "storage/ingest/depth_table.hpp"
 #include "storage/ingest/first_bytes.hpp"
@@ -19,6 +20,7 @@
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/tide_table.hpp"
 #include "storage/ingest/zarr_store.hpp"
+#include "storage/xml/xml_document.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -131,8 +133,7 @@ Checked<FileFormat> format_of_text(std::string_view head, const std::string& ext
         "this is JSON, but not GeoJSON; the places in it have no agreed meaning; convert it to a GeoJSON "
         "FeatureCollection in longitude and latitude");
   }
-  if (start.starts_with("<") && contains_any(head.substr(0, 4096), {"<kml", "<kml:kml"}))
-    return FileFormat::kml;
+  if (xml::root_name(head) == "kml") return FileFormat::kml;
   if (start.starts_with("ncols") || start.starts_with("nrows")) return FileFormat::ascii_grid;
   if (is_ice_patrol_header(std::string{first_line(head)})) return FileFormat::ice_patrol_csv;
   if (is_iceberg_table_header(std::string{first_line(head)})) return FileFormat::iceberg_table;
@@ -207,6 +208,11 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
   if (is_slocum_binary(bytes)) return FileFormat::slocum_binary;
   if (is_compressed_slocum(bytes)) return format_of_compressed_slocum(file);
   if (auto foreign = refusal_of_foreign(bytes); !foreign.empty()) return refuse(std::move(foreign));
+  const std::string text = core::utf8_text(bytes);
+  if (text != bytes && !bytes.starts_with("\xEF\xBB\xBF")) {
+    if (xml::root_name(text) == "kml") return FileFormat::kml;
+    return refuse("this is a text in UTF-16, of which this program reads KML alone; save it in UTF-8");
+  }
   if (is_text(bytes)) {
     auto format = format_of_text(bytes, lower(file.extension().string()));
     if (format && *format == FileFormat::ascii_grid)

@@ -10,7 +10,7 @@
 CPL_C_START
 void CPL_DLL RegisterOGRGeoJSON();
 void CPL_DLL RegisterOGRGeoPackage();
-void CPL_DLL RegisterOGRLIBKML();
+void CPL_DLL RegisterOGRMEM();
 void CPL_DLL RegisterOGRS57();
 void CPL_DLL RegisterOGRShape();
 CPL_C_END
@@ -39,7 +39,7 @@ void register_drivers() {
     GDALRegister_MEM();  // target of a resampling, never a source
     RegisterOGRGeoJSON();
     RegisterOGRGeoPackage();
-    RegisterOGRLIBKML();
+    RegisterOGRMEM();  // what a KML file holds, as it was read
     RegisterOGRS57();
     RegisterOGRShape();
   });

@@ -12,6 +12,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
+#include "storage/ingest/feature_texts.hpp"
 #include "storage/ingest/grid_frame_of_crs.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/text.hpp"
@@ -23,7 +24,7 @@ namespace {
 std::string property(const OGRFeature& feature, std::initializer_list<const char*> names) {
   for (const char* name : names) {
     const int index = feature.GetFieldIndex(name);
-    if (index >= 0 && feature.IsFieldSetAndNotNull(index)) return trimmed(feature.GetFieldAsString(index));
+    if (index >= 0 && feature.IsFieldSetAndNotNull(index)) return text_of_field(feature, index);
   }
   return {};
 }
@@ -63,7 +64,7 @@ Checked<core::UtcTime> observed_of(const OGRFeature& feature) {
     const int index = feature.GetFieldIndex(name);
     if (index < 0 || !feature.IsFieldSetAndNotNull(index)) continue;
     if (const auto time = time_of_field(feature, index)) return *time;
-    const std::string text = trimmed(feature.GetFieldAsString(index));
+    const std::string text = text_of_field(feature, index);
     if (const auto time = core::parse_iso8601(text)) return *time;
     return refuse("observed is \"" + text + "\", not a time like 2026-11-20T06:00:00Z");
   }

@@ -10,6 +10,7 @@
 #include "storage/ingest/gshhg_reader.hpp"
 #include "storage/ingest/hdf5_references.hpp"
 #include "storage/ingest/ice_variables.hpp"
+#include "storage/ingest/kml_file.hpp"
 #include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/text.hpp"
@@ -145,7 +146,7 @@ Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
     case FileFormat::tide_json:
     case FileFormat::tide_table:
     case FileFormat::otps_extract: file.kinds = {DatasetKind::tides}; return true;
-    case FileFormat::kml: return look_into_features(file, open_vector_file(file.path, "LIBKML"), expected);
+    case FileFormat::kml: return look_into_features(file, open_kml(file.path), expected);
     case FileFormat::geopackage:
       return look_into_features(file, open_vector_file(file.path, "GPKG"), expected);
     case FileFormat::shapefile:

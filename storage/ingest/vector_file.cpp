@@ -4,6 +4,8 @@
 #include <gdal_priv.h>
 #include <ogrsf_frmts.h>
 
+#include <string_view>
+
 #include "storage/ingest/gdal_guard.hpp"
 
 namespace floeplan::ingest {
@@ -15,7 +17,13 @@ Checked<void> every_feature_can_be_read(GDALDataset& dataset) {
   CPLErrorReset();
   for (OGRLayer* const layer : dataset.GetLayers()) {
     layer->ResetReading();
-    for (const auto& feature : *layer) static_cast<void>(feature);
+    for (const auto& feature : *layer) {
+      static_cast<void>(feature);
+      // GDAL gives the feature without that attribute: a rule would lose its period.
+      if (std::string_view{CPLGetLastErrorMsg()}.starts_with("Invalid content for record"))
+        return refuse(std::string{"a value of the table does not fit its column, and would be left out ("} +
+                      CPLGetLastErrorMsg() + "); correct it, or make the column one of texts");
+    }
     if (CPLGetLastErrorType() >= CE_Failure)
       return refuse(
           std::string{"not every feature of the file can be read ("} + CPLGetLastErrorMsg() +

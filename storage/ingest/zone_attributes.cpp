@@ -1,11 +1,9 @@
 #include "storage/ingest/zone_attributes.hpp"
 
-#include <cpl_conv.h>
 #include <cpl_string.h>
 #include <ogr_feature.h>
 
 #include <algorithm>
-#include <memory>
 #include <span>
 #include <string_view>
 
@@ -13,6 +11,8 @@
 #include "engine/core/utc_text.hpp"
 #include "engine/ocean/zone_words.hpp"
 #include "storage/ingest/feature_texts.hpp"
+#include "storage/ingest/kml_file.hpp"
+#include "storage/ingest/stated_period.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -22,20 +22,10 @@ using ocean::ZoneMember;
 using Names = std::span<const std::string_view>;
 
 constexpr double deepest_m = 11'000.0;
-constexpr core::Seconds whole_day{86'400.0};
 constexpr std::size_t longest_name = 200;  // bytes
-
-/// Tables without a stated encoding hold Latin-1 as a rule.
-std::string as_utf8(const char* text) {
-  if (CPLIsUTF8(text, -1) != 0) return trimmed(text);
-  const std::unique_ptr<char, decltype(&VSIFree)> recoded{CPLRecode(text, CPL_ENC_ISO8859_1, CPL_ENC_UTF8),
-                                                          &VSIFree};
-  return trimmed(recoded.get());
-}
 
 /// One of a feature's attributes that has a value.
 struct Attribute {
-  int index;
   std::string name;  // as the file writes it
   std::string text;
 };
@@ -52,8 +42,8 @@ class AttributeReader {
     for (const std::string_view name : names) {
       for (int i = 0; i < feature_.GetFieldCount(); ++i) {
         const char* const own_name = feature_.GetFieldDefnRef(i)->GetNameRef();
-        if (core::plain_word(own_name) != name || feature_.IsFieldSetAndNotNull(i) == 0) continue;
-        Attribute attribute{i, as_utf8(own_name), as_utf8(feature_.GetFieldAsString(i))};
+        if (core::plain_word(own_name) != name) continue;
+        Attribute attribute{table_text(own_name), text_of_field(feature_, i)};
         if (attribute.text.empty()) continue;
         if (found && found->text != attribute.text) {
           faults_.push_back("\"" + found->name + "\" and \"" + attribute.name +
@@ -76,43 +66,37 @@ class AttributeReader {
     return std::nullopt;
   }
 
-  /// `is_last`: of a date alone the end of the day is meant, not its beginning.
-  [[nodiscard]] std::optional<core::UtcTime> time(Names names, bool is_last) {
-    const auto attribute = find(names);
+  /// What the attribute spans; of what begins and ends another end is meant.
+  [[nodiscard]] std::optional<StatedPeriod> period(const std::optional<Attribute>& attribute) {
     if (!attribute) return std::nullopt;
-    const std::string text = iso_text(*attribute);
-    const auto time = core::parse_iso8601(text);
-    const bool date_alone = text.size() == std::string_view{"2026-11-20"}.size();
-    if (time) return date_alone && is_last ? *time + whole_day : *time;
-    faults_.push_back("\"" + attribute->name + "\" is \"" + attribute->text +
-                      "\"; give a date, or a time with its zone, as 2026-11-20T06:00:00Z");
-    return std::nullopt;
+    const auto period = stated_period(attribute->text);
+    if (!period)
+      faults_.push_back("\"" + attribute->name + "\" is \"" + attribute->text +
+                        "\"; give a date, or a time with its zone, as 2026-11-20T06:00:00Z");
+    return period;
+  }
+
+  /// The rule's first moment: the later one of its own and of the folder's around it.
+  [[nodiscard]] std::optional<core::UtcTime> first_moment() {
+    const auto own = period(find(names_of(ZoneMember::from)));
+    const auto around = period(find_field(folder_begin));
+    if (own && around) return std::max(own->first, around->first);
+    return own ? std::optional{own->first} : around ? std::optional{around->first} : std::nullopt;
+  }
+
+  /// Its last moment, of a day, month or year the last of them: the earlier one of its own and of the folder's.
+  [[nodiscard]] std::optional<core::UtcTime> last_moment() {
+    const auto own = period(find(names_of(ZoneMember::until)));
+    const auto around = period(find_field(folder_end));
+    if (own && around) return std::min(own->last, around->last);
+    return own ? std::optional{own->last} : around ? std::optional{around->last} : std::nullopt;
   }
 
  private:
-  /// A field of times as ISO 8601; other fields as they are written.
-  [[nodiscard]] std::string iso_text(const Attribute& attribute) const {
-    const OGRFieldType type = feature_.GetFieldDefnRef(attribute.index)->GetType();
-    if (type != OFTDate && type != OFTDateTime) return attribute.text;
-    int year = 0;
-    int month = 0;
-    int day = 0;
-    int hour = 0;
-    int minute = 0;
-    float second = 0.0F;
-    int zone = 0;  // 0: not stated, 1: local, 100: UTC, in quarters of an hour from there
-    feature_.GetFieldAsDateTime(attribute.index, &year, &month, &day, &hour, &minute, &second, &zone);
-    char text[64];
-    if (type == OFTDate) {
-      std::snprintf(text, sizeof text, "%04d-%02d-%02d", year, month, day);
-      return text;
-    }
-    if (zone < 2) return attribute.text;
-    const int offset_min = 15 * (zone - 100);
-    std::snprintf(text, sizeof text, "%04d-%02d-%02dT%02d:%02d:%06.3f%c%02d:%02d", year, month, day, hour,
-                  minute, static_cast<double>(second), offset_min < 0 ? '-' : '+', std::abs(offset_min) / 60,
-                  std::abs(offset_min) % 60);
-    return text;
+  [[nodiscard]] std::optional<Attribute> find_field(const char* name) const {
+    const int index = feature_.GetFieldIndex(name);
+    if (index < 0 || feature_.IsFieldSetAndNotNull(index) == 0) return std::nullopt;
+    return Attribute{name, text_of_field(feature_, index)};
   }
 
   const OGRFeature& feature_;
@@ -156,13 +140,16 @@ ZoneAttributes read_zone_attributes(const OGRFeature& feature,
         "states no kind; add an attribute \"kind\" with no_go (keep out) or stay_in (keep inside), or give "
         "--zone-kind for all that state none");
   }
-  zone.from = reader.time(names_of(ZoneMember::from), false);
-  zone.until = reader.time(names_of(ZoneMember::until), true);
+  zone.from = reader.first_moment();
+  zone.until = reader.last_moment();
   if (const auto top = reader.depth(names_of(ZoneMember::top))) zone.top = *top;
   if (const auto bottom = reader.depth(names_of(ZoneMember::bottom))) zone.bottom = *bottom;
   if (zone.from && zone.until && *zone.until < *zone.from)
     reader.faults().push_back("ends at " + core::iso8601(*zone.until) + ", before it begins at " +
                               core::iso8601(*zone.from) + "; correct one of them");
+  if (zone.from && zone.until && *zone.until == *zone.from)
+    reader.faults().push_back("is in force at " + core::iso8601(*zone.from) +
+                              " alone, a moment that no plan would meet; give its first and its last moment");
   if (zone.bottom < zone.top)
     reader.faults().push_back("ends above " + number(zone.top.value) +
                               " m, where it begins; depths count downwards");

@@ -23,8 +23,9 @@ struct ZoneAttributes {
 ///   until (valid_until, valid_to, to, end, stop, expires)   its last one; without it: for ever
 ///   top_m (top, min_depth)                 metres below the surface, default 0
 ///   bottom_m (bottom, max_depth)           default: to the sea bed
-/// also those that a shapefile cuts after ten letters, and start_time, end_time, depth_min and depth_max. A date
-/// without a time is the whole day in UTC; a time must state its zone. An empty attribute is as none.
+/// also those that a shapefile cuts after ten letters, and start_time, end_time, depth_min and depth_max. Times
+/// are read as `stated_period` does: a day, a month or a year is the whole of it. Of a KML file the time span of the
+/// folders around holds too, the narrower of both. An empty attribute is as none.
 /// `kind_of_others`: the rule of a feature that states none.
 [[nodiscard]] ZoneAttributes read_zone_attributes(const OGRFeature& feature,
                                                   std::optional<ocean::ZoneKind> kind_of_others);

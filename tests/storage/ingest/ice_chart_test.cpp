@@ -32,7 +32,7 @@ class IceCharts : public StoreFixture {
  protected:
   std::filesystem::path write(const std::string& name, const std::vector<Part>& parts, int epsg = 4326,
                               const char* driver_name = "ESRI Shapefile") const {
-    register_drivers();
+    register_writers();
     GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName(driver_name);
     const GDALDatasetUniquePtr written{driver.Create(path(name).c_str(), 0, 0, 0, GDT_Unknown, nullptr)};
     OGRSpatialReference crs;

@@ -1,15 +1,27 @@
 #include "tests/storage/ingest/store_fixture.hpp"
 
+#include <cpl_port.h>
 #include <gmock/gmock.h>
 #include <unistd.h>
 
 #include <cstdlib>
 #include <fstream>
 
+#include "storage/ingest/gdal_guard.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "tests/support/places.hpp"
 
+CPL_C_START
+void CPL_DLL RegisterOGRLIBKML();
+CPL_C_END
+
 namespace floeplan::ingest {
+
+void register_writers() {
+  register_drivers();
+  static const bool is_done = (RegisterOGRLIBKML(), true);
+  static_cast<void>(is_done);
+}
 
 StoreFixture::StoreFixture() : db_{repository::open_store_in_memory()} {
   const auto* test = testing::UnitTest::GetInstance()->current_test_info();

@@ -41,6 +41,9 @@ class StoreFixture : public testing::Test {
   std::filesystem::path folder_;
 };
 
+/// GDAL's drivers that the program reads with, and the one that tests write KML with.
+void register_writers();
+
 /// The folder of real sample files; empty when it is not on this machine.
 [[nodiscard]] std::filesystem::path sample_folder();
 

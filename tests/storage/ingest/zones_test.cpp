@@ -46,7 +46,7 @@ class Zones : public StoreFixture {
   /// Writes the features with all their attributes as texts; `epsg` 0 states no reference system.
   std::filesystem::path write(const Format& format, const std::vector<Feature>& features,
                               int epsg = 4326) const {
-    register_drivers();
+    register_writers();
     const std::filesystem::path file = path(format.file);
     GDALDriver& driver = *GetGDALDriverManager()->GetDriverByName(format.driver);
     const std::unique_ptr<GDALDataset> dataset{driver.Create(file.c_str(), 0, 0, 0, GDT_Unknown, nullptr)};

@@ -1,0 +1,57 @@
+#include "storage/ingest/stated_period.hpp"
+
+#include <gtest/gtest.h>
+
+#include <array>
+#include <cstdio>
+
+#include "engine/core/utc_text.hpp"
+#include "tests/support/property.hpp"
+
+namespace floeplan::ingest::stated_period_test {
+namespace {
+
+std::string span_of(std::string_view text) {
+  const auto period = stated_period(text);
+  return period ? core::iso8601(period->first) + "/" + core::iso8601(period->last) : "none";
+}
+
+TEST(StatedPeriod, OfADayAMonthOrAYearIsTheWholeOfIt) {
+  EXPECT_EQ(span_of("2026-05-31"), "2026-05-31T00:00:00Z/2026-06-01T00:00:00Z");
+  EXPECT_EQ(span_of("2026-06"), "2026-06-01T00:00:00Z/2026-07-01T00:00:00Z");
+  EXPECT_EQ(span_of("2026-12"), "2026-12-01T00:00:00Z/2027-01-01T00:00:00Z");
+  EXPECT_EQ(span_of("2028-02"), "2028-02-01T00:00:00Z/2028-03-01T00:00:00Z");
+  EXPECT_EQ(span_of("2026"), "2026-01-01T00:00:00Z/2027-01-01T00:00:00Z");
+}
+
+TEST(StatedPeriod, IsReadAsGdalSpellsIt) {
+  EXPECT_EQ(span_of("2026/05/31"), span_of("2026-05-31"));
+  EXPECT_EQ(span_of("2026/05/31 00:00:00"), span_of("2026-05-31"));
+  EXPECT_EQ(span_of("2026/05/31 06:30:00+00"), "2026-05-31T06:30:00Z/2026-05-31T06:30:00Z");
+  EXPECT_EQ(span_of("2026/05/31 06:30:00-0330"), "2026-05-31T10:00:00Z/2026-05-31T10:00:00Z");
+}
+
+TEST(StatedPeriod, IsNoneWhereTheTextIsNoDateOrLacksItsZone) {
+  for (const char* const text :
+       {"", "tomorrow", "2026-05-31T06:00:00", "2026/05/31 06:00:00", "2026-13", "2026-02-30", "26-05-31",
+        "31/05/2026", "05/31/2026", "2026-5", "202", "20260", "2026-05-31Z "})
+    EXPECT_EQ(span_of(text), "none") << text;
+}
+
+/// A coarser text of the same moment spans no less.
+TEST(StatedPeriod, HoldsEveryMomentThatItNames) {
+  support::for_each_seed(500, [](std::mt19937_64& rng) {
+    const core::UtcTime time = core::from_unix_seconds(std::floor(support::uniform(rng, 0.0, 4.0e9)));
+    const std::string iso = core::iso8601(time);
+    for (const std::size_t length : {4U, 7U, 10U, 20U}) {
+      const auto period = stated_period(iso.substr(0, length));
+      ASSERT_TRUE(period.has_value()) << iso.substr(0, length);
+      EXPECT_LE(period->first, time);
+      EXPECT_GE(period->last, time);
+      EXPECT_TRUE(length == 20U || period->last - period->first >= core::Seconds{86'400.0});
+    }
+  });
+}
+
+}  // namespace
+}  // namespace floeplan::ingest::stated_period_test
