@@ -87,6 +87,7 @@ Checked<GribContents> grib_contents(const std::vector<GribField>& fields, Moving
                         {depths.begin(), depths.end()},
                         {},
                         first->run_s ? std::optional{core::from_unix_seconds(*first->run_s)} : std::nullopt,
+                        first->grid,
                         first->along_grid,
                         what == Moving::sea};
   if (!one_run) contents.run = std::nullopt;

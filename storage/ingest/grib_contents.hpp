@@ -2,6 +2,7 @@
 
 #include <filesystem>
 #include <optional>
+#include <string>
 #include <vector>
 
 #include "storage/ingest/current_dataset.hpp"
@@ -23,7 +24,8 @@ struct GribContents {
   std::vector<double> depths_m;
   std::vector<GribBands> bands;  // [time][depth]
   std::optional<core::UtcTime>
-      run;  // when the model run began; empty: the fields are of several, or do not say
+      run;           // when the model run began; empty: the fields are of several, or do not say
+  std::string grid;  // the octets of section 3 of all those fields
   bool along_grid{false};
   bool has_depths{true};
 };

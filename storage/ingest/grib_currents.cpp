@@ -1,18 +1,22 @@
 #include "storage/ingest/grib_currents.hpp"
 
+#include <cpl_conv.h>
 #include <gdal_priv.h>
 #include <ogr_spatialref.h>
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "storage/ingest/current_dataset.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/grib_contents.hpp"
+#include "storage/ingest/grib_grid.hpp"
 #include "storage/ingest/grib_messages.hpp"
 #include "storage/ingest/grid_directions.hpp"
 #include "storage/ingest/missing_value.hpp"
 #include "storage/ingest/netcdf_axis.hpp"
+#include "storage/ingest/tangent_plane.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/velocity_component.hpp"
 
@@ -20,43 +24,52 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr double fill_from = 9990.0;  // GDAL writes 9999 where a bitmap has no value
-constexpr std::uint64_t max_points = 10'000'000;
 
 /// Where the values of a raster lie.
 struct RasterPlace {
   std::vector<geo::LonLat> places;            // [row][column], rows from south to north (by the grid's own y)
   std::optional<ocean::HorizontalGrid> grid;  // in longitude and latitude
+  GridDirections directions;                  // of x at every node of another plane
   std::vector<std::size_t> columns;           // of the raster, in ascending order of x
   std::size_t rows{};
 };
 
-Checked<RasterPlace> place_of(GDALDataset& raster) {
-  double at[6];
-  const OGRSpatialReference* crs = raster.GetSpatialRef();
-  if (crs == nullptr || raster.GetGeoTransform(at) != CE_None || at[2] != 0.0 || at[4] != 0.0 ||
-      at[1] == 0.0 || at[5] == 0.0)
-    return refuse("the grid of the GRIB file cannot be placed on the Earth; convert it to NetCDF first");
-  const auto width = static_cast<std::size_t>(raster.GetRasterXSize());
-  const auto height = static_cast<std::size_t>(raster.GetRasterYSize());
-  if (width * height > max_points)
-    return refuse("the grid of the GRIB file has " + std::to_string(width) + " x " + std::to_string(height) +
-                  " nodes, more than this program accepts; cut out your area first");
-  std::vector<double> x(width);
-  std::vector<double> y(height);
-  for (std::size_t i = 0; i < width; ++i) x[i] = at[0] + at[1] * (static_cast<double>(i) + 0.5);
-  for (std::size_t j = 0; j < height; ++j) y[j] = at[3] + at[5] * (static_cast<double>(height - 1 - j) + 0.5);
-  if (at[5] > 0.0 || at[1] < 0.0)
-    return refuse(
-        "the rows or columns of the GRIB file are turned round in a way that is not known; convert it to "
-        "NetCDF first");
+/// To longitude and latitude of the projection's own sphere or ellipsoid, as the producer means them; null when there is
+/// none.
+std::unique_ptr<OGRCoordinateTransformation> way_to_places(const OGRSpatialReference& plane) {
+  OGRSpatialReference from{plane};
+  from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRSpatialReference to;
+  to.SetGeogCS("own", "own", "own", from.GetSemiMajor(), from.GetInvFlattening());
+  to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return std::unique_ptr<OGRCoordinateTransformation>{OGRCreateCoordinateTransformation(&from, &to)};
+}
 
+/// Of the nodes of one row, moved along x by `shift`; not finite where the projection does not reach.
+std::vector<geo::LonLat> places_along(OGRCoordinateTransformation& way, const std::vector<double>& x,
+                                      double shift, double y) {
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> lons = x;
+  for (double& lon : lons) lon += shift;
+  std::vector<double> lats(x.size(), y);
+  std::vector<int> reached(x.size(), 0);
+  way.Transform(static_cast<int>(x.size()), lons.data(), lats.data(), nullptr, reached.data());
+  std::vector<geo::LonLat> places;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const bool known = reached[i] != 0 && std::isfinite(lons[i]) && std::abs(lats[i]) <= 90.0;
+    places.push_back(known ? geo::LonLat{geo::wrap_longitude(lons[i]), lats[i]}
+                           : geo::LonLat{nowhere, nowhere});
+  }
+  return places;
+}
+
+Checked<RasterPlace> place_of(const GribGrid& grid) {
   RasterPlace place;
-  place.rows = height;
-  const bool plain = crs->IsGeographic() && !crs->IsDerivedGeographic();
-  if (plain) {
-    const auto lons = longitude_nodes("longitude", x);
+  place.rows = grid.y.size();
+  if (grid.plane == nullptr) {
+    const auto lons = longitude_nodes("longitude", grid.x);
     if (!lons) return refuse(lons.error());
-    const auto lats = latitude_nodes("latitude", y);
+    const auto lats = latitude_nodes("latitude", grid.y);
     if (!lats) return refuse(lats.error());
     place.columns = lons->source;
     place.grid =
@@ -65,24 +78,34 @@ Checked<RasterPlace> place_of(GDALDataset& raster) {
       for (const double lon : lons->nodes) place.places.push_back({lon, lat});
     return place;
   }
-  // The coordinates of the projection's own sphere or ellipsoid, as the producer means them.
-  OGRSpatialReference from{*crs};
-  from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const std::unique_ptr<OGRSpatialReference> to{from.CloneGeogCS()};
-  if (to) to->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const std::unique_ptr<OGRCoordinateTransformation> transformation{
-      to ? OGRCreateCoordinateTransformation(&from, to.get()) : nullptr};
-  if (!transformation)
+  const auto way = way_to_places(*grid.plane);
+  if (!way)
     return refuse(
         "the projection of the GRIB file cannot be used; convert it to latitude and longitude first");
+  const std::size_t width = grid.x.size();
+  const double ahead = width > 1 ? 1e-3 * (grid.x[1] - grid.x[0]) : 1.0;
   for (std::size_t i = 0; i < width; ++i) place.columns.push_back(i);
-  for (const double row : y) {
-    std::vector<double> lons = x;
-    std::vector<double> lats(width, row);
-    transformation->Transform(static_cast<int>(width), lons.data(), lats.data());
-    for (std::size_t i = 0; i < width; ++i) place.places.push_back({geo::wrap_longitude(lons[i]), lats[i]});
+  for (const double y : grid.y) {
+    const std::vector<geo::LonLat> here = places_along(*way, grid.x, 0.0, y);
+    const std::vector<geo::LonLat> before = places_along(*way, grid.x, -ahead, y);
+    const std::vector<geo::LonLat> after = places_along(*way, grid.x, ahead, y);
+    place.places.insert(place.places.end(), here.begin(), here.end());
+    for (std::size_t i = 0; i < width; ++i) {
+      const double angle = direction_at(here[i], before[i], after[i]).value_or(0.0);
+      place.directions.cosine.push_back(static_cast<float>(std::cos(angle)));
+      place.directions.sine.push_back(static_cast<float>(std::sin(angle)));
+    }
   }
   return place;
+}
+
+/// The file as a raster whose rows run from north to south and whose columns from west to east, as GDAL reorders every
+/// scanning mode, and whose first column is the grid's westernmost one wherever that lies.
+std::shared_ptr<GDALDataset> open_in_rows(const std::filesystem::path& file) {
+  const CPLConfigOptionSetter as_they_lie{"GRIB_ADJUST_LONGITUDE_RANGE", "NO", false};
+  const char* const drivers[] = {"GRIB", nullptr};
+  return std::shared_ptr<GDALDataset>{GDALDataset::Open(std::filesystem::absolute(file).c_str(),
+                                                        GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers)};
 }
 
 class GribSource : public VelocitySource {
@@ -162,17 +185,6 @@ class GribSource : public VelocitySource {
   SourceShape shape_;
 };
 
-/// Of the nodes of a projected grid.
-Checked<GridDirections> directions_on(const RasterPlace& place) {
-  const Positions positions{place.places, place.rows, place.columns.size(), false};
-  const Staggering collocated{.collocated = true,
-                              .first_row = 0,
-                              .second_column = 0,
-                              .rows = positions.rows,
-                              .columns = positions.columns};
-  return directions_of(collocated, positions, positions, {}, {});
-}
-
 Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Moving what,
                                          const core::ProgressCallback& progress) {
   const auto fields = grib_fields(file);
@@ -180,12 +192,12 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
   auto contents = grib_contents(*fields, what);
   if (!contents) return refuse(contents.error());
   const std::optional<core::UtcTime> run = contents->run;
+  const auto grid = grib_grid(contents->grid);
+  if (!grid) return refuse(grid.error());
 
   register_drivers();
   const GdalMessages messages;
-  const char* const drivers[] = {"GRIB", nullptr};
-  std::shared_ptr<GDALDataset> raster{GDALDataset::Open(std::filesystem::absolute(file).c_str(),
-                                                        GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers)};
+  std::shared_ptr<GDALDataset> raster = open_in_rows(file);
   if (!raster)
     return refuse("the GRIB file cannot be opened (" + messages.first_error() +
                   "); it is damaged or was cut short; copy or download it again");
@@ -194,7 +206,12 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
         "the GRIB file is built in a way that this program does not follow (its fields are not counted alike "
         "by two "
         "readers); convert it to NetCDF first");
-  auto place = place_of(*raster);
+  if (static_cast<std::size_t>(raster->GetRasterXSize()) != grid->x.size() ||
+      static_cast<std::size_t>(raster->GetRasterYSize()) != grid->y.size())
+    return refuse(
+        "the GRIB file is built in a way that this program does not follow (two readers see grids of "
+        "different size); convert it to NetCDF first");
+  auto place = place_of(*grid);
   if (!place) return refuse(place.error());
 
   CurrentInput input;
@@ -202,13 +219,11 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
   input.variables = {"u", "v"};
   std::optional<GridDirections> directions;
   if (contents->along_grid && !place->grid) {
-    auto found = directions_on(*place);
-    if (!found) return refuse(found.error());
+    directions = std::move(place->directions);
     input.warnings.push_back(
         std::string{what == Moving::sea ? "the currents point" : "the wind points"} +
         " along the axes of the grid, as the file says; it was turned to east and north, by up to " +
-        number(found->largest_turn_deg(), 3) + " degrees");
-    directions = std::move(*found);
+        number(directions->largest_turn_deg(), 3) + " degrees");
   }
   if (place->grid) {
     input.grid = place->grid;

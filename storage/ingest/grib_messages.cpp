@@ -5,55 +5,21 @@
 #include <fstream>
 #include <optional>
 
+#include "storage/ingest/grib_section.hpp"
+
 namespace floeplan::ingest {
 namespace {
 
 constexpr std::uint64_t max_header_section = 1'000'000;  // octets of a section that holds no values
 constexpr std::size_t max_fields = 200'000;
 
-struct BadGrib {
-  std::string reason;
-};
-
-[[noreturn]] void fail(std::string reason) { throw BadGrib{std::move(reason)}; }
-
-[[noreturn]] void fail_cut() {
-  fail(
-      "the GRIB file was cut short or changed: its messages do not end where they say; copy or download it "
-      "again");
-}
-
-/// Numbers out of a section, by the octet numbers of the manual (from 1).
-class Section {
- public:
-  explicit Section(std::string octets) : octets_{std::move(octets)} {}
-
-  [[nodiscard]] std::uint64_t at(std::size_t first, std::size_t count) const {
-    if (first + count - 1 > octets_.size()) fail_cut();
-    std::uint64_t value = 0;
-    for (std::size_t i = 0; i < count; ++i)
-      value = value << 8U | static_cast<unsigned char>(octets_[first - 1 + i]);
-    return value;
-  }
-  /// The first bit is the sign.
-  [[nodiscard]] std::int64_t signed_at(std::size_t first, std::size_t count) const {
-    const std::uint64_t value = at(first, count);
-    const std::uint64_t sign = std::uint64_t{1} << (8 * count - 1);
-    const auto size = static_cast<std::int64_t>(value & ~sign);
-    return (value & sign) != 0 ? -size : size;
-  }
-  [[nodiscard]] const std::string& octets() const { return octets_; }
-
- private:
-  std::string octets_;
-};
-
-double seconds_of_date(const Section& section, std::size_t first) {
+double seconds_of_date(const GribSection& section, std::size_t first) {
   const std::chrono::year_month_day date{std::chrono::year{static_cast<int>(section.at(first, 2))},
                                          std::chrono::month{static_cast<unsigned>(section.at(first + 2, 1))},
                                          std::chrono::day{static_cast<unsigned>(section.at(first + 3, 1))}};
   if (!date.ok())
-    fail("a GRIB message has a date that does not exist; the file is damaged; copy or download it again");
+    fail_grib(
+        "a GRIB message has a date that does not exist; the file is damaged; copy or download it again");
   return static_cast<double>(std::chrono::sys_days{date}.time_since_epoch().count()) * 86400.0 +
          static_cast<double>(section.at(first + 4, 1)) * 3600.0 +
          static_cast<double>(section.at(first + 5, 1)) * 60.0 + static_cast<double>(section.at(first + 6, 1));
@@ -69,7 +35,7 @@ double seconds_of_unit(std::uint64_t unit) {
     case 12: return 12.0 * 3600.0;
     case 13: return 1.0;
     default:
-      fail(
+      fail_grib(
           "a GRIB message counts its forecast time in a unit of no fixed length; its time is not known; ask "
           "the "
           "producer");
@@ -77,22 +43,23 @@ double seconds_of_unit(std::uint64_t unit) {
 }
 
 /// Whether vectors of a grid are along its axes, by the resolution and component flags of its template.
-bool is_along_grid(const Section& grid, int grid_template) {
+bool is_along_grid(const GribSection& grid, int grid_template) {
   const bool latitude_longitude = grid_template == 0 || grid_template == 1;
   const bool projected = grid_template == 10 || grid_template == 20 || grid_template == 30;
   if (!latitude_longitude && !projected)
-    fail("the GRIB file is on a grid of template 3." + std::to_string(grid_template) +
-         ", which this program does not read; convert it to latitude and longitude first, for example with "
-         "wgrib2");
+    fail_grib(
+        "the GRIB file is on a grid of template 3." + std::to_string(grid_template) +
+        ", which this program does not read; convert it to latitude and longitude first, for example with "
+        "wgrib2");
   const std::uint64_t flags = grid.at(latitude_longitude ? 55 : 47, 1);
   return (flags & 8U) != 0;
 }
 
-void describe_product(GribField& field, const Section& product, double reference_s) {
+void describe_product(GribField& field, const GribSection& product, double reference_s) {
   const std::uint64_t product_template = product.at(8, 2);
   if (product_template != 0 && product_template != 8 && product_template != 1 && product_template != 11)
-    fail("the GRIB file holds a product of template 4." + std::to_string(product_template) +
-         ", which this program does not read; convert it to NetCDF first");
+    fail_grib("the GRIB file holds a product of template 4." + std::to_string(product_template) +
+              ", which this program does not read; convert it to NetCDF first");
   field.category = static_cast<int>(product.at(10, 1));
   field.number = static_cast<int>(product.at(11, 1));
   field.valid_s =
@@ -118,46 +85,46 @@ class Walker {
 
  private:
   std::string take(std::uint64_t count) {
-    if (count > size_ - at_) fail_cut();
+    if (count > size_ - at_) fail_cut_grib();
     std::string octets(static_cast<std::size_t>(count), '\0');
     in_.seekg(static_cast<std::streamoff>(at_));
     in_.read(octets.data(), static_cast<std::streamsize>(count));
-    if (!in_) fail_cut();
+    if (!in_) fail_cut_grib();
     at_ += count;
     return octets;
   }
 
   void read_message() {
-    const Section indicator{take(16)};
-    if (indicator.octets().substr(0, 4) != "GRIB") fail_cut();
+    const GribSection indicator{take(16)};
+    if (indicator.octets().substr(0, 4) != "GRIB") fail_cut_grib();
     if (indicator.at(8, 1) != 2)
-      fail("this is GRIB of edition " + std::to_string(indicator.at(8, 1)) +
-           ", which this program does not read; convert it to edition 2 or to NetCDF first");
+      fail_grib("this is GRIB of edition " + std::to_string(indicator.at(8, 1)) +
+                ", which this program does not read; convert it to edition 2 or to NetCDF first");
     const std::uint64_t length = indicator.at(9, 8);
     const std::uint64_t start = at_ - 16;
-    if (length < 20 || length > size_ - start) fail_cut();
+    if (length < 20 || length > size_ - start) fail_cut_grib();
     const std::uint64_t end = start + length - 4;
 
     GribField field;
     field.discipline = static_cast<int>(indicator.at(7, 1));
     std::optional<double> reference_s;
     while (at_ < end) read_section(field, reference_s, end);
-    if (at_ != end || take(4) != "7777") fail_cut();
+    if (at_ != end || take(4) != "7777") fail_cut_grib();
   }
 
   void read_section(GribField& field, std::optional<double>& reference_s, std::uint64_t end) {
-    const Section head{take(5)};
+    const GribSection head{take(5)};
     const std::uint64_t length = head.at(1, 4);
     const std::uint64_t kind = head.at(5, 1);
-    if (length < 5 || length - 5 > end - at_) fail_cut();
-    if (kind < 1 || kind > 7) fail_cut();
+    if (length < 5 || length - 5 > end - at_) fail_cut_grib();
+    if (kind < 1 || kind > 7) fail_cut_grib();
     if (kind == 2 || kind >= 5) {  // local use, and what GDAL decodes
       at_ += length - 5;
       if (kind == 7) add(field, reference_s);
       return;
     }
-    if (length > max_header_section) fail_cut();
-    const Section section{head.octets() + take(length - 5)};
+    if (length > max_header_section) fail_cut_grib();
+    const GribSection section{head.octets() + take(length - 5)};
     if (kind == 1) {
       reference_s = seconds_of_date(section, 13);
       const bool is_run = section.at(12, 1) <= 1;  // code table 1.2: analysis, start of forecast
@@ -169,16 +136,16 @@ class Walker {
       field.along_grid = is_along_grid(section, field.grid_template);
     }
     if (kind == 4) {
-      if (!reference_s) fail_cut();
+      if (!reference_s) fail_cut_grib();
       describe_product(field, section, *reference_s);
     }
   }
 
   void add(const GribField& field, const std::optional<double>& reference_s) {
-    if (!reference_s || field.grid.empty()) fail_cut();
+    if (!reference_s || field.grid.empty()) fail_cut_grib();
     if (fields_.size() == max_fields)
-      fail("the GRIB file holds more than " + std::to_string(max_fields) +
-           " fields, more than this program accepts; cut out your period first");
+      fail_grib("the GRIB file holds more than " + std::to_string(max_fields) +
+                " fields, more than this program accepts; cut out your period first");
     fields_.push_back(field);
   }
 

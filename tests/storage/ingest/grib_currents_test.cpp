@@ -9,6 +9,7 @@
 #include "tests/storage/ingest/grib_writer.hpp"
 #include "tests/storage/ingest/model_grid_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/property.hpp"
 
 namespace floeplan::ingest::grib_currents_test {
 namespace {
@@ -37,10 +38,12 @@ std::string both_components(GribMessage message) {
     message.number = number;
     message.value = [&message, number](double column, double row) {
       const geo::LonLat here = message.place(column, row);
-      const geo::VelocityEn water = turning_sea(here);
-      // Of a north polar stereographic plane: the x axis lies the meridian's own angle from east.
-      const double turn =
-          message.polar && message.along_grid ? -(here.lon_deg - 20.0) * std::numbers::pi / 180.0 : 0.0;
+      const geo::VelocityEn water = turning_sea({geo::wrap_longitude(here.lon_deg), here.lat_deg});
+      const geo::LonLat ahead = message.place(column + 1e-4, row);
+      const double x_axis =
+          std::atan2(ahead.lat_deg - here.lat_deg, geo::longitude_difference(here.lon_deg, ahead.lon_deg) *
+                                                       std::cos(here.lat_deg * std::numbers::pi / 180.0));
+      const double turn = message.along_grid ? x_axis : 0.0;
       return number == 2 ? water.east.value * std::cos(turn) + water.north.value * std::sin(turn)
                          : water.north.value * std::cos(turn) - water.east.value * std::sin(turn);
     };
@@ -64,9 +67,9 @@ void expect_turning_sea(const ocean::CurrentGrid& currents, std::size_t least) {
 }
 
 TEST_F(GribCurrents, OnLatitudeAndLongitudeAreStoredAsTheyAre) {
-  for (const bool rows_from_south : {true, false}) {
+  for (const int scanning : {0x40, 0x00}) {
     GribMessage message;
-    message.rows_from_south = rows_from_south;
+    message.scanning = scanning;
     const auto currents = stored(both_components(message));
 
     expect_turning_sea(currents, 120);
@@ -78,7 +81,7 @@ TEST_F(GribCurrents, OnLatitudeAndLongitudeAreStoredAsTheyAre) {
 
 TEST_F(GribCurrents, AlongAPolarGridAreTurnedWhenTheFlagSaysSo) {
   GribMessage message;
-  message.polar = true;
+  message.plane = GribPlane::north_polar;
   message.along_grid = true;
   expect_turning_sea(stored(both_components(message)), 300);
   EXPECT_THAT(words(report_), HasSubstr("turned to east and north"));
@@ -86,8 +89,74 @@ TEST_F(GribCurrents, AlongAPolarGridAreTurnedWhenTheFlagSaysSo) {
 
 TEST_F(GribCurrents, TowardsEastAndNorthOnAPolarGridAreNotTurned) {
   GribMessage message;
-  message.polar = true;
+  message.plane = GribPlane::north_polar;
   expect_turning_sea(stored(both_components(message)), 300);
+}
+
+TEST_F(GribCurrents, AndWindLieWhereTheyAreInEveryScanningMode) {
+  support::for_each_seed(96, [&](std::mt19937_64& rng) {
+    GribMessage message;
+    message.scanning = support::uniform_int(rng, 0, 15) << 4;
+    message.states_increments = support::uniform_int(rng, 0, 3) > 0;
+    if (support::uniform_int(rng, 0, 1) == 1) message.wind_height_m = 10.0;
+    // Anywhere, so that many grids begin at 0 or lie across 0 and across the date line; some go round the Earth.
+    const bool round = support::uniform_int(rng, 0, 4) == 0;
+    message.step_deg = round ? 15.0 : 0.25 * support::uniform_int(rng, 1, 8);
+    message.columns = round ? 24 : support::uniform_int(rng, 2, 30);
+    message.rows = round ? 5 : support::uniform_int(rng, 2, 20);
+    const int start = support::uniform_int(rng, -4, 8);
+    message.first = {start < 0 ? support::uniform_int(rng, 0, 359) : 45.0 * start,
+                     static_cast<double>(support::uniform_int(rng, round ? -60 : -80, round ? 20 : 40))};
+
+    const auto currents = stored(both_components(message));
+
+    const auto& grid = currents.samples().grid;
+    expect_turning_sea(currents, static_cast<std::size_t>(message.columns * message.rows));
+    ASSERT_EQ(grid.x().size(), static_cast<std::size_t>(message.columns));
+    EXPECT_NEAR(geo::longitude_difference(grid.x().front(), message.first.lon_deg), 0.0, 1e-6);
+    EXPECT_NEAR(grid.y().front(), message.first.lat_deg, 1e-6);
+  });
+}
+
+TEST_F(GribCurrents, LieWhereTheyAreOnEveryPlaneInEveryScanningMode) {
+  for (const GribPlane plane : {GribPlane::turned_pole, GribPlane::mercator, GribPlane::north_polar,
+                                GribPlane::south_polar, GribPlane::lambert}) {
+    for (int mode = 0; mode < 16; ++mode) {
+      const testing::ScopedTrace trace{
+          __FILE__, __LINE__,
+          "plane " + std::to_string(static_cast<int>(plane)) + " mode " + std::to_string(mode)};
+      GribMessage message;
+      message.plane = plane;
+      message.scanning = mode << 4;
+      message.along_grid = mode % 3 != 0;
+      message.first.lon_deg = mode % 2 == 0 ? 174.0 : 356.0;
+      message.step_deg = 0.5;
+
+      const auto currents = stored(both_components(message));
+
+      expect_turning_sea(currents, 100);
+    }
+  }
+}
+
+TEST_F(GribCurrents, WhoseNodesContradictTheirScanningModeAreRefused) {
+  support::for_each_seed(16, [&](std::mt19937_64& rng) {
+    GribMessage message;
+    message.scanning = support::uniform_int(rng, 0, 15) << 4;
+    message.plane =
+        support::uniform_int(rng, 0, 2) == 0 ? GribPlane::mercator : GribPlane::latitude_longitude;
+    message.stated_scanning = message.scanning ^ (support::uniform_int(rng, 0, 1) == 0 ? 0x80 : 0x40);
+    const std::string octets = both_components(message);
+    expect_refused(write_file("contradiction.grb2", octets), "would be mirrored or shifted");
+  });
+}
+
+TEST_F(GribCurrents, OnRowsThatAreOffsetAreRefused) {
+  for (const int offset : {1, 2, 4, 8}) {
+    GribMessage message;
+    message.stated_scanning = message.scanning | offset;
+    expect_refused(write_file("offset.grb2", both_components(message)), "offset by half a step");
+  }
 }
 
 TEST_F(GribCurrents, OfSeveralTimesAndDepthsAreOneField) {
@@ -124,7 +193,7 @@ TEST_F(GribCurrents, AreNotTheWindOfTheirFile) {
 TEST_F(GribCurrents, AndWindAlikeAreTurnedFromTheirGrid) {
   GribMessage message;
   message.wind_height_m = 10.0;
-  message.polar = true;
+  message.plane = GribPlane::north_polar;
   message.along_grid = true;
   const auto wind = stored(both_components(message));
 

@@ -8,22 +8,28 @@
 
 namespace floeplan::ingest {
 
-/// One field of a GRIB2 file for tests: 16-bit simple packing on latitude and longitude (template 3.0) or on a polar
-/// stereographic plane on a sphere (template 3.20).
+/// Templates 3.0, 3.1, 3.10, 3.20 (twice) and 3.30, all on one sphere.
+enum class GribPlane { latitude_longitude, turned_pole, mercator, north_polar, south_polar, lambert };
+
+/// One field of a GRIB2 file for tests, in 16-bit simple packing. Where its nodes lie is computed here by formulas of
+/// its own.
+/// Source  Snyder 1987, Map Projections (USGS PP 1395), equations for the sphere
 struct GribMessage {
-  bool polar{false};
+  GribPlane plane{GribPlane::latitude_longitude};
   int number{2};           // of oceanography, currents: 2 eastward, 3 northward; 0 and 1: direction and speed
   bool along_grid{false};  // the component flag
-  bool rows_from_south{true};
+  int scanning{0x40};      // flag table 3.4, its first four bits
+  std::optional<int> stated_scanning;  // where the file says another mode than it follows
+  bool states_increments{true};        // of latitude and longitude
   int columns{12};
   int rows{10};
-  geo::LonLat first{350.0, 60.0};  // of latitude and longitude: the south-western node
-  double step_deg{1.0};
-  double spacing_m{50000.0};  // of the polar plane, whose middle is 600 km from the pole
+  geo::LonLat first{350.0, 60.0};  // the south-western node of latitude and longitude, and of Mercator
+  double step_deg{1.0};            // of latitude and longitude, and round the turned pole
+  double spacing_m{50000.0};       // of the planes; the middle of the polar ones is 600 km from the pole
   double depth_m{5.0};
   std::optional<double> wind_height_m;                     // then it is wind at this height above the ground
   int forecast_h{6};                                       // from 2026-11-20T00:00:00Z on
-  std::function<double(double column, double row)> value;  // rows from the south
+  std::function<double(double column, double row)> value;  // rows from the south, columns from the west
 
   [[nodiscard]] geo::LonLat place(double column, double row) const;
   [[nodiscard]] std::string octets() const;

@@ -1,0 +1,53 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <string>
+#include <utility>
+
+namespace floeplan::ingest {
+
+/// Thrown where a GRIB2 file cannot be followed, with the sentence for its refusal; caught at the readers' edges.
+struct BadGrib {
+  std::string reason;
+};
+
+[[noreturn]] inline void fail_grib(std::string reason) { throw BadGrib{std::move(reason)}; }
+
+[[noreturn]] inline void fail_cut_grib() {
+  fail_grib(
+      "the GRIB file was cut short or changed: its messages do not end where they say; copy or download it "
+      "again");
+}
+
+/// Numbers out of a section of a GRIB2 message, by the octet numbers of the manual (from 1).
+/// Errors  BadGrib for octets beyond its end
+class GribSection {
+ public:
+  explicit GribSection(std::string octets) : octets_{std::move(octets)} {}
+
+  [[nodiscard]] std::uint64_t at(std::size_t first, std::size_t count) const {
+    if (first + count - 1 > octets_.size()) fail_cut_grib();
+    std::uint64_t value = 0;
+    for (std::size_t i = 0; i < count; ++i)
+      value = value << 8U | static_cast<unsigned char>(octets_[first - 1 + i]);
+    return value;
+  }
+  /// The first bit is the sign.
+  [[nodiscard]] std::int64_t signed_at(std::size_t first, std::size_t count) const {
+    const std::uint64_t value = at(first, count);
+    const std::uint64_t sign = std::uint64_t{1} << (8 * count - 1);
+    const auto size = static_cast<std::int64_t>(value & ~sign);
+    return (value & sign) != 0 ? -size : size;
+  }
+  /// Whether all bits of a number are set, which says that it is missing.
+  [[nodiscard]] bool is_missing(std::size_t first, std::size_t count) const {
+    return at(first, count) == (count == 8 ? ~std::uint64_t{0} : (std::uint64_t{1} << (8 * count)) - 1);
+  }
+  [[nodiscard]] const std::string& octets() const { return octets_; }
+
+ private:
+  std::string octets_;
+};
+
+}  // namespace floeplan::ingest
