@@ -5,6 +5,7 @@
 #include <chrono>
 #include <cmath>
 #include <optional>
+#include <tuple>
 #include <utility>
 
 #include "storage/ingest/text.hpp"
@@ -171,8 +172,9 @@ std::optional<double> day_number(CfCalendar calendar, const Date& date) {
   if (date.month < 1 || date.month > 12 || date.day < 1) return std::nullopt;
   switch (calendar) {
     case CfCalendar::standard: {
-      const bool before_reform =
-          std::pair{date.year, std::pair{date.month, date.day}} < std::pair{1582, std::pair{10, 15}};
+      const std::tuple named{date.year, date.month, date.day};
+      const bool before_reform = named < std::tuple{1582, 10, 15};
+      if (before_reform && named > std::tuple{1582, 10, 4}) return std::nullopt;  // the days left out then
       return day_number(before_reform ? CfCalendar::julian : CfCalendar::proleptic_gregorian, date);
     }
     case CfCalendar::proleptic_gregorian:
@@ -191,6 +193,28 @@ std::optional<double> day_number(CfCalendar calendar, const Date& date) {
       for (int month = 1; month < date.month; ++month) days += month_length(calendar, month);
       return days;
     }
+  }
+  return std::nullopt;
+}
+
+/// The year of a starting date, counted so that year 0 comes before year 1: -4713 of the calendars that history used
+/// is 4713 BC, the year -4712. nullopt: programs do not agree on which year is meant.
+std::optional<int> year_with_zero(CfCalendar calendar, const Date& date) {
+  switch (calendar) {
+    case CfCalendar::standard:
+    case CfCalendar::julian:
+      if (date.year == 0) return std::nullopt;
+      return date.year < 0 ? date.year + 1 : date.year;
+    case CfCalendar::proleptic_gregorian: {
+      if (date.year >= 0) return date.year;
+      // The beginning of the Julian Day, with and without a year 0; no other date of these years tells which.
+      if (date.month != 11 || date.day != 24 || (date.year != -4713 && date.year != -4714))
+        return std::nullopt;
+      return -4713;
+    }
+    case CfCalendar::no_leap:
+    case CfCalendar::all_leap:
+    case CfCalendar::days_360: return date.year;
   }
   return std::nullopt;
 }
@@ -238,7 +262,16 @@ Checked<CfTime> CfTime::parse(std::string_view units, std::string_view calendar)
   const auto known = calendar_named(lower(trimmed(calendar)));
   if (!known) return refuse("the calendar \"" + std::string{calendar} + "\" is not known; use \"standard\"");
 
-  const auto reference = parse_reference(trimmed(text.substr(since + 7)));
+  auto reference = parse_reference(trimmed(text.substr(since + 7)));
+  if (reference) {
+    const auto year = year_with_zero(*known, reference->date);
+    if (!year)
+      return refuse(
+          "the year of the starting date in " + time.text_ + " is counted differently by different " +
+          "programs, with or without a year 0 before year 1, so the times may be a year wrong; ask " +
+          "the producer for a starting date after year 1, like \"1970-01-01\"");
+    reference->date.year = *year;
+  }
   const auto day = reference ? day_number(*known, reference->date) : std::nullopt;
   if (!day)
     return refuse("the starting date in " + time.text_ +
@@ -246,6 +279,7 @@ Checked<CfTime> CfTime::parse(std::string_view units, std::string_view calendar)
 
   time.calendar_ = *known;
   time.unit_s_ = *unit_s;
+  time.before_year_1_ = reference->date.year < 1;
   time.epoch_s_ = *day * day_s + reference->second_of_day;
   return time;
 }
@@ -255,7 +289,7 @@ bool CfTime::is_model_calendar() const {
          calendar_ == CfCalendar::days_360;
 }
 
-bool CfTime::is_julian() const { return calendar_ == CfCalendar::julian; }
+bool CfTime::is_julian() const { return calendar_ == CfCalendar::julian && !before_year_1_; }
 
 Checked<core::UtcTime> CfTime::at(double value) const {
   const std::string quoted = number(value, 15) + " " + text_;

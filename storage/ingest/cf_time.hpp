@@ -15,9 +15,11 @@ enum class CfCalendar { standard, proleptic_gregorian, julian, no_leap, all_leap
 /// Units    weeks, days, hours, minutes, seconds, milliseconds; months and years are refused: their length
 ///          varies
 /// Edges    a date in a model's own calendar, or in the Julian one, becomes the same date in ours; one that ours lacks
-///          (30 February, 29 February of a common year) is refused. "standard" is Julian before 15 October 1582; year 0
-///          exists
-/// Source   CF conventions 1.8, section 4.4; UDUNITS-2 for the spelling of the reference date
+///          (30 February, 29 February of a common year) is refused. "standard" is Julian before 15 October 1582.
+///          Starting dates before year 1: "standard" and "julian" have no year 0, -4713 is 4713 BC, and what counts from
+///          there counts days (the Julian Day), whose dates are ours; "proleptic_gregorian" has a year 0, as ISO 8601
+///          does, and of its years before that only the beginning of the Julian Day is known, because programs differ
+/// Source   CF conventions 1.8, section 4.4; UDUNITS-2 for the spelling of the reference date and its years
 class CfTime {
  public:
   /// Errors  the file's own text is quoted
@@ -27,8 +29,8 @@ class CfTime {
   [[nodiscard]] Checked<core::UtcTime> at(double value) const;
   /// True when the calendar is not the one the world uses, so dates drift against the sun and the moon.
   [[nodiscard]] bool is_model_calendar() const;
-  /// True when the file states the Julian calendar. Producers of today who do mean the dates that it gives, not the
-  /// days: OSCAR and models of GFDL would otherwise lie 13 days in the future.
+  /// True when the file states the Julian calendar and counts from year 1 or later. Producers of today who do mean the
+  /// dates that it gives, not the days: OSCAR and models of GFDL would otherwise lie 13 days in the future.
   [[nodiscard]] bool is_julian() const;
 
  private:
@@ -36,7 +38,8 @@ class CfTime {
   double unit_s_{1.0};
   double epoch_s_{};  // since 1970-01-01 for real calendars, since year 0 of the model's own calendar for the
                       // others
-  std::string text_;  // as the file has it, for messages
+  bool before_year_1_{false};  // of the starting date
+  std::string text_;           // as the file has it, for messages
 };
 
 }  // namespace floeplan::ingest
