@@ -192,6 +192,7 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
   if (file.netcdf && repository::has_steps(kind)) data->run = model_run_of(*file.netcdf);
   if (file.netcdf && kind == DatasetKind::currents && !options.kind)
     warn_of_what_is_left(file, data->warnings);
+  data->warnings.insert(data->warnings.begin(), file.warnings.begin(), file.warnings.end());
   if (auto warning = warning_of_open_end(file.path, file.format))
     data->warnings.push_back(std::move(*warning));
   return {{}, std::move(*data)};

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <cstdint>
 #include <limits>
+#include <sstream>
 #include <type_traits>
 
 #include "storage/ingest/first_bytes.hpp"
@@ -209,19 +210,72 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file, std::opt
     return refuse("the " + std::string{is_zarr ? "Zarr store" : "NetCDF file"} + " cannot be opened (" +
                   messages.first_error() + "); it is damaged or was cut short; copy or download it again");
 
-  result.groups_ = root->GetGroupNames();
-  for (const auto& attribute : root->GetAttributes())
+  result.is_zarr_ = is_zarr;
+  result.also_missing_ = also_missing;
+  result.list_groups_below(*root, "", 0);
+  result.add_variables_of(*root);
+  return result;
+}
+
+NetcdfFile NetcdfFile::seen_from(const std::string& group) const {
+  NetcdfFile result;
+  result.dataset_ = dataset_;
+  result.is_zarr_ = is_zarr_;
+  result.also_missing_ = also_missing_;
+  std::vector<std::shared_ptr<GDALGroup>> way{dataset_->GetRootGroup()};
+  std::istringstream names{group.substr(1)};
+  for (std::string name; way.back() && std::getline(names, name, '/');)
+    way.push_back(way.back()->OpenGroup(name));
+  for (; !way.empty(); way.pop_back())
+    if (way.back()) result.add_variables_of(*way.back());
+  return result;
+}
+
+void NetcdfFile::add_variables_of(GDALGroup& group) {
+  for (const auto& attribute : group.GetAttributes())
     if (const char* text = attribute->ReadAsString())
-      result.attributes_.emplace(attribute->GetName(), trimmed(text));
+      attributes_.emplace(attribute->GetName(), trimmed(text));
+
+  // What a group round this one calls by the name of a variable or of a dimension of another length is hidden.
+  std::map<std::string, std::uint64_t> sizes;
+  for (const NetcdfVariable& variable : variables_)
+    for (const NetcdfDimension& dimension : variable.dimensions())
+      sizes.emplace(dimension.name, dimension.size);
+  const auto is_hidden = [&](const NetcdfVariable& variable) {
+    return find(variable.name()) != nullptr ||
+           std::ranges::any_of(variable.dimensions(), [&](const NetcdfDimension& dimension) {
+             const auto found = sizes.find(dimension.name);
+             return found != sizes.end() && found->second != dimension.size;
+           });
+  };
+  std::vector<NetcdfVariable> found;
   const char* const scalars_too[] = {"SHOW_ZERO_DIM=YES", nullptr};
-  for (const std::string& name : root->GetMDArrayNames(const_cast<char**>(scalars_too)))
-    if (auto array = root->OpenMDArray(name)) result.variables_.emplace_back(name, std::move(array), is_zarr);
-  for (NetcdfVariable& variable : result.variables_) {
+  for (const std::string& name : group.GetMDArrayNames(const_cast<char**>(scalars_too))) {
+    auto array = group.OpenMDArray(name);
+    if (!array) continue;
+    NetcdfVariable variable{name, array, is_zarr_};
+    if (is_hidden(variable)) continue;
+    found.push_back(std::move(variable));
+  }
+  for (NetcdfVariable& variable : found) {
     const AxisRole role = role_of(variable);
     const bool position = role == AxisRole::longitude || role == AxisRole::latitude;
-    if (also_missing && variable.dimensions().size() >= 2 && !position) variable.also_missing(*also_missing);
+    if (also_missing_ && variable.dimensions().size() >= 2 && !position)
+      variable.also_missing(*also_missing_);
+    variables_.push_back(std::move(variable));
   }
-  return result;
+}
+
+void NetcdfFile::list_groups_below(const GDALGroup& group, const std::string& path, std::size_t depth) {
+  constexpr std::size_t deepest = 8;
+  constexpr std::size_t most_groups = 1000;
+  if (depth == deepest) return;
+  for (const std::string& name : group.GetGroupNames()) {
+    const auto below = group.OpenGroup(name);
+    if (!below || groups_.size() == most_groups) continue;
+    groups_.push_back(path + "/" + name);
+    list_groups_below(*below, groups_.back(), depth + 1);
+  }
 }
 
 std::string NetcdfFile::attribute(const std::string& name) const {

@@ -12,6 +12,7 @@
 #include "storage/ingest/refusal.hpp"
 
 class GDALDataset;
+class GDALGroup;
 class GDALMDArray;
 class OGRSpatialReference;
 
@@ -75,8 +76,9 @@ class NetcdfVariable {
   double offset_{0.0};
 };
 
-/// An open NetCDF file (any variant) or Zarr store, seen through its root group. Coordinates are never taken from
-/// GDAL's own guesses.
+/// An open NetCDF file (any variant) or Zarr store, seen through its root group or another one. Coordinates are never
+/// taken from GDAL's own guesses. A variable whose last dimension is called "two" holds both components of a vector, as
+/// SCHISM writes them: hvel becomes the two variables hvel[0] and hvel[1].
 /// Threads  one thread at a time
 class NetcdfFile {
  public:
@@ -86,8 +88,11 @@ class NetcdfFile {
                                                 std::optional<double> also_missing = std::nullopt);
 
   [[nodiscard]] const std::vector<NetcdfVariable>& variables() const { return variables_; }
-  /// Names of the groups below the root, which are not looked into.
+  /// All groups below the root ("/ocean", "/ocean/daily"), each before those below it.
   [[nodiscard]] const std::vector<std::string>& groups() const { return groups_; }
+  /// The file through one of those: its variables, then those of the groups round it that nothing of it hides.
+  /// Source  CF conventions 1.8, section 2.7, scope of groups
+  [[nodiscard]] NetcdfFile seen_from(const std::string& group) const;
   /// Null when there is none.
   [[nodiscard]] const NetcdfVariable* find(const std::string& name) const;
   /// What the file states of itself as a whole, trimmed; empty when it does not.
@@ -96,7 +101,12 @@ class NetcdfFile {
   [[nodiscard]] std::optional<double> numeric_attribute(const std::string& name) const;
 
  private:
+  void add_variables_of(GDALGroup& group);
+  void list_groups_below(const GDALGroup& group, const std::string& path, std::size_t depth);
+
   std::shared_ptr<GDALDataset> dataset_;
+  bool is_zarr_{false};
+  std::optional<double> also_missing_;
   std::map<std::string, std::string> attributes_;
   std::vector<NetcdfVariable> variables_;
   std::vector<std::string> groups_;

@@ -96,8 +96,9 @@ std::string nothing_known(const NetcdfFile& file) {
            "with "
            "ncks -A";
   if (!file.groups().empty())
-    return "nothing at the top level of the file is known, and its groups (" + enumeration(file.groups()) +
-           ") are not looked into; bring them to the top level, for example with ncks -G : IN.nc OUT.nc";
+    return "neither the top level of the file nor its groups (" + enumeration(file.groups()) +
+           ") hold currents of the sea, depths, sea ice or wind that this program knows; there is nothing to "
+           "store; give a file with, for example, uo and vo, elevation, siconc or u10 and v10";
   std::vector<std::string> names;
   for (const NetcdfVariable& variable : file.variables()) names.push_back(variable.name());
   if (names.empty())
@@ -106,6 +107,64 @@ std::string nothing_known(const NetcdfFile& file) {
   return "the file holds " + enumeration(names) +
          ", but neither currents of the sea nor depths nor sea ice nor wind; there is nothing to store; give "
          "a file with, for example, uo and vo, elevation, siconc or u10 and v10";
+}
+
+/// A group of a file that holds data, seen as a file.
+struct DataGroup {
+  std::string path;
+  std::shared_ptr<const NetcdfFile> seen;
+  std::vector<DatasetKind> kinds;
+};
+
+std::vector<DataGroup> groups_with_data(const NetcdfFile& file, const Expectation& expected) {
+  std::vector<DataGroup> found;
+  for (const std::string& path : file.groups()) {
+    const bool below_another = std::ranges::any_of(
+        found, [&](const DataGroup& group) { return path.starts_with(group.path + "/"); });
+    if (below_another) continue;  // it sees the same variables once more
+    auto seen = std::make_shared<const NetcdfFile>(file.seen_from(path));
+    auto kinds = kinds_of_netcdf(seen, expected);
+    if (expected.kind && std::ranges::find(kinds, *expected.kind) == kinds.end()) continue;
+    if (!kinds.empty()) found.push_back({path, std::move(seen), std::move(kinds)});
+  }
+  return found;
+}
+
+std::string in_words(const std::vector<DataGroup>& groups) {
+  std::vector<std::string> texts;
+  for (const DataGroup& group : groups) {
+    std::vector<std::string> kinds;
+    for (const DatasetKind kind : group.kinds) kinds.push_back(repository::kind_name(kind));
+    texts.push_back(group.path + " (" + enumeration(kinds) + ")");
+  }
+  return enumeration(texts);
+}
+
+/// Goes below the top level of a file where that does not hold what is wanted, and says what lies there where it does.
+Checked<bool> look_into_groups(RecognisedFile& file, const Expectation& expected) {
+  if (file.netcdf->groups().empty()) return true;
+  const bool top_level =
+      !file.kinds.empty() &&
+      (!expected.kind || std::ranges::find(file.kinds, *expected.kind) != file.kinds.end());
+  // What a group sees of the top level is no data of its own.
+  std::vector<DataGroup> groups = groups_with_data(*file.netcdf, expected);
+  if (top_level) {
+    std::erase_if(groups, [&](const DataGroup& group) { return group.kinds == file.kinds; });
+    if (!groups.empty())
+      file.warnings.push_back("the top level of the file was read; its groups " + in_words(groups) +
+                              " were not; to store one of them take it out, for example with ncks -G : -g " +
+                              groups.front().path + " IN.nc OUT.nc");
+    return true;
+  }
+  if (groups.size() > 1)
+    return refuse("the file holds data in several groups: " + in_words(groups) +
+                  "; which of them is meant is not known; take one out, for example with ncks -G : -g " +
+                  groups.front().path + " IN.nc OUT.nc");
+  if (groups.empty()) return true;
+  file.netcdf = std::move(groups.front().seen);
+  file.kinds = std::move(groups.front().kinds);
+  file.warnings.push_back("the data lie in the group " + groups.front().path + " of the file");
+  return true;
 }
 
 Checked<bool> look_into_features(RecognisedFile& file, Checked<std::shared_ptr<GDALDataset>> features,
@@ -133,6 +192,7 @@ Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
       file.kinds = kinds_of_netcdf(file.netcdf, expected);
       if (file.kinds.empty() && file.format != FileFormat::zarr && is_gshhg(file.path))
         file.kinds = {DatasetKind::coastline};
+      if (const auto looked = look_into_groups(file, expected); !looked) return looked;
       if (file.kinds.empty()) return refuse(nothing_known(*file.netcdf));
       return true;
     }
@@ -180,8 +240,13 @@ bool is_raster_of_depths(FileFormat format) {
 Checked<RecognisedFile> recognise(const std::filesystem::path& file, const Expectation& expected) {
   const auto format = format_of(file);
   if (!format) return refuse(format.error());
-  RecognisedFile result{
-      .path = file, .format = *format, .kinds = {}, .netcdf = nullptr, .companions = {}, .features = nullptr};
+  RecognisedFile result{.path = file,
+                        .format = *format,
+                        .kinds = {},
+                        .netcdf = nullptr,
+                        .companions = {},
+                        .features = nullptr,
+                        .warnings = {}};
   const auto looked = look_into(result, expected);
   if (!looked) return refuse(looked.error());
   if (!expected.kind) return result;

@@ -33,12 +33,20 @@ NetcdfWriter::NetcdfWriter(const std::filesystem::path& file) {
   require(driver != nullptr);
   dataset_.reset(driver->CreateMultiDimensional(file.c_str(), nullptr, nullptr));
   require(dataset_ != nullptr);
+  leave_groups();
 }
 
 NetcdfWriter::~NetcdfWriter() = default;
 
+void NetcdfWriter::enter(const std::string& group) {
+  group_ = group_->CreateGroup(group);
+  require(group_ != nullptr);
+}
+
+void NetcdfWriter::leave_groups() { group_ = dataset_->GetRootGroup(); }
+
 void NetcdfWriter::dimension(const std::string& name, std::size_t size) {
-  dimensions_[name] = dataset_->GetRootGroup()->CreateDimension(name, "", "", size);
+  dimensions_[name] = group_->CreateDimension(name, "", "", size);
   require(dimensions_[name] != nullptr);
 }
 
@@ -51,8 +59,8 @@ void NetcdfWriter::variable(const Variable& variable) {
     start.push_back(0);
     count.push_back(static_cast<std::size_t>(dimensions.back()->GetSize()));
   }
-  const auto array = dataset_->GetRootGroup()->CreateMDArray(
-      variable.name, dimensions, GDALExtendedDataType::Create(gdal_type(variable.type)));
+  const auto array = group_->CreateMDArray(variable.name, dimensions,
+                                           GDALExtendedDataType::Create(gdal_type(variable.type)));
   require(array != nullptr);
   if (variable.fill) require(array->SetNoDataValue(*variable.fill));
   for (const auto& [name, text] : variable.texts) {
@@ -74,15 +82,14 @@ void NetcdfWriter::variable(const Variable& variable) {
 }
 
 void NetcdfWriter::text(const std::string& name, const std::string& value) {
-  const auto array = dataset_->GetRootGroup()->CreateMDArray(name, {}, GDALExtendedDataType::CreateString());
+  const auto array = group_->CreateMDArray(name, {}, GDALExtendedDataType::CreateString());
   const char* const raw[] = {value.c_str()};
   require(array != nullptr &&
           array->Write(nullptr, nullptr, nullptr, nullptr, GDALExtendedDataType::CreateString(), raw));
 }
 
 void NetcdfWriter::attribute(const std::string& name, const std::string& value) {
-  const auto attribute =
-      dataset_->GetRootGroup()->CreateAttribute(name, {}, GDALExtendedDataType::CreateString());
+  const auto attribute = group_->CreateAttribute(name, {}, GDALExtendedDataType::CreateString());
   require(attribute != nullptr && attribute->Write(value.c_str()));
 }
 

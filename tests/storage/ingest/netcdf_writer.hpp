@@ -10,6 +10,7 @@
 
 class GDALDataset;
 class GDALDimension;
+class GDALGroup;
 
 namespace floeplan::ingest {
 
@@ -32,6 +33,10 @@ class NetcdfWriter {
   explicit NetcdfWriter(const std::filesystem::path& file);
   ~NetcdfWriter();
 
+  /// A group below the one that is written to, in which everything from now on lies.
+  void enter(const std::string& group);
+  /// Back to the top level.
+  void leave_groups();
   void dimension(const std::string& name, std::size_t size);
   void variable(const Variable& variable);
   /// A single text.
@@ -44,6 +49,7 @@ class NetcdfWriter {
 
  private:
   std::unique_ptr<GDALDataset> dataset_;
+  std::shared_ptr<GDALGroup> group_;
   std::map<std::string, std::shared_ptr<GDALDimension>> dimensions_;
 };
 
