@@ -60,9 +60,29 @@ std::shared_ptr<OGRSpatialReference> crs_with_stated_figure(const NetcdfVariable
   return nullptr;
 }
 
+/// "crs", or "crs: x y" of CF 1.7, where the coordinates follow the mapping that they are of.
 const NetcdfVariable* mapping_of(const NetcdfFile& file, const NetcdfVariable& variable) {
-  const std::string name = variable.attribute("grid_mapping");
+  const std::string text = variable.attribute("grid_mapping");
+  const std::string name = text.substr(0, text.find_first_of(": "));
   return name.empty() ? nullptr : file.find(name);
+}
+
+/// Longitudes and latitudes round a turned pole. They are turned on a sphere, whatever the figure of the Earth that the
+/// file states or leaves out: its radius plays no part.
+/// Source  CF conventions 1.8, appendix F, rotated_latitude_longitude
+std::shared_ptr<OGRSpatialReference> turned_pole(const NetcdfVariable& mapping) {
+  if (mapping.attribute("grid_mapping_name") != "rotated_latitude_longitude") return nullptr;
+  const auto lat = mapping.numeric_attribute("grid_north_pole_latitude");
+  const auto lon = mapping.numeric_attribute("grid_north_pole_longitude");
+  if (!lat || !lon || std::abs(*lat) > 90.0) return nullptr;
+  auto crs = std::make_shared<OGRSpatialReference>();
+  crs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  crs->SetGeogCS("own", "own", "own", 6371229.0, 0.0);
+  const double meridian = mapping.numeric_attribute("north_pole_grid_longitude").value_or(0.0);
+  const GdalMessages messages;
+  const bool made = crs->SetDerivedGeogCRSWithPoleRotationNetCDFCFConvention("turned pole", *lat, *lon,
+                                                                             meridian) == OGRERR_NONE;
+  return made ? crs : nullptr;
 }
 
 struct Axes {
@@ -99,8 +119,10 @@ Checked<std::vector<double>> values_of(const NetcdfVariable& coordinate, bool tu
 std::shared_ptr<const OGRSpatialReference> projection_of(const NetcdfFile& file,
                                                          const NetcdfVariable& variable) {
   const NetcdfVariable* const mapping = mapping_of(file, variable);
-  if (mapping != nullptr)
+  if (mapping != nullptr) {
+    if (auto crs = turned_pole(*mapping)) return crs;
     if (auto crs = crs_with_stated_figure(*mapping)) return crs;
+  }
   if (auto crs = variable.crs()) return crs;
   if (mapping == nullptr) return nullptr;
   for (const char* const name : {"crs_wkt", "spatial_ref"}) {

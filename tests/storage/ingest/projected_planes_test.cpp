@@ -203,6 +203,21 @@ TEST_F(ProjectedPlanes, CurrentsRoundATurnedPoleArePlacedByItAndTurned) {
   expect_turning_sea(stored_velocity(DatasetKind::currents), 2e-3);
 }
 
+/// The radius of the sphere plays no part where longitudes and latitudes are turned.
+TEST_F(ProjectedPlanes, CurrentsRoundATurnedPoleNeedNoFigureOfTheEarth) {
+  for (const double axis_m : {0.0, 6'378'137.0, 6'377'397.155}) {
+    Plane plane = turned_plane();
+    plane.mapping_numbers.erase("earth_radius");
+    if (axis_m > 0.0) plane.mapping_numbers["semi_major_axis"] = axis_m;
+    write(path("plane.nc"), plane,
+          {{called("u", "sea_water_x_velocity", "m s-1"), along_first},
+           {called("v", "sea_water_y_velocity", "m s-1"), along_second}});
+
+    expect_turning_sea(stored_velocity(DatasetKind::currents), 2e-3);
+    std::filesystem::remove(path("plane.nc"));
+  }
+}
+
 TEST_F(ProjectedPlanes, WindRoundATurnedPoleIsPlacedByItAndTurned) {
   write(path("plane.nc"), turned_plane(),
         {{called("x_wind_10m", "x_wind", "m s-1"), along_first},
