@@ -23,6 +23,15 @@ bool is_plane(const NetcdfVariable& variable) {
   return variable.is_numeric() && dimensions.size() >= 2 && long_ones <= 2;
 }
 
+/// A description without the level from which it counts: "depth of the bed below the sea surface" is no sea surface.
+std::string without_level(std::string description) {
+  for (const std::string_view level : {"below sea surface", "below the sea surface", "below mean sea surface",
+                                       "below the mean sea surface", "below_sea_surface"})
+    if (const std::size_t at = description.find(level); at != std::string::npos)
+      description.erase(at, level.size());
+  return description;
+}
+
 bool is_called_bathymetry(const NetcdfVariable& variable) {
   constexpr std::array<std::string_view, 16> names{
       "elevation", "deptho", "z",     "topo",     "bathymetry", "bathy",      "depth",  "h",
@@ -30,12 +39,15 @@ bool is_called_bathymetry(const NetcdfVariable& variable) {
   const std::string name = lower(variable.name());
   const std::string standard_name = lower(variable.attribute("standard_name"));
   const std::string long_name = lower(variable.attribute("long_name"));
-  if (contains_any(standard_name + " " + long_name,
+  // What follows a blank makes it an error or a count of the depth.
+  if (standard_name.starts_with("sea_floor_depth") && standard_name.find(' ') == std::string::npos)
+    return true;
+  if (contains_any(standard_name + " " + without_level(long_name),
                    {"sea_surface", "sea surface", "dynamic", "wave", "sea_ice", "sea ice", "mixed_layer",
                     "mixed layer", "wind"}))
     return false;
   return std::find(names.begin(), names.end(), name) != names.end() ||
-         contains_any(standard_name, {"sea_floor_depth", "bedrock_altitude", "surface_altitude"}) ||
+         contains_any(standard_name, {"bedrock_altitude", "surface_altitude"}) ||
          contains_any(long_name,
                       {"bathymetr", "topograph", "relief of", "sea floor depth", "elevation relative"});
 }

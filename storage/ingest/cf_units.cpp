@@ -32,8 +32,15 @@ constexpr std::array lengths_m{
     Word{"ft", 0.3048},
     Word{"foot", 0.3048},
     Word{"feet", 0.3048},
+    Word{"internationalfoot", 0.3048},
+    Word{"internationalfeet", 0.3048},
     Word{"fathom", 1.8288},
     Word{"fathoms", 1.8288},
+    Word{"yard", 0.9144},
+    Word{"yards", 0.9144},
+    Word{"nauticalmile", 1852.0},
+    Word{"nauticalmiles", 1852.0},
+    Word{"nmi", 1852.0},
     Word{"dm", 0.1},
 };
 

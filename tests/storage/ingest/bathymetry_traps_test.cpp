@@ -4,6 +4,7 @@
 #include <ogr_spatialref.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <memory>
@@ -13,6 +14,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/property.hpp"
 
 namespace floeplan::ingest::bathymetry_traps_test {
 namespace {
@@ -212,6 +214,39 @@ TEST_F(BathymetryTraps, AttributesDecideTheSense) {
 TEST_F(BathymetryTraps, ADepthThatLooksLikeElevationIsRefused) {
   write_netcdf("depth", {{"units", "m"}}, {-1, -2, -3, -4, -5, -6});
   expect_refused(path("sea.nc"), "as elevations would");
+}
+
+TEST_F(BathymetryTraps, DepthsInAnyUnitOfLengthBecomeMetres) {
+  struct Unit {
+    const char* name;
+    double metres;
+  };
+  support::for_each_seed(24, [&](std::mt19937_64& rng) {
+    constexpr std::array units{Unit{"m", 1.0},          Unit{"ft", 0.3048}, Unit{"feet", 0.3048},
+                               Unit{"fathoms", 1.8288}, Unit{"cm", 0.01},   Unit{"km", 1000.0}};
+    const Unit unit = units.at(static_cast<std::size_t>(support::uniform_int(rng, 0, 5)));
+    const double depth_m = support::uniform(rng, 20.0, 4000.0);
+    const bool described = support::uniform_int(rng, 0, 1) == 0;
+    std::filesystem::remove(path("depth.nc"));
+    {
+      NetcdfWriter writer{path("depth.nc")};
+      writer.axis("lat", {50.0, 51.0, 52.0}, {{"units", "degrees_north"}});
+      writer.axis("lon", {1.0, 2.0, 3.0}, {{"units", "degrees_east"}});
+      writer.variable({.name = "depth",
+                       .dimensions = {"lat", "lon"},
+                       .values = std::vector<double>(9, depth_m / unit.metres),
+                       .texts = {{"units", unit.name},
+                                 {described ? "standard_name" : "long_name",
+                                  described ? "sea_floor_depth_below_sea_surface"
+                                            : "depth of the bed below the sea surface"}},
+                       .numbers = {},
+                       .fill = {},
+                       .type = NetcdfWriter::Type::float64});
+    }
+    const auto depths = stored(path("depth.nc"));
+    const auto least = least_of(depths.depth_m());
+    EXPECT_NEAR(least, depth_m, 1e-3 * depth_m) << unit.name;
+  });
 }
 
 TEST_F(BathymetryTraps, DynamicTopographyIsNotTheSeaFloor) {

@@ -34,6 +34,10 @@ TEST(LengthFactor, KnowsMetresAndTheirRelatives) {
   EXPECT_EQ(length_factor("m"), 1.0);
   EXPECT_EQ(length_factor("km"), 1000.0);
   EXPECT_EQ(length_factor("fathoms"), 1.8288);
+  EXPECT_EQ(length_factor("international_feet"), 0.3048);
+  EXPECT_EQ(length_factor("yards"), 0.9144);
+  EXPECT_EQ(length_factor("nautical_mile"), 1852.0);
+  EXPECT_FALSE(length_factor("nm").has_value());  // a nanometre by UDUNITS
   EXPECT_FALSE(length_factor("dbar").has_value());
   EXPECT_FALSE(length_factor("sigma").has_value());
 }
