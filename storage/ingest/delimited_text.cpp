@@ -1,7 +1,7 @@
 #include "storage/ingest/delimited_text.hpp"
 
 #include <algorithm>
-#include <iterator>
+#include <utility>
 
 #include "storage/ingest/text.hpp"
 
@@ -31,9 +31,12 @@ std::string plain_name(std::string_view column) {
 
 DelimitedText::DelimitedText(std::string_view header) : separator_{separator_of(header)} {
   if (header.starts_with("\xEF\xBB\xBF")) header.remove_prefix(3);
-  const std::vector<std::string> names = fields(header);
-  std::ranges::transform(names, std::back_inserter(columns_), plain_name);
-  if (separator_ == ' ') std::erase(columns_, "");  // a mark of a comment that stands alone
+  for (std::string& name : fields(header)) {
+    std::string plain = plain_name(name);
+    if (separator_ == ' ' && plain.empty()) continue;  // a mark of a comment that stands alone
+    columns_.push_back(std::move(plain));
+    headers_.push_back(std::move(name));
+  }
 }
 
 std::optional<std::size_t> DelimitedText::column(const std::vector<std::string_view>& names) const {

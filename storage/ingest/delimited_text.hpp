@@ -17,6 +17,8 @@ class DelimitedText {
   /// Letters and digits in lower case, an underscore for whatever is between them: "Length (m)" is "length_m", "#Lon"
   /// is "lon".
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
+  /// The name of a column as the table has it, for messages.
+  [[nodiscard]] const std::string& header(std::size_t column) const { return headers_[column]; }
   /// The only column with one of the names; empty when none has, or several.
   [[nodiscard]] std::optional<std::size_t> column(const std::vector<std::string_view>& names) const;
   /// Without quotes and blanks around them; empty of a blank line.
@@ -27,6 +29,7 @@ class DelimitedText {
  private:
   char separator_;
   std::vector<std::string> columns_;
+  std::vector<std::string> headers_;
 };
 
 }  // namespace floeplan::ingest

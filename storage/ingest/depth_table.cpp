@@ -60,7 +60,7 @@ Checked<std::vector<Row>> rows_of(std::istream& in, const DelimitedText& table, 
     const auto z = at(columns.z);
     if (!x || !y || !z)
       return refuse("line " + std::to_string(number_of_line) + " of the table (\"" + line.substr(0, 60) +
-                    "\") does not have numbers for its place and its " + table.columns()[columns.z] +
+                    "\") does not have numbers for its place and its " + table.header(columns.z) +
                     "; the file is damaged or was cut short; correct the line or copy the file again");
     if (rows.size() == max_rows)
       return refuse("the table has more than " + std::to_string(max_rows) +
@@ -147,7 +147,7 @@ Checked<std::unique_ptr<GDALDataset>> open_depth_table(const std::filesystem::pa
   const DelimitedText table{header};
   const auto columns = columns_of(table);
   if (!columns) return refuse("the first line does not name the columns of a place and its depth");
-  const std::string& name_of_z = table.columns()[columns->z];
+  const std::string& name_of_z = table.header(columns->z);
   const auto rows = rows_of(in, table, *columns);
   if (!rows) return refuse(rows.error());
   const auto x = even_nodes(*rows, &Row::x);

@@ -36,15 +36,17 @@ Checked<std::optional<core::Metres>> metres_of(const std::string& name, const st
                                                std::optional<double> value, double most_m, Zero zero) {
   if (text.empty()) return std::nullopt;
   if (!value || *value < 0.0 || (*value == 0.0 && zero == Zero::refused) || *value > most_m)
-    return refuse(name + " is \"" + text + "\", not a number of metres between 0 and " + number(most_m));
+    return refuse(name + " is \"" + text + "\", not a length between 0 and " + number(most_m) + " m");
   return core::Metres{*value};
 }
 
 std::string fault_of_place(geo::LonLat place) {
+  constexpr int digits = 12;  // enough to see that a place lies beyond a pole
   if (!std::isfinite(place.lon_deg) || !std::isfinite(place.lat_deg)) return "the position is missing";
-  if (std::abs(place.lat_deg) > 90.0) return "the latitude " + number(place.lat_deg) + " lies beyond a pole";
+  if (std::abs(place.lat_deg) > 90.0)
+    return "the latitude " + number(place.lat_deg, digits) + " lies beyond a pole";
   if (place.lon_deg < -180.0 || place.lon_deg > 360.0)
-    return "the longitude " + number(place.lon_deg) + " is not within -180 and 360";
+    return "the longitude " + number(place.lon_deg, digits) + " is not within -180 and 360";
   return {};
 }
 

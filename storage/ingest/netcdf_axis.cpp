@@ -43,6 +43,15 @@ std::optional<std::string> first_missing(const std::string& name, const std::vec
          "producer for a complete file";
 }
 
+// Enough to see what is out of order, and that a latitude lies beyond a pole.
+constexpr int digits = 12;
+
+/// "-90.5 to 90": of all values.
+std::string extent_text(const std::vector<double>& values) {
+  const auto [least, greatest] = std::ranges::minmax(values);
+  return number(least, digits) + " to " + number(greatest, digits);
+}
+
 AxisNodes in_file_order(std::vector<double> values) {
   AxisNodes axis{std::move(values), {}};
   axis.source.resize(axis.nodes.size());
@@ -86,21 +95,21 @@ Checked<AxisNodes> monotonic_nodes(const std::string& name, std::vector<double> 
   }
   const auto disorder = std::adjacent_find(axis.nodes.begin(), axis.nodes.end(), std::greater_equal<>{});
   if (disorder != axis.nodes.end())
-    return refuse("the coordinate \"" + name + "\" does not run one way: " + number(*disorder) +
-                  " is followed by " + number(*(disorder + 1)) +
+    return refuse("the coordinate \"" + name + "\" does not run one way: " + number(*disorder, digits) +
+                  " is followed by " + number(*(disorder + 1), digits) +
                   "; places would be mixed up; ask the producer for a regular grid");
   return axis;
 }
 
 Checked<AxisNodes> longitude_nodes(const std::string& name, std::vector<double> values) {
+  const std::vector<double> stated = values;
   for (std::size_t i = 1; i < values.size(); ++i)
     if (values[i] < values[i - 1] && values[i - 1] - values[i] > 180.0) values[i] += 360.0;
 
   auto axis = monotonic_nodes(name, std::move(values));
   if (!axis) return axis;
   if (axis->nodes.front() < -540.0 || axis->nodes.back() > 720.0)
-    return refuse("the longitudes in \"" + name + "\" run from " + number(axis->nodes.front()) + " to " +
-                  number(axis->nodes.back()) +
+    return refuse("the longitudes in \"" + name + "\" run from " + extent_text(stated) +
                   "; they are no degrees; state the projection with --crs, or ask for a " +
                   "file in longitude and latitude");
 
@@ -116,8 +125,7 @@ Checked<AxisNodes> latitude_nodes(const std::string& name, std::vector<double> v
   auto axis = monotonic_nodes(name, std::move(values));
   if (!axis) return axis;
   if (axis->nodes.front() < -90.0 - 1e-6 || axis->nodes.back() > 90.0 + 1e-6)
-    return refuse("the latitudes in \"" + name + "\" run from " + number(axis->nodes.front()) + " to " +
-                  number(axis->nodes.back()) +
+    return refuse("the latitudes in \"" + name + "\" run from " + extent_text(axis->nodes) +
                   "; there is nothing beyond the poles; the file is wrong or its " +
                   "coordinates are no degrees (then state the projection with --crs)");
   axis->nodes.front() = std::max(axis->nodes.front(), -90.0);

@@ -80,8 +80,8 @@ Checked<geo::LonLat> PolygonShapes::place(double x, double y) const {
     return refuse("the corner " + number(x) + ", " + number(y) +
                   " lies outside its coordinate reference system");
   if (!std::isfinite(x) || !std::isfinite(y)) return refuse("a corner has no position");
-  if (std::abs(y) > 90.0) return refuse("the latitude " + number(y) + " lies beyond a pole");
-  if (std::abs(x) > 360.0) return refuse("the longitude " + number(x) + " is not within -360 and 360");
+  if (std::abs(y) > 90.0) return refuse("the latitude " + number(y, 12) + " lies beyond a pole");
+  if (std::abs(x) > 360.0) return refuse("the longitude " + number(x, 12) + " is not within -360 and 360");
   return geo::LonLat{x, y};
 }
 

@@ -83,10 +83,11 @@ Checked<void> check_head(GDALDataset& cell, std::size_t records, ChartCell& char
   chart.scale = static_cast<int>(number_of(*dsid, "DSPM_CSCL").value_or(0.0));
   if (chart.scale < 100 || chart.scale > 100'000'000)
     return refuse("the chart (S-57) does not state its scale; it is damaged; download it again");
+  const auto datum = number_of(*dsid, "DSPM_SDAT");
   chart.warnings.push_back(
-      "the depths count from the sounding datum of the chart (code " +
-      number(number_of(*dsid, "DSPM_SDAT").value_or(0.0)) +
-      " of S-57's VERDAT), mostly a low water: the sea is deeper by the tide, never by mistake shoaler");
+      "the depths count from the sounding datum of the chart (" +
+      (datum ? "code " + number(*datum) + " of S-57's VERDAT" : std::string{"which it does not state"}) +
+      "), mostly a low water: the sea is deeper by the tide, never by mistake shoaler");
   return {};
 }
 
