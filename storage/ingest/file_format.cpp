@@ -122,7 +122,8 @@ bool is_number_table(std::string_view head) {
   return lines > 0;
 }
 
-Checked<FileFormat> format_of_text(std::string_view head, const std::string& extension) {
+Checked<FileFormat> format_of_text(std::string_view head, const std::string& extension,
+                                   bool icebergs_stated) {
   if (head.starts_with("\xEF\xBB\xBF")) head.remove_prefix(3);
   const std::string start = lower(trimmed(head.substr(0, 64)));
   if (start.starts_with("{")) {
@@ -137,7 +138,7 @@ Checked<FileFormat> format_of_text(std::string_view head, const std::string& ext
   if (start.starts_with("ncols") || start.starts_with("nrows")) return FileFormat::ascii_grid;
   if (is_ice_patrol_header(std::string{first_line(head)})) return FileFormat::ice_patrol_csv;
   if (is_iceberg_table_header(std::string{first_line(head)})) return FileFormat::iceberg_table;
-  if (is_own_iceberg_table_header(first_line(head))) return FileFormat::own_iceberg_table;
+  if (is_own_iceberg_table_header(first_line(head), icebergs_stated)) return FileFormat::own_iceberg_table;
   if (is_tide_table(head)) return FileFormat::tide_table;
   if (is_otps_extract(head)) return FileFormat::otps_extract;
   if (is_number_table(head)) return FileFormat::xyz;
@@ -150,7 +151,8 @@ Checked<FileFormat> format_of_text(std::string_view head, const std::string& ext
         "this is a table with the columns " + enumeration(csv_fields(line)) +
         ", which this program does not know; of icebergs it reads the tables of the International Ice "
         "Patrol, the US National Ice Center, Brigham Young University and the Canadian Ice Service's "
-        "beacons, and others with the columns id, lat, lon, time and length_m; of depths those with lon, "
+        "beacons, and others with the columns id, lat, lon and time (with --kind icebergs whatever else "
+        "they hold); of depths those with lon, "
         "lat and depth or elevation; name the columns so, or convert the table to GeoJSON");
   if (extension == ".nc" || extension == ".cdf" || extension == ".nc4")
     return refuse(
@@ -181,7 +183,7 @@ Checked<FileFormat> format_of_compressed_slocum(const std::filesystem::path& fil
 
 }  // namespace
 
-Checked<FileFormat> format_of(const std::filesystem::path& file) {
+Checked<FileFormat> format_of(const std::filesystem::path& file, bool icebergs_stated) {
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
   if (std::filesystem::is_directory(status)) return format_of_folder(file);
@@ -214,7 +216,7 @@ Checked<FileFormat> format_of(const std::filesystem::path& file) {
     return refuse("this is a text in UTF-16, of which this program reads KML alone; save it in UTF-8");
   }
   if (is_text(bytes)) {
-    auto format = format_of_text(bytes, lower(file.extension().string()));
+    auto format = format_of_text(bytes, lower(file.extension().string()), icebergs_stated);
     if (format && *format == FileFormat::ascii_grid)
       if (const auto length = ascii_grid_length(file); !length) return refuse(length.error());
     return format;

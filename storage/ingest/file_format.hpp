@@ -34,9 +34,10 @@ enum class FileFormat {
   slocum_binary
 };
 
+/// `icebergs_stated`  the user says that the file holds icebergs: tables need no column of their own for them
 /// Errors   every other file, by name where it is known (chart pictures, Zarr, archives, ...); an empty
 /// file; a
 ///          folder; a classic NetCDF file that is shorter than its header says
-[[nodiscard]] Checked<FileFormat> format_of(const std::filesystem::path& file);
+[[nodiscard]] Checked<FileFormat> format_of(const std::filesystem::path& file, bool icebergs_stated = false);
 
 }  // namespace floeplan::ingest

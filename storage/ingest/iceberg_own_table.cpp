@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/ingest/cf_units.hpp"
 #include "storage/ingest/delimited_text.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/text.hpp"
@@ -13,15 +14,37 @@
 namespace floeplan::ingest {
 namespace {
 
+struct LengthColumn {
+  std::size_t index{};
+  double metres{1.0};  // in one of its unit
+};
+
+/// The only column called so and by a unit of length: "length_m", "length_ft". In tables of icebergs "nm" is a nautical
+/// mile.
+std::optional<LengthColumn> length_column(const DelimitedText& table, const std::string& quantity) {
+  constexpr double nautical_mile_m = 1852.0;
+  std::optional<LengthColumn> found;
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    const std::string& name = table.columns()[i];
+    if (!name.starts_with(quantity + "_")) continue;
+    const std::string unit = name.substr(quantity.size() + 1);
+    const auto metres = unit == "nm" ? std::optional{nautical_mile_m} : length_factor(unit);
+    if (!metres) continue;
+    if (found) return std::nullopt;
+    found = LengthColumn{i, *metres};
+  }
+  return found;
+}
+
 struct Columns {
   std::size_t id{};
   std::size_t lat{};
   std::size_t lon{};
   std::size_t observed{};
   bool observed_in_utc{};
-  std::optional<std::size_t> length;
-  std::optional<std::size_t> draft;
-  std::optional<std::size_t> position_uncertainty;
+  std::optional<LengthColumn> length;
+  std::optional<LengthColumn> draft;
+  std::optional<LengthColumn> position_uncertainty;
   std::optional<std::size_t> size;
   std::optional<std::size_t> shape;
   std::optional<std::size_t> method;
@@ -41,15 +64,44 @@ std::optional<Columns> columns_of(const DelimitedText& table) {
                         .lon = *lon,
                         .observed = with_zone ? *with_zone : *in_utc,
                         .observed_in_utc = in_utc.has_value(),
-                        .length = table.column({"length_m"}),
-                        .draft = table.column({"draft_m"}),
-                        .position_uncertainty = table.column({"position_uncertainty_m"}),
+                        .length = length_column(table, "length"),
+                        .draft = length_column(table, "draft"),
+                        .position_uncertainty = length_column(table, "position_uncertainty"),
                         .size = table.column({"size", "size_class"}),
                         .shape = table.column({"shape"}),
                         .method = table.column({"method", "source"})};
-  const bool of_icebergs =
-      contains_any(table.columns()[*id], {"berg"}) || columns.length || columns.draft || columns.size;
-  return of_icebergs ? std::optional{columns} : std::nullopt;
+  return columns;
+}
+
+/// Whether the columns themselves tell that these are icebergs.
+bool name_icebergs(const DelimitedText& table, const Columns& columns) {
+  return contains_any(table.columns()[columns.id], {"berg"}) || columns.length || columns.draft ||
+         columns.size;
+}
+
+/// Whether there are an id and a sighting, and nothing that a sighting of an iceberg does not have.
+bool are_sightings_alone(const DelimitedText& table, const Columns& columns) {
+  const std::size_t known = 4 + std::size_t{columns.position_uncertainty.has_value()} +
+                            std::size_t{columns.shape.has_value()} + std::size_t{columns.method.has_value()};
+  return table.columns()[columns.id] == "id" && known == table.columns().size();
+}
+
+/// Of columns that tell a size in a way that is not read.
+std::vector<std::string> warnings_of(const DelimitedText& table, const Columns& columns) {
+  std::vector<std::string> warnings;
+  if (!name_icebergs(table, columns))
+    warnings.emplace_back(
+        "the columns of the table do not tell what was sighted; every row was taken for an iceberg of "
+        "unknown size");
+  for (std::size_t i = 0; i < table.columns().size(); ++i) {
+    const std::string& name = table.columns()[i];
+    if ((name.starts_with("length") && !columns.length) || (name.starts_with("draft") && !columns.draft))
+      warnings.push_back(
+          "the column \"" + table.header(i) +
+          "\" names no unit of length that this program knows, so it was not read; call it, for "
+          "example, length_m or draft_m");
+  }
+  return warnings;
 }
 
 /// One line, by what its columns mean.
@@ -61,7 +113,7 @@ class Row {
   [[nodiscard]] Checked<ocean::Iceberg> sighting() const {
     ocean::Iceberg iceberg;
     iceberg.id = fields_[columns_.id];
-    if (iceberg.id.empty()) return refuse("it has no " + table_.columns()[columns_.id]);
+    if (iceberg.id.empty()) return refuse("it has no " + table_.header(columns_.id));
     const auto lat = table_.number(fields_[columns_.lat]);
     const auto lon = table_.number(fields_[columns_.lon]);
     if (!lat || !lon)
@@ -102,16 +154,18 @@ class Row {
     if (const auto time = core::parse_iso8601(observed)) return *time;
     if (columns_.observed_in_utc)
       if (const auto time = core::parse_iso8601(observed + "Z")) return *time;
-    return refuse(table_.columns()[columns_.observed] + " is \"" + observed +
+    return refuse(table_.header(columns_.observed) + " is \"" + observed +
                   "\", not a time like 2026-11-20T06:00:00Z" +
                   (columns_.observed_in_utc ? "" : " with its zone; in UTC, call the column time_utc"));
   }
 
-  [[nodiscard]] Checked<std::optional<core::Metres>> metres(std::optional<std::size_t> column, double most_m,
-                                                            Zero zero = Zero::refused) const {
+  [[nodiscard]] Checked<std::optional<core::Metres>> metres(const std::optional<LengthColumn>& column,
+                                                            double most_m, Zero zero = Zero::refused) const {
     if (!column) return std::nullopt;
-    const std::string& value = fields_[*column];
-    return metres_of(table_.columns()[*column], value, table_.number(value), most_m, zero);
+    const std::string& value = fields_[column->index];
+    auto length = table_.number(value);
+    if (length) *length *= column->metres;
+    return metres_of(table_.header(column->index), value, length, most_m, zero);
   }
 
   const DelimitedText& table_;
@@ -121,8 +175,11 @@ class Row {
 
 }  // namespace
 
-bool is_own_iceberg_table_header(std::string_view line) {
-  return line.find_first_of(",;\t") != std::string_view::npos && columns_of(DelimitedText{line}).has_value();
+bool is_own_iceberg_table_header(std::string_view line, bool stated) {
+  if (line.find_first_of(",;\t") == std::string_view::npos) return false;
+  const DelimitedText table{line};
+  const auto columns = columns_of(table);
+  return columns && (stated || name_icebergs(table, *columns) || are_sightings_alone(table, *columns));
 }
 
 Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& file) {
@@ -151,7 +208,12 @@ Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& fil
       rows.reject(where, iceberg.error());
     }
   }
-  return std::move(rows).prepared(table.columns());
+  auto data = std::move(rows).prepared(table.columns());
+  if (data) {
+    const auto warnings = warnings_of(table, *columns);
+    data->warnings.insert(data->warnings.begin(), warnings.begin(), warnings.end());
+  }
+  return data;
 }
 
 }  // namespace floeplan::ingest

@@ -238,7 +238,7 @@ bool is_raster_of_depths(FileFormat format) {
 }  // namespace
 
 Checked<RecognisedFile> recognise(const std::filesystem::path& file, const Expectation& expected) {
-  const auto format = format_of(file);
+  const auto format = format_of(file, expected.kind == DatasetKind::icebergs);
   if (!format) return refuse(format.error());
   RecognisedFile result{.path = file,
                         .format = *format,

@@ -1,10 +1,14 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <array>
+#include <string>
+
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/property.hpp"
 
 namespace floeplan::ingest::iceberg_csv_test {
 namespace {
@@ -148,8 +152,60 @@ TEST_F(OwnIcebergTable, LeavesOutBadRowsWithTheirReasons) {
   EXPECT_THAT(words(report), HasSubstr("length_m is \"-5\""));
 }
 
-TEST_F(OwnIcebergTable, OfAnotherUnitOrOfAShipsTrackIsNotTakenForOne) {
-  expect_refused(write_file("miles.csv", "id,lat,lon,time,length (nm)\nA1,69.1,-52.2,2026-11-22,2\n"),
+TEST_F(OwnIcebergTable, MayHaveNoLengthsAtAll) {
+  for (const char* const table :
+       {"id,lat,lon,time\nB1,48.1,-50.1,2026-03-01T00:00:00Z\n",
+        "id,lat,lon,time_utc,position_uncertainty_m\nB1,48.1,-50.1,2026-03-01T00:00:00Z,500\n"}) {
+    const auto report = ingest(write_file("bergs.csv", table));
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const ocean::Iceberg berg = sightings().back().iceberg;
+    EXPECT_EQ(berg.place, (geo::LonLat{-50.1, 48.1}));
+    EXPECT_FALSE(berg.length);
+    EXPECT_EQ(berg.size, ocean::IcebergSize::unknown);
+    EXPECT_THAT(words(report), HasSubstr("every row was taken for an iceberg of unknown size"));
+  }
+}
+
+TEST_F(OwnIcebergTable, IsWhatTheUserSaysThatItIs) {
+  const std::string drone = "name,lat,lon,time,battery\nB1,48.1,-50.1,2026-03-01T00:00:00Z,80\n";
+  expect_refused(write_file("drone.csv", drone), "columns");
+
+  const auto report = ingest(write_file("drone.csv", drone), {.kind = repository::DatasetKind::icebergs});
+
+  EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
+}
+
+TEST_F(OwnIcebergTable, HasLengthsInTheUnitThatItsColumnNames) {
+  struct Unit {
+    const char* column;
+    double metres;
+  };
+  support::for_each_seed(24, [&](std::mt19937_64& rng) {
+    constexpr std::array units{Unit{"length_m", 1.0},        Unit{"Length (ft)", 0.3048},
+                               Unit{"length (nm)", 1852.0},  Unit{"length_km", 1000.0},
+                               Unit{"length_yards", 0.9144}, Unit{"length_fathoms", 1.8288}};
+    const Unit unit = units.at(static_cast<std::size_t>(support::uniform_int(rng, 0, 5)));
+    const int length = support::uniform_int(rng, 1, 100);
+    const auto report =
+        ingest(write_file("bergs.csv", std::string{"id,lat,lon,time,"} + unit.column +
+                                           "\nA1,69.1,-52.2,2026-11-22," + std::to_string(length) + "\n"));
+
+    ASSERT_TRUE(report.dataset) << words(report);
+    ASSERT_TRUE(sightings().back().iceberg.length);
+    EXPECT_NEAR(sightings().back().iceberg.length->value, length * unit.metres, 1e-6);
+  });
+}
+
+TEST_F(OwnIcebergTable, TellsOfALengthWithoutAUnit) {
+  const auto report =
+      ingest(write_file("bergs.csv", "berg,lat,lon,time,length\nA1,69.1,-52.2,2026-11-22,2\n"));
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(words(report), HasSubstr("\"length\" names no unit of length"));
+}
+
+TEST_F(OwnIcebergTable, OfAShipsTrackOrOfAnUnknownUnitIsNotTakenForOne) {
+  expect_refused(write_file("cables.csv", "id,lat,lon,time,length (cables)\nA1,69.1,-52.2,2026-11-22,2\n"),
                  "columns");
   expect_refused(write_file("track.csv", "name,lat,lon,time\nship,69.1,-52.2,2026-11-22T03:00:00Z\n"),
                  "columns");
