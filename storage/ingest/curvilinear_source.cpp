@@ -263,6 +263,7 @@ Checked<MeshCurrents> curvilinear_currents(const NetcdfFiles& files, const Veloc
   if (!second_layout) return refuse(second_layout.error());
   if (const auto differs = times_or_depths_differ(*layout, *second_layout)) return refuse(*differs);
 
+  const bool straight_axes = first->positions && first->positions->from_plain_axes;
   const PlaneDimensions first_plane = first->dimensions;
   const PlaneDimensions second_plane = second->dimensions;
   const Plane directions_plane{first_plane, std::nullopt};
@@ -291,6 +292,9 @@ Checked<MeshCurrents> curvilinear_currents(const NetcdfFiles& files, const Veloc
   auto v = VelocityComponent::of(*pair.second, std::move(*second_layout), warnings);
   if (!v) return refuse(v.error());
   const bool staggered = !arrangement->staggering.collocated;
+  const std::string layout_in_words = staggered       ? "a bent and staggered grid"
+                                      : straight_axes ? "a grid whose levels follow the sea bed"
+                                                      : "a bent grid";
   auto source =
       std::make_shared<const CurvilinearSource>(CurvilinearParts{.files = files,
                                                                  .first = std::move(*u),
@@ -304,7 +308,7 @@ Checked<MeshCurrents> curvilinear_currents(const NetcdfFiles& files, const Veloc
                                                                  .levels = std::move(levels)});
   return MeshCurrents{std::move(source),
                       mesh_of_rows(std::move(arrangement->centres), arrangement->staggering.columns),
-                      staggered ? "a bent and staggered grid" : "a bent grid"};
+                      layout_in_words};
 }
 
 }  // namespace floeplan::ingest

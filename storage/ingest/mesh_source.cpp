@@ -2,13 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <span>
 
 #include "storage/ingest/bed_levels.hpp"
 #include "storage/ingest/component_times.hpp"
+#include "storage/ingest/mesh_levels.hpp"
 #include "storage/ingest/mesh_topology.hpp"
 #include "storage/ingest/missing_value.hpp"
 #include "storage/ingest/netcdf_shape.hpp"
-#include "storage/ingest/sigma_levels.hpp"
 #include "storage/ingest/tangent_plane.hpp"
 #include "storage/ingest/velocity_component.hpp"
 
@@ -25,7 +26,8 @@ struct MeshParts {
   std::vector<SourceMesh::Cell> faces;
   std::vector<geo::LonLat> points;  // the nodes, and behind them the middles of faces that have currents
   std::size_t nodes{};
-  std::shared_ptr<const BedLevels> levels;  // at the nodes; null: depths, or none
+  std::shared_ptr<const BedLevels> levels;  // null: depths, or none
+  bool levels_in_faces{false};              // else at the nodes
 };
 
 class MeshSource : public VelocitySource {
@@ -59,7 +61,13 @@ class MeshSource : public VelocitySource {
 
   [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t time, std::size_t level) const override {
     auto depths = parts_.levels->depths(time, level);
-    if (!depths || !parts_.in_faces) return depths;
+    if (!depths) return depths;
+    if (parts_.levels_in_faces) {
+      std::vector<float> at_points = means_at_nodes(*depths);
+      if (parts_.in_faces) at_points.insert(at_points.end(), depths->begin(), depths->end());
+      return at_points;
+    }
+    if (!parts_.in_faces) return depths;
     for (const SourceMesh::Cell& face : parts_.faces) {
       const std::size_t corners = corners_of(face);
       float sum = 0.0F;
@@ -70,24 +78,27 @@ class MeshSource : public VelocitySource {
   }
 
  private:
-  void add_means_at_nodes(VelocitySlice& slice) const {
-    std::vector<double> east(parts_.nodes, 0.0);
-    std::vector<double> north(parts_.nodes, 0.0);
+  /// At each node the mean of the known values in the faces round it.
+  [[nodiscard]] std::vector<float> means_at_nodes(std::span<const float> in_faces) const {
+    std::vector<double> sums(parts_.nodes, 0.0);
     std::vector<int> count(parts_.nodes, 0);
     for (std::size_t i = 0; i < parts_.faces.size(); ++i) {
-      const double u = static_cast<double>(slice.east[parts_.nodes + i]);
-      const double v = static_cast<double>(slice.north[parts_.nodes + i]);
-      if (std::isnan(u)) continue;
+      if (std::isnan(in_faces[i])) continue;
       for (std::size_t corner = 0; corner < corners_of(parts_.faces[i]); ++corner) {
-        east[parts_.faces[i][corner]] += u;
-        north[parts_.faces[i][corner]] += v;
+        sums[parts_.faces[i][corner]] += static_cast<double>(in_faces[i]);
         ++count[parts_.faces[i][corner]];
       }
     }
-    for (std::size_t node = 0; node < parts_.nodes; ++node) {
-      if (count[node] == 0) continue;
-      slice.east[node] = static_cast<float>(east[node] / count[node]);
-      slice.north[node] = static_cast<float>(north[node] / count[node]);
+    std::vector<float> means(parts_.nodes, missing);
+    for (std::size_t node = 0; node < parts_.nodes; ++node)
+      if (count[node] > 0) means[node] = static_cast<float>(sums[node] / count[node]);
+    return means;
+  }
+
+  void add_means_at_nodes(VelocitySlice& slice) const {
+    for (std::vector<float>* component : {&slice.east, &slice.north}) {
+      const std::vector<float> means = means_at_nodes(std::span{*component}.subspan(parts_.nodes));
+      std::ranges::copy(means, component->begin());
     }
   }
 
@@ -151,11 +162,11 @@ Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair
   if (!second_layout) return refuse(second_layout.error());
   if (const auto differs = times_or_depths_differ(*layout, *second_layout)) return refuse(*differs);
 
-  std::shared_ptr<const BedLevels> levels;
+  MeshLevels levels;
   if (layout->bed_levels > 0) {
     const auto file = std::ranges::find_if(
         files, [&](const auto& candidate) { return candidate.get() == pair.first_file; });
-    auto found = sigma_levels(*file, *pair.first, *layout, mesh->node_dimension, warnings);
+    auto found = mesh_levels(*file, *pair.first, *layout, *mesh, warnings);
     if (!found) return refuse(found.error());
     levels = std::move(*found);
   }
@@ -175,7 +186,8 @@ Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair
                                                              .faces = std::move(mesh->faces),
                                                              .points = cells.points,
                                                              .nodes = mesh->nodes.size(),
-                                                             .levels = std::move(levels)});
+                                                             .levels = std::move(levels.levels),
+                                                             .levels_in_faces = levels.in_faces});
   return MeshCurrents{std::move(source), std::move(cells),
                       along_faces ? "the faces of a mesh" : "the nodes of a mesh"};
 }

@@ -54,7 +54,7 @@ bool is_whole(const Description& description) {
          description.lons->dimensions()[0].name == description.lats->dimensions()[0].name;
 }
 
-/// Three or four numbers of nodes for each face, whichever dimension comes first.
+/// Numbers of nodes for each face, whichever dimension comes first.
 struct FaceTable {
   std::size_t corner_dimension{};
   std::size_t corners{};
@@ -69,6 +69,11 @@ std::optional<FaceTable> table_of(const NetcdfVariable& faces) {
     if ((corners == 3 || corners == 4) && count > 0 && (count > 4 || corner == 1))
       return FaceTable{corner, static_cast<std::size_t>(corners), static_cast<std::size_t>(count)};
   }
+  // Room for more corners than most faces have, as Delft3D FM leaves it.
+  constexpr std::uint64_t most_corners = 12;
+  const std::uint64_t corners = dimensions[1].size;
+  if (corners > 4 && corners <= most_corners && dimensions[0].size > 0)
+    return FaceTable{1, static_cast<std::size_t>(corners), static_cast<std::size_t>(dimensions[0].size)};
   return std::nullopt;
 }
 
@@ -102,6 +107,12 @@ Checked<std::vector<SourceMesh::Cell>> read_faces(const Description& description
         return refuse(damaged(table));
       faces[face][corner] = static_cast<std::uint32_t>(node);
     }
+    for (std::size_t corner = 4; corner < shape->corners; ++corner)
+      if (const double node = at(face, corner) - start; node >= 0.0 && node < static_cast<double>(nodes))
+        return refuse(
+            "the mesh \"" + table.name() +
+            "\" has faces of more than four corners, which this program does not read; interpolate the "
+            "data to a regular grid, or split such faces into triangles first");
   }
   return faces;
 }

@@ -47,6 +47,16 @@ const NetcdfVariable* coordinate_of(const NetcdfFile& file, const NetcdfDimensio
   return found;
 }
 
+const NetcdfVariable* heights_along(const NetcdfFile& file, const NetcdfDimension& levels) {
+  for (const char* const name : {"zcor", "zCoordinates"}) {
+    const NetcdfVariable* const table = file.find(name);
+    if (table == nullptr || !table->is_numeric() || table->dimensions().size() < 2) continue;
+    for (const NetcdfDimension& dimension : table->dimensions())
+      if (dimension.name == levels.name) return table;
+  }
+  return nullptr;
+}
+
 Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {
   auto values = coordinate.read_all();
   if (!values) return refuse(values.error());
@@ -63,6 +73,9 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std
       std::all_of(values->begin(), values->end(), [](double v) { return v <= 0.0; }) &&
       std::any_of(values->begin(), values->end(), [](double v) { return v < 0.0; });
   const bool up = positive == "up" || (positive != "down" && all_below_zero);
+  const auto [least, greatest] = std::ranges::minmax(*values);
+  const std::string stated = number(least, 9) + " to " + number(greatest, 9) +
+                             (unit.empty() ? "" : " " + unit) + (up ? ", upwards" : ", downwards");
   for (double& value : *values) value *= up ? -*factor : *factor;
   for (double& value : *values)
     if (value == 0.0) value = 0.0;  // -0 becomes 0
@@ -71,9 +84,8 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std
   const bool above_ground =
       up && contains_any(lower(coordinate.name() + " " + coordinate.attribute("standard_name")), {"height"});
   if (nodes && !above_ground && (nodes->nodes.front() < -10.0 || nodes->nodes.back() > 12000.0))
-    return refuse("the depth axis \"" + coordinate.name() + "\" runs from " + number(nodes->nodes.front()) +
-                  " to " + number(nodes->nodes.back()) +
-                  " m below the surface; no ocean does; its unit or direction is wrong");
+    return refuse("the depth axis \"" + coordinate.name() + "\" runs from " + stated +
+                  "; no ocean does; its unit or direction is wrong");
   return nodes;
 }
 

@@ -16,6 +16,10 @@ namespace floeplan::ingest {
 /// Returns  null when there is none
 [[nodiscard]] const NetcdfVariable* coordinate_of(const NetcdfFile& file, const NetcdfDimension& dimension);
 
+/// A table of the heights of levels along a dimension at every point, which then needs no coordinate variable: SCHISM's
+/// zcor (zCoordinates in its newer files); null when there is none.
+[[nodiscard]] const NetcdfVariable* heights_along(const NetcdfFile& file, const NetcdfDimension& levels);
+
 /// Depths in metres, positive down and ascending, whichever way and in whichever unit of length the file counts.
 [[nodiscard]] Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate,
                                              std::vector<std::string>& warnings);

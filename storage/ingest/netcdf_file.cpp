@@ -256,6 +256,11 @@ void NetcdfFile::add_variables_of(GDALGroup& group) {
     NetcdfVariable variable{name, array, is_zarr_};
     if (is_hidden(variable)) continue;
     found.push_back(std::move(variable));
+    const auto& dimensions = found.back().dimensions();
+    if (dimensions.size() < 2 || dimensions.back().name != "two" || dimensions.back().size != 2) continue;
+    for (const char* const part : {"[0]", "[1]"})
+      if (auto component = array->GetView(std::string{"[...,"} + part[1] + "]"))
+        found.emplace_back(name + part, std::move(component), is_zarr_);
   }
   for (NetcdfVariable& variable : found) {
     const AxisRole role = role_of(variable);

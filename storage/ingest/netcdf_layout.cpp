@@ -83,9 +83,9 @@ std::string unknown_dimension(const std::string& dimension, const std::string& v
     return std::ranges::find(names, name) != names.end();
   };
   if (is_any({"expver"}))
-    return "\"" + variable +
-           "\" holds final and preliminary data (ERA5 and ERA5T) side by side along \"expver\"; each time is "
-           "in one of "
+    return "\"" + variable + "\" holds final and preliminary data (ERA5 and ERA5T) side by side along \"" +
+           dimension +
+           "\"; each time is in one of "
            "them; ask for the final data alone, or join both first";
   if (is_any({"number", "member", "members", "ens", "ensemble", "ensemble_member", "realization"}))
     return "\"" + variable + "\" holds the members of an ensemble along \"" + dimension +
@@ -98,8 +98,9 @@ std::string unknown_dimension(const std::string& dimension, const std::string& v
 }
 
 /// Of a dimension without a coordinate variable. The levels of terrain-following models often have tables alone.
-AxisRole role_of_dimension_name(const NetcdfDimension& dimension) {
+AxisRole role_of_dimension(const NetcdfFile& file, const NetcdfDimension& dimension) {
   const std::string name = lower(dimension.name);
+  if (heights_along(file, dimension) != nullptr) return AxisRole::model_level;
   return name.starts_with("s_rho") || name.starts_with("siglay") || name.starts_with("sigma")
              ? AxisRole::model_level
              : AxisRole::unknown;
@@ -211,7 +212,7 @@ Checked<NetcdfLayout> layout_over(const NetcdfFile& file, const NetcdfVariable& 
     if (i == x_dimension || i == y_dimension) continue;
     const NetcdfVariable* coordinate = coordinate_of(file, dimensions[i]);
     const AxisRole role =
-        coordinate == nullptr ? role_of_dimension_name(dimensions[i]) : role_of(*coordinate);
+        coordinate == nullptr ? role_of_dimension(file, dimensions[i]) : role_of(*coordinate);
     if (role == AxisRole::model_level && layout.depth_dimension == std::nullopt) {
       layout.depth_dimension = i;
       layout.bed_levels = static_cast<std::size_t>(dimensions[i].size);

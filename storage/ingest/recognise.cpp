@@ -76,6 +76,12 @@ std::string known_by_direction(const NetcdfFile& file) {
   return "";
 }
 
+/// Whether the file itself has no such variable: hvel[0] is one half of its hvel.
+bool is_part_of_another(const NetcdfFile& file, const NetcdfVariable& variable) {
+  const std::size_t bracket = variable.name().find('[');
+  return bracket != std::string::npos && file.find(variable.name().substr(0, bracket)) != nullptr;
+}
+
 std::string nothing_known(const NetcdfFile& file) {
   if (const std::string what = known_by_direction(file); !what.empty())
     return "the file holds " + what +
@@ -89,6 +95,14 @@ std::string nothing_known(const NetcdfFile& file) {
   if (file.find("x_range") != nullptr && file.find("y_range") != nullptr && file.find("spacing") != nullptr)
     return "this is a grid of GMT 3 or before, whose rows and columns have no axes of their own; convert it "
            "with GMT: gmt grdconvert IN.grd OUT.nc=nf";
+  for (const char* const part : {"horizontalVelX", "horizontalVelY", "zCoordinates"})
+    if (file.find(part) != nullptr)
+      return "this is one of the files in which SCHISM 5.10 and later write currents, heights of the levels "
+             "and mesh "
+             "apart from each other; this program does not put them together; merge them into the layout of "
+             "SCHISM 5.9 "
+             "(one file with its mesh, hvel and zcor), or interpolate them to longitude, latitude and depth "
+             "first";
   if (holds_ice_thickness(file))
     return "the file holds a thickness of sea ice but no concentration; how much of the sea is covered is "
            "not known from "
@@ -100,7 +114,8 @@ std::string nothing_known(const NetcdfFile& file) {
            ") hold currents of the sea, depths, sea ice or wind that this program knows; there is nothing to "
            "store; give a file with, for example, uo and vo, elevation, siconc or u10 and v10";
   std::vector<std::string> names;
-  for (const NetcdfVariable& variable : file.variables()) names.push_back(variable.name());
+  for (const NetcdfVariable& variable : file.variables())
+    if (!is_part_of_another(file, variable)) names.push_back(variable.name());
   if (names.empty())
     return "the NetCDF file holds no variables at its top level; there is nothing to store; give a file with "
            "currents, depths, sea ice or wind";

@@ -2,8 +2,8 @@
 
 #include <cmath>
 #include <limits>
-#include <sstream>
 
+#include "storage/ingest/formula_terms.hpp"
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/text.hpp"
 
@@ -31,15 +31,6 @@ std::optional<double> scalar(const NetcdfFiles& files, const std::vector<std::st
   return std::nullopt;
 }
 
-/// The variable that a formula names for one of its terms ("depth: h"); empty when it names none.
-std::string term(const NetcdfVariable* coordinate, const std::string& wanted) {
-  if (coordinate == nullptr) return {};
-  std::istringstream words{coordinate->attribute("formula_terms")};
-  for (std::string key, value; words >> key >> value;)
-    if (key == wanted + ":") return value;
-  return {};
-}
-
 const NetcdfVariable* named_or(const NetcdfFiles& files, const std::string& named,
                                std::vector<std::string> usual) {
   if (!named.empty()) usual.insert(usual.begin(), named);
@@ -48,6 +39,7 @@ const NetcdfVariable* named_or(const NetcdfFiles& files, const std::string& name
 
 std::optional<SCoordinate> form_of(const NetcdfFiles& files, const NetcdfVariable* coordinate) {
   const std::string name = coordinate == nullptr ? "" : lower(coordinate->attribute("standard_name"));
+  if (name == "ocean_sigma_coordinate") return SCoordinate::sigma;
   std::optional<SCoordinate> by_name;
   if (name == "ocean_s_coordinate_g1" || name == "ocean_s_coordinate") by_name = SCoordinate::g1;
   if (name == "ocean_s_coordinate_g2") by_name = SCoordinate::g2;
@@ -130,6 +122,14 @@ class SLevels : public BedLevels {
   mutable std::optional<std::size_t> time_read_;
 };
 
+/// The standard name of levels whose formula is another one than those below; empty where it is not.
+std::string unread_layout_of(const NetcdfVariable* coordinate) {
+  const std::string name = coordinate == nullptr ? "" : lower(coordinate->attribute("standard_name"));
+  const bool read = name == "ocean_s_coordinate" || name == "ocean_s_coordinate_g1" ||
+                    name == "ocean_s_coordinate_g2" || name == "ocean_sigma_coordinate";
+  return read || !name.starts_with("ocean_") ? std::string{} : name;
+}
+
 std::string incomplete(const NetcdfVariable& variable, const std::string& what) {
   return "the levels of \"" + variable.name() + "\" follow the sea bed, but the file does not tell " + what +
          "; the depths of its currents are not known; give the model's grid file in the same command, or ask "
@@ -141,6 +141,7 @@ std::string incomplete(const NetcdfVariable& variable, const std::string& what) 
 
 double s_level_height_m(SCoordinate form, double s, double stretching, double critical_depth_m,
                         double bed_depth_m, double surface_m) {
+  if (form == SCoordinate::sigma) return surface_m + s * (surface_m + bed_depth_m);
   if (form == SCoordinate::g1) {
     const double level = critical_depth_m * s + (bed_depth_m - critical_depth_m) * stretching;
     return level + surface_m * (1.0 + level / bed_depth_m);
@@ -181,19 +182,26 @@ Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
   const NetcdfVariable* coordinate = coordinate_of(file, dimension);
   const NetcdfVariable* s = coordinate != nullptr ? coordinate : find(files, {"s_rho", "sc_r"});
   if (s == nullptr) return refuse(incomplete(variable, "where they lie (s_rho)"));
+  if (const std::string layout = unread_layout_of(coordinate); !layout.empty())
+    return refuse("the levels \"" + coordinate->name() + "\" are an " + layout +
+                  ", which this program does not read; interpolate the data to depths in metres first");
   const auto form = form_of(files, coordinate);
   if (!form)
     return refuse(incomplete(variable, "without contradiction in which form they do so (Vtransform 1 or 2)"));
   std::vector<std::string> critical_names{"hc", "Tcline"};
-  if (const std::string named = term(coordinate, "depth_c"); !named.empty())
+  if (const std::string named = formula_term(coordinate, "depth_c"); !named.empty())
     critical_names.insert(critical_names.begin(), named);
-  const auto critical = scalar(files, critical_names);
+  const bool sigma = *form == SCoordinate::sigma;
+  const auto critical = sigma ? std::optional{0.0} : scalar(files, critical_names);
   if (!critical || *critical < 0.0) return refuse(incomplete(variable, "their critical depth (hc)"));
 
   auto s_values = level_values(*s, layout.bed_levels);
   if (!s_values) return refuse(s_values.error());
   std::vector<double> stretching;
-  if (const NetcdfVariable* table = named_or(files, term(coordinate, "C"), {"Cs_r", "Cs_rho"})) {
+  if (sigma) {
+    stretching = *s_values;
+  } else if (const NetcdfVariable* table =
+                 named_or(files, formula_term(coordinate, "C"), {"Cs_r", "Cs_rho"})) {
     auto values = level_values(*table, layout.bed_levels);
     if (!values) return refuse(values.error());
     stretching = std::move(*values);
@@ -211,7 +219,7 @@ Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
     }
   }
 
-  const NetcdfVariable* bed = named_or(files, term(coordinate, "depth"), {"h"});
+  const NetcdfVariable* bed = named_or(files, formula_term(coordinate, "depth"), {"h"});
   if (bed == nullptr || bed->dimensions().size() != 2 || !tables.fits(*bed))
     return refuse(incomplete(variable, "how deep the sea is (h)"));
   auto bed_m = tables.read(*bed, {});
@@ -222,24 +230,26 @@ Checked<std::shared_ptr<const BedLevels>> s_coordinate_levels(
                     " m deep; no ocean is; its unit is wrong or the file is damaged");
     if (!(depth > 0.0)) depth = std::numeric_limits<double>::quiet_NaN();
   }
-  const NetcdfVariable* surface = named_or(files, term(coordinate, "eta"), {"zeta"});
+  const NetcdfVariable* surface = named_or(files, formula_term(coordinate, "eta"), {"zeta"});
   const bool usable = surface != nullptr && tables.fits(*surface) &&
                       (surface->dimensions().size() == 2 ||
                        (surface->dimensions().size() == 3 && layout.times_s &&
                         (surface->dimensions()[0].size == 1 ||
                          surface->dimensions()[0].size == layout.times_s->nodes.size())));
-  if (!usable)
+  const bool of_the_moment = sigma && is_depth_of_the_moment(*bed);
+  if (!usable && !of_the_moment)
     warnings.push_back(
         "the file does not give the surface of the sea; its levels were placed below the mean surface");
-  return std::make_shared<const SLevels>(SLevels::Parts{.files = files,
-                                                        .form = *form,
-                                                        .s = std::move(*s_values),
-                                                        .stretching = std::move(stretching),
-                                                        .critical_depth_m = *critical,
-                                                        .bed_m = std::move(*bed_m),
-                                                        .surface = usable ? surface : nullptr,
-                                                        .times = layout.times_s,
-                                                        .tables = tables});
+  return std::make_shared<const SLevels>(
+      SLevels::Parts{.files = files,
+                     .form = *form,
+                     .s = std::move(*s_values),
+                     .stretching = std::move(stretching),
+                     .critical_depth_m = *critical,
+                     .bed_m = std::move(*bed_m),
+                     .surface = usable && !of_the_moment ? surface : nullptr,
+                     .times = layout.times_s,
+                     .tables = tables});
 }
 
 }  // namespace floeplan::ingest

@@ -41,6 +41,14 @@ bool is_roms(const VelocityPair& pair) {
   });
 }
 
+/// Whether levels follow the sea bed: they are placed on grids of every shape by the reader of bent ones.
+bool has_bed_levels(const VelocityPair& pair) {
+  return std::ranges::any_of(pair.first->dimensions(), [&](const NetcdfDimension& dimension) {
+    const NetcdfVariable* coordinate = coordinate_of(*pair.first_file, dimension);
+    return dimension.size > 1 && coordinate != nullptr && role_of(*coordinate) == AxisRole::model_level;
+  });
+}
+
 /// Whether the components lie on different points: then plain axes do not tell them apart enough to be stored.
 bool are_staggered(const VelocityPair& pair) {
   const auto first = plane_of(*pair.first_file, *pair.first);
@@ -82,7 +90,7 @@ Checked<CurrentInput> velocity_input(const NetcdfFiles& files, const VelocityPai
     return input;
   }
   const bool bent_grid = have_positions(files, pair) || are_staggered(pair) || is_roms(pair);
-  if (lie_on_axes(files, pair, stated_crs) || !bent_grid) {
+  if (!has_bed_levels(pair) && (lie_on_axes(files, pair, stated_crs) || !bent_grid)) {
     auto regular = rectilinear_currents(files, pair, stated_crs, input.warnings);
     if (!regular) return refuse(regular.error());
     input.source = std::move(regular->source);

@@ -24,6 +24,7 @@ constexpr std::array known_pairs{
     std::pair<std::string_view, std::string_view>{"uvel", "vvel"},
     std::pair<std::string_view, std::string_view>{"u_velocity", "v_velocity"},
     std::pair<std::string_view, std::string_view>{"ssu", "ssv"},
+    std::pair<std::string_view, std::string_view>{"hvel[0]", "hvel[1]"},
     std::pair<std::string_view, std::string_view>{"u", "v"},
 };
 
