@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+
+#include "engine/geo/lon_lat.hpp"
+#include "engine/geo/polygon.hpp"
+
+namespace floeplan::geo {
+
+/// Whether the place is inside the polygon, or no further than `tolerance_deg` from one of its edges (those of its holes
+/// included): `contains` takes one of two opposite edges only.
+[[nodiscard]] bool covers(const Polygon& polygon, LonLat place, double tolerance_deg);
+
+/// A place well inside the polygon: the middle of a long stretch inside it along a parallel between two corners.
+/// Outside  nullopt when the polygon encloses no area
+[[nodiscard]] std::optional<LonLat> interior_point(const Polygon& polygon);
+
+}  // namespace floeplan::geo
