@@ -1,10 +1,13 @@
 #include "api/routes/feature_crs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
+#include <string_view>
+#include <utility>
 
 namespace floeplan::routes {
 namespace {
@@ -33,9 +36,17 @@ const std::vector<std::string>& crs_uris() {
   return uris;
 }
 
-std::optional<FeatureCrs> parse_crs(const std::string& uri) {
+std::optional<FeatureCrs> parse_crs(const std::string& name) {
+  constexpr std::array<std::pair<std::string_view, FeatureCrs>, 5> short_names{
+      {{"CRS84", FeatureCrs::crs84},
+       {"CRS:84", FeatureCrs::crs84},
+       {"OGC:CRS84", FeatureCrs::crs84},
+       {"EPSG:4326", FeatureCrs::epsg4326},
+       {"EPSG:3857", FeatureCrs::web_mercator}}};
+  for (const auto& [short_name, crs] : short_names)
+    if (name == short_name) return crs;
   const auto& uris = crs_uris();
-  const auto found = std::ranges::find(uris, uri);
+  const auto found = std::ranges::find(uris, name);
   if (found == uris.end()) return std::nullopt;
   return static_cast<FeatureCrs>(found - uris.begin());
 }
