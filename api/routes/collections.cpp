@@ -1,33 +1,20 @@
-#include <cmath>
+#include <vector>
 
+#include "api/routes/extent.hpp"
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/feature_crs.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
-#include "engine/core/utc_text.hpp"
 
 namespace floeplan::routes {
 namespace {
 
 using nlohmann::json;
 
-/// Rounded away from the data, so that a client that prints fewer digits still asks for all of them.
-double outwards(double degrees, bool up) {
-  const double scaled = degrees * 1e6;
-  return (up ? std::ceil(scaled) : std::floor(scaled)) / 1e6;
-}
-
 json extent_json(const FeatureExtent& extent) {
-  const auto& area = extent.area;
-  const json box = json::array({outwards(area.west_deg, false), outwards(area.south_deg, false),
-                                outwards(area.east_deg, true), outwards(area.north_deg, true)});
-  json document{{"spatial", {{"bbox", json::array({box})}, {"crs", uri_of(FeatureCrs::crs84)}}}};
-  if (!extent.from && !extent.to) return document;
-  const auto end_json = [](std::optional<core::UtcTime> time) {
-    return time ? json(core::iso8601(*time)) : json();
-  };
-  document["temporal"] = {
-      {"interval", json::array({json::array({end_json(extent.from), end_json(extent.to)})})}};
+  json document{{"spatial", spatial_extent(std::vector{extent.area})}};
+  if (extent.from || extent.to)
+    document["temporal"] = temporal_extent(std::vector{ExtentPeriod{extent.from, extent.to}});
   return document;
 }
 

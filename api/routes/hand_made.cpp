@@ -6,6 +6,7 @@
 #include "api/codec/iceberg_feature.hpp"
 #include "api/codec/sha256.hpp"
 #include "api/codec/zone_feature.hpp"
+#include "engine/geo/united_boxes.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/hand_made_id.hpp"
 #include "storage/repository/iceberg_repository.hpp"
@@ -108,23 +109,14 @@ std::string objection_to_editing(const DatasetId& dataset) {
 
 FeatureExtent extent_of_kind(sqlite::Connection& db, DatasetKind kind) {
   FeatureExtent extent;
-  bool any = false;
+  std::vector<geo::BoundingBox> boxes;
   for (const Dataset& dataset : repository::DatasetRepository{db}.list()) {
     if (dataset.kind != kind) continue;
-    const auto& box = dataset.bounds;
-    const bool crosses = box.west_deg > box.east_deg;
-    const geo::BoundingBox flat{crosses ? -180.0 : box.west_deg, box.south_deg,
-                                crosses ? 180.0 : box.east_deg, box.north_deg};
-    geo::BoundingBox& area = extent.area;
-    area = any ? geo::BoundingBox{std::min(area.west_deg, flat.west_deg),
-                                  std::min(area.south_deg, flat.south_deg),
-                                  std::max(area.east_deg, flat.east_deg),
-                                  std::max(area.north_deg, flat.north_deg)}
-               : flat;
-    any = true;
+    boxes.push_back(dataset.bounds);
     if (dataset.time_start) widen(extent.from, extent.to, *dataset.time_start);
     if (dataset.time_end) widen(extent.from, extent.to, *dataset.time_end);
   }
+  if (!boxes.empty()) extent.area = geo::united(boxes);
   return extent;
 }
 

@@ -126,6 +126,8 @@ TEST_F(FeaturesTest, GeometriesAndBoxesComeInTheReferenceSystemThatIsAskedFor) {
   EXPECT_EQ(header_of(ask("GET", items + "crs=" + mercator), "Content-Crs"), "<" + mercator + ">");
 
   EXPECT_THAT(ids(items + "bbox=68.9,-54.1,69.1,-53.9&bbox-crs=" + latitude_first), testing::SizeIs(1));
+  EXPECT_EQ(coordinates("crs=EPSG:4326&bbox=68.9,-54.1,69.1,-53.9&bbox-crs=EPSG:4326"),
+            json::array({69.0, -54.0}));
   EXPECT_THAT(ids(items + "bbox=-6100000,10700000,-6000000,10800000&bbox-crs=" + mercator),
               testing::SizeIs(1));
   EXPECT_THAT(ids(items + "bbox=68.9,-54.1,69.1,-53.9"), testing::IsEmpty());
@@ -133,6 +135,22 @@ TEST_F(FeaturesTest, GeometriesAndBoxesComeInTheReferenceSystemThatIsAskedFor) {
   EXPECT_EQ(ask("GET", items + "crs=" + unknown).status, 400);
   EXPECT_EQ(ask("GET", items + "bbox=0,0,1,1&bbox-crs=" + unknown).status, 400);
   EXPECT_EQ(ask("GET", "/collections/icebergs/items/1?crs=" + unknown).status, 400);
+}
+
+TEST_F(FeaturesTest, TheExtentOfDataAcrossTheAntimeridianRunsAcrossIt) {
+  int number = 0;
+  for (const geo::BoundingBox box :
+       {geo::BoundingBox{170.0, 60.0, 175.0, 61.0}, geo::BoundingBox{178.0, 60.0, -178.0, 64.0},
+        geo::BoundingBox{-172.0, 59.0, -170.0, 61.0}}) {
+    repository::Dataset dataset;
+    dataset.id = {"zones-0000000" + std::to_string(++number)};
+    dataset.kind = repository::DatasetKind::zones;
+    dataset.bounds = box;
+    dataset.provenance.sha256 = dataset.id.value;
+    repository::DatasetRepository{db_}.insert(dataset);
+  }
+  EXPECT_EQ(json_of(ask("GET", "/collections/nogo-zones")).at("extent").at("spatial").at("bbox"),
+            json::parse("[[170.0,59.0,-170.0,64.0]]"));
 }
 
 TEST_F(FeaturesTest, PagesMissNothingAndRepeatNothingWhileMoreIsStored) {
