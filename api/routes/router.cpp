@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <array>
 #include <optional>
+#include <span>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
@@ -58,23 +59,31 @@ std::string without_last_slash(std::string path) {
   return path;
 }
 
+/// As in "f"; upper and lower case are alike.
+bool is_one_of(std::string_view format, std::span<const std::string_view> known) {
+  const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c - 'A' + 'a') : c; };
+  return std::ranges::any_of(known, [&](std::string_view candidate) {
+    return std::ranges::equal(format, candidate, {}, lower, lower);
+  });
+}
+
+/// Why the operation does not answer in the format; empty: it does.
+std::string format_fault(const Route& route, std::string_view format) {
+  constexpr std::array<std::string_view, 5> of_coverages{
+      "CoverageJSON", "covjson", "json", "application/vnd.cov+json", "application/prs.coverage+json"};
+  constexpr std::array<std::string_view, 6> of_others{
+      "json", "html", "geojson", "text/html", "application/json", "application/geo+json"};
+  if (is_one_of(format, of_coverages) || (route.gives_coverages && format == "application/json")) return "";
+  if (route.gives_coverages) return "must be CoverageJSON or json; both mean CoverageJSON here";
+  return is_one_of(format, of_others) ? "" : "must be json, geojson, html or CoverageJSON";
+}
+
 /// The first thing wrong with the query that concerns every operation.
 std::optional<core::Violation> query_fault(const Route& route, const Request& request) {
-  constexpr std::array known_formats{"json",
-                                     "html",
-                                     "geojson",
-                                     "text/html",
-                                     "application/json",
-                                     "application/geo+json",
-                                     "CoverageJSON",
-                                     "covjson",
-                                     "application/vnd.cov+json",
-                                     "application/prs.coverage+json"};
   for (const auto& [name, value] : request.query) {
     if (name == "f") {
-      if (std::find(known_formats.begin(), known_formats.end(), value) == known_formats.end()) {
-        return core::Violation{"?f", "must be json or html"};
-      }
+      if (const std::string fault = format_fault(route, value); !fault.empty())
+        return core::Violation{"?f", fault};
     } else if (std::find(route.parameters.begin(), route.parameters.end(), name) == route.parameters.end()) {
       return core::Violation{"?" + name, "the query parameter \"" + name + "\" is not known here"};
     }

@@ -21,6 +21,7 @@ struct Route {
   std::function<Response(const Context&, const Request&, const PathParameters&)> answer;
   Access access{Access::by_method};  // reading is for viewers, everything else for pilots
   bool keeps_own_keys{false};        // of a POST: sees to its Idempotency-Key itself
+  bool gives_coverages{false};       // as CoverageJSON, and in no other format
 };
 
 /// The least role that may use the operation; nothing when everybody may.
