@@ -65,6 +65,12 @@ json ranges_json(const std::vector<CoverageParameter>& parameters,
   return ranges;
 }
 
+json source_json(const CoverageSource& source) {
+  json result{{"dataset_id", source.dataset_id}, {"dataset_name", source.dataset_name}};
+  if (!source.sampling.empty()) result["sampling"] = source.sampling;
+  return result;
+}
+
 std::string domain_type(const CoverageGrid& grid) {
   const bool one_place = grid.x_deg.size() == 1 && grid.y_deg.size() == 1;
   if (!one_place || (grid.t.size() > 1 && grid.z_m.size() > 1)) return "Grid";
@@ -100,14 +106,16 @@ json coverage_json(const CoverageGrid& grid) {
   add("x", grid.x_deg.size(), false);
   if (!grid.z_m.empty()) axes["z"] = {{"values", grid.z_m}};
   if (!grid.t.empty()) axes["t"] = {{"values", times_json(grid.t)}};
-  return {{"type", "Coverage"},
-          {"domain",
-           {{"type", "Domain"},
-            {"domainType", type},
-            {"axes", std::move(axes)},
-            {"referencing", referencing(!grid.z_m.empty(), !grid.t.empty())}}},
-          {"parameters", parameters_json(grid.parameters)},
-          {"ranges", ranges_json(grid.parameters, grid.values, axis_names, shape)}};
+  json coverage{{"type", "Coverage"},
+                {"domain",
+                 {{"type", "Domain"},
+                  {"domainType", type},
+                  {"axes", std::move(axes)},
+                  {"referencing", referencing(!grid.z_m.empty(), !grid.t.empty())}}},
+                {"parameters", parameters_json(grid.parameters)},
+                {"ranges", ranges_json(grid.parameters, grid.values, axis_names, shape)}};
+  if (!grid.source.dataset_id.empty()) coverage["source"] = source_json(grid.source);
+  return coverage;
 }
 
 json coverage_json(const CoverageTrajectory& trajectory) {

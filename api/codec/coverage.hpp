@@ -17,6 +17,13 @@ struct CoverageParameter {
   std::string unit;   // UCUM
 };
 
+/// Which data answered, and at which of their places.
+struct CoverageSource {
+  std::string dataset_id;  // empty: not told
+  std::string dataset_name;
+  std::string sampling;  // in words; empty: at the place that was asked for
+};
+
 /// Values where and when they are. Axes that the data do not have are empty.
 /// Shape  values of each parameter are [t][z][y][x], last index fastest; missing ones are empty
 struct CoverageGrid {
@@ -26,6 +33,7 @@ struct CoverageGrid {
   std::vector<core::UtcTime> t;
   std::vector<CoverageParameter> parameters;
   std::vector<std::vector<std::optional<double>>> values;  // in the order of the parameters
+  CoverageSource source;
 };
 
 /// Values along a way, one for each of its places.
@@ -41,7 +49,7 @@ struct CoverageTrajectory {
 };
 
 /// CoverageJSON. A grid with a single place is a Point, a PointSeries (several times) or a VerticalProfile (several
-/// depths).
+/// depths). Its source is a member of our own, "source", which readers of the format pass over.
 /// Source  OGC 21-069r2
 [[nodiscard]] nlohmann::json coverage_json(const CoverageGrid& grid);
 [[nodiscard]] nlohmann::json coverage_json(const CoverageTrajectory& trajectory);

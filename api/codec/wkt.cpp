@@ -67,6 +67,7 @@ struct Dimensions {
   bool m{false};
 };
 
+/// Its longitude as it is written.
 WktPlace read_place(Scanner& scanner, Dimensions dimensions) {
   WktPlace result;
   result.place.lon_deg = scanner.number();
@@ -79,12 +80,11 @@ WktPlace read_place(Scanner& scanner, Dimensions dimensions) {
   }
   const bool somewhere = std::abs(result.place.lon_deg) <= 360.0 && std::abs(result.place.lat_deg) <= 90.0;
   if (!somewhere) scanner.refuse();
-  result.place.lon_deg = somewhere ? geo::wrap_longitude(result.place.lon_deg) : 0.0;
-  return result;
+  return somewhere ? result : WktPlace{};
 }
 
 /// "(place, place, ...)"; each place may have brackets of its own, as in MULTIPOINT((1 2), (3 4)).
-std::vector<WktPlace> read_places(Scanner& scanner, Dimensions dimensions) {
+std::vector<WktPlace> read_written_places(Scanner& scanner, Dimensions dimensions) {
   std::vector<WktPlace> places;
   scanner.require('(');
   do {
@@ -97,9 +97,29 @@ std::vector<WktPlace> read_places(Scanner& scanner, Dimensions dimensions) {
   return places;
 }
 
+/// The same with longitudes in [-180, 180).
+std::vector<WktPlace> read_places(Scanner& scanner, Dimensions dimensions) {
+  auto places = read_written_places(scanner, dimensions);
+  for (WktPlace& place : places) place.place.lon_deg = geo::wrap_longitude(place.place.lon_deg);
+  return places;
+}
+
+/// Edges lead the short way round, but one of a whole turn (from -180 to 180) leads round the globe: it is cut in three,
+/// since both its ends are one place.
 geo::Ring read_ring(Scanner& scanner, Dimensions dimensions) {
   geo::Ring ring;
-  for (const WktPlace& corner : read_places(scanner, dimensions)) ring.push_back(corner.place);
+  std::optional<geo::LonLat> before;
+  for (const WktPlace& corner : read_written_places(scanner, dimensions)) {
+    const geo::LonLat place = corner.place;
+    if (before && std::abs(place.lon_deg - before->lon_deg) == 360.0) {
+      for (const double share : {1.0 / 3.0, 2.0 / 3.0}) {
+        ring.push_back({geo::wrap_longitude(before->lon_deg + share * (place.lon_deg - before->lon_deg)),
+                        before->lat_deg + share * (place.lat_deg - before->lat_deg)});
+      }
+    }
+    ring.push_back({geo::wrap_longitude(place.lon_deg), place.lat_deg});
+    before = place;
+  }
   const bool closed = ring.size() >= 4 && ring.front() == ring.back();
   if (!closed) {
     scanner.refuse();
@@ -151,6 +171,7 @@ std::optional<WktGeometry> parse_wkt(std::string_view text) {
   std::string type = scanner.word();
   const Dimensions dimensions = read_dimensions(type, scanner);
   WktGeometry geometry;
+  geometry.has_z = dimensions.z;
   if (type == "POINT" || type == "MULTIPOINT") {
     geometry.kind = type == "POINT" ? WktKind::point : WktKind::multi_point;
     geometry.places = read_places(scanner, dimensions);

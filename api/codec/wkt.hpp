@@ -24,10 +24,12 @@ struct WktGeometry {
   WktKind kind{WktKind::point};
   std::vector<WktPlace> places;
   std::vector<geo::Polygon> areas;
+  bool has_z{false};  // the text states Z, that of polygons without being kept
 };
 
 /// Reads POINT, MULTIPOINT, LINESTRING, POLYGON and MULTIPOLYGON, plain or with Z, M or ZM ("POINT Z (...)" or
 /// "POINTZ(...)"), longitude first, at most 10,000 places.
+/// Edges    of rings lead the short way round the globe; one from -180 to 180 leads all the way round
 /// Empty    for anything else, also for EMPTY and for places that are none
 /// Source   OGC 06-103r4, 7.2
 [[nodiscard]] std::optional<WktGeometry> parse_wkt(std::string_view text);

@@ -1,10 +1,13 @@
-#include <cmath>
+#include <chrono>
+#include <set>
+#include <utility>
+#include <vector>
 
 #include "api/openapi/openapi.hpp"
 #include "api/routes/edr_field.hpp"
+#include "api/routes/extent.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
-#include "engine/core/utc_text.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -70,41 +73,53 @@ json data_queries(const std::string& self) {
   return queries;
 }
 
-/// Rounded away from the data, so that a client that prints fewer digits still asks for all of them.
-double outwards(double degrees, bool up) {
-  const double scaled = degrees * 1e6;
-  return (up ? std::ceil(scaled) : std::floor(scaled)) / 1e6;
+/// What all datasets of a collection cover together.
+struct EdrExtent {
+  std::vector<geo::BoundingBox> boxes;
+  std::vector<ExtentPeriod> periods;
+  std::set<double> depths_m;
+};
+
+/// Data without time hold for as long as anybody plans: since the WGS84 was defined, for a century.
+ExtentPeriod period_of(const EdrShape& shape) {
+  if (!shape.times.empty()) return {shape.times.front(), shape.times.back()};
+  using namespace std::chrono;
+  return {core::UtcTime{sys_days{1984y / January / 1}}, core::UtcTime{sys_days{2084y / January / 1}}};
 }
 
-/// Of the newest data. Without time they hold for as long as anybody plans: since the WGS84 was defined, for a century.
-json extent_of(const EdrShape& shape) {
-  const auto& box = shape.dataset.bounds;
-  const bool crosses = box.west_deg > box.east_deg;
-  const json corners =
-      json::array({crosses ? -180.0 : outwards(box.west_deg, false), outwards(box.south_deg, false),
-                   crosses ? 180.0 : outwards(box.east_deg, true), outwards(box.north_deg, true)});
-  const std::string from = shape.times.empty() ? "1984-01-01T00:00:00Z" : core::iso8601(shape.times.front());
-  const std::string to = shape.times.empty() ? "2084-01-01T00:00:00Z" : core::iso8601(shape.times.back());
-  json extent{{"spatial", {{"bbox", json::array({corners})}, {"crs", crs84}}},
-              {"temporal", {{"interval", json::array({json::array({from, to})})}, {"trs", "Gregorian"}}}};
-  if (!shape.depths_m.empty()) {
-    extent["vertical"] = {
-        {"interval", json::array({json::array({shape.depths_m.front(), shape.depths_m.back()})})},
-        {"values", shape.depths_m},
-        {"vrs", "metres below the surface, positive down"}};
+EdrExtent extent_of(const std::vector<EdrShape>& shapes) {
+  EdrExtent extent;
+  for (const EdrShape& shape : shapes) {
+    extent.boxes.push_back(shape.dataset.bounds);
+    extent.periods.push_back(period_of(shape));
+    extent.depths_m.insert(shape.depths_m.begin(), shape.depths_m.end());
   }
   return extent;
 }
 
-json collection_json(const Context& context, const EdrCollection& collection, const EdrShape& shape) {
+json extent_json(const EdrExtent& extent) {
+  json document{{"spatial", spatial_extent(extent.boxes)}, {"temporal", temporal_extent(extent.periods)}};
+  document["temporal"]["trs"] = "Gregorian";
+  if (!extent.depths_m.empty()) {
+    document["vertical"] = {
+        {"interval", json::array({json::array({*extent.depths_m.begin(), *extent.depths_m.rbegin()})})},
+        {"values", extent.depths_m},
+        {"vrs", "metres below the surface, positive down"}};
+  }
+  return document;
+}
+
+/// `shapes`  of all its datasets, the newest first
+json collection_json(const Context& context, const EdrCollection& collection,
+                     const std::vector<EdrShape>& shapes) {
   const std::string self = base_of(context) + "/collections/" + collection.id;
   json parameters = json::object();
   for (const auto& parameter : collection.parameters)
     parameters[parameter.id] = codec::parameter_json(parameter);
   return {{"id", collection.id},
           {"title", collection.title},
-          {"description", collection.description + " The newest are " + shape.dataset.name + "."},
-          {"extent", extent_of(shape)},
+          {"description", collection.description + " The newest are " + shapes.front().dataset.name + "."},
+          {"extent", extent_json(extent_of(shapes))},
           {"crs", json::array({"CRS84"})},
           {"output_formats", json::array({"CoverageJSON"})},
           {"parameter_names", std::move(parameters)},
@@ -118,8 +133,10 @@ json collection_json(const Context& context, const EdrCollection& collection, co
 json all_collections(const Context& context) {
   json collections = json::array();
   for (const EdrCollection& collection : edr_collections()) {
-    const auto shape = find_edr_data(context.db, collection, std::nullopt, {});
-    if (shape) collections.push_back(collection_json(context, collection, *shape));
+    std::vector<EdrShape> shapes;
+    for (const auto& dataset : edr_datasets(context.db, collection, std::nullopt, {}))
+      if (auto shape = edr_shape(context.db, dataset)) shapes.push_back(std::move(*shape));
+    if (!shapes.empty()) collections.push_back(collection_json(context, collection, shapes));
   }
   return collections;
 }

@@ -32,6 +32,7 @@ class CurrentsField : public EdrField {
     values[2] = std::hypot(velocity->east.value, velocity->north.value);
     values[3] = direction_deg(*velocity);
   }
+  const ocean::HorizontalGrid& grid() const override { return grid_->samples().grid; }
 
  private:
   std::shared_ptr<const ocean::CurrentGrid> grid_;
@@ -39,14 +40,18 @@ class CurrentsField : public EdrField {
 
 class DepthField : public EdrField {
  public:
-  explicit DepthField(ocean::Bathymetry bathymetry) : bathymetry_{std::move(bathymetry)} {}
+  DepthField(ocean::Bathymetry bathymetry, std::size_t nodes_apart)
+      : bathymetry_{std::move(bathymetry)}, nodes_apart_{nodes_apart} {}
   void sample(geo::LonLat place, core::Metres, core::UtcTime,
               std::span<std::optional<double>> values) const override {
     if (const auto depth = bathymetry_.depth(place)) values[0] = depth->value;
   }
+  const ocean::HorizontalGrid& grid() const override { return bathymetry_.grid(); }
+  std::size_t nodes_apart() const override { return nodes_apart_; }
 
  private:
   ocean::Bathymetry bathymetry_;
+  std::size_t nodes_apart_;
 };
 
 class SeaIceField : public EdrField {
@@ -59,6 +64,7 @@ class SeaIceField : public EdrField {
     values[0] = state->concentration;
     if (state->thickness) values[1] = state->thickness->value;
   }
+  const ocean::HorizontalGrid& grid() const override { return ice_.samples().grid; }
 
  private:
   ocean::IceField ice_;
@@ -81,6 +87,15 @@ DepthRange range_of(const std::vector<double>& depths_m) {
   return {core::Metres{std::ranges::min(depths_m)}, core::Metres{std::ranges::max(depths_m)}};
 }
 
+/// How many nodes of the dataset's rows lie from one of the field's rows to the next.
+std::size_t nodes_apart(const ocean::Axis& all, const ocean::Axis& kept) {
+  if (kept.size() < 2) return 1;
+  const auto first = std::ranges::lower_bound(all.nodes(), kept.front());
+  const auto last = std::ranges::lower_bound(all.nodes(), kept.back());
+  const double apart = static_cast<double>(last - first) / static_cast<double>(kept.size() - 1);
+  return static_cast<std::size_t>(std::max(1.0, std::round(apart)));
+}
+
 bool meets(const repository::Dataset& dataset, const TimeSpan& span) {
   return (!span.from || !dataset.time_end || *dataset.time_end >= *span.from) &&
          (!span.to || !dataset.time_start || *dataset.time_start <= *span.to);
@@ -92,8 +107,10 @@ const std::vector<EdrCollection>& edr_collections() {
   static const std::vector<EdrCollection> collections{
       {"currents",
        "Currents",
-       "Velocity of the sea water, towards which it goes; of the newest model that covers place and time.",
+       "Velocity of the sea water, towards which it goes; of the newest model run that knows them there and "
+       "then.",
        DatasetKind::currents,
+       true,
        {{"eastward_sea_water_velocity", "Velocity towards the east", "m/s"},
         {"northward_sea_water_velocity", "Velocity towards the north", "m/s"},
         {"sea_water_speed", "Speed", "m/s"},
@@ -102,32 +119,40 @@ const std::vector<EdrCollection>& edr_collections() {
        "Bathymetry",
        "Depth of the sea bed; negative on land where the data tell its height.",
        DatasetKind::bathymetry,
+       false,
        {{"sea_floor_depth_below_mean_sea_level", "Depth of the sea bed", "m"}}},
       {"sea-ice",
        "Sea ice",
-       "Concentration and thickness of sea ice; of the newest data that cover place and time.",
+       "Concentration and thickness of sea ice; of the newest data that know them there and then.",
        DatasetKind::ice,
+       false,
        {{"sea_ice_area_fraction", "Share of the sea surface that is covered", "1"},
         {"sea_ice_thickness", "Thickness of level ice", "m"}}}};
   return collections;
 }
 
-std::optional<EdrShape> find_edr_data(sqlite::Connection& db, const EdrCollection& collection,
-                                      const std::optional<geo::BoundingBox>& area, const TimeSpan& span) {
-  for (const auto& dataset : repository::DatasetRepository{db}.list()) {
-    if (dataset.kind != collection.kind || !meets(dataset, span)) continue;
-    if (area && !geo::intersects(dataset.bounds, *area)) continue;
-    const auto stored = FieldRepository{db}.shape(dataset.id);
-    if (!stored) continue;
-    EdrShape shape{.dataset = dataset, .spacing = stored->grid.spacing(), .depths_m = {}, .times = {}};
-    if (stored->depths_m) shape.depths_m = stored->depths_m->nodes();
-    if (stored->times_s) {
-      for (const double seconds : stored->times_s->nodes())
-        shape.times.push_back(core::from_unix_seconds(seconds));
-    }
-    return shape;
+std::vector<repository::Dataset> edr_datasets(sqlite::Connection& db, const EdrCollection& collection,
+                                              const std::optional<geo::BoundingBox>& area,
+                                              const TimeSpan& span) {
+  auto datasets = repository::DatasetRepository{db}.list();
+  std::erase_if(datasets, [&](const repository::Dataset& dataset) {
+    return dataset.kind != collection.kind || !meets(dataset, span) ||
+           (area && !geo::intersects(dataset.bounds, *area));
+  });
+  repository::sort_newest_run_first(datasets);
+  return datasets;
+}
+
+std::optional<EdrShape> edr_shape(sqlite::Connection& db, const repository::Dataset& dataset) {
+  const auto stored = FieldRepository{db}.shape(dataset.id);
+  if (!stored) return std::nullopt;
+  EdrShape shape{.dataset = dataset, .grid = stored->grid, .depths_m = {}, .times = {}};
+  if (stored->depths_m) shape.depths_m = stored->depths_m->nodes();
+  if (stored->times_s) {
+    for (const double seconds : stored->times_s->nodes())
+      shape.times.push_back(core::from_unix_seconds(seconds));
   }
-  return std::nullopt;
+  return shape;
 }
 
 std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape& shape,
@@ -138,7 +163,9 @@ std::unique_ptr<EdrField> load_edr_field(sqlite::Connection& db, const EdrShape&
   if (shape.dataset.kind == DatasetKind::bathymetry) {
     using repository::FieldOverviews;
     auto bathymetry = FieldOverviews{db}.bathymetry(id, area, FieldOverviews::plenty);
-    return bathymetry ? std::make_unique<DepthField>(std::move(*bathymetry)) : nullptr;
+    if (!bathymetry) return nullptr;
+    const std::size_t apart = nodes_apart(shape.grid.y(), bathymetry->grid().y());
+    return std::make_unique<DepthField>(std::move(*bathymetry), apart);
   }
   if (shape.dataset.kind == DatasetKind::ice) {
     auto ice = fields.load_ice(id, area, period_of(shape, from, to));

@@ -9,6 +9,7 @@
 #include "api/codec/coverage.hpp"
 #include "api/routes/parameters.hpp"
 #include "engine/geo/bounding_box.hpp"
+#include "engine/ocean/horizontal_grid.hpp"
 #include "storage/repository/current_blocks.hpp"
 #include "storage/repository/dataset.hpp"
 #include "storage/sqlite/connection.hpp"
@@ -22,6 +23,10 @@ class EdrField {
   /// One value for each parameter of the collection; depth and time are left alone by data that have none.
   virtual void sample(geo::LonLat place, core::Metres depth, core::UtcTime time,
                       std::span<std::optional<double>> values) const = 0;
+  /// The nodes in memory.
+  [[nodiscard]] virtual const ocean::HorizontalGrid& grid() const = 0;
+  /// How many nodes of the dataset lie from one of them to the next: more than one where it is too fine to be read whole.
+  [[nodiscard]] virtual std::size_t nodes_apart() const { return 1; }
 };
 
 /// A kind of data that can be asked for (OGC API - EDR).
@@ -30,6 +35,7 @@ struct EdrCollection {
   std::string title;
   std::string description;
   repository::DatasetKind kind{};
+  bool has_depths{false};  // data of the kind may be known at several depths
   std::vector<codec::CoverageParameter> parameters;
 };
 
@@ -38,15 +44,18 @@ struct EdrCollection {
 /// What a dataset of a collection covers.
 struct EdrShape {
   repository::Dataset dataset;
-  core::Metres spacing;              // of its nodes
+  ocean::HorizontalGrid grid;
   std::vector<double> depths_m;      // empty: no depth axis
   std::vector<core::UtcTime> times;  // empty: no time
 };
 
-/// The newest dataset of the collection that meets the area and the period; empty: there is none.
-[[nodiscard]] std::optional<EdrShape> find_edr_data(sqlite::Connection& db, const EdrCollection& collection,
-                                                    const std::optional<geo::BoundingBox>& area,
-                                                    const TimeSpan& span);
+/// The datasets of the collection that meet the area and the period, by their bounds, the newest model run first.
+[[nodiscard]] std::vector<repository::Dataset> edr_datasets(sqlite::Connection& db,
+                                                            const EdrCollection& collection,
+                                                            const std::optional<geo::BoundingBox>& area,
+                                                            const TimeSpan& span);
+/// nullopt: the dataset has no field.
+[[nodiscard]] std::optional<EdrShape> edr_shape(sqlite::Connection& db, const repository::Dataset& dataset);
 
 /// What of it lies around the area and the period, and around the depths that are asked for (none: at all depths);
 /// null: nothing.

@@ -4,7 +4,7 @@
 #include "api/routes/edr_answer.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
-#include "engine/geo/geodesic.hpp"
+#include "engine/geo/bounding_box.hpp"
 #include "storage/sqlite/snapshot.hpp"
 
 namespace floeplan::routes {
@@ -18,24 +18,26 @@ tl::expected<json, Response> coverage_at(const EdrCollection& collection, const 
                                          const Wanted& wanted, const codec::WktPlace& at,
                                          std::size_t places) {
   const geo::BoundingBox box{at.place.lon_deg, at.place.lat_deg, at.place.lon_deg, at.place.lat_deg};
+  const auto ask = [&](const EdrShape& shape) -> tl::expected<EdrAttempt, Response> {
+    auto coverage = planned_coverage(collection, shape, query, wanted, at.z_m);
+    if (!coverage) return EdrAttempt{.coverage = {}, .is_conclusive = false, .why = coverage.error()};
+    if (auto refusal = refuse_if_too_large(request, layers_of(*coverage) * static_cast<double>(places)))
+      return tl::unexpected(std::move(*refusal));
+    const auto from = coverage->t.empty() ? core::UtcTime{} : coverage->t.front();
+    const auto to = coverage->t.empty() ? core::UtcTime{} : coverage->t.back();
+    const auto field = load_edr_field_at(context.db, shape, at.place, from, to, coverage->z_m,
+                                         context.service.current_blocks.get());
+    if (!field || !field->grid().locate(at.place)) return EdrAttempt{};
+    coverage->x_deg = {at.place.lon_deg};
+    coverage->y_deg = {at.place.lat_deg};
+    fill(*coverage, *field, collection, wanted, {true});
+    return EdrAttempt{.coverage = std::move(*coverage), .is_conclusive = true, .why = {}};
+  };
   const sqlite::Snapshot one_moment{context.db};
-  const auto shape = find_edr_data(context.db, collection, box, wanted.span);
-  if (!shape) return tl::unexpected(no_data(request));
-  codec::CoverageGrid coverage = empty_coverage(collection, wanted);
-  coverage.t = times_of(*shape, wanted.span);
-  if (coverage.t.empty() != shape->times.empty()) return tl::unexpected(no_data(request));
-  coverage.z_m = query.depths(*shape);
-  if (at.z_m && !shape->depths_m.empty()) coverage.z_m = {*at.z_m};
-  if (auto refusal = refuse_if_too_large(request, layers_of(coverage) * static_cast<double>(places)))
-    return tl::unexpected(std::move(*refusal));
-  coverage.x_deg = {at.place.lon_deg};
-  coverage.y_deg = {at.place.lat_deg};
-  const auto from = coverage.t.empty() ? core::UtcTime{} : coverage.t.front();
-  const auto to = coverage.t.empty() ? core::UtcTime{} : coverage.t.back();
-  const auto field = load_edr_field_at(context.db, *shape, at.place, from, to, coverage.z_m,
-                                       context.service.current_blocks.get());
-  fill(coverage, field.get(), collection, wanted, [](geo::LonLat) { return true; });
-  return codec::coverage_json(coverage);
+  const auto coverage =
+      first_with_values(context.db, request, edr_datasets(context.db, collection, box, wanted.span), ask);
+  if (!coverage) return tl::unexpected(coverage.error());
+  return codec::coverage_json(*coverage);
 }
 
 Response query_position(const EdrCollection& collection, const Context& context, const Request& request) {
@@ -74,41 +76,94 @@ Response query_radius(const EdrCollection& collection, const Context& context, c
   const auto unit = metres_in(request.parameter("within-units").value_or("km"));
   if (!unit) query.refuse("within-units", "must be m, km, nmi or mi");
   if (!query.violations().empty()) return invalid(request, query.violations());
-  const geo::LonLat centre = coords->places.front().place;
-  const core::Metres radius{*within * *unit};
-  const geo::BoundingBox box =
-      geo::grown({centre.lon_deg, centre.lat_deg, centre.lon_deg, centre.lat_deg}, radius);
-  return grid_reply(collection, context, request, query, wanted, box,
-                    [=](geo::LonLat place) { return geo::geodesic_between(centre, place).length <= radius; });
+  if (const auto z_m = coords->places.front().z_m) query.take_depth(*z_m);
+  return grid_reply(collection, context, request, query, wanted,
+                    area_of_disc(coords->places.front().place, core::Metres{*within * *unit}));
 }
 
 Response query_area(const EdrCollection& collection, const Context& context, const Request& request) {
   EdrRequest query{collection, request};
   const auto coords = query.coords({codec::WktKind::polygon}, "POLYGON((lon lat, ...)) or MULTIPOLYGON");
   const Wanted wanted = query.wanted();
+  const EdrArea area = coords ? area_of_polygons(coords->areas) : EdrArea{};
+  if (coords && area.middles.empty()) query.refuse("coords", "encloses no area");
+  if (coords && coords->has_z)
+    query.refuse("coords", "must be without Z: give the depths of an area as \"z\"");
   if (!query.violations().empty()) return invalid(request, query.violations());
-  std::vector<geo::LonLat> corners;
-  for (const auto& area : coords->areas) corners.insert(corners.end(), area.outer.begin(), area.outer.end());
-  return grid_reply(
-      collection, context, request, query, wanted, geo::bounding_box(corners), [&](geo::LonLat place) {
-        return std::ranges::any_of(coords->areas,
-                                   [&](const geo::Polygon& area) { return geo::contains(area, place); });
-      });
+  return grid_reply(collection, context, request, query, wanted, area);
 }
 
 Response query_cube(const EdrCollection& collection, const Context& context, const Request& request) {
   EdrRequest query{collection, request};
-  query.reader().require("bbox", "west,south,east,north in degrees");
-  const auto box = query.reader().bbox();
+  const auto box = query.box();
   const Wanted wanted = query.wanted();
   if (!query.violations().empty()) return invalid(request, query.violations());
-  return grid_reply(collection, context, request, query, wanted, *box, [](geo::LonLat) { return true; });
+  return grid_reply(collection, context, request, query, wanted, area_of_box(*box));
+}
+
+/// What the first dataset that has the period makes of the places: with a time and a depth each, where the data have
+/// such. nullopt: it has no step in the period.
+std::optional<codec::CoverageTrajectory> planned_trajectory(const EdrCollection& collection,
+                                                            const EdrShape& shape, const EdrRequest& query,
+                                                            const Wanted& wanted,
+                                                            const std::vector<codec::WktPlace>& way) {
+  const auto times = times_of(shape, wanted.span);
+  const auto depths = query.depths(shape);
+  const bool timed = !shape.times.empty();
+  const bool layered = !shape.depths_m.empty();
+  if (timed && times.empty() && !way.front().time) return std::nullopt;
+  codec::CoverageTrajectory coverage;
+  for (const std::size_t i : wanted.parameters) coverage.parameters.push_back(collection.parameters[i]);
+  coverage.values.assign(wanted.parameters.size(),
+                         std::vector<std::optional<double>>(way.size(), std::nullopt));
+  for (const auto& at : way) {
+    codec::CoverageTrajectory::Place place{.place = at.place, .z_m = {}, .time = {}};
+    if (timed) place.time = at.time ? *at.time : times.front();
+    if (layered) place.z_m = at.z_m ? *at.z_m : depths.front();  // one was asked for, or all
+    coverage.places.push_back(place);
+  }
+  return coverage;
+}
+
+/// Asks the dataset at those of the places that have no value yet. True: all have one now.
+bool fill_gaps(codec::CoverageTrajectory& coverage, std::vector<bool>& is_known, const Context& context,
+               const EdrCollection& collection, const EdrShape& shape, const Wanted& wanted) {
+  std::vector<geo::LonLat> places;
+  std::vector<double> depths_m;
+  std::optional<core::UtcTime> from;
+  std::optional<core::UtcTime> to;
+  for (std::size_t i = 0; i < coverage.places.size(); ++i) {
+    if (is_known[i]) continue;
+    const auto& at = coverage.places[i];
+    places.push_back(at.place);
+    if (at.z_m) depths_m.push_back(*at.z_m);
+    const auto time = at.time.value_or(core::UtcTime{});
+    from = std::min(from.value_or(time), time);
+    to = std::max(to.value_or(time), time);
+  }
+  if (places.empty()) return true;
+  const auto field = load_edr_field(context.db, shape, geo::bounding_box(places), *from, *to, depths_m);
+  if (!field) return false;
+  std::vector<std::optional<double>> sample(collection.parameters.size());
+  bool all = true;
+  for (std::size_t i = 0; i < coverage.places.size(); ++i) {
+    if (is_known[i]) continue;
+    const auto& at = coverage.places[i];
+    std::ranges::fill(sample, std::nullopt);
+    field->sample(at.place, core::Metres{at.z_m.value_or(0.0)}, at.time.value_or(core::UtcTime{}), sample);
+    is_known[i] = std::ranges::any_of(sample, [](const auto& value) { return value.has_value(); });
+    all = all && is_known[i];
+    for (std::size_t k = 0; k < wanted.parameters.size(); ++k)
+      coverage.values[k][i] = sample[wanted.parameters[k]];
+  }
+  return all;
 }
 
 Response query_trajectory(const EdrCollection& collection, const Context& context, const Request& request) {
   EdrRequest query{collection, request};
   const auto coords = query.coords({codec::WktKind::line}, "LINESTRING(lon lat, ...), also with Z, M or ZM");
   Wanted wanted = query.wanted();
+  query.want_one_depth();
   if (!query.violations().empty()) return invalid(request, query.violations());
   std::vector<geo::LonLat> way;
   for (const auto& place : coords->places) {
@@ -117,41 +172,18 @@ Response query_trajectory(const EdrCollection& collection, const Context& contex
     wanted.span.from = std::min(wanted.span.from.value_or(*place.time), *place.time);
     wanted.span.to = std::max(wanted.span.to.value_or(*place.time), *place.time);
   }
-  const geo::BoundingBox box = geo::bounding_box(way);
   const sqlite::Snapshot one_moment{context.db};
-  const auto shape = find_edr_data(context.db, collection, box, wanted.span);
-  if (!shape) return no_data(request);
-  const auto times = times_of(*shape, wanted.span);
-  const auto depths = query.depths(*shape);
-  const bool timed = !shape->times.empty();
-  const bool layered = !shape->depths_m.empty();
-  if (timed && times.empty() && !coords->places.front().time) return no_data(request);
-
-  codec::CoverageTrajectory coverage;
-  for (const std::size_t i : wanted.parameters) coverage.parameters.push_back(collection.parameters[i]);
-  coverage.values.resize(wanted.parameters.size());
-  for (const auto& at : coords->places) {
-    codec::CoverageTrajectory::Place place{.place = at.place, .z_m = {}, .time = {}};
-    if (timed) place.time = at.time ? *at.time : times.front();
-    if (layered) place.z_m = at.z_m ? *at.z_m : depths.empty() ? shape->depths_m.front() : depths.front();
-    coverage.places.push_back(place);
+  std::optional<codec::CoverageTrajectory> coverage;
+  std::vector<bool> is_known(way.size(), false);
+  AskedGrids asked;
+  for (const auto& dataset : edr_datasets(context.db, collection, geo::bounding_box(way), wanted.span)) {
+    const auto shape = edr_shape(context.db, dataset);
+    if (!shape || !asked.take(shape->grid)) continue;
+    if (!coverage) coverage = planned_trajectory(collection, *shape, query, wanted, coords->places);
+    if (coverage && fill_gaps(*coverage, is_known, context, collection, *shape, wanted)) break;
   }
-  const auto from = timed ? *coverage.places.front().time : core::UtcTime{};
-  std::vector<double> flown_m;
-  for (const auto& place : coverage.places)
-    if (place.z_m) flown_m.push_back(*place.z_m);
-  const auto field = load_edr_field(context.db, *shape, box, wanted.span.from.value_or(from),
-                                    wanted.span.to.value_or(from), flown_m);
-  std::vector<std::optional<double>> sample(collection.parameters.size());
-  for (const auto& place : coverage.places) {
-    std::ranges::fill(sample, std::nullopt);
-    if (field)
-      field->sample(place.place, core::Metres{place.z_m.value_or(0.0)}, place.time.value_or(core::UtcTime{}),
-                    sample);
-    for (std::size_t i = 0; i < wanted.parameters.size(); ++i)
-      coverage.values[i].push_back(sample[wanted.parameters[i]]);
-  }
-  return coverage_reply(request, codec::coverage_json(coverage));
+  if (!coverage) return no_data(request);
+  return coverage_reply(request, codec::coverage_json(*coverage));
 }
 
 }  // namespace
@@ -180,6 +212,7 @@ std::vector<Route> edr_query_routes() {
                                                              const PathParameters&) {
                           return answer(collection, context, request);
                         }});
+      routes.back().gives_coverages = true;
     }
   }
   return routes;

@@ -1,14 +1,20 @@
 #include "api/routes/edr_request.hpp"
 
 #include <algorithm>
-#include <array>
 
+#include "api/routes/feature_crs.hpp"
 #include "api/routes/text_values.hpp"
 
 namespace floeplan::routes {
 namespace {
 
 constexpr std::size_t most_levels = 1000;
+
+/// The range as levels; a depth that is named twice is that depth, not the levels that happen to lie at it.
+EdrLevels levels_between(double a, double b) {
+  if (a == b) return {.values = {a}, .between = {}};
+  return {.values = {}, .between = std::minmax(a, b)};
+}
 
 std::optional<EdrLevels> parse_z(const std::string& text) {
   const auto parts = split(text, '/');
@@ -24,7 +30,7 @@ std::optional<EdrLevels> parse_z(const std::string& text) {
   if (std::any_of(numbers.begin(), numbers.end(), [](const auto& number) { return !number; }))
     return std::nullopt;
   if (parts.size() == 2) {
-    levels.between = {std::min(*numbers[0], *numbers[1]), std::max(*numbers[0], *numbers[1])};
+    levels = levels_between(*numbers[0], *numbers[1]);
   } else if (parts.size() == 1 && numbers.size() <= most_levels) {
     for (const auto& number : numbers) levels.values.push_back(*number);
   } else {
@@ -33,10 +39,9 @@ std::optional<EdrLevels> parse_z(const std::string& text) {
   return levels;
 }
 
-bool is_known_crs(const std::string& crs) {
-  constexpr std::array known{"CRS84", "CRS:84", "OGC:CRS84", "EPSG:4326",
-                             "http://www.opengis.net/def/crs/OGC/1.3/CRS84"};
-  return std::find(known.begin(), known.end(), crs) != known.end();
+bool above_the_surface(const EdrLevels& levels) {
+  return (levels.between && levels.between->first < 0.0) ||
+         std::ranges::any_of(levels.values, [](double depth_m) { return depth_m < 0.0; });
 }
 
 }  // namespace
@@ -55,22 +60,60 @@ std::optional<codec::WktGeometry> EdrRequest::coords(std::initializer_list<codec
                                                      const std::string& rule) {
   const auto text = request_.parameter("coords");
   auto geometry = text ? codec::parse_wkt(*text) : std::nullopt;
-  if (geometry && std::find(kinds.begin(), kinds.end(), geometry->kind) != kinds.end()) return geometry;
-  refuse("coords", "is required: " + rule + ", longitude first");
-  return std::nullopt;
+  if (!geometry || std::find(kinds.begin(), kinds.end(), geometry->kind) == kinds.end()) {
+    refuse("coords", "is required: " + rule + ", longitude first");
+    return std::nullopt;
+  }
+  if (std::ranges::any_of(geometry->places, [](const auto& place) { return place.z_m && *place.z_m < 0.0; }))
+    refuse("coords", "has a negative Z; Z is metres below the surface, positive down");
+  return geometry;
+}
+
+std::optional<geo::BoundingBox> EdrRequest::box() {
+  reader_.require("bbox", "west,south,east,north in degrees");
+  const auto box = reader_.bbox_with_depths();
+  if (!box) return std::nullopt;
+  if (!box->depths_m) return box->area;
+  const auto [from, to] = *box->depths_m;
+  if (!collection_.has_depths) {
+    refuse("bbox", "must be four numbers, west,south,east,north: this collection has no depths");
+  } else if (request_.parameter("z")) {
+    refuse("bbox", "has depths, and so has \"z\"; give them once");
+  } else if (from < 0.0 || from > to) {
+    refuse("bbox",
+           "of six numbers is west,south,from,east,north,to with the depths from and to in metres below the "
+           "surface, positive down, the shallower first");
+  }
+  levels_ = levels_between(from, to);
+  return box->area;
 }
 
 Wanted EdrRequest::wanted() {
   Wanted result;
   result.span = reader_.datetime();
   result.parameters = parameters();
-  if (const auto crs = request_.parameter("crs"); crs && !is_known_crs(*crs))
-    refuse("crs", "must be CRS84, its URI or EPSG:4326; coordinates are longitude first");
-  if (const auto z = request_.parameter("z")) {
-    levels_ = parse_z(*z);
-    if (!levels_) refuse("z", "must be metres below the surface: one, several, from/to or Rn/first/step");
+  if (const auto crs = request_.parameter("crs"); crs && parse_crs(*crs) != FeatureCrs::crs84) {
+    refuse(
+        "crs",
+        "must be CRS84 or its URI, longitude first; EPSG:4326 means latitude first, which this collection is "
+        "not given in");
   }
+  read_z();
   return result;
+}
+
+void EdrRequest::read_z() {
+  const auto z = request_.parameter("z");
+  if (!z) return;
+  levels_ = parse_z(*z);
+  if (!levels_ || above_the_surface(*levels_)) {
+    refuse("z", "must be metres below the surface, positive down: one, several, from/to or Rn/first/step");
+  }
+}
+
+void EdrRequest::want_one_depth() {
+  if (levels_ && (levels_->between || levels_->values.size() > 1))
+    refuse("z", "must be one depth here; a LINESTRING Z gives each place its own");
 }
 
 std::vector<double> EdrRequest::depths(const EdrShape& shape) const {

@@ -35,15 +35,22 @@ class EdrRequest {
   void refuse(const std::string& name, const std::string& rule);
   [[nodiscard]] core::Violations violations() const;
 
-  /// The place, which must be there and of one of the kinds.
+  /// The place, which must be there and of one of the kinds; a Z of it is a depth.
   [[nodiscard]] std::optional<codec::WktGeometry> coords(std::initializer_list<codec::WktKind> kinds,
                                                          const std::string& rule);
+  /// The box of a cube; one of six numbers states the depths, too.
+  [[nodiscard]] std::optional<geo::BoundingBox> box();
   [[nodiscard]] Wanted wanted();
-  /// The depths to ask the data at; one without meaning where they have none.
+  /// The depth that came with the place, before z.
+  void take_depth(double depth_m) { levels_ = EdrLevels{.values = {depth_m}, .between = {}}; }
+  /// Refuses several depths, of which the answer would hold one.
+  void want_one_depth();
+  /// The depths to ask the data at; empty where they have none, and where no level of theirs lies between those asked for.
   [[nodiscard]] std::vector<double> depths(const EdrShape& shape) const;
 
  private:
   [[nodiscard]] std::vector<std::size_t> parameters();
+  void read_z();
 
   const EdrCollection& collection_;  // borrowed
   const Request& request_;           // borrowed

@@ -102,9 +102,20 @@ FeatureCrs ParameterReader::crs(const std::string& name) {
 }
 
 std::optional<geo::BoundingBox> ParameterReader::bbox(FeatureCrs crs) {
+  const auto box = read_box(crs, false);
+  return box ? std::optional{box->area} : std::nullopt;
+}
+
+std::optional<BoxWithDepths> ParameterReader::bbox_with_depths() { return read_box(FeatureCrs::crs84, true); }
+
+std::optional<BoxWithDepths> ParameterReader::read_box(FeatureCrs crs, bool with_depths) {
   const auto text = request_.parameter("bbox");
   if (!text) return std::nullopt;
   const auto numbers = parse_numbers(*text);
+  if (!with_depths && numbers && numbers->size() == 6) {
+    refuse("bbox", "must be four numbers here, west,south,east,north: these data have no heights or depths");
+    return std::nullopt;
+  }
   if (!numbers || (numbers->size() != 4 && numbers->size() != 6)) {
     refuse("bbox", "must be four numbers: west,south,east,north");
     return std::nullopt;
@@ -117,7 +128,9 @@ std::optional<geo::BoundingBox> ParameterReader::bbox(FeatureCrs crs) {
            "must have its latitudes within -90 to 90, south first, and its longitudes within -540 to 540");
     return std::nullopt;
   }
-  return normalised(west, south, east, north);
+  BoxWithDepths box{normalised(west, south, east, north), {}};
+  if (half == 3) box.depths_m = {(*numbers)[2], (*numbers)[5]};
+  return box;
 }
 
 std::optional<std::vector<geo::LonLat>> ParameterReader::places(const std::string& name) {

@@ -3,6 +3,7 @@
 #include <cstdint>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "api/routes/feature_crs.hpp"
@@ -20,6 +21,12 @@ struct TimeSpan {
   std::optional<core::UtcTime> to;
 };
 
+/// A box, and between which depths where six numbers say so, in their order.
+struct BoxWithDepths {
+  geo::BoundingBox area;
+  std::optional<std::pair<double, double>> depths_m;
+};
+
 /// Reads query parameters and collects what is wrong with them. Absent or wrong: empty, the latter noted.
 class ParameterReader {
  public:
@@ -35,9 +42,11 @@ class ParameterReader {
   [[nodiscard]] int limit();
   /// Key of the last row of the page before; 0 for the first page.
   [[nodiscard]] std::int64_t after();
-  /// Four numbers, or six with heights, which are left out. Longitudes may run past 180.
+  /// Four numbers. Longitudes may run past 180. Six are refused: the data asked for have no depths.
   [[nodiscard]] std::optional<geo::BoundingBox> bbox(FeatureCrs crs = FeatureCrs::crs84);
-  /// The URI of a reference system that is known; CRS84 unless told.
+  /// Four numbers, or six: minx,miny,minz,maxx,maxy,maxz.
+  [[nodiscard]] std::optional<BoxWithDepths> bbox_with_depths();
+  /// A reference system that is known; CRS84 unless told.
   [[nodiscard]] FeatureCrs crs(const std::string& name);
   /// Places as "lon,lat;lon,lat", at most 1000.
   [[nodiscard]] std::optional<std::vector<geo::LonLat>> places(const std::string& name);
@@ -51,6 +60,7 @@ class ParameterReader {
 
  private:
   void refuse(const std::string& name, const std::string& rule);
+  [[nodiscard]] std::optional<BoxWithDepths> read_box(FeatureCrs crs, bool with_depths);
 
   const Request& request_;  // borrowed
   core::Violations violations_;
