@@ -11,6 +11,7 @@
 #include "storage/ingest/cf_units.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/ingest/variable_meaning.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -37,19 +38,21 @@ bool is_called_bathymetry(const NetcdfVariable& variable) {
       "elevation", "deptho", "z",     "topo",     "bathymetry", "bathy",      "depth",  "h",
       "hdept",     "rose",   "band1", "altitude", "relief",     "topography", "height", "bedrock"};
   const std::string name = lower(variable.name());
-  const std::string standard_name = lower(variable.attribute("standard_name"));
+  const std::string standard_name = standard_name_of(variable);
   const std::string long_name = lower(variable.attribute("long_name"));
-  // What follows a blank makes it an error or a count of the depth.
-  if (standard_name.starts_with("sea_floor_depth") && standard_name.find(' ') == std::string::npos)
-    return true;
+  if (contains_any(standard_name, {"sea_floor_depth", "bedrock_altitude", "surface_altitude"})) return true;
   if (contains_any(standard_name + " " + without_level(long_name),
                    {"sea_surface", "sea surface", "dynamic", "wave", "sea_ice", "sea ice", "mixed_layer",
                     "mixed layer", "wind"}))
     return false;
   return std::find(names.begin(), names.end(), name) != names.end() ||
-         contains_any(standard_name, {"bedrock_altitude", "surface_altitude"}) ||
          contains_any(long_name,
                       {"bathymetr", "topograph", "relief of", "sea floor depth", "elevation relative"});
+}
+
+/// The least and the greatest of a cell are depths, too, but not of the whole cell.
+bool is_extreme(Statistic statistic) {
+  return statistic == Statistic::minimum || statistic == Statistic::maximum;
 }
 
 /// Metres at all points, resampled. What cannot be on Earth is left out: it would be mixed with its neighbours.
@@ -72,14 +75,21 @@ Checked<RawRows> rows_of_bent(const NetcdfVariable& variable, const BentPlane& p
 
 const NetcdfVariable* find_bathymetry(const NetcdfFile& file, bool any_plane) {
   const NetcdfVariable* only_plane = nullptr;
+  const NetcdfVariable* extreme = nullptr;
   std::size_t planes = 0;
   for (const NetcdfVariable& variable : file.variables()) {
+    const Statistic statistic = statistic_of(variable);
+    if (statistic != Statistic::none && !is_extreme(statistic)) continue;
     const bool plane = is_plane(variable);
-    if ((plane || unsupported_grid(file, variable)) && is_called_bathymetry(variable)) return &variable;
+    if ((plane || unsupported_grid(file, variable)) && is_called_bathymetry(variable)) {
+      if (statistic == Statistic::none) return &variable;
+      if (extreme == nullptr) extreme = &variable;
+    }
     if (!plane) continue;
     only_plane = &variable;
     ++planes;
   }
+  if (extreme != nullptr) return extreme;
   return any_plane && planes == 1 ? only_plane : nullptr;
 }
 
@@ -108,6 +118,9 @@ Checked<PreparedDataset> read_netcdf_bathymetry(std::shared_ptr<const NetcdfFile
                     .warnings = place->layout.warnings,
                     .read = {}};
   if (unit.empty()) raw.warnings.push_back("\"" + variable->name() + "\" states no unit; taken as metres");
+  if (const Statistic statistic = statistic_of(*variable); statistic != Statistic::none)
+    raw.warnings.push_back("\"" + variable->name() + "\" holds " + in_words(statistic) +
+                           " of each cell, not its mean; the bed between may be shoaler than it says");
   if (bent) {
     auto rows = rows_of_bent(*variable, *bent, *factor);
     if (!rows) return refuse(rows.error());

@@ -23,6 +23,7 @@
 #include "storage/ingest/grid_frame_of_crs.hpp"
 #include "storage/ingest/netcdf_axis.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/ingest/variable_meaning.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -48,12 +49,16 @@ bool is_picture(GDALDataset& dataset) {
   return band->GetColorTable() != nullptr || colour == GCI_PaletteIndex || colour == GCI_RedBand;
 }
 
-/// The band that says it holds depths or elevations, else the first.
+/// The band that says it holds depths or elevations, else the first that is no statistic of them, else the first.
 int depth_band(GDALDataset& dataset) {
-  for (int i = 1; i <= dataset.GetRasterCount(); ++i)
-    if (contains_any(lower(dataset.GetRasterBand(i)->GetDescription()), {"elevation", "depth", "bathymetr"}))
-      return i;
-  return 1;
+  int first = 0;
+  for (int i = 1; i <= dataset.GetRasterCount(); ++i) {
+    const std::string description = dataset.GetRasterBand(i)->GetDescription();
+    if (statistic_in_words(description) != Statistic::none) continue;
+    if (contains_any(lower(description), {"elevation", "depth", "bathymetr"})) return i;
+    if (first == 0) first = i;
+  }
+  return std::max(first, 1);
 }
 
 /// Plain text grids often come without a CRS. Degrees betray themselves: within the globe, and a step that is
@@ -418,6 +423,11 @@ Checked<PreparedDataset> prepared(Views views, std::string_view driver, const In
   const auto planes = planes_of(std::move(views), *frame);
   if (!planes) return refuse(planes.error());
   const Plane& middle = (*planes)->middle;
+  const Statistic statistic = statistic_in_words(middle.band->GetDescription());
+  if (statistic != Statistic::none && statistic != Statistic::minimum && statistic != Statistic::maximum)
+    return refuse(
+        "the raster holds " + in_words(statistic) + " (\"" + std::string{middle.band->GetDescription()} +
+        "\"), no depths or elevations; there is no bathymetry to store; give the file of the depths");
   return prepare_bathymetry(
       {.grid = {*frame, ocean::Axis{middle.x.nodes}, ocean::Axis{middle.y.nodes}},
        .description = description_of(middle, driver),

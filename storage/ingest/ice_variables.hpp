@@ -24,8 +24,11 @@ struct IceVariables {
 /// Whether any variable claims to be a thickness of sea ice.
 [[nodiscard]] bool holds_ice_thickness(const NetcdfFile& file);
 
-/// Chooses by standard name, then by well-known names. Uncertainties, flags, raw and unfiltered estimates and ice of
-/// lakes are never taken. `wanted` names one concentration to use alone.
+/// Why a statistic of the concentration is none: a sentence; empty where the file has no such statistic.
+[[nodiscard]] std::string ice_left_out(const NetcdfFile& file);
+
+/// Chooses by standard name, then by well-known names. Statistics, uncertainties, flags, raw and unfiltered estimates and
+/// ice of lakes are never taken. `wanted` names one concentration to use alone.
 /// Errors   no concentration, or none of the wanted name; a grid that this program does not read
 [[nodiscard]] Checked<IceVariables> find_ice(const NetcdfFile& file,
                                              const std::optional<std::string>& wanted);
