@@ -98,8 +98,10 @@ void add_ingest(CLI::App& app, Program& program) {
       ->add_option("--positive", flags->positive,
                    "Sign of bathymetry that does not say: up (elevation) or down (depth)")
       ->check(CLI::IsMember({"up", "down"}));
-  command->add_option("--variable", flags->variable,
-                      "Concentration of sea ice to use when a file holds several; default: the greatest");
+  command->add_option(
+      "--variable", flags->variable,
+      "What to use of a file that holds several: a component of the currents (its pair is taken), or a "
+      "concentration of sea ice (default: the greatest)");
   command->add_option("--missing", flags->missing,
                       "Number that marks missing values in NetCDF that does not declare it, as -99.99");
   command->add_option("--time", flags->time, "For when sea ice holds whose file does not say it");

@@ -71,8 +71,9 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, const FileGroup& fi
       if (kind == DatasetKind::tides) return read_tides(together(file), file.path, options, progress);
       if (kind == DatasetKind::wind) return read_wind(file.netcdf, options.crs, progress);
       if (kind == DatasetKind::ice) return read_ice(file.netcdf, options, progress);
-      return kind == DatasetKind::currents ? read_currents(together(file), options.crs, progress)
-                                           : read_netcdf_bathymetry(file.netcdf, options);
+      return kind == DatasetKind::currents
+                 ? read_currents(together(file), options.crs, options.variable, progress)
+                 : read_netcdf_bathymetry(file.netcdf, options);
     case FileFormat::grib:
       return kind == DatasetKind::wind ? read_grib_wind(file.path, progress)
                                        : read_grib_currents(file.path, progress);

@@ -24,7 +24,7 @@ struct IngestOptions {
   std::optional<geo::LonLat> at{};         // of a station of the tide whose file does not say where it is
   std::optional<std::string> unit{};       // "m" or "ft", of its amplitudes where the file does not say it
   std::optional<std::string> zone_kind{};  // "no_go" or "stay_in", for zones that do not say
-  std::optional<std::string> variable{};   // of ice: the concentration to use when a file holds several
+  std::optional<std::string> variable{};   // of several pairs of currents or concentrations the one to use
   std::optional<double> missing{};         // what marks missing values in NetCDF that does not declare it
   std::optional<core::UtcTime> time{};     // for which sea ice holds that does not say it
   std::optional<std::string> archive{};    // name of the one that the files were unpacked from

@@ -44,7 +44,8 @@ std::vector<DatasetKind> kinds_of_netcdf(const std::shared_ptr<const NetcdfFile>
   if (holds_tides(file)) return {DatasetKind::tides};
   std::vector<DatasetKind> kinds;
   const bool bathymetry_wanted = wanted == DatasetKind::bathymetry;
-  const bool velocity = holds_velocity(file);
+  const bool velocity = holds_velocity(file, Moving::sea, expected.variable);
+  if (!wanted && velocity && names_velocity(file, expected.variable)) return {DatasetKind::currents};
   if (velocity) kinds.push_back(DatasetKind::currents);
   const NetcdfVariable* bathymetry = find_bathymetry(file, bathymetry_wanted);
   const bool worth_reading = bathymetry != nullptr && (!velocity || bathymetry_wanted ||
@@ -103,12 +104,15 @@ std::string nothing_known(const NetcdfFile& file) {
              "SCHISM 5.9 "
              "(one file with its mesh, hvel and zcor), or interpolate them to longitude, latitude and depth "
              "first";
+  if (std::string left_out = ice_left_out(file); !left_out.empty()) return left_out;
   if (holds_ice_thickness(file))
     return "the file holds a thickness of sea ice but no concentration; how much of the sea is covered is "
            "not known from "
            "it; put the concentration of the same grid and time into the same file, as siconc, for example "
            "with "
            "ncks -A";
+  for (const Moving what : {Moving::sea, Moving::air})
+    if (std::string left_out = velocities_left_out(file, what); !left_out.empty()) return left_out;
   if (!file.groups().empty())
     return "neither the top level of the file nor its groups (" + enumeration(file.groups()) +
            ") hold currents of the sea, depths, sea ice or wind that this program knows; there is nothing to "
@@ -272,6 +276,12 @@ Checked<RecognisedFile> recognise(const std::filesystem::path& file, const Expec
         "of such a raster this program reads depths only; of sea ice it reads NetCDF; convert it with "
         "gdal_translate -of "
         "netCDF IN.tif OUT.nc and give that with --kind ice --variable Band1 and --time");
+  const bool moves = *expected.kind == DatasetKind::currents || *expected.kind == DatasetKind::wind;
+  if (!held && moves && result.netcdf) {
+    const Moving what = *expected.kind == DatasetKind::currents ? Moving::sea : Moving::air;
+    if (std::string left_out = velocities_left_out(*result.netcdf, what); !left_out.empty())
+      return refuse(std::move(left_out));
+  }
   if (!held)
     return refuse("the file holds " + repository::kind_name(result.kinds.front()) + ", not " +
                   repository::kind_name(*expected.kind) + "; leave out --kind, or give another file");

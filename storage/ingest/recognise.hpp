@@ -29,7 +29,7 @@ struct RecognisedFile {
 struct Expectation {
   std::optional<repository::DatasetKind> kind{};
   bool zone_kind_stated{false};           // polygons without a word of their own are zones then
-  std::optional<std::string> variable{};  // the concentration of sea ice that is wanted
+  std::optional<std::string> variable{};  // the component of currents or the concentration of sea ice that is wanted
   std::optional<double> missing{};        // what marks missing values beside what the file declares
 };
 

@@ -4,6 +4,8 @@
 #include <array>
 
 #include "storage/ingest/text.hpp"
+#include "storage/ingest/variable_meaning.hpp"
+#include "storage/ingest/velocity_meaning.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -32,7 +34,8 @@ constexpr std::array known_pairs{
 
 const NetcdfVariable* field_named(const NetcdfFile& file, const std::string& lower_name) {
   for (const NetcdfVariable& variable : file.variables())
-    if (variable.is_numeric() && variable.dimensions().size() >= 2 && lower(variable.name()) == lower_name)
+    if (variable.is_numeric() && variable.dimensions().size() >= 2 && lower(variable.name()) == lower_name &&
+        statistic_of(variable) == Statistic::none)
       return &variable;
   return nullptr;
 }
@@ -44,6 +47,13 @@ bool has_pair(const NetcdfFile& file, const KnownPair& pair) {
   if (field_named(file, pair.first) == nullptr || second == nullptr) return false;
   const std::string unit = lower(second->attribute("units"));
   return !pair.amplitude_and_phase || unit.empty() || unit.starts_with("deg") || unit.starts_with("rad");
+}
+
+/// Whether a variable says in its own words that it is the other component.
+bool contradicts(const NetcdfVariable& variable, TideQuantity quantity) {
+  const auto stated = stated_component(variable);
+  return stated && ((quantity == TideQuantity::east && *stated == Component::second) ||
+                    (quantity == TideQuantity::north && *stated == Component::first));
 }
 
 bool is_roms_forcing(const NetcdfFile& file) {
@@ -158,6 +168,11 @@ Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file) {
     if (!std::ranges::equal(first->dimensions(), second->dimensions(), same))
       return refuse("\"" + first->name() + "\" and \"" + second->name() +
                     "\" do not lie on the same dimensions; the file is damaged; get it again");
+    if (contradicts(*first, pair.quantity))
+      return refuse("\"" + first->name() + "\" is called the " +
+                    (pair.quantity == TideQuantity::east ? "eastward" : "northward") +
+                    " tidal current, but says that it is the other component; a wrong guess would turn the "
+                    "current; correct its standard name or its name");
     TideVariables found{pair.quantity, first, second, pair.amplitude_and_phase};
     if (const auto unit = read_unit(found); !unit) return refuse(unit.error());
     if (pair.amplitude_and_phase)

@@ -36,7 +36,7 @@ struct TideVariables {
 /// (URe, ...), FES (amplitude, phase, Ua, Ug, Va, Vg), FES2012 (Ha, Hg) and HAMTIDE (AMPL, PHAS, UAMP, UPHA, VAMP,
 /// VPHA).
 /// One component of the current may stand alone: the other is then in a file of its own.
-/// Errors   a tidal forcing of ROMS; half of a pair; a unit that is none
+/// Errors   a tidal forcing of ROMS; half of a pair; a unit that is none; a component that says it is the other one
 [[nodiscard]] Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file);
 
 }  // namespace floeplan::ingest

@@ -11,6 +11,7 @@
 #include "storage/ingest/position_tables.hpp"
 #include "storage/ingest/rectilinear_source.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/ingest/velocity_level.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -72,11 +73,11 @@ bool lie_on_axes(const NetcdfFiles& files, const VelocityPair& pair,
   return !are_staggered(pair) && !(positions && pair.axes == VelocityAxes::grid);
 }
 
-}  // namespace
-
-Checked<CurrentInput> velocity_input(const NetcdfFiles& files, const VelocityPair& pair,
-                                     const std::optional<std::string>& stated_crs) {
+/// Two components on whatever layout they have.
+Checked<CurrentInput> input_as_laid_out(const NetcdfFiles& files, const VelocityPair& pair,
+                                        const std::optional<std::string>& stated_crs) {
   CurrentInput input;
+  input.what = pair.what;
   input.warnings = pair.warnings;
   input.variables = {pair.first->name(), pair.second->name()};
   input.states_unit = !pair.first->attribute("units").empty();
@@ -102,6 +103,45 @@ Checked<CurrentInput> velocity_input(const NetcdfFiles& files, const VelocityPai
   input.source = std::move(bent->source);
   input.mesh = std::move(bent->mesh);
   input.layout = std::move(bent->layout);
+  return input;
+}
+
+/// Currents without an axis of depth lie where their names say.
+void place_by_words(CurrentInput& input, const VelocityPair& pair) {
+  const SourceShape& shape = input.source->shape();
+  if (shape.depths_m || shape.levels_follow_bed) return;
+  const std::string names = "\"" + pair.first->name() + "\" and \"" + pair.second->name() + "\"";
+  if (pair.depth_m) {
+    input.warnings.push_back(names + " are currents at a depth of " + number(*pair.depth_m) +
+                             " m, as they say themselves; nothing is known of the water above and below it");
+    input.source = one_level(std::move(input.source), 0, *pair.depth_m);
+  } else if (pair.part == WaterPart::surface) {
+    input.warnings.push_back(
+        names +
+        " are currents of the surface alone; they were stored at depth 0, and a plan for "
+        "deeper dives has to take them all the way down");
+    input.source = one_level(std::move(input.source), 0, 0.0);
+  } else if (pair.part == WaterPart::column_mean) {
+    input.warnings.push_back(
+        names +
+        " are means over the whole water column; they were stored as the same at every "
+        "depth, but near the surface the current may be much stronger or run another way");
+  }
+}
+
+}  // namespace
+
+Checked<CurrentInput> velocity_input(const NetcdfFiles& files, const VelocityPair& pair,
+                                     const std::optional<std::string>& stated_crs) {
+  auto input = input_as_laid_out(files, pair, stated_crs);
+  if (!input || pair.what == Moving::air) return input;
+  const auto& depths_m = input->source->shape().depths_m;
+  if (depths_m && depths_m->back() < 0.0)
+    return refuse(
+        "the levels of \"" + pair.first->name() + "\" and \"" + pair.second->name() +
+        "\" lie above the surface of the sea (heights of up to " + number(-depths_m->front()) +
+        " m); where in the water these currents run is not known; ask for depths below the surface");
+  place_by_words(*input, pair);
   return input;
 }
 

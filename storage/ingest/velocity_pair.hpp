@@ -1,49 +1,62 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/refusal.hpp"
+#include "storage/ingest/velocity_kind.hpp"
+#include "storage/ingest/velocity_source.hpp"
 
 namespace floeplan::ingest {
 
-/// What the two components of a velocity are measured along.
-enum class VelocityAxes {
-  east_north,  // true east and true north
-  grid,        // the axes of the model's grid
-  unstated     // the file does not say
-};
-
-/// The two components of the sea water's velocity, in one file or in two.
+/// The two components of a velocity, in one file or in two.
 struct VelocityPair {
   const NetcdfVariable* first{nullptr};  // towards east, or along the grid's first axis
   const NetcdfVariable* second{nullptr};
   const NetcdfFile* first_file{nullptr};
   const NetcdfFile* second_file{nullptr};
+  Moving what{Moving::sea};
   VelocityAxes axes{VelocityAxes::unstated};
-  std::vector<std::string> warnings;  // what the choice means for the pilot
+  WaterPart part{WaterPart::unstated};  // of currents without an axis of depth
+  std::optional<double> depth_m;        // likewise, where a name states it
+  std::vector<std::string> warnings;    // what the choice means for the pilot
 };
 
 /// Files that are read together: the components of the velocity may be in different ones, and so may the tables
 /// that place them.
 using NetcdfFiles = std::vector<std::shared_ptr<const NetcdfFile>>;
 
-/// Whether any variable claims to be a velocity of sea water, whether or not it can be used.
-[[nodiscard]] bool holds_velocity(const NetcdfFile& file);
+/// The names of the components to use where a file holds several pairs, as the user gives them: one, or both with a
+/// comma between. Names that belong to no velocity of the file are those of other data.
+using WantedVariables = std::optional<std::string>;
 
-/// Which components a file holds.
+/// Whether any variable is a component of what moves that can be stored, alone or in a pair.
+[[nodiscard]] bool holds_velocity(const NetcdfFile& file, Moving what,
+                                  const WantedVariables& wanted = std::nullopt);
+
+/// Whether the wanted variables are components of currents.
+[[nodiscard]] bool names_velocity(const NetcdfFile& file, const WantedVariables& wanted);
+
+/// Which components of currents a file holds.
 enum class VelocityParts { none, first_alone, second_alone, both };
 [[nodiscard]] VelocityParts velocity_parts(const NetcdfFile& file);
 
 /// One of its components; null when it holds none.
 [[nodiscard]] const NetcdfVariable* find_some_velocity(const NetcdfFile& file);
 
-/// Chooses the pair by well-known names, then by standard names. Anomalies, wind, ice, waves and means over the
-/// whole depth are never taken.
-/// Errors   no velocity; one component alone
-[[nodiscard]] Checked<VelocityPair> find_velocity_pair(const NetcdfFiles& files);
+/// Why variables that claim to be velocities of what moves cannot be stored as such; empty where there are none.
+[[nodiscard]] std::string velocities_left_out(const NetcdfFile& file, Moving what);
+
+/// Chooses the pair: the whole current before a part of it, at levels before the surface and the mean over depth, by
+/// well-known names before standard names alone. Statistics, anomalies and currents at the bed are never taken, the tide
+/// alone and the drift by waves alone only where they are wanted. What else the file holds is told.
+/// Errors   no velocity; one component alone; several pairs between which nothing decides; components that contradict
+///          themselves or each other
+[[nodiscard]] Checked<VelocityPair> find_velocity_pair(const NetcdfFiles& files, Moving what,
+                                                       const WantedVariables& wanted = std::nullopt);
 
 /// Metres per second in one of the variable's (unpacked) unit. A variable without a unit is taken as m/s and
 /// says so in `warnings`; the size of its values has to confirm that.

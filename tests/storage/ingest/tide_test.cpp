@@ -135,6 +135,21 @@ TEST_F(TideFile, OfTransportsIsDividedByTheDepthAndBroughtToTheNodes) {
   EXPECT_LT(std::abs(north->front().value - std::complex<double>{-0.15, 0.01}), 1e-6);
 }
 
+TEST_F(TideFile, WhoseComponentSaysThatItIsTheOtherOneIsRefused) {
+  {
+    NetcdfWriter writer{path("u_m2.nc")};
+    writer.dimension("nx", 3);
+    writer.dimension("ny", 2);
+    place_nodes(writer, "u", {306.0, 306.5, 307.0}, {69.0, 69.5});
+    for (const char* const name : {"uRe", "uIm"}) {
+      NetcdfWriter::Variable part = field(name, {"nx", "ny"}, {1, 2, 3, 4, 5, 6}, "cm/s");
+      part.texts["standard_name"] = "northward_sea_water_velocity_due_to_tides";
+      writer.variable(part);
+    }
+  }
+  expect_refused(path("u_m2.nc"), "says that it is the other component");
+}
+
 TEST_F(TideFile, OfTransportsWithoutDepthsIsRefused) {
   write_tpxo_transport(path("u_k1_tpxo.nc"), false);
   expect_refused(path("u_k1_tpxo.nc"), "no depths to make it a speed");

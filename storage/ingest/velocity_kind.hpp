@@ -1,0 +1,32 @@
+#pragma once
+
+namespace floeplan::ingest {
+
+/// What the two components of a velocity are measured along.
+enum class VelocityAxes {
+  east_north,  // true east and true north
+  grid,        // the axes of the model's grid
+  unstated     // the file does not say
+};
+
+/// Which of its two components a variable is.
+enum class Component {
+  first,  // towards east, or along the grid's first axis
+  second
+};
+
+/// How much of the motion of the water a velocity holds.
+enum class CurrentContent {
+  whole,         // nothing to the contrary is said
+  total,         // the tide, too, and perhaps the drift by waves
+  without_tide,  // all but the tide
+  geostrophic,   // what the slope of the sea's surface tells
+  tide,          // nothing but the tide
+  wave_drift,    // nothing but the drift by waves (Stokes)
+  other_part     // another part: Ekman, baroclinic, of eddies
+};
+
+/// Which water a velocity without levels of its own is of.
+enum class WaterPart { unstated, surface, column_mean, bed };
+
+}  // namespace floeplan::ingest
