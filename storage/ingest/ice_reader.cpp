@@ -17,6 +17,9 @@ namespace {
 
 constexpr std::uint64_t max_values = 4'000'000'000;  // of one variable in one file
 
+/// Of models, whose fields of the surface are often placed at their uppermost level.
+constexpr double deepest_top_level_m = 20.0;
+
 /// Thickness of floating level ice over its draft: 1025 kg/m3 of sea water over 915 kg/m3 of ice, without snow.
 /// Source  Timco and Frederking 1996, A review of sea ice density, doi:10.1016/0165-232X(95)00007-X
 constexpr double thickness_over_draft = 1025.0 / 915.0;
@@ -159,6 +162,10 @@ Checked<NetcdfLayout> layout_of_ice(NetcdfLayout layout, const NetcdfVariable& v
     return refuse(
         "the concentration \"" + variable.name() +
         "\" has several depths; sea ice has none; give the variable of the whole ice with --variable");
+  if (layout.depths_m && layout.depths_m->nodes.front() > deepest_top_level_m)
+    return refuse("the concentration \"" + variable.name() + "\" is given for a depth of " +
+                  number(layout.depths_m->nodes.front()) +
+                  " m, where there is no sea ice; the file is not what it says; ask the producer");
   const std::uint64_t nodes = layout.x.nodes.size() * layout.y.nodes.size();
   if (layout.times_s->nodes.size() > max_values / nodes)
     return refuse("the file holds " + std::to_string(layout.times_s->nodes.size()) + " times of " +

@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
+#include <string_view>
 
 #include "storage/ingest/cf_time.hpp"
 #include "storage/ingest/cf_units.hpp"
@@ -13,6 +15,33 @@ namespace {
 bool runs_along(const NetcdfVariable& variable, const NetcdfDimension& dimension) {
   return variable.is_numeric() && variable.dimensions().size() == 1 &&
          variable.dimensions().front().name == dimension.name;
+}
+
+bool is_scalar(const NetcdfVariable& variable) {
+  return variable.is_numeric() &&
+         std::ranges::all_of(variable.dimensions(),
+                             [](const NetcdfDimension& dimension) { return dimension.size == 1; });
+}
+
+std::vector<std::string> words_between_blanks(const std::string& text) {
+  std::vector<std::string> words{""};
+  for (const char c : text + " ") {
+    if (c != ' ' && c != '\t' && c != '\n') {
+      words.back() += c;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  words.pop_back();
+  return words;
+}
+
+/// A level by its standard name or its axis, not by its name or unit: a scalar may be anything.
+bool declares_a_level(const NetcdfVariable& variable) {
+  const std::string standard_name = lower(variable.attribute("standard_name"));
+  return standard_name == "depth" || standard_name == "height" || standard_name == "altitude" ||
+         standard_name == "air_pressure" || standard_name == "sea_water_pressure" ||
+         variable.attribute("axis") == "Z";
 }
 
 /// By how much times may be off that were rounded to float32.
@@ -69,10 +98,12 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std
     warnings.push_back("the depth axis \"" + coordinate.name() + "\" states no unit; taken as metres");
 
   const std::string positive = lower(coordinate.attribute("positive"));
+  const std::string standard_name = lower(coordinate.attribute("standard_name"));
+  const bool is_height = standard_name == "height" || standard_name == "altitude";
   const bool all_below_zero =
       std::all_of(values->begin(), values->end(), [](double v) { return v <= 0.0; }) &&
       std::any_of(values->begin(), values->end(), [](double v) { return v < 0.0; });
-  const bool up = positive == "up" || (positive != "down" && all_below_zero);
+  const bool up = positive == "up" || (positive != "down" && (all_below_zero || is_height));
   const auto [least, greatest] = std::ranges::minmax(*values);
   const std::string stated = number(least, 9) + " to " + number(greatest, 9) +
                              (unit.empty() ? "" : " " + unit) + (up ? ", upwards" : ", downwards");
@@ -81,8 +112,7 @@ Checked<AxisNodes> depth_nodes(const NetcdfVariable& coordinate, std::vector<std
     if (value == 0.0) value = 0.0;  // -0 becomes 0
 
   auto nodes = monotonic_nodes(coordinate.name(), std::move(*values));
-  const bool above_ground =
-      up && contains_any(lower(coordinate.name() + " " + coordinate.attribute("standard_name")), {"height"});
+  const bool above_ground = up && (is_height || contains_any(lower(coordinate.name()), {"height"}));
   if (nodes && !above_ground && (nodes->nodes.front() < -10.0 || nodes->nodes.back() > 12000.0))
     return refuse("the depth axis \"" + coordinate.name() + "\" runs from " + stated +
                   "; no ocean does; its unit or direction is wrong");
@@ -129,6 +159,32 @@ const NetcdfVariable* scalar_time(const NetcdfFile& file) {
     if (size == 1 && variable.is_numeric() && named) return &variable;
   }
   return nullptr;
+}
+
+bool counts_pressure(const NetcdfVariable& coordinate) {
+  const std::string standard_name = lower(coordinate.attribute("standard_name"));
+  if (standard_name == "air_pressure" || standard_name == "sea_water_pressure") return true;
+  const std::string unit = lower(coordinate.attribute("units"));
+  constexpr std::string_view pressures[]{"pa",       "hpa",       "kpa",    "mb",      "mbar",
+                                         "millibar", "millibars", "bar",    "dbar",    "db",
+                                         "decibar",  "decibars",  "pascal", "pascals", "hectopascal"};
+  return std::ranges::find(pressures, unit) != std::end(pressures);
+}
+
+const NetcdfVariable* level_beside(const NetcdfFile& file, const NetcdfVariable& variable) {
+  for (const std::string& text : {variable.attribute("coordinates"), file.attribute("coordinates")})
+    for (const std::string& name : words_between_blanks(text)) {
+      const NetcdfVariable* coordinate = file.find(name);
+      if (coordinate == nullptr || coordinate == &variable || !is_scalar(*coordinate)) continue;
+      if (counts_pressure(*coordinate) || role_of(*coordinate) == AxisRole::depth) return coordinate;
+    }
+  const NetcdfVariable* only = nullptr;
+  for (const NetcdfVariable& other : file.variables()) {
+    if (!is_scalar(other) || !declares_a_level(other)) continue;
+    if (only != nullptr) return nullptr;
+    only = &other;
+  }
+  return only;
 }
 
 Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate, std::vector<std::string>& warnings) {

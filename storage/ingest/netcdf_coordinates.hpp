@@ -31,6 +31,14 @@ namespace floeplan::ingest {
 /// A time that the file states once for all its data; null when there is none.
 [[nodiscard]] const NetcdfVariable* scalar_time(const NetcdfFile& file);
 
+/// Whether a coordinate counts levels by the pressure there, which is no depth and no height.
+[[nodiscard]] bool counts_pressure(const NetcdfVariable& coordinate);
+
+/// A single depth, height or pressure that holds for all of a variable: one of its `coordinates` (or of the file's), or
+/// the only scalar of the file that its standard name or axis makes a level.
+/// Returns  null when there is none
+[[nodiscard]] const NetcdfVariable* level_beside(const NetcdfFile& file, const NetcdfVariable& variable);
+
 /// Coordinates of a projection in metres, ascending.
 [[nodiscard]] Checked<AxisNodes> projected_nodes(const NetcdfVariable& coordinate,
                                                  std::vector<std::string>& warnings);

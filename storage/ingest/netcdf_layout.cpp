@@ -97,6 +97,12 @@ std::string unknown_dimension(const std::string& dimension, const std::string& v
          "latitude, depth and time coordinates";
 }
 
+/// Levels of pressure tell nothing of metres, of one level as of many.
+std::string levels_of_pressure(const std::string& levels, const std::string& variable) {
+  return "the levels of \"" + variable + "\" are pressures (\"" + levels +
+         "\"); how deep in the sea or how high above it they lie is not known; ask for levels in metres";
+}
+
 /// Of a dimension without a coordinate variable. The levels of terrain-following models often have tables alone.
 AxisRole role_of_dimension(const NetcdfFile& file, const NetcdfDimension& dimension) {
   const std::string name = lower(dimension.name);
@@ -115,8 +121,20 @@ AxisNodes indices(std::uint64_t count) {
   return axis;
 }
 
-/// Checks the size of a slice and adds the time that a file states once for all.
-Checked<NetcdfLayout> finished(const NetcdfFile& file, NetcdfLayout layout) {
+/// A level that stands beside the variable holds as one along a dimension would.
+Checked<bool> add_level_beside(const NetcdfFile& file, const NetcdfVariable& variable, NetcdfLayout& layout) {
+  const NetcdfVariable* level = layout.depth_dimension ? nullptr : level_beside(file, variable);
+  if (level == nullptr) return true;
+  if (counts_pressure(*level)) return refuse(levels_of_pressure(level->name(), variable.name()));
+  if (role_of(*level) != AxisRole::depth) return true;
+  auto nodes = depth_nodes(*level, layout.warnings);
+  if (!nodes) return refuse(nodes.error());
+  layout.depths_m = std::move(*nodes);
+  return true;
+}
+
+/// Checks the size of a slice and adds the time and the level that a file states once for all.
+Checked<NetcdfLayout> finished(const NetcdfFile& file, const NetcdfVariable& variable, NetcdfLayout layout) {
   if (layout.x.nodes.size() * layout.y.nodes.size() > max_slice_nodes)
     return refuse("the grid has " + std::to_string(layout.x.nodes.size()) + " x " +
                   std::to_string(layout.y.nodes.size()) + " nodes, more than this program accepts (" +
@@ -129,6 +147,7 @@ Checked<NetcdfLayout> finished(const NetcdfFile& file, NetcdfLayout layout) {
       layout.times_s = std::move(*nodes);
     }
   }
+  if (const auto added = add_level_beside(file, variable, layout); !added) return refuse(added.error());
   return layout;
 }
 
@@ -177,6 +196,8 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
       return refuse("the levels \"" + dimension.name +
                     "\" follow the sea bed (a sigma or s coordinate); this layout is not yet supported; "
                     "interpolate the data to depths in metres first");
+    if (roles.back().role == AxisRole::unknown && coordinate != nullptr && counts_pressure(*coordinate))
+      return refuse(levels_of_pressure(dimension.name, variable.name()));
     if (roles.back().role == AxisRole::unknown && dimension.size > 1)
       return refuse(unknown_dimension(dimension.name, variable.name()));
   }
@@ -197,7 +218,7 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
     const auto added = add_dimension(layout, i, roles[i]);
     if (!added) return refuse(added.error());
   }
-  return finished(file, std::move(layout));
+  return finished(file, variable, std::move(layout));
 }
 
 Checked<NetcdfLayout> layout_over(const NetcdfFile& file, const NetcdfVariable& variable,
@@ -213,6 +234,8 @@ Checked<NetcdfLayout> layout_over(const NetcdfFile& file, const NetcdfVariable& 
     const NetcdfVariable* coordinate = coordinate_of(file, dimensions[i]);
     const AxisRole role =
         coordinate == nullptr ? role_of_dimension(file, dimensions[i]) : role_of(*coordinate);
+    if (role == AxisRole::unknown && coordinate != nullptr && counts_pressure(*coordinate))
+      return refuse(levels_of_pressure(dimensions[i].name, variable.name()));
     if (role == AxisRole::model_level && layout.depth_dimension == std::nullopt) {
       layout.depth_dimension = i;
       layout.bed_levels = static_cast<std::size_t>(dimensions[i].size);
@@ -225,7 +248,7 @@ Checked<NetcdfLayout> layout_over(const NetcdfFile& file, const NetcdfVariable& 
   }
   layout.x = indices(dimensions[x_dimension].size);
   layout.y = indices(x_dimension == y_dimension ? 1 : dimensions[y_dimension].size);
-  return finished(file, std::move(layout));
+  return finished(file, variable, std::move(layout));
 }
 
 Checked<std::vector<double>> read_slice(const NetcdfVariable& variable, const NetcdfLayout& layout,

@@ -1,0 +1,222 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <ostream>
+
+#include "tests/storage/ingest/choice_fixture.hpp"
+#include "tests/support/property.hpp"
+
+namespace floeplan::ingest::variable_level_test {
+namespace {
+
+using testing::HasSubstr;
+
+class LevelChoice : public Choice {};
+
+/// Names of producers for currents without levels, and the depth at which they are stored; NaN: at every depth.
+struct NoLevels {
+  const char* first;
+  const char* second;
+  Texts first_texts;
+  Texts second_texts;
+  double depth_m;
+  const char* warning;
+};
+
+TEST_F(LevelChoice, OfCurrentsWithoutLevelsLeavesThemWhereTheyAre) {
+  const double all = std::nan("");
+  const char* const surface = "surface alone";
+  const char* const mean = "means over the whole water column";
+  const std::vector<NoLevels> files{
+      {"u_sur", "v_sur", {}, {}, 0.0, surface},
+      {"u_sur_eastward", "v_sur_northward", {}, {}, 0.0, surface},
+      {"ssu", "ssv", {}, {}, 0.0, surface},
+      {"a",
+       "b",
+       {{"standard_name", "surface_" + eastward_current}},
+       {{"standard_name", "surface_" + northward_current}},
+       0.0,
+       surface},
+      {"uo",
+       "vo",
+       {{"standard_name", eastward_current}, {"long_name", "Eastward surface current"}},
+       {{"standard_name", northward_current}, {"long_name", "Northward surface current"}},
+       0.0,
+       surface},
+      {"ubar", "vbar", {}, {}, all, mean},
+      {"ubar_eastward", "vbar_northward", {}, {}, all, mean},
+      {"ubar",
+       "vbar",
+       {{"long_name", "vertically integrated u-momentum component"}},
+       {{"long_name", "vertically integrated v-momentum component"}},
+       all,
+       mean},
+      {"a",
+       "b",
+       {{"standard_name", "barotropic_" + eastward_current}},
+       {{"standard_name", "barotropic_" + northward_current}},
+       all,
+       mean},
+      {"u-vel",
+       "v-vel",
+       {{"standard_name", "eastward_water_velocity"},
+        {"long_name", "water column vertically averaged east/west velocity"}},
+       {{"standard_name", "northward_water_velocity"},
+        {"long_name", "water column vertically averaged north/south velocity"}},
+       all,
+       mean},
+      {"uo",
+       "vo",
+       {{"standard_name", eastward_current}, {"cell_methods", "depth: mean time: mean"}},
+       {{"standard_name", northward_current}, {"cell_methods", "depth: mean time: mean"}},
+       all,
+       mean},
+      {"u_15m",
+       "v_15m",
+       {{"standard_name", eastward_current}},
+       {{"standard_name", northward_current}},
+       15.0,
+       "at a depth of 15 m"},
+      {"ua",
+       "va",
+       {{"long_name", "Vertically Averaged x-velocity"}},
+       {{"long_name", "Vertically Averaged y-velocity"}},
+       all,
+       mean},
+      {"ua",
+       "va",
+       {{"standard_name", eastward_current}, {"long_name", "velocity at 15 m"}},
+       {{"standard_name", northward_current}, {"long_name", "velocity at 15 m"}},
+       15.0,
+       "at a depth of 15 m"},
+  };
+  for (const NoLevels& file : files) {
+    const auto report =
+        outcome(write({{file.first, 0.25, file.first_texts}, {file.second, -0.25, file.second_texts}}));
+    expect_pair(stored(report), 0.25, report);
+    EXPECT_THAT(words(report), HasSubstr(file.warning)) << file.first;
+    const auto depths = field_of(report).samples().depths_m;
+    EXPECT_EQ(depths.has_value(), !std::isnan(file.depth_m)) << file.first;
+    if (depths) {
+      EXPECT_EQ(depths->nodes(), std::vector{file.depth_m}) << file.first;
+    }
+  }
+}
+
+TEST_F(LevelChoice, PrefersLevelsToTheSurfaceAndTheSurfaceToTheMean) {
+  std::vector<Field> fields = pair_of("ubar", "vbar", 0.2);
+  for (const Field& field : pair_of("u_sur", "v_sur", 0.3)) fields.push_back(field);
+  const auto surface = outcome(write(fields));
+  expect_pair(stored(surface), 0.3, surface);
+
+  for (const Field& field : pair_of("u", "v", 0.4)) fields.push_back(field);
+  const auto whole = outcome(write(fields));
+  expect_pair(stored(whole), 0.4, whole);
+  EXPECT_THAT(words(whole), testing::Not(HasSubstr("also holds")));
+}
+
+/// A level of currents and the depth that it is at, in any unit of length; positive up or down.
+TEST_F(LevelChoice, OfALevelBesideTheVariableIsThatOfALevelAlongADimension) {
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    const double depth_m = support::uniform_int(rng, 0, 400);
+    const bool up = support::uniform_int(rng, 0, 1) == 1;
+    const bool centimetres = support::uniform_int(rng, 0, 1) == 1;
+    Level level{.name = support::uniform_int(rng, 0, 1) == 1 ? "depth" : "z",
+                .value = depth_m * (centimetres ? 100.0 : 1.0) * (up ? -1.0 : 1.0),
+                .texts = {{"units", centimetres ? "cm" : "m"},
+                          {"positive", up ? "up" : "down"},
+                          {"standard_name", up ? "height" : "depth"}}};
+    for (const bool is_dimension : {false, true}) {
+      level.is_dimension = is_dimension;
+      const auto report = outcome(write(pair_of("uo", "vo", 0.25), level));
+      expect_pair(stored(report), 0.25, report);
+      const auto depths = field_of(report).samples().depths_m;
+      ASSERT_TRUE(depths) << is_dimension << words(report);
+      EXPECT_NEAR(depths->front(), depth_m, 1e-9) << is_dimension;
+    }
+  });
+}
+
+TEST_F(LevelChoice, OfWindIsTheOneAtTenMetresWhereverItsLevelIsStated) {
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    const double height_m =
+        std::array{2.0, 10.0, 80.0, 100.0}[static_cast<std::size_t>(support::uniform_int(rng, 0, 3))];
+    const Level level{.name = "height",
+                      .value = height_m,
+                      .texts = {{"units", "m"}, {"positive", "up"}, {"standard_name", "height"}},
+                      .is_dimension = support::uniform_int(rng, 0, 1) == 1};
+    const auto report = outcome(write({{"uwnd", 5.0, {{"standard_name", "eastward_wind"}}},
+                                       {"vwnd", -5.0, {{"standard_name", "northward_wind"}}}},
+                                      level));
+    if (height_m == 10.0) {
+      expect_pair(stored(report), 5.0, report);
+      return;
+    }
+    EXPECT_FALSE(stored(report));
+    EXPECT_THAT(words(report), HasSubstr("not at 10 m"));
+  });
+}
+
+TEST_F(LevelChoice, OfLevelsOfPressureIsRefusedBesideAVariableAndAlongADimension) {
+  for (const bool is_dimension : {false, true}) {
+    const Level level{.name = "plev",
+                      .value = 850.0,
+                      .texts = {{"units", "hPa"}, {"standard_name", "air_pressure"}},
+                      .is_dimension = is_dimension};
+    for (const auto& fields : {std::vector<Field>{{"u", 5.0, {{"standard_name", "eastward_wind"}}},
+                                                  {"v", -5.0, {{"standard_name", "northward_wind"}}}},
+                               pair_of("uo", "vo", 0.25)}) {
+      const auto report = outcome(write(fields, level));
+      EXPECT_FALSE(stored(report)) << is_dimension;
+      EXPECT_THAT(words(report), HasSubstr("are pressures")) << is_dimension;
+    }
+  }
+}
+
+TEST_F(LevelChoice, OfWindGoesByTheLevelThatNamesState) {
+  struct Named {
+    const char* first;
+    const char* second;
+    Texts texts;
+    bool at_10_m;
+  };
+  for (const Named& named :
+       {Named{"u10", "v10", {}, true}, Named{"u100", "v100", {}, false}, Named{"ua850", "va850", {}, false},
+        Named{"ugrd_850mb", "vgrd_850mb", {}, false}, Named{"wind_u_80m", "wind_v_80m", {}, false},
+        Named{"wind_u_10m", "wind_v_10m", {}, true},
+        Named{"wu", "wv", {{"long_name", "100 metre wind component"}}, false},
+        Named{"wu", "wv", {{"long_name", "10 metre wind component"}}, true},
+        Named{"wu", "wv", {{"GRIB_typeOfLevel", "isobaricInhPa"}}, false},
+        Named{"wu", "wv", {{"cell_methods", "time: maximum"}}, false},
+        Named{"wu", "wv", {{"long_name", "wind gust"}}, false}}) {
+    Texts u = named.texts;
+    Texts v = named.texts;
+    u["standard_name"] = "eastward_wind";
+    v["standard_name"] = "northward_wind";
+    const auto report = outcome(write({{named.first, 5.0, u}, {named.second, -5.0, v}}));
+    if (named.at_10_m)
+      expect_pair(stored(report), 5.0, report);
+    else
+      EXPECT_FALSE(stored(report)) << named.first << named.texts.begin()->second;
+  }
+}
+
+TEST_F(LevelChoice, OfWindIsTheOneAtTenMetresInWhateverOrder) {
+  std::vector<Field> fields{{"u100", 9.0, {{"standard_name", "eastward_wind"}}},
+                            {"v100", -9.0, {{"standard_name", "northward_wind"}}},
+                            {"u10", 5.0, {{"standard_name", "eastward_wind"}}},
+                            {"v10", -5.0, {{"standard_name", "northward_wind"}}},
+                            {"u10_std", 1.0, {{"standard_name", "eastward_wind"}}},
+                            {"v10_std", -1.0, {{"standard_name", "northward_wind"}}}};
+  support::for_each_seed(20, [&](std::mt19937_64& rng) {
+    std::ranges::shuffle(fields, rng);
+    const auto report = outcome(write(fields));
+    expect_pair(stored(report), 5.0, report);
+  });
+}
+
+}  // namespace
+}  // namespace floeplan::ingest::variable_level_test
