@@ -7,6 +7,7 @@
 #include "storage/ingest/cf_units.hpp"
 #include "storage/ingest/measurement_line.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/ingest/velocity_meaning.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -20,11 +21,26 @@ struct Pair {
   const NetcdfVariable* north{};
 };
 
-Pair find_pair(const NetcdfFile& file) {
+Pair find_named_pair(const NetcdfFile& file) {
   return {find_measured(file, {"u", "watercurrents_u", "water_velocity_eastward", "depth_avg_curr_east"},
                         {"barotropic_eastward_sea_water_velocity", "eastward_sea_water_velocity"}),
           find_measured(file, {"v", "watercurrents_v", "water_velocity_northward", "depth_avg_curr_north"},
                         {"barotropic_northward_sea_water_velocity", "northward_sea_water_velocity"})};
+}
+
+/// The components as they say themselves where their names say the contrary.
+Pair find_pair(const NetcdfFile& file) {
+  const Pair named = find_named_pair(file);
+  if (named.east == nullptr || named.north == nullptr) return named;
+  const bool crossed = stated_component(*named.east) == Component::second &&
+                       stated_component(*named.north) == Component::first;
+  return crossed ? Pair{named.north, named.east} : named;
+}
+
+/// Whether one of them says that it is the other, and that one does not.
+bool contradicts_itself(const Pair& pair) {
+  return stated_component(*pair.east) == Component::second ||
+         stated_component(*pair.north) == Component::first;
 }
 
 bool is_alone(const NetcdfVariable& variable) {
@@ -114,13 +130,19 @@ std::string without_unit(const NetcdfVariable& variable) {
 
 std::vector<std::string> names_of_currents(const NetcdfFile& file) {
   const Pair pair = find_pair(file);
-  if (pair.east == nullptr || pair.north == nullptr) return {};
+  if (pair.east == nullptr || pair.north == nullptr || contradicts_itself(pair)) return {};
   return {pair.east->name(), pair.north->name()};
 }
 
 Checked<bool> add_currents(const NetcdfFile& file, const TimeSpanOfRows& rows, TrackBuilder& track) {
   const Pair pair = find_pair(file);
   if (pair.east == nullptr || pair.north == nullptr) return true;
+  if (contradicts_itself(pair)) {
+    track.warn(
+        "the currents \"" + pair.east->name() + "\" and \"" + pair.north->name() +
+        "\" were left out: both say that they are the same component, and a wrong guess would turn them");
+    return true;
+  }
   const auto east = values_of(file, *pair.east);
   if (!east) return refuse(east.error());
   const auto north = values_beside(file, pair.north, east->size());

@@ -33,6 +33,8 @@ struct GliderFile {
   std::vector<double> north{-0.1};
   std::map<std::string, std::string> current_texts{{"units", "m s-1"}};
   double current_time{start_s + 90.0};
+  std::string first_says{};  // the standard names of both components; empty: none
+  std::string second_says{};
 
   void write(const std::filesystem::path& file) const {
     NetcdfWriter writer{file};
@@ -66,8 +68,13 @@ struct GliderFile {
     writer.text(og1 ? "TRAJECTORY" : "trajectory", trajectory);
     writer.attribute("id", trajectory);
     const auto along = east.size() > 1 ? std::vector{rows} : std::vector<std::string>{};
-    line(og1 ? "WATERCURRENTS_U" : "u", east, current_texts, along);
-    line(og1 ? "WATERCURRENTS_V" : "v", north, current_texts, along);
+    const auto texts_of = [&](const std::string& says) {
+      auto texts = current_texts;
+      if (!says.empty()) texts["standard_name"] = says;
+      return texts;
+    };
+    line(og1 ? "WATERCURRENTS_U" : "u", east, texts_of(first_says), along);
+    line(og1 ? "WATERCURRENTS_V" : "v", north, texts_of(second_says), along);
     if (og1) return;
     line("profile_id", {1}, {}, {});
     line("time_uv", {current_time}, seconds, {});
@@ -119,6 +126,17 @@ TEST_F(GliderNetcdf, OfTheIoosCenterGivesPointsAndTheCurrentOfItsProfile) {
   EXPECT_EQ(core::unix_seconds(track.currents[0].time), start_s + 90.0);
   EXPECT_EQ(track.currents[0].place, (geo::LonLat{-52.0015, 69.0015}));
   EXPECT_EQ(warnings_, "");
+}
+
+TEST_F(GliderNetcdf, TakesComponentsForWhatTheySayThatTheyAre) {
+  const std::string eastward = "barotropic_eastward_sea_water_velocity";
+  const std::string northward = "barotropic_northward_sea_water_velocity";
+  expect_current(track_of({.first_says = eastward, .second_says = northward}).currents.at(0), 0.2, -0.1);
+  db_ = repository::open_store_in_memory();
+  expect_current(track_of({.first_says = northward, .second_says = eastward}).currents.at(0), -0.1, 0.2);
+  db_ = repository::open_store_in_memory();
+  EXPECT_TRUE(track_of({.first_says = northward, .second_says = northward}).currents.empty());
+  EXPECT_THAT(warnings_, HasSubstr("the same component"));
 }
 
 TEST_F(GliderNetcdf, IsListedWithItsPeriodItsAreaAndItsVariables) {
