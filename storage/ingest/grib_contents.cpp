@@ -35,7 +35,15 @@ bool is_wind(const GribField& field) {
          std::abs(field.surface_value - wind_height_m) <= same_height_m;
 }
 
-std::string nothing_to_store(Moving what, bool direction) {
+/// Extremes, sums and deviations over a period are no state of the sea or the air.
+bool is_state(const GribField& field) { return field.statistic == 0; }
+
+std::string nothing_in_grib(Moving what, bool direction, bool statistic) {
+  if (statistic)
+    return std::string{"the GRIB file holds extremes, sums or deviations of the "} +
+           (what == Moving::sea ? "current" : "wind") +
+           " over a period, which is nothing that a vehicle or an iceberg meets; give a file with its values "
+           "or its means";
   if (what == Moving::air)
     return "the GRIB file holds no wind 10 m above the ground (discipline 0, category 2, surface 103); there "
            "is "
@@ -56,11 +64,14 @@ Checked<GribContents> grib_contents(const std::vector<GribField>& fields, Moving
   std::set<double> depths;
   const GribField* first = nullptr;
   bool direction = false;
+  bool statistic = false;
   bool one_run = true;
   for (std::size_t i = 0; i < fields.size(); ++i) {
     const GribField& field = fields[i];
     if (!(what == Moving::sea ? is_current(field) : is_wind(field))) continue;
     direction = direction || field.number <= 1;
+    statistic = statistic || !is_state(field);
+    if (!is_state(field)) continue;
     if (field.number != east_number && field.number != north_number) continue;
     if (what == Moving::sea && field.surface_type != depth_surface && field.surface_type != sea_surface)
       return refuse("the GRIB file has currents on a surface of type " + std::to_string(field.surface_type) +
@@ -81,7 +92,7 @@ Checked<GribContents> grib_contents(const std::vector<GribField>& fields, Moving
     times.insert(field.valid_s);
     depths.insert(depth_m);
   }
-  if (first == nullptr) return refuse(nothing_to_store(what, direction));
+  if (first == nullptr) return refuse(nothing_in_grib(what, direction, statistic));
 
   GribContents contents{{times.begin(), times.end()},
                         {depths.begin(), depths.end()},
@@ -111,8 +122,10 @@ Checked<std::vector<repository::DatasetKind>> kinds_of_grib(const std::filesyste
   const auto fields = grib_fields(file);
   if (!fields) return refuse(fields.error());
   std::vector<repository::DatasetKind> kinds;
-  const bool wind = std::ranges::any_of(*fields, is_wind);
-  if (!wind || std::ranges::any_of(*fields, is_current)) kinds.push_back(repository::DatasetKind::currents);
+  const bool current = std::ranges::any_of(*fields, is_current);
+  const bool wind = std::ranges::any_of(
+      *fields, [&](const GribField& field) { return is_wind(field) && (!current || is_state(field)); });
+  if (!wind || current) kinds.push_back(repository::DatasetKind::currents);
   if (wind) kinds.push_back(repository::DatasetKind::wind);
   return kinds;
 }

@@ -69,8 +69,11 @@ void describe_product(GribField& field, const GribSection& product, double refer
   field.surface_value = no_value ? 0.0
                                  : static_cast<double>(product.signed_at(25, 4)) *
                                        std::pow(10.0, -static_cast<double>(product.signed_at(24, 1)));
-  if (product_template == 8) field.valid_s = seconds_of_date(product, 35);  // the end of a mean
-  if (product_template == 11) field.valid_s = seconds_of_date(product, 38);
+  if (product_template != 8 && product_template != 11) return;
+  const std::size_t end_of_period = product_template == 8 ? 35 : 38;
+  field.valid_s = seconds_of_date(product, end_of_period);
+  const auto statistic = static_cast<int>(product.at(end_of_period + 12, 1));
+  field.statistic = statistic == 255 ? 0 : statistic;  // 255: not told
 }
 
 class Walker {

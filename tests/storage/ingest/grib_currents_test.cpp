@@ -208,6 +208,27 @@ TEST_F(GribCurrents, AreMissingWhereTheWindBlowsHigherUpAlone) {
   expect_refused(write_file("high.grb2", both_components(wind)), "no currents of the sea");
 }
 
+/// Code table 4.10: 0 a mean, 1 a sum, 2 and 3 extremes, 4 a difference, 5 and 6 a root mean square and a deviation.
+TEST_F(GribCurrents, AreNeverAStatisticOfAPeriodButItsMean) {
+  GribMessage mean;
+  mean.statistic = 0;
+  expect_turning_sea(stored(both_components(mean)), 100);
+  for (const int statistic : {1, 2, 3, 4, 5, 6}) {
+    for (const bool wind : {false, true}) {
+      GribMessage message;
+      message.statistic = statistic;
+      if (wind) message.wind_height_m = 10.0;
+      expect_refused(write_file("spread.grb2", both_components(message)),
+                     "extremes, sums or deviations of the");
+      message.first.lon_deg += 20.0;  // beside the mean of the same time, and before it
+      GribMessage beside;
+      beside.statistic = 0;
+      beside.depth_m = 5.0 + statistic + (wind ? 10.0 : 0.0);  // another file
+      expect_turning_sea(stored(both_components(message) + both_components(beside)), 100);
+    }
+  }
+}
+
 TEST_F(GribCurrents, WithAGapAreRefused) {
   GribMessage later;
   later.forecast_h = 12;

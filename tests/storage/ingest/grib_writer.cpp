@@ -214,25 +214,29 @@ std::string GribMessage::octets() const {
   grid.put(0, 1).put(values.size(), 4).put(0, 2).put(number_of(plane), 2);
   put_grid(grid, *this);
   const double surface_m = wind_height_m.value_or(depth_m);
-  const std::string product = Octets{}
-                                  .put(0, 2)
-                                  .put(0, 2)
-                                  .put(wind_height_m ? 2 : 1, 1)
-                                  .put(static_cast<std::uint64_t>(number), 1)
-                                  .put(2, 1)
-                                  .put(0, 1)
-                                  .put(0, 1)
-                                  .put(0, 2)
-                                  .put(0, 1)
-                                  .put(1, 1)
-                                  .put(static_cast<std::uint64_t>(forecast_h), 4)
-                                  .put(wind_height_m ? 103 : 160, 1)
-                                  .put(2, 1)
-                                  .put(static_cast<std::uint64_t>(std::llround(surface_m * 100.0)), 4)
-                                  .put(255, 1)
-                                  .put(255, 1)
-                                  .put(0xFFFFFFFFU, 4)
-                                  .section(4);
+  Octets product;
+  product.put(0, 2)
+      .put(statistic ? 8 : 0, 2)
+      .put(wind_height_m ? 2 : 1, 1)
+      .put(static_cast<std::uint64_t>(number), 1)
+      .put(2, 1)
+      .put(0, 1)
+      .put(0, 1)
+      .put(0, 2)
+      .put(0, 1)
+      .put(1, 1)
+      .put(static_cast<std::uint64_t>(forecast_h), 4)
+      .put(wind_height_m ? 103 : 160, 1)
+      .put(2, 1)
+      .put(static_cast<std::uint64_t>(std::llround(surface_m * 100.0)), 4)
+      .put(255, 1)
+      .put(255, 1)
+      .put(0xFFFFFFFFU, 4);
+  if (statistic) {  // of one range of six hours that ends on 2026-11-20
+    product.put(2026, 2).put(11, 1).put(20, 1).put(static_cast<std::uint64_t>(forecast_h), 1).put(0, 2);
+    product.put(1, 1).put(0, 4).put(static_cast<std::uint64_t>(*statistic), 1).put(2, 1);
+    product.put(1, 1).put(6, 4).put(255, 1).put(0, 4);
+  }
   const std::string representation = Octets{}
                                          .put(values.size(), 4)
                                          .put(0, 2)
@@ -248,7 +252,7 @@ std::string GribMessage::octets() const {
     packed.put(static_cast<std::uint64_t>(
                    std::max(0LL, std::llround((one - reference) / std::ldexp(1.0, binary_scale)))),
                2);
-  const std::string body = identification + grid.section(3) + product + representation +
+  const std::string body = identification + grid.section(3) + product.section(4) + representation +
                            Octets{}.put(255, 1).section(6) + packed.section(7) + "7777";
   return Octets{}
              .text("GRIB")
