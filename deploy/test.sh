@@ -5,7 +5,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 # What reads data from outside or computes with indices runs under the address sanitizer, what has threads under tsan.
-readonly asan_folders=(core geo graph motion ocean tide vehicle planning avoidance simulation mission ingest codec routes)
+readonly asan_folders=(elementary core geo graph motion ocean tide vehicle planning avoidance simulation mission ingest codec routes)
 readonly tsan_folders=(jobs http)
 failed_steps=()
 
