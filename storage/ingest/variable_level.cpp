@@ -72,7 +72,7 @@ std::string words_for(const Measure& measure) {
                            : measure.unit == "pa"      ? " Pa"
                            : is_pressure(measure.unit) ? " hPa"
                                                        : "";
-  return number(measure.value) + unit;
+  return (unit.empty() ? "level " : "") + number(measure.value) + unit;
 }
 
 WindLevel wind_level(const Measure& measure) {

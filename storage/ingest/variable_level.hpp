@@ -15,7 +15,7 @@ namespace floeplan::ingest {
 /// the GRIB field that it was made from states it.
 struct WindLevel {
   bool at_10_m{false};
-  std::string words;  // "100 m", "850 hPa", "100"
+  std::string words;  // "100 m", "850 hPa", "level 100"
 };
 [[nodiscard]] std::optional<WindLevel> wind_level_in_words(const NetcdfVariable& variable);
 

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <ostream>
+#include <tuple>
 
 #include "tests/storage/ingest/choice_fixture.hpp"
 #include "tests/support/property.hpp"
@@ -201,6 +201,17 @@ TEST_F(LevelChoice, OfWindGoesByTheLevelThatNamesState) {
       expect_pair(stored(report), 5.0, report);
     else
       EXPECT_FALSE(stored(report)) << named.first << named.texts.begin()->second;
+  }
+}
+
+TEST_F(LevelChoice, OfWindElsewhereIsRefusedWithTheLevelThatItsNameStates) {
+  for (const auto& [first, second, level] : {std::tuple{"u100", "v100", "the wind at level 100"},
+                                             {"ugrd_850mb", "vgrd_850mb", "the wind at 850 hPa"},
+                                             {"u_80m", "v_80m", "the wind at 80 m"}}) {
+    const auto report = outcome(write({{first, 5.0, {{"standard_name", "eastward_wind"}}},
+                                       {second, -5.0, {{"standard_name", "northward_wind"}}}}));
+    EXPECT_FALSE(stored(report));
+    EXPECT_THAT(words(report), HasSubstr(level));
   }
 }
 
