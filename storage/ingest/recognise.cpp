@@ -105,6 +105,11 @@ std::string nothing_known(const NetcdfFile& file) {
              "(one file with its mesh, hvel and zcor), or interpolate them to longitude, latitude and depth "
              "first";
   if (std::string left_out = ice_left_out(file); !left_out.empty()) return left_out;
+  if (const std::string product = file.attribute("productSpecification"); product.starts_with("INT.IHO.S-"))
+    return "this is a dataset of the product " + product +
+           " in HDF5, as S-100 lays it out, which this program does not read; ask its producer for the same "
+           "data "
+           "as NetCDF";
   if (holds_ice_thickness(file))
     return "the file holds a thickness of sea ice but no concentration; how much of the sea is covered is "
            "not known from "

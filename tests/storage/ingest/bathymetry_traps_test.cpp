@@ -14,6 +14,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/places.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::ingest::bathymetry_traps_test {
@@ -247,6 +248,17 @@ TEST_F(BathymetryTraps, DepthsInAnyUnitOfLengthBecomeMetres) {
     const auto least = least_of(depths.depth_m());
     EXPECT_NEAR(least, depth_m, 1e-3 * depth_m) << unit.name;
   });
+}
+
+/// Of a public report on other programs.
+TEST_F(BathymetryTraps, DepthsOfACaseInOtherUnitsAreThoseThatItStates) {
+  const auto cases =
+      std::filesystem::path{support::source_folder()} / "../shared/data/cases/17-small-refusals";
+  if (!std::filesystem::exists(cases)) GTEST_SKIP() << "the sample data are not on this machine";
+  for (const char* const name : {"depth_fathoms.nc", "depth_ft.nc", "depth_cm.nc"}) {
+    const auto sea = stored(cases / name);
+    EXPECT_NEAR(sea.depth({-7.5, 52.0}).value().value, 100.0 + 20.0 * 2.5 + 10.0 * 2.0, 1e-3) << name;
+  }
 }
 
 TEST_F(BathymetryTraps, DynamicTopographyIsNotTheSeaFloor) {

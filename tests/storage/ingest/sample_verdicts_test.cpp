@@ -47,6 +47,13 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"tides/ttide_constituents_shallow.nc", "neither currents of the sea"},
                     Refused{"tides/uhslc_h820_nuuk_hourly.nc", "neither currents of the sea"}));
 
+INSTANTIATE_TEST_SUITE_P(
+    S100, SampleWithoutData,
+    testing::Values(Refused{"s100/111US00_Florida_Ovp_20260111_20260120.h5", "product INT.IHO.S-111"},
+                    Refused{"s100/104US00_Florida_Ovp_20260111_20260120.h5", "product INT.IHO.S-104"},
+                    Refused{"s100/102US005MIACB252257.h5", "product INT.IHO.S-102"},
+                    Refused{"s100/101AA005C1MNS.000", ""}));
+
 /// Every sample is named in a test of this folder, here or where its values are compared.
 TEST(Samples, AreAllJudged) {
   if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
