@@ -1,6 +1,7 @@
 #include "api/codec/flight_comparison.hpp"
 
 #include "api/codec/input_reader.hpp"
+#include "api/codec/vehicle_axes_document.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -105,7 +106,8 @@ json comparison_document(std::span<const ComparedDive> dives) {
                       {"positions_apart_m", compared.apart_m},
                       {"positions_apart_pct", 100.0 * compared.apart_share},
                       {"parasite_drag", compared.parasite_drag},
-                      {"trim_cm3", 1e6 * dive.logged.trim().value}});
+                      {"trim_cm3", 1e6 * dive.logged.trim().value},
+                      {"currents_turned_from", vehicle_axes_document(dive.logged.turned_from)}});
   }
   const simulation::ComparisonSummary summary = summary_of(dives);
   return {{"dives", std::move(listed)},

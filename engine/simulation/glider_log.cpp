@@ -36,6 +36,11 @@ std::optional<geo::LonLat> place_of(std::optional<double> lon, std::optional<dou
   return lon && lat ? mission::unpack_place(*lon, *lat) : std::nullopt;
 }
 
+geo::LonLat half_way(geo::LonLat from, geo::LonLat to) {
+  return {geo::wrap_longitude(from.lon_deg + 0.5 * geo::longitude_difference(from.lon_deg, to.lon_deg)),
+          0.5 * (from.lat_deg + to.lat_deg)};
+}
+
 struct Turn {
   std::size_t row;
   double depth_m;
@@ -65,9 +70,12 @@ class Reader {
           {"/m_ballast_pumped", "is a column that the log must have, or m_de_oil_vol, and move"});
     if (!found_.empty()) return tl::unexpected(std::move(found_));
 
+    note_axes();
     std::vector<LoggedSegment> segments;
     for (const Span& span : spans()) {
-      if (auto segment = segment_of(span)) segments.push_back(std::move(*segment));
+      const auto axes = axes_.axes(axes_at_.at(span.first));
+      if (!axes) return tl::unexpected(core::Violations{unknown_axes()});
+      if (auto segment = segment_of(span, *axes)) segments.push_back(std::move(*segment));
     }
     if (segments.empty())
       return tl::unexpected(core::Violations{{"/x_dr_state",
@@ -77,6 +85,32 @@ class Reader {
   }
 
  private:
+  static core::Violation unknown_axes() {
+    return {"/m_gps_mag_var",
+            "is a column that the log must have, or x_utm_to_lmc_00 and _01: its currents are in the "
+            "vehicle's own "
+            "axes, and the World Magnetic Model tells these from 2010 to 2030 alone"};
+  }
+
+  /// What the log says of its axes, and the number of those that hold at each row.
+  void note_axes() {
+    const auto told = [&](const char* name, std::size_t row) {
+      return log_.has(name) ? log_[name][row] : std::nullopt;
+    };
+    axes_at_.reserve(log_.rows());
+    for (std::size_t row = 0; row < log_.rows(); ++row) {
+      const auto seconds = log_["m_present_time"][row];
+      axes_at_.push_back(
+          axes_.note({.time = seconds ? std::optional{core::from_unix_seconds(*seconds)} : std::nullopt,
+                      .fix = fix_at(row),
+                      .place = place_of(log_["m_lon"][row], log_["m_lat"][row]),
+                      .cosine = told("x_utm_to_lmc_00", row),
+                      .sine = told("x_utm_to_lmc_01", row),
+                      .variation_rad = told("m_gps_mag_var", row),
+                      .utm_zone = told("x_lmc_utm_zone_digit", row)}));
+    }
+  }
+
   [[nodiscard]] std::optional<std::string> pump_column() const {
     for (const char* name : {"m_ballast_pumped", "m_de_oil_vol"}) {
       if (!log_.has(name)) continue;
@@ -119,17 +153,17 @@ class Reader {
     return core::from_unix_seconds(*seconds);
   }
 
-  [[nodiscard]] std::optional<geo::VelocityEn> current(const std::string& stem, std::size_t row) const {
+  [[nodiscard]] std::optional<geo::VelocityLmc> current(const std::string& stem, std::size_t row) const {
     if (!log_.has(stem + "_vx") || !log_.has(stem + "_vy")) return std::nullopt;
-    const auto east = log_.before(stem + "_vx", row);
-    const auto north = log_.before(stem + "_vy", row);
-    if (!east || !north) return std::nullopt;
-    return geo::VelocityEn{{*east}, {*north}};
+    const auto x = log_.before(stem + "_vx", row);
+    const auto y = log_.before(stem + "_vy", row);
+    if (!x || !y) return std::nullopt;
+    return geo::VelocityLmc{{*x}, {*y}};
   }
 
   /// What the vehicle says of this dive's current once it is up: the final estimate where it changed after the dive,
   /// else the first one.
-  [[nodiscard]] std::optional<geo::VelocityEn> depth_averaged(const Span& span) const {
+  [[nodiscard]] std::optional<geo::VelocityLmc> depth_averaged(const Span& span) const {
     const std::size_t last = last_row_at_surface(span);
     for (const char* stem : {"m_final_water", "m_initial_water"}) {
       const auto before = current(stem, span.surfaced);
@@ -196,7 +230,8 @@ class Reader {
     return waypoints;
   }
 
-  [[nodiscard]] std::optional<LoggedSegment> segment_of(const Span& span) const {
+  [[nodiscard]] std::optional<LoggedSegment> segment_of(const Span& span,
+                                                        const ocean::VehicleAxes& known) const {
     const auto start = place_of(log_.before("m_lon", span.first), log_.before("m_lat", span.first));
     const auto end = fix_at(span.fixed);
     const auto dived = time_of(span.first);
@@ -210,13 +245,15 @@ class Reader {
       return std::nullopt;
 
     if (!(*surfaced > *dived) || *surfaced - *dived > longest_dive) return std::nullopt;
+    const geo::LonLat middle = half_way(*start, *end);
     LoggedSegment segment{.dived = *dived,
                           .surfaced = *surfaced,
                           .fixed = *time_of(span.fixed),
                           .start = *start,
                           .end = *end,
-                          .reckoned_with = *reckoned_with,
-                          .depth_averaged = *averaged,
+                          .reckoned_with = known.axes.to_true(*reckoned_with, middle),
+                          .depth_averaged = known.axes.to_true(*averaged, middle),
+                          .turned_from = known,
                           .waypoints = waypoints};
     segment.dives = static_cast<int>(deep);
     if (!read_settings(span, turns, segment)) return std::nullopt;
@@ -285,6 +322,8 @@ class Reader {
   }
 
   LogTable log_;
+  ocean::LoggedAxes axes_;
+  std::vector<std::size_t> axes_at_;  // of each row
   core::Violations found_;
 };
 

@@ -11,6 +11,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/geo/velocity.hpp"
+#include "engine/ocean/vehicle_axes.hpp"
 
 namespace floeplan::simulation {
 
@@ -23,6 +24,7 @@ struct LoggedSegment {
   geo::LonLat end{};                 // first position after coming up
   geo::VelocityEn reckoned_with{};   // current that it steered and reckoned with on the dive
   geo::VelocityEn depth_averaged{};  // current of this dive, by the vehicle's own estimate after it
+  ocean::VehicleAxes turned_from;    // both: the vehicle's own axes, in which it logs them
   struct Waypoint {
     geo::LonLat place{};
     std::optional<core::Metres> reached_within{};  // when it turned to the next, by its dead reckoning
@@ -52,7 +54,9 @@ struct LoggedSegment {
 /// Needs    m_present_time, m_lat, m_lon, m_gps_lat, m_gps_lon, m_depth, m_pitch, x_dr_state, m_water_vx, m_water_vy,
 ///          c_wpt_lat, c_wpt_lon, m_initial_water_vx and _vy (or m_final_water_...), m_ballast_pumped or m_de_oil_vol
 /// Edges    a dive that the log does not follow to a fix after it is left out
-/// Errors   every violation at once: columns that are missing, rows that are not numbers, no whole dive
+/// Currents are turned from the vehicle's own axes to true east and north where each dive ended: see ocean::LoggedAxes.
+/// Errors   every violation at once: columns that are missing, rows that are not numbers, no whole dive, axes that
+///          nothing tells
 /// Bounds   256 MiB of text
 /// Source   x_dr_state 1: under water, 2: waits for the first fix, 3: for the next, 4: ready to dive, of the vendor's
 ///          data dictionary of firmware 10.5

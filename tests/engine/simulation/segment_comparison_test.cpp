@@ -56,7 +56,10 @@ TEST(GliderLog, TellsTheSettingsOfAFlightThatWasSimulated) {
   ASSERT_THAT(*segments, SizeIs(1));
   const LoggedSegment& segment = segments->front();
   EXPECT_NEAR(segment.start.lon_deg, support::flight_origin.lon_deg, 1e-6);
-  EXPECT_NEAR(segment.depth_averaged.north.value, -0.08, 1e-9);
+  EXPECT_NEAR(segment.depth_averaged.east.value, 0.05, 2e-4);
+  EXPECT_NEAR(segment.depth_averaged.north.value, -0.08, 2e-4);
+  EXPECT_EQ(segment.turned_from.source, ocean::VariationSource::log_variation);
+  EXPECT_EQ(segment.turned_from.axes, (geo::LocalMissionAxes{22, {support::logged_variation_rad}}));
   EXPECT_NEAR(segment.turns_down_at.value, 100.0, 4.0);
   EXPECT_NEAR(segment.dive_pitch.value, -0.4538, 0.01);
   EXPECT_NEAR(segment.climb_buoyancy.value, 230e-6, 1e-9);
@@ -134,6 +137,44 @@ TEST(GliderLog, ReadsFromARealLogWhatItsMissionFileSays) {
   EXPECT_NEAR(comet.waypoints.front().reached_within->value, 500.0, 5.0);
   EXPECT_EQ(comet.dives, 17);
   EXPECT_NEAR(comet.turns_down_at.value, 38.0, 1.5);
+}
+
+/// The log with another name for its variation, so that it has none, and its times by so much later.
+std::string without_variation(std::string log, double later_s) {
+  log.replace(log.find("m_gps_mag_var"), 13, "m_gps_no_word");
+  std::string moved;
+  for (std::size_t at = 0; at < log.size();) {
+    const std::size_t end = log.find('\n', at);
+    const std::string line = log.substr(at, end - at + 1);
+    const std::size_t comma = line.find(',');
+    const bool is_row = line.front() >= '0' && line.front() <= '9';
+    moved += is_row ? std::to_string(std::stod(line) + later_s) + line.substr(comma) : line;
+    at = end + 1;
+  }
+  return moved;
+}
+
+TEST(GliderLog, IsTurnedByTheMagneticModelWhereItTellsNoVariation) {
+  const auto told = read_glider_log(simulated_log(0.05, -0.08));
+  const auto untold = read_glider_log(without_variation(simulated_log(0.05, -0.08), 0.0));
+
+  ASSERT_TRUE(told && untold);
+  const LoggedSegment& segment = untold->front();
+  EXPECT_EQ(segment.turned_from.source, ocean::VariationSource::magnetic_model);
+  // pygeomag 1.1.0: 16.756 degrees west at 47.5 N 52 W in November 2023.
+  const double model_rad = core::degrees_to_radians(16.756);
+  EXPECT_NEAR(segment.turned_from.axes.variation_west().value, model_rad, 2e-4);
+  const double apart_rad =
+      std::atan2(segment.depth_averaged.east.value, segment.depth_averaged.north.value) -
+      std::atan2(told->front().depth_averaged.east.value, told->front().depth_averaged.north.value);
+  EXPECT_NEAR(apart_rad, support::logged_variation_rad - model_rad, 1e-3);
+}
+
+TEST(GliderLog, WhoseAxesNothingTellsIsRefused) {
+  const auto segments = read_glider_log(without_variation(simulated_log(0.05, -0.08), -8e8));
+
+  ASSERT_FALSE(segments.has_value());
+  EXPECT_THAT(segments.error(), Contains(Field(&core::Violation::field, "/m_gps_mag_var")));
 }
 
 TEST(GliderLog, RefusesWhatIsNoLogWithEveryFaultAtOnce) {

@@ -25,7 +25,11 @@ TEST(CompareFlight, SetsARealDiveBesideItsSimulation) {
   EXPECT_EQ(dive["dived"], "2019-08-21T13:56:42Z");
   EXPECT_EQ(dive["dives"]["logged"], 17.0);
   EXPECT_TRUE(outcome.json()["median"]["within_a_tenth"]);
+  EXPECT_EQ(dive["currents_turned_from"]["utm_zone"], 32);
+  EXPECT_EQ(dive["currents_turned_from"]["declination_from"], "m_gps_mag_var");
+  EXPECT_NEAR(dive["currents_turned_from"]["declination_deg"].get<double>(), 1.3, 1e-4);
   EXPECT_THAT(table.out, HasSubstr("positions apart"));
+  EXPECT_THAT(table.out, HasSubstr("currents turned from UTM zone 32, magnetic variation 1.3 degrees east"));
   EXPECT_THAT(table.out, HasSubstr("within a tenth"));
 }
 
