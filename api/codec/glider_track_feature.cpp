@@ -3,6 +3,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/codec/line_geometry.hpp"
+#include "api/codec/vehicle_axes_document.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -39,6 +40,8 @@ json glider_track_feature(const repository::StoredGliderTrack& stored) {
                   {"deepest_m", nullptr},
                   {"mean_east_m_s", nullptr},
                   {"mean_north_m_s", nullptr},
+                  {"current_frame", nullptr},
+                  {"currents_turned_from", nullptr},
                   {"times", json::array()},
                   {"depths_m", json::array()},
                   {"currents", json::array()},
@@ -47,6 +50,11 @@ json glider_track_feature(const repository::StoredGliderTrack& stored) {
   if (stored.mean_current) {
     properties["mean_east_m_s"] = stored.mean_current->east.value;
     properties["mean_north_m_s"] = stored.mean_current->north.value;
+  }
+  if (stored.current_count > 0) {
+    properties["current_frame"] = ocean::frame_name(stored.track.frame);
+    if (const auto& axes = stored.track.turned_from)
+      properties["currents_turned_from"] = vehicle_axes_document(*axes);
   }
   if (points.size() == 1) points.push_back(points.front());
   for (const ocean::TrackPoint& point : points) {

@@ -18,6 +18,21 @@ geo::LonLat between(geo::LonLat from, geo::LonLat to, double share) {
 
 }  // namespace
 
+std::string_view frame_name(CurrentFrame frame) {
+  switch (frame) {
+    case CurrentFrame::stated: return "stated";
+    case CurrentFrame::turned: return "true";
+    case CurrentFrame::vehicle: return "vehicle";
+  }
+  throw std::logic_error{"a frame without a name"};
+}
+
+std::optional<CurrentFrame> parse_current_frame(std::string_view name) {
+  for (const auto frame : {CurrentFrame::stated, CurrentFrame::turned, CurrentFrame::vehicle})
+    if (frame_name(frame) == name) return frame;
+  return std::nullopt;
+}
+
 std::optional<core::Metres> deepest(const std::vector<TrackPoint>& points) {
   std::optional<core::Metres> greatest;
   for (const TrackPoint& point : points)

@@ -3,12 +3,14 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "engine/core/units.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/geo/velocity.hpp"
+#include "engine/ocean/vehicle_axes.hpp"
 
 namespace floeplan::ocean {
 
@@ -31,11 +33,24 @@ struct DepthAveragedCurrent {
   friend bool operator==(const DepthAveragedCurrent&, const DepthAveragedCurrent&) = default;
 };
 
+/// In which frame the currents of a track are.
+enum class CurrentFrame {
+  stated,  // east and north as their file calls them; not every producer turned them from the vehicle's own axes
+  turned,   // true east and north: turned from the vehicle's own axes
+  vehicle,  // the vehicle's own axes, under the names of east and north: stored before they were turned
+};
+
+/// "stated", "true" or "vehicle".
+[[nodiscard]] std::string_view frame_name(CurrentFrame frame);
+[[nodiscard]] std::optional<CurrentFrame> parse_current_frame(std::string_view name);
+
 /// What a glider's data tell of its way: points and currents, each oldest first.
 struct GliderTrack {
   std::string glider;  // the name that its file gives it, or its deployment
   std::vector<TrackPoint> points;
   std::vector<DepthAveragedCurrent> currents;
+  CurrentFrame frame{CurrentFrame::stated};
+  std::optional<VehicleAxes> turned_from{};  // of the first current; empty unless turned
 
   friend bool operator==(const GliderTrack&, const GliderTrack&) = default;
 };

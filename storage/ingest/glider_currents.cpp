@@ -118,6 +118,11 @@ std::vector<Run> runs_of(const std::vector<double>& east, const std::vector<doub
   return runs;
 }
 
+/// Writers of NetCDF name the vehicle's sensor that they took a variable from.
+bool is_of_vehicle_axes(const NetcdfVariable& variable) {
+  return contains_any(lower(variable.attribute("source")), {"_water_vx", "_water_vy"});
+}
+
 std::string without_unit(const NetcdfVariable& variable) {
   const std::string unit = variable.attribute("units");
   return "the depth-averaged current \"" + variable.name() + "\" " +
@@ -165,6 +170,11 @@ Checked<bool> add_currents(const NetcdfFile& file, const TimeSpanOfRows& rows, T
       return true;
     }
   }
+
+  if (is_of_vehicle_axes(*pair.east))
+    track.warn(
+        "\"" + pair.east->name() + "\" says that it was taken from " + pair.east->attribute("source") +
+        ", which a Slocum logs in its own axes; unless its producer turned it, give the vehicle's own log");
 
   const NetcdfVariable* time = beside(file, {"time_uv", "time_watercurrents"}, "time", *pair.east);
   const auto times = values_beside(file, time, east->size());

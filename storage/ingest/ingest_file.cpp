@@ -181,12 +181,13 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
                       "another dataset already has the id " + stored->id.value +
                           "; two files share the first digits of their checksum; remove the other one first"),
               std::nullopt};
-    return {{.file = names_of(files, options),
-             .status = IngestStatus::unchanged,
-             .dataset = std::move(stored),
-             .warnings = {},
-             .errors = {}},
-            std::nullopt};
+    if (!stored->outdated)
+      return {{.file = names_of(files, options),
+               .status = IngestStatus::unchanged,
+               .dataset = std::move(stored),
+               .warnings = {},
+               .errors = {}},
+              std::nullopt};
   }
   auto data = prepare(file, files, kind, options, progress);
   if (!data) return {refused(files, options, data.error()), std::nullopt};
@@ -199,10 +200,12 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
   return {{}, std::move(*data)};
 }
 
-/// Stores what was checked. Runs inside the file's transaction.
+/// Stores what was checked, in place of what was misread of the same file. Runs inside the file's transaction.
 IngestReport store(sqlite::Connection& db, const FileGroup& files, const IngestOptions& options,
                    const PreparedDataset& data, Dataset dataset) {
-  repository::DatasetRepository{db}.insert(dataset);
+  repository::DatasetRepository datasets{db};
+  if (const auto before = datasets.find(dataset.id); before && before->outdated) datasets.remove(dataset.id);
+  datasets.insert(dataset);
   const auto written = data.write(db, dataset.id);
   if (!written) return refused(files, options, written.error());
   return {.file = dataset.provenance.file_name,

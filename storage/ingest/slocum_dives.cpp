@@ -1,6 +1,8 @@
 #include "storage/ingest/slocum_dives.hpp"
 
 #include <algorithm>
+#include <string>
+#include <utility>
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/packed_degrees.hpp"
@@ -16,9 +18,9 @@ constexpr double surface_m = 1.5;
 constexpr double fastest_m_s = 10.0;
 constexpr double slack_m = 1'000.0;
 
-std::optional<geo::VelocityEn> current_of(const SlocumRow& row, SlocumSensor east, SlocumSensor north) {
-  if (!row[east] || !row[north]) return std::nullopt;
-  return geo::VelocityEn{{*row[east]}, {*row[north]}};
+std::optional<geo::VelocityLmc> current_of(const SlocumRow& row, SlocumSensor x, SlocumSensor y) {
+  if (!row[x] || !row[y]) return std::nullopt;
+  return geo::VelocityLmc{{*row[x]}, {*row[y]}};
 }
 
 std::optional<geo::LonLat> place_of(const SlocumRow& row, SlocumSensor lon, SlocumSensor lat) {
@@ -55,12 +57,23 @@ std::optional<bool> SlocumDives::under_water(const SlocumRow& row) {
 }
 
 void SlocumDives::note_currents(const SlocumRow& row) {
-  const auto note = [&](Current& known, SlocumSensor east, SlocumSensor north) {
-    if (const auto current = current_of(row, east, north)) known = current;
+  const auto note = [&](Current& known, SlocumSensor x, SlocumSensor y) {
+    if (const auto current = current_of(row, x, y)) known = current;
   };
-  note(known_.water, SlocumSensor::water_east, SlocumSensor::water_north);
-  note(known_.initial, SlocumSensor::initial_east, SlocumSensor::initial_north);
-  note(known_.final_one, SlocumSensor::final_east, SlocumSensor::final_north);
+  note(known_.water, SlocumSensor::water_x, SlocumSensor::water_y);
+  note(known_.initial, SlocumSensor::initial_x, SlocumSensor::initial_y);
+  note(known_.final_one, SlocumSensor::final_x, SlocumSensor::final_y);
+}
+
+void SlocumDives::note_axes(const SlocumRow& row, core::UtcTime time) {
+  const auto fix = fix_of(row);
+  axes_now_ = axes_.note({.time = time,
+                          .fix = fix,
+                          .place = fix ? fix : place_of(row, SlocumSensor::lon, SlocumSensor::lat),
+                          .cosine = row[SlocumSensor::utm_to_lmc_00],
+                          .sine = row[SlocumSensor::utm_to_lmc_01],
+                          .variation_rad = row[SlocumSensor::variation],
+                          .utm_zone = row[SlocumSensor::utm_zone]});
 }
 
 void SlocumDives::note_place(const SlocumRow& row, core::UtcTime time) {
@@ -102,12 +115,13 @@ void SlocumDives::take(const SlocumRow& row) {
   const auto below = under_water(row);
   if (below && *below && (!dive_ || dive_->surfaced)) {
     settle();
-    dive_ = Dive{.dived = time, .from = place_, .surfaced = {}, .to = {}, .known = {}};
+    dive_ = Dive{.dived = time, .from = place_, .surfaced = {}, .to = {}, .known = {}, .axes = axes_now_};
   } else if (below && !*below && dive_ && !dive_->surfaced) {
     dive_->surfaced = time;
     dive_->known = known_;
   }
   note_currents(row);
+  note_axes(row, time);
   note_place(row, time);
 }
 
@@ -123,11 +137,15 @@ void SlocumDives::settle() {
     found = known_.water;
   }
   if (found) {
-    TrackCurrent current{.time = dive_->dived + 0.5 * (*dive_->surfaced - dive_->dived),
-                         .place = std::nullopt,
-                         .current = *found};
-    if (dive_->from && dive_->to) current.place = middle(*dive_->from, *dive_->to);
-    track_.add(current);
+    Met met{.time = dive_->dived + 0.5 * (*dive_->surfaced - dive_->dived),
+            .place = std::nullopt,
+            .near = dive_->to     ? dive_->to
+                    : dive_->from ? dive_->from
+                                  : place_,
+            .current = *found,
+            .axes = dive_->axes};
+    if (dive_->from && dive_->to) met.near = met.place = middle(*dive_->from, *dive_->to);
+    met_.push_back(met);
   }
   dive_.reset();
 }
@@ -137,8 +155,34 @@ void SlocumDives::add_early_rows() {
   before_first_fix_ = {};
 }
 
+void SlocumDives::turn_currents() {
+  std::size_t unknown = 0;
+  for (const Met& met : met_) {
+    const auto known = axes_.axes(met.axes);
+    if (!known || !met.near) {
+      ++unknown;
+      continue;
+    }
+    track_.add(TrackCurrent{
+        .time = met.time, .place = met.place, .current = known->axes.to_true(met.current, *met.near)});
+    track_.turned_from(*known);
+    track_.warn(
+        "the depth-averaged currents were turned from the vehicle's own axes to true east and north: " +
+        ocean::words_of(*known));
+    for (std::string& doubt : axes_.doubts(met.axes)) track_.warn(std::move(doubt));
+  }
+  if (unknown > 0)
+    track_.warn(
+        std::to_string(unknown) +
+        (unknown == 1 ? " depth-averaged current is" : " depth-averaged currents are") +
+        " in the vehicle's own axes and left out: the log has neither x_utm_to_lmc_00 and _01 nor "
+        "m_gps_mag_var, and the World Magnetic Model is known from 2010 to 2030 alone; convert the log "
+        "with m_gps_mag_var");
+}
+
 void SlocumDives::finish() {
   settle();
+  turn_currents();
   add_early_rows();
 }
 

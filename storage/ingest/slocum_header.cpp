@@ -62,8 +62,11 @@ Checked<Tags> tags_of(std::string_view bytes) {
   return tags;
 }
 
-/// In which unit masterdata lists a sensor, and its position, current, depth and time are read.
+/// In which unit masterdata lists a sensor, and its position, current, axes, depth and time are read.
 std::string_view unit_of(std::string_view sensor) {
+  if (sensor.starts_with("x_utm_to_lmc_")) return "nodim";
+  if (sensor == "x_lmc_utm_zone_digit") return "byte";
+  if (sensor == "m_gps_mag_var") return "rad";
   if (sensor.ends_with("_vx") || sensor.ends_with("_vy")) return "m/s";
   if (sensor.ends_with("_lat")) return "lat";
   if (sensor.ends_with("_lon")) return "lon";

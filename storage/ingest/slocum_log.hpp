@@ -12,11 +12,11 @@
 
 namespace floeplan::ingest {
 
-/// Sensors of a Slocum's log that its way and its currents follow from, in the order of SlocumRow.
+/// Sensors of a Slocum's log that its way, its currents and the axes of these follow from, in the order of SlocumRow.
 inline constexpr auto slocum_sensors = std::to_array<std::string_view>(
     {"m_present_time", "m_lat", "m_lon", "m_gps_lat", "m_gps_lon", "m_gps_status", "m_depth", "x_dr_state",
      "m_water_vx", "m_water_vy", "m_initial_water_vx", "m_initial_water_vy", "m_final_water_vx",
-     "m_final_water_vy"});
+     "m_final_water_vy", "m_gps_mag_var", "x_utm_to_lmc_00", "x_utm_to_lmc_01", "x_lmc_utm_zone_digit"});
 
 enum class SlocumSensor {
   time,
@@ -27,12 +27,16 @@ enum class SlocumSensor {
   gps_status,
   depth,
   dr_state,
-  water_east,
-  water_north,
-  initial_east,
-  initial_north,
-  final_east,
-  final_north
+  water_x,
+  water_y,
+  initial_x,
+  initial_y,
+  final_x,
+  final_y,
+  variation,
+  utm_to_lmc_00,
+  utm_to_lmc_01,
+  utm_zone
 };
 
 /// What was logged in one cycle, in the log's own units; empty where a sensor was not updated.

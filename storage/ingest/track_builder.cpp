@@ -194,6 +194,14 @@ Checked<PreparedDataset> TrackBuilder::prepared(std::vector<std::string> variabl
   ocean::GliderTrack track{.glider = std::move(glider_), .points = points(), .currents = {}};
   rows_ = {};
   track.currents = currents(track.points);
+  if (turned_from_) {
+    track.frame = ocean::CurrentFrame::turned;
+    track.turned_from = turned_from_;
+  } else if (!track.currents.empty()) {
+    warn(
+        "the depth-averaged currents are taken as true east and north, as the file states them; not every "
+        "producer turns them from the vehicle's own axes; ask the producer if they look turned");
+  }
   warn_of_speed(track.points);
 
   PreparedDataset data;

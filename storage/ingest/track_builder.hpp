@@ -35,14 +35,20 @@ class TrackBuilder {
   explicit TrackBuilder(std::string glider) : glider_{std::move(glider)} {}
 
   void add(const TrackRow& row);
+  /// Towards true east and north, as the file states it unless `turned_from` says otherwise.
   void add(const TrackCurrent& current) { currents_.push_back(current); }
+  /// The currents were turned from these axes; the first ones count.
+  void turned_from(const ocean::VehicleAxes& axes) {
+    if (!turned_from_) turned_from_ = axes;
+  }
   /// A row that cannot be used at all.
   void refuse_row() { ++rows_refused_; }
   /// For the user, in the order of the calls; the same words are said once.
   void warn(std::string words);
 
   /// The track, with its times ascending. Left out and told: places that are none, depths and currents that cannot be,
-  /// currents of exactly nothing. Told alone: a speed over ground between fixes that no glider has.
+  /// currents of exactly nothing. Told alone: a speed over ground between fixes that no glider has, and currents whose
+  /// frame is only stated.
   /// Errors   no row with a place is left
   [[nodiscard]] Checked<PreparedDataset> prepared(std::vector<std::string> variables) &&;
 
@@ -60,6 +66,7 @@ class TrackBuilder {
   std::string glider_;
   std::vector<TrackRow> rows_;
   std::vector<TrackCurrent> currents_;
+  std::optional<ocean::VehicleAxes> turned_from_;
   std::vector<std::string> warnings_;
   std::int64_t rows_refused_{};
   std::size_t seen_{};

@@ -51,6 +51,7 @@ struct Dataset {
   std::int64_t rows_refused{};
   std::vector<std::string> warnings;
   Provenance provenance;
+  bool outdated{false};  // misread by an earlier program: the same file, given again, replaces it
 };
 
 /// The order in which datasets win: the model run that began last first. A file that does not state its run counts as

@@ -10,7 +10,8 @@ namespace {
 constexpr const char* select_dataset =
     "SELECT row, id, kind, name, west_deg, south_deg, east_deg, north_deg, time_start_s, time_end_s, "
     "rows_accepted, "
-    "rows_refused, file_name, file_size_bytes, sha256, ingested_s, tool_version, run_s FROM dataset "
+    "rows_refused, file_name, file_size_bytes, sha256, ingested_s, tool_version, run_s, outdated FROM "
+    "dataset "
     "WHERE arriving_s IS NULL ";
 
 void insert_texts(sqlite::Connection& db, std::int64_t row, const std::string& role,
@@ -48,7 +49,8 @@ Dataset read_dataset(sqlite::Connection& db, const sqlite::Statement& row) {
                          .file_size_bytes = row.integer(13),
                          .sha256 = row.text(14),
                          .ingested = row.time(15),
-                         .tool_version = row.text(16)}};
+                         .tool_version = row.text(16)},
+          .outdated = row.integer(18) != 0};
 }
 
 }  // namespace
@@ -59,15 +61,15 @@ void DatasetRepository::insert(const Dataset& dataset) {
       db_,
       "INSERT INTO dataset (id, kind, name, west_deg, south_deg, east_deg, north_deg, time_start_s, "
       "time_end_s, "
-      "rows_accepted, rows_refused, file_name, file_size_bytes, sha256, ingested_s, tool_version, run_s) "
-      "VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17)"};
+      "rows_accepted, rows_refused, file_name, file_size_bytes, sha256, ingested_s, tool_version, run_s, "
+      "outdated) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13, ?14, ?15, ?16, ?17, ?18)"};
   const geo::BoundingBox& bounds = dataset.bounds;
   const Provenance& provenance = dataset.provenance;
   insert.bind_all(dataset.id.value, kind_name(dataset.kind), dataset.name, bounds.west_deg, bounds.south_deg,
                   bounds.east_deg, bounds.north_deg, dataset.time_start, dataset.time_end,
                   dataset.rows_accepted, dataset.rows_refused, provenance.file_name,
                   provenance.file_size_bytes, provenance.sha256, provenance.ingested, provenance.tool_version,
-                  dataset.run);
+                  dataset.run, static_cast<std::int64_t>(dataset.outdated));
   insert.run();
   const std::int64_t row = dataset_row(db_, dataset.id);
   insert_texts(db_, row, "variable", dataset.variables);

@@ -74,6 +74,9 @@ std::string copy(const Table& table, const std::string& into, const std::vector<
     values += separator + column;
     if (column == "row") values += " + " + std::to_string(table.row_offset);
     if (column == "dataset_row") values += " + " + std::to_string(dataset_offset);
+    // Hidden under a name that nothing else can have, since a dataset that this one replaces has its own still.
+    if (table.name == "dataset" && column == "id")
+      values += " || '~' || (row + " + std::to_string(table.row_offset) + ")";
   }
   return " INTO main." + into + " (" + names + ") SELECT " + values + " FROM arrived." + into + " ";
 }
@@ -107,14 +110,18 @@ void remove_arrivals_of_the_dead(sqlite::Connection& db) {
   if (any.step()) sqlite::execute(db, "DELETE FROM main.dataset WHERE " + abandoned);
 }
 
+/// What is there and not here, or here in a form that what is there replaces.
+constexpr const char* fresh_datasets =
+    "SELECT row, id FROM arrived.dataset AS there WHERE NOT EXISTS (SELECT 1 FROM main.dataset AS here WHERE "
+    "here.id = there.id AND here.outdated <= there.outdated) ORDER BY row";
+
 /// Hidden rows for what is new, under an id that nothing else can have.
 std::vector<Arrival> announce(sqlite::Connection& db) {
   sqlite::Transaction transaction{db};
   const Table datasets = table_of(db, "dataset");
   std::vector<Arrival> arrivals;
   {
-    sqlite::Statement fresh{
-        db, "SELECT row, id FROM arrived.dataset WHERE id NOT IN (SELECT id FROM main.dataset) ORDER BY row"};
+    sqlite::Statement fresh{db, fresh_datasets};
     while (fresh.step())
       arrivals.push_back({{fresh.text(1)}, fresh.integer(0), fresh.integer(0) + datasets.row_offset});
   }
@@ -124,10 +131,7 @@ std::vector<Arrival> announce(sqlite::Connection& db) {
         db,
         "INSERT" + copy(datasets, datasets.name, datasets.columns, datasets.row_offset) + "WHERE row = ?1",
         arrival.there);
-    sqlite::Statement hide{
-        db, "UPDATE main.dataset SET id = id || '~' || row, arriving_s = unixepoch() WHERE row = ?1"};
-    hide.bind(1, arrival.here);
-    hide.run();
+    run_for(db, "UPDATE main.dataset SET arriving_s = unixepoch() WHERE row = ?1", arrival.here);
     run_for(db,
             "INSERT" + copy(grids, grids.name, grids.columns, arrival.here - arrival.there) +
                 "WHERE dataset_row = ?1",
@@ -197,6 +201,10 @@ std::vector<DatasetId> show(sqlite::Connection& db, const std::vector<Arrival>& 
   sqlite::execute(db, "PRAGMA defer_foreign_keys = ON");
   std::vector<DatasetId> ids;
   for (const Arrival& arrival : arrivals) {
+    run_for(db,
+            "DELETE FROM main.dataset WHERE outdated = 1 AND id = (SELECT id FROM arrived.dataset WHERE row "
+            "= ?1)",
+            arrival.there);
     if (find_dataset_row(db, arrival.id)) {
       remove_row(db, arrival);
       continue;

@@ -22,7 +22,7 @@ constexpr int first_of_box = 6;
 
 const std::string columns =
     "row, (SELECT id FROM dataset WHERE dataset.row = dataset_row), glider, points, deepest_m, way, "
-    "dataset_row, position ";
+    "dataset_row, position, frame, variation_source, variation_west_rad, utm_zone ";
 
 std::vector<double> flattened(const std::vector<ocean::TrackPoint>& points) {
   const std::size_t count = points.size();
@@ -69,11 +69,23 @@ std::vector<ocean::DepthAveragedCurrent> currents_of(sqlite::Connection& db, con
   return currents;
 }
 
+std::optional<ocean::VehicleAxes> axes_of(const sqlite::Statement& row) {
+  const auto name = row.optional_text(9);
+  const auto variation_west_rad = row.optional_real(10);
+  const auto source = name ? ocean::parse_variation_source(*name) : std::nullopt;
+  if (!source || !variation_west_rad) return std::nullopt;
+  return ocean::VehicleAxes{{static_cast<int>(row.integer(11)), {*variation_west_rad}}, *source};
+}
+
 StoredGliderTrack read_track(sqlite::Connection& db, const sqlite::Statement& row, BlobCodec& codec) {
   StoredGliderTrack stored;
   stored.row = row.integer(0);
   stored.dataset = {row.text(1)};
-  stored.track = {.glider = row.text(2), .points = points_of(row, codec), .currents = currents_of(db, row)};
+  stored.track = {.glider = row.text(2),
+                  .points = points_of(row, codec),
+                  .currents = currents_of(db, row),
+                  .frame = ocean::parse_current_frame(row.text(8)).value(),
+                  .turned_from = axes_of(row)};
   stored.point_count = row.integer(3);
   stored.current_count = std::ssize(stored.track.currents);
   if (const auto deepest_m = row.optional_real(4)) stored.deepest = core::Metres{*deepest_m};
@@ -125,9 +137,11 @@ class TrackWriter {
  public:
   TrackWriter(sqlite::Connection& db, const DatasetId& dataset)
       : dataset_row_{dataset_row(db, dataset)},
-        track_{db,
-               "INSERT INTO glider_track (dataset_row, position, glider, start_s, end_s, deepest_m, points, "
-               "way) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8)"},
+        track_{
+            db,
+            "INSERT INTO glider_track (dataset_row, position, glider, start_s, end_s, deepest_m, points, "
+            "way, frame, variation_source, variation_west_rad, utm_zone) VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, "
+            "?8, ?9, ?10, ?11, ?12)"},
         box_{db, "INSERT INTO glider_track_box VALUES (last_insert_rowid(), ?1, ?2, ?3, ?4)"},
         current_{db,
                  "INSERT INTO glider_current (dataset_row, position, time_s, lon_deg, lat_deg, east_m_s, "
@@ -138,7 +152,11 @@ class TrackWriter {
     const auto deepest = ocean::deepest(track.points);
     track_.bind_all(dataset_row_, position, track.glider, track.points.front().time, track.points.back().time,
                     deepest ? std::optional{deepest->value} : std::nullopt, std::ssize(track.points),
-                    codec_.pack(flattened(track.points)));
+                    codec_.pack(flattened(track.points)), std::string{ocean::frame_name(track.frame)});
+    const auto& axes = track.turned_from;
+    track_.bind(10, axes ? std::optional{std::string{ocean::source_name(axes->source)}} : std::nullopt);
+    track_.bind(11, axes ? std::optional{axes->axes.variation_west().value} : std::nullopt);
+    track_.bind(12, axes ? std::optional{std::int64_t{axes->axes.utm_zone()}} : std::nullopt);
     track_.run();
     std::vector<geo::LonLat> places;
     places.reserve(track.points.size());

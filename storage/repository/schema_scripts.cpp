@@ -316,6 +316,28 @@ CREATE INDEX glider_current_by_track ON glider_current (dataset_row, position, t
 )sql",
                              R"sql(
 -- The samples of field_chunk may be counts of steps from here on; a program that does not know it must not open the store.
+)sql",
+                             R"sql(
+ALTER TABLE dataset ADD COLUMN outdated INTEGER NOT NULL DEFAULT 0;  -- 1: misread; the same file, given again, replaces it
+
+-- In which frame the currents of a track are, and from which axes they were turned. NULL: not turned.
+ALTER TABLE glider_track ADD COLUMN frame TEXT NOT NULL DEFAULT 'stated';
+ALTER TABLE glider_track ADD COLUMN variation_source TEXT;
+ALTER TABLE glider_track ADD COLUMN variation_west_rad REAL;
+ALTER TABLE glider_track ADD COLUMN utm_zone INTEGER;
+
+-- Currents from logs of Slocums were stored in the vehicle's own axes until here.
+UPDATE glider_track SET frame = 'vehicle' WHERE dataset_row IN (
+  SELECT dataset_row FROM dataset_text WHERE role = 'variable' AND text = 'm_present_time');
+UPDATE dataset SET outdated = 1 WHERE row IN (
+  SELECT glider_current.dataset_row FROM glider_current JOIN glider_track USING (dataset_row, position)
+  WHERE frame = 'vehicle');
+INSERT INTO dataset_text (dataset_row, role, position, text)
+  SELECT row, 'warning',
+    (SELECT count(*) FROM dataset_text WHERE dataset_row = dataset.row AND role = 'warning'),
+    'the depth-averaged currents are in the vehicle''s own axes, not true east and north; in Greenland''s waters they '
+    || 'point about 30 degrees off; ingest the same files again to turn them'
+  FROM dataset WHERE outdated = 1;
 )sql"};
 
 }  // namespace

@@ -50,7 +50,9 @@ class FeaturesTest : public support::ApiTest {
           .points = {{.time = start, .place = {-54.0, 69.0}, .depth = core::Metres{0.0}},
                      {.time = start + minute, .place = {-53.9, 69.0}},
                      {.time = start + 2.0 * minute, .place = {-53.8, 69.0}, .depth = core::Metres{180.0}}},
-          .currents = {{start + minute, {-53.9, 69.0}, {{0.25}, {-0.5}}}}},
+          .currents = {{start + minute, {-53.9, 69.0}, {{0.25}, {-0.5}}}},
+          .frame = ocean::CurrentFrame::turned,
+          .turned_from = ocean::VehicleAxes{{22, {0.5}}, ocean::VariationSource::log_variation}},
          {.glider = "comet", .points = {{.time = start, .place = {-50.0, 69.0}}}, .currents = {}}});
   }
   void store_plan() {
@@ -200,6 +202,10 @@ TEST_F(FeaturesTest, TracksOfGlidersHaveTheirDepthsTimesAndCurrents) {
   EXPECT_EQ(told.at("start"), told.at("times").front());
   EXPECT_EQ(told.at("mean_east_m_s"), 0.25);
   EXPECT_EQ(told.at("currents").at(0).at("north_m_s"), -0.5);
+  EXPECT_EQ(told.at("current_frame"), "true");
+  EXPECT_EQ(told.at("currents_turned_from").at("utm_zone"), 22);
+  EXPECT_NEAR(told.at("currents_turned_from").at("declination_deg").get<double>(), -28.6479, 1e-4);
+  EXPECT_EQ(told.at("currents_turned_from").at("declination_from"), "m_gps_mag_var");
   EXPECT_EQ(told.at("dataset_id"), "glider-tracks-00000000");
   const json turned = json_of(ask("GET", items + "/1?crs=http://www.opengis.net/def/crs/EPSG/0/4326"));
   EXPECT_EQ(turned.at("geometry").at("coordinates").at(2), json::parse("[69.0,-53.8,-180.0]"));
@@ -212,6 +218,7 @@ TEST_F(FeaturesTest, AGliderThatWasSeenAtOnePlaceHasALineFromThereToThere) {
   EXPECT_EQ(track.at("geometry").at("coordinates"), json::parse("[[-50.0,69.0],[-50.0,69.0]]"));
   EXPECT_EQ(track.at("properties").at("times").size(), 2U);
   EXPECT_EQ(track.at("properties").at("mean_east_m_s"), nullptr);
+  EXPECT_EQ(track.at("properties").at("current_frame"), nullptr);
 }
 
 TEST_F(FeaturesTest, LegsAndWaypointsOfPlansAreFoundByPlaceAndTime) {

@@ -108,6 +108,10 @@ class GliderNetcdf : public StoreFixture {
   std::string warnings_;
 };
 
+/// Nothing is told but that the currents are in the frame that the file states.
+const auto only_of_frame =
+    testing::MatchesRegex("\n?[^\n]*true east and north, as the file states them[^\n]*\n?");
+
 void expect_current(const ocean::DepthAveragedCurrent& found, double east_m_s, double north_m_s) {
   EXPECT_NEAR(found.current.east.value, east_m_s, 1e-9);
   EXPECT_NEAR(found.current.north.value, north_m_s, 1e-9);
@@ -125,7 +129,9 @@ TEST_F(GliderNetcdf, OfTheIoosCenterGivesPointsAndTheCurrentOfItsProfile) {
   expect_current(track.currents[0], 0.2, -0.1);
   EXPECT_EQ(core::unix_seconds(track.currents[0].time), start_s + 90.0);
   EXPECT_EQ(track.currents[0].place, (geo::LonLat{-52.0015, 69.0015}));
-  EXPECT_EQ(warnings_, "");
+  EXPECT_EQ(track.frame, ocean::CurrentFrame::stated);
+  EXPECT_FALSE(track.turned_from);
+  EXPECT_THAT(warnings_, only_of_frame);
 }
 
 TEST_F(GliderNetcdf, TakesComponentsForWhatTheySayThatTheyAre) {
@@ -169,7 +175,7 @@ TEST_P(GliderNetcdfUnit, IsReadAsItIsStatedOrTheCurrentIsLeftOut) {
   ASSERT_EQ(track.currents.size(), unit.factor > 0.0 ? 1U : 0U) << warnings_;
   if (unit.factor > 0.0) {
     expect_current(track.currents[0], 2.5 * unit.factor, -1.25 * unit.factor);
-    EXPECT_EQ(warnings_, "");
+    EXPECT_THAT(warnings_, only_of_frame);
   } else {
     EXPECT_THAT(warnings_, HasSubstr("left out"));
   }
@@ -221,6 +227,14 @@ TEST_F(GliderNetcdf, LeavesOutAFixThatItsFlagsCallBad) {
   EXPECT_NEAR(track.points[1].place.lat_deg, 69.001, 1e-12);
   EXPECT_FALSE(track.points[1].fixed);
   EXPECT_TRUE(track.points[2].fixed);
+}
+
+TEST_F(GliderNetcdf, ThatNamesAVehiclesSensorAsTheSourceOfItsCurrentsIsDoubted) {
+  const auto track = track_of({.current_texts = {{"units", "m s-1"}, {"source", "m_final_water_vx"}}});
+
+  ASSERT_EQ(track.currents.size(), 1U);
+  expect_current(track.currents[0], 0.2, -0.1);
+  EXPECT_THAT(warnings_, HasSubstr("taken from m_final_water_vx"));
 }
 
 TEST_F(GliderNetcdf, HasNoCurrentWhereItIsTheFill) {

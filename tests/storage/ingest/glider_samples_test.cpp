@@ -94,7 +94,7 @@ INSTANTIATE_TEST_SUITE_P(
 
 class SlocumSample : public StoreFixture {
  protected:
-  ocean::DepthAveragedCurrent current_of(const char* file) {
+  ocean::DepthAveragedCurrent current_of(const std::string& file) {
     const auto report = ingest(sample_folder() / file);
     EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
     const auto found = repository::GliderTrackRepository{db_}.list({}, 0, 2);
@@ -108,9 +108,28 @@ TEST_F(SlocumSample, OfCometHasTheCurrentOfItsDiveNotTheOneThatItDivedWith) {
 
   const auto current = current_of("glider/slocum_comet-2019-222-02-154_nav.csv");
 
-  EXPECT_NEAR(current.current.east.value, -0.110802, 1e-9);
-  EXPECT_NEAR(current.current.north.value, 0.162143, 1e-9);
+  // Logged -0.110802, 0.162143; the variation of 1.3 degrees east and the convergence of -1.31 undo each other.
+  EXPECT_NEAR(current.current.east.value, -0.110836, 2e-5);
+  EXPECT_NEAR(current.current.north.value, 0.162120, 2e-5);
   EXPECT_NEAR(core::unix_seconds(current.time), 0.5 * (1566395802.487976 + 1566405587.655487), 1e-3);
+}
+
+TEST_F(SlocumSample, OfCometIsTurnedByTheAxesThatItsFullLogStates) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+
+  const auto current = current_of("glider/comet-2019-222-02-154.dbd");
+
+  // Its x_utm_to_lmc_01 is the sine of 1.1 degrees east: y bears 0.21 degrees west of north.
+  const double logged_deg = core::radians_to_degrees(std::atan2(-0.110802, 0.162143));
+  const double turned_deg =
+      core::radians_to_degrees(std::atan2(current.current.east.value, current.current.north.value));
+  EXPECT_NEAR(turned_deg - logged_deg, -0.19, 0.1);
+  EXPECT_NEAR(geo::strength(current.current).value, std::hypot(0.110802, 0.162143), 1e-6);
+  const auto track = repository::GliderTrackRepository{db_}.list({}, 0, 2).tracks.at(0).track;
+  ASSERT_TRUE(track.turned_from);
+  EXPECT_EQ(track.turned_from->source, ocean::VariationSource::log_axes);
+  EXPECT_EQ(track.turned_from->axes.utm_zone(), 32);
+  EXPECT_NEAR(core::radians_to_degrees(track.turned_from->axes.variation_west().value), -1.1, 1e-3);
 }
 
 TEST_F(SlocumSample, OfAmadeusHasTheCurrentAfterTheDriftAndNoPlaceWhereItWasSwitchedOffLast) {
@@ -118,8 +137,9 @@ TEST_F(SlocumSample, OfAmadeusHasTheCurrentAfterTheDriftAndNoPlaceWhereItWasSwit
 
   const auto current = current_of("glider/slocum_amadeus-2014-204-05-000_nav.csv");
 
-  EXPECT_NEAR(current.current.east.value, 0.3666, 1e-9);
-  EXPECT_NEAR(current.current.north.value, -0.252742, 1e-9);
+  // Logged 0.3666, -0.252742; turned by the variation, 0.1 degrees west once the receiver told it, and the convergence.
+  EXPECT_NEAR(current.current.east.value, 0.372564, 1e-6);
+  EXPECT_NEAR(current.current.north.value, -0.243865, 1e-6);
   EXPECT_NEAR(core::unix_seconds(current.time), 0.5 * (1406221527.8051758 + 1406225095.6976624), 1e-3);
   // Half way between the last fix before the dive, 5415.9874 N 724.6440 E, and the first after it.
   EXPECT_NEAR(current.place.lat_deg, 54.0 + 0.5 * (15.9874 + 15.6075) / 60.0, 1e-6);

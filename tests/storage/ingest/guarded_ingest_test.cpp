@@ -131,6 +131,20 @@ TEST_F(GuardedIngest, SaysThatTheSameFileIsStoredAlready) {
   EXPECT_EQ(rows_of_data(db_), before);
 }
 
+TEST_F(GuardedIngest, ReadsAFileAgainThatAnEarlierProgramMisread) {
+  CurrentFile{}.write(path("currents.nc"));
+  ASSERT_EQ(guarded({path("currents.nc")}).front().status, IngestStatus::stored);
+  const auto before = rows_of_data(db_);
+  sqlite::execute(db_, "UPDATE dataset SET outdated = 1; DELETE FROM field_chunk");
+
+  const auto again = guarded({path("currents.nc")});
+
+  EXPECT_EQ(again.front().status, IngestStatus::stored) << words(again.front());
+  EXPECT_EQ(rows_of_data(db_), before);
+  EXPECT_EQ(stored_datasets(), 1U);
+  EXPECT_EQ(guarded({path("currents.nc")}).front().status, IngestStatus::unchanged);
+}
+
 TEST_F(GuardedIngest, RefusesTheOneFileWhoseReaderIsKilledAndKeepsTheOthers) {
   const auto files = good_files();
   ASSERT_EQ(guarded({path("zone.geojson")}).front().status, IngestStatus::stored);

@@ -137,7 +137,10 @@ TEST_F(SlocumBinary, GivesWhatTheTextOfTheSameLogGives) {
     }
   }
   ASSERT_EQ(binary.currents.size(), 1U);
-  EXPECT_NEAR(binary.currents[0].current.east.value, text.currents[0].current.east.value, 1e-6);
+  // The text lacks x_utm_to_lmc, so its currents are turned by the variation of that day, 0.2 degrees further.
+  EXPECT_NEAR(geo::strength(binary.currents[0].current).value, geo::strength(text.currents[0].current).value,
+              1e-6);
+  EXPECT_NEAR(binary.currents[0].current.east.value, text.currents[0].current.east.value, 1e-3);
 }
 
 TEST_F(SlocumBinary, IsReadInBothOrdersOfBytes) {

@@ -56,6 +56,33 @@ TEST(DatasetTransfer, TakesOverWhatIsNewAndLeavesTheRestAsItWas) {
       count(db, "sighting JOIN sighting_box USING (row) WHERE west_deg BETWEEN lon_deg - 1 AND lon_deg"), 2);
 }
 
+TEST(DatasetTransfer, ReplacesWhatIsOutdatedByWhatWasReadAnew) {
+  const support::TemporaryFolder arrived;
+  auto here = open_store_in_memory();
+  for (const char* id : {"mended", "still", "good"}) store(here, id, 10.0);
+  sqlite::execute(here, "UPDATE dataset SET outdated = 1 WHERE id <> 'good'");
+  {
+    auto there = open_scratch_store(arrived.path());
+    for (const char* id : {"mended", "still", "good"}) store(there, id, 20.0);
+    sqlite::execute(there, "UPDATE dataset SET outdated = 1 WHERE id = 'still'");
+  }
+
+  EXPECT_EQ(take_over_datasets(here, arrived.path()), std::vector{DatasetId{"mended"}});
+
+  const auto lon_deg_of = [&](const char* id) {
+    sqlite::Statement query{
+        here, "SELECT lon_deg FROM sighting WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1)"};
+    query.bind(1, std::string{id});
+    return query.step() ? query.real(0) : 0.0;
+  };
+  EXPECT_EQ(lon_deg_of("mended"), 20.0);
+  EXPECT_EQ(lon_deg_of("still"), 10.0);
+  EXPECT_EQ(lon_deg_of("good"), 10.0);
+  EXPECT_FALSE(DatasetRepository{here}.find({"mended"})->outdated);
+  EXPECT_TRUE(DatasetRepository{here}.find({"still"})->outdated);
+  EXPECT_EQ(DatasetRepository{here}.list().size(), 3U);
+}
+
 TEST(DatasetTransfer, TakesOverNothingTwice) {
   const support::TemporaryFolder arrived;
   auto db = open_store_in_memory();

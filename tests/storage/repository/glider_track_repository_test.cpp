@@ -32,6 +32,10 @@ ocean::GliderTrack random_track(std::mt19937_64& rng, const std::string& glider,
     if (support::uniform_int(rng, 0, 4) == 0)
       track.currents.push_back({time, place, {{support::uniform(rng, -1.0, 1.0)}, {0.25}}});
   }
+  track.frame = static_cast<ocean::CurrentFrame>(support::uniform_int(rng, 0, 2));
+  if (track.frame == ocean::CurrentFrame::turned)
+    track.turned_from = {{support::uniform_int(rng, 1, 60), {support::uniform(rng, -1.0, 1.0)}},
+                         static_cast<ocean::VariationSource>(support::uniform_int(rng, 0, 2))};
   return track;
 }
 

@@ -67,6 +67,7 @@ CREATE TABLE first_dataset (
 ) STRICT;
 ALTER TABLE dataset DROP COLUMN arriving_s;
 ALTER TABLE dataset DROP COLUMN run_s;
+ALTER TABLE dataset DROP COLUMN outdated;
 INSERT INTO first_dataset SELECT * FROM dataset;
 DROP TABLE tide_constant;
 DROP TABLE tide_station;
@@ -127,6 +128,7 @@ TEST(OpenStore, KnowsNoRunOfWhatWasStoredBeforeRunsWereKept) {
     sqlite::execute(db,
                     "DROP TABLE glider_current; DROP TABLE glider_track; DROP TABLE glider_track_box;"
                     "ALTER TABLE dataset DROP COLUMN arriving_s; ALTER TABLE dataset DROP COLUMN run_s;"
+                    "ALTER TABLE dataset DROP COLUMN outdated;"
                     "PRAGMA user_version = 7");
   }
 
@@ -143,7 +145,7 @@ TEST(OpenStore, TakesTracksOfGlidersIntoAStoreThatWasMadeBeforeThem) {
     DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::icebergs));
     sqlite::execute(db,
                     "DROP TABLE glider_current; DROP TABLE glider_track; DROP TABLE glider_track_box;"
-                    "PRAGMA user_version = 8");
+                    "ALTER TABLE dataset DROP COLUMN outdated; PRAGMA user_version = 8");
   }
 
   sqlite::Connection db = open_store(folder.path());
@@ -153,6 +155,49 @@ TEST(OpenStore, TakesTracksOfGlidersIntoAStoreThatWasMadeBeforeThem) {
       {"b"}, {{.glider = "amadeus", .points = {{.time = {}, .place = {}}}, .currents = {}}});
   EXPECT_EQ(GliderTrackRepository{db}.count({}), 1);
   EXPECT_EQ(DatasetRepository{db}.list().size(), 2U);
+}
+
+/// A dataset of one track, with the variables and the currents that it was read with.
+void store_track(sqlite::Connection& db, const std::string& id, std::vector<std::string> variables,
+                 bool current) {
+  Dataset dataset = sample_dataset(id, DatasetKind::glider_tracks);
+  dataset.variables = std::move(variables);
+  dataset.warnings = {"seen from afar"};
+  DatasetRepository{db}.insert(dataset);
+  ocean::GliderTrack track{.glider = "amadeus", .points = {{.time = {}, .place = {}}}, .currents = {}};
+  if (current) track.currents.push_back({{}, {}, {{0.1}, {0.2}}});
+  GliderTrackRepository{db}.insert({id}, {track});
+}
+
+TEST(OpenStore, MarksTheCurrentsOfSlocumsThatWereStoredInTheirOwnAxes) {
+  const support::TemporaryFolder folder;
+  {
+    sqlite::Connection db = open_store(folder.path());
+    store_track(db, "slocum", {"m_present_time", "m_gps_lat", "m_water_vx"}, true);
+    store_track(db, "without", {"m_present_time", "m_gps_lat"}, false);
+    store_track(db, "netcdf", {"time", "lat", "lon", "u", "v"}, true);
+    sqlite::execute(db,
+                    "ALTER TABLE dataset DROP COLUMN outdated; ALTER TABLE glider_track DROP COLUMN frame;"
+                    "ALTER TABLE glider_track DROP COLUMN variation_source;"
+                    "ALTER TABLE glider_track DROP COLUMN variation_west_rad;"
+                    "ALTER TABLE glider_track DROP COLUMN utm_zone; PRAGMA user_version = 10");
+  }
+
+  sqlite::Connection db = open_store(folder.path());
+
+  const DatasetRepository datasets{db};
+  EXPECT_TRUE(datasets.find({"slocum"})->outdated);
+  EXPECT_THAT(datasets.find({"slocum"})->warnings,
+              testing::ElementsAre("seen from afar", testing::HasSubstr("own axes")));
+  for (const char* id : {"without", "netcdf"}) {
+    EXPECT_FALSE(datasets.find({id})->outdated);
+    EXPECT_THAT(datasets.find({id})->warnings, testing::ElementsAre("seen from afar"));
+  }
+  const GliderTrackRepository tracks{db};
+  EXPECT_EQ(tracks.list({.dataset = DatasetId{"slocum"}}, 0, 1).tracks.at(0).track.frame,
+            ocean::CurrentFrame::vehicle);
+  EXPECT_EQ(tracks.list({.dataset = DatasetId{"netcdf"}}, 0, 1).tracks.at(0).track.frame,
+            ocean::CurrentFrame::stated);
 }
 
 TEST(OpenStore, RefusesTheStoreOfANewerProgram) {

@@ -123,6 +123,7 @@ export interface GliderTrackFeature {
     deepest_m: number | null;
     mean_east_m_s: number | null;
     mean_north_m_s: number | null;
+    current_frame: 'stated' | 'true' | 'vehicle' | null; // vehicle: in axes of its own, so they point elsewhere than on the map
     times: string[];
     currents: { time: string; lon: number; lat: number; east_m_s: number; north_m_s: number }[];
     dataset_id: string;

@@ -10,7 +10,7 @@ export function followTracks(): void {
   const latest = new Latest();
   let known = '';
   effect(() => {
-    const now = ofKind('glider-tracks').map(({ id, sha256 }) => id + sha256).join();
+    const now = ofKind('glider-tracks').map(({ id, ingested }) => id + ingested).join();
     if (now === known || !visible.value.tracks) return;
     known = now;
     untracked(() => {

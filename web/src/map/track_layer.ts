@@ -39,7 +39,8 @@ function wayOf(track: GliderTrackFeature, code: ProjectionCode, { casing, label 
   return feature;
 }
 
-function arrowsOf({ properties: { currents } }: GliderTrackFeature, code: ProjectionCode, colours: Palette): Feature[] {
+function arrowsOf({ properties: { current_frame, currents } }: GliderTrackFeature, code: ProjectionCode, colours: Palette): Feature[] {
+  if (current_frame === 'vehicle') return [];
   const every = Math.ceil(currents.length / most_arrows);
   const stroke = new Stroke({ color: colours.currents[2], width: 1.8 });
   const head = new Fill({ color: colours.currents[2] });

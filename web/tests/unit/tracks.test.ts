@@ -4,7 +4,7 @@ import { placeAt, placesOf } from '../../src/model/tracks';
 
 const track = (geometry: GliderTrackFeature['geometry'], times: string[]): GliderTrackFeature => ({
   type: 'Feature', id: 1, geometry,
-  properties: { glider: 'g', start: times[0] ?? '', end: times.at(-1) ?? '', deepest_m: null, mean_east_m_s: null, mean_north_m_s: null, times, currents: [], dataset_id: 'd' },
+  properties: { glider: 'g', start: times[0] ?? '', end: times.at(-1) ?? '', deepest_m: null, mean_east_m_s: null, mean_north_m_s: null, current_frame: null, times, currents: [], dataset_id: 'd' },
 });
 const hours = ['2026-11-20T00:00:00Z', '2026-11-20T01:00:00Z', '2026-11-20T02:00:00Z'];
 

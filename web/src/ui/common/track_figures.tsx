@@ -6,12 +6,13 @@ import { course, depth, speed } from '../../model/units';
 
 /** When a glider was under way, how deep it dived and which current it met on the whole. */
 export function TrackFigures({ track: { properties } }: { track: GliderTrackFeature }): VNode {
-  const { deepest_m, end, mean_east_m_s: east, mean_north_m_s: north, start } = properties;
+  const { current_frame, deepest_m, end, mean_east_m_s: east, mean_north_m_s: north, start } = properties;
   return (
     <>
       <span>{shortTime(Date.parse(start))} – {shortTime(Date.parse(end))}</span>
       {deepest_m !== null && <span>to {depth(deepest_m)}</span>}
-      {east !== null && north !== null && <span>mean current {speed(Math.hypot(east, north))} to {course(directionTowards_deg(east, north))}</span>}
+      {current_frame === 'vehicle' && <span>currents in the vehicle’s own axes: import its files again</span>}
+      {current_frame !== 'vehicle' && east !== null && north !== null && <span>mean current {speed(Math.hypot(east, north))} to {course(directionTowards_deg(east, north))}</span>}
     </>
   );
 }
