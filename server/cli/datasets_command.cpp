@@ -41,8 +41,7 @@ int list_datasets(const DatasetsFlags& flags, const Program& program) {
     if (dataset.time_start) std::cout << "  " << core::iso8601(*dataset.time_start);
     if (dataset.time_end) std::cout << " to " << core::iso8601(*dataset.time_end);
     std::cout << "  " << dataset.name << '\n';
-    if (dataset.outdated)
-      std::cout << "  outdated, ingest the same files again: " << dataset.warnings.back() << '\n';
+    if (dataset.outdated) std::cout << "  outdated: " << dataset.warnings.back() << '\n';
   }
   if (datasets.empty()) std::cout << "The store is empty: floeplan ingest FILE... reads data into it.\n";
   return done;
