@@ -1,12 +1,25 @@
 #include <CLI/CLI.hpp>
 #include <csignal>
 #include <exception>
+#include <string>
 
+#include "engine/core/version.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
 #include "server/cli/instructions_flag.hpp"
 #include "server/cli/operator_commands.hpp"
 #include "server/cli/plan_commands.hpp"
+#include "server/commit.hpp"
+
+namespace {
+
+/// "floeplan 0.2.0 (62e0624)": what a report of a fault has to name.
+std::string version_line() {
+  const std::string commit = floeplan::server::commit();
+  return std::string{floeplan::core::program_version()} + (commit.empty() ? "" : " (" + commit + ")");
+}
+
+}  // namespace
 
 // NOLINTNEXTLINE(bugprone-exception-escape): with no memory even to build the commands there is nothing to say it with
 int main(int argc, char** argv) {
@@ -15,7 +28,7 @@ int main(int argc, char** argv) {
               SIG_IGN);  // a file that may not grow is a full disk, which is said; by default it is a crash
 
   CLI::App app{"Mission planning for underwater gliders in and under ice", "floeplan"};
-  app.set_version_flag("--version", std::string{"floeplan "} + FLOEPLAN_VERSION);
+  app.set_version_flag("--version", version_line());
   app.require_subcommand(1);
 
   cli::Program program;

@@ -8,6 +8,7 @@
 #include "api/routes/extent.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/core/version.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -51,7 +52,7 @@ Response show_api(const Context& context, const Request&, const PathParameters&)
   }
   document["paths"] = std::move(paths);
   document["servers"] = json::array({{{"url", base_of(context)}}});
-  document["info"]["version"] = FLOEPLAN_VERSION;
+  document["info"]["version"] = core::version();
   return json_reply(document, 200, openapi_type);
 }
 

@@ -6,6 +6,7 @@
 #include "api/codec/iceberg_feature.hpp"
 #include "api/codec/sha256.hpp"
 #include "api/codec/zone_feature.hpp"
+#include "engine/core/version.hpp"
 #include "engine/geo/united_boxes.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/hand_made_id.hpp"
@@ -73,7 +74,7 @@ DatasetId hand_made_dataset(sqlite::Connection& db, DatasetKind kind, core::UtcT
   dataset.name = "Made by hand";
   dataset.provenance.file_name = "none";
   dataset.provenance.ingested = now;
-  dataset.provenance.tool_version = FLOEPLAN_VERSION;
+  dataset.provenance.tool_version = core::program_version();
   datasets.insert(dataset);
   return id;
 }

@@ -1,5 +1,6 @@
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/core/version.hpp"
 
 namespace floeplan::routes {
 
@@ -8,7 +9,7 @@ std::vector<Route> health_routes() {
     return json_reply({{"status", "ok"}});
   };
   const auto version = [](const Context&, const Request&, const PathParameters&) {
-    return json_reply({{"name", "floeplan"}, {"version", FLOEPLAN_VERSION}});
+    return json_reply({{"name", "floeplan"}, {"version", core::version()}});
   };
   return {{"GET", "/healthz", {}, health, Access::everybody}, {"GET", "/version", {}, version}};
 }

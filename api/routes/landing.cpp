@@ -8,6 +8,7 @@
 #include "api/routes/preferences.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/core/version.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -61,7 +62,7 @@ Response show_conformance(const Context&, const Request&, const PathParameters&)
 Response api_document(const std::string& url) {
   json document = json::parse(openapi::document());
   document["servers"] = json::array({{{"url", url}}});
-  document["info"]["version"] = FLOEPLAN_VERSION;
+  document["info"]["version"] = core::version();
   describe_doors(document, all_routes());
   return json_reply(document, 200, openapi_type);
 }

@@ -8,6 +8,7 @@
 #include "api/codec/plan_document.hpp"
 #include "api/routes/export_sea.hpp"
 #include "api/routes/text_values.hpp"
+#include "engine/core/version.hpp"
 #include "engine/mission/ice_files.hpp"
 #include "engine/mission/line_words.hpp"
 #include "engine/mission/read_document.hpp"
@@ -32,7 +33,7 @@ void read_back(const mission::MissionFiles& files) {
 }
 
 mission::FileOrigin origin_of(const repository::PlanRecord& record, core::UtcTime generated) {
-  return {record.id.value, record.name, generated, "floeplan " FLOEPLAN_VERSION};
+  return {record.id.value, record.name, generated, std::string{core::program_version()}};
 }
 
 tl::expected<mission::MissionFiles, core::Violations> seaglider_set_of(sqlite::Connection& db,

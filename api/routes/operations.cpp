@@ -5,6 +5,7 @@
 #include "api/routes/reply.hpp"
 #include "api/routes/request_counts.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/core/version.hpp"
 #include "storage/repository/job_repository.hpp"
 
 namespace floeplan::routes {
@@ -57,7 +58,8 @@ Response show_metrics(const Context& context, const Request&, const PathParamete
   if (const auto memory = resident_bytes())
     write_gauge(out, "process_resident_memory_bytes", "Resident memory.", *memory);
   out << "# HELP floeplan_info The program.\n# TYPE floeplan_info "
-         "gauge\nfloeplan_info{version=\"" FLOEPLAN_VERSION "\"} 1\n";
+         "gauge\nfloeplan_info{version=\""
+      << core::version() << "\"} 1\n";
   Response response;
   response.content_type = "text/plain; version=0.0.4; charset=utf-8";
   response.headers.emplace_back("Cache-Control", "no-store");

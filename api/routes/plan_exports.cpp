@@ -19,6 +19,7 @@
 #include "api/routes/export_sea.hpp"
 #include "api/routes/mission_service.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/core/version.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/goto_lists.hpp"
 #include "engine/mission/nmea_route.hpp"
@@ -67,7 +68,7 @@ std::string bytes_of(sqlite::Connection& db, const PlanRecord& record, const pla
   if (format.name == "geojson") return codec::plan_geojson(record).dump(2) + "\n";
   if (format.name == "csv") return codec::plan_csv(plan);
   if (format.name == "nmea") return mission::write_nmea_route(plan, id).text;
-  const mission::FileOrigin origin{id, record.name, now, "floeplan " FLOEPLAN_VERSION};
+  const mission::FileOrigin origin{id, record.name, now, std::string{core::program_version()}};
   if (format.name == "targets")
     return mission::write_targets(plan, mission::default_waypoint_radius(plan), origin).text;
   if (format.name == "imc")

@@ -11,6 +11,7 @@
 #include "api/codec/scenario_inputs.hpp"
 #include "api/codec/sha256.hpp"
 #include "api/codec/simulate_inputs.hpp"
+#include "engine/core/version.hpp"
 #include "engine/core/violation_list.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
@@ -141,7 +142,7 @@ tl::expected<json, core::Violations> checked_inputs(const Context& context, cons
 
 std::string result_digest(const Context& context, const std::string& process,
                           const std::string& canonical_inputs) {
-  return codec::sha256(std::string{FLOEPLAN_VERSION} + "\n" + process + "\n" + canonical_inputs + "\n" +
+  return codec::sha256(std::string{core::version()} + "\n" + process + "\n" + canonical_inputs + "\n" +
                        repository::DatasetRepository{context.db}.contents());
 }
 

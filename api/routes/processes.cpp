@@ -5,6 +5,7 @@
 #include "api/routes/process_catalogue.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/core/version.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -42,7 +43,7 @@ json summary_of(const ProcessEntry& process, const std::string& url) {
   return {{"id", process.id},
           {"title", process.title},
           {"description", process.description},
-          {"version", FLOEPLAN_VERSION},
+          {"version", core::version()},
           {"jobControlOptions", json::array({"sync-execute", "async-execute", "dismiss"})},
           {"outputTransmission", json::array({"value"})},
           {"links", json::array({link("self", "application/json", self, "Description of the process"),

@@ -15,6 +15,7 @@
 #include "api/codec/sha256.hpp"
 #include "engine/core/random.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/core/version.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/ice_files.hpp"
 #include "engine/mission/mission_set.hpp"
@@ -129,7 +130,7 @@ void fly_on_below_ice(simulation::MissionOrders& orders, const planning::Plan& p
 
 /// The same plan, inputs and data, simulated by the same version, have the same id.
 std::string simulation_id(const json& inputs, const FlownPlan& flown, const ocean::Environment& environment) {
-  std::string text = std::string{FLOEPLAN_VERSION} + "\n" + inputs.dump() + "\n" + flown.record.document_json;
+  std::string text = std::string{core::version()} + "\n" + inputs.dump() + "\n" + flown.record.document_json;
   for (const auto& dataset : environment.datasets) text += "\n" + dataset.id + " " + dataset.sha256;
   return "s" + codec::sha256(text).substr(0, 12);
 }

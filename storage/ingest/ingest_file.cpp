@@ -5,6 +5,7 @@
 #include <sstream>
 #include <stdexcept>
 
+#include "engine/core/version.hpp"
 #include "storage/ingest/bathymetry_netcdf_reader.hpp"
 #include "storage/ingest/bathymetry_raster_reader.hpp"
 #include "storage/ingest/coastline_reader.hpp"
@@ -141,7 +142,7 @@ Dataset dataset_of(const PreparedDataset& data, const FileGroup& files, const In
                          .file_size_bytes = size_of(files),
                          .sha256 = sha256,
                          .ingested = now,
-                         .tool_version = "floeplan " FLOEPLAN_VERSION ", " + gdal_version()}};
+                         .tool_version = std::string{core::program_version()} + ", " + gdal_version()}};
 }
 
 /// GDAL quotes the whole path; where the file lies on this machine is not for everybody who reads the report.
