@@ -27,6 +27,22 @@ net::awaitable<void> Transport::end() {
   stop_sending();
 }
 
+void Transport::read_some(const Buffers<net::mutable_buffer>& into, Completion completion) {
+  if (tls_) {
+    tls_->async_read_some(into, std::move(completion));
+  } else {
+    plain_.async_read_some(into, std::move(completion));
+  }
+}
+
+void Transport::write_some(const Buffers<net::const_buffer>& from, Completion completion) {
+  if (tls_) {
+    tls_->async_write_some(from, std::move(completion));
+  } else {
+    plain_.async_write_some(from, std::move(completion));
+  }
+}
+
 void Transport::stop_sending() {
   error_code ignored;
   socket().shutdown(net::ip::tcp::socket::shutdown_send, ignored);

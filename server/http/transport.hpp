@@ -6,12 +6,15 @@
 
 #include <boost/asio/async_result.hpp>
 #include <boost/asio/awaitable.hpp>
+#include <boost/asio/buffer.hpp>
 #include <boost/asio/ssl/context.hpp>
 #include <boost/asio/ssl/stream.hpp>
 #include <boost/beast/core/error.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
-#include <memory>
+#include <boost/container/static_vector.hpp>
 #include <optional>
+
+#include "server/http/completion.hpp"
 
 namespace floeplan::http {
 
@@ -43,11 +46,7 @@ class Transport {
   auto async_read_some(const Buffers& buffers, Token&& token) {
     return boost::asio::async_initiate<Token, void(boost::beast::error_code, std::size_t)>(
         [this](auto handler, const Buffers& into) {
-          if (tls_) {
-            tls_->async_read_some(into, std::move(handler));
-          } else {
-            plain_.async_read_some(into, std::move(handler));
-          }
+          read_some(first_of<boost::asio::mutable_buffer>(into), {std::move(handler), get_executor()});
         },
         token, buffers);
   }
@@ -56,16 +55,30 @@ class Transport {
   auto async_write_some(const Buffers& buffers, Token&& token) {
     return boost::asio::async_initiate<Token, void(boost::beast::error_code, std::size_t)>(
         [this](auto handler, const Buffers& from) {
-          if (tls_) {
-            tls_->async_write_some(from, std::move(handler));
-          } else {
-            plain_.async_write_some(from, std::move(handler));
-          }
+          write_some(first_of<boost::asio::const_buffer>(from), {std::move(handler), get_executor()});
         },
         token, buffers);
   }
 
  private:
+  /// As many as one call of the system takes; of what is left the caller is told, as of every part that was not taken.
+  template <class Buffer>
+  using Buffers = boost::container::static_vector<Buffer, 64>;
+
+  template <class Buffer, class Sequence>
+  static Buffers<Buffer> first_of(const Sequence& sequence) {
+    Buffers<Buffer> result;
+    const auto end = boost::asio::buffer_sequence_end(sequence);
+    for (auto it = boost::asio::buffer_sequence_begin(sequence); it != end; ++it) {
+      if (result.size() == result.capacity()) break;
+      if (const Buffer buffer{*it}; buffer.size() > 0) result.push_back(buffer);
+    }
+    return result;
+  }
+
+  void read_some(const Buffers<boost::asio::mutable_buffer>& into, Completion completion);
+  void write_some(const Buffers<boost::asio::const_buffer>& from, Completion completion);
+
   boost::beast::tcp_stream plain_;
   std::optional<boost::asio::ssl::stream<boost::beast::tcp_stream&>> tls_;
 };
