@@ -1,27 +1,35 @@
 #!/usr/bin/env bash
-# Runs every test: installs, builds, all C++ tests (release), the risky parts under the sanitizers, the client's unit
-# tests and the browser tests. --full adds lint and every preset. The last line holds the totals of the C++ tests.
-# usage: deploy/test.sh [--full]
+# Runs the tests: installs, builds, all C++ tests (release), those that read data from outside under the address
+# sanitizer, the client's unit tests and the browser tests. CONTRIBUTING has a table of what takes how long.
+# usage: deploy/test.sh [--quick | --full] [FOLDER...]
+#   --quick    the C++ tests (release) alone
+#   --full     adds lint, every preset, both sanitizers over everything, kills, attacks, damaged files, benchmarks
+#   FOLDER...  the C++ tests (release) of these folders alone, as `deploy/test.sh planning ingest`
+# The last line counts the C++, client and browser tests that passed, failed and were skipped.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
-# What reads data from outside or computes with indices runs under the address sanitizer, what has threads under tsan.
-readonly asan_folders=(elementary core geo graph motion ocean tide vehicle planning avoidance simulation mission ingest codec routes)
-readonly tsan_folders=(jobs http)
+# What reads bytes from outside, or computes the indices that it is read by. --full runs all folders.
+readonly asan_folders=(elementary core geo graph motion ocean tide vehicle mission ingest codec)
+readonly reports=$root/build/reports
 failed_steps=()
 
-# Three of the four quarters of each law over random scenes, which lead through the same code as the first.
-readonly further_scenes='^planning\.Quarter/.*/[123]$'
-
 # step NAME COMMAND...: goes on after a failure, so that one run shows everything that is wrong. The command runs in a
-# shell of its own, where `fail` ends the step alone.
+# shell of its own, where `fail` ends the step alone. What it prints is kept, to say its first failure again at the end.
 step() {
-  local name=$1
+  local name=$1 began=$SECONDS
   shift
+  local log=$reports/${name//[^a-z0-9]/_}.log
   say "$name"
-  if ! ("$@"); then
+  if ! ("$@") 2>&1 | tee "$log"; then
     failed_steps+=("$name")
     say "FAILED: $name"
   fi
+  say "$name: $((SECONDS - began)) s"
+}
+
+# first_failure LOG: the first line that tells of one, with what follows it; else how the log ends.
+first_failure() {
+  grep -m 1 -A 6 -E '\b(error|Error|FAILED|failed|Failure)\b' "$1" || tail -n 6 "$1"
 }
 
 # build_preset PRESET [TARGET...]
@@ -40,20 +48,33 @@ run_ctest() {
   local preset=$1
   shift
   ctest --test-dir "$root/build/$preset" -j "$(nproc)" --output-on-failure --no-tests=error \
-    --output-junit "$root/build/$preset/test-report.xml" "$@" | grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^ +Start '
+    --output-junit "$reports/$preset.xml" "$@" | grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^ +Start '
+}
+
+# pattern_of FOLDER...: matches the tests of these folders alone.
+pattern_of() {
+  local IFS='|'
+  echo "^($*)\\."
+}
+
+# folders_of_preset PRESET FOLDER...: builds and runs the tests of these folders alone.
+folders_of_preset() {
+  local preset=$1
+  shift
+  build_preset "$preset" "${@/%/_test}" && run_ctest "$preset" -R "$(pattern_of "$@")"
 }
 
 all_of_preset() {
   build_preset "$1" && run_ctest "$1"
 }
 
-# folders_of_preset PRESET FOLDER...: builds and runs the tests of these folders alone, of random scenes a quarter.
-folders_of_preset() {
-  local preset=$1
-  shift
-  local pattern
-  pattern=$(IFS='|' && echo "^($*)\\.")
-  build_preset "$preset" "${@/%/_test}" && run_ctest "$preset" -R "$pattern" -E "$further_scenes"
+client_tests() {
+  npm --prefix "$root/web" run --silent test -- --reporter=default --reporter=junit "--outputFile.junit=$reports/client.xml"
+}
+
+browser_tests() {
+  PLAYWRIGHT_JUNIT_OUTPUT_FILE=$reports/browser.xml \
+    "$root/tests/browser/run.sh" "$root/build/release/floeplan" --reporter=list,junit
 }
 
 sources() {
@@ -65,70 +86,74 @@ lint() {
     -extra-arg=-Wno-enum-constexpr-conversion)  # of Boost's MPL, for older compilers
   step "clang-format" xargs -0 clang-format-19 --dry-run -Werror < <(sources -print0)
   step "shellcheck" shellcheck -x -P "$root/deploy" "$root"/deploy/*.sh "$root/deploy/install-deps" \
-    "$root"/api/examples/*.sh
+    "$root"/api/examples/*.sh "$root"/tests/*/*.sh
   step "files for nginx, Caddy and systemd" "$root/deploy/check_config.sh"
   step "eslint" npm --prefix "$root/web" run --silent lint
   step "clang-tidy" run-clang-tidy-19 -quiet -p "$root/build/dev" -j "$(build_jobs)" "${tidy_flags[@]}" \
     "^$root/(engine|storage|api|server)/"
 }
 
-# Sums one count of the reports that ctest wrote.
-total() {
-  sed -n "s/^[[:space:]]*$1=\"\([0-9]*\)\"$/\1/p" "$root"/build/*/test-report.xml | awk '{sum += $1} END {print sum + 0}'
+# What a usual run has no time for; see the table in CONTRIBUTING.
+long_tests() {
+  step "damaged files, 1000 of each format" env FLOEPLAN_DAMAGED_FILES=1000 \
+    "$root/build/release/ingest_test" --gtest_filter='*HostileF*:Zarr3.WithBytesChanged*'
+  step "200 kills" "$root/tests/faults/faults.py" "$root/build/release/floeplan" --kills 200
+  step "attacks on a server" "$root/tests/attack/attack.py" "$root/build/release/floeplan"
+  step "C++ tests, dev" all_of_preset dev
+  step "C++ tests, ci" all_of_preset ci
+  step "C++ tests, asan" all_of_preset asan
+  step "C++ tests, tsan" all_of_preset tsan
+  lint
 }
 
-# The tests that failed, each with its preset: what a long log buries is said once more at its end.
-failed_tests() {
-  local report
-  for report in "$root"/build/*/test-report.xml; do
-    sed -n "s/^[[:space:]]*<testcase name=\"\([^\"]*\)\".*status=\"fail\".*/$(basename "$(dirname "$report")"): \1/p" \
-      "$report"
+# Says every failure once more, and the totals. Fails if anything did.
+summary() {
+  local name
+  for name in "${failed_steps[@]}"; do
+    say "FAILED: $name"
+    first_failure "$reports/${name//[^a-z0-9]/_}.log" | sed 's/^/    /'
   done
+  "$root/deploy/test_report.py" "$@" && ((${#failed_steps[@]} == 0))
 }
 
 main() {
-  local full=no needs=(--with-tests --with-browser)
-  case ${1-} in
-    '') ;;
-    --full)
-      full=yes
-      needs+=(--with-lint)
-      ;;
-    *) fail "unknown option $1" "use: deploy/test.sh [--full]" ;;
-  esac
+  local extent=usual needs=(--with-tests --with-browser) folders=() argument
+  for argument in "$@"; do
+    case $argument in
+      --quick | --full) extent=${argument#--} ;;
+      -*) fail "unknown option $argument" "use: deploy/test.sh [--quick | --full] [FOLDER...]" ;;
+      *) folders+=("$argument") ;;
+    esac
+  done
+  if ((${#folders[@]} > 0)) || [[ $extent == quick ]]; then needs=(--with-tests); fi
+  if [[ $extent == full ]]; then needs+=(--with-lint); fi
 
-  rm -f "$root"/build/*/test-report.xml
+  rm -rf "$reports"
+  mkdir -p "$reports"
   "$root/deploy/install-deps" "${needs[@]}"
   use_node
-  "$root/deploy/build.sh" --with-tests
 
+  if ((${#folders[@]} > 0)); then
+    step "C++ tests, release: ${folders[*]}" folders_of_preset release "${folders[@]}"
+    summary "$reports/release.xml"
+    return
+  fi
+  step "build" "$root/deploy/build.sh" --with-tests
+  if ((${#failed_steps[@]} > 0)); then fail "the program does not build" "read the first error above"; fi
   step "C++ tests, release" run_ctest release
-  if [[ $full == yes ]]; then
-    step "damaged files, 1000 of each format" env FLOEPLAN_DAMAGED_FILES=1000 \
-      "$root/build/release/ingest_test" --gtest_filter='*HostileF*:Zarr3.WithBytesChanged*'
-    step "200 kills" "$root/tests/faults/faults.py" "$root/build/release/floeplan" --kills 200
-    step "attacks on a server" "$root/tests/attack/attack.py" "$root/build/release/floeplan"
-    step "C++ tests, dev" all_of_preset dev
-    step "C++ tests, ci" all_of_preset ci
-    step "C++ tests, asan" all_of_preset asan
-    step "C++ tests, tsan" all_of_preset tsan
-    lint
+  if [[ $extent == quick ]]; then
+    summary "$reports/release.xml"
+    return
+  fi
+  if [[ $extent == full ]]; then
+    long_tests
   else
     step "C++ tests, asan: ${asan_folders[*]}" folders_of_preset asan "${asan_folders[@]}"
-    step "C++ tests, tsan: ${tsan_folders[*]}" folders_of_preset tsan "${tsan_folders[@]}"
   fi
-  step "client unit tests" npm --prefix "$root/web" run --silent test
-  step "browser tests" "$root/tests/browser/run.sh" "$root/build/release/floeplan"
-
-  local failed skipped
-  failed=$(total failures)
-  skipped=$(($(total skipped) + $(total disabled)))
-  local name
-  for name in "${failed_steps[@]}"; do say "FAILED: $name"; done
-  while read -r name; do say "FAILED: $name"; done < <(failed_tests)
-  printf '%d passed, %d failed, %d skipped (C++ tests); %d step(s) failed\n' \
-    $(($(total tests) - failed - skipped)) "$failed" "$skipped" "${#failed_steps[@]}"
-  ((${#failed_steps[@]} == 0))
+  step "quickstart" "$root/tests/deploy/quickstart_test.sh"
+  step "client unit tests" client_tests
+  step "browser tests" browser_tests
+  summary "$reports"/*.xml
 }
 
 main "$@"

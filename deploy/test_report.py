@@ -1,0 +1,64 @@
+#!/usr/bin/env python3
+"""Adds up the JUnit reports of a test run and says once more what failed, which a long log buries.
+
+usage: test_report.py REPORT.xml...
+
+Prints each failed test with the first lines of what it said, then the totals of each report, then, as the last line,
+"N passed, N failed, N skipped" over all of them. Exit code: 0 nothing failed, 1 something failed or a report is missing,
+damaged or empty.
+"""
+import pathlib
+import sys
+import xml.etree.ElementTree as xml
+
+SHOWN_LINES = 6  # of each failure: where and what; the log has the rest
+
+
+def outcome(case):
+    if case.get("status") == "fail" or case.find("failure") is not None or case.find("error") is not None:
+        return "failed"
+    if case.get("status") in ("notrun", "disabled") or case.find("skipped") is not None:
+        return "skipped"
+    return "passed"
+
+
+def said(case):
+    """What the test printed, from its first complaint on."""
+    for tag in ("failure", "error"):
+        found = case.find(tag)
+        if found is not None and ((found.text or "").strip() or found.get("message")):
+            text = (found.text or "").strip() or found.get("message")
+            if text != "Failed":
+                return text
+    output = case.findtext("system-out") or ""
+    at = output.find("Failure")
+    return output[max(0, output.rfind("\n", 0, at)):] if at >= 0 else output
+
+
+def main(paths):
+    total = {"passed": 0, "failed": 0, "skipped": 0}
+    whole = True
+    for path in map(pathlib.Path, paths):
+        try:
+            cases = list(xml.parse(path).iter("testcase"))
+        except (OSError, xml.ParseError) as trouble:
+            print(f"{path}: no report: {trouble}")
+            whole = False
+            continue
+        counts = {"passed": 0, "failed": 0, "skipped": 0}
+        for case in cases:
+            result = outcome(case)
+            counts[result] += 1
+            if result == "failed":
+                print(f"FAILED: {path.stem}: {case.get('name')}")
+                lines = [line for line in said(case).splitlines() if line.strip()]
+                print("".join(f"    {line}\n" for line in lines[:SHOWN_LINES]), end="")
+        whole = whole and bool(cases)
+        print(f"{path.stem}: {counts['passed']} passed, {counts['failed']} failed, {counts['skipped']} skipped")
+        for key, count in counts.items():
+            total[key] += count
+    print(f"{total['passed']} passed, {total['failed']} failed, {total['skipped']} skipped")
+    return 0 if whole and total["failed"] == 0 else 1
+
+
+sys.exit(main(sys.argv[1:]))
