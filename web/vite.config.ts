@@ -21,6 +21,7 @@ export default defineConfig(({ command }) => ({
 /** `npm run dev` serves the client itself and hands the API on to a running server. */
 function apiProxy(): Record<string, string> {
   const target = process.env['FLOEPLAN_URL'] ?? 'http://127.0.0.1:8080';
-  const paths = ['/collections', '/processes', '/jobs', '/datasets', '/vehicles', '/probe', '/map', '/version', '/session'];
+  const paths = ['/collections', '/processes', '/jobs', '/datasets', '/vehicles', '/probe', '/map', '/version', '/session',
+    '/uploads', '/simulations', '/events', '/missions', '/guide'];
   return Object.fromEntries(paths.map((path) => [path, target]));
 }
