@@ -200,5 +200,11 @@ TEST_F(Archives, CutShortOrWithBytesChangedAreNeverReadWrongly) {
   }
 }
 
+TEST_F(Archives, OfALogThatNoReaderKnowsAreRefusedWithItsReason) {
+  if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
+  for (const char* name : {"sea035.6.gli.sub.1.gz", "sea035.6.pld1.sub.1.gz"})
+    expect_unpack_refused(sample_folder() / "glider" / name, "does not know");
+}
+
 }  // namespace
 }  // namespace floeplan::ingest::archive_test

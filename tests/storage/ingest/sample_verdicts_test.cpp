@@ -30,7 +30,15 @@ TEST_P(SampleWithoutData, IsRefusedWithTheReason) {
 INSTANTIATE_TEST_SUITE_P(
     Gliders, SampleWithoutData,
     testing::Values(Refused{"glider/1f35be3b.cac", "sensors"}, Refused{"glider/62d8b5da.cac", "sensors"},
-                    Refused{"glider/S102791A002_Barrow_v2_avgd.ad2cp", "does not know"}));
+                    Refused{"glider/S102791A002_Barrow_v2_avgd.ad2cp", "does not know"},
+                    Refused{"glider/seaglider_p1800001.nc", "no time, latitude and longitude"},
+                    Refused{"glider/seaglider_p5610005.eng", "does not know"}));
+
+INSTANTIATE_TEST_SUITE_P(
+    Meshes, SampleWithoutData,
+    testing::Values(Refused{"mesh/simplebox_from_direction_clm.nc", "a speed and a direction"},
+                    Refused{"mesh/simplebox_to_direction_clm.nc", "a speed and a direction"},
+                    Refused{"mesh/dflow_simplebox_hex7_map.nc", "unstructured"}));
 
 INSTANTIATE_TEST_SUITE_P(
     Tides, SampleWithoutData,
@@ -45,6 +53,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"tides/ttide_constituents_const.nc", "neither currents of the sea"},
                     Refused{"tides/ttide_constituents_sat.nc", "neither currents of the sea"},
                     Refused{"tides/ttide_constituents_shallow.nc", "neither currents of the sea"},
+                    Refused{"tides/harmonics-dwf-20210110-free.tcd", "does not know"},
                     Refused{"tides/uhslc_h820_nuuk_hourly.nc", "neither currents of the sea"}));
 
 INSTANTIATE_TEST_SUITE_P(
