@@ -45,8 +45,8 @@ std::string fault_of_place(geo::LonLat place) {
   if (!std::isfinite(place.lon_deg) || !std::isfinite(place.lat_deg)) return "the position is missing";
   if (std::abs(place.lat_deg) > 90.0)
     return "the latitude " + number(place.lat_deg, digits) + " lies beyond a pole";
-  if (place.lon_deg < -180.0 || place.lon_deg > 360.0)
-    return "the longitude " + number(place.lon_deg, digits) + " is not within -180 and 360";
+  if (std::abs(place.lon_deg) > 360.0)
+    return "the longitude " + number(place.lon_deg, digits) + " is not within -360 and 360";
   return {};
 }
 

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "engine/geo/written_place.hpp"
 #include "tests/support/property.hpp"
 
 namespace floeplan::geo::lon_lat_test {
@@ -46,6 +47,25 @@ TEST(Place, IsValidOnTheGlobeInBothConventionsOfLongitude) {
   EXPECT_FALSE(is_valid({0.0, 90.1}));
   EXPECT_FALSE(is_valid({std::numeric_limits<double>::quiet_NaN(), 0.0}));
   EXPECT_FALSE(is_valid({0.0, std::numeric_limits<double>::infinity()}));
+}
+
+TEST(WrittenPlace, IsTheSameHoweverItsLongitudeIsCounted) {
+  support::for_each_seed(1000, [](std::mt19937_64& rng) {
+    const double lon_deg = support::uniform(rng, -180.0, 180.0);
+    const double lat_deg = support::uniform(rng, -90.0, 90.0);
+    for (const double turn : {-360.0, 0.0, 360.0}) {
+      const auto place = written_place(lon_deg + turn, lat_deg);
+      if (std::abs(lon_deg + turn) > 360.0) {
+        EXPECT_FALSE(place.has_value());
+      } else {
+        ASSERT_TRUE(place.has_value());
+        EXPECT_NEAR(place->lon_deg, lon_deg, 1e-9);
+        EXPECT_EQ(place->lat_deg, lat_deg);
+      }
+    }
+  });
+  EXPECT_FALSE(written_place(0.0, 90.1).has_value());
+  EXPECT_FALSE(written_place(std::numeric_limits<double>::quiet_NaN(), 0.0).has_value());
 }
 
 }  // namespace

@@ -47,6 +47,21 @@ TEST_F(IcebergsInKml, AreItsOutlinesWhenAskedFor) {
   EXPECT_GT(stored[0].iceberg.length.value_or(core::Metres{0.0}).value, 5'000.0);
 }
 
+TEST_F(IcebergsInKml, MayCountTheirLongitudesOnInEitherSense) {
+  for (const char* const lon : {"-180.5", "179.5"}) {
+    const IngestReport report =
+        read("<Placemark><name>A99</name><TimeStamp><when>2026-11-20</when></TimeStamp><Point><coordinates>" +
+             std::string{lon} + ",70</coordinates></Point></Placemark>");
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const auto stored = repository::IcebergRepository{db_}.list({}, 0, 10);
+    ASSERT_EQ(stored.size(), 1U);
+    EXPECT_EQ(stored[0].iceberg.place, (geo::LonLat{179.5, 70.0}));
+    EXPECT_EQ(core::iso8601(stored[0].iceberg.observed), "2026-11-20T00:00:00Z");
+    db_ = repository::open_store_in_memory();
+  }
+}
+
 TEST_F(IcebergsInKml, WithoutATimeAreRefused) {
   const IngestReport report =
       read("<Placemark><name>A99</name><Point><coordinates>-49.5,-60.25,0</coordinates></Point></Placemark>");
