@@ -1,6 +1,7 @@
 #include "api/codec/zone_inputs.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <span>
@@ -177,6 +178,9 @@ ocean::Zone read_properties(InputReader& reader, const json& feature, const std:
   zone.name = members.text("name").value_or("");
   zone.from = members.time("from");
   zone.until = members.time("until");
+  if (zone.until &&
+      properties->at("until").get_ref<const std::string&>().size() == std::string_view{"2026-11-20"}.size())
+    *zone.until += std::chrono::days{1};  // of a day alone its end, as for zones of files
   if (const auto top = members.number("top_m", {0.0, deepest_m})) zone.top = {*top};
   if (const auto bottom = members.number("bottom_m", {0.0, deepest_m})) zone.bottom = {*bottom};
   if (zone.from && zone.until && *zone.until < *zone.from) {

@@ -57,6 +57,28 @@ TEST(Areas, AreReadWithTheirDepthsAndTimes) {
   EXPECT_THAT(zones[0].area.outer, SizeIs(4));
 }
 
+TEST(Areas, HoldToTheEndOfADayThatIsGivenWithoutATime) {
+  const json document = inputs({feature({{"kind", "no_go"}, {"from", "2026-11-20"}, {"until", "2026-11-21"}}),
+                                feature({{"kind", "no_go"}, {"until", "2026-11-21T00:00:00Z"}})});
+  InputReader reader{document};
+
+  const auto zones = read_areas(reader);
+
+  ASSERT_THAT(zones, SizeIs(2));
+  EXPECT_EQ(zones[0].from, core::parse_iso8601("2026-11-20T00:00:00Z"));
+  EXPECT_EQ(zones[0].until, core::parse_iso8601("2026-11-22T00:00:00Z"));
+  EXPECT_EQ(zones[1].until, core::parse_iso8601("2026-11-21T00:00:00Z"));
+}
+
+TEST(Areas, MayHaveHeightsWhichAreLeftOutWithARemark) {
+  const json document = inputs({feature(
+      {{"kind", "no_go"}}, json::parse("[[[-54,69,0],[-53,69,5],[-53,69.5,0],[-54,69.5,0],[-54,69,0]]]"))});
+  InputReader reader{document};
+
+  EXPECT_THAT(read_areas(reader), SizeIs(1));
+  EXPECT_THAT(reader.remarks(), ElementsAre(HasSubstr("third number of a position")));
+}
+
 TEST(Areas, BecomeOneZoneForEachPartOfAMultipolygon) {
   const json document = inputs({feature({{"kind", "no_go"}}, json::array({square, square}), "MultiPolygon")});
   InputReader reader{document};
