@@ -1,6 +1,8 @@
 #include "api/routes/execution_request.hpp"
 
 #include <algorithm>
+#include <array>
+#include <string_view>
 #include <utility>
 
 #include "api/codec/json_text.hpp"
@@ -39,6 +41,40 @@ std::string read_response(const json& body, core::Violations& violations) {
   return {};
 }
 
+/// A value with its media type or schema beside it (qualifiedInputValue of OGC 18-062r2, 7.11.2.3).
+bool is_qualified(const json& input) {
+  constexpr auto known =
+      std::to_array<std::string_view>({"value", "mediaType", "encoding", "schema", "format"});
+  if (!input.is_object() || !input.contains("value")) return false;
+  for (const auto& [key, ignored] : input.items())
+    if (std::ranges::find(known, std::string_view{key}) == known.end()) return false;
+  return true;
+}
+
+/// The bare value of one input. What is not given as a value is refused: no other server is asked, and no text decoded.
+void unwrap(json& input, const std::string& pointer, core::Violations& violations) {
+  if (input.is_object() && input.contains("href") && !input.contains("type"))
+    return core::note(violations, {pointer, "must be given as a value; links (href) are not followed"});
+  if (!is_qualified(input)) return;
+  const json encoding = input.value("encoding", json());
+  if (!encoding.is_null() && encoding != "utf-8" && encoding != "UTF-8")
+    return core::note(violations, {pointer + "/encoding", "must be utf-8 or be left out"});
+  json value = std::move(input.at("value"));
+  input = std::move(value);
+}
+
+/// Unwraps every input, also those that come as an array of qualified values.
+void unwrap_inputs(json& inputs, core::Violations& violations) {
+  if (!inputs.is_object()) return;
+  for (auto& [name, input] : inputs.items()) {
+    const std::string pointer = "/inputs/" + name;
+    unwrap(input, pointer, violations);
+    if (!input.is_array() || input.empty() || !std::ranges::all_of(input, is_qualified)) continue;
+    for (std::size_t i = 0; i < input.size(); ++i)
+      unwrap(input[i], pointer + "/" + std::to_string(i), violations);
+  }
+}
+
 bool read_force(const json& body, core::Violations& violations) {
   const json force = body.value("force", json(false));
   if (force.is_boolean()) return force.get<bool>();
@@ -72,6 +108,7 @@ tl::expected<ExecutionRequest, Response> read_execution(const Request& request, 
   result.force = read_force(*body, violations);
   const json reply{{"outputs", wanted_outputs(*body, process, violations)},
                    {"response", read_response(*body, violations)}};
+  if (body->contains("inputs")) unwrap_inputs(body->at("inputs"), violations);
   if (!violations.empty()) return tl::unexpected(invalid(request, std::move(violations)));
   result.reply_json = reply.dump();
   result.inputs = std::move(body->at("inputs"));

@@ -11,7 +11,7 @@ namespace floeplan::routes {
 
 /// The body of an execute request (OGC API - Processes, Part 1, 7.11.2).
 struct ExecutionRequest {
-  nlohmann::json inputs;
+  nlohmann::json inputs;   // bare, also where they came as {"value": ...}
   bool force{false};       // do the work again even where its result is there
   std::string reply_json;  // which outputs the client wants, in which form; kept with the job
 };

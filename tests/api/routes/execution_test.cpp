@@ -1,5 +1,7 @@
+#include "api/routes/execution_request.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
+#include "tests/support/property.hpp"
 
 namespace floeplan::routes::execution_test {
 namespace {
@@ -94,7 +96,7 @@ std::vector<std::string> bodies_with_a_fault_in_every_word() {
           rings + "]}}}}",
       R"({"inputs":{"currents":[)" + repeated("\"" + std::string(15'000, 'c') + "\"", 64) + "]}}",
       R"({"inputs":{"goals_file":{"name":"a.gpx","text":"<gpx>)" + repeated("<rtept lat='95'/>", 55'000) +
-          R"("}}})",
+          R"(</gpx>"}}})",
       "{" + keys + "}",
       R"({"outputs":{)" + keys + "}}",
       "{\"" + std::string(500'000, 'k') + "\":1,\"" + std::string(500'000, 'k') + "\":2}"};
@@ -175,6 +177,62 @@ TEST_F(ExecutionTest, TakesWhatTheResultFollowsFromIntoOneDigest) {
   more.kind = repository::DatasetKind::currents;
   repository::DatasetRepository{db_}.insert(more);
   EXPECT_NE(digest_of(valid_body), digest) << "other data, other results";
+}
+
+/// As OGC API - Processes has it, 7.11.2.3: with its media type or schema, or without.
+nlohmann::json qualified(std::mt19937_64& rng, const nlohmann::json& value) {
+  nlohmann::json input{{"value", value}};
+  if (support::uniform_int(rng, 0, 1) == 0) input["mediaType"] = "application/json";
+  if (support::uniform_int(rng, 0, 1) == 0) input["schema"] = {{"type", "array"}};
+  return input;
+}
+
+TEST_F(ExecutionTest, TakesEveryInputOfEveryProcessAsAQualifiedValueToo) {
+  using nlohmann::json;
+  const std::vector<json> values{3,
+                                 "a text",
+                                 true,
+                                 json::array({-53, 69}),
+                                 {{"value", 3}, {"unit", "m"}},
+                                 json::array({{-53, 69}, {-52, 69}}),
+                                 {{"name", "a.gpx"}, {"text", "<gpx/>"}}};
+  support::for_each_seed(100, [&](std::mt19937_64& rng) {
+    for (const ProcessEntry& process : all_processes()) {
+      json bare;
+      json wrapped;
+      for (int i = support::uniform_int(rng, 1, 6); i > 0; --i) {
+        const std::string name = "input" + std::to_string(i);
+        bare[name] = values[static_cast<std::size_t>(support::uniform_int(rng, 0, 6))];
+        wrapped[name] = support::uniform_int(rng, 0, 3) == 0 ? bare[name] : qualified(rng, bare[name]);
+      }
+      bare["several"] = values;
+      for (const json& value : values) wrapped["several"].push_back(qualified(rng, value));
+      Request request;
+      request.body = json{{"inputs", wrapped}}.dump();
+
+      const auto read = read_execution(request, process);
+
+      ASSERT_TRUE(read.has_value()) << read.error().body;
+      EXPECT_EQ(read->inputs, bare) << process.id;
+    }
+  });
+}
+
+TEST_F(ExecutionTest, PlansTheSameFromQualifiedValues) {
+  ask("POST", plan_path, valid_body);
+  const auto digest = jobs_.last_submission.digest;
+  ask("POST", plan_path,
+      R"({"inputs":{"from":{"value":[-53,69]},"to":{"value":[-52.5,69.3,0],"mediaType":"application/json"},)"
+      R"("depart":{"value":"2026-11-20T06:00:00Z"}}})");
+  EXPECT_EQ(jobs_.last_submission.digest, digest);
+}
+
+TEST_F(ExecutionTest, RefusesInputsThatAreLinksOrEncoded) {
+  EXPECT_THAT(
+      pointers(
+          R"({"inputs":{"from":{"href":"http://127.0.0.1/a.json"},"to":{"value":"AA==","encoding":"base64"},)"
+          R"("depart":"2026-11-20T06:00:00Z"}})"),
+      testing::UnorderedElementsAre("/inputs/from", "/inputs/to/encoding"));
 }
 
 TEST_F(ExecutionTest, DoesAPlanAgainWhoseResultWasRemoved) {
