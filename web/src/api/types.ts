@@ -15,6 +15,7 @@ export interface PlanInputs {
   to?: Position;
   via?: Position[];
   goals_file?: RouteFile; // in place of `to` and `via`
+  route_name?: string; // of a goals_file with several routes
   depart?: string;
   vehicle?: string | ({ profile?: string } & Record<string, unknown>);
   speed_m_s?: number;
@@ -68,7 +69,7 @@ export interface PlanInputs {
 /** What a route is judged under: a request without the way. */
 export type Conditions = Omit<
   PlanInputs,
-  | 'from' | 'to' | 'via' | 'via_order' | 'goals_file' | 'spacing_m' | 'sectors' | 'method' | 'max_waypoints' | 'max_leg_m' | 'refine' | 'refine_seconds'
+  | 'from' | 'to' | 'via' | 'via_order' | 'goals_file' | 'route_name' | 'spacing_m' | 'sectors' | 'method' | 'max_waypoints' | 'max_leg_m' | 'refine' | 'refine_seconds'
   | 'encounter_weight_s' | 'uncertainty' | 'depart_until' | 'depart_step' | 'arrive_by' | 'optimality_gap' | 'name'
 >;
 

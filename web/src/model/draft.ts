@@ -16,6 +16,7 @@ export interface Draft {
   via: string;
   via_order: 'given' | 'best';
   goals_file: RouteFile; // without a name there is none; else it takes the place of `to` and `via`
+  route_name: string; // the one to take from that file
   depart: string;
   depart_until: string;
   depart_step: string; // hours
@@ -90,7 +91,7 @@ export interface Draft {
 }
 
 export const emptyDraft: Draft = {
-  from: '', to: '', via: '', via_order: 'given', goals_file: { name: '', text: '' }, depart: '', depart_until: '', depart_step: '3',
+  from: '', to: '', via: '', via_order: 'given', goals_file: { name: '', text: '' }, route_name: '', depart: '', depart_until: '', depart_step: '3',
   arrive_by: '', vehicle: '', 'vehicle.depth_rating_m': '', 'vehicle.minimum_working_depth_m': '', 'vehicle.buoyancy_cm3': '',
   'vehicle.hotel_w': '', 'vehicle.surfacing_interval_s': '', 'vehicle.surfacing_j': '', 'vehicle.battery_reserve_share': '',
   'vehicle.max_waypoints_per_list': '', name: '',

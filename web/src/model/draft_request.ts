@@ -94,13 +94,16 @@ export function inputsOf(form: Draft): { inputs: PlanInputs } | { faults: Faults
 }
 
 /** From where to where: typed, or from a file; undefined, with the faults noted, where a place cannot be read. */
-function placesOf(form: Draft, found: Faults): Pick<PlanInputs, 'from' | 'to' | 'via' | 'goals_file'> | undefined {
+function placesOf(form: Draft, found: Faults): Pick<PlanInputs, 'from' | 'to' | 'via' | 'goals_file' | 'route_name'> | undefined {
   const isFromFile = hasGoalsFile(form);
   const from = readPosition(form.from);
   const startsInFile = isFromFile && form.from.trim() === '';
   if (!from.ok && !startsInFile) found.from = from.fault;
   const start = from.ok ? { from: rounded(from.value) } : {};
-  if (isFromFile) return from.ok || startsInFile ? { ...start, goals_file: form.goals_file } : undefined;
+  if (isFromFile) {
+    const chosen = form.route_name.trim() === '' ? {} : { route_name: form.route_name.trim() };
+    return from.ok || startsInFile ? { ...start, goals_file: form.goals_file, ...chosen } : undefined;
+  }
 
   const to = readPosition(form.to);
   if (!to.ok) found.to = to.fault;

@@ -52,7 +52,7 @@ export function dataOf(plan: Plan, icebergs: PlanInputs['icebergs'] = 'newest'):
 }
 
 const ofTheWay = new Set<string>([
-  'from', 'to', 'via', 'via_order', 'goals_file', 'spacing_m', 'sectors', 'method', 'max_waypoints', 'max_leg_m', 'refine', 'refine_seconds',
+  'from', 'to', 'via', 'via_order', 'goals_file', 'route_name', 'spacing_m', 'sectors', 'method', 'max_waypoints', 'max_leg_m', 'refine', 'refine_seconds',
   'encounter_weight_s', 'uncertainty', 'depart_until', 'depart_step', 'arrive_by', 'optimality_gap', 'name',
 ] satisfies Exclude<keyof PlanInputs, keyof Conditions>[]);
 

@@ -71,6 +71,8 @@ describe('the set-up', () => {
     if ('faults' in all) throw new Error('refused');
     expect(all.inputs).toMatchObject({ goals_file });
     expect(['from', 'to', 'via'].filter((name) => name in all.inputs)).toEqual([]);
+    expect(all.inputs).not.toHaveProperty('route_name');
+    expect(inputsOf({ ...good, goals_file, route_name: ' out ' })).toMatchObject({ inputs: { route_name: 'out' } });
     const started = inputsOf({ ...good, goals_file });
     expect('inputs' in started && started.inputs.from).toEqual([-51.7, 69.1333333]);
     expect(inputsOf({ ...good, from: 'nowhere', goals_file })).toHaveProperty('faults.from');

@@ -1,6 +1,7 @@
 import type { VNode } from 'preact';
 import { useRef } from 'preact/hooks';
 import { draft, edit, emptyDraft, faults, hasGoalsFile, refuse } from '../../model/draft';
+import { textOf } from '../../model/file_text';
 import { announce } from '../../model/screen';
 import { IconButton } from '../common/icon';
 import { TextField } from './field';
@@ -21,20 +22,23 @@ function GoalsFromFile(): VNode {
   const { name } = draft.value.goals_file;
   const fault = faults.value.goals_file;
   return (
-    <div class={fault ? 'field faulty' : 'field'}>
-      <label for="field-goals_file">Goals</label>
-      <div class="field-row">
-        <input
-          id="field-goals_file" type="text" readOnly value={name} title={name} aria-invalid={fault ? true : undefined}
-          aria-describedby={fault ? 'fault-goals_file' : 'hint-goals_file'}
-        />
-        <Chooser />
-        <IconButton icon="x" label={`Do without ${name}`} onClick={() => edit({ goals_file: emptyDraft.goals_file })} />
+    <>
+      <div class={fault ? 'field faulty' : 'field'}>
+        <label for="field-goals_file">Goals</label>
+        <div class="field-row">
+          <input
+            id="field-goals_file" type="text" readOnly value={name} title={name} aria-invalid={fault ? true : undefined}
+            aria-describedby={fault ? 'fault-goals_file' : 'hint-goals_file'}
+          />
+          <Chooser />
+          <IconButton icon="x" label={`Do without ${name}`} onClick={() => edit({ goals_file: emptyDraft.goals_file, route_name: emptyDraft.route_name })} />
+        </div>
+        {fault
+          ? <p class="fault" id="fault-goals_file">{fault}</p>
+          : <p class="hint" id="hint-goals_file">The file’s places, in their order. With no start above, the first of them is the start.</p>}
       </div>
-      {fault
-        ? <p class="fault" id="fault-goals_file">{fault}</p>
-        : <p class="hint" id="hint-goals_file">The file’s places, in their order. With no start above, the first of them is the start.</p>}
-    </div>
+      <TextField name="route_name" label="Route in the file" placeholder="the only one" />
+    </>
   );
 }
 
@@ -47,7 +51,7 @@ async function take(file: File | undefined): Promise<void> {
     refuse({ to: `${file.name} is larger than 1 MiB: is it a mission file?` });
     return;
   }
-  edit({ goals_file: { name: file.name, text: await file.text() } });
+  edit({ goals_file: { name: file.name, text: textOf(await file.arrayBuffer()) }, route_name: emptyDraft.route_name });
   announce(`The goals come from ${file.name}.`);
 }
 

@@ -113,6 +113,7 @@ function reuse(plan: Plan): void {
     from: editablePosition([from.lon, from.lat]),
     to: editablePosition([to.lon, to.lat]),
     goals_file: emptyDraft.goals_file,
+    route_name: emptyDraft.route_name,
     depart: fieldOf(Date.parse(plan.departure)),
   });
   leftTab.value = 'setup';
