@@ -64,19 +64,49 @@ std::string add_places(const json& maneuver, std::vector<geo::LonLat>& places) {
   return "";
 }
 
-/// Which maneuver follows which.
-std::map<std::string, std::string> successors(const json& plan) {
-  std::map<std::string, std::string> next;
+/// Which maneuvers may follow which, but for the ends of a plan. That two may is left to a condition aboard.
+std::map<std::string, std::set<std::string>> successors(const json& plan) {
+  std::map<std::string, std::set<std::string>> next;
   const json* transitions = array_at(plan, "transitions");
   if (transitions == nullptr) return next;
   for (const json& transition : *transitions) {
     if (!transition.is_object()) continue;
     std::string sources = text_at(transition, "source_man");
     for (char& c : sources) c = c == ',' ? ' ' : c;
-    for (const std::string_view source : mission::words_of(sources))
-      next.emplace(source, text_at(transition, "dest_man"));
+    const std::string to = text_at(transition, "dest_man");
+    if (to == "done" || to == "error") continue;
+    for (const std::string_view source : mission::words_of(sources)) next[std::string{source}].insert(to);
   }
   return next;
+}
+
+tl::expected<NamedRoute, core::Violations> route_of(const json& plan) {
+  std::map<std::string, const json*> maneuvers;
+  const json* listed = array_at(plan, "maneuvers");
+  static const json none = json::array();
+  for (const json& maneuver : listed == nullptr ? none : *listed) {
+    if (maneuver.is_object() && maneuver.contains("data") && maneuver["data"].is_object())
+      maneuvers.emplace(text_at(maneuver, "maneuver_id"), &maneuver["data"]);
+  }
+
+  const auto next = successors(plan);
+  std::vector<geo::LonLat> places;
+  std::set<std::string> done;
+  for (std::string id = text_at(plan, "start_man_id"); done.insert(id).second;) {
+    const std::string here = "maneuver \"" + id + "\"";
+    const auto maneuver = maneuvers.find(id);
+    if (maneuver == maneuvers.end()) return route_fault(here, "is asked for but not there");
+    const std::string fault = add_places(*maneuver->second, places);
+    if (!fault.empty()) return route_fault(here, fault);
+    if (places.size() > max_places) return route_fault("file", "holds more than 10000 places");
+    const auto following = next.find(id);
+    if (following == next.end()) break;
+    if (following->second.size() > 1)
+      return route_fault(here, "may lead to \"" + *following->second.begin() + "\" or \"" +
+                                   *following->second.rbegin() + "\"; a route has no branches");
+    id = *following->second.begin();
+  }
+  return NamedRoute{text_at(plan, "plan_id"), {std::move(places)}};
 }
 
 }  // namespace
@@ -85,34 +115,19 @@ bool is_imc_plan(std::string_view bytes) {
   return bytes.substr(0, 4096).find("\"abbrev\"") != std::string_view::npos;
 }
 
-RoutePlaces read_imc(std::string_view bytes) {
-  const auto message = parse_json(bytes);
-  if (!message) return route_fault("file", message.error());
-  const json* plan = plan_in(*message);
-  if (plan == nullptr) return route_fault("file", "is an IMC message, but no PlanSpecification");
-  std::map<std::string, const json*> maneuvers;
-  const json* listed = array_at(*plan, "maneuvers");
-  static const json none = json::array();
-  for (const json& maneuver : listed == nullptr ? none : *listed) {
-    if (maneuver.is_object() && maneuver.contains("data") && maneuver["data"].is_object())
-      maneuvers.emplace(text_at(maneuver, "maneuver_id"), &maneuver["data"]);
+ReadRoutes read_imc(std::string_view bytes) {
+  const auto document = parse_json(bytes);
+  if (!document) return route_fault("file", document.error());
+  FileRoutes file;
+  const json messages = document->is_array() ? *document : json::array({*document});
+  for (const json& message : messages) {
+    const json* plan = plan_in(message);
+    if (plan == nullptr) return route_fault("file", "is an IMC message, but no PlanSpecification");
+    auto route = route_of(*plan);
+    if (!route) return tl::unexpected(std::move(route.error()));
+    file.routes.push_back(std::move(*route));
   }
-
-  const auto next = successors(*plan);
-  std::vector<geo::LonLat> places;
-  std::set<std::string> done;
-  for (std::string id = text_at(*plan, "start_man_id"); done.insert(id).second;) {
-    const auto maneuver = maneuvers.find(id);
-    if (maneuver == maneuvers.end())
-      return route_fault("maneuver \"" + id + "\"", "is asked for but not there");
-    const std::string fault = add_places(*maneuver->second, places);
-    if (!fault.empty()) return route_fault("maneuver \"" + id + "\"", fault);
-    if (places.size() > max_places) return route_fault("file", "holds more than 10000 places");
-    const auto following = next.find(id);
-    if (following == next.end() || following->second == "done" || following->second == "error") break;
-    id = following->second;
-  }
-  return places;
+  return file;
 }
 
 }  // namespace floeplan::codec

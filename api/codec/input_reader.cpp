@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
+#include "engine/geo/written_place.hpp"
 
 namespace floeplan::codec {
 namespace {
@@ -36,6 +37,11 @@ std::string shown(const json& value) {
   std::string text = value.dump(-1, ' ', false, json::error_handler_t::replace);
   if (text.size() > 60) text = "a long text";
   return text;
+}
+
+std::string heights_left_out(std::size_t places) {
+  return "the third number of " + (places == 1 ? "a position" : std::to_string(places) + " positions") +
+         " (a height or depth) is left out: how deep the vehicle dives follows from its profile";
 }
 
 InputReader::InputReader(const json& object, std::string pointer)
@@ -125,18 +131,22 @@ std::optional<core::Seconds> InputReader::duration(const std::string& key) {
 }
 
 std::optional<geo::LonLat> InputReader::to_place(const json& value, const std::string& pointer) {
-  const bool pair = value.is_array() && value.size() == 2 && value[0].is_number() && value[1].is_number();
-  if (!pair) {
-    refuse(pointer, "must be [longitude, latitude] in degrees, not " + shown(value));
+  const std::string rule = "must be [longitude, latitude] in degrees, not ";
+  if (!value.is_array() || value.size() < 2 || value.size() > 3) {
+    refuse(pointer, rule + (value.is_array() ? "an array of " + std::to_string(value.size()) : shown(value)));
     return std::nullopt;
   }
-  const geo::LonLat place{value[0].get<double>(), value[1].get<double>()};
-  if (!geo::is_valid(place)) {
-    refuse(pointer, "must have its longitude within -180 to 360 and its latitude within -90 to 90, not [" +
+  for (const json& number : value) {
+    if (number.is_number()) continue;
+    refuse(pointer, rule + "an array with " + shown(number));
+    return std::nullopt;
+  }
+  if (value.size() == 3 && value[2].get<double>() != 0.0) ++heights_;
+  const auto place = geo::written_place(value[0].get<double>(), value[1].get<double>());
+  if (!place)
+    refuse(pointer, "must have its longitude within -360 to 360 and its latitude within -90 to 90, not [" +
                         shown(value[0]) + ", " + shown(value[1]) + "]");
-    return std::nullopt;
-  }
-  return geo::LonLat{geo::wrap_longitude(place.lon_deg), place.lat_deg};
+  return place;
 }
 
 std::optional<geo::LonLat> InputReader::place(const std::string& key) {
@@ -192,6 +202,10 @@ void InputReader::refuse_unknown() {
     refuse(pointer_to(key), rule);
     rule = "is not known either";
   }
+}
+
+std::vector<std::string> InputReader::remarks() const {
+  return heights_ == 0 ? std::vector<std::string>{} : std::vector{heights_left_out(heights_)};
 }
 
 bool InputReader::refused(const std::string& pointer) const {

@@ -35,6 +35,7 @@ class InputReader {
   [[nodiscard]] std::optional<core::UtcTime> time(const std::string& key);
   /// An ISO 8601 duration of days and time, as "PT1H".
   [[nodiscard]] std::optional<core::Seconds> duration(const std::string& key);
+  /// [longitude, latitude], or with a height as GeoJSON allows (RFC 7946, 3.1.1), which is left out.
   [[nodiscard]] std::optional<geo::LonLat> place(const std::string& key);
   /// An array of places with `least` to `most` elements.
   [[nodiscard]] std::optional<std::vector<geo::LonLat>> places(const std::string& key, std::size_t least,
@@ -56,6 +57,8 @@ class InputReader {
   /// Whether nothing more is noted: a reader of many elements may leave the rest.
   [[nodiscard]] bool is_full() const { return core::is_full(violations_); }
   [[nodiscard]] const core::Violations& violations() const { return violations_; }
+  /// What was left out of what was read, for the pilot.
+  [[nodiscard]] std::vector<std::string> remarks() const;
 
  private:
   [[nodiscard]] std::optional<geo::LonLat> to_place(const nlohmann::json& value, const std::string& pointer);
@@ -67,7 +70,11 @@ class InputReader {
   std::string pointer_;
   std::set<std::string> known_;
   core::Violations violations_;
+  std::size_t heights_{};  // other than 0, of places
 };
+
+/// The remark on so many places whose heights are left out.
+[[nodiscard]] std::string heights_left_out(std::size_t places);
 
 /// The value as a short text for a message.
 [[nodiscard]] std::string shown(const nlohmann::json& value);

@@ -55,12 +55,27 @@ std::optional<double> angle_of(std::string_view text, std::string_view side, std
   return side[0] == negative ? -angle : angle;
 }
 
+/// A route as its sentences list it; loggers send it again and again.
+struct Listing {
+  std::string name;
+  std::vector<std::string> order;
+  int sentences{};  // that belong to it
+  int read{};
+
+  friend bool operator==(const Listing&, const Listing&) = default;
+};
+
+std::optional<int> count_of(std::string_view text) {
+  const auto number = mission::parse_number(text);
+  if (!number || *number < 1.0 || *number > 999.0 || *number != std::floor(*number)) return std::nullopt;
+  return static_cast<int>(*number);
+}
+
 /// What the sentences of a file have said so far.
 struct Sentences {
   std::vector<std::string> order_of_waypoints;
   std::map<std::string, geo::LonLat> waypoints;
-  std::optional<std::string> route;  // the first route's name
-  std::vector<std::string> order_of_route;
+  std::vector<Listing> listings;
   core::Violations faults;
 
   void refuse(int line, const std::string& rule) { faults.push_back({at_line(line), rule}); }
@@ -80,13 +95,19 @@ struct Sentences {
   }
 
   void read_route(const Fields& fields, int line) {
-    if (fields.size() < 6) return refuse(line, "must be RTE,sentences,number,c or w,name,waypoints");
+    const auto sentences = fields.size() < 5 ? std::nullopt : count_of(fields[1]);
+    const auto number = fields.size() < 5 ? std::nullopt : count_of(fields[2]);
+    if (!sentences || !number || *number > *sentences)
+      return refuse(line, "must be RTE,sentences,number,c or w,name,waypoints");
     const std::string name{fields[4]};
-    if (route && *route != name)
-      return refuse(line, "begins a second route; a file may hold one, for nobody can tell which is meant");
-    route = name;
+    if (*number == 1) listings.push_back({name, {}, *sentences, 0});
+    if (listings.empty() || listings.back().name != name || listings.back().sentences != *sentences ||
+        listings.back().read != *number - 1)
+      return refuse(
+          line, "is sentence " + std::to_string(*number) + " of a route of which the one before is missing");
+    ++listings.back().read;
     for (std::size_t i = 5; i < fields.size(); ++i) {
-      if (!fields[i].empty()) order_of_route.emplace_back(fields[i]);
+      if (!fields[i].empty()) listings.back().order.emplace_back(fields[i]);
     }
   }
 
@@ -107,27 +128,44 @@ struct Sentences {
   }
 };
 
-RoutePlaces places_in_order(const Sentences& sentences) {
-  const auto& order = sentences.route ? sentences.order_of_route : sentences.order_of_waypoints;
+std::vector<geo::LonLat> places_in_order(const Sentences& sentences, const std::vector<std::string>& order,
+                                         core::Violations& faults) {
   std::vector<geo::LonLat> places;
-  core::Violations faults;
   for (const std::string& name : order) {
     const auto found = sentences.waypoints.find(name);
-    if (found == sentences.waypoints.end()) {
-      faults.push_back({"file", "has the waypoint " + name + " in its route, yet no WPL says where it is"});
-      if (faults.size() == most_faults) break;
-    } else {
+    if (found != sentences.waypoints.end()) {
       places.push_back(found->second);
+    } else if (faults.size() < most_faults) {
+      faults.push_back({"file", "has the waypoint " + name + " in its route, yet no WPL says where it is"});
     }
   }
-  if (faults.empty() && places.empty()) return route_fault("file", "holds no WPL sentence with a waypoint");
-  if (!faults.empty()) return tl::unexpected(std::move(faults));
   return places;
+}
+
+/// Each listing once, or the waypoints in their own order where none is there.
+ReadRoutes routes_of(const Sentences& sentences) {
+  FileRoutes file;
+  core::Violations faults;
+  std::vector<Listing> known;
+  for (const Listing& listing : sentences.listings) {
+    if (listing.read < listing.sentences)
+      faults.push_back({"file", "lacks sentence " + std::to_string(listing.read + 1) + " of " +
+                                    std::to_string(listing.sentences) + " of the route \"" + listing.name +
+                                    "\": it was cut short"});
+    if (listing.order.empty() || std::ranges::find(known, listing) != known.end()) continue;
+    known.push_back(listing);
+    file.routes.push_back({listing.name, {places_in_order(sentences, listing.order, faults)}});
+  }
+  if (file.routes.empty() && !sentences.order_of_waypoints.empty())
+    file.routes.push_back({"", {places_in_order(sentences, sentences.order_of_waypoints, faults)}});
+  if (!faults.empty()) return tl::unexpected(std::move(faults));
+  if (file.routes.empty()) return route_fault("file", "holds no WPL sentence with a waypoint");
+  return file;
 }
 
 }  // namespace
 
-RoutePlaces read_nmea(std::string_view bytes) {
+ReadRoutes read_nmea(std::string_view bytes) {
   Sentences sentences;
   int number = 0;
   while (!bytes.empty() && sentences.faults.size() < most_faults) {
@@ -140,7 +178,7 @@ RoutePlaces read_nmea(std::string_view bytes) {
     if (line.starts_with('$')) sentences.read(line, number);
   }
   if (!sentences.faults.empty()) return tl::unexpected(std::move(sentences.faults));
-  return places_in_order(sentences);
+  return routes_of(sentences);
 }
 
 }  // namespace floeplan::codec

@@ -152,6 +152,9 @@ tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs)
     read_goals(reader, result.request, result.warnings);
   } else {
     read_places(reader, result.request);
+    if (reader.member("route_name") != nullptr)
+      reader.refuse("/route_name",
+                    "chooses among the routes of a file in \"goals_file\", which is not given");
   }
   read_remarks(reader, result.warnings);
   read_via_order(reader, result.request);
@@ -161,6 +164,7 @@ tl::expected<PlanInputs, core::Violations> parse_plan_inputs(const json& inputs)
   result.request.uncertainty = read_uncertainty(reader);
   reader.refuse_unknown();
   if (!reader.violations().empty()) return tl::unexpected(reader.violations());
+  for (std::string& remark : reader.remarks()) result.warnings.push_back(std::move(remark));
 
   if (auto violations = result.request.violations(); !violations.empty()) {
     return tl::unexpected(std::move(violations));
@@ -179,6 +183,7 @@ tl::expected<EvaluateInputs, core::Violations> parse_evaluate_inputs(const json&
 
   result.plan_id = std::move(given.plan_id);
   result.warnings = std::move(given.warnings);
+  for (std::string& remark : reader.remarks()) result.warnings.push_back(std::move(remark));
   if (!result.plan_id) set_route(result, std::move(given.places));
   return result;
 }

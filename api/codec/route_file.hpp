@@ -1,5 +1,6 @@
 #pragma once
 
+#include <optional>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
@@ -19,10 +20,12 @@ struct RouteFile {
 /// Reads a route from a file of another program or of a vehicle. What it is its content says; `name` helps where
 /// both kinds of mission file are possible, and is named in messages.
 /// Formats  GliderDOS lists and missions (.ma, .mi), GPX, KML, GeoJSON, CSV with columns for longitude and
-///          latitude, Seaglider targets, IMC plans of Neptus (JSON), NMEA 0183 waypoints and routes
+///          latitude, Seaglider targets, IMC plans of Neptus (JSON), NMEA 0183 waypoints and routes; UTF-8 or UTF-16
 /// Frame    longitudes are brought into [-180, 180), however the file counts them
-/// Errors   what is wrong, each with its line where the format has lines; files of more than 1 MiB or 10000 places
-[[nodiscard]] tl::expected<RouteFile, core::Violations> read_route_file(const std::string& name,
-                                                                        std::string_view bytes);
+/// `wanted` the name or number of the route to take, of a file with several
+/// Errors   what is wrong, each with its line where the format has lines; several routes, with their names; files of
+///          more than 8 MiB or 10000 places
+[[nodiscard]] tl::expected<RouteFile, core::Violations> read_route_file(
+    const std::string& name, std::string_view bytes, const std::optional<std::string>& wanted = {});
 
 }  // namespace floeplan::codec

@@ -1,6 +1,7 @@
 #include "api/codec/route_formats.hpp"
 
 #include "engine/core/violation_list.hpp"
+#include "engine/geo/written_place.hpp"
 
 namespace floeplan::codec {
 
@@ -12,8 +13,9 @@ tl::unexpected<core::Violations> route_fault(const std::string& where, const std
 
 std::optional<geo::LonLat> place_of(std::optional<double> lon, std::optional<double> lat, int line,
                                     core::Violations& faults) {
-  if (lon && lat && geo::is_valid({*lon, *lat})) return geo::LonLat{*lon, *lat};
-  core::note(faults, {at_line(line), "is no longitude and latitude in degrees, longitude -180 to 360"});
+  if (lon && lat)
+    if (const auto place = geo::written_place(*lon, *lat)) return place;
+  core::note(faults, {at_line(line), "is no longitude and latitude in degrees, longitude -360 to 360"});
   return std::nullopt;
 }
 

@@ -1,5 +1,7 @@
 #include "api/codec/route_inputs.hpp"
 
+#include "api/codec/route_choice.hpp"
+#include "api/codec/route_formats.hpp"
 #include "engine/geo/geodesic.hpp"
 
 namespace floeplan::codec {
@@ -7,7 +9,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::size_t max_route_places = 10'000;
 constexpr std::size_t most_named = 20;  // repeated places that a warning names
 constexpr double same_place_m = 1.0;    // shorter legs are none to the planner
 constexpr double longest_leg_m = 5e6;   // longer ones it does not take
@@ -64,8 +65,9 @@ std::optional<RouteFile> read_file_member(InputReader& reader, const std::string
     reader.refuse("/" + key, "must be an object of a file's \"name\" and its \"text\"");
     return std::nullopt;
   }
-  auto read =
-      read_route_file((*file)["name"].get<std::string>(), (*file)["text"].get_ref<const std::string&>());
+  const auto wanted = reader.text("route_name");
+  auto read = read_route_file((*file)["name"].get<std::string>(),
+                              (*file)["text"].get_ref<const std::string&>(), wanted);
   if (read) return std::move(*read);
   for (const core::Violation& violation : read.error()) {
     reader.refuse("/" + key, violation.field + ": " + violation.rule);
@@ -84,25 +86,28 @@ void begin_at(geo::LonLat start, std::vector<geo::LonLat>& places) {
   }
 }
 
-/// The positions of a route given as GeoJSON or as a bare array.
-GivenRoute read_positions(InputReader& reader, const json* route) {
-  std::string pointer = "/route";
-  if (route->is_object() && route->value("type", json{}) == "Feature" && route->contains("geometry")) {
-    route = &route->at("geometry");
-    pointer += "/geometry";
-  }
-  if (route->is_object()) {
-    if (route->value("type", json{}) != "LineString" || !route->contains("coordinates")) {
-      reader.refuse(pointer, "must be a GeoJSON LineString or an array of positions");
-      return {};
-    }
-    route = &route->at("coordinates");
-    pointer += "/coordinates";
-  }
-  auto places = reader.places(*route, pointer, 2, max_route_places);
+/// A bare array of positions.
+GivenRoute read_positions(InputReader& reader, const json& route) {
+  auto places = reader.places(route, "/route", 2, max_places);
   if (!places) return {};
   GivenRoute given{std::move(*places), {}, {}};
-  settle(reader, {pointer}, given);
+  settle(reader, {"/route"}, given);
+  return given;
+}
+
+/// The route that a GeoJSON object holds.
+GivenRoute read_geojson_route(InputReader& reader, const json& route) {
+  const auto wanted = reader.text("route_name");
+  const std::size_t faults_before = reader.violations().size();
+  FileRoutes all = geojson_routes(reader, route, "/route");
+  if (reader.violations().size() != faults_before) return {};
+  auto chosen = choose_route(std::move(all), wanted);
+  if (!chosen) {
+    for (const core::Violation& violation : chosen.error()) reader.refuse("/route", violation.rule);
+    return {};
+  }
+  GivenRoute given{std::move(chosen->places), {}, std::move(chosen->warnings)};
+  settle(reader, {"/route", false}, given);
   return given;
 }
 
@@ -132,7 +137,10 @@ GivenRoute read_route(InputReader& reader) {
     return given;
   }
   if (from_file) return read_file_route(reader, "route_file");
-  return route == nullptr ? given : read_positions(reader, route);
+  if (route != nullptr && route->is_object()) return read_geojson_route(reader, *route);
+  if (reader.member("route_name") != nullptr)
+    reader.refuse("/route_name", "chooses among the routes of a file or of GeoJSON, which is not given");
+  return route == nullptr ? given : read_positions(reader, *route);
 }
 
 }  // namespace floeplan::codec

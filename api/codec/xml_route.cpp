@@ -1,70 +1,162 @@
 #include <algorithm>
 
+#include "api/codec/input_reader.hpp"
 #include "api/codec/route_formats.hpp"
-#include "api/codec/xml_scan.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/mission/line_words.hpp"
+#include "storage/xml/xml_document.hpp"
 
 namespace floeplan::codec {
 namespace {
 
-std::optional<double> number_at(const XmlElement& element, const char* attribute) {
-  const auto found = element.attributes.find(attribute);
-  if (found == element.attributes.end()) return std::nullopt;
-  return mission::parse_number(found->second);
+using xml::Element;
+using Line = std::vector<geo::LonLat>;
+
+/// The points of that name right below the element.
+Line points_of(const Element& element, std::string_view point, core::Violations& faults) {
+  Line line;
+  for (const Element& child : element.children) {
+    if (child.name != point || core::is_full(faults)) continue;
+    const std::string lon = child.attribute("lon");
+    const std::string lat = child.attribute("lat");
+    const auto place = place_of(mission::parse_number(xml::trimmed(lon)),
+                                mission::parse_number(xml::trimmed(lat)), child.line, faults);
+    if (place) line.push_back(*place);
+  }
+  return line;
 }
 
-/// "lon,lat,height lon,lat ...".
-void read_coordinates(const XmlElement& element, std::vector<geo::LonLat>& places, core::Violations& faults) {
-  std::string text = element.text;
-  std::ranges::replace(text, '\n', ' ');
-  std::ranges::replace(text, '\r', ' ');
-  for (const std::string_view word : mission::words_of(text)) {
-    const std::size_t comma = word.find(',');
-    const std::string_view rest = comma == std::string_view::npos ? "" : word.substr(comma + 1);
-    const auto place = place_of(mission::parse_number(word.substr(0, comma)),
-                                mission::parse_number(rest.substr(0, rest.find(','))), element.line, faults);
-    if (!place) return;
-    places.push_back(*place);
-  }
+void add(std::vector<NamedRoute>& routes, NamedRoute route) {
+  std::erase_if(route.parts, [](const Line& part) { return part.empty(); });
+  if (!route.parts.empty()) routes.push_back(std::move(route));
 }
+
+/// Reads the geometries of KML.
+class KmlReader {
+ public:
+  ReadRoutes read(const Element& document) {
+    gather(document, false);
+    if (!faults_.empty()) return tl::unexpected(std::move(faults_));
+    if (lines_.empty() && points_.empty() && hidden_points_.empty())
+      return route_fault("file", "holds no LineString and no Point");
+    if (lines_.empty() && points_.empty())
+      add(lines_, {"", {std::move(hidden_points_)}, Gaps::refused, "hidden"});
+    if (lines_.empty()) add(lines_, {"", {std::move(points_)}});
+    FileRoutes file{std::move(lines_), {}};
+    if (heights_ > 0) file.warnings.push_back(heights_left_out(heights_));
+    return file;
+  }
+
+ private:
+  /// Everything below a folder, or the geometries of a placemark, each a route where no placemark is around.
+  void gather(const Element& element, bool is_hidden) {
+    is_hidden = is_hidden || element.text_of("visibility") == "0";
+    NamedRoute route{element.text_of("name"), {}, Gaps::refused, is_hidden ? "hidden" : ""};
+    for (const Element& child : element.children) {
+      if (core::is_full(faults_)) return;
+      if (!read_geometry(child, route)) gather(child, is_hidden);
+      if (element.name != "Placemark" && !route.parts.empty()) {
+        add(lines_, {"", std::move(route.parts), route.gaps, route.aside});
+        route.parts.clear();
+      }
+    }
+    add(lines_, std::move(route));
+  }
+
+  /// Adds the lines to the route. False where the element is no geometry.
+  bool read_geometry(const Element& element, NamedRoute& route) {
+    if (element.name == "LineString") {
+      route.parts.push_back(coordinates_of(element));
+    } else if (element.name == "Track") {
+      route.parts.push_back(track(element));
+      route.gaps = Gaps::flown;
+    } else if (element.name == "Point") {
+      Line& points = route.aside.empty() ? points_ : hidden_points_;
+      const Line place = coordinates_of(element);
+      points.insert(points.end(), place.begin(), place.end());
+    } else if (element.name == "MultiGeometry" || element.name == "MultiTrack") {
+      for (const Element& part : element.children) read_geometry(part, route);
+    } else {
+      return element.name == "Polygon" || element.name == "LinearRing" || element.name == "Model";
+    }
+    return true;
+  }
+
+  /// "lon,lat,height lon,lat ...".
+  Line coordinates_of(const Element& element) {
+    Line line;
+    const Element* const coordinates = element.child("coordinates");
+    if (coordinates == nullptr) return line;
+    for (std::string_view rest = xml::trimmed(coordinates->text); !rest.empty();) {
+      const std::string_view word = rest.substr(0, rest.find_first_of(" \t\r\n"));
+      rest = xml::trimmed(rest.substr(word.size()));
+      if (!add_place(word, ',', coordinates->line, line)) break;
+    }
+    return line;
+  }
+
+  /// The elements gx:coord, "lon lat height".
+  Line track(const Element& element) {
+    Line line;
+    for (const Element& child : element.children)
+      if (child.name == "coord" && !add_place(xml::trimmed(child.text), ' ', child.line, line)) break;
+    return line;
+  }
+
+  bool add_place(std::string_view text, char separator, int line_number, Line& line) {
+    std::vector<std::optional<double>> numbers;
+    while (true) {
+      const std::size_t end = text.find(separator);
+      numbers.push_back(mission::parse_number(text.substr(0, end)));
+      if (end == std::string_view::npos) break;
+      text.remove_prefix(end + 1);
+    }
+    numbers.resize(std::max<std::size_t>(numbers.size(), 3));
+    if (numbers[2].value_or(0.0) != 0.0) ++heights_;
+    const auto place = place_of(numbers[0], numbers[1], line_number, faults_);
+    if (place) line.push_back(*place);
+    return place.has_value();
+  }
+
+  std::vector<NamedRoute> lines_;
+  Line points_;
+  Line hidden_points_;
+  std::size_t heights_{};
+  core::Violations faults_;
+};
 
 }  // namespace
 
-RoutePlaces read_gpx(std::string_view bytes) {
-  const auto elements = scan_xml(bytes);
-  for (const char* wanted : {"rtept", "trkpt", "wpt"}) {
-    std::vector<geo::LonLat> places;
-    core::Violations faults;
-    for (const XmlElement& element : elements) {
-      if (core::is_full(faults)) break;
-      if (element.name != wanted) continue;
-      if (const auto place =
-              place_of(number_at(element, "lon"), number_at(element, "lat"), element.line, faults))
-        places.push_back(*place);
-    }
-    if (!faults.empty()) return tl::unexpected(std::move(faults));
-    if (!places.empty()) return places;
+ReadRoutes read_gpx(std::string_view bytes) {
+  const auto document = xml::parse(bytes);
+  if (!document) return route_fault("file", document.error());
+  std::vector<NamedRoute> routes;
+  std::vector<NamedRoute> tracks;
+  core::Violations faults;
+  add(routes, {"", {points_of(*document, "rtept", faults)}});
+  for (const Element& element : document->children) {
+    if (element.name == "rte") add(routes, {element.text_of("name"), {points_of(element, "rtept", faults)}});
+    if (element.name != "trk") continue;
+    NamedRoute track{element.text_of("name"), {points_of(element, "trkpt", faults)}, Gaps::flown};
+    for (const Element& segment : element.children)
+      if (segment.name == "trkseg") track.parts.push_back(points_of(segment, "trkpt", faults));
+    add(tracks, std::move(track));
   }
-  return route_fault("file", "holds no rtept, trkpt or wpt");
+  const bool has_routes = !routes.empty();
+  for (NamedRoute& track : tracks) {
+    if (has_routes) track.aside = "a track beside a route";
+    routes.push_back(std::move(track));
+  }
+  if (routes.empty()) add(routes, {"", {points_of(*document, "wpt", faults)}});
+  if (!faults.empty()) return tl::unexpected(std::move(faults));
+  if (routes.empty()) return route_fault("file", "holds no rtept, trkpt or wpt");
+  return FileRoutes{std::move(routes), {}};
 }
 
-RoutePlaces read_kml(std::string_view bytes) {
-  std::vector<geo::LonLat> line;
-  std::vector<geo::LonLat> points;
-  core::Violations faults;
-  std::string geometry;
-  for (const XmlElement& element : scan_xml(bytes)) {
-    if (core::is_full(faults)) break;
-    if (element.name == "LineString" || element.name == "Point" || element.name == "Polygon")
-      geometry = element.name;
-    if (element.name != "coordinates") continue;
-    if (geometry == "LineString" && line.empty()) read_coordinates(element, line, faults);
-    if (geometry == "Point") read_coordinates(element, points, faults);
-  }
-  if (!faults.empty()) return tl::unexpected(std::move(faults));
-  if (line.empty() && points.empty()) return route_fault("file", "holds no LineString and no Point");
-  return line.empty() ? points : line;
+ReadRoutes read_kml(std::string_view bytes) {
+  const auto document = xml::parse(bytes);
+  if (!document) return route_fault("file", document.error());
+  return KmlReader{}.read(*document);
 }
 
 }  // namespace floeplan::codec

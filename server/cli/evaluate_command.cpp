@@ -2,7 +2,6 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "api/codec/foreign_members.hpp"
 #include "api/codec/plan_inputs.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/input_flags.hpp"
@@ -15,33 +14,10 @@ namespace {
 
 using nlohmann::json;
 
-/// The first LineString of a GeoJSON document, or the document itself when it has none (the parser then says
-/// what is wrong).
-json route_in(const json& document) {
-  if (document.is_object() && codec::text_at(document, "type") == "FeatureCollection" &&
-      document.contains("features") && document.at("features").is_array()) {
-    for (const json& feature : document.at("features")) {
-      if (feature.is_object() && feature.contains("geometry") && feature.at("geometry").is_object() &&
-          codec::text_at(feature.at("geometry"), "type") == "LineString") {
-        return feature;
-      }
-    }
-  }
-  return document;
-}
-
 int run_evaluate(const std::string& route, const InputFlags& flags, bool json_out, const Program& program) {
   json inputs = flags.inputs();
   if (std::filesystem::is_regular_file(route)) {
-    json file = file_member(route);
-    const json document = json::parse(file["text"].get_ref<const std::string&>(), nullptr, false);
-    // From a start other than its first place, and where it is JSON but no GeoJSON, it goes as the file that it is.
-    const bool as_file = document.is_discarded() || document.contains("abbrev") || inputs.contains("from");
-    if (as_file) {
-      inputs["route_file"] = std::move(file);
-    } else {
-      inputs["route"] = route_in(document);
-    }
+    inputs["route_file"] = file_member(route);
   } else if (route.find('.') != std::string::npos || route.find('/') != std::string::npos) {
     return complain(could_not, "the file " + route + " cannot be read; check its name");
   } else {
@@ -72,6 +48,7 @@ void add_evaluate(CLI::App& app, Program& program) {
       ->required();
   flags->add_request(*command, "the inputs of process evaluate-route");
   flags->add_start(*command);
+  flags->add_route_name(*command);
   flags->add_voyage(*command);
   flags->add_route_rules(*command);
   command->add_flag("--json", *json_out, "Answer with one JSON document");

@@ -193,6 +193,11 @@ void InputFlags::add_start(CLI::App& command) {
   command.add_option("--from", from_, "Where a route from a mission file starts, LON,LAT in degrees");
 }
 
+void InputFlags::add_route_name(CLI::App& command) {
+  command.add_option("--route", route_name_,
+                     "Name or number of the route to take from a file that holds several");
+}
+
 void InputFlags::add_planning(CLI::App& command) {
   command.add_option("--encounter-weight", encounter_weight_s_,
                      "Seconds of travel that one expected encounter with an iceberg counts as; default 0");
@@ -204,6 +209,7 @@ void InputFlags::add_planning(CLI::App& command) {
       "--goals", goals_file_,
       "File with the places to visit instead of --via and --to: .ma, .mi, GPX, KML, GeoJSON, CSV, NMEA, "
       "Seaglider targets or an IMC plan; without --from its first place is the start");
+  add_route_name(command);
   command.add_option("--members", members_,
                      "Draw this many errors of the currents (2 to 64) and show the spread");
   command.add_option("--current-error", current_error_m_s_,
@@ -259,6 +265,7 @@ json InputFlags::inputs() const {
   };
   if (from_) inputs["from"] = place_of("--from", *from_);
   if (to_) inputs["to"] = place_of("--to", *to_);
+  set("route_name", route_name_);
   if (goals_file_) inputs["goals_file"] = file_member(*goals_file_);
   if (!via_.empty()) {
     inputs["via"] = json::array();

@@ -20,6 +20,7 @@ class InputFlags {
   void add_request(CLI::App& command, const std::string& inputs);
   /// Where a route from a file starts.
   void add_start(CLI::App& command);
+  void add_route_name(CLI::App& command);
   /// Places, grid, search and refinement: what only `plan` takes.
   void add_planning(CLI::App& command);
 
@@ -39,6 +40,7 @@ class InputFlags {
   std::optional<std::string> from_;
   std::optional<std::string> to_;
   std::optional<std::string> goals_file_;
+  std::optional<std::string> route_name_;
   std::vector<std::string> via_;
   std::optional<std::string> depart_;
   std::optional<std::string> depart_until_;
