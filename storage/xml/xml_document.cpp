@@ -87,8 +87,11 @@ std::string root_name(std::string_view head) {
       head.remove_prefix(1);
       return local_name(head.substr(0, head.find_first_of(" \t\r\n/>")));
     }
+    const std::size_t subset =
+        head.find('[');  // of a DOCTYPE, which holds declarations with ends of their own
+    const bool has_subset = !is_comment && subset < head.find('>');
     const std::string_view end = is_comment ? "-->" : ">";
-    const std::size_t at = head.find(end);
+    const std::size_t at = head.find(end, has_subset ? head.find(']', subset) : 0);
     if (at == std::string_view::npos) return {};
     head.remove_prefix(at + end.size());
   }

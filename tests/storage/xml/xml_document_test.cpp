@@ -123,6 +123,8 @@ TEST(XmlDocument, SurvivesBrokenText) {
 TEST(XmlDocument, IsToldByItsFirstElement) {
   EXPECT_EQ(root_name("\n<?xml version='1.0'?>\n<!-- <gpx> -->\n<!DOCTYPE kml>\n<k:kml xmlns:k='u'>"), "kml");
   EXPECT_EQ(root_name("<kml/>"), "kml");
+  EXPECT_EQ(root_name("<!DOCTYPE gpx [<!ENTITY a \"b\"><!ENTITY c \"d\">] ><gpx>&a;</gpx>"), "gpx");
+  EXPECT_EQ(root_name("<!DOCTYPE gpx [<!ENTITY a \"b\">"), "");
   EXPECT_EQ(root_name("<!-- never ends <kml>"), "");
   EXPECT_EQ(root_name("lon,lat"), "");
 }
