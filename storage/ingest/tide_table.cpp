@@ -7,6 +7,7 @@
 #include <iterator>
 #include <nlohmann/json.hpp>
 
+#include "engine/geo/written_place.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/repository/tide_repository.hpp"
@@ -150,7 +151,7 @@ Checked<geo::LonLat> place_of(std::optional<double> lon, std::optional<double> l
   const geo::LonLat place{*lon, *lat};
   if (auto fault = fault_of_place(place); !fault.empty())
     return refuse(fault + "; the station is at no place on the Earth; correct the file");
-  return place;
+  return *geo::written_place(*lon, *lat);
 }
 
 std::optional<double> number_in(const json& object, std::initializer_list<const char*> keys) {
