@@ -42,7 +42,7 @@ fetch_jars() {
 
 # start_server: serves the demonstration data, with a plan so that no collection is empty; sets `address`.
 start_server() {
-  "$program" demo "$work/demo" >/dev/null
+  "$program" demo "$work/demo" --start 2026-11-22 >/dev/null
   "$program" --data "$work/store" ingest "$work"/demo/*.nc "$work"/demo/*.geojson >/dev/null
   "$program" --data "$work/store" serve --listen 127.0.0.1:0 2>"$work/server.log" &
   server=$!

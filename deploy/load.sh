@@ -103,7 +103,7 @@ main() {
   command -v wrk >/dev/null || fail "wrk is not installed" "run deploy/install-deps --with-load"
   work=$(mktemp -d)
   trap 'xargs -r kill <"$work/pids" 2>/dev/null || true; rm -rf "$work"' EXIT
-  "$program" demo "$work/demo" >/dev/null
+  "$program" demo "$work/demo" --start 2026-11-22 >/dev/null
   bergs >"$work/bergs.geojson"
   "$program" --data "$work/store" ingest "$work"/demo/*.nc "$work"/demo/*coastline*.geojson "$work/bergs.geojson" >/dev/null
   address=$(serve "$work/server.log" "$program" --data "$work/store" --log-level warning serve --listen 127.0.0.1:0)

@@ -1,5 +1,8 @@
+#include <chrono>
 #include <iostream>
 #include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
 
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
@@ -12,20 +15,45 @@ struct DemoFlags {
   std::filesystem::path directory;
   std::string scenario{"disko"};
   std::uint64_t seed{1};
-  std::string start{"2026-11-22T00:00:00Z"};  // fixed, so that everybody gets the same files
+  std::optional<std::string> start;
+  bool json_out{};
 };
 
+/// 00:00 UTC of the day, so that the data hold for the hours in which somebody looks at them first.
+core::UtcTime today() { return std::chrono::floor<std::chrono::days>(now()); }
+
+std::string command_line(const std::vector<std::string>& words) {
+  std::string line{"floeplan"};
+  for (const std::string& word : words) line += ' ' + word;
+  return line;
+}
+
 int run_demo(const DemoFlags& flags) {
-  const auto start = core::parse_iso8601(flags.start);
+  const auto start = flags.start ? core::parse_iso8601(*flags.start) : today();
   if (!start) {
-    return complain(wrong_usage,
-                    "--start " + flags.start + " is not a time with its zone; as 2026-11-22T00:00:00Z");
+    return complain(wrong_usage, "--start " + *flags.start +
+                                     " is not a date or a time with its zone; write it as 2026-11-22 or "
+                                     "2026-11-22T06:00:00Z");
   }
-  for (const auto& file :
-       demo::write_demo(flags.directory, *demo::parse_scenario(flags.scenario), flags.seed, *start)) {
-    std::cout << file.string() << '\n';
+  const demo::Scenario scenario = *demo::parse_scenario(flags.scenario);
+  const auto files = demo::write_demo(flags.directory, scenario, flags.seed, *start);
+  const std::vector<std::string> example = demo::example_request(scenario, *start);
+  if (flags.json_out) {
+    nlohmann::ordered_json names = nlohmann::ordered_json::array();
+    for (const auto& file : files) names.push_back(file.string());
+    std::cout << nlohmann::ordered_json{{"scenario", flags.scenario},
+                                        {"seed", flags.seed},
+                                        {"start", core::iso8601(*start)},
+                                        {"files", names},
+                                        {"example", example}}
+                     .dump(2)
+              << '\n';
+  } else {
+    for (const auto& file : files) std::cout << file.string() << '\n';
   }
-  std::cerr << "These data are synthetic and not for navigation; README.txt beside them says what is real.\n";
+  std::cerr << "These data are synthetic and not for navigation; README.txt beside them says what is real.\n"
+               "Once they are ingested, try: "
+            << command_line(example) << '\n';
   return done;
 }
 
@@ -35,11 +63,16 @@ void add_demo(CLI::App& app, Program& program) {
   auto flags = std::make_shared<DemoFlags>();
   auto* command = app.add_subcommand("demo", "Write synthetic demonstration data in real file formats");
   command->add_option("DIR", flags->directory, "Folder to write into, made when missing")->required();
-  command->add_option("--scenario", flags->scenario, "disko, river or jet")
-      ->check(CLI::IsMember({"disko", "river", "jet"}))
+  command
+      ->add_option("--scenario", flags->scenario,
+                   "disko: Disko Bay; strait: a tide stronger than a glider; pack-ice: ice with leads; "
+                   "river, jet: of Eichhorn 2009")
+      ->check(CLI::IsMember(demo::scenario_names()))
       ->capture_default_str();
-  command->add_option("--seed", flags->seed, "Same seed, same bytes")->capture_default_str();
-  command->add_option("--start", flags->start, "First hour of the currents")->capture_default_str();
+  command->add_option("--seed", flags->seed, "Same seed and start, same bytes")->capture_default_str();
+  command->add_option("--start", flags->start,
+                      "First hour of the data, ISO 8601 with zone or a date; default: today, 00:00 UTC");
+  command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run_demo(*flags); });
 }
 

@@ -7,67 +7,26 @@
 
 #include "storage/demo/disko_places.hpp"
 #include "storage/demo/land_mask.hpp"
+#include "storage/demo/tidal_flow.hpp"
 
 namespace floeplan::demo {
 namespace {
 
 constexpr double turn_rad = 2.0 * std::numbers::pi;
-constexpr double m2_period_s = 12.4206012 * 3600.0;
-constexpr double s2_period_s = 12.0 * 3600.0;
-constexpr double s2_share = 0.25;
 constexpr double bay_lag_s = 3000.0;  // the bay turns before the fjord: the tidal ellipses open
 constexpr double eddy_life_s = 6.0 * 86400.0;
 constexpr int eddies = 8;
-constexpr double shallowest_m = 40.0;  // keeps the tide out of shoals, where it would race
 constexpr double fastest_m_s = 0.75;
 
 const Gate western{{-54.51, 68.72, -54.49, 69.42}, 0.0};
 const Gate vaigat{{-52.00, 69.59, -51.30, 69.61}, 0.0};
 const Gate icefjord{{-50.51, 69.14, -50.49, 69.225}, 0.0};
 
-Gate with_inflow(Gate gate, double inflow) {
-  gate.inflow = inflow;
-  return gate;
-}
-
 double uniform(std::mt19937_64& rng, double low, double high) {
   return low + (high - low) * static_cast<double>(rng() >> 11) * 0x1.0p-53;
 }
 
 double bell(double distance, double width) { return std::exp(-(distance / width) * (distance / width)); }
-
-/// Scales a flow to a speed that is exceeded only in a share `exempt` of the wet nodes, and holds those back
-/// to little more.
-void scale(Flow& flow, double speed_m_s, double exempt) {
-  std::vector<double> speeds;
-  for (std::size_t i = 0; i < flow.east.size(); ++i) {
-    const double speed = std::hypot(flow.east[i], flow.north[i]);
-    if (speed > 0.0) speeds.push_back(speed);
-  }
-  const auto nth =
-      speeds.begin() + static_cast<std::ptrdiff_t>((1.0 - exempt) * static_cast<double>(speeds.size() - 1));
-  std::ranges::nth_element(speeds, nth);
-  const double factor = speed_m_s / *nth;
-  for (std::size_t i = 0; i < flow.east.size(); ++i) {
-    const double speed = factor * std::hypot(flow.east[i], flow.north[i]);
-    const double held = factor * std::min(1.0, 1.15 * speed_m_s / std::max(speed, 1e-12));
-    flow.east[i] *= held;
-    flow.north[i] *= held;
-  }
-}
-
-/// The tide carries volume: a stream function of transport, divided by the depth.
-Flow tidal_flow(const RasterFrame& frame, const std::vector<bool>& land, const std::vector<double>& bed_m,
-                const std::vector<Gate>& gates) {
-  std::vector<double> resistance(frame.size());
-  for (std::size_t i = 0; i < frame.size(); ++i) resistance[i] = 100.0 / std::max(bed_m[i], shallowest_m);
-  Flow flow = stream_flow(frame, land, resistance, gates, std::vector<double>(frame.size()));
-  for (std::size_t i = 0; i < frame.size(); ++i) {
-    flow.east[i] *= resistance[i];
-    flow.north[i] *= resistance[i];
-  }
-  return flow;
-}
 
 /// A current that is held together along the outflow's way and widens with the distance from the fjord's
 /// head.
@@ -119,10 +78,7 @@ std::vector<Eddy> drifted(std::vector<Eddy> whirls, std::mt19937_64& rng) {
 }
 
 double tide(core::UtcTime time, double lag_s) {
-  const double seconds = core::unix_seconds(time) - lag_s;
-  return (std::cos(turn_rad * seconds / m2_period_s) +
-          s2_share * std::cos(turn_rad * seconds / s2_period_s)) /
-         (1.0 + s2_share);
+  return springs_and_neaps(core::Seconds{core::unix_seconds(time) - lag_s});
 }
 
 /// Strength of each part at a depth, the surface being 1.
@@ -155,12 +111,12 @@ DiskoCurrents::DiskoCurrents(const Relief& relief, const std::vector<geo::Polygo
   outflow_ = outflow_jet(nodes, land_);
   eddies_early_ = spun_flow(nodes, land_, early);
   eddies_late_ = spun_flow(nodes, land_, late);
-  scale(fjord_tide_, 0.34, 0.001);
-  scale(bay_tide_, 0.16, 0.01);
-  scale(circulation_, gyre_m_s, 0.01);
-  scale(outflow_, outflow_m_s, 0.004);
-  scale(eddies_early_, 0.08, 0.01);
-  scale(eddies_late_, 0.08, 0.01);
+  scale_to_speed(fjord_tide_, 0.34, 0.001);
+  scale_to_speed(bay_tide_, 0.16, 0.01);
+  scale_to_speed(circulation_, gyre_m_s, 0.01);
+  scale_to_speed(outflow_, outflow_m_s, 0.004);
+  scale_to_speed(eddies_early_, 0.08, 0.01);
+  scale_to_speed(eddies_late_, 0.08, 0.01);
 }
 
 bool DiskoCurrents::is_masked(std::size_t at, double depth_m) const {

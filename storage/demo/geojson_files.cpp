@@ -117,18 +117,13 @@ void write_icebergs(const std::filesystem::path& file, const std::vector<ocean::
 }
 
 void write_coastline(const std::filesystem::path& file, const std::vector<geo::Polygon>& land,
-                     const geo::BoundingBox& area) {
+                     const geo::BoundingBox& area, const CoastlineOrigin& origin) {
   std::vector<Json> features;
   add_features(*joined(land, area), features);
-  write_collection(
-      file,
-      {{"name", "Disko Bay coastline (GSHHG, not for navigation)"},
-       {"description",
-        "Real coastline: GSHHG 2.3.7, full resolution, cut to the area. Glacier fronts and small islands may "
-        "have moved."},
-       {"source", "GSHHG, Wessel and Smith 1996, J. Geophys. Res. 101, 8741-8743, doi:10.1029/96JB00104"},
-       {"license", "GSHHG, Wessel and Smith 1996, LGPL"}},
-      features);
+  Json members{{"name", origin.name}, {"description", origin.description}};
+  if (!origin.source.empty()) members["source"] = origin.source;
+  members["license"] = origin.license;
+  write_collection(file, members, features);
 }
 
 }  // namespace floeplan::demo

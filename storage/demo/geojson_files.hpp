@@ -1,6 +1,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "engine/geo/bounding_box.hpp"
@@ -13,10 +14,17 @@ namespace floeplan::demo {
 /// Errors   std::runtime_error when the file cannot be written
 void write_icebergs(const std::filesystem::path& file, const std::vector<ocean::Iceberg>& icebergs);
 
-/// GSHHG land within an area as GeoJSON polygons, joined across bin borders and cut at the area's edges; five
-/// decimals.
+/// Where a coastline comes from, as its file says; the source may be empty.
+struct CoastlineOrigin {
+  std::string name;
+  std::string description;
+  std::string source;
+  std::string license;
+};
+
+/// Land within an area as GeoJSON polygons, joined where pieces meet and cut at the area's edges; five decimals.
 /// Errors   std::runtime_error when the file cannot be written
 void write_coastline(const std::filesystem::path& file, const std::vector<geo::Polygon>& land,
-                     const geo::BoundingBox& area);
+                     const geo::BoundingBox& area, const CoastlineOrigin& origin);
 
 }  // namespace floeplan::demo

@@ -34,6 +34,47 @@ The invented files are in the public domain (CC0-1.0). The same seed and start t
 To use them:  floeplan ingest disko-synthetic-* disko-coastline.geojson
 )";
 
+inline constexpr std::string_view strait_readme =
+    R"(Demonstration data: a tidal strait
+===================================
+NOT FOR NAVIGATION. Everything here is invented; there is no land in this place.
+
+Two shores in the open water of Davis Strait, at 58.5W 64.2N, leave a narrows 5 km wide between two
+basins. The tide in the narrows runs at up to 0.5 m/s, one and a half times the speed of a glider,
+towards the east two hours after the start and towards the west six hours later; in the basins it is
+weak. A plan through the narrows that may wait (--max-loiter PT12H) waits for the tide.
+
+  strait-synthetic-bathymetry.tif     GeoTIFF, EPSG:4326, about 260 m, metres, positive up
+  strait-synthetic-currents.nc        NetCDF-4, CF-1.8, hourly for six days, about 500 m: M2 and S2 from
+                                      a stream function. No tide was predicted.
+  strait-synthetic-coastline.geojson  the two shores
+
+The files are in the public domain (CC0-1.0). The same seed and start time give the same bytes.
+
+To use them:  floeplan ingest strait-synthetic-*
+)";
+
+inline constexpr std::string_view pack_ice_readme =
+    R"(Demonstration data: below pack ice
+===================================
+NOT FOR NAVIGATION. Everything here is invented.
+
+A belt of closed ice 80 km wide in Baffin Bay, at 64W 73N, with open water in the east and in the west.
+A glider takes about three days below it; in three leads, 10 km by 18 km, it can surface on the way. They
+lie beside the straight line and drift southwards with the ice. A plan across with a bound on the time
+between surfacings (--max-time-without-surfacing PT20H) leads through them.
+
+  pack-ice-synthetic-bathymetry.tif   GeoTIFF, EPSG:4326, about 1 km, metres, positive up
+  pack-ice-synthetic-currents.nc      NetCDF-4, CF-1.8, hourly for six days, about 1 km: a weak drift and
+                                      four eddies from formulas. No forecast model was run.
+  pack-ice-synthetic-ice.nc           NetCDF-4, CF-1.8, daily for six days: concentration and thickness.
+                                      No ice was observed.
+
+The files are in the public domain (CC0-1.0). The same seed and start time give the same bytes.
+
+To use them:  floeplan ingest pack-ice-synthetic-*
+)";
+
 inline constexpr std::string_view paper_readme =
     R"(Demonstration data: a current field of Eichhorn 2009 at sea scale
 =================================================================

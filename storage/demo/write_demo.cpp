@@ -1,9 +1,11 @@
 #include "storage/demo/write_demo.hpp"
 
+#include <algorithm>
 #include <fstream>
 #include <stdexcept>
 #include <string>
 
+#include "engine/core/utc_text.hpp"
 #include "storage/demo/bathymetry_file.hpp"
 #include "storage/demo/current_file.hpp"
 #include "storage/demo/disko_bathymetry.hpp"
@@ -13,8 +15,10 @@
 #include "storage/demo/disko_places.hpp"
 #include "storage/demo/geojson_files.hpp"
 #include "storage/demo/ice_file.hpp"
+#include "storage/demo/pack_ice.hpp"
 #include "storage/demo/paper_scenarios.hpp"
 #include "storage/demo/readme_text.hpp"
+#include "storage/demo/strait.hpp"
 #include "storage/ingest/gshhg_reader.hpp"
 
 namespace floeplan::demo {
@@ -74,7 +78,14 @@ std::vector<std::filesystem::path> write_disko(const std::filesystem::path& dir,
                return make_disko_ice(relief, DiskoCurrents::frame(), seed, time - start);
              }});
   write_icebergs(files[3], make_disko_icebergs(relief, seed, start));
-  write_coastline(files[4], shoreline(disko::coast_area), disko::coast_area);
+  write_coastline(
+      files[4], shoreline(disko::coast_area), disko::coast_area,
+      {.name = "Disko Bay coastline (GSHHG, not for navigation)",
+       .description =
+           "Real coastline: GSHHG 2.3.7, full resolution, cut to the area. Glacier fronts and small "
+           "islands may have moved.",
+       .source = "GSHHG, Wessel and Smith 1996, J. Geophys. Res. 101, 8741-8743, doi:10.1029/96JB00104",
+       .license = "GSHHG, Wessel and Smith 1996, LGPL"});
   return files;
 }
 
@@ -87,32 +98,47 @@ void write_text(const std::filesystem::path& file, std::string_view text) {
 
 }  // namespace
 
+const std::vector<std::string>& scenario_names() {
+  static const std::vector<std::string> names{"disko", "strait", "pack-ice", "river", "jet"};
+  return names;
+}
+
 std::optional<Scenario> parse_scenario(std::string_view name) {
-  if (name == "disko") return Scenario::disko;
-  if (name == "river") return Scenario::river;
-  if (name == "jet") return Scenario::jet;
-  return std::nullopt;
+  const auto found = std::ranges::find(scenario_names(), name);
+  if (found == scenario_names().end()) return std::nullopt;
+  return static_cast<Scenario>(found - scenario_names().begin());
+}
+
+std::vector<std::string> example_request(Scenario scenario, core::UtcTime start) {
+  const std::string depart = core::iso8601(start + std::chrono::hours{6});
+  switch (scenario) {
+    case Scenario::disko: return {"plan", "--from=-53.20,69.20", "--to=-51.35,69.18", "--depart", depart};
+    case Scenario::strait:
+      return {"plan", "--from=-58.90,64.20", "--to=-58.10,64.20", "--depart", depart, "--max-loiter",
+              "PT12H"};
+    case Scenario::pack_ice:
+      return {
+          "plan",  "--from=-65.5,73.0", "--to=-62.5,73.0", "--depart", depart, "--max-time-without-surfacing",
+          "PT20H", "--escape-plan"};
+    case Scenario::river: return {"plan", "--from=-56.98,66.00", "--to=-56.36,66.02", "--depart", depart};
+    case Scenario::jet: return {"plan", "--from=-58.00,66.00", "--to=-56.00,66.00", "--depart", depart};
+  }
+  throw std::logic_error{"Scenario without an example"};
 }
 
 std::vector<std::filesystem::path> write_demo(const std::filesystem::path& dir, Scenario scenario,
                                               std::uint64_t seed, core::UtcTime start) {
   std::filesystem::create_directories(dir);
+  const auto with_readme = [&](std::vector<std::filesystem::path> files, std::string_view text) {
+    write_text(dir / "README.txt", text);
+    return files;
+  };
   switch (scenario) {
-    case Scenario::disko: {
-      auto files = write_disko(dir, seed, start);
-      write_text(dir / "README.txt", disko_readme);
-      return files;
-    }
-    case Scenario::river: {
-      auto files = write_river(dir, start);
-      write_text(dir / "README.txt", paper_readme);
-      return files;
-    }
-    case Scenario::jet: {
-      auto files = write_jet(dir, start);
-      write_text(dir / "README.txt", paper_readme);
-      return files;
-    }
+    case Scenario::disko: return with_readme(write_disko(dir, seed, start), disko_readme);
+    case Scenario::strait: return with_readme(write_strait(dir, seed, start), strait_readme);
+    case Scenario::pack_ice: return with_readme(write_pack_ice(dir, seed, start), pack_ice_readme);
+    case Scenario::river: return with_readme(write_river(dir, start), paper_readme);
+    case Scenario::jet: return with_readme(write_jet(dir, start), paper_readme);
   }
   throw std::logic_error{"Scenario without data"};
 }

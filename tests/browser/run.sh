@@ -23,7 +23,7 @@ fi
 
 work=$(mktemp -d)
 trap 'rm -rf "$work"' EXIT
-"$floeplan" --data "$work/store" demo "$work/demo" >"$work/files"
+"$floeplan" --data "$work/store" demo "$work/demo" --start 2026-11-22 >"$work/files"
 mapfile -t files <"$work/files"
 "$floeplan" --data "$work/store" ingest "${files[@]}"
 

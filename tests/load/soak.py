@@ -206,7 +206,7 @@ def main():
     os.environ.setdefault("LSAN_OPTIONS", f"suppressions={support / 'leaks_of_libraries.txt'}")
     with tempfile.TemporaryDirectory(prefix="floeplan-soak-") as name:
         folder = pathlib.Path(name)
-        subprocess.run([given.program, "demo", folder / "demo"], check=True, stdout=subprocess.DEVNULL)
+        subprocess.run([given.program, "demo", folder / "demo", "--start", DEPART[:10]], check=True, stdout=subprocess.DEVNULL)
         files = [path for path in (folder / "demo").iterdir() if path.suffix in (".nc", ".tif", ".geojson")]
         subprocess.run([given.program, "--data", folder / "store", "ingest", *files], check=True, stdout=subprocess.DEVNULL)
         server = Served(given.program, folder / "store", ["--workers", "2"])

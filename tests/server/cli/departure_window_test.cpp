@@ -25,7 +25,7 @@ class DemoStore : public testing::Test {
   static void SetUpTestSuite() {
     program_ = new Program;
     const std::string demo = (program_->folder() / "demo").string();
-    ASSERT_EQ(program_->run({"demo", demo}).exit_code, 0);
+    ASSERT_EQ(program_->run({"demo", demo, "--start", "2026-11-22"}).exit_code, 0);
     std::vector<std::string> words{"ingest"};
     for (const auto& entry : std::filesystem::directory_iterator{demo}) {
       if (entry.path().extension() != ".txt" && entry.path().extension() != ".md")

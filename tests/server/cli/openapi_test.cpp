@@ -30,7 +30,7 @@ class ServedDemo : public testing::Test {
     if (std::system("python3 -c 'import jsonschema' 2> /dev/null") != 0)
       GTEST_SKIP() << "install the package python3-jsonschema to run this test";
     const std::filesystem::path demo = program_.folder() / "demo";
-    ASSERT_EQ(program_.run({"demo", demo.string()}).exit_code, 0);
+    ASSERT_EQ(program_.run({"demo", demo.string(), "--start", "2026-11-22"}).exit_code, 0);
     std::ofstream{demo / "zone.geojson"} << zone;
     std::ofstream{demo / "flight.csv"} << flight;
     std::vector<std::string> ingest{"ingest"};

@@ -193,7 +193,8 @@ class SameBytes : public testing::Test {
   void ingest(const std::string& scenario) {
     const fs::path demo = program_.folder() / "demo";
     const fs::path again = program_.folder() / "again";
-    ASSERT_EQ(program_.run({"demo", demo.string(), "--scenario", scenario}).exit_code, 0);
+    ASSERT_EQ(
+        program_.run({"demo", demo.string(), "--scenario", scenario, "--start", "2026-11-22"}).exit_code, 0);
     output_of(std::string{without_fma} + " '" + support::program_folder() + "/floeplan' demo '" +
               again.string() + "' --scenario " + scenario);
     for (const auto& entry : fs::directory_iterator{demo})

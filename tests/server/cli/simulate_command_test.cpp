@@ -21,7 +21,7 @@ class SimulateCli : public testing::Test {
     if (!std::filesystem::exists("/usr/share/gmt-gshhg/binned_GSHHS_f.nc"))
       GTEST_SKIP() << "install the package gmt-gshhg-full to run this test";
     const auto demo = program_.folder() / "demo";
-    ASSERT_EQ(program_.run({"demo", demo.string()}).exit_code, 0);
+    ASSERT_EQ(program_.run({"demo", demo.string(), "--start", "2026-11-22"}).exit_code, 0);
     ASSERT_EQ(program_.run({"ingest", (demo / "disko-synthetic-bathymetry.tif").string()}).exit_code, 0);
     const Outcome plan = program_.run({"plan", "--from=-53.0,69.0", "--to=-52.96,69.005", "--depart",
                                        "2026-11-22T06:00:00Z", "--spacing", "500", "--no-refine", "--json"});

@@ -21,7 +21,7 @@ class UnderIceCli : public testing::Test {
     if (!std::filesystem::exists("/usr/share/gmt-gshhg/binned_GSHHS_f.nc"))
       GTEST_SKIP() << "install the package gmt-gshhg-full to run this test";
     const auto demo = program_.folder() / "demo";
-    ASSERT_EQ(program_.run({"demo", demo.string()}).exit_code, 0);
+    ASSERT_EQ(program_.run({"demo", demo.string(), "--start", "2026-11-22"}).exit_code, 0);
     std::vector<std::string> ingest{"ingest"};
     for (const char* file : {"disko-synthetic-bathymetry.tif", "disko-synthetic-ice.nc"})
       ingest.push_back((demo / file).string());

@@ -11,6 +11,7 @@
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/gshhg_reader.hpp"
 #include "tests/storage/demo/demo_files.hpp"
+#include "tests/support/places.hpp"
 
 namespace floeplan::demo::disko_demo_test {
 namespace {
@@ -70,6 +71,16 @@ TEST_F(DiskoDemo, WritesTheSameBytesForTheSameSeedAndOthersForAnother) {
     EXPECT_EQ(bytes_of(files_[i]), bytes_of(again[i])) << files_[i];
   for (std::size_t i = 0; i < 4; ++i) EXPECT_NE(bytes_of(files_[i]), bytes_of(other[i])) << files_[i];
   EXPECT_EQ(bytes_of(coastline()), bytes_of(other[4]));
+}
+
+TEST_F(DiskoDemo, WritesTheFilesThatItWroteFromTheBeginning) {
+  // Speeds and routes are compared over time on exactly these files.
+  const auto kept = std::filesystem::path{support::source_folder()} / "../shared/data/disko";
+  if (!std::filesystem::exists(kept / "README.txt")) GTEST_SKIP() << "the kept files are not here: " << kept;
+
+  for (const std::filesystem::path& file : files_)
+    EXPECT_EQ(bytes_of(file), bytes_of(kept / file.filename())) << file;
+  EXPECT_EQ(bytes_of(coastline().parent_path() / "README.txt"), bytes_of(kept / "README.txt"));
 }
 
 TEST_F(DiskoDemo, SaysInEveryFileThatItIsSyntheticAndNotForNavigation) {

@@ -50,6 +50,31 @@ TEST(IngestDemo, StoresAFieldOfDriftIceWithOpenWaterInItsMiddleAndRoundIt) {
   EXPECT_NEAR(at(-52.60, 68.96).thickness->value, 0.6, 0.35);
 }
 
+TEST(IngestDemo, StoresEveryFileOfTheStrait) { expect_all_stored(demo_files(Scenario::strait, 1, "strait")); }
+
+TEST(IngestDemo, StoresABeltOfPackIceWithLeadsThatDriftWithIt) {
+  const auto files = demo_files(Scenario::pack_ice, 1, "pack-ice");
+  expect_all_stored(files);
+  sqlite::Connection db = repository::open_store_in_memory();
+  const auto reports = ingest::ingest_file(db, files[2], {}, first_hour, {});
+  const auto ice = repository::FieldRepository{db}.load_ice(reports.front().dataset->id,
+                                                            {-66.0, 72.7, -62.0, 73.3}, std::nullopt);
+
+  ASSERT_TRUE(ice);
+  const auto concentration = [&](double lon_deg, double lat_deg, int days) {
+    return ice->at({lon_deg, lat_deg}, first_hour + std::chrono::days{days}).value().concentration;
+  };
+  for (int days = 0; days <= 6; ++days) {
+    const double south_deg = 2500.0 * days / 111'500.0;
+    EXPECT_LT(concentration(-65.6, 73.0, days), 0.05) << days;  // west of the belt
+    EXPECT_LT(concentration(-62.4, 73.0, days), 0.05) << days;
+    EXPECT_GT(concentration(-64.3, 73.0 - south_deg, days), 0.8) << days;
+    EXPECT_LT(concentration(-64.644, 73.1345 - south_deg, days), 0.05) << days;  // the western lead
+    EXPECT_LT(concentration(-64.0, 72.9103 - south_deg, days), 0.05) << days;
+    EXPECT_LT(concentration(-63.356, 73.1704 - south_deg, days), 0.05) << days;
+  }
+}
+
 TEST(IngestDemo, StoresEveryFileOfThePaperScenarios) {
   expect_all_stored(demo_files(Scenario::river, 1, "river"));
   expect_all_stored(demo_files(Scenario::jet, 1, "jet"));
