@@ -12,6 +12,9 @@ std::vector<Row> search_rows();
 std::vector<Row> plan_rows();
 /// A window of departures beside plans for each of them alone.
 std::vector<Row> window_rows();
+/// Whole requests of the command line on the demonstration data, each a process of its own, beside the calibration loop.
+/// The program `floeplan` must lie beside this one.
+std::vector<Row> request_rows();
 /// Steps of the obstacle avoidance system on board: the longest, and the usual one.
 std::vector<Row> avoidance_rows();
 /// A glider in the simulator, bare and with all its sensors, and a batch of flights on all cores.

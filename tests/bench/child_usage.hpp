@@ -14,10 +14,10 @@ struct ChildUsage {
   double largest_mb{};  // resident memory of the largest of the processes
 };
 
-/// Runs `work` in a process of its own.
-/// Errors   std::runtime_error when it throws or ends otherwise
+/// Runs `work` in a process of its own; it may become another program.
+/// Errors   std::runtime_error when it throws or ends with another code than the expected one
 template <class Work>
-ChildUsage usage_of(const Work& work) {
+ChildUsage usage_of(const Work& work, int expected_code = 0) {
   const pid_t child = fork();
   if (child < 0) throw std::runtime_error{"cannot start a process"};
   if (child == 0) {
@@ -25,12 +25,12 @@ ChildUsage usage_of(const Work& work) {
       work();
       _exit(0);
     } catch (...) {
-      _exit(1);
+      _exit(127);
     }
   }
   int status = 0;
   rusage usage{};
-  if (wait4(child, &status, 0, &usage) != child || status != 0)
+  if (wait4(child, &status, 0, &usage) != child || !WIFEXITED(status) || WEXITSTATUS(status) != expected_code)
     throw std::runtime_error{"work in a process of its own failed"};
   const auto seconds = [](const timeval& time) {
     return static_cast<double>(time.tv_sec) + 1e-6 * static_cast<double>(time.tv_usec);

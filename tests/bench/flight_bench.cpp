@@ -111,6 +111,7 @@ Row row_of(std::string what, const std::vector<IcebergField>& seas, const OnBoar
   Row row{.what = std::move(what), .unit = "x real time", .ours = flown.count() / seconds, .comparator = {}};
   row.target = ">= 2000";
   row.meets_target = row.ours >= wanted;
+  row.gauge = Gauge::rate;
   return row;
 }
 

@@ -4,8 +4,24 @@
 #include <iomanip>
 #include <nlohmann/json.hpp>
 #include <sstream>
+#include <stdexcept>
 
 namespace floeplan::bench {
+
+std::optional<double> standing(const Row& row) {
+  switch (row.gauge) {
+    case Gauge::nothing: return std::nullopt;
+    case Gauge::comparator: return row.ratio;
+    case Gauge::time: return row.calibration_s / row.ours;
+    case Gauge::rate: return row.calibration_s * row.ours;
+  }
+  throw std::logic_error{"Gauge without a standing"};
+}
+
+Row gauged_by(Gauge gauge, Row row) {
+  row.gauge = gauge;
+  return row;
+}
 
 Row more_is_better(std::string what, std::string unit, double ours, std::string comparator, double value) {
   return {std::move(what), std::move(unit), ours, std::move(comparator), value, ours / value};
@@ -43,7 +59,8 @@ std::string table_text(const std::vector<Row>& rows) {
 std::string json_text(const std::vector<Row>& rows) {
   nlohmann::ordered_json list = nlohmann::ordered_json::array();
   for (const Row& row : rows) {
-    nlohmann::ordered_json entry{{"what", row.what}, {"unit", row.unit}, {"ours", row.ours}};
+    nlohmann::ordered_json entry{
+        {"group", row.group}, {"what", row.what}, {"unit", row.unit}, {"ours", row.ours}};
     if (!row.comparator.empty()) {
       entry["comparator"] = row.comparator;
       entry["comparator_value"] = row.comparator_value;
@@ -53,6 +70,7 @@ std::string json_text(const std::vector<Row>& rows) {
       entry["target"] = row.target;
       entry["meets_target"] = *row.meets_target;
     }
+    if (const auto free_of_the_machine = standing(row)) entry["standing"] = *free_of_the_machine;
     list.push_back(std::move(entry));
   }
   return list.dump(2) + "\n";

@@ -103,6 +103,7 @@ void read_from_store(const fs::path& store, const Part& part) {
 }
 
 Row with_target(Row row, double least_ratio, std::string target) {
+  row.gauge = Gauge::comparator;
   row.meets_target = row.ratio >= least_ratio;
   row.target = std::move(target);
   return row;
