@@ -196,7 +196,7 @@ class SameBytes : public testing::Test {
     ASSERT_EQ(
         program_.run({"demo", demo.string(), "--scenario", scenario, "--start", "2026-11-22"}).exit_code, 0);
     output_of(std::string{without_fma} + " '" + support::program_folder() + "/floeplan' demo '" +
-              again.string() + "' --scenario " + scenario);
+              again.string() + "' --start 2026-11-22 --scenario " + scenario);
     for (const auto& entry : fs::directory_iterator{demo})
       EXPECT_EQ(contents(entry.path()), contents(again / entry.path().filename())) << entry.path();
     std::vector<std::string> words{"ingest"};
