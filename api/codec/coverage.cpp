@@ -67,6 +67,7 @@ json ranges_json(const std::vector<CoverageParameter>& parameters,
 
 json source_json(const CoverageSource& source) {
   json result{{"dataset_id", source.dataset_id}, {"dataset_name", source.dataset_name}};
+  if (!source.further_ids.empty()) result["further_dataset_ids"] = source.further_ids;
   if (!source.sampling.empty()) result["sampling"] = source.sampling;
   return result;
 }

@@ -19,9 +19,10 @@ struct CoverageParameter {
 
 /// Which data answered, and at which of their places.
 struct CoverageSource {
-  std::string dataset_id;  // empty: not told
-  std::string dataset_name;
-  std::string sampling;  // in words; empty: at the place that was asked for
+  std::string dataset_id{};  // empty: not told
+  std::string dataset_name{};
+  std::vector<std::string> further_ids{};  // of other runs of the model, which added steps of time
+  std::string sampling{};                  // in words; empty: at the place that was asked for
 };
 
 /// Values where and when they are. Axes that the data do not have are empty.
@@ -33,7 +34,7 @@ struct CoverageGrid {
   std::vector<core::UtcTime> t;
   std::vector<CoverageParameter> parameters;
   std::vector<std::vector<std::optional<double>>> values;  // in the order of the parameters
-  CoverageSource source;
+  CoverageSource source{};
 };
 
 /// Values along a way, one for each of its places.

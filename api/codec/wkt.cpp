@@ -104,8 +104,8 @@ std::vector<WktPlace> read_places(Scanner& scanner, Dimensions dimensions) {
   return places;
 }
 
-/// Edges lead the short way round, but one of a whole turn (from -180 to 180) leads round the globe: it is cut in three,
-/// since both its ends are one place.
+/// Edges lead the short way round, but one of a whole turn (from -180 to 180) leads round the globe: it is cut in
+/// three, since both its ends are one place.
 geo::Ring read_ring(Scanner& scanner, Dimensions dimensions) {
   geo::Ring ring;
   std::optional<geo::LonLat> before;

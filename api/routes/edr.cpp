@@ -119,7 +119,7 @@ json collection_json(const Context& context, const EdrCollection& collection,
     parameters[parameter.id] = codec::parameter_json(parameter);
   return {{"id", collection.id},
           {"title", collection.title},
-          {"description", collection.description + " The newest are " + shapes.front().dataset.name + "."},
+          {"description", collection.description},
           {"extent", extent_json(extent_of(shapes))},
           {"crs", json::array({"CRS84"})},
           {"output_formats", json::array({"CoverageJSON"})},

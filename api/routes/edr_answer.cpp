@@ -7,19 +7,96 @@
 #include <nlohmann/json.hpp>
 #include <utility>
 
-#include "api/routes/edr_places.hpp"
 #include "api/routes/reply.hpp"
 #include "engine/core/utc_text.hpp"
+#include "engine/geo/united_boxes.hpp"
 #include "storage/repository/dataset_choice.hpp"
-#include "storage/sqlite/snapshot.hpp"
 
 namespace floeplan::routes {
 namespace {
 
 using nlohmann::json;
 
-constexpr double most_values = 4e6;   // of an answer: about 30 MB of JSON
-constexpr double usual_values = 5e5;  // that an answer has at most when nobody asks for a resolution
+constexpr double most_values = 4e6;  // of an answer: about 30 MB of JSON
+
+/// One coverage of the steps of all parts, which have the same places and depths, in the order of time.
+codec::CoverageGrid joined_steps(const std::vector<codec::CoverageGrid>& parts) {
+  struct Step {
+    core::UtcTime time;
+    const codec::CoverageGrid* part;
+    std::size_t index;
+  };
+  std::vector<Step> steps;
+  for (const auto& part : parts)
+    for (std::size_t i = 0; i < part.t.size(); ++i) steps.push_back({part.t[i], &part, i});
+  std::ranges::stable_sort(steps, {}, &Step::time);
+  codec::CoverageGrid all = parts.front();
+  const std::size_t slab = all.values.front().size() / all.t.size();
+  all.t.clear();
+  for (auto& values : all.values) values.clear();
+  for (const Step& step : steps) {
+    all.t.push_back(step.time);
+    for (std::size_t k = 0; k < all.values.size(); ++k) {
+      const auto from = step.part->values[k].begin() + static_cast<std::ptrdiff_t>(step.index * slab);
+      all.values[k].insert(all.values[k].end(), from, from + static_cast<std::ptrdiff_t>(slab));
+    }
+  }
+  return all;
+}
+
+/// Steps of the run in the period that no run before it speaks of.
+std::vector<core::UtcTime> new_steps(const EdrShape& run, const TimeSpan& span,
+                                     const std::vector<std::pair<core::UtcTime, core::UtcTime>>& spoken_of) {
+  std::vector<core::UtcTime> steps = times_of(run, span);
+  std::erase_if(steps, [&](core::UtcTime step) {
+    return std::ranges::any_of(
+        spoken_of, [&](const auto& period) { return period.first <= step && step <= period.second; });
+  });
+  return steps;
+}
+
+/// The answer with the steps of other runs in a period that was asked for, as plans join runs: at each time the newest
+/// that covers it.
+codec::CoverageGrid with_other_runs(const EdrAttempt& answer, sqlite::Connection& db,
+                                    const EdrCollection& collection, const Wanted& wanted,
+                                    const geo::BoundingBox& box, const EdrShape& first,
+                                    const std::vector<repository::Dataset>& datasets) {
+  constexpr std::size_t most_runs = 100;  // chosen: a season of daily runs is read in about a second
+  std::vector parts{*answer.coverage};
+  const bool is_period = (wanted.span.from || wanted.span.to) && wanted.span.from != wanted.span.to;
+  if (!is_period || first.times.empty()) return parts.front();
+  const double values_a_step = layers_of(parts.front()) / static_cast<double>(parts.front().t.size()) *
+                               static_cast<double>(answer.is_inside.size());
+  auto steps = static_cast<double>(parts.front().t.size());
+  codec::CoverageSource source = parts.front().source;
+  std::vector spoken_of{std::pair{first.times.front(), first.times.back()}};
+  for (const auto& dataset : datasets) {
+    const auto run = dataset.id == first.dataset.id ? std::nullopt : edr_shape(db, dataset);
+    if (!run || run->times.empty() || !are_of_one_model(first, *run)) continue;
+    codec::CoverageGrid part = *answer.coverage;
+    part.values.assign(part.values.size(), {});
+    part.t = new_steps(*run, wanted.span, spoken_of);
+    if (part.t.empty()) continue;
+    steps += static_cast<double>(part.t.size());
+    if (values_a_step * steps > most_values || parts.size() > most_runs) {
+      source.sampling += source.sampling.empty() ? "" : "; ";
+      source.sampling += "steps of further runs are left out: ask for less time";
+      break;
+    }
+    const auto field = load_edr_field(db, *run, box, part.t.front(), part.t.back(), part.z_m);
+    if (!field) continue;
+    fill(part, *field, collection, wanted, answer.is_inside);
+    if (!has_value(part)) continue;
+    spoken_of.emplace_back(run->times.front(), run->times.back());
+    source.further_ids.push_back(dataset.id.value);
+    parts.push_back(std::move(part));
+  }
+  codec::CoverageGrid all = joined_steps(parts);
+  all.source = std::move(source);
+  return all;
+}
+
+}  // namespace
 
 bool has_value(const codec::CoverageGrid& coverage) {
   return std::ranges::any_of(coverage.values, [](const auto& values) {
@@ -32,86 +109,6 @@ std::string number_text(double value) {
   std::snprintf(text.data(), text.size(), "%.7g", value);
   return text.data();
 }
-
-std::string place_text(geo::LonLat place) {
-  return number_text(place.lon_deg) + " " + number_text(place.lat_deg);
-}
-
-core::UtcTime first_time(const codec::CoverageGrid& coverage) {
-  return coverage.t.empty() ? core::UtcTime{} : coverage.t.front();
-}
-
-core::UtcTime last_time(const codec::CoverageGrid& coverage) {
-  return coverage.t.empty() ? core::UtcTime{} : coverage.t.back();
-}
-
-/// A query of a shape, for one dataset after the other.
-struct AreaQuery {
-  const EdrCollection& collection;
-  const Context& context;
-  const Request& request;
-  const EdrRequest& query;
-  const Wanted& wanted;
-  const EdrArea& area;
-  std::optional<std::size_t> columns;
-  std::optional<std::size_t> rows;
-
-  [[nodiscard]] tl::expected<EdrAttempt, Response> ask(const EdrShape& shape) const;
-  [[nodiscard]] EdrAttempt ask_at_middles(const EdrShape& shape, const codec::CoverageGrid& planned) const;
-};
-
-/// The dataset where no place of its grid lies in the shape: at the first middle of its parts with a value.
-EdrAttempt AreaQuery::ask_at_middles(const EdrShape& shape, const codec::CoverageGrid& planned) const {
-  for (const geo::LonLat middle : area.middles) {
-    const auto field = load_edr_field_at(context.db, shape, middle, first_time(planned), last_time(planned),
-                                         planned.z_m, context.service.current_blocks.get());
-    if (!field) continue;
-    const EdrPlaces place =
-        only_place(middle, "interpolated at the middle of the shape, in which no node lies that was asked");
-    codec::CoverageGrid coverage = planned;
-    coverage.x_deg = place.x_deg;
-    coverage.y_deg = place.y_deg;
-    coverage.source.sampling = place.sampling;
-    fill(coverage, *field, collection, wanted, place.is_inside);
-    if (has_value(coverage)) return {.coverage = std::move(coverage), .is_conclusive = false, .why = {}};
-  }
-  const std::string where = area.middles.empty() ? "" : ", " + place_text(area.middles.front());
-  return {.coverage = {},
-          .is_conclusive = false,
-          .why = "No node of " + repository::title(shape.dataset) +
-                 " that was asked lies in the shape, and it has no value at the middle of it" + where +
-                 ": that is land, a gap of the data or beyond them. Ask for a larger shape."};
-}
-
-tl::expected<EdrAttempt, Response> AreaQuery::ask(const EdrShape& shape) const {
-  auto planned = planned_coverage(collection, shape, query, wanted);
-  if (!planned) return EdrAttempt{.coverage = {}, .is_conclusive = false, .why = planned.error()};
-  const double layers = layers_of(*planned);
-  const double asked = columns && rows ? static_cast<double>(*columns * *rows) : 1.0;
-  if (auto refusal = refuse_if_too_large(request, layers * asked)) return tl::unexpected(std::move(*refusal));
-  const auto field =
-      load_edr_field(context.db, shape, area.box, first_time(*planned), last_time(*planned), planned->z_m);
-  if (!field) {
-    return EdrAttempt{.coverage = {},
-                      .is_conclusive = false,
-                      .why = repository::title(shape.dataset) + " does not reach into the shape."};
-  }
-  const double most_places = std::max(1.0, std::floor(usual_values / layers));
-  auto places = places_in(area, {field->grid(), field->nodes_apart()}, {columns, rows, most_places});
-  if (!places) return ask_at_middles(shape, *planned);
-  if (auto refusal = refuse_if_too_large(request, layers * static_cast<double>(places->size())))
-    return tl::unexpected(std::move(*refusal));
-  planned->x_deg = std::move(places->x_deg);
-  planned->y_deg = std::move(places->y_deg);
-  planned->source.sampling = places->sampling;
-  fill(*planned, *field, collection, wanted, places->is_inside);
-  return EdrAttempt{.coverage = std::move(*planned),
-                    .is_conclusive = places->is_every_node,
-                    .why = repository::title(shape.dataset) + " has no value where it was asked (" +
-                           places->sampling + "); ask for a smaller shape or a finer resolution."};
-}
-
-}  // namespace
 
 Response coverage_reply(const Request& request, const json& coverage) {
   const bool older = request.header("accept").find("application/prs.coverage+json") != std::string::npos;
@@ -144,8 +141,7 @@ tl::expected<codec::CoverageGrid, std::string> planned_coverage(const EdrCollect
                                                                 const EdrRequest& query, const Wanted& wanted,
                                                                 std::optional<double> z_m) {
   codec::CoverageGrid coverage;
-  coverage.source = {
-      .dataset_id = shape.dataset.id.value, .dataset_name = shape.dataset.name, .sampling = {}};
+  coverage.source = {.dataset_id = shape.dataset.id.value, .dataset_name = shape.dataset.name};
   for (const std::size_t i : wanted.parameters) coverage.parameters.push_back(collection.parameters[i]);
   coverage.values.resize(wanted.parameters.size());
   const std::string title = repository::title(shape.dataset);
@@ -155,7 +151,10 @@ tl::expected<codec::CoverageGrid, std::string> planned_coverage(const EdrCollect
                           core::iso8601(shape.times.front()) + " to " + core::iso8601(shape.times.back()) +
                           "; ask for an instant, and the steps around it are interpolated.");
   }
-  if (shape.depths_m.empty()) return coverage;
+  if (shape.depths_m.empty()) {
+    if (!collection.has_depths || !query.wants_levels_below()) return coverage;
+    return tl::unexpected(title + " states no depth of its currents; ask without depths, or for one.");
+  }
   coverage.z_m = z_m ? std::vector{*z_m} : query.depths(shape);
   if (coverage.z_m.empty()) {
     return tl::unexpected(
@@ -199,8 +198,14 @@ bool AskedGrids::take(const ocean::HorizontalGrid& grid) {
 }
 
 tl::expected<codec::CoverageGrid, Response> first_with_values(
-    sqlite::Connection& db, const Request& request, const std::vector<repository::Dataset>& datasets,
+    sqlite::Connection& db, const Request& request, const EdrCollection& collection, const Wanted& wanted,
+    const geo::BoundingBox& box,
     const std::function<tl::expected<EdrAttempt, Response>(const EdrShape&)>& ask) {
+  auto datasets = edr_datasets(db, collection, box, wanted.span);
+  // A fine chart of a harbour is not the answer to a whole bay.
+  if (collection.kind == repository::DatasetKind::bathymetry)
+    std::ranges::stable_partition(datasets,
+                                  [&](const auto& dataset) { return geo::holds(dataset.bounds, box); });
   AskedGrids asked;
   std::optional<codec::CoverageGrid> without_values;
   std::string why;
@@ -209,34 +214,14 @@ tl::expected<codec::CoverageGrid, Response> first_with_values(
     if (!shape || !asked.take(shape->grid)) continue;
     auto attempt = ask(*shape);
     if (!attempt) return tl::unexpected(std::move(attempt.error()));
-    if (attempt->coverage && has_value(*attempt->coverage)) return std::move(*attempt->coverage);
+    if (attempt->coverage && has_value(*attempt->coverage))
+      return with_other_runs(*attempt, db, collection, wanted, box, *shape, datasets);
     if (attempt->coverage && attempt->is_conclusive && !without_values)
       without_values = std::move(attempt->coverage);
     if (why.empty()) why = attempt->why;
   }
   if (without_values) return std::move(*without_values);
   return tl::unexpected(no_data(request, why));
-}
-
-Response grid_reply(const EdrCollection& collection, const Context& context, const Request& request,
-                    EdrRequest& query, const Wanted& wanted, const EdrArea& area) {
-  constexpr std::int64_t most_nodes = 2000;
-  const auto columns = query.reader().integer("resolution-x", 1, most_nodes);
-  const auto rows = query.reader().integer("resolution-y", 1, most_nodes);
-  if (!query.violations().empty()) return invalid(request, query.violations());
-  const sqlite::Snapshot one_moment{context.db};
-  const AreaQuery question{collection,
-                           context,
-                           request,
-                           query,
-                           wanted,
-                           area,
-                           columns ? std::optional{static_cast<std::size_t>(*columns)} : std::nullopt,
-                           rows ? std::optional{static_cast<std::size_t>(*rows)} : std::nullopt};
-  const auto coverage =
-      first_with_values(context.db, request, edr_datasets(context.db, collection, area.box, wanted.span),
-                        [&](const EdrShape& shape) { return question.ask(shape); });
-  return coverage ? coverage_reply(request, codec::coverage_json(*coverage)) : coverage.error();
 }
 
 }  // namespace floeplan::routes

@@ -16,8 +16,8 @@ struct EdrArea {
   /// Whether the place lies in the shape, on its edge, or no further than the tolerance (degrees of latitude) outside.
   std::function<bool(geo::LonLat, double)> covers;
   std::vector<geo::LonLat> middles;  // well inside each part of the shape; empty: it encloses no area
-  /// Whether a grid that is asked for with so many places a side begins and ends on the edges of the box, as the standard
-  /// has it for cubes; else each place is the middle of its share of the box.
+  /// Whether a grid that is asked for with so many places a side begins and ends on the edges of the box, as the
+  /// standard has it for cubes; else each place is the middle of its share of the box.
   bool places_on_edges{false};
 };
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_overviews.hpp"
@@ -96,6 +97,17 @@ std::size_t nodes_apart(const ocean::Axis& all, const ocean::Axis& kept) {
   return static_cast<std::size_t>(std::max(1.0, std::round(apart)));
 }
 
+void sort_finest_first(std::vector<repository::Dataset>& datasets, sqlite::Connection& db) {
+  using Ranked = std::pair<double, repository::Dataset>;  // by the spacing in metres
+  std::vector<Ranked> ranked;
+  for (const auto& dataset : datasets) {
+    const auto shape = FieldRepository{db}.shape(dataset.id);
+    ranked.emplace_back(shape ? shape->grid.spacing().value : INFINITY, dataset);
+  }
+  std::ranges::stable_sort(ranked, {}, &Ranked::first);
+  for (std::size_t i = 0; i < ranked.size(); ++i) datasets[i] = std::move(ranked[i].second);
+}
+
 bool meets(const repository::Dataset& dataset, const TimeSpan& span) {
   return (!span.from || !dataset.time_end || *dataset.time_end >= *span.from) &&
          (!span.to || !dataset.time_start || *dataset.time_start <= *span.to);
@@ -117,7 +129,8 @@ const std::vector<EdrCollection>& edr_collections() {
         {"sea_water_velocity_to_direction", "Direction towards which it goes, from true north", "deg"}}},
       {"bathymetry",
        "Bathymetry",
-       "Depth of the sea bed; negative on land where the data tell its height.",
+       "Depth of the sea bed, of the finest data that know it there; negative on land where they tell its "
+       "height.",
        DatasetKind::bathymetry,
        false,
        {{"sea_floor_depth_below_mean_sea_level", "Depth of the sea bed", "m"}}},
@@ -140,7 +153,14 @@ std::vector<repository::Dataset> edr_datasets(sqlite::Connection& db, const EdrC
            (area && !geo::intersects(dataset.bounds, *area));
   });
   repository::sort_newest_run_first(datasets);
+  if (collection.kind == DatasetKind::bathymetry && datasets.size() > 1) sort_finest_first(datasets, db);
   return datasets;
+}
+
+bool are_of_one_model(const EdrShape& a, const EdrShape& b) {
+  return a.dataset.variables == b.dataset.variables && a.depths_m == b.depths_m &&
+         a.grid.frame() == b.grid.frame() && a.grid.x().nodes() == b.grid.x().nodes() &&
+         a.grid.y().nodes() == b.grid.y().nodes();
 }
 
 std::optional<EdrShape> edr_shape(sqlite::Connection& db, const repository::Dataset& dataset) {

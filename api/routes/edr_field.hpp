@@ -25,7 +25,8 @@ class EdrField {
                       std::span<std::optional<double>> values) const = 0;
   /// The nodes in memory.
   [[nodiscard]] virtual const ocean::HorizontalGrid& grid() const = 0;
-  /// How many nodes of the dataset lie from one of them to the next: more than one where it is too fine to be read whole.
+  /// How many nodes of the dataset lie from one of them to the next: more than one where it is too fine to be read
+  /// whole.
   [[nodiscard]] virtual std::size_t nodes_apart() const { return 1; }
 };
 
@@ -49,11 +50,14 @@ struct EdrShape {
   std::vector<core::UtcTime> times;  // empty: no time
 };
 
-/// The datasets of the collection that meet the area and the period, by their bounds, the newest model run first.
+/// The datasets of the collection that meet the area and the period, by their bounds: the newest model run first, but
+/// depths of the sea bed as plans take them, the finest first.
 [[nodiscard]] std::vector<repository::Dataset> edr_datasets(sqlite::Connection& db,
                                                             const EdrCollection& collection,
                                                             const std::optional<geo::BoundingBox>& area,
                                                             const TimeSpan& span);
+/// Whether both are runs of one model: on one grid, with the same depths.
+[[nodiscard]] bool are_of_one_model(const EdrShape& a, const EdrShape& b);
 /// nullopt: the dataset has no field.
 [[nodiscard]] std::optional<EdrShape> edr_shape(sqlite::Connection& db, const repository::Dataset& dataset);
 

@@ -11,8 +11,8 @@ namespace {
 
 constexpr double metres_per_degree = 111'195.0;  // of latitude, mean of the WGS84 sphere of equal volume
 
-/// A node this close to the edge of a shape is in it: files keep coordinates as 4-byte floats, which round a longitude by
-/// 8e-6 degrees, and clients print few digits. Less where the nodes are close together.
+/// A node this close to the edge of a shape is in it: files keep coordinates as 4-byte floats, which round a
+/// longitude by 8e-6 degrees, and clients print few digits. Less where the nodes are close together.
 double edge_tolerance_deg(const ocean::Axis& axis) {
   constexpr double rounding_deg = 1e-5;
   constexpr double share_of_step = 1e-3;

@@ -10,7 +10,8 @@
 
 namespace floeplan::routes {
 
-/// The nodes that data are known at, and how many of the data's own lie from one of them to the next (1: all are there).
+/// The nodes that data are known at, and how many of the data's own lie from one of them to the next (1: all are
+/// there).
 struct EdrNodes {
   const ocean::HorizontalGrid& grid;  // borrowed
   std::size_t apart{1};
@@ -34,10 +35,10 @@ struct EdrPlaces {
   [[nodiscard]] std::size_t size() const { return x_deg.size() * y_deg.size(); }
 };
 
-/// Of data whose grid is one of longitudes and latitudes its own nodes in the shape, or every second, third, ... of them
-/// along both axes, where all would be too many; those that are left include the node next to the middle of the shape. Of
-/// other data a grid about as fine as theirs, centred in what the shape's box shares with them. Along an axis with a
-/// number of places asked for, so many.
+/// Of data whose grid is one of longitudes and latitudes its own nodes in the shape, or every second, third, ... of
+/// them along both axes, where all would be too many; those that are left include the node next to the middle of the
+/// shape. Of other data a grid about as fine as theirs, centred in what the shape's box shares with them. Along an
+/// axis with a number of places asked for, so many.
 /// Outside  nullopt where none of these lies in the shape
 [[nodiscard]] std::optional<EdrPlaces> places_in(const EdrArea& area, const EdrNodes& nodes,
                                                  const EdrResolution& resolution);

@@ -2,6 +2,7 @@
 
 #include "api/codec/wkt.hpp"
 #include "api/routes/edr_answer.hpp"
+#include "api/routes/edr_grid.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "engine/geo/bounding_box.hpp"
@@ -20,7 +21,7 @@ tl::expected<json, Response> coverage_at(const EdrCollection& collection, const 
   const geo::BoundingBox box{at.place.lon_deg, at.place.lat_deg, at.place.lon_deg, at.place.lat_deg};
   const auto ask = [&](const EdrShape& shape) -> tl::expected<EdrAttempt, Response> {
     auto coverage = planned_coverage(collection, shape, query, wanted, at.z_m);
-    if (!coverage) return EdrAttempt{.coverage = {}, .is_conclusive = false, .why = coverage.error()};
+    if (!coverage) return EdrAttempt{.why = coverage.error()};
     if (auto refusal = refuse_if_too_large(request, layers_of(*coverage) * static_cast<double>(places)))
       return tl::unexpected(std::move(*refusal));
     const auto from = coverage->t.empty() ? core::UtcTime{} : coverage->t.front();
@@ -31,11 +32,10 @@ tl::expected<json, Response> coverage_at(const EdrCollection& collection, const 
     coverage->x_deg = {at.place.lon_deg};
     coverage->y_deg = {at.place.lat_deg};
     fill(*coverage, *field, collection, wanted, {true});
-    return EdrAttempt{.coverage = std::move(*coverage), .is_conclusive = true, .why = {}};
+    return EdrAttempt{.coverage = std::move(*coverage), .is_inside = {true}, .is_conclusive = true};
   };
   const sqlite::Snapshot one_moment{context.db};
-  const auto coverage =
-      first_with_values(context.db, request, edr_datasets(context.db, collection, box, wanted.span), ask);
+  const auto coverage = first_with_values(context.db, request, collection, wanted, box, ask);
   if (!coverage) return tl::unexpected(coverage.error());
   return codec::coverage_json(*coverage);
 }

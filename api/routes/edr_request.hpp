@@ -45,7 +45,12 @@ class EdrRequest {
   void take_depth(double depth_m) { levels_ = EdrLevels{.values = {depth_m}, .between = {}}; }
   /// Refuses several depths, of which the answer would hold one.
   void want_one_depth();
-  /// The depths to ask the data at; empty where they have none, and where no level of theirs lies between those asked for.
+  /// Whether the query asks for the levels between two depths, both below the surface.
+  [[nodiscard]] bool wants_levels_below() const {
+    return levels_ && levels_->between && levels_->between->first > 0.0;
+  }
+  /// The depths to ask the data at; empty where they have none, and where no level of theirs lies between those asked
+  /// for.
   [[nodiscard]] std::vector<double> depths(const EdrShape& shape) const;
 
  private:

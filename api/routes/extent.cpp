@@ -31,12 +31,9 @@ json box_json(const geo::BoundingBox& box) {
 /// Each once, without those inside another.
 std::vector<geo::BoundingBox> outermost(std::span<const geo::BoundingBox> boxes) {
   std::vector<geo::BoundingBox> kept;
-  const auto holds = [](const geo::BoundingBox& outer, const geo::BoundingBox& inner) {
-    return geo::united(std::vector{outer, inner}) == geo::united(std::vector{outer});
-  };
   for (const geo::BoundingBox& box : boxes) {
-    if (std::ranges::any_of(kept, [&](const auto& other) { return holds(other, box); })) continue;
-    std::erase_if(kept, [&](const auto& other) { return holds(box, other); });
+    if (std::ranges::any_of(kept, [&](const auto& other) { return geo::holds(other, box); })) continue;
+    std::erase_if(kept, [&](const auto& other) { return geo::holds(box, other); });
     kept.push_back(box);
   }
   return kept;

@@ -10,9 +10,10 @@
 
 namespace floeplan::routes {
 
-/// The spatial extent of a collection as OGC API documents state it, in CRS84: the box round all of its parts first, which
-/// runs across the antimeridian (west beyond east) where that is shorter, then that of each part, where there are several
-/// but not many. Rounded away from the data, so that a client that prints fewer digits still asks for all of them.
+/// The spatial extent of a collection as OGC API documents state it, in CRS84: the box round all of its parts first,
+/// which runs across the antimeridian (west beyond east) where that is shorter, then that of each part, where there
+/// are several but not many. Rounded away from the data, so that a client that prints fewer digits still asks for all
+/// of them.
 /// `boxes`  one or more
 [[nodiscard]] nlohmann::json spatial_extent(std::span<const geo::BoundingBox> boxes);
 
@@ -22,7 +23,8 @@ struct ExtentPeriod {
   std::optional<core::UtcTime> to;
 };
 
-/// The temporal extent: the period of all parts first, then those that do not touch, where there are several but not many.
+/// The temporal extent: the period of all parts first, then those that do not touch, where there are several but not
+/// many.
 /// `periods`  one or more
 [[nodiscard]] nlohmann::json temporal_extent(std::span<const ExtentPeriod> periods);
 

@@ -18,8 +18,9 @@ enum class FeatureCrs {
 
 /// Their URIs, the first one being that in which features are stored and given without being asked.
 [[nodiscard]] const std::vector<std::string>& crs_uris();
-/// The reference system of that URI, or of a short name as clients write it: "CRS84", "CRS:84", "OGC:CRS84", "EPSG:4326",
-/// "EPSG:3857". The whole service reads the name of a reference system here, so that it has one order of axes everywhere.
+/// The reference system of that URI, or of a short name as clients write it: "CRS84", "CRS:84", "OGC:CRS84",
+/// "EPSG:4326", "EPSG:3857". The whole service reads the name of a reference system here, so that it has one order of
+/// axes everywhere.
 [[nodiscard]] std::optional<FeatureCrs> parse_crs(const std::string& name);
 [[nodiscard]] const std::string& uri_of(FeatureCrs crs);
 

@@ -7,8 +7,8 @@
 
 namespace floeplan::geo {
 
-/// Whether the place is inside the polygon, or no further than `tolerance_deg` from one of its edges (those of its holes
-/// included): `contains` takes one of two opposite edges only.
+/// Whether the place is inside the polygon, or no further than `tolerance_deg` from one of its edges (those of its
+/// holes included): `contains` takes one of two opposite edges only.
 [[nodiscard]] bool covers(const Polygon& polygon, LonLat place, double tolerance_deg);
 
 /// A place well inside the polygon: the middle of a long stretch inside it along a parallel between two corners.

@@ -53,6 +53,13 @@ BoundingBox united(std::span<const BoundingBox> boxes) {
   return result;
 }
 
+bool holds(const BoundingBox& outer, const BoundingBox& inner) {
+  constexpr double rounding_deg = 1e-9;
+  const double begins_deg = width_deg(outer) >= 360.0 ? 0.0 : turn(outer.west_deg, inner.west_deg);
+  return inner.south_deg >= outer.south_deg && inner.north_deg <= outer.north_deg &&
+         begins_deg + width_deg(inner) <= width_deg(outer) + rounding_deg;
+}
+
 std::optional<BoundingBox> shared(const BoundingBox& a, const BoundingBox& b) {
   if (!intersects(a, b)) return std::nullopt;
   BoundingBox result{a.west_deg, std::max(a.south_deg, b.south_deg), a.east_deg,

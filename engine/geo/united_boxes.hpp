@@ -12,8 +12,11 @@ namespace floeplan::geo {
 /// Errors   std::invalid_argument without any box
 [[nodiscard]] BoundingBox united(std::span<const BoundingBox> boxes);
 
-/// The longitudes and latitudes of both boxes; nullopt: they share none. Two pieces (of boxes that meet at the front and
-/// at the back of the globe) are not told apart: then `a` with the latitudes of both.
+/// Whether all of `inner` lies in `outer`.
+[[nodiscard]] bool holds(const BoundingBox& outer, const BoundingBox& inner);
+
+/// The longitudes and latitudes of both boxes; nullopt: they share none. Two pieces (of boxes that meet at the front
+/// and at the back of the globe) are not told apart: then `a` with the latitudes of both.
 [[nodiscard]] std::optional<BoundingBox> shared(const BoundingBox& a, const BoundingBox& b);
 
 }  // namespace floeplan::geo

@@ -4,6 +4,7 @@
 #include <sstream>
 
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_overviews.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "tests/api/routes/api_fixture.hpp"
 #include "tests/support/property.hpp"
@@ -34,7 +35,7 @@ struct Model {
   geo::GridFrame frame{};
   std::vector<double> x;
   std::vector<double> y;
-  std::vector<double> depths_m{0.0};
+  std::vector<double> depths_m{0.0};  // empty: no such axis
   std::vector<double> times_s{noon_s};
   double ingested_s{1e9};
   std::function<double(std::size_t ix, std::size_t iy)> u_m_s{[](auto...) { return 0.3; }};
@@ -55,9 +56,12 @@ class EdrShapesTest : public support::ApiTest {
     dataset.provenance.sha256 = model.id;
     repository::DatasetRepository{db_}.insert(dataset);
     repository::FieldRepository fields{db_};
-    fields.create(
-        dataset.id,
-        {.grid = grid, .depths_m = ocean::Axis{model.depths_m}, .times_s = ocean::Axis{model.times_s}});
+    const std::size_t levels = std::max<std::size_t>(model.depths_m.size(), 1);
+    const bool has_depths = !model.depths_m.empty();
+    fields.create(dataset.id,
+                  {.grid = grid,
+                   .depths_m = has_depths ? std::optional{ocean::Axis{model.depths_m}} : std::nullopt,
+                   .times_s = ocean::Axis{model.times_s}});
     std::vector<float> u;
     for (std::size_t iy = 0; iy < model.y.size(); ++iy)
       for (std::size_t ix = 0; ix < model.x.size(); ++ix)
@@ -66,7 +70,7 @@ class EdrShapesTest : public support::ApiTest {
     std::vector<float> v;
     for (const float east : u) v.push_back(std::isnan(east) ? east : 0.0F);
     for (std::size_t time = 0; time < model.times_s.size(); ++time) {
-      for (std::size_t depth = 0; depth < model.depths_m.size(); ++depth) {
+      for (std::size_t depth = 0; depth < levels; ++depth) {
         fields.write_slice(dataset.id, "u_m_s", time, depth, u);
         fields.write_slice(dataset.id, "v_m_s", time, depth, v);
       }
@@ -79,7 +83,7 @@ class EdrShapesTest : public support::ApiTest {
     EXPECT_EQ(response.status, status) << query << '\n' << response.body;
     return json_of(response);
   }
-  json axis(const json& coverage, const std::string& name) {
+  static json axis(const json& coverage, const std::string& name) {
     return coverage.at("domain").at("axes").at(name).at("values");
   }
   static json values(const json& coverage) { return coverage.at("ranges").at(east_name).at("values"); }
@@ -211,10 +215,13 @@ TEST_F(EdrShapesTest, WhatIsTooMuchIsThinnedByWholeStepsAndSaysSo) {
   ASSERT_EQ(axis(cube, "y").size(), 350U);
   EXPECT_NE(cube.at("source").at("sampling").get<std::string>().find("one node of the data in 2"),
             std::string::npos);
+  const json x = axis(cube, "x");
+  const json y = axis(cube, "y");
+  const json found = values(cube);
   for (std::size_t index = 0; index < 400U * 350U; index += 977) {
-    const auto ix = std::lround((axis(cube, "x").at(index % 400).get<double>() + 40.0) / 0.01);
-    const auto iy = std::lround((axis(cube, "y").at(index / 400).get<double>() - 50.0) / 0.01);
-    ASSERT_EQ(values(cube).at(index), static_cast<double>((ix * 7 + iy * 3) % 1000));
+    const auto ix = std::lround((x.at(index % 400).get<double>() + 40.0) / 0.01);
+    const auto iy = std::lround((y.at(index / 400).get<double>() - 50.0) / 0.01);
+    ASSERT_EQ(found.at(index), static_cast<double>((ix * 7 + iy * 3) % 1000));
   }
 }
 
@@ -235,6 +242,10 @@ TEST_F(EdrShapesTest, TheDepthsOfABoxOfSixNumbersAreObeyed) {
         "area?coords=POLYGON+Z((-8+52+5,-7+52+5,-7+53+5,-8+52+5))",
         "trajectory?coords=LINESTRING(-8+52,-7+53)&z=0/50"})
     get(currents + query, 400);
+  Model surface = half_degrees();
+  surface.id = "currents-11111111";
+  surface.depths_m = {};
+  store(surface);
   const json nothing = get(currents + "cube?bbox=-8,52,60,-7,53,150", 404);
   EXPECT_NE(nothing.at("detail").get<std::string>().find("0 m to 200 m"), std::string::npos) << nothing;
   EXPECT_EQ(axis(get(currents + "radius?coords=POINT+Z(-7.5+52.5+50)&within=20"), "z"), json::array({50.0}));
@@ -308,6 +319,30 @@ TEST_F(EdrShapesTest, WhereTheNewestDatasetHasAGapAnOlderOneAnswers) {
   EXPECT_EQ(gap.at("source").at("dataset_id"), "currents-00000000");
   const json way = get(currents + "trajectory?coords=LINESTRING(-9+52,-6+52)" + at_noon);
   EXPECT_EQ(values(way), json::array({0.7, 0.3}));
+}
+
+TEST_F(EdrShapesTest, RunsOfOneModelAreJoinedInAPeriodThatIsAskedFor) {
+  Model older = half_degrees();
+  older.times_s = {noon_s, noon_s + 3600.0, noon_s + 7200.0, noon_s + 10800.0, noon_s + 36000.0};
+  Model newer = half_degrees();
+  newer.id = "currents-11111111";
+  newer.ingested_s = 1.1e9;
+  newer.times_s = {noon_s + 3600.0, noon_s + 7200.0};
+  newer.u_m_s = [](auto...) { return 0.7; };
+  Model another{.id = "currents-22222222", .x = {-10.0, -5.0}, .y = {50.0, 55.0}, .ingested_s = 0.9e9};
+  another.times_s = {noon_s - 3600.0};
+  store(older);
+  store(newer);
+  store(another);
+  const std::string day = "&z=0&datetime=2026-11-20T11:00:00Z/2026-11-20T15:00:00Z";
+  const json series = get(currents + "position?coords=POINT(-7+52)" + day);
+  EXPECT_EQ(axis(series, "t"), json::array({"2026-11-20T12:00:00Z", "2026-11-20T13:00:00Z",
+                                            "2026-11-20T14:00:00Z", "2026-11-20T15:00:00Z"}));
+  EXPECT_EQ(values(series), json::array({0.3, 0.7, 0.7, 0.3}));
+  EXPECT_EQ(series.at("source").at("further_dataset_ids"), json::array({"currents-00000000"}));
+  const json cube = get(currents + "cube?bbox=-7,52,-6.5,52" + day);
+  EXPECT_EQ(values(cube), json::array({0.3, 0.3, 0.7, 0.7, 0.7, 0.7, 0.3, 0.3}));
+  EXPECT_EQ(axis(get(currents + "position?coords=POINT(-7+52)&z=0"), "t").size(), 2U) << "of the newest run";
 }
 
 TEST_F(EdrShapesTest, APeriodBetweenStepsIsRefusedWithTheSteps) {
@@ -486,9 +521,64 @@ TEST_F(EdrShapesTest, DepthsOfTheSeaBedAreThoseOfTheNodes) {
   for (int i = 0; i < 121; ++i) depths_m.push_back(static_cast<float>(100 + i));
   fields.write_slice(dataset.id, "depth_m", 0, 0, depths_m);
 
+  // A chart of the world that came later is no better known here.
+  dataset.id = {"bathymetry-11111111"};
+  dataset.bounds = {-180.0, -90.0, 180.0, 90.0};
+  dataset.provenance = {.file_name = {},
+                        .file_size_bytes = 0,
+                        .sha256 = "1",
+                        .ingested = core::from_unix_seconds(2e9),
+                        .tool_version = {}};
+  repository::DatasetRepository{db_}.insert(dataset);
+  fields.create(dataset.id, {{geo::GeographicFrame{}, ocean::Axis{nodes_from(-180.0, 30.0, 13)},
+                              ocean::Axis{nodes_from(-90.0, 30.0, 7)}},
+                             {},
+                             {}});
+  fields.write_slice(dataset.id, "depth_m", 0, 0, std::vector<float>(91, 4000.0F));
+
   const std::string radius = "/edr/collections/bathymetry/radius?coords=POINT(-7.5+52.5)&within=5";
   const json disc = get(radius);
   EXPECT_EQ(disc.at("ranges").at("sea_floor_depth_below_mean_sea_level").at("values"), json::array({160.0}));
+  const json world = get("/edr/collections/bathymetry/cube?bbox=-60,0,60,60");
+  EXPECT_EQ(world.at("source").at("dataset_id"), "bathymetry-11111111") << "it alone holds the whole box";
+}
+
+/// A chart so fine that a large shape is answered from its overview: what is left out is left out by whole steps.
+TEST_F(EdrShapesTest, AFineChartIsThinnedToItsOwnNodes) {
+  repository::Dataset dataset;
+  dataset.id = {"bathymetry-00000000"};
+  dataset.kind = repository::DatasetKind::bathymetry;
+  dataset.bounds = {-8.0, 52.0, -5.601, 53.899};
+  repository::DatasetRepository{db_}.insert(dataset);
+  repository::FieldRepository fields{db_};
+  fields.create(dataset.id, {{geo::GeographicFrame{}, ocean::Axis{nodes_from(-8.0, 0.001, 2400)},
+                              ocean::Axis{nodes_from(52.0, 0.001, 1900)}},
+                             {},
+                             {}});
+  const auto depth_m = [](std::int64_t ix, std::int64_t iy) {
+    return static_cast<double>((ix * 7 + iy * 3) % 1000);
+  };
+  std::vector<float> depths_m;
+  for (int iy = 0; iy < 1900; ++iy)
+    for (int ix = 0; ix < 2400; ++ix) depths_m.push_back(static_cast<float>(depth_m(ix, iy)));
+  fields.write_slice(dataset.id, "depth_m", 0, 0, depths_m);
+  repository::FieldOverviews{db_}.make(dataset.id, "depth_m");
+
+  const json cube = get("/edr/collections/bathymetry/cube?bbox=-9,51,0,60");
+  EXPECT_NE(cube.at("source").at("sampling").get<std::string>().find("one node of the data in 4"),
+            std::string::npos)
+      << cube.at("source");
+  const json depths = cube.at("ranges").at("sea_floor_depth_below_mean_sea_level").at("values");
+  const json x = axis(cube, "x");
+  const json y = axis(cube, "y");
+  const std::size_t columns = x.size();
+  for (std::size_t index = 0; index < depths.size(); index += 991) {
+    const auto ix = std::lround((x.at(index % columns).get<double>() + 8.0) / 0.001);
+    const auto iy = std::lround((y.at(index / columns).get<double>() - 52.0) / 0.001);
+    ASSERT_EQ(depths.at(index), depth_m(ix, iy));
+  }
+  const json sliver = get("/edr/collections/bathymetry/radius?coords=POINT(-7.2345+52.3)&within=0.01");
+  EXPECT_EQ(sliver.at("ranges").at("sea_floor_depth_below_mean_sea_level").at("values").size(), 1U);
 }
 
 }  // namespace

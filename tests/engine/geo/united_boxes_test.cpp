@@ -39,6 +39,9 @@ TEST(UnitedBoxes, HoldAllWhateverTheirOrderAndEndWhereOneOfThemDoes) {
     const BoundingBox all = united(boxes);
 
     for (const BoundingBox& box : boxes) {
+      EXPECT_TRUE(holds(all, box));
+      EXPECT_EQ(holds(box, all), width_deg(all) <= width_deg(box) + 1e-9 && all.south_deg >= box.south_deg &&
+                                     all.north_deg <= box.north_deg);
       for (const double share : {1e-6, 0.3, 0.7, 1.0 - 1e-6}) {
         const LonLat place{wrap_longitude(box.west_deg + share * width_deg(box)),
                            box.south_deg + share * (box.north_deg - box.south_deg)};
