@@ -4,6 +4,7 @@
 #include "engine/core/letter_case.hpp"
 #include "engine/core/utf8_text.hpp"
 #include "engine/core/violation_list.hpp"
+#include "engine/mission/flight_route.hpp"
 #include "engine/mission/read_document.hpp"
 #include "storage/xml/xml_document.hpp"
 
@@ -14,7 +15,7 @@ constexpr std::size_t max_bytes = 8 << 20;
 
 /// A list or mission of a Slocum, or the targets of a Seaglider. Decimal degrees are refused: nobody should fly what
 /// they would be taken for.
-ReadRoutes read_mission(const std::string& name, std::string_view bytes) {
+ReadRoutes read_mission(const std::string& name, std::string_view bytes, std::optional<geo::LonLat> from) {
   const mission::Document document = mission::read_document(name, bytes);
   std::vector<geo::LonLat> places;
   FileRoutes file;
@@ -25,7 +26,12 @@ ReadRoutes read_mission(const std::string& name, std::string_view bytes) {
     if (!refused && message.severity == mission::Severity::warning)
       file.warnings.push_back(name + ", " + at_line(message.line) + ": " + message.text);
   }
-  for (const auto& row : document.waypoints) places.push_back(row.place);
+  if (faults.empty()) {
+    mission::FlownWaypoints flown = mission::flown_waypoints(document, from);
+    for (const auto& row : flown.rows) places.push_back(row.place);
+    for (const std::string& note : flown.notes) file.warnings.push_back(name + ": " + note);
+    faults = std::move(flown.faults);
+  }
   if (faults.empty() && places.empty())
     faults.push_back(
         {"file", "holds no waypoints by longitude and latitude; a mission names its list in another file"});
@@ -46,7 +52,7 @@ bool looks_like_mission(const std::string& name, std::string_view bytes) {
          core::lower_case(bytes.substr(0, 4096)).find("behavior") != std::string::npos;
 }
 
-ReadRoutes read_by_content(const std::string& name, std::string_view text) {
+ReadRoutes read_by_content(const std::string& name, std::string_view text, std::optional<geo::LonLat> from) {
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   if (first == std::string_view::npos) return route_fault("file", "is empty");
   if (text.starts_with("PK\x03\x04"))
@@ -58,8 +64,8 @@ ReadRoutes read_by_content(const std::string& name, std::string_view text) {
   const std::string root = xml::root_name(text);
   if (root == "gpx") return read_gpx(text);
   if (root == "kml") return read_kml(text);
-  if (looks_like_mission(name, text)) return read_mission(name, text);
-  if (looks_like_targets(text)) return read_mission("targets", text);
+  if (looks_like_mission(name, text)) return read_mission(name, text, from);
+  if (looks_like_targets(text)) return read_mission("targets", text, from);
   if (start == '<')
     return route_fault("file", "is XML that begins with \"" + core::cut_short(root, 40) +
                                    "\"; of XML this program reads routes from GPX and KML");
@@ -69,10 +75,11 @@ ReadRoutes read_by_content(const std::string& name, std::string_view text) {
 }  // namespace
 
 tl::expected<RouteFile, core::Violations> read_route_file(const std::string& name, std::string_view bytes,
-                                                          const std::optional<std::string>& wanted) {
+                                                          const std::optional<std::string>& wanted,
+                                                          std::optional<geo::LonLat> from) {
   if (bytes.size() > max_bytes)
     return route_fault("file", "is larger than " + std::to_string(max_bytes >> 20) + " MiB");
-  auto routes = read_by_content(name, core::utf8_text(bytes));
+  auto routes = read_by_content(name, core::utf8_text(bytes), from);
   if (!routes) return tl::unexpected(std::move(routes.error()));
   return choose_route(std::move(*routes), wanted);
 }

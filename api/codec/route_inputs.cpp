@@ -55,7 +55,8 @@ void settle(InputReader& reader, const Origin& origin, GivenRoute& route) {
 
 /// A file that came with a request as {"name": ..., "text": ...}; nothing where it cannot be read, and what is wrong is
 /// noted.
-std::optional<RouteFile> read_file_member(InputReader& reader, const std::string& key) {
+std::optional<RouteFile> read_file_member(InputReader& reader, const std::string& key,
+                                          std::optional<geo::LonLat> from) {
   const json* file = reader.member(key);
   if (file == nullptr) return std::nullopt;
   const auto text_at = [&](const char* name) {
@@ -67,7 +68,7 @@ std::optional<RouteFile> read_file_member(InputReader& reader, const std::string
   }
   const auto wanted = reader.text("route_name");
   auto read = read_route_file((*file)["name"].get<std::string>(),
-                              (*file)["text"].get_ref<const std::string&>(), wanted);
+                              (*file)["text"].get_ref<const std::string&>(), wanted, from);
   if (read) return std::move(*read);
   for (const core::Violation& violation : read.error()) {
     reader.refuse("/" + key, violation.field + ": " + violation.rule);
@@ -114,13 +115,15 @@ GivenRoute read_geojson_route(InputReader& reader, const json& route) {
 }  // namespace
 
 GivenRoute read_file_route(InputReader& reader, const std::string& key) {
-  auto file = read_file_member(reader, key);
   const auto from = reader.place("from");
+  auto file = read_file_member(reader, key, from);
   if (!file) return {};
   if (from) begin_at(*from, file->places);
   GivenRoute route{std::move(file->places), {}, std::move(file->warnings)};
   if (route.places.size() < 2) {
-    reader.refuse("/" + key, "must hold two places at least, or one and \"from\"");
+    std::string rule = "must hold two places at least, or one and \"from\"";
+    for (const std::string& warning : route.warnings) rule += "; " + warning;
+    reader.refuse("/" + key, std::move(rule));
     return {};
   }
   settle(reader, {"/" + key, false}, route);

@@ -23,7 +23,7 @@ std::vector<geo::LonLat> whole_route(std::optional<geo::LonLat> start, const mis
 
 core::Violations check_flight(sqlite::Connection& db, const json& inputs, std::optional<geo::LonLat> start,
                               std::vector<mission::Document>& documents) {
-  const mission::FlightRoute flight = mission::route_of(documents);
+  const mission::FlightRoute flight = mission::route_of(documents, start);
   if (flight.stops.empty()) {
     mission::check_flight(documents, {}, start, {});
     return {};

@@ -34,7 +34,7 @@ void check_known(const Argument& argument, const ArgumentRule& rule, Messages& m
     report(messages, argument.line, Severity::note, "unit_differs",
            "the dictionary writes " + argument.name + "(" + std::string{rule.unit} + ")");
   }
-  if (argument.value >= first_mission_parameter) {
+  if (is_mission_parameter(argument.value)) {
     report(messages, argument.line, Severity::note, "mission_parameter",
            argument.name + " names a mission parameter of back-seat firmware");
     return;
@@ -50,7 +50,7 @@ void check_known(const Argument& argument, const ArgumentRule& rule, Messages& m
 /// What a thruster's value means, and so its range, its mode says, which stands beside it.
 void check_thruster_value(const Behavior& behavior, const Argument& argument, Messages& messages) {
   constexpr std::string_view suffix = "thruster_value";
-  if (!argument.name.ends_with(suffix) || argument.value >= first_mission_parameter) return;
+  if (!argument.name.ends_with(suffix) || is_mission_parameter(argument.value)) return;
   const std::string prefix = argument.name.substr(0, argument.name.size() - suffix.size());
   const Argument* mode = behavior.find(prefix + "use_thruster");
   if (mode == nullptr) return;

@@ -4,10 +4,14 @@
 
 namespace floeplan::mission {
 
-/// A value from which on the firmware of a back-seat driver takes a number as the name of a mission
-/// parameter (`u_mission_param_a` and its like) instead of as itself.
+/// Whether the firmware of a back-seat driver takes a number as the name of a mission parameter (1000000 is
+/// `u_mission_param_a`, 1000001 `u_mission_param_b`, one for each letter at most) instead of as itself.
 /// Source   missions published with dsor-isr/slocum_glider
-inline constexpr double first_mission_parameter = 1'000'000.0;
+[[nodiscard]] constexpr bool is_mission_parameter(double value) {
+  constexpr int first = 1'000'000;
+  constexpr int letters = 26;
+  return value >= first && value < first + letters && value == static_cast<int>(value);
+}
 
 /// Judges the arguments of one behavior against the dictionary.
 void check_arguments(const Behavior& behavior, Messages& messages);

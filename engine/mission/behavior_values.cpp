@@ -7,7 +7,7 @@ namespace floeplan::mission {
 
 std::optional<double> value_of(const Behavior& behavior, std::string_view name) {
   if (const Argument* given = behavior.find(name)) {
-    if (given->value >= first_mission_parameter) return std::nullopt;
+    if (is_mission_parameter(given->value)) return std::nullopt;
     return given->value;
   }
   const BehaviorRule* rule = find_behavior(behavior.name);

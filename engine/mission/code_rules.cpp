@@ -45,7 +45,7 @@ bool holds_code(std::string_view argument) {
 }  // namespace
 
 void check_code(std::string_view behavior, const Argument& argument, Messages& messages) {
-  if (!holds_code(argument.name) || argument.value >= first_mission_parameter) return;
+  if (!holds_code(argument.name) || is_mission_parameter(argument.value)) return;
   const bool exists =
       argument.value == std::floor(argument.value) && argument.value >= 0.0 && argument.value <= last_code;
   const auto rule = std::ranges::find_if(

@@ -12,6 +12,9 @@
 namespace floeplan::mission {
 namespace {
 
+/// More rows than any file has; a greater number, or a name of a mission parameter, is no count.
+constexpr double most_declared = 999'999.0;
+
 /// A file named like another behavior's argument file. Names that are no vehicle's ("Line 90.ma") pass.
 void check_file_name(const Document& document, const Behavior& behavior, Messages& messages) {
   const std::string lower = core::lower_case(document.name);
@@ -37,7 +40,7 @@ void check_arguments_file(Document& document) {
   check_file_name(document, behavior, document.messages);
   if (behavior.name == "goto_list") {
     if (const Argument* count = behavior.find("num_waypoints");
-        count != nullptr && count->value >= 0.0 && count->value < first_mission_parameter) {
+        count != nullptr && count->value >= 0.0 && count->value <= most_declared) {
       document.waypoints_declared = static_cast<int>(count->value);
     }
     check_list(behavior, document.waypoints, document.messages);

@@ -167,7 +167,7 @@ std::optional<DiveArguments> dive_of(const std::vector<Document>& documents) {
 
 void check_flight(std::vector<Document>& documents, const ocean::Environment& environment,
                   std::optional<geo::LonLat> start, planning::PlanRequest request) {
-  const FlightRoute route = route_of(documents);
+  const FlightRoute route = route_of(documents, start);
   const auto dive = dive_of(documents);
   note_recovery_lists(documents, route);
   if (!route.stops.empty()) check_sea(documents, environment, route, start, dive, std::move(request));

@@ -14,7 +14,7 @@ constexpr double by_longitude_and_latitude = 2.0;  // wpt_units
 
 bool is_whole(double value) { return value == std::floor(value); }
 bool is_parameter(const Argument* argument) {
-  return argument != nullptr && argument->value >= first_mission_parameter;
+  return argument != nullptr && is_mission_parameter(argument->value);
 }
 
 void check_radius(const Behavior& list, Messages& messages) {
@@ -58,9 +58,11 @@ void check_count(const Behavior& list, std::size_t rows, Messages& messages) {
          "no num_waypoints, which then is 0, though there are " + std::to_string(rows) + " rows"});
     return;
   }
-  if (is_parameter(declared)) return;
   const std::string both = declared->raw + " declared, " + std::to_string(rows) + " listed";
-  if (!is_whole(declared->value) || declared->value < 0.0 || declared->value > static_cast<double>(rows)) {
+  if (!is_whole(declared->value) || declared->value < 1.0) {
+    messages.push_back({declared->line, Severity::error, "waypoint_count_mismatch",
+                        both + "; num_waypoints must be a whole number, 1 at least"});
+  } else if (declared->value > static_cast<double>(rows)) {
     messages.push_back({declared->line, Severity::error, "waypoint_count_mismatch",
                         both + "; the vehicle would read past the end of the list"});
   } else if (declared->value < static_cast<double>(rows)) {

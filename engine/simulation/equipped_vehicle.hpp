@@ -30,7 +30,7 @@ struct SystemOnBoard {
   avoidance::AvoidanceSettings settings{};
 };
 
-/// The waypoints of a mission and the forecast about its route, as they are loaded into the vehicle.
+/// The waypoints that a mission flies (`flight_path`) and the forecast about its route, as they are loaded into the vehicle.
 /// Forecast at most 24 places to a side, 4 depths of the saw-tooth and 48 times: what such a computer carries
 [[nodiscard]] SystemOnBoard system_for(const World& world, const MissionOrders& orders, geo::LonLat start,
                                        core::UtcTime departure, core::Seconds duration);

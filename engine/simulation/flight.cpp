@@ -18,22 +18,6 @@ constexpr double step_s = step_length.count();
 /// Pressure sensors tell the surface to centimetres; the hull floats.
 constexpr double at_surface_m = 0.1;
 
-std::vector<std::vector<Vector>> in_frame(const World& world, const MissionOrders& orders) {
-  std::vector<std::vector<Vector>> lists;
-  for (const GotoOrders& list : orders.lists) {
-    std::vector<Vector> places;
-    places.reserve(list.waypoints.size());
-    for (const geo::LonLat place : list.waypoints) places.push_back(world.to_frame(place));
-    lists.push_back(std::move(places));
-  }
-  return lists;
-}
-
-FlightPath path_of(const FlightRequest& request) {
-  return lay_path(request.orders, in_frame(request.world, request.orders),
-                  request.world.to_frame(request.start));
-}
-
 }  // namespace
 
 OnBoardAnswer BareVehicle::step(const FlightView& view) const {
@@ -55,7 +39,8 @@ class Flight::State {
         motion_{request.vehicle, settings_.hull, 0.0},
         reckoning_{settings_.navigation, world_.to_frame(request.start), known_current(request),
                    request.orders.corrects_for_current, request.seed},
-        pilot_{request.orders, path_of(request), settings_.first_fix, request.departure},
+        pilot_{request.orders, flight_path(world_, request.orders, request.start), settings_.first_fix,
+               request.departure},
         energy_{request.vehicle},
         watch_{world_, settings_.reach, settings_.hull_reach} {
     truth_.time = request.departure;

@@ -5,6 +5,7 @@
 
 #include "engine/core/violation_list.hpp"
 #include "engine/simulation/flight.hpp"
+#include "engine/simulation/flight_path.hpp"
 
 /// What can be told of a flight before it begins.
 namespace floeplan::simulation {
@@ -17,12 +18,9 @@ constexpr double fastest_over_own = 2.0;
 bool data_end_too_early(const FlightRequest& request) {
   Vector place = request.world.to_frame(request.start);
   double way_m = 0.0;
-  for (const GotoOrders& list : request.orders.lists) {
-    for (const geo::LonLat waypoint : list.waypoints) {
-      const Vector next = request.world.to_frame(waypoint);
-      way_m += std::hypot(next.east - place.east, next.north - place.north);
-      place = next;
-    }
+  for (const RouteStop& stop : flight_path(request.world, request.orders, request.start).stops) {
+    way_m += std::hypot(stop.place.east - place.east, stop.place.north - place.north);
+    place = stop.place;
   }
   const core::Seconds least{way_m / (fastest_over_own * request.vehicle.speed_through_water.value)};
   return !request.world.covers(place, request.departure + least);
@@ -62,7 +60,10 @@ core::Violations violations(const FlightRequest& request) {
   if (const auto bed_m = world.bed_depth_m(start.east, start.north); bed_m && *bed_m <= 0.0)
     found.push_back({"/start", "lies on land"});
   if (world.ice_draft_m(start.east, start.north, request.departure) > 0.0)
-    found.push_back({"/start", "lies under ice at the departure"});
+    found.push_back(
+        {"/start",
+         "lies under ice at the departure, and the simulator launches a vehicle at the surface: plan anew "
+         "from a start in open water"});
   for (std::size_t i = 0; i < request.orders.lists.size(); ++i) {
     const auto& waypoints = request.orders.lists[i].waypoints;
     for (std::size_t row = 0; row < waypoints.size() && !core::is_full(found); ++row) {

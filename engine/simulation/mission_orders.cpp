@@ -20,8 +20,6 @@ using mission::Document;
 using mission::DocumentKind;
 
 constexpr double cm3 = 1e-6;
-/// Of one list: weeks of waypoints an hour apart, and a bound for time and memory.
-constexpr int most_legs = 1000;
 /// No code or count of a mission comes near it.
 constexpr double largest_code = 1e6;
 
@@ -60,6 +58,11 @@ class Arguments {
     return find(name).value_or(otherwise);
   }
   [[nodiscard]] int code(std::string_view name, int otherwise) const { return whole(value(name, otherwise)); }
+  /// Empty where it stands for a parameter that another program on board sets.
+  [[nodiscard]] std::optional<double> known(std::string_view name) const {
+    const auto found = find(name);
+    return found && mission::is_mission_parameter(*found) ? std::nullopt : found;
+  }
   /// Of the file, or what the mission gives inline.
   [[nodiscard]] const std::string& where() const { return where_; }
 
@@ -197,13 +200,10 @@ class Reader {
     for (const mission::WaypointRow& row : rows.waypoints) list.waypoints.push_back(row.place);
     if (list.waypoints.empty()) return;
     list.radius = {arguments.value("list_when_wpt_dist", 10.0)};
-    list.legs = arguments.code("num_legs_to_run", -1);
-    list.initial = arguments.code("initial_wpt", -2);
-    if (list.legs == 0 || list.legs < -2 || list.legs > most_legs)
-      refuse("/files/" + arguments.where() + "/num_legs_to_run",
-             "must be from 1 to " + std::to_string(most_legs) + ", -1 (round and round) or -2 (once)");
-    if (list.initial < -2 || list.initial >= static_cast<int>(list.waypoints.size()))
-      refuse("/files/" + arguments.where() + "/initial_wpt", "must name a row of the list, or be -1 or -2");
+    const auto flown = mission::list_orders(arguments.known("num_legs_to_run"),
+                                            arguments.known("initial_wpt"), list.waypoints.size());
+    if (!flown) return refuse("/files/" + arguments.where() + "/" + flown.error().field, flown.error().rule);
+    list.rows = *flown;
     orders_.lists.push_back(std::move(list));
   }
 
@@ -214,7 +214,7 @@ class Reader {
       half.depth = {arguments.value(prefix + "target_depth", sign > 0.0 ? 3.0 : 12.0)};
       const double altitude_m = arguments.value(prefix + "target_altitude", -1.0);
       if (altitude_m >= 0.0) half.altitude = core::Metres{altitude_m};
-      if (half.depth.value >= mission::first_mission_parameter) {
+      if (mission::is_mission_parameter(half.depth.value)) {
         refuse(field + "target_depth",
                "stands for a parameter that another program on board sets; the "
                "simulator needs the depth itself");

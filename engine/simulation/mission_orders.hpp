@@ -10,6 +10,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/mission/document.hpp"
+#include "engine/mission/flown_rows.hpp"
 #include "engine/vehicle/glider_profile.hpp"
 
 namespace floeplan::simulation {
@@ -17,10 +18,9 @@ namespace floeplan::simulation {
 /// A goto list: where to steer for.
 struct GotoOrders {
   std::vector<geo::LonLat> waypoints;
-  core::Metres radius{10.0};  // in which a waypoint counts as reached
-  int legs{-2};               // to run; -1 round and round, -2 once to the last row
-  int initial{};              // row to begin with from 0; -1 as 0 in a fresh mission, -2 the closest
-  bool next_on_board{};       // the next list follows without a time at the surface
+  core::Metres radius{10.0};                           // in which a waypoint counts as reached
+  mission::ListOrders rows{.legs = -2, .initial = 0};  // which of them are flown
+  bool next_on_board{};                                // the next list follows without a time at the surface
 };
 
 /// Half of a yo: what the vehicle does to get to its next turn.

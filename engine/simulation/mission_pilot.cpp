@@ -31,39 +31,7 @@ constexpr core::Seconds looks_for_a_lead{1800.0};
 
 double level_distance(Vector a, Vector b) { return std::hypot(a.east - b.east, a.north - b.north); }
 
-std::size_t first_row(const GotoOrders& list, const std::vector<Vector>& places, Vector from) {
-  if (list.initial >= 0) return static_cast<std::size_t>(list.initial);
-  if (list.initial == -1) return 0;
-  const auto closest =
-      std::ranges::min_element(places, {}, [&](Vector place) { return level_distance(place, from); });
-  return static_cast<std::size_t>(closest - places.begin());
-}
-
 }  // namespace
-
-FlightPath lay_path(const MissionOrders& orders, const std::vector<std::vector<Vector>>& lists,
-                    Vector start) {
-  FlightPath path;
-  for (std::size_t i = 0; i < orders.lists.size() && !path.loops_to; ++i) {
-    const GotoOrders& list = orders.lists[i];
-    const Vector from = path.stops.empty() ? start : path.stops.back().place;
-    const std::size_t first = first_row(list, lists[i], from);
-    const std::size_t rows = lists[i].size();
-    const auto add = [&](std::size_t row) {
-      path.stops.push_back({.place = lists[i][row % rows], .radius_m = list.radius.value});
-    };
-    if (list.legs == -2) {
-      for (std::size_t row = first; row < rows; ++row) add(row);
-    } else if (list.legs == -1) {
-      path.loops_to = path.stops.size();
-      for (std::size_t row = first; row < first + rows; ++row) add(row);
-    } else {
-      for (std::size_t row = first; row < first + static_cast<std::size_t>(list.legs); ++row) add(row);
-    }
-    path.stops.back().ends_list = !path.loops_to && !list.next_on_board && i + 1 < orders.lists.size();
-  }
-  return path;
-}
 
 MissionPilot::MissionPilot(const MissionOrders& orders, FlightPath path, core::Seconds first_fix,
                            core::UtcTime start)

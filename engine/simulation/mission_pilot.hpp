@@ -7,28 +7,12 @@
 
 #include "engine/avoidance/guidance.hpp"
 #include "engine/core/units.hpp"
+#include "engine/simulation/flight_path.hpp"
 #include "engine/simulation/glider_motion.hpp"
 #include "engine/simulation/mission_orders.hpp"
 #include "engine/simulation/space.hpp"
 
 namespace floeplan::simulation {
-
-/// One place of the route that the goto lists make, in the frame of the flight.
-struct RouteStop {
-  Vector place{};
-  double radius_m{};
-  bool ends_list{};  // and another list follows
-};
-
-/// What the vehicle's own computer flies by: its goto lists laid end to end.
-struct FlightPath {
-  std::vector<RouteStop> stops;
-  std::optional<std::size_t> loops_to;  // after the last stop, for a list that goes round and round
-};
-
-/// Lays the lists end to end from where the vehicle starts.
-[[nodiscard]] FlightPath lay_path(const MissionOrders& orders, const std::vector<std::vector<Vector>>& lists,
-                                  Vector start);
 
 /// Runs the mission's behaviours as the vehicle's computer does: which waypoint to steer for, when to turn in the
 /// saw-tooth, when to come up and what to do there. Knows only what the vehicle knows.

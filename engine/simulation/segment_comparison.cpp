@@ -22,7 +22,7 @@ MissionOrders orders_of(const LoggedSegment& segment) {
     GotoOrders list;
     list.waypoints = {segment.waypoints[i].place};
     list.radius = segment.waypoints[i].reached_within.value_or(unknown_radius);
-    list.legs = i + 1 < segment.waypoints.size() ? -2 : -1;
+    list.rows.legs = i + 1 < segment.waypoints.size() ? -2 : -1;
     list.next_on_board = true;
     orders.lists.push_back(list);
   }

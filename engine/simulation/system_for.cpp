@@ -4,6 +4,7 @@
 
 #include "engine/planning/plane_box.hpp"
 #include "engine/simulation/equipped_vehicle.hpp"
+#include "engine/simulation/flight_path.hpp"
 
 namespace floeplan::simulation {
 namespace {
@@ -16,13 +17,6 @@ constexpr core::Seconds least_time_step{1800.0};
 /// How far off its axis a beam reports an echo, of its height: half, and a quarter on while the next row, which then
 /// hears it better, hears it less than 6 dB better (simulation::Sonar).
 constexpr double heard_beside_axis = 0.75;
-
-std::vector<geo::LonLat> waypoints_of(const MissionOrders& orders) {
-  std::vector<geo::LonLat> waypoints;
-  for (const GotoOrders& list : orders.lists)
-    waypoints.insert(waypoints.end(), list.waypoints.begin(), list.waypoints.end());
-  return waypoints;
-}
 
 /// Four depths of the saw-tooth, ends included.
 std::vector<core::Metres> depths_of(const YoOrders& yo) {
@@ -52,8 +46,8 @@ SystemOnBoard system_for(const World& world, const MissionOrders& orders, geo::L
   const geo::PlanePoint from = world.projection().to_plane(start);
   planning::PlaneBox area{from, from};
   std::vector<geo::PlanePoint> waypoints;
-  for (const geo::LonLat& place : waypoints_of(orders)) {
-    waypoints.push_back(world.projection().to_plane(place));
+  for (const RouteStop& stop : flight_path(world, orders, start).stops) {
+    waypoints.push_back({stop.place.east, stop.place.north});
     area.include(waypoints.back());
   }
   avoidance::CarriedForecast::Grid grid = grid_over(area.grown(around_route_m));

@@ -79,6 +79,36 @@ TEST(RouteFile, ReadsEveryFormatAlike) {
   }
 }
 
+std::string list_of_three(const std::string& arguments) {
+  return "behavior_name=goto_list\n<start:b_arg>\n" + arguments +
+         "b_arg: num_waypoints(nodim) 3\n<end:b_arg>\n<start:waypoints>\n-0730 5200\n-0700 5230\n-0600 5200\n"
+         "<end:waypoints>\n";
+}
+
+TEST(RouteFile, HoldsTheRowsOfAGotoListThatAreFlown) {
+  const auto read = read_route_file(
+      "goto_l11.ma", list_of_three("b_arg: num_legs_to_run(nodim) -2\nb_arg: initial_wpt(enum) 1\n"));
+
+  ASSERT_TRUE(read.has_value());
+  EXPECT_THAT(read->places, ElementsAre(geo::LonLat{-7.0, 52.5}, geo::LonLat{-6.0, 52.0}));
+  EXPECT_THAT(read->warnings, testing::Contains(HasSubstr("goto_l11.ma: the vehicle flies rows 1 and 2")));
+}
+
+TEST(RouteFile, BeginsWithTheRowOfAGotoListThatIsClosestToTheStart) {
+  const std::string text = list_of_three("b_arg: num_legs_to_run(nodim) -2\nb_arg: initial_wpt(enum) -2\n");
+
+  EXPECT_EQ(read_route_file("goto_l11.ma", text)->places.size(), 3U);
+  EXPECT_THAT(read_route_file("goto_l11.ma", text, {}, geo::LonLat{-5.9, 51.9})->places,
+              ElementsAre(geo::LonLat{-6.0, 52.0}));
+}
+
+TEST(RouteFile, RefusesAGotoListOfWhichNobodyKnowsWhatIsFlown) {
+  EXPECT_THAT(fault_of("goto_l11.ma", list_of_three("b_arg: num_legs_to_run(nodim) 0\n")),
+              HasSubstr("num_legs_to_run: must be from 1 to 1000"));
+  EXPECT_THAT(fault_of("goto_l11.ma", list_of_three("b_arg: initial_wpt(enum) 1000000\n")),
+              HasSubstr("another program on board"));
+}
+
 TEST(RouteFile, FollowsTargetsInTheOrderInWhichTheyLead) {
   const auto read =
       read_route_file("targets",
