@@ -1,11 +1,15 @@
 #include "api/codec/plan_brief.hpp"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdio>
+#include <iterator>
+#include <utility>
 
 #include "api/codec/bare_value.hpp"
 #include "api/codec/xml_text.hpp"
+#include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -95,6 +99,14 @@ std::string brief_caption(const MapPicture& picture) {
          "departure. They drift; the clearances are from where they are expected when the vehicle passes.";
 }
 
+std::vector<std::string> brief_warnings(const planning::Plan& plan, const BriefNotes& notes) {
+  std::vector<std::string> warnings = notes.warnings;
+  std::ranges::copy_if(plan.warnings, std::back_inserter(warnings), [&](const std::string& warning) {
+    return std::ranges::find(notes.warnings, warning) == notes.warnings.end();
+  });
+  return core::by_rank(std::move(warnings));
+}
+
 std::string plan_brief_html(const planning::Plan& plan, const MapPicture& picture, const BriefNotes& notes) {
   const std::string title = xml_text(notes.name.empty() ? "Plan " + notes.plan_id : notes.name);
   std::string text = "<!DOCTYPE html>\n<html lang=\"en\"><head><meta charset=\"utf-8\"><title>" + title +
@@ -102,9 +114,7 @@ std::string plan_brief_html(const planning::Plan& plan, const MapPicture& pictur
                      xml_text(brief_origin(notes)) + "</p>\n";
   for (const std::string& fact : brief_facts(plan)) text += "<p>" + xml_text(fact) + "</p>\n";
   text += svg(picture) + "<p class=\"caption\">" + xml_text(brief_caption(picture)) + "</p>\n" + table(plan);
-  std::vector<std::string> warnings = notes.warnings;
-  warnings.insert(warnings.end(), plan.warnings.begin(), plan.warnings.end());
-  text += list("Warnings", warnings, "warn");
+  text += list("Warnings", brief_warnings(plan, notes), "warn");
   std::vector<std::string> data;
   data.reserve(plan.datasets.size());
   for (const auto& dataset : plan.datasets)

@@ -29,5 +29,7 @@ struct BriefNotes {
 [[nodiscard]] std::string brief_caption(const MapPicture& picture);
 /// The sentences above the table: vehicle, times, distance, clearances.
 [[nodiscard]] std::vector<std::string> brief_facts(const planning::Plan& plan);
+/// The warnings of the export and of the plan, each once, the dangers first.
+[[nodiscard]] std::vector<std::string> brief_warnings(const planning::Plan& plan, const BriefNotes& notes);
 
 }  // namespace floeplan::codec

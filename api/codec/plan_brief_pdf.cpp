@@ -7,6 +7,7 @@
 #include <numbers>
 #include <stdexcept>
 
+#include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -205,8 +206,8 @@ std::string plan_brief_pdf(const planning::Plan& plan, const MapPicture& picture
   write_row(sheet, {"no.", "latitude", "longitude", "ETA (UTC)", "leg km", "course", "m/s", "depth m"}, true);
   for (const auto& row : brief_rows(plan)) write_row(sheet, row, false);
   sheet.skip(8.0);
-  for (const std::string& warning : notes.warnings) sheet.paragraph("Warning: " + warning, 9.0);
-  for (const std::string& warning : plan.warnings) sheet.paragraph("Warning: " + warning, 9.0);
+  for (const std::string& warning : brief_warnings(plan, notes))
+    sheet.paragraph((core::is_danger(warning) ? "" : "Warning: ") + warning, 9.0);
   for (const auto& dataset : plan.datasets)
     sheet.paragraph(dataset.kind + ": " + dataset.name + " (" + dataset.id + "), sha256 " + dataset.sha256,
                     7.0);

@@ -10,6 +10,7 @@
 #include "api/codec/passage_document.hpp"
 #include "api/codec/surfacing_document.hpp"
 #include "api/codec/uncertainty_inputs.hpp"
+#include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -312,7 +313,8 @@ json plan_document(const planning::Plan& plan, const std::string& plan_id, const
         {"land_m", optional_value(plan.clearances.land)},
         {"bottom_m", optional_value(plan.clearances.bottom)}}},
       {"datasets", dataset_refs_json(plan.datasets)},
-      {"warnings", plan.warnings}};
+      {"dangers", core::dangers_among(plan.warnings)},
+      {"warnings", core::by_rank(plan.warnings)}};
 }
 
 json infeasible_document(const planning::Infeasible& infeasible, const ocean::Environment& environment) {
@@ -330,7 +332,8 @@ json infeasible_document(const planning::Infeasible& infeasible, const ocean::En
       {"smallest_change", changes.empty() ? json() : changes.front()},
       {"changes", std::move(changes)},
       {"changes_cut_short", infeasible.changes_cut_short},
-      {"warnings", environment.warnings},
+      {"dangers", core::dangers_among(environment.warnings)},
+      {"warnings", core::by_rank(environment.warnings)},
       {"datasets", dataset_refs_json(environment.datasets)}};
 }
 

@@ -4,6 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "api/codec/dataset_document.hpp"
+#include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
 
 namespace floeplan::codec {
@@ -71,7 +72,8 @@ json reach_document(const planning::Reach& reach, const planning::ReachRequest& 
             {"expansions", reach.search.expansions},
             {"seconds", reach.search.duration.count()}}},
           {"datasets", dataset_refs_json(reach.datasets)},
-          {"warnings", reach.warnings}};
+          {"dangers", core::dangers_among(reach.warnings)},
+          {"warnings", core::by_rank(reach.warnings)}};
 }
 
 }  // namespace floeplan::codec

@@ -44,13 +44,19 @@ std::vector<std::optional<mission::Shoal>> shoals_of(sqlite::Connection& db,
   return mission::shoals_along(*sea->bathymetry, plan);
 }
 
-std::vector<mission::SafePlace> safe_places_of(sqlite::Connection& db, const planning::Plan& plan,
+std::vector<mission::SafePlace> safe_places_of(sqlite::Connection& db, const repository::PlanRecord& record,
+                                               const planning::Plan& plan,
                                                const std::vector<geo::LonLat>& places) {
+  const auto inputs = inputs_of(record);
   std::vector<mission::SafePlace> found;
   for (const geo::LonLat place : places) {
     const geo::BoundingBox here{place.lon_deg, place.lat_deg, place.lon_deg, place.lat_deg};
     EnvironmentQuery query = without_motion(geo::grown(here, around_place), plan.departure);
     query.icebergs = {};
+    if (inputs) {
+      query.max_sighting_age = inputs->data.max_sighting_age;
+      query.icebergs_as_of = repository::sightings_as_of(inputs->data);
+    }
     query.iceberg_drift = false;
     query.zones = {};
     auto sea = repository::load_environment(db, query);

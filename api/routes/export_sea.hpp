@@ -18,7 +18,9 @@ namespace floeplan::routes {
                                                                    const planning::Plan& plan);
 
 /// The places with what the newest stored depths, coastlines, ice, icebergs and areas say of them while the plan lasts.
+/// Which sightings count says the request of the plan.
 [[nodiscard]] std::vector<mission::SafePlace> safe_places_of(sqlite::Connection& db,
+                                                             const repository::PlanRecord& record,
                                                              const planning::Plan& plan,
                                                              const std::vector<geo::LonLat>& places);
 

@@ -77,12 +77,13 @@ Response show_drift(const Context& context, const Request& request, const PathPa
   const auto as_of = reader.time("as_of");
   const auto until = reader.time("until");
   const auto max_age_days = reader.number("max_sighting_age_days", 0.0, 30.0);
+  const auto departure = reader.time("departure");
   if (!reader.violations().empty()) return invalid(request, reader.violations());
   if (const auto faults = faults_of(*area, *as_of, *until); !faults.empty()) return invalid(request, faults);
 
   repository::EnvironmentQuery query;
   query.area = *area;
-  query.depart = *as_of;
+  query.depart = std::min(*as_of, departure.value_or(*as_of));
   query.may_begin_later = true;
   query.icebergs_as_of = *as_of;
   query.icebergs = named(request, "dataset");
@@ -100,7 +101,7 @@ Response show_drift(const Context& context, const Request& request, const PathPa
 std::vector<Route> iceberg_drift_routes() {
   return {{"GET",
            "/map/drift",
-           {"bbox", "as_of", "until", "dataset", "max_sighting_age_days", "currents"},
+           {"bbox", "as_of", "until", "dataset", "max_sighting_age_days", "departure", "currents"},
            show_drift}};
 }
 

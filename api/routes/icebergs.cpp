@@ -4,6 +4,7 @@
 #include "api/routes/feature_collection.hpp"
 #include "api/routes/hand_made.hpp"
 #include "api/routes/text_values.hpp"
+#include "engine/core/utc_text.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/iceberg_repository.hpp"
@@ -22,11 +23,12 @@ constexpr geo::BoundingBox whole_world{-180.0, -90.0, 180.0, 90.0};
 /// What the query parameters say of `latest`.
 struct Latest {
   repository::DatasetChoice choice;
-  core::Seconds max_age{repository::max_sighting_age};
+  core::Seconds max_age{ocean::max_sighting_age};
+  std::optional<core::UtcTime> departure;  // of the vehicle; else it leaves at the moment asked for
   std::optional<std::string> berg_id;
 };
 
-/// As a plan that leaves at `as_of` would have it, by ascending row.
+/// As a plan would have it that leaves then and knows what was seen by `as_of`, by ascending row.
 std::vector<StoredSighting> latest_of_each(sqlite::Connection& db, const Latest& latest,
                                            const geo::BoundingBox& area, core::UtcTime as_of) {
   core::Violations none;  // its datasets have been found, and all meet the whole world
@@ -34,7 +36,8 @@ std::vector<StoredSighting> latest_of_each(sqlite::Connection& db, const Latest&
                                           {.choice = latest.choice,
                                            .area = whole_world,
                                            .as_of = as_of,
-                                           .oldest = repository::oldest_sighting_used(as_of, latest.max_age)},
+                                           .depart = latest.departure.value_or(as_of),
+                                           .max_age = latest.max_age},
                                           none);
   auto& result = known.sightings;
   std::erase_if(result, [&](const StoredSighting& sighting) {
@@ -76,6 +79,8 @@ tl::expected<std::optional<Latest>, codec::Problem> read_latest(const FeatureQue
   const double days = age ? parse_number(*age).value_or(-1.0) : 0.0;
   Latest latest;
   latest.berg_id = filter_of(query, "berg_id");
+  const auto departure = filter_of(query, "departure");
+  if (departure) latest.departure = core::parse_iso8601(*departure);
   latest.choice.ids = datasets_of(query);
   core::Violations violations;
   if (wish != "true" && wish != "false")
@@ -88,6 +93,12 @@ tl::expected<std::optional<Latest>, codec::Problem> read_latest(const FeatureQue
     violations.push_back({"?max_sighting_age_days",
                           "the query parameter \"max_sighting_age_days\" belongs to latest=true; without it, "
                           "\"datetime\" says from when on"});
+  if (departure && !latest.departure)
+    violations.push_back(
+        {"?departure", "the query parameter \"departure\" must be a UTC time like 2026-11-20T06:00:00Z"});
+  if (wish != "true" && departure)
+    violations.push_back(
+        {"?departure", "the query parameter \"departure\" belongs to latest=true: ages are counted then"});
   if (days < 0.0 || days > oldest_days)
     violations.push_back({"?max_sighting_age_days",
                           "the query parameter \"max_sighting_age_days\" must be a number from 0 to 30"});
@@ -177,7 +188,7 @@ FeatureCollection iceberg_collection() {
           .description = "Sightings of icebergs, each with its size as stated and as planned with.",
           .schema = "Iceberg",
           .item_name = "row",
-          .filters = {"dataset", "latest", "max_sighting_age_days", "berg_id"},
+          .filters = {"dataset", "latest", "max_sighting_age_days", "departure", "berg_id"},
           .extent = iceberg_extent,
           .list = list_icebergs,
           .find = find_iceberg,

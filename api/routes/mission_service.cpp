@@ -78,7 +78,7 @@ mission::SafePlaceFindings judge_safe_places(sqlite::Connection& db, const repos
                                              const mission::MissionSetOptions& options) {
   if (!options.under_ice || !mission::ice_violations(plan, options).empty()) return {};
   return mission::check_safe_places(plan, options.vehicle, ice_rules_of(record).max_concentration_to_surface,
-                                    safe_places_of(db, plan, options.under_ice->safe_places));
+                                    safe_places_of(db, record, plan, options.under_ice->safe_places));
 }
 
 /// The plan as its mission's yo flies it, in the newest data; nothing where that is as the plan was made.

@@ -9,6 +9,7 @@
 #include "api/routes/plan_exports.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/core/message_rank.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/mission/comment_text.hpp"
 #include "storage/repository/plan_repository.hpp"
@@ -38,8 +39,9 @@ Response refuse_dangerous(const Request& request, const PlanCheck& check) {
   core::Violations found;
   for (const std::string& danger : check.dangers) found.push_back({"/plan", danger});
   return problem_reply(
-      request, {409, "dangerous-plan", "The plan has become dangerous",
-                "The newest data close legs of the plan; plan anew, or repeat with accept_dangers=true.",
+      request, {409, "dangerous-plan", "The plan is dangerous",
+                "The plan, or the newest data, tell of dangers; plan anew, or confirm them: repeat with "
+                "accept_dangers=true.",
                 std::move(found)});
 }
 
@@ -56,7 +58,7 @@ Response with_plan(const Context& context, const Request& request, const PathPar
 
   PlanCheck check = check_plan(context.db, *plan);
   if (!check.dangers.empty() && !accept_dangers) return refuse_dangerous(request, check);
-  std::ranges::move(check.dangers, std::back_inserter(check.warnings));
+  std::ranges::transform(check.dangers, std::back_inserter(check.warnings), core::as_danger);
   Response response = answer(*plan, check.warnings);
   add_warnings(response, check.warnings);
   return response;

@@ -8,6 +8,7 @@
 
 #include "api/codec/plan_document.hpp"
 #include "api/routes/mission_service.hpp"
+#include "engine/core/message_rank.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/route_check.hpp"
 #include "storage/repository/dataset_repository.hpp"
@@ -117,6 +118,10 @@ PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& r
     for (const std::string& closed : mission::closed_above_since(plan, *found.timing))
       check.dangers.push_back("In the newest data, " + closed + ".");
   }
+  for (const std::string& danger : core::dangers_among(environment->warnings)) {
+    const bool is_told = std::ranges::find(plan.warnings, danger) != plan.warnings.end();
+    if (!is_told) check.dangers.push_back("In the newest data, " + core::without_mark(danger));
+  }
   if (found.findings.empty() && check.dangers.empty()) {
     check.warnings.push_back(
         "The data have changed since the plan was made; in the newest ones it is still clear.");
@@ -129,6 +134,8 @@ PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& r
 PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record) {
   const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
   PlanCheck check = in_newest_data(db, record, plan);
+  for (const std::string& danger : core::dangers_among(plan.warnings))
+    check.dangers.push_back(core::without_mark(danger));
   std::ranges::move(warnings_of_gaps(plan), std::back_inserter(check.warnings));
   return check;
 }

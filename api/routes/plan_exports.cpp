@@ -27,7 +27,7 @@
 #include "storage/repository/coastline_repository.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
-#include "storage/repository/joined_sightings.hpp"
+#include "storage/repository/known_icebergs.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -38,23 +38,38 @@ constexpr core::Metres around_route{30'000.0};  // of land and icebergs on the p
 constexpr double map_width = 720.0;
 constexpr double map_height = 420.0;
 
+/// Of the datasets that the plan was made with, by the rule of its request.
+std::vector<repository::StoredSighting> obeyed_sightings(sqlite::Connection& db, const PlanRecord& record,
+                                                         const planning::Plan& plan,
+                                                         const repository::DatasetChoice& of_icebergs) {
+  if (of_icebergs.ids.empty()) return {};
+  constexpr geo::BoundingBox whole_world{-180.0, -90.0, 180.0, 90.0};
+  repository::SightingQuery query{
+      .choice = of_icebergs, .area = whole_world, .as_of = plan.departure, .depart = plan.departure};
+  if (const auto inputs = inputs_of(record)) {
+    query.as_of = repository::sightings_as_of(inputs->data);
+    query.max_age = inputs->data.max_sighting_age;
+  }
+  core::Violations none;  // its datasets have been found, and all meet the whole world
+  return repository::known_icebergs(db, repository::DatasetRepository{db}.list(), query, none).sightings;
+}
+
 /// Land and icebergs of the data that the plan was made with, as far as they are still stored.
 codec::MapPicture picture_of(sqlite::Connection& db, const PlanRecord& record, const planning::Plan& plan) {
   const geo::BoundingBox area = geo::grown(record.bounds, around_route);
   std::vector<geo::Polygon> land;
   std::vector<ocean::Iceberg> icebergs;
-  std::vector<repository::Dataset> of_icebergs;
+  repository::DatasetChoice of_icebergs{repository::DatasetChoice::How::named, {}};
   for (const auto& used : plan.datasets) {
     const auto dataset = repository::DatasetRepository{db}.find({used.id});
     if (!dataset) continue;
     if (used.kind == "coastline")
       std::ranges::move(repository::CoastlineRepository{db}.load(dataset->id, area),
                         std::back_inserter(land));
-    if (used.kind == "icebergs") of_icebergs.push_back(*dataset);
+    if (used.kind == "icebergs") of_icebergs.ids.push_back(dataset->id);
   }
-  const auto age = plan.departure - repository::oldest_sighting_used(plan.departure);
-  for (const auto& sighting : repository::joined_sightings(db, of_icebergs, area, plan.departure, age))
-    icebergs.push_back(sighting.iceberg);
+  for (const auto& sighting : obeyed_sightings(db, record, plan, of_icebergs))
+    if (geo::contains(area, sighting.iceberg.place)) icebergs.push_back(sighting.iceberg);
   return codec::draw_map(plan, land, icebergs, map_width, map_height);
 }
 

@@ -16,6 +16,8 @@ Response show_probe(const Context& context, const Request& request, const PathPa
   const auto lat = reader.number("lat", -90.0, 90.0);
   const auto time = reader.time("time");
   const auto depth = reader.number("depth_m", 0.0, 12000.0);
+  const auto departure = reader.time("departure");
+  const auto max_age_days = reader.number("max_sighting_age_days", 0.0, 30.0);
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
   ProbeQuery query;
@@ -23,6 +25,8 @@ Response show_probe(const Context& context, const Request& request, const PathPa
   query.place = {*lon < 180.0 ? *lon : geo::wrap_longitude(*lon), *lat};
   query.time = time.value_or(request.now);
   if (depth) query.depth = core::Metres{*depth};
+  query.departure = departure;
+  if (max_age_days) query.max_sighting_age = core::Seconds{*max_age_days * 86'400.0};
   query.dataset_id = request.parameter("dataset");
   if (query.dataset_id && !repository::DatasetRepository{context.db}.find({*query.dataset_id})) {
     return not_found(request, "unknown-dataset", "No dataset has the id " + *query.dataset_id + ".");
@@ -34,7 +38,10 @@ Response show_probe(const Context& context, const Request& request, const PathPa
 }  // namespace
 
 std::vector<Route> probe_routes() {
-  return {{"GET", "/probe", {"lon", "lat", "time", "depth_m", "dataset"}, show_probe}};
+  return {{"GET",
+           "/probe",
+           {"lon", "lat", "time", "depth_m", "dataset", "departure", "max_sighting_age_days"},
+           show_probe}};
 }
 
 }  // namespace floeplan::routes

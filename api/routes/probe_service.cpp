@@ -245,14 +245,16 @@ void read_land(sqlite::Connection& db, const std::vector<Dataset>& datasets, cod
   if (probe.depth) probe.land = probe.depth->value <= 0.0;
 }
 
-void read_icebergs(sqlite::Connection& db, const std::vector<Dataset>& datasets, codec::Probe& probe) {
+void read_icebergs(sqlite::Connection& db, const std::vector<Dataset>& datasets, const ProbeQuery& query,
+                   codec::Probe& probe) {
   core::Violations none;  // none is named
   const auto known = repository::known_icebergs(db, datasets,
                                                 {.choice = {},
                                                  .area = box_at(probe.place),
                                                  .reach = probe_iceberg_range,
                                                  .as_of = probe.time,
-                                                 .oldest = repository::oldest_sighting_used(probe.time)},
+                                                 .depart = query.departure.value_or(probe.time),
+                                                 .max_age = query.max_sighting_age},
                                                 none);
   for (const auto& sighting : known.sightings) {
     const auto distance = geo::geodesic_between(probe.place, sighting.iceberg.place).length;
@@ -301,7 +303,7 @@ tl::expected<codec::Probe, core::Violations> probe(sqlite::Connection& db, const
   read_ice(db, choose_ice(db, datasets, named, query), result);
   result.tide = probe_tide(db, datasets, named, query);
   read_land(db, datasets, result);
-  read_icebergs(db, datasets, result);
+  read_icebergs(db, datasets, query, result);
   read_zones(db, datasets, result);
   return result;
 }

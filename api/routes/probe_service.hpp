@@ -8,6 +8,7 @@
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "engine/ocean/sighting_age.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::routes {
@@ -20,6 +21,9 @@ struct ProbeQuery {
   std::optional<std::string>
       dataset_id;  // currents, wind, bathymetry, ice or tides; default: the newest of each kind that covers the
                    // place, and all tide models there together
+  /// Icebergs as a vehicle that leaves then obeys them (ocean::oldest_that_counts); default: at `time`.
+  std::optional<core::UtcTime> departure{};
+  core::Seconds max_sighting_age{ocean::max_sighting_age};
 };
 
 /// Icebergs farther away than this are not listed.

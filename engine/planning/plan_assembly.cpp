@@ -7,10 +7,12 @@
 #include <limits>
 #include <optional>
 
+#include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/coarse_outline.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/coast_lines.hpp"
+#include "engine/planning/ice_dangers.hpp"
 #include "engine/planning/met_currents.hpp"
 #include "engine/planning/plane_distance.hpp"
 #include "engine/planning/surfacing.hpp"
@@ -184,9 +186,11 @@ void warn_of_old_sightings(Plan& plan, const ocean::Environment& environment, co
   }
   if (dropped == 0) return;
   if (dropped > most_names) names += " and " + std::to_string(dropped - most_names) + " more";
-  plan.warnings.push_back(std::to_string(dropped) + (dropped == 1 ? " iceberg" : " icebergs") +
-                          " left out, last seen too long before the departure at " +
-                          core::iso8601(request.depart) + ": " + names);
+  plan.warnings.push_back(core::as_danger(
+      std::to_string(dropped) + (dropped == 1 ? " iceberg" : " icebergs") +
+      " ignored: not seen for too long by the departure at " + core::iso8601(request.depart) + " (" + names +
+      "). Each may still be near the route, and the plan avoids none of them. Depart earlier, ingest newer "
+      "sightings, or raise the maximum sighting age (--max-sighting-age)"));
 }
 
 /// Of those that are planned; a vehicle that has an interval of its own counts them already.
@@ -297,13 +301,7 @@ void add_surfacings(Plan& plan, const Sea& sea, const PlanRequest& request,
   warn_of_ice_beside(plan, request);
   warn_of_surfacings_near_ice(plan);
   warn_of_openings_missed(plan, request);
-  if (!plan.surfacing->waypoints.front().may_surface)
-    plan.warnings.emplace_back(
-        "the vehicle may not surface at the departure: the ice there is too dense or unknown, so that it can "
-        "begin only where it is brought below the ice");
-  if (!plan.surfacing->waypoints.back().may_surface)
-    plan.warnings.emplace_back(
-        "the vehicle may not surface at the goal: the ice there is too dense or unknown");
+  tell_of_ice_above(plan, request);
 }
 
 }  // namespace

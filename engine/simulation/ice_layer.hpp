@@ -10,15 +10,15 @@
 namespace floeplan::simulation {
 
 /// Sea ice above a flight as the depth of its underside: none, an even sheet, or the deepest keels that an ice field
-/// lets expect: those that a plan with the usual rules under ice keeps below, open water up to one tenth included.
+/// lets expect: those that a plan by the same rules under ice keeps below, and open water where that plan may surface.
 /// Threads  const members may be called from several threads at once
 class IceLayer {
  public:
   IceLayer() = default;  // open water
   explicit IceLayer(core::Metres draft) : even_m_{draft.value} {}
   /// `environment` must have ice.
-  IceLayer(const ocean::Environment& environment, const geo::LocalProjection& projection,
-           const planning::PlaneBox& area, core::UtcTime epoch);
+  IceLayer(const ocean::Environment& environment, const planning::UnderIceRules& rules,
+           const geo::LocalProjection& projection, const planning::PlaneBox& area, core::UtcTime epoch);
 
   /// Whether there is any, somewhere and some time.
   [[nodiscard]] bool has_ice() const { return cover_.has_value() || even_m_ > 0.0; }

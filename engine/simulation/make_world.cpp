@@ -77,7 +77,7 @@ World make_world(const ocean::Environment& environment, std::span<const geo::Lon
   const CurrentErrorField error{settings.current_error, begin, seed};
   WorldParts parts{.origin = route.front()};
   if (environment.bathymetry) parts.bed = SeaBed{environment.bathymetry, projection, area};
-  if (environment.ice) parts.ice = IceLayer{environment, projection, area, begin};
+  if (environment.ice) parts.ice = IceLayer{environment, settings.ice, projection, area, begin};
   parts.current = environment.currents
                       ? TrueCurrent{{environment.currents, environment.steady_currents}, projection, error}
                       : TrueCurrent{Vector{}, error};

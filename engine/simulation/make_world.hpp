@@ -8,6 +8,7 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/lon_lat.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/planning/under_ice_rules.hpp"
 #include "engine/simulation/current_error_field.hpp"
 #include "engine/simulation/world.hpp"
 
@@ -19,6 +20,8 @@ struct WorldSettings {
   /// Fastest turn of an iceberg. An assumption, for no statistics were at hand: a quarter turn in three hours.
   double most_spin_deg_h{30.0};
   core::Metres margin{20'000.0};  // about the route, within which the world is known
+  planning::UnderIceRules
+      ice{};  // of the plan that is flown: what it takes for open water and for the keels of ice
 
   [[nodiscard]] core::Violations violations() const;  // empty when valid, otherwise all of them
 };

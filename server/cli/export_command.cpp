@@ -1,5 +1,6 @@
 #include <algorithm>
 #include <iostream>
+#include <iterator>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -7,6 +8,7 @@
 #include "api/routes/mission_service.hpp"
 #include "api/routes/plan_check.hpp"
 #include "api/routes/plan_exports.hpp"
+#include "engine/core/message_rank.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/file_set.hpp"
 #include "server/cli/flag_values.hpp"
@@ -108,13 +110,14 @@ std::string check_glider(const std::string& name) {
   return folder ? "" : name + " " + folder.error().rule;
 }
 
-/// Nothing is written of a plan that newer data close.
+/// Nothing is written of a plan whose dangers nobody has confirmed.
 int refuse(const routes::PlanCheck& check, bool json_out) {
   if (json_out) std::cout << json{{"status", "dangerous"}, {"dangers", check.dangers}}.dump(2) << '\n';
   for (const std::string& danger : check.dangers) complain(could_not, danger);
-  return complain(
-      could_not,
-      "nothing was written; plan anew in the newest data; --accept-dangers writes it all the same");
+  return complain(could_not,
+                  "nothing was written: the plan is dangerous; plan anew, or confirm the dangers: "
+                  "--accept-dangers writes it all "
+                  "the same");
 }
 
 int run_export(const ExportFlags& flags, const Program& program) {
@@ -123,10 +126,11 @@ int run_export(const ExportFlags& flags, const Program& program) {
   if (!record) return complain_of_no_plan(flags.plan_id);
 
   routes::PlanCheck check = routes::check_plan(db, *record);
-  if (!check.dangers.empty() && !flags.accept_dangers) return refuse(check, flags.json_out);
-  check.warnings.insert(check.warnings.begin(), check.dangers.begin(), check.dangers.end());
+  std::ranges::transform(check.dangers, std::inserter(check.warnings, check.warnings.begin()),
+                         core::as_danger);
   auto files = files_of(db, *record, flags, check.warnings);
   if (!files) return print_violations(files.error(), flags.json_out);
+  if (!check.dangers.empty() && !flags.accept_dangers) return refuse(check, flags.json_out);
   files->warnings.insert(files->warnings.begin(), check.warnings.begin(), check.warnings.end());
   const std::vector<OutputFile> output = laid_out(*files, *record, flags);
   if (const auto there = first_existing(flags.out, output); there && !flags.force) {
@@ -138,7 +142,8 @@ int run_export(const ExportFlags& flags, const Program& program) {
     if (!flags.json_out) std::cout << file.string() << '\n';
   }
   if (flags.json_out) std::cout << json{{"files", written}, {"warnings", files->warnings}}.dump(2) << '\n';
-  for (const std::string& warning : files->warnings) std::cerr << "warning: " << warning << '\n';
+  for (const std::string& warning : files->warnings)
+    std::cerr << (core::is_danger(warning) ? "danger: " : "warning: ") << core::without_mark(warning) << '\n';
   return done;
 }
 
@@ -188,7 +193,8 @@ void add_export(CLI::App& app, Program& program) {
   command->add_flag("--zip", flags->zip, "Write one ZIP archive instead of the files");
   command->add_flag("--force", flags->force, "Replace files that exist");
   command->add_flag("--accept-dangers", flags->accept_dangers,
-                    "Write a plan whose legs the newest data close, and put the dangers among its warnings");
+                    "Write a plan that is dangerous by itself or in the newest data, and put the dangers "
+                    "among its warnings");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run_export(*flags, program); });
 }

@@ -6,7 +6,9 @@
 #include <cstdio>
 #include <iostream>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "engine/core/message_rank.hpp"
 #include "engine/core/violation_list.hpp"
 #include "server/cli/command.hpp"
 
@@ -193,8 +195,7 @@ void print_for_people(const json& plan) {
     std::printf("data: %s (%s)\n", dataset.at("id").get<std::string>().c_str(),
                 dataset.at("name").get<std::string>().c_str());
   }
-  for (const json& warning : plan.at("warnings"))
-    std::printf("warning: %s\n", warning.get<std::string>().c_str());
+  print_by_rank(plan.at("warnings"));
   print_departures(plan);
 }
 
@@ -225,6 +226,12 @@ int print_plan(const json& document, bool json_out) {
                                  degrees_minutes(at.at("lon"), 'E', 'W') + "); " +
                                  document.at("reason").get<std::string>() + "; " +
                                  document.at("suggestion").get<std::string>() + helps);
+}
+
+void print_by_rank(const json& sentences) {
+  for (const std::string& sentence : core::by_rank(sentences.get<std::vector<std::string>>()))
+    std::printf("%s: %s\n", core::is_danger(sentence) ? "danger" : "warning",
+                core::without_mark(sentence).c_str());
 }
 
 int print_violations(const core::Violations& violations, bool json_out) {

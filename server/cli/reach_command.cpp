@@ -24,8 +24,7 @@ void print_reach_table(const json& document) {
                 feature.at("geometry").at("coordinates").size());
   }
   std::printf("--json gives the polygons as GeoJSON\n");
-  for (const json& warning : document.at("warnings"))
-    std::printf("warning: %s\n", warning.get<std::string>().c_str());
+  print_by_rank(document.at("warnings"));
 }
 
 int run_reach(const InputFlags& flags, bool json_out, const Program& program) {

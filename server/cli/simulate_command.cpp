@@ -136,8 +136,7 @@ void print_simulate_table(const json& document) {
   print_statistics(document);
   print_not_there(document.at("flights"));
   std::printf("planned travel time %.2f h\n", document.at("planned_travel_time_s").get<double>() / 3600.0);
-  for (const json& warning : document.at("warnings"))
-    std::printf("warning: %s\n", warning.get<std::string>().c_str());
+  print_by_rank(document.at("warnings"));
 }
 
 /// Simulated time of all runs over the time that they took.

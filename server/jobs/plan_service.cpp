@@ -10,6 +10,7 @@
 #include "api/codec/departure_document.hpp"
 #include "api/codec/plan_document.hpp"
 #include "api/codec/sha256.hpp"
+#include "engine/core/utc_text.hpp"
 #include "engine/planning/departure.hpp"
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/latest_departure.hpp"
@@ -41,6 +42,15 @@ geo::BoundingBox bounds(const planning::Plan& plan) {
   places.reserve(plan.waypoints.size());
   for (const auto& waypoint : plan.waypoints) places.push_back(waypoint.place);
   return geo::bounding_box(places);
+}
+
+/// Which sightings of icebergs counted for the departure, by ocean::oldest_that_counts; null without icebergs.
+json sightings_json(const repository::EnvironmentQuery& data, core::UtcTime departure) {
+  if (data.icebergs.how == repository::DatasetChoice::How::none) return nullptr;
+  const core::UtcTime as_of = repository::sightings_as_of(data);
+  return {{"as_of", core::iso8601(as_of)},
+          {"max_age_days", data.max_sighting_age.count() / 86'400.0},
+          {"oldest", core::iso8601(ocean::oldest_that_counts(as_of, departure, data.max_sighting_age))}};
 }
 
 /// Gives the plan the duration of the work that made it.
@@ -125,6 +135,7 @@ tl::expected<json, core::Violations> plan_route_document(sqlite::Connection& db,
   const json request = codec::to_json(inputs);
   const std::string id = plan_id(request, *environment, *plan);
   json document = codec::plan_document(*plan, id, inputs.name);
+  document["sightings"] = sightings_json(inputs.data, plan->departure);
   add_departures(document, departures);
   repository::PlanRepository plans{db};
   plans.insert({.row = 0,
@@ -168,7 +179,9 @@ tl::expected<json, core::Violations> evaluate_route_document(sqlite::Connection&
   if (!plan) return codec::infeasible_document(plan.error(), ground->environment());
   plan->search.duration = watch.elapsed();
   std::ranges::copy(inputs.warnings, std::back_inserter(plan->warnings));
-  return codec::plan_document(*plan, "", inputs.name);
+  json document = codec::plan_document(*plan, "", inputs.name);
+  document["sightings"] = sightings_json(inputs.data, plan->departure);
+  return document;
 }
 
 }  // namespace floeplan::jobs

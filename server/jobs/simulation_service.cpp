@@ -13,6 +13,7 @@
 #include "api/codec/plan_document.hpp"
 #include "api/codec/plan_inputs.hpp"
 #include "api/codec/sha256.hpp"
+#include "engine/core/message_rank.hpp"
 #include "engine/core/random.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/core/version.hpp"
@@ -45,6 +46,7 @@ struct FlownPlan {
   planning::Plan plan;
   vehicle::GliderProfile vehicle;
   repository::EnvironmentQuery data;
+  planning::UnderIceRules ice;
 };
 
 /// Faults of mission files are those of the input that holds them.
@@ -76,7 +78,8 @@ tl::expected<FlownPlan, core::Violations> plan_of(sqlite::Connection& db, const 
   planned->data.depart = plan.departure;
   planned->data.until = repository::CoveredUntil{"plan_id", plan.arrival};
   planned->data.may_begin_later = false;
-  return FlownPlan{std::move(*record), std::move(plan), vehicle, std::move(planned->data)};
+  return FlownPlan{std::move(*record), std::move(plan), vehicle, std::move(planned->data),
+                   planned->request.under_ice};
 }
 
 /// The files that were given, or those that the plan is exported as.
@@ -210,6 +213,7 @@ class Batch {
                                            const std::stop_token& stop) const {
     simulation::WorldSettings settings;
     settings.current_error = error;
+    settings.ice = flown_.ice;
     const core::UtcTime begin = flown_.plan.departure;
     return simulation::make_world(environment_, route_, begin, begin + longest_of(inputs_, flown_.plan),
                                   settings, seed, stop);
@@ -344,7 +348,8 @@ tl::expected<json, core::Violations> simulate_plan_document(sqlite::Connection& 
   const std::string id = simulation_id(request, *flown, *environment);
   json document = document_of(id, inputs, *flown, result, *files);
   document["datasets"] = datasets_json(*environment);
-  document["warnings"] = environment->warnings;
+  document["dangers"] = core::dangers_among(environment->warnings);
+  document["warnings"] = core::by_rank(environment->warnings);
   for (const std::string& note : orders->notes) document["warnings"].push_back(note);
   if (!simulation::flown_vehicle(flown->vehicle)) document["warnings"].push_back(speed_is_not_made);
   repository::SimulationRepository{db}.insert({.row = 0,

@@ -1,11 +1,11 @@
 #include "storage/repository/environment_loader.hpp"
 
 #include <algorithm>
-#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
 
+#include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/coastline_repository.hpp"
 #include "storage/repository/dataset_repository.hpp"
@@ -24,18 +24,21 @@
 namespace floeplan::repository {
 namespace {
 
-/// Says which bergs of a dataset were seen too long ago.
-void warn_of_old_sightings(EnvironmentDraft& draft, const Dataset& dataset, const KnownIcebergs& known,
-                           core::UtcTime oldest) {
+/// Says which bergs of a dataset were seen too long ago: they may be there, and nobody avoids them.
+void tell_of_old_sightings(EnvironmentDraft& draft, const Dataset& dataset, const KnownIcebergs& known) {
   std::vector<std::string> dropped;
   for (const StoredSighting& sighting : known.too_old)
     if (sighting.dataset == dataset.id)
       dropped.push_back(sighting.iceberg.id.empty() ? "one without a name" : sighting.iceberg.id);
   if (dropped.empty()) return;
   const auto used = std::ranges::count(known.sightings, dataset.id, &StoredSighting::dataset);
-  draft.warn(std::to_string(dropped.size()) + " of " + std::to_string(used + std::ssize(dropped)) +
-             " icebergs of " + title(dataset) + " left out: last seen before " + core::iso8601(oldest) +
-             ": " + shortened_list(dropped));
+  const auto all = used + std::ssize(dropped);
+  draft.warn(core::as_danger(
+      std::to_string(dropped.size()) + " of " + std::to_string(all) +
+      (all == 1 ? " iceberg of " : " icebergs of ") + title(dataset) + " ignored: not seen since " +
+      core::iso8601(known.oldest) + " (" + shortened_list(dropped) +
+      "). Each may still be near the route, and the plan avoids none of them. Ingest newer "
+      "sightings, or raise the maximum sighting age (--max-sighting-age)"));
 }
 
 /// Names the datasets that had something to say, those that were wanted by name and what people reported here; else the
@@ -58,21 +61,16 @@ void cite_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
     draft.warn("icebergs are joined from several datasets, of each berg the newest sighting: " + joined);
 }
 
-/// The first departure for which the sighting is too old, as oldest_sighting_used has it.
-core::UtcTime too_old_from(core::UtcTime observed, core::Seconds max_age) {
-  return std::chrono::floor<std::chrono::days>(observed) + std::chrono::days{1} + max_age;
-}
-
 /// Where the vehicle may leave later than at `depart`, sightings up to the last moment count, and each as
 /// long as it is not too old for the departure, of which the earliest is the one known here.
 void add_icebergs(EnvironmentDraft& draft) {
   const EnvironmentQuery& query = draft.query;
-  const core::UtcTime last_moment = query.may_begin_later && query.until ? query.until->time : query.depart;
-  const core::UtcTime as_of = query.icebergs_as_of.value_or(last_moment);
+  const core::UtcTime as_of = sightings_as_of(query);
   SightingQuery wanted{.choice = query.icebergs,
                        .area = query.area,
                        .as_of = as_of,
-                       .oldest = oldest_sighting_used(std::min(as_of, query.depart), query.max_sighting_age),
+                       .depart = query.depart,
+                       .max_age = query.max_sighting_age,
                        .also_too_old = true};
   if (query.iceberg_drift) {
     wanted.reach = reach_of_drift;
@@ -80,12 +78,13 @@ void add_icebergs(EnvironmentDraft& draft) {
   }
 
   const KnownIcebergs known = known_icebergs(draft.db, draft.stored, wanted, draft.violations);
-  const bool departure_decides = !query.icebergs_as_of && last_moment > query.depart;
+  const bool departure_decides = !query.icebergs_as_of && as_of > query.depart;
   for (const StoredSighting& sighting : known.sightings) {
     ocean::Iceberg& iceberg = draft.environment.icebergs.emplace_back(sighting.iceberg);
-    if (departure_decides) iceberg.too_old_from = too_old_from(iceberg.observed, query.max_sighting_age);
+    if (departure_decides)
+      iceberg.too_old_from = ocean::too_old_from(iceberg.observed, query.max_sighting_age);
   }
-  for (const Dataset& dataset : known.consulted) warn_of_old_sightings(draft, dataset, known, wanted.oldest);
+  for (const Dataset& dataset : known.consulted) tell_of_old_sightings(draft, dataset, known);
   cite_sightings(draft, known);
   if (draft.environment.datasets.empty() && query.icebergs.how != DatasetChoice::How::named) {
     warn_of_gap(draft, DatasetKind::icebergs, query.icebergs, "no iceberg is avoided");
@@ -200,8 +199,9 @@ void add_zones(EnvironmentDraft& draft) {
 
 }  // namespace
 
-core::UtcTime oldest_sighting_used(core::UtcTime as_of, core::Seconds max_age) {
-  return std::chrono::floor<std::chrono::days>(as_of - max_age);
+core::UtcTime sightings_as_of(const EnvironmentQuery& query) {
+  const core::UtcTime last_moment = query.may_begin_later && query.until ? query.until->time : query.depart;
+  return query.icebergs_as_of.value_or(last_moment);
 }
 
 tl::expected<ocean::Environment, core::Violations> load_environment(sqlite::Connection& db,

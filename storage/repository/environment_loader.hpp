@@ -9,17 +9,13 @@
 #include "engine/core/violation.hpp"
 #include "engine/geo/bounding_box.hpp"
 #include "engine/ocean/environment.hpp"
+#include "engine/ocean/sighting_age.hpp"
 #include "storage/repository/current_grid_cache.hpp"
 #include "storage/repository/dataset_choice.hpp"
 #include "storage/repository/tide_environment.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::repository {
-
-/// Icebergs last seen longer ago than this are left out unless the query says otherwise, by whole UTC days, and the
-/// plan names them: forecasts of their drift lose about 0.75 km an hour (C-CORE hindcast of 340 displacements,
-/// 2023-24), 50 km in this time.
-inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 
 /// The last moment that the data have to cover, and the input that asks for it.
 struct CoveredUntil {
@@ -43,19 +39,16 @@ struct EnvironmentQuery {
   DatasetChoice icebergs;
   std::optional<core::UtcTime>
       icebergs_as_of;  // default: the departure, or `until` where data may begin later
-  /// Before the departure, and before `icebergs_as_of` where that is given. Where data may begin later,
-  /// icebergs count that are young enough for the earliest departure, each with the departure for which it is
-  /// too old.
-  core::Seconds max_sighting_age{repository::max_sighting_age};
+  /// By the rule of ocean::oldest_that_counts. Where data may begin later, icebergs count that are young enough for the
+  /// earliest departure, each with the departure for which it is too old.
+  core::Seconds max_sighting_age{ocean::max_sighting_age};
   bool iceberg_drift{true};  // also what their drift needs: tracks, and currents from the sightings on
   DatasetChoice coastline;
   DatasetChoice zones;  // obeyed are all that meet the area, unless some are named
 };
 
-/// The earliest sighting that still counts. Feeds often give the day of a sighting alone, so the whole day on which
-/// the longest age falls is taken.
-[[nodiscard]] core::UtcTime oldest_sighting_used(core::UtcTime as_of,
-                                                 core::Seconds max_age = max_sighting_age);
+/// After this no sighting counts: `icebergs_as_of`, else the departure, or the last moment where data may begin later.
+[[nodiscard]] core::UtcTime sightings_as_of(const EnvironmentQuery& query);
 
 /// What reading the store for a job may look at beside the store.
 struct Reading {
@@ -72,7 +65,8 @@ struct Reading {
 ///          when icebergs drift) to their end: how long a plan takes is not yet known. Currents without time are
 ///          held steady. Drifting icebergs are also read up to 100 km beyond the area, and with them the
 ///          currents that carry them, down to their keels (less far where these are more than 32 million
-///          samples); warnings name those of which the current is not known. Ice is taken that
+///          samples); warnings name those of which the current is not known. Icebergs there that are left out for
+///          the age of their sightings are a danger (core::danger_mark). Ice is taken that
 ///          counts at some time of a mission of 30 days from the latest departure on, or that ended no more than 30
 ///          days before the earliest; a named one whose period, lengthened by ocean::longest_ice_hold, does not cover
 ///          the earliest departure is refused

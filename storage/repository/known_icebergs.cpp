@@ -19,7 +19,7 @@ std::vector<Dataset> datasets_of_sightings(const std::vector<Dataset>& stored, c
     return !dataset.time_start || *dataset.time_start <= query.as_of;
   };
   const auto recent = [&](const Dataset& dataset) {
-    return !dataset.time_end || *dataset.time_end >= query.oldest;
+    return !dataset.time_end || *dataset.time_end >= known.oldest;
   };
   std::vector<Dataset> chosen;
   std::ranges::copy_if(stored, std::back_inserter(chosen), [&](const Dataset& dataset) {
@@ -43,6 +43,7 @@ bool KnownIcebergs::speaks_here(const DatasetId& dataset) const {
 KnownIcebergs known_icebergs(sqlite::Connection& db, const std::vector<Dataset>& stored,
                              const SightingQuery& query, core::Violations& violations) {
   KnownIcebergs known;
+  known.oldest = ocean::oldest_that_counts(query.as_of, query.depart, query.max_age);
   const geo::BoundingBox reached = geo::grown(query.area, query.reach);
   const bool named = query.choice.how == DatasetChoice::How::named;
   known.here =
@@ -53,9 +54,9 @@ KnownIcebergs known_icebergs(sqlite::Connection& db, const std::vector<Dataset>&
 
   constexpr core::Seconds any_age{std::numeric_limits<double>::infinity()};
   auto all = joined_sightings(db, known.consulted, reached, query.as_of,
-                              query.also_too_old ? any_age : query.as_of - query.oldest, query.track_age);
+                              query.also_too_old ? any_age : query.as_of - known.oldest, query.track_age);
   for (StoredSighting& sighting : all)
-    (sighting.iceberg.observed >= query.oldest ? known.sightings : known.too_old)
+    (sighting.iceberg.observed >= known.oldest ? known.sightings : known.too_old)
         .push_back(std::move(sighting));
   return known;
 }

@@ -4,6 +4,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
+#include "engine/ocean/sighting_age.hpp"
 #include "storage/repository/dataset_choice.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/sqlite/connection.hpp"
@@ -13,10 +14,11 @@ namespace floeplan::repository {
 /// Which icebergs somebody wants to know of.
 struct SightingQuery {
   DatasetChoice choice;
-  geo::BoundingBox area;         // that the datasets are to speak of
-  core::Metres reach{0.0};       // bergs as far beyond the area count too: they may drift into it
-  core::UtcTime as_of;           // no later sighting counts
-  core::UtcTime oldest;          // nor an earlier one
+  geo::BoundingBox area;    // that the datasets are to speak of
+  core::Metres reach{0.0};  // bergs as far beyond the area count too: they may drift into it
+  core::UtcTime as_of;      // no later sighting counts
+  core::UtcTime depart;     // of the vehicle; which sighting is too old then says ocean::oldest_that_counts
+  core::Seconds max_age{ocean::max_sighting_age};
   core::Seconds track_age{0.0};  // each with its earlier fixes no older than this; zero: without
   bool also_too_old{false};      // list those left out for their age too
 };
@@ -27,6 +29,7 @@ struct KnownIcebergs {
   std::vector<Dataset> consulted;         // those that the sightings were taken from
   std::vector<StoredSighting> sightings;  // of each berg the newest, in the order of the datasets
   std::vector<StoredSighting> too_old;    // that nobody has seen since `oldest`, where these were wanted
+  core::UtcTime oldest;                   // the earliest sighting that counts
 
   [[nodiscard]] bool speaks_here(const DatasetId& dataset) const;
 };

@@ -132,6 +132,33 @@ TEST_F(KnownIcebergsTest, TheMapFollowsTheDatasetsAndTheAgeOfARequest) {
   EXPECT_EQ(on_the_map("&dataset=list,other&max_sighting_age_days=10"), in_the_plan(query));
 }
 
+/// Law: as long as the map shows a plan under way, every berg that the plan obeys is on it, however many days the clock
+/// is past the departure; so is it for a probe.
+TEST_F(KnownIcebergsTest, WhatAPlanObeysIsDrawnWhileItIsUnderWay) {
+  support::for_each_seed(20, [&](std::mt19937_64& rng) {
+    db_ = repository::open_store_in_memory();
+    std::vector<ocean::Iceberg> sightings;
+    for (int i = 0; i < 8; ++i)
+      sightings.push_back(berg(std::to_string(i), {-52.0 - 0.1 * i, 69.0},
+                               departure - core::Seconds{hour_s * uniform_int(rng, 0, 140)}));
+    add("file", sightings);
+    repository::EnvironmentQuery query = everywhere();
+    const int age_days = uniform_int(rng, 0, 6);
+    query.max_sighting_age = core::Seconds{age_days * 86400.0};
+    const auto obeyed = in_the_plan(query);
+    const std::string later = core::iso8601(departure + core::Seconds{hour_s * uniform_int(rng, 0, 200)});
+    const std::string rule =
+        "&departure=" + core::iso8601(departure) + "&max_sighting_age_days=" + std::to_string(age_days);
+
+    const json page =
+        json_of(ask("GET", "/collections/icebergs/items?limit=10000&latest=true&datetime=" + later + rule));
+    const json near = json_of(ask("GET", "/probe?lon=-52.4&lat=69&time=" + later + rule));
+
+    EXPECT_EQ(page["numberMatched"].get<std::size_t>(), obeyed.size());
+    EXPECT_EQ(near["icebergs_within"].size(), obeyed.size());
+  });
+}
+
 TEST_F(KnownIcebergsTest, ParametersThatMakeNoSenseAreRefusedTogether) {
   const Response refused =
       ask("GET", "/collections/icebergs/items?max_sighting_age_days=31&dataset=one,other");

@@ -115,7 +115,7 @@ TEST(PlanArrival, CountsTheIcebergsThatAreYoungEnoughForItsDeparture) {
   EXPECT_FALSE(through->clearances.iceberg);
   EXPECT_THAT(around->warnings, testing::Not(testing::Contains(testing::HasSubstr("left out"))));
   EXPECT_THAT(through->warnings,
-              testing::Contains(testing::HasSubstr("1 iceberg left out, last seen too long")));
+              testing::Contains(testing::HasSubstr("Danger: 1 iceberg ignored: not seen")));
 }
 
 TEST(PlanArrival, LeavesAtTheStraightLinesTimeInStillWater) {

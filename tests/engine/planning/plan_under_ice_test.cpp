@@ -8,6 +8,7 @@
 #include <random>
 #include <vector>
 
+#include "engine/core/message_rank.hpp"
 #include "engine/geo/geodesic.hpp"
 #include "engine/planning/ice_beside.hpp"
 #include "engine/planning/plan_route.hpp"
@@ -588,6 +589,41 @@ TEST(PlanUnderIce, WarnsWhereTheVehicleMayNotSurfaceAtTheDeparture) {
 
   EXPECT_THAT(planned(band_of_ice(), request).warnings,
               Contains(HasSubstr("may not surface at the departure")));
+}
+
+TEST(PlanUnderIce, TellsOfAStartAGoalAndViaPointsUnderIceAsDangers) {
+  const auto dangers = [](const PlanRequest& request) {
+    return core::dangers_among(planned(band_of_ice(), request).warnings);
+  };
+  PlanRequest request = support::eastward_request();
+  EXPECT_THAT(dangers(request), Not(Contains(HasSubstr("under ice")))) << "it only passes below the band";
+
+  PlanRequest starts_below = request;
+  starts_below.from = {-53.0, 69.0};
+  EXPECT_THAT(dangers(starts_below), Contains(HasSubstr("the start lies under ice")));
+  PlanRequest ends_below = request;
+  ends_below.to = {-53.0, 69.0};
+  EXPECT_THAT(dangers(ends_below), Contains(HasSubstr("the goal lies under ice")));
+  request.via = {{-53.4, 69.0}, {-53.0, 69.05}};
+  EXPECT_THAT(dangers(request), Contains(HasSubstr("1 of 2 via points lie under ice (number 2)")));
+}
+
+/// 32 km of ice without a hole take a day.
+TEST(PlanUnderIce, TellsOfALongTimeBelowIceAsADangerUnlessThePilotBoundsIt) {
+  const ocean::Environment ice{
+      .ice = support::ice_from(
+          [](geo::LonLat p, double) { return std::abs(p.lon_deg + 53.0) < 0.4 ? 0.9 : 0.0; }, {0.0}, 1.0)};
+  PlanRequest request = support::eastward_request();
+  request.from = {-53.6, 69.0};
+  request.to = {-52.4, 69.0};
+
+  const Plan long_below = planned(ice, request);
+  ASSERT_GT(long_below.surfacing->longest_without.count(), 12.0 * 3600.0);
+  EXPECT_THAT(core::dangers_among(long_below.warnings),
+              testing::ElementsAre(HasSubstr("finds no place to surface below the ice")));
+
+  request.under_ice.max_time_without_surfacing = core::Seconds{200.0 * 3600.0};
+  EXPECT_THAT(core::dangers_among(planned(ice, request).warnings), testing::IsEmpty());
 }
 
 /// The ice is stored from four days after the departure on, and held for three days before that.

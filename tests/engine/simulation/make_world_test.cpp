@@ -3,8 +3,11 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <stdexcept>
 
+#include "engine/planning/ice_covers.hpp"
+#include "tests/support/property.hpp"
 #include "tests/support/small_sea.hpp"
 
 namespace floeplan::simulation::make_world_test {
@@ -29,6 +32,28 @@ ocean::Environment sea() {
     environment.icebergs.push_back(berg);
   }
   return environment;
+}
+
+/// Law: what is open water, and how deep ice reaches, is so in the world by the rules of the plan that is flown.
+TEST(MakeWorld, HasIceWhereAPlanByTheSameRulesMayNotSurface) {
+  support::for_each_seed(100, [](std::mt19937_64& rng) {
+    ocean::Environment icy = sea();
+    const double shift = support::uniform(rng, 0.0, 1.0);
+    icy.ice = support::ice_from(
+        [&](geo::LonLat p, double) { return 0.5 + 0.5 * std::sin(40.0 * p.lon_deg + 9.0 * shift); }, {0.0},
+        1.0);
+    WorldSettings settings;
+    settings.ice.max_concentration_to_surface = support::uniform(rng, 0.05, 0.95);
+    const World world = make_world(icy, route, begin, end, settings, 1);
+    const planning::PlaneBox around{{-20e3, -20e3}, {20e3, 20e3}};
+    const planning::IceCovers plans{icy, settings.ice, world.projection(), around, begin};
+
+    for (int i = 0; i < 20; ++i) {
+      const geo::PlanePoint place{support::uniform(rng, -9e3, 9e3), support::uniform(rng, -9e3, 9e3)};
+      const planning::IceAbove above = plans.above(place, core::Seconds{0.0});
+      EXPECT_EQ(world.ice_draft_m(place.x_m, place.y_m, begin) > 0.0, !above.may_surface);
+    }
+  });
 }
 
 TEST(MakeWorld, AgreesWithTheDataWhereNoErrorIsAskedFor) {

@@ -104,6 +104,37 @@ TEST(Export, IsReadBackEvaluatedAndPlannedAnew) {
   EXPECT_NEAR(again.json()["waypoints"].back()["lon"].get<double>(), -52.75, 1e-6);
 }
 
+/// Icebergs that nobody has seen for too long may still be on the way.
+TEST(Export, AsksToConfirmAPlanThatIgnoresIcebergsForTheirAge) {
+  const Program program;
+  const fs::path bergs = program.folder() / "bergs.csv";
+  std::ofstream{bergs} << "id,lon,lat,observed,length_m\nold,-52.9,69.05,2026-11-10T00:00:00Z,80\n";
+  ASSERT_EQ(program.run({"ingest", bergs.string(), "--kind", "icebergs"}).exit_code, 0);
+  const std::vector<std::string> asked{"plan", "--from=-53,69", "--to=-52.75,69", "--depart",
+                                       "2026-11-22T06:00:00Z"};
+  std::vector<std::string> as_json = asked;
+  as_json.emplace_back("--json");
+
+  const Outcome told = program.run(asked);
+  const nlohmann::json plan = program.run(as_json).json();
+
+  ASSERT_EQ(told.exit_code, 0) << told.err;
+  EXPECT_THAT(told.out, HasSubstr("danger: 1 of 1 iceberg of "));
+  EXPECT_THAT(told.out, HasSubstr("ignored: not seen since 2026-11-19T00:00:00Z (old)"));
+  ASSERT_EQ(plan["dangers"].size(), 1U);
+  EXPECT_EQ(plan["warnings"][0], plan["dangers"][0]);
+  EXPECT_EQ(plan["sightings"]["oldest"], "2026-11-19T00:00:00Z");
+  const std::string id = plan["plan_id"];
+  const fs::path out = program.folder() / "out";
+  const Outcome refused = program.run({"export", id, "--out", out.string()});
+  EXPECT_EQ(refused.exit_code, 1);
+  EXPECT_THAT(refused.err, HasSubstr("not seen since"));
+  EXPECT_THAT(refused.err, HasSubstr("--accept-dangers"));
+  const Outcome written = program.run({"export", id, "--out", out.string(), "--accept-dangers"});
+  EXPECT_EQ(written.exit_code, 0);
+  EXPECT_THAT(written.err, HasSubstr("danger: 1 of 1 iceberg"));
+}
+
 /// Land that comes up on the way after the plan was made.
 TEST(Export, RefusesAPlanThatNewerDataClose) {
   const Program program;

@@ -4,9 +4,9 @@ import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './si
 import { decodeGrid, type Grid } from '../geo/grid';
 import type { IcebergChoice } from '../model/iceberg_choice';
 import type { Caller } from '../model/login';
-import { address, ApiError, faultsOf, json, noteRefusal, request, silence, wordsOf } from './http';
+import { address, ApiError, dangersIn, faultsOf, json, noteRefusal, request, silence, wordsOf } from './http';
 
-export { ApiError, faultsOf, wordsOf };
+export { ApiError, dangersIn, faultsOf, wordsOf };
 
 async function grid(path: string, signal?: AbortSignal): Promise<Grid> {
   return decodeGrid(await (await request(path, { signal: signal ?? null })).arrayBuffer());
@@ -35,8 +35,8 @@ export const currents = (
 export const coast = (box: Box, signal: AbortSignal): Promise<{ features: CoastFeature[] }> =>
   json(address('/map/coast', { bbox: box.join(',') }), { signal });
 
-const choiceOf = ({ datasets, max_sighting_age_days }: IcebergChoice): Record<string, string | number | undefined> => ({
-  dataset: datasets?.join(','), max_sighting_age_days,
+const choiceOf = ({ datasets, max_sighting_age_days, departure }: IcebergChoice): Record<string, string | number | undefined> => ({
+  dataset: datasets?.join(','), max_sighting_age_days, departure,
 });
 
 export const icebergsAt = (time: string, choice: IcebergChoice, signal: AbortSignal): Promise<FeaturePage<IcebergFeature>> =>
@@ -109,17 +109,22 @@ export const deletePlan = async (planId: string): Promise<void> => {
   await request(`/collections/plans/items/${encodeURIComponent(planId)}`, { method: 'DELETE' });
 };
 
-export const mission = (planId: string, number: number): Promise<MissionPreview> =>
-  json(address(`/collections/plans/items/${encodeURIComponent(planId)}/mission`, { number }));
+/** `accept`: the pilot has confirmed the dangers of the plan, without which the server hands out no files of it. */
+export const mission = (planId: string, number: number, accept: boolean): Promise<MissionPreview> =>
+  json(address(`/collections/plans/items/${encodeURIComponent(planId)}/mission`, { number, ...accepted(accept) }));
+
+const accepted = (accept: boolean): { accept_dangers?: boolean } => (accept ? { accept_dangers: true } : {});
 
 export type ExportFormat = 'zip' | 'gpx' | 'kml' | 'geojson' | 'csv' | 'pdf';
 
 /** Where the browser downloads a plan from; only mission files have a list number. */
-export const downloadAddress = (planId: string, format: ExportFormat, number: number): string =>
-  address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, format === 'zip' ? { number } : {});
+export const downloadAddress = (planId: string, format: ExportFormat, number: number, accept: boolean): string =>
+  address(`/collections/plans/items/${encodeURIComponent(planId)}/mission.${format}`, { ...(format === 'zip' ? { number } : {}), ...accepted(accept) });
 
-export const probe = (lon: number, lat: number, time: string, signal?: AbortSignal): Promise<Probe> =>
-  json(address('/probe', { lon, lat, time }), { signal: signal ?? null });
+/** `age`: how the ages of sightings are counted, where that is not at `time` and up to the server's own. */
+export const probe = (
+  lon: number, lat: number, time: string, age: Partial<Pick<IcebergChoice, 'max_sighting_age_days' | 'departure'>> = {},
+): Promise<Probe> => json(address('/probe', { lon, lat, time, max_sighting_age_days: age.max_sighting_age_days, departure: age.departure }));
 
 /** Hands work to a process; the answer is its job. */
 const submit = (process: string, inputs: object): Promise<JobStatus> =>

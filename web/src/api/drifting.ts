@@ -1,11 +1,11 @@
 import { effect, untracked } from '@preact/signals';
 import { around, contains, grown, intersection, rounded, width_deg } from '../geo/boxes';
 import { wrapLongitude } from '../geo/geodesic';
-import { chosenCurrents, chosenIcebergs, currentTimes_ms } from '../model/datasets';
+import { chosenCurrents, currentTimes_ms } from '../model/datasets';
 import { drifts } from '../model/drift';
 import { draft } from '../model/draft';
 import { icebergs, icebergsAsOf_ms } from '../model/field';
-import { icebergChoice, type IcebergChoice } from '../model/iceberg_choice';
+import { icebergChoice, shownIcebergs, type IcebergChoice } from '../model/iceberg_choice';
 import { visible } from '../model/layers';
 import { isoOf } from '../model/time';
 import { view } from '../model/view';
@@ -36,7 +36,7 @@ export function followDrift(): void {
       });
       return;
     }
-    const key = [...chosenIcebergs.value.map(({ id, sha256 }) => id + sha256), choice.datasets?.join(' '), choice.max_sighting_age_days, draft.value.currents, currents.id, as_of_ms].join('|');
+    const key = [...shownIcebergs.value.map(({ id, sha256 }) => id + sha256), choice.datasets?.join(' '), choice.max_sighting_age_days, choice.departure, draft.value.currents, currents.id, as_of_ms].join('|');
     if (loaded?.key === key && contains(loaded.box, needed)) return;
     const box = rounded(bounded(grown(needed, 0.3)));
     if (loaded?.key === key && contains(loaded.box, box)) return;

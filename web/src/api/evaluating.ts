@@ -1,4 +1,5 @@
 import { effect, untracked } from '@preact/signals';
+import { warnedOf } from '../model/dangers';
 import { reasonTitle } from '../model/job';
 import { add, titleOf } from '../model/plans';
 import { rememberRequest } from '../model/requests';
@@ -62,8 +63,7 @@ function spoken(verdict: Verdict, { origin }: RouteEdit): string {
   switch (verdict.state) {
     case 'ok': {
       const more_s = verdict.plan.travel_time_s - origin.travel_time_s;
-      const warned = verdict.plan.warnings.length > 0 ? ` ${verdict.plan.warnings.length} warnings.` : '';
-      return `Travel time ${duration(verdict.plan.travel_time_s)}, ${duration(Math.abs(more_s))} ${more_s < 0 ? 'less' : 'more'} than planned.${warned}`;
+      return `Travel time ${duration(verdict.plan.travel_time_s)}, ${duration(Math.abs(more_s))} ${more_s < 0 ? 'less' : 'more'} than planned.${warnedOf(verdict.plan)}`;
     }
     case 'infeasible':
       return `The route cannot be flown. ${reasonTitle(verdict.answer.reason)}. ${verdict.answer.explanation}`;

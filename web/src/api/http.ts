@@ -19,6 +19,10 @@ export function faultsOf(error: unknown): string[] {
 /** The same in one line. */
 export const wordsOf = (error: unknown): string => faultsOf(error).join('; ');
 
+/** The dangers for which the server hands out no files of a plan until the pilot has confirmed them; empty: another refusal. */
+export const dangersIn = (error: unknown): string[] =>
+  error instanceof ApiError && error.problem.type.endsWith('/dangerous-plan') ? (error.problem.errors ?? []).map(({ detail }) => detail) : [];
+
 type Query = Record<string, string | number | boolean | undefined>;
 
 /** Addresses are relative to the origin that served the page: no other host is ever named. */

@@ -1,3 +1,4 @@
+import { warnedOf } from '../model/dangers';
 import { draft, edit, faults, generalFaults, refuse } from '../model/draft';
 import { editFor, sortViolations } from '../model/draft_answer';
 import { inputsOf } from '../model/draft_request';
@@ -114,8 +115,7 @@ function showPlan(answer: Plan): void {
   add({ ...answer, created: answer.created ?? new Date().toISOString() });
   drawer.value = undefined; // on a narrow screen it lies over the map
   ask({ do: 'fit', places: routeOf(answer) });
-  const warned = answer.warnings.length > 0 ? ` ${answer.warnings.length} warnings.` : '';
-  announce(`Plan ready: ${duration(answer.travel_time_s)}, ${answer.waypoints.length} waypoints.${warned}`);
+  announce(`Plan ready: ${duration(answer.travel_time_s)}, ${answer.waypoints.length} waypoints.${warnedOf(answer)}`);
 }
 
 function showRefusal(error: unknown): void {

@@ -1,3 +1,4 @@
+import { countedAt_ms } from '../model/iceberg_choice';
 import { momentsOf, type ProfilePoint } from '../model/profile';
 import { isoOf } from '../model/time';
 import * as api from './client';
@@ -12,7 +13,7 @@ const most = 20;
 export function profileOf(plan: Plan): Promise<ProfilePoint[]> {
   const known = remembered.get(plan.plan_id);
   if (known) return known;
-  const profile = probeAll(momentsOf(plan, moments));
+  const profile = probeAll(plan, momentsOf(plan, moments));
   remembered.set(plan.plan_id, profile);
   profile.catch(() => remembered.delete(plan.plan_id));
   for (const oldest of remembered.keys()) {
@@ -22,15 +23,16 @@ export function profileOf(plan: Plan): Promise<ProfilePoint[]> {
   return profile;
 }
 
-async function probeAll(points: ProfilePoint[]): Promise<ProfilePoint[]> {
+async function probeAll(plan: Plan, points: ProfilePoint[]): Promise<ProfilePoint[]> {
   const answers: ProfilePoint[] = [...points];
+  const age = { departure: isoOf(countedAt_ms(plan)), max_sighting_age_days: plan.sightings?.max_age_days }; // the icebergs that the plan obeys
   let next = 0;
   const work = async (): Promise<void> => {
     for (let i = next++; i < points.length; i = next++) {
       const point = points[i];
       if (!point) return;
       const [lon, lat] = point.place;
-      const probe = await api.probe(Number(lon.toFixed(6)), Number(lat.toFixed(6)), isoOf(point.time_ms));
+      const probe = await api.probe(Number(lon.toFixed(6)), Number(lat.toFixed(6)), isoOf(point.time_ms), age);
       answers[i] = { ...point, probe };
     }
   };

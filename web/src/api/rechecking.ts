@@ -1,21 +1,17 @@
 import { conditionsOf } from '../model/requests';
 import { routeOf } from '../model/plans';
 import { announce } from '../model/screen';
-import { rechecks, sighting_days, sightingsFor, staleness, type Recheck } from '../model/stale';
-import { day_ms, duration, isoOf } from '../model/time';
+import { rechecks, sightingsFor, staleness, type Recheck } from '../model/stale';
+import { duration, isoOf } from '../model/time';
 import { ask } from '../model/view';
 import { reasonTitle } from '../model/job';
 import * as api from './client';
 import type { Conditions, Plan } from './types';
 
-/** The longest age that the server takes. */
-const most_days = 30;
-
-/** Of a plan under way also what was sighted since it left, beside all that counted then. */
-function sightingsSince(plan: Plan, days = sighting_days): Conditions {
+/** Of a plan under way also what was sighted since it left, beside all that counted then: the age is counted at its departure. */
+function sightingsSince(plan: Plan): Conditions {
   const [, newest_ms] = sightingsFor(plan);
-  const since_ms = newest_ms - Date.parse(plan.departure);
-  return since_ms > 0 ? { icebergs_as_of: isoOf(newest_ms), max_sighting_age_days: Math.min(most_days, days + since_ms / day_ms) } : {};
+  return newest_ms > Date.parse(plan.departure) ? { icebergs_as_of: isoOf(newest_ms) } : {};
 }
 
 /** Judges a plan's route, as it is, on the newest data of the kinds that have been renewed since. */
@@ -26,7 +22,7 @@ export async function recheck(plan: Plan): Promise<void> {
   tell({ state: 'pending' });
   const renewed = Object.fromEntries(staleness(plan).map(({ kind }) => [kind, kind === 'zones' ? 'all' : 'newest']));
   const { conditions: made } = conditionsOf(plan);
-  const conditions: Conditions = { ...made, ...renewed, ...sightingsSince(plan, made.max_sighting_age_days) };
+  const conditions: Conditions = { ...made, ...renewed, ...sightingsSince(plan) };
   try {
     const { evaluation } = await api.evaluateRoute({ ...conditions, route: routeOf(plan) }, new AbortController().signal);
     if (evaluation.status === 'ok') {

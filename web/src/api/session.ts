@@ -3,6 +3,7 @@ import { range, setSpan, setTime } from '../model/clock';
 import { coveredDatasets } from '../model/coverage';
 import { connectionFault, chosenBathymetry, chosenCurrents, currentTimes_ms, datasets, forgetMissing, homeBox, vehicles } from '../model/datasets';
 import { draft, fill } from '../model/draft';
+import { icebergChoice } from '../model/iceberg_choice';
 import * as model from '../model/plans';
 import { dataArea } from '../model/position';
 import type { Link } from '../model/link';
@@ -160,7 +161,7 @@ export async function probeAt([lon, lat]: Position): Promise<void> {
   const number = ++probes;
   probed.value = { lon, lat, answer: undefined, fault: undefined };
   try {
-    const answer = await api.probe(Number(lon.toFixed(6)), Number(lat.toFixed(6)), isoOf(time_ms.value));
+    const answer = await api.probe(Number(lon.toFixed(6)), Number(lat.toFixed(6)), isoOf(time_ms.value), icebergChoice.value);
     if (number === probes) probed.value = { lon, lat, answer, fault: undefined };
   } catch (error) {
     if (number === probes) probed.value = { lon, lat, answer: undefined, fault: faultOf(error) };

@@ -1,8 +1,7 @@
 import { effect, signal, untracked } from '@preact/signals';
 import { time_ms } from '../model/clock';
-import { chosenIcebergs } from '../model/datasets';
 import { icebergs, icebergsAsOf_ms } from '../model/field';
-import { icebergChoice, knownAt_ms } from '../model/iceberg_choice';
+import { icebergChoice, knownAt_ms, shownIcebergs } from '../model/iceberg_choice';
 import { hour_ms, isoOf } from '../model/time';
 import * as api from './client';
 import { Latest } from './latest';
@@ -20,9 +19,9 @@ export function followIcebergs(): void {
   let wanted = '';
   effect(() => {
     const choice = icebergChoice.value;
-    const sources = choice ? chosenIcebergs.value : [];
+    const sources = shownIcebergs.value;
     const as_of_ms = knownAt_ms.value ?? restingClock.value;
-    const key = choice && sources.length > 0 ? [...sources.map(({ id, sha256 }) => id + sha256), choice.max_sighting_age_days, as_of_ms].join('|') : '';
+    const key = choice && sources.length > 0 ? [...sources.map(({ id, sha256 }) => id + sha256), choice.max_sighting_age_days, choice.departure, as_of_ms].join('|') : '';
     if (key === wanted) return;
     wanted = key;
     const known = remembered.get(key);

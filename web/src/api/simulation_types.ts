@@ -53,6 +53,7 @@ export interface SimulationSummary {
   median_detour_pct: number | null;
   statistics: Statistics;
   datasets: DatasetRef[];
+  dangers?: string[];
   warnings: string[];
   created?: string;
 }

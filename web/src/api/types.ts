@@ -200,7 +200,9 @@ export interface Plan {
   leg_trade?: { legs: number; travel_time_s: number }[];
   clearances: { iceberg_m: number | null; land_m: number | null; bottom_m: number | null };
   datasets: DatasetRef[];
+  dangers?: string[]; // of the warnings those that may cost the vehicle
   warnings: string[];
+  sightings?: { as_of: string; max_age_days: number; oldest: string }; // which sightings of icebergs counted
   created?: string;
 }
 
@@ -214,6 +216,7 @@ export interface Infeasible {
   changes?: Change[];
   changes_cut_short?: boolean; // not every change was tried
   departures?: Departure[];
+  dangers?: string[];
   warnings: string[];
   datasets: DatasetRef[];
 }
@@ -248,6 +251,7 @@ export interface Reach {
     properties: { hours: number; time: string; area_km2: number };
     geometry: { type: 'MultiPolygon'; coordinates: Position[][][] };
   }[];
+  dangers?: string[];
   warnings: string[];
 }
 

@@ -1,16 +1,25 @@
 import { computed } from '@preact/signals';
+import type { Dataset } from '../api/data_types';
+import type { Plan } from '../api/types';
+import { time_ms } from './clock';
 import { severalIn } from './data_choice';
+import { ofKind } from './datasets';
 import { draft, numberIn } from './draft';
-import { parseTime } from './time';
+import { shownPlans } from './plans';
+import { oldestThatCounts_ms, sighting_days } from './sighting_age';
+import { isoOf, parseTime } from './time';
 
-/** Which icebergs a plan is to obey: of all datasets unless some are named, and of sightings so many days old. */
+/** Which icebergs the map shows: of all datasets unless some are named, and of sightings so many days old. */
 export interface IcebergChoice {
   datasets: string[] | undefined;
   max_sighting_age_days: number | undefined; // the server's own where nobody says
+  departure: string | undefined; // at which ages are counted once the clock is past it; undefined: at the clock's time
 }
 
-/** What the set-up asks for, which the map shows too; undefined: no icebergs. */
-export const icebergChoice = computed<IcebergChoice | undefined>(() => {
+type Wish = Pick<IcebergChoice, 'datasets' | 'max_sighting_age_days'>;
+
+/** What the set-up asks for; undefined: no icebergs. */
+const draftWish = computed<Wish | undefined>(() => {
   const wish = draft.value.icebergs;
   if (wish === 'none') return undefined;
   const named = wish === 'newest' ? undefined : (severalIn(wish) ?? [wish]);
@@ -19,16 +28,56 @@ export const icebergChoice = computed<IcebergChoice | undefined>(() => {
   return { datasets: named, max_sighting_age_days: days !== undefined && days >= 0 && days <= 30 ? days : undefined };
 });
 
-/** The moment after which the set-up lets no sighting count; undefined: that of the departure, for the map the clock's. */
-export const knownAt_ms = computed(() => parseTime(draft.value.icebergs_as_of));
+const idsUnderWay = computed(() =>
+  shownPlans.value
+    .filter(({ plan }) => Date.parse(plan.departure) <= time_ms.value && time_ms.value <= Date.parse(plan.arrival))
+    .map(({ plan }) => plan.plan_id)
+    .join(' '),
+);
+
+/** The plans on the map that are under way at the clock's time and obey icebergs: what they obey is drawn. */
+const underWay = computed<Plan[]>(() => {
+  const ids = idsUnderWay.value.split(' ');
+  return shownPlans.value.map(({ plan }) => plan).filter((plan) => ids.includes(plan.plan_id) && bergsOf(plan).length > 0);
+});
+
+const bergsOf = (plan: Plan): string[] => plan.datasets.filter(({ kind }) => kind === 'icebergs').map(({ id }) => id);
+
+/** When the ages of its sightings were counted. */
+export const countedAt_ms = ({ departure, sightings }: Plan): number => Math.min(Date.parse(departure), sightings ? Date.parse(sightings.as_of) : Infinity);
+
+/** What the set-up asks for and what the plans under way obey; undefined: no icebergs. */
+export const icebergChoice = computed<IcebergChoice | undefined>(() => {
+  const wish = draftWish.value;
+  const plans = underWay.value;
+  if (plans.length === 0) return wish && { ...wish, departure: undefined };
+  const obeyed = plans.flatMap(bergsOf);
+  const datasets = wish && !wish.datasets ? undefined : [...new Set([...(wish?.datasets ?? []), ...obeyed])];
+  const ages = plans.map(({ sightings }) => sightings?.max_age_days ?? sighting_days);
+  const longest = Math.max(...ages, wish ? (wish.max_sighting_age_days ?? sighting_days) : 0);
+  const departure = isoOf(Math.min(...plans.map(countedAt_ms)));
+  return { datasets, max_sighting_age_days: longest === sighting_days ? undefined : longest, departure };
+});
+
+/** The datasets that it takes them from. */
+export const shownIcebergs = computed<Dataset[]>(() => {
+  const choice = icebergChoice.value;
+  return choice ? ofKind('icebergs').filter(({ id }) => !choice.datasets || choice.datasets.includes(id)) : [];
+});
+
+/** The moment after which the set-up lets no sighting count; undefined: that of the clock, as always while a plan is under way. */
+export const knownAt_ms = computed(() => (underWay.value.length > 0 ? undefined : parseTime(draft.value.icebergs_as_of)));
 
 /** In words, what the map shows other than every recent sighting; undefined: just that. */
 export const choiceInWords = computed<string | undefined>(() => {
   const choice = icebergChoice.value;
   if (!choice) return 'left out by the set-up';
+  const { datasets, departure, max_sighting_age_days: days } = choice;
+  const isOlder = departure !== undefined && oldestThatCounts_ms(Date.parse(departure), 0) < oldestThatCounts_ms(time_ms.value, 0);
   const words = [
-    choice.datasets && (choice.datasets.length === 1 ? 'of the dataset chosen' : `of the ${choice.datasets.length} datasets chosen`),
-    choice.max_sighting_age_days !== undefined && `seen within ${choice.max_sighting_age_days} d`,
+    datasets && (datasets.length === 1 ? 'of the dataset chosen' : `of the ${datasets.length} datasets chosen`),
+    days !== undefined && `seen within ${days} d`,
+    isOlder && 'as the plan under way obeys them',
     knownAt_ms.value !== undefined && 'as known at the time set',
   ].filter((part) => typeof part === 'string');
   return words.length > 0 ? words.join(', ') : undefined;

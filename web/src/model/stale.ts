@@ -5,16 +5,13 @@ import { boxAround, intersection } from '../geo/boxes';
 import { wrapLongitude } from '../geo/geodesic';
 import { datasets } from './datasets';
 import { routeOf } from './plans';
-import { day_ms } from './time';
+import { oldestThatCounts_ms, sighting_days } from './sighting_age';
 
 /** What changes from day to day; depths and coastlines do not go stale. */
 const changing: DatasetKind[] = ['icebergs', 'currents', 'ice', 'zones'];
 
 /** How far a berg may drift into the way of a plan from outside, as the planner reckons: a hundred kilometres. */
 const drift_deg = 0.9;
-
-/** Sightings older than this at departure do not count, by whole days, unless the set-up says otherwise. */
-export const sighting_days = 3;
 
 /** Whether a plan of that time heeds this dataset: sightings neither too old nor later than its departure, currents of its hours. */
 function speaksThen({ kind, time_start, time_end }: Dataset, plan: Plan): boolean {
@@ -27,10 +24,10 @@ function speaksThen({ kind, time_start, time_end }: Dataset, plan: Plan): boolea
 }
 
 /** From when till when sightings count: to the departure, and to now for a plan under way. */
-export function sightingsFor({ departure, arrival }: Plan, now_ms = Date.now()): [oldest_ms: number, newest_ms: number] {
+export function sightingsFor({ departure, arrival, sightings }: Plan, now_ms = Date.now()): [oldest_ms: number, newest_ms: number] {
   const depart_ms = Date.parse(departure);
   const isUnderWay = now_ms > depart_ms && now_ms < Date.parse(arrival);
-  return [Math.floor(depart_ms / day_ms - sighting_days) * day_ms, isUnderWay ? now_ms : depart_ms];
+  return [oldestThatCounts_ms(depart_ms, sightings?.max_age_days ?? sighting_days), isUnderWay ? now_ms : depart_ms];
 }
 
 /** The box of a dataset; of bergs with the water that they may drift into. */

@@ -1,8 +1,9 @@
 import { useEffect, useState } from 'preact/hooks';
 import type { VNode } from 'preact';
-import { downloadAddress, faultsOf, mission, type ExportFormat } from '../../api/client';
+import { dangersIn, downloadAddress, faultsOf, mission, type ExportFormat } from '../../api/client';
 import type { MissionPreview, Plan } from '../../api/types';
-import { asSentence } from '../../model/page_words';
+import { dangersOf } from '../../model/dangers';
+import { asSentence, inPageWords } from '../../model/page_words';
 import { selectedPlan, titleOf } from '../../model/plans';
 import { Icon } from '../common/icon';
 import { Modal } from '../common/modal';
@@ -27,12 +28,14 @@ function Export({ plan }: { plan: Plan }): VNode {
   const valid = Number.isInteger(number) && number >= 0 && number <= last_list;
   const [preview, setPreview] = useState<MissionPreview | undefined>(undefined);
   const [faults, setFaults] = useState<string[]>([]);
+  const [dangers, setDangers] = useState(dangersOf(plan));
+  const [accepted, setAccepted] = useState(false);
   const [file, setFile] = useState(0);
 
   useEffect(() => {
     if (!valid) return;
     let wanted = true;
-    mission(plan.plan_id, number)
+    mission(plan.plan_id, number, accepted)
       .then((answer) => {
         if (!wanted) return;
         setPreview(answer);
@@ -42,14 +45,17 @@ function Export({ plan }: { plan: Plan }): VNode {
       .catch((error: unknown) => {
         if (!wanted) return;
         setPreview(undefined);
-        setFaults(faultsOf(error));
+        const found = dangersIn(error);
+        if (found.length > 0) setDangers(found);
+        setFaults(found.length > 0 ? [] : faultsOf(error));
       });
     return () => {
       wanted = false;
     };
-  }, [plan.plan_id, number, valid]);
+  }, [plan.plan_id, number, valid, accepted]);
 
   const shown = preview?.files[file];
+  const closed = dangers.length > 0 && !accepted;
   return (
     <Modal title={`Export ${titleOf(plan)}`} wide>
       <div class="export-controls">
@@ -61,11 +67,12 @@ function Export({ plan }: { plan: Plan }): VNode {
           />
         </div>
         <div class="downloads" role="group" aria-label="Downloads">
-          <Download plan={plan} format="zip" number={valid ? number : 10} title="Mission files (.zip)" primary />
-          {others.map(([format, title]) => <Download key={format} plan={plan} format={format} number={number} title={title} />)}
+          <Download plan={plan} format="zip" number={valid ? number : 10} title="Mission files (.zip)" accepted={accepted} closed={closed} primary />
+          {others.map(([format, title]) => <Download key={format} plan={plan} format={format} number={number} title={title} accepted={accepted} closed={closed} />)}
         </div>
       </div>
-      <Warnings warnings={[...new Set([...(preview?.warnings ?? []), ...plan.warnings])]} />
+      <Dangers dangers={dangers} accepted={accepted} accept={setAccepted} />
+      <Warnings of={{ warnings: [...new Set([...(preview?.warnings ?? []), ...plan.warnings])] }} />
       <Refusal faults={faults} />
       {preview && preview.files.length > 1 && (
         <div class="file-tabs" role="group" aria-label="Files">
@@ -80,10 +87,24 @@ function Export({ plan }: { plan: Plan }): VNode {
           <pre tabIndex={0} aria-label={`Text of ${shown.name}`}>{shown.text}</pre>
         </figure>
       ) : (
-        faults.length === 0 && <p class="quiet">Asking the server for the files …</p>
+        faults.length === 0 && !closed && <p class="quiet">Asking the server for the files …</p>
       )}
       <p class="hint">Not for navigation as it is: check the files before they fly.</p>
     </Modal>
+  );
+}
+
+/** What the pilot has to confirm before any file is handed out. */
+function Dangers({ dangers, accepted, accept }: { dangers: string[]; accepted: boolean; accept: (yes: boolean) => void }): VNode | null {
+  if (dangers.length === 0) return null;
+  return (
+    <section class="danger-box" aria-label="Dangers">
+      <h3><Icon name="warning" /> {dangers.length === 1 ? '1 danger' : `${dangers.length} dangers`}</h3>
+      <ul>{dangers.map((text) => <li key={text}>{inPageWords(text)}</li>)}</ul>
+      <label class="tick">
+        <input type="checkbox" checked={accepted} onChange={(event) => accept(event.currentTarget.checked)} /> I have read this; export all the same
+      </label>
+    </section>
   );
 }
 
@@ -103,12 +124,15 @@ interface DownloadProps {
   format: ExportFormat;
   number: number;
   title: string;
+  accepted: boolean;
+  closed: boolean; // dangers are not confirmed yet
   primary?: boolean;
 }
 
-function Download({ plan, format, number, title, primary }: DownloadProps): VNode {
+function Download({ plan, format, number, title, accepted, closed, primary }: DownloadProps): VNode {
+  if (closed) return <button type="button" class={primary ? 'primary' : undefined} disabled><Icon name="download" /> {title}</button>;
   return (
-    <a class={primary ? 'button primary' : 'button'} href={downloadAddress(plan.plan_id, format, number)} download="">
+    <a class={primary ? 'button primary' : 'button'} href={downloadAddress(plan.plan_id, format, number, accepted)} download="">
       <Icon name="download" /> {title}
     </a>
   );

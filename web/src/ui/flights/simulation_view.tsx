@@ -16,10 +16,10 @@ const between = ([low, high]: Interval, text: (value: number) => string): string
 
 /** A simulation as a whole: how its flights ended, with intervals of 95 %, and each of them. */
 export function SimulationView({ simulation }: { simulation: Simulation }): VNode {
-  const { flights, runs, simulation_id, statistics, tracks, warnings } = simulation;
+  const { flights, runs, simulation_id, statistics, tracks } = simulation;
   return (
     <section class="simulation" aria-label="Simulation">
-      <Warnings warnings={warnings} />
+      <Warnings of={simulation} />
       {runs > 1 && (
         <ul class="ends" aria-label="How the flights ended">
           {statistics.ends.map(({ end, runs: count, share, share_interval_95 }) => (

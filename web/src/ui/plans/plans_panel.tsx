@@ -1,6 +1,7 @@
 import { signal } from '@preact/signals';
 import type { VNode } from 'preact';
 import type { Plan } from '../../api/types';
+import { cautionsOf, dangersOf } from '../../model/dangers';
 import { plans, select, selectedId, show, shown, shownPlans, titleOf } from '../../model/plans';
 import { routeEdit } from '../../model/route_edit';
 import { dialog } from '../../model/screen';
@@ -59,8 +60,11 @@ function PlanRow({ plan }: { plan: Plan }): VNode {
           {key && <PlanKey letter={key.letter} style={key.style} />} <span class="clamped" title={titleOf(plan)}>{titleOf(plan)}</span>
           {staleness(plan).length > 0 && <span class="badge"><Icon name="clock" size={12} /> stale data</span>}
           {routeEdit.value?.origin.plan_id === id && <span class="badge"><Icon name="edit" size={12} /> under change</span>}
-          {plan.warnings.length > 0 && (
-            <span class="badge" title={plan.warnings.join('\n')}><Icon name="warning" size={12} /> {plan.warnings.length}</span>
+          {dangersOf(plan).length > 0 && (
+            <span class="badge bad" title={dangersOf(plan).join('\n')}><Icon name="warning" size={12} /> {dangersOf(plan).length === 1 ? 'danger' : `${dangersOf(plan).length} dangers`}</span>
+          )}
+          {cautionsOf(plan).length > 0 && (
+            <span class="badge" title={cautionsOf(plan).join('\n')}><Icon name="warning" size={12} /> {cautionsOf(plan).length}</span>
           )}
         </span>
         <span class="plan-figures">

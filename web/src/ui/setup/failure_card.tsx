@@ -3,6 +3,7 @@ import { useEffect, useRef } from 'preact/hooks';
 import { planWithChange } from '../../api/planning';
 import type { Change } from '../../api/types';
 import { formatPosition } from '../../geo/coordinates';
+import { cautionsOf, dangersOf } from '../../model/dangers';
 import { draft } from '../../model/draft';
 import { editFor } from '../../model/draft_answer';
 import { failure, reasonTitle, running } from '../../model/job';
@@ -71,8 +72,11 @@ export function FailureCard(): VNode | null {
           <b>{possible.length > 0 ? 'Or try this:' : 'Try this:'}</b> {asSentence(answer.suggestion)}
         </p>
       )}
-      {answer.warnings.length > 0 && (
-        <ul class="warnings">{answer.warnings.map((text) => <li key={text}>{inPageWords(text)}</li>)}</ul>
+      {dangersOf(answer).length > 0 && (
+        <ul class="warnings dangers">{dangersOf(answer).map((text) => <li key={text}>{inPageWords(text)}</li>)}</ul>
+      )}
+      {cautionsOf(answer).length > 0 && (
+        <ul class="warnings">{cautionsOf(answer).map((text) => <li key={text}>{inPageWords(text)}</li>)}</ul>
       )}
       <IconButton icon="x" label="Dismiss this message" onClick={close} class="corner" />
     </section>

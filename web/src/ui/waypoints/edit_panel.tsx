@@ -31,7 +31,7 @@ export function EditPanel({ edit, shown }: { edit: RouteEdit; shown: ShownPlan }
       <State edit={edit} />
       <Figures plan={figures} {...(edit.number > 0 ? { beside: origin } : {})} pending={pending} />
       {figures.warnings.length > 0 && (verdict.state === 'ok' || verdict.state === 'pending') && (
-        <div class={pending ? 'pending' : undefined}><Warnings warnings={figures.warnings} /></div>
+        <div class={pending ? 'pending' : undefined}><Warnings of={figures} /></div>
       )}
       <Save edit={edit} />
       <EditTable edit={edit} />

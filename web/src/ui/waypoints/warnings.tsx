@@ -1,13 +1,24 @@
 import type { VNode } from 'preact';
+import { cautionsOf, dangersOf } from '../../model/dangers';
 import { inPageWords } from '../../model/page_words';
 import { Icon } from '../common/icon';
 
-export function Warnings({ warnings }: { warnings: string[] }): VNode | null {
-  if (warnings.length === 0) return null;
+/** What may cost the vehicle, before all else that the pilot has to know. */
+export function Warnings({ of }: { of: { dangers?: string[]; warnings: string[] } }): VNode {
   return (
-    <section class="warning-box" aria-label="Warnings">
-      <h3><Icon name="warning" /> {warnings.length === 1 ? '1 warning' : `${warnings.length} warnings`}</h3>
-      <ul>{warnings.map((text) => <li key={text}>{inPageWords(text)}</li>)}</ul>
+    <>
+      <Box texts={dangersOf(of)} word="danger" kind="danger-box" />
+      <Box texts={cautionsOf(of)} word="warning" kind="warning-box" />
+    </>
+  );
+}
+
+function Box({ texts, word, kind }: { texts: string[]; word: 'danger' | 'warning'; kind: string }): VNode | null {
+  if (texts.length === 0) return null;
+  return (
+    <section class={kind} aria-label={word === 'danger' ? 'Dangers' : 'Warnings'}>
+      <h3><Icon name="warning" /> {texts.length === 1 ? `1 ${word}` : `${texts.length} ${word}s`}</h3>
+      <ul>{texts.map((text) => <li key={text}>{inPageWords(text)}</li>)}</ul>
     </section>
   );
 }

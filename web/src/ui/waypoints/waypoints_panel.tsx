@@ -50,7 +50,7 @@ export function WaypointsPanel(): VNode {
       </div>
       <StaleBox plan={plan} />
       <Figures plan={plan} />
-      <Warnings warnings={plan.warnings} />
+      <Warnings of={plan} />
       <RoleNote role="pilot" what="Changing a plan" />
       <div class="edit-save">
         <button type="button" disabled={!may('pilot')} onClick={() => editCopy(plan)}><Icon name="edit" /> Edit copy</button>

@@ -1,0 +1,22 @@
+#pragma once
+
+#include "engine/core/units.hpp"
+
+namespace floeplan::ocean {
+
+/// Icebergs last seen longer ago than this are left out unless a request says otherwise: forecasts of their drift lose
+/// about 0.75 km an hour (C-CORE hindcast of 340 displacements, 2023-24), 50 km in this time.
+inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
+
+/// The one rule of when a sighting is too old, for plans, checks, the map, probes and exports. Of each berg the newest
+/// sighting by a moment `as_of` speaks; it counts for a vehicle that leaves at `depart`, however long that is under way,
+/// when it is no earlier than `oldest_that_counts(as_of, depart, max_age)`. The age is that at the departure, or at
+/// `as_of` where nothing later is to be known. By whole UTC days: feeds often give the day of a sighting alone, so the
+/// whole day on which the longest age falls is taken.
+[[nodiscard]] core::UtcTime oldest_that_counts(core::UtcTime as_of, core::UtcTime depart,
+                                               core::Seconds max_age);
+
+/// The same rule from the sighting's side: the first departure for which it is too old, whatever is known then.
+[[nodiscard]] core::UtcTime too_old_from(core::UtcTime observed, core::Seconds max_age);
+
+}  // namespace floeplan::ocean
