@@ -104,6 +104,16 @@ PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& r
   }
   PlanCheck check;
   check.changed_data = changes(db, plan.datasets, environment->datasets);
+  for (const std::string& danger : core::dangers_among(environment->warnings))
+    check.dangers.push_back(core::without_mark(danger));
+  const auto too_old = std::ranges::count_if(environment->icebergs, [&](const ocean::Iceberg& berg) {
+    return ocean::is_too_old(berg, plan.departure);
+  });
+  if (too_old > 0)
+    check.dangers.push_back(
+        std::to_string(too_old) + (too_old == 1 ? " iceberg" : " icebergs") +
+        " ignored: not seen for too long by the departure of the plan. Each may still be near "
+        "the route");
   if (!check.stale()) return check;
 
   inputs->request.depart = plan.departure;  // of a window of departures, the best
@@ -118,10 +128,6 @@ PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& r
     for (const std::string& closed : mission::closed_above_since(plan, *found.timing))
       check.dangers.push_back("In the newest data, " + closed + ".");
   }
-  for (const std::string& danger : core::dangers_among(environment->warnings)) {
-    const bool is_told = std::ranges::find(plan.warnings, danger) != plan.warnings.end();
-    if (!is_told) check.dangers.push_back("In the newest data, " + core::without_mark(danger));
-  }
   if (found.findings.empty() && check.dangers.empty()) {
     check.warnings.push_back(
         "The data have changed since the plan was made; in the newest ones it is still clear.");
@@ -134,8 +140,10 @@ PlanCheck in_newest_data(sqlite::Connection& db, const repository::PlanRecord& r
 PlanCheck check_plan(sqlite::Connection& db, const repository::PlanRecord& record) {
   const planning::Plan plan = codec::parse_plan_document(json::parse(record.document_json));
   PlanCheck check = in_newest_data(db, record, plan);
-  for (const std::string& danger : core::dangers_among(plan.warnings))
-    check.dangers.push_back(core::without_mark(danger));
+  for (const std::string& danger : core::dangers_among(plan.warnings)) {
+    const bool is_told = std::ranges::find(check.dangers, core::without_mark(danger)) != check.dangers.end();
+    if (!is_told) check.warnings.push_back(danger);
+  }
   std::ranges::move(warnings_of_gaps(plan), std::back_inserter(check.warnings));
   return check;
 }

@@ -28,7 +28,7 @@ function Export({ plan }: { plan: Plan }): VNode {
   const valid = Number.isInteger(number) && number >= 0 && number <= last_list;
   const [preview, setPreview] = useState<MissionPreview | undefined>(undefined);
   const [faults, setFaults] = useState<string[]>([]);
-  const [dangers, setDangers] = useState(dangersOf(plan));
+  const [dangers, setDangers] = useState<string[]>([]);
   const [accepted, setAccepted] = useState(false);
   const [file, setFile] = useState(0);
 
@@ -72,7 +72,7 @@ function Export({ plan }: { plan: Plan }): VNode {
         </div>
       </div>
       <Dangers dangers={dangers} accepted={accepted} accept={setAccepted} />
-      <Warnings of={{ warnings: [...new Set([...(preview?.warnings ?? []), ...plan.warnings])] }} />
+      <Warnings of={{ dangers: dangersOf(plan).filter((text) => !dangers.includes(text)), warnings: [...new Set([...(preview?.warnings ?? []), ...plan.warnings])] }} />
       <Refusal faults={faults} />
       {preview && preview.files.length > 1 && (
         <div class="file-tabs" role="group" aria-label="Files">
