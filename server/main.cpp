@@ -6,7 +6,6 @@
 #include "engine/core/version.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
-#include "server/cli/instructions_flag.hpp"
 #include "server/cli/operator_commands.hpp"
 #include "server/cli/plan_commands.hpp"
 #include "server/commit.hpp"
@@ -37,7 +36,6 @@ int main(int argc, char** argv) {
   app.add_option("--log-level", program.log_level, "Of a server's log on stderr")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
-  cli::add_instructions(app);
   app.set_config("--config", "", "File with options in TOML, a [section] for each command");
   cli::add_serve(app, program);
   cli::add_ingest(app, program);
