@@ -11,7 +11,9 @@ namespace {
 using nlohmann::json;
 
 ComparedDive dive(double speed_m_s, double drag) {
-  ComparedDive made{.file = "log.csv", .logged = {}, .compared = {}};
+  const ocean::VehicleAxes axes{.axes = {22, core::Radians{0.475}},
+                                .source = ocean::VariationSource::log_variation};
+  ComparedDive made{.file = "log.csv", .logged = {.turned_from = axes}, .compared = {}};
   made.compared.under_water_s = {1000.0, 1050.0};
   made.compared.dives = {4.0, 4.0};
   made.compared.speed_m_s = {0.25, speed_m_s};
