@@ -33,12 +33,13 @@ void tell_of_old_sightings(EnvironmentDraft& draft, const Dataset& dataset, cons
   if (dropped.empty()) return;
   const auto used = std::ranges::count(known.sightings, dataset.id, &StoredSighting::dataset);
   const auto all = used + std::ssize(dropped);
-  draft.warn(core::as_danger(
-      std::to_string(dropped.size()) + " of " + std::to_string(all) +
-      (all == 1 ? " iceberg of " : " icebergs of ") + title(dataset) + " ignored: not seen since " +
-      core::iso8601(known.oldest) + " (" + shortened_list(dropped) +
-      "). Each may still be near the route, and the plan avoids none of them. Ingest newer "
-      "sightings, or raise the maximum sighting age (--max-sighting-age)"));
+  draft.warn(
+      core::as_danger(std::to_string(dropped.size()) + " of " + std::to_string(all) +
+                      (all == 1 ? " iceberg of " : " icebergs of ") + title(dataset) +
+                      " ignored: not seen since " + core::iso8601(known.oldest) +
+                      ". Each may still be near the route, and the plan avoids none of them. Ingest "
+                      "newer sightings, or raise the maximum sighting age (--max-sighting-age). Ignored: " +
+                      shortened_list(dropped)));
 }
 
 /// Names the datasets that had something to say, those that were wanted by name and what people reported here; else the

@@ -364,7 +364,8 @@ TEST_F(EnvironmentLoaderTest, SaysHowManyBergsWereSeenTooLongAgo) {
   ASSERT_EQ(environment.icebergs.size(), 1U);
   EXPECT_EQ(environment.icebergs[0].id, "young");
   EXPECT_THAT(environment.warnings,
-              Contains(AllOf(HasSubstr("1 of 2 icebergs"), testing::EndsWith(": old"))));
+              Contains(AllOf(testing::StartsWith("Danger: 1 of 2 icebergs"),
+                             HasSubstr("ignored: not seen since"), testing::EndsWith(": old"))));
 }
 
 TEST_F(EnvironmentLoaderTest, LeavesOutIcebergsOlderThanAsked) {
