@@ -40,10 +40,6 @@ test('the map shows the icebergs of every file that a plan joins, and those of t
   await open(page);
   await expect(map).toHaveAttribute('data-icebergs', String(before + 2));
   await expect(map).toHaveAttribute('data-drifts', String(before + 2));
-  await planByTyping(page, start, goal);
-  const { features } = (await (await request.get('/collections/plans/items?limit=500')).json()) as { features: { properties: { datasets: { kind: string }[] } }[] };
-  expect(features.at(-1)?.properties.datasets.filter(({ kind }) => kind === 'icebergs')).toHaveLength(2);
-
   await page.getByText('Advanced', { exact: true }).click();
   await page.getByText('Data', { exact: true }).last().click();
   const ice = page.getByLabel('Icebergs', { exact: true });
@@ -53,6 +49,15 @@ test('the map shows the icebergs of every file that a plan joins, and those of t
   await expect(page.getByText('of the dataset chosen')).toBeVisible();
   await ice.selectOption({ label: 'None' });
   await expect(map).toHaveAttribute('data-icebergs', '0');
+
+  await ice.selectOption('newest');
+  await expect(map).toHaveAttribute('data-icebergs', String(before + 2));
+  await planByTyping(page, start, goal);
+  const { features } = (await (await request.get('/collections/plans/items?limit=500')).json()) as { features: { properties: { datasets: { kind: string }[] } }[] };
+  expect(features.at(-1)?.properties.datasets.filter(({ kind }) => kind === 'icebergs')).toHaveLength(2);
+  // What a plan under way obeys is drawn, whatever the set-up chooses for the next one.
+  await ice.selectOption({ label: 'sighted-today' });
+  await expect(map).toHaveAttribute('data-icebergs', String(before + 2));
 
   const { datasets } = (await (await request.get('/datasets')).json()) as { datasets: { id: string; name: string }[] };
   for (const { id } of datasets.filter((one) => one.name === 'sighted-today')) await request.delete(`/datasets/${id}`);
