@@ -28,9 +28,10 @@ struct RecognisedFile {
 /// What the user said that a file is.
 struct Expectation {
   std::optional<repository::DatasetKind> kind{};
-  bool zone_kind_stated{false};           // polygons without a word of their own are zones then
-  std::optional<std::string> variable{};  // the component of currents or the concentration of sea ice that is wanted
-  std::optional<double> missing{};        // what marks missing values beside what the file declares
+  bool zone_kind_stated{false};  // polygons without a word of their own are zones then
+  std::optional<std::string>
+      variable{};  // the component of currents or the concentration of sea ice that is wanted
+  std::optional<double> missing{};  // what marks missing values beside what the file declares
 };
 
 /// Finds out by content which kinds of data a file holds; its name plays no part.
