@@ -7,7 +7,7 @@
 namespace floeplan::core {
 
 /// The rank of a sentence for the pilot. Sentences travel as text from the data to plan, page and terminal, and the rank
-/// with them: one that tells of a danger, which may cost the vehicle and is confirmed before a plan is exported, begins
+/// with them: one that tells of a danger, which may cost the vehicle and is told again at every export, begins
 /// with this mark; any other is a caution or a note.
 inline constexpr std::string_view danger_mark = "Danger: ";
 
