@@ -48,7 +48,7 @@ export const test = base.extend<{ guarded: undefined }, { server: Server; emptyS
 });
 
 /** A refused request is reported by the browser as an error of the console, and some journeys provoke one. */
-const isExpected = (fault: string): boolean => /status of 4(00|01|03|04|12|22|29)|net::ERR_(FAILED|INTERNET_DISCONNECTED)/.test(fault);
+const isExpected = (fault: string): boolean => /status of 4(00|01|03|04|09|12|22|29)|net::ERR_(FAILED|INTERNET_DISCONNECTED)/.test(fault);
 
 export { expect };
 
