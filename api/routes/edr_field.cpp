@@ -136,7 +136,7 @@ const std::vector<EdrCollection>& edr_collections() {
        {{"sea_floor_depth_below_mean_sea_level", "Depth of the sea bed", "m"}}},
       {"sea-ice",
        "Sea ice",
-       "Concentration and thickness of sea ice; of the newest data that know them there and then.",
+       "Concentration and thickness of sea ice; from the newest data at that place and time.",
        DatasetKind::ice,
        false,
        {{"sea_ice_area_fraction", "Share of the sea surface that is covered", "1"},
