@@ -278,8 +278,9 @@ void NetcdfFile::list_groups_below(const GDALGroup& group, const std::string& pa
   for (const std::string& name : group.GetGroupNames()) {
     const auto below = group.OpenGroup(name);
     if (!below || groups_.size() == most_groups) continue;
-    groups_.push_back(path + "/" + name);
-    list_groups_below(*below, groups_.back(), depth + 1);
+    const std::string path_below = path + "/" + name;  // not groups_.back(): the list grows below
+    groups_.push_back(path_below);
+    list_groups_below(*below, path_below, depth + 1);
   }
 }
 

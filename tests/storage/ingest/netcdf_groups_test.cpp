@@ -75,6 +75,35 @@ TEST_F(NetcdfGroups, AreLookedIntoHoweverDeepTheDataLie) {
   });
 }
 
+TEST_F(NetcdfGroups, AreFoundAmongManyBesideAndBelowEachOther) {
+  support::for_each_seed(16, [&](std::mt19937_64& rng) {
+    const int outer = support::uniform_int(rng, 1, 6);
+    const int inner = support::uniform_int(rng, 2, 6);
+    const int chosen = support::uniform_int(rng, 0, outer * inner - 1);
+    const auto name = [](const char* kind, int number) {
+      return "a_long_name_of_the_" + std::string{kind} + "_group_" + std::to_string(number);
+    };
+    std::filesystem::remove(path("groups.nc"));
+    {
+      NetcdfWriter writer{path("groups.nc")};
+      write_axes(writer);
+      for (int i = 0; i < outer * inner; ++i) {
+        writer.leave_groups();
+        writer.enter(name("outer", i / inner));
+        writer.enter(name("inner", i % inner));
+        if (i == chosen) write_pair(writer, "uo", "vo", 0.01);
+      }
+    }
+
+    const auto report = ingest(path("groups.nc"));
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    EXPECT_NEAR(first_value(report), 0.01, 1e-6);
+    EXPECT_THAT(words(report), HasSubstr("the data lie in the group /" + name("outer", chosen / inner) + "/" +
+                                         name("inner", chosen % inner) + " of the file"));
+  });
+}
+
 TEST_F(NetcdfGroups, WithDataOfTheSameKindHaveToBeChosenFrom) {
   {
     NetcdfWriter writer{path("groups.nc")};

@@ -39,7 +39,8 @@ NetcdfWriter::NetcdfWriter(const std::filesystem::path& file) {
 NetcdfWriter::~NetcdfWriter() = default;
 
 void NetcdfWriter::enter(const std::string& group) {
-  group_ = group_->CreateGroup(group);
+  const auto there = group_->OpenGroup(group);
+  group_ = there ? there : group_->CreateGroup(group);
   require(group_ != nullptr);
 }
 

@@ -33,7 +33,7 @@ class NetcdfWriter {
   explicit NetcdfWriter(const std::filesystem::path& file);
   ~NetcdfWriter();
 
-  /// A group below the one that is written to, in which everything from now on lies.
+  /// A group below the one that is written to, made unless it is there, in which everything from now on lies.
   void enter(const std::string& group);
   /// Back to the top level.
   void leave_groups();
