@@ -8,6 +8,7 @@ Prints each failed test with the first lines of what it said, then the totals of
 damaged or empty.
 """
 import pathlib
+import re
 import sys
 import xml.etree.ElementTree as xml
 
@@ -31,8 +32,8 @@ def said(case):
             if text != "Failed":
                 return text
     output = case.findtext("system-out") or ""
-    at = output.find("Failure")
-    return output[max(0, output.rfind("\n", 0, at)):] if at >= 0 else output
+    complaint = re.search(r"^.*(Failure$|ERROR: |runtime error: )", output, re.MULTILINE)
+    return output[complaint.start():] if complaint else output
 
 
 def main(paths):
