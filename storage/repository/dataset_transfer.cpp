@@ -9,6 +9,7 @@
 #include <thread>
 
 #include "storage/repository/dataset_row.hpp"
+#include "storage/repository/dataset_tables.hpp"
 #include "storage/sqlite/attachment.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "storage/sqlite/transaction.hpp"
@@ -19,27 +20,13 @@ namespace {
 /// A table whose rows belong to datasets.
 struct Table {
   std::string name;
-  std::vector<std::string> columns;  // those that are stored
-  std::int64_t row_offset{};         // from a row's number there to its number here
+  std::vector<Column> columns;
+  std::int64_t row_offset{};  // from a row's number there to its number here
 };
-
-std::vector<std::string> columns_of(sqlite::Connection& db, const std::string& table) {
-  sqlite::Statement query{db, "SELECT name FROM pragma_table_info(?1) ORDER BY cid"};
-  query.bind(1, table);
-  std::vector<std::string> columns;
-  while (query.step()) columns.push_back(query.text(0));
-  return columns;
-}
-
-bool has_table(sqlite::Connection& db, const std::string& name) {
-  sqlite::Statement query{db, "SELECT 1 FROM main.sqlite_schema WHERE type = 'table' AND name = ?1"};
-  query.bind(1, name);
-  return query.step();
-}
 
 /// The highest number that a row of the table has or ever had; 0 of a table whose rows have no numbers.
 std::int64_t highest_row(sqlite::Connection& db, const Table& table) {
-  if (std::ranges::find(table.columns, "row") == table.columns.end()) return 0;
+  if (std::ranges::find(table.columns, "row", &Column::name) == table.columns.end()) return 0;
   sqlite::Statement query{db,
                           "SELECT max(coalesce((SELECT max(row) FROM main." + table.name +
                               "), 0), coalesce((SELECT seq FROM main.sqlite_sequence WHERE name = ?1), 0))"};
@@ -53,22 +40,12 @@ Table table_of(sqlite::Connection& db, const std::string& name) {
   return table;
 }
 
-/// Every table with data of datasets, found by its column: a new kind of data is taken over without a word here.
-std::vector<Table> tables_of_data(sqlite::Connection& db) {
-  sqlite::Statement query{db,
-                          "SELECT t.name FROM main.sqlite_schema AS t JOIN pragma_table_info(t.name) AS c "
-                          "WHERE t.type = 'table' AND c.name = 'dataset_row' ORDER BY t.name"};
-  std::vector<Table> tables;
-  while (query.step()) tables.push_back(table_of(db, query.text(0)));
-  return tables;
-}
-
 /// What copies a table, or the R*Tree of its boxes, with the numbers of rows as they are here.
-std::string copy(const Table& table, const std::string& into, const std::vector<std::string>& columns,
+std::string copy(const Table& table, const std::string& into, const std::vector<Column>& columns,
                  std::int64_t dataset_offset) {
   std::string names;
   std::string values;
-  for (const std::string& column : columns) {
+  for (const auto& [column, type] : columns) {
     const std::string separator = names.empty() ? "" : ", ";
     names += separator + column;
     values += separator + column;
@@ -176,13 +153,13 @@ void copy_samples(sqlite::Connection& db, const Arrival& arrival) {
 }
 
 void copy_the_rest(sqlite::Connection& db, const Arrival& arrival) {
-  for (const Table& table : tables_of_data(db)) {
-    if (table.name == early_table || table.name == large_table) continue;
+  for (const std::string& name : tables_of_data(db)) {
+    if (name == early_table || name == large_table) continue;
+    const Table table = table_of(db, name);
     const std::int64_t offset = arrival.here - arrival.there;
     run_for(db, "INSERT" + copy(table, table.name, table.columns, offset) + "WHERE dataset_row = ?1",
             arrival.there);
-    const std::string box =
-        table.name + "_box";  // an R*Tree; where a trigger has filled it already, with the same
+    const std::string box = boxes_of(table.name);  // where a trigger has filled it already, with the same
     if (!has_table(db, box)) continue;
     run_for(db,
             "INSERT OR REPLACE" + copy(table, box, columns_of(db, box), offset) +

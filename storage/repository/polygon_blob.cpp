@@ -21,10 +21,18 @@ std::vector<double> flattened(const geo::Polygon& polygon) {
   return numbers;
 }
 
+/// A count that stands in a blob, which may come from a process that a file has broken.
+std::size_t count_at(const std::vector<double>& numbers, std::size_t index) {
+  const double count = numbers.at(index);
+  if (!(count >= 0.0 && count <= static_cast<double>(numbers.size())))
+    throw std::runtime_error{"a stored polygon is damaged"};
+  return static_cast<std::size_t>(count);
+}
+
 geo::Polygon from_flattened(const std::vector<double>& numbers) {
-  const auto rings = static_cast<std::size_t>(numbers.at(0));
+  const std::size_t rings = count_at(numbers, 0);
   std::size_t places = 0;
-  for (std::size_t ring = 0; ring < rings; ++ring) places += static_cast<std::size_t>(numbers.at(1 + ring));
+  for (std::size_t ring = 0; ring < rings; ++ring) places += count_at(numbers, 1 + ring);
   if (rings < 1 || numbers.size() != 1 + rings + 2 * places)
     throw std::runtime_error{"a stored polygon is damaged"};
 
@@ -33,8 +41,9 @@ geo::Polygon from_flattened(const std::vector<double>& numbers) {
   std::size_t next = 1 + rings;
   for (std::size_t i = 0; i < rings; ++i) {
     geo::Ring& ring = i == 0 ? polygon.outer : polygon.holes[i - 1];
-    ring.reserve(static_cast<std::size_t>(numbers[1 + i]));
-    for (std::size_t k = 0; k < static_cast<std::size_t>(numbers[1 + i]); ++k, ++next) {
+    const std::size_t size = count_at(numbers, 1 + i);
+    ring.reserve(size);
+    for (std::size_t k = 0; k < size; ++k, ++next) {
       ring.push_back({numbers[next], numbers[next + places]});
     }
   }
