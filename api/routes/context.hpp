@@ -5,6 +5,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "api/routes/job_gateway.hpp"
@@ -15,15 +16,22 @@
 
 namespace floeplan::routes {
 
+/// How the processes that read foreign files are confined.
+struct ReaderLayers {
+  std::string layers;  // "seccomp, Landlock 7"
+  bool enough{false};
+};
+
 /// What is the same for every request of a server.
 struct ServiceInfo {
-  std::string public_url;                      // links begin with it; no slash at its end
-  std::filesystem::path web;                   // folder of the built client; empty: none
-  std::filesystem::path uploads;               // folder of what was sent and waits to be ingested
-  bool secure{false};                          // clients come by TLS
-  std::filesystem::path store{};               // folder of the database, to tell its size
-  std::shared_ptr<RequestCounts> counts{};     // empty: nobody counts
-  std::function<std::size_t()> connections{};  // open now
+  std::string public_url;                       // links begin with it; no slash at its end
+  std::filesystem::path web;                    // folder of the built client; empty: none
+  std::filesystem::path uploads;                // folder of what was sent and waits to be ingested
+  bool secure{false};                           // clients come by TLS
+  std::filesystem::path store{};                // folder of the database, to tell its size
+  std::shared_ptr<RequestCounts> counts{};      // empty: nobody counts
+  std::optional<ReaderLayers> reader_layers{};  // empty: nobody reads files here
+  std::function<std::size_t()> connections{};   // open now
   /// What queries of places read last; empty: nothing is kept.
   std::shared_ptr<repository::CurrentBlocks> current_blocks{};
 };

@@ -25,6 +25,7 @@ struct IngestFlags {
   std::optional<std::string> unit;
   std::optional<std::string> zone_kind;
   bool json_out{false};
+  bool allow_weak_sandbox{false};
 };
 
 void print(const ingest::IngestReport& report) {
@@ -68,7 +69,9 @@ int run_ingest(const IngestFlags& flags, const Program& program) {
   std::vector<std::filesystem::path> files(flags.files.begin(), flags.files.end());
   for (std::filesystem::path& file : files)
     if (!file.has_filename()) file = file.parent_path();  // "ice.zarr/"
-  const ingest::Guard guard{.program = own_program(), .staging = program.store / "incoming"};
+  const ingest::Guard guard{.program = own_program(),
+                            .staging = program.store / "incoming",
+                            .allow_weak_sandbox = flags.allow_weak_sandbox};
   const auto reports =
       ingest::guarded_ingest(db, guard, files, options, now(), {}, terminal_progress(), tell);
   if (flags.json_out) std::cout << jobs::report_document(reports).dump(2) << '\n';
@@ -112,6 +115,8 @@ void add_ingest(CLI::App& app, Program& program) {
   command
       ->add_option("--zone-kind", flags->zone_kind, "Rule of zones whose file states none: no_go or stay_in")
       ->check(CLI::IsMember({"no_go", "stay_in"}));
+  command->add_flag("--allow-weak-sandbox", flags->allow_weak_sandbox,
+                    "Read files even where this machine cannot confine the process that does");
   command->add_flag("--json", flags->json_out, "Answer with one JSON document");
   command->callback([flags, &program] { program.exit_code = run_ingest(*flags, program); });
 }

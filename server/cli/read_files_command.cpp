@@ -15,7 +15,7 @@ void add_read_files(CLI::App& app, Program& program) {
       app.add_subcommand("read-files", "What this program starts itself as to read foreign files");
   command->group("");  // of no use to people: not in the help
   command->add_option("STAGING", arguments->staging)->required();
-  command->add_option("FILE", arguments->files)->required();
+  command->add_option("FILE", arguments->files);
   command->callback([arguments, &program] {
     program.exit_code = ingest::read_foreign_files(arguments->staging, arguments->files);
   });

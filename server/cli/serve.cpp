@@ -17,6 +17,7 @@
 #include "server/http/server.hpp"
 #include "server/jobs/watched_folder.hpp"
 #include "server/jobs/worker_pool.hpp"
+#include "storage/ingest/guarded_ingest.hpp"
 #include "storage/ingest/staging_folder.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/store_lock.hpp"
@@ -137,6 +138,22 @@ void refuse_damaged_store(const std::filesystem::path& store) {
                            "); put back the last backup with floeplan restore FILE"};
 }
 
+/// What confines the processes that read files, as one of them tells; the log says it, too.
+routes::ReaderLayers logged_layers(const ingest::Guard& guard) {
+  const auto layers = ingest::layers_in_force(guard);
+  const std::string text = layers ? sandbox::to_text(*layers) : "not known";
+  const bool enough = layers && sandbox::is_enough(*layers);
+  if (enough) {
+    spdlog::info("readers layers=\"{}\"", text);
+  } else if (guard.allow_weak_sandbox) {
+    spdlog::warn("readers layers=\"{}\" a hostile file could read and change whatever this user can", text);
+  } else {
+    spdlog::error("readers layers=\"{}\" too few: every file will be refused; see --allow-weak-sandbox",
+                  text);
+  }
+  return {.layers = text, .enough = enough};
+}
+
 void serve_until_stopped(const ServeOptions& options, const http::ListenAddress& address) {
   const repository::StoreLock lock{options.store};
   refuse_damaged_store(options.store);
@@ -145,7 +162,10 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
   Api api;  // needs the port, so it is filled in once that is known
   constexpr std::uint64_t megabyte = 1'000'000;
   const std::filesystem::path uploads = options.store / "uploads";
-  const jobs::IngestPlace place{{.program = own_program(), .staging = options.store / "incoming"}, uploads};
+  const jobs::IngestPlace place{{.program = own_program(),
+                                 .staging = options.store / "incoming",
+                                 .allow_weak_sandbox = options.allow_weak_sandbox},
+                                uploads};
   const auto counts = std::make_shared<routes::RequestCounts>();
   http::Server server{address,
                       [&api](const routes::Request& request) { return api.answer(request); },
@@ -168,6 +188,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                   .secure = secure,
                   .store = options.store,
                   .counts = counts,
+                  .reader_layers = logged_layers(place.guard),
                   .connections = [&server] { return server.connections(); },
                   .current_blocks = std::make_shared<repository::CurrentBlocks>(most_kept_blocks)},
                  {.open_without_tokens = address.loopback && !options.behind_proxy,

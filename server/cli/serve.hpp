@@ -23,6 +23,7 @@ struct ServeOptions {
   std::vector<std::string> allow_origins;         // of other sites whose pages may ask
   std::optional<std::filesystem::path> tls_cert;  // PEM; with tls_key
   std::optional<std::filesystem::path> tls_key;
+  bool allow_weak_sandbox{false};  // read files even where their readers cannot be confined
 };
 
 /// Serves until SIGTERM or SIGINT, then stops within ten seconds and hands unfinished jobs back to the queue.

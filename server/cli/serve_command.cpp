@@ -29,6 +29,8 @@ void add_serve(CLI::App& app, Program& program) {
                     "A reverse proxy does TLS, and appends its client to X-Forwarded-For");
   command->add_option("--allow-origin", options->allow_origins,
                       "Site whose pages may ask from a browser, as https://map.example; may be repeated");
+  command->add_flag("--allow-weak-sandbox", options->allow_weak_sandbox,
+                    "Ingest files even where this machine cannot confine the processes that read them");
   command->callback([options, &program] {
     options->store = program.store;
     options->log_level = program.log_level;

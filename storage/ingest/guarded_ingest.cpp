@@ -12,6 +12,7 @@
 #include "storage/ingest/staging_folder.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/dataset_rows.hpp"
 #include "storage/repository/dataset_transfer.hpp"
 #include "storage/repository/migrations.hpp"
 
@@ -38,9 +39,9 @@ std::vector<FileGroup> guarded_groups(const Guard& guard, FileGroup files, const
   std::vector<FileGroup> groups;
   while (files.size() > 1 && !stop.stop_requested()) {
     const StagingFolder staging{guard.staging};
-    const Told told =
-        run_reader(guard, staging.path(), files,
-                   {.task = ReaderRequest::Task::group, .options = {}, .now = {}, .limits = {}}, stop, {});
+    const Told told = run_reader(guard, staging.path(), files,
+                                 {.task = ReaderRequest::Task::group, .options = {}, .now = {}, .limits = {}},
+                                 stop, {}, {});
     if (told.breakdown.empty() && told.grouped && groups_all(*told.grouped, files.size())) {
       for (const auto& numbers : told.grouped->groups) {
         FileGroup& group = groups.emplace_back();
@@ -57,15 +58,61 @@ std::vector<FileGroup> guarded_groups(const Guard& guard, FileGroup files, const
   return groups;
 }
 
-/// A store for one group of files. It lists what is stored already, so that the same file is not read twice.
+/// A store for the reader of one group of files. It lists what is stored already, so that the same file is not read
+/// twice. Only the reader opens it afterwards.
 void prepare_scratch_store(sqlite::Connection& db, const std::filesystem::path& folder) {
   auto scratch = repository::open_scratch_store(folder);
   repository::DatasetRepository listed{scratch};
   for (const auto& dataset : repository::DatasetRepository{db}.list()) listed.insert(dataset);
 }
 
-/// Completes a report of the child with the dataset as it is now stored here. Another process may have stored the same
-/// file meanwhile.
+/// What a reader hands over, in a store of this process's own until all of it is here.
+class Delivery {
+ public:
+  explicit Delivery(const std::filesystem::path& parent) : parent_{parent} {}
+
+  void take(std::string_view parcel) {
+    if (!receiver_) {
+      db_.emplace(repository::open_scratch_store(folder_.emplace(parent_).path()));
+      receiver_.emplace(*db_);
+    }
+    receiver_->take(parcel);
+  }
+
+  /// Takes over what came, if that is what was reported.
+  /// Errors   repository::BrokenParcel when it is not
+  std::vector<repository::DatasetId> take_over(sqlite::Connection& db,
+                                               const std::vector<IngestReport>& reports) {
+    std::vector<std::string> reported;
+    for (const IngestReport& report : reports)
+      if (report.status == IngestStatus::stored) reported.push_back(report.dataset->id.value);
+    std::vector<std::string> came;
+    if (receiver_)
+      for (const repository::DatasetId& id : receiver_->finish()) came.push_back(id.value);
+    std::ranges::sort(reported);
+    std::ranges::sort(came);
+    if (came != reported) throw repository::BrokenParcel{"other datasets than were reported"};
+    if (came.empty()) return {};
+    receiver_.reset();
+    db_.reset();
+    return repository::take_over_datasets(db, folder_->path());
+  }
+
+ private:
+  const std::filesystem::path& parent_;
+  std::optional<StagingFolder> folder_;
+  std::optional<sqlite::Connection> db_;
+  std::optional<repository::DatasetReceiver> receiver_;
+};
+
+/// Whether a reader can have said this of its files.
+bool is_possible(const IngestReport& report) {
+  return (report.status == IngestStatus::refused) == !report.dataset &&
+         report.errors.empty() != !report.dataset;
+}
+
+/// Completes a report of the reader with the dataset as it is now stored here. Another process may have stored the same
+/// file meanwhile, or removed it.
 IngestReport completed(sqlite::Connection& db, IngestReport report,
                        const std::vector<repository::DatasetId>& taken_over) {
   if (!report.dataset) return report;
@@ -74,6 +121,10 @@ IngestReport completed(sqlite::Connection& db, IngestReport report,
   if (report.status == IngestStatus::stored && std::ranges::find(taken_over, id) == taken_over.end()) {
     report.status = IngestStatus::unchanged;
     report.warnings.clear();
+  }
+  if (!report.dataset) {
+    report.status = IngestStatus::refused;
+    report.errors = {"its data were removed while it was read; ingest it again"};
   }
   return report;
 }
@@ -85,16 +136,20 @@ std::optional<std::vector<IngestReport>> ingest_one_group(sqlite::Connection& db
                                                           const core::ProgressCallback& progress) {
   const StagingFolder staging{guard.staging};
   prepare_scratch_store(db, staging.path());
+  Delivery delivery{guard.staging};
   Told told = run_reader(guard, staging.path(), files,
                          {.task = ReaderRequest::Task::ingest, .options = options, .now = now, .limits = {}},
-                         stop, progress);
+                         stop, progress, [&](std::string_view parcel) { delivery.take(parcel); });
   if (told.stopped) return std::nullopt;
-  if (told.breakdown.empty() && told.reports.empty()) told.breakdown = unexplained_end();
+  if (told.breakdown.empty() && (told.reports.empty() || !std::ranges::all_of(told.reports, is_possible)))
+    told.breakdown = unexplained_end();
   if (!told.breakdown.empty()) return std::vector{refused(files, options, told.breakdown)};
-  const auto is_stored = [](const IngestReport& report) { return report.status == IngestStatus::stored; };
   std::vector<repository::DatasetId> taken_over;
-  if (std::ranges::any_of(told.reports, is_stored))
-    taken_over = repository::take_over_datasets(db, staging.path());
+  try {
+    taken_over = delivery.take_over(db, told.reports);
+  } catch (const repository::BrokenParcel&) {
+    return std::vector{refused(files, options, unexplained_end())};
+  }
   std::vector<IngestReport> reports;
   reports.reserve(told.reports.size());
   for (IngestReport& report : told.reports) reports.push_back(completed(db, std::move(report), taken_over));
@@ -113,9 +168,9 @@ class Arrivals {
       return std::nullopt;
     }
     const std::filesystem::path& staging = folders_.emplace_back(guard_.staging).path();
-    Told told =
-        run_reader(guard_, staging, {file},
-                   {.task = ReaderRequest::Task::unpack, .options = {}, .now = {}, .limits = {}}, stop, {});
+    Told told = run_reader(guard_, staging, {file},
+                           {.task = ReaderRequest::Task::unpack, .options = {}, .now = {}, .limits = {}},
+                           stop, {}, {});
     if (told.stopped) return std::nullopt;
     if (told.breakdown.empty() && told.reports.size() == 1) return std::move(told.reports.front());
     if (!told.breakdown.empty()) return refused({file}, {}, told.breakdown);
@@ -183,6 +238,13 @@ class Arrivals {
 };
 
 }  // namespace
+
+std::optional<sandbox::Layers> layers_in_force(const Guard& guard) {
+  const StagingFolder staging{guard.staging};
+  return run_reader(guard, staging.path(), {},
+                    {.task = ReaderRequest::Task::probe, .options = {}, .now = {}, .limits = {}}, {}, {}, {})
+      .layers;
+}
 
 std::vector<IngestReport> guarded_ingest(sqlite::Connection& db, const Guard& guard,
                                          const std::vector<std::filesystem::path>& files,

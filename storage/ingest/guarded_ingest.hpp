@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "storage/ingest/ingest_file.hpp"
+#include "storage/sandbox/confinement.hpp"
 
 namespace floeplan::ingest {
 
@@ -17,12 +18,18 @@ struct Guard {
       program;  // ours: started as `program read-files STAGING FILE...`, it calls read_foreign_files
   std::filesystem::path staging;  // folder for data that are not complete yet; on the store's disk
   std::optional<std::uint64_t>
-      most_cpu_s{};  // computing time, where it shall be less than files of a size may take
+      most_cpu_s{};                // computing time, where it shall be less than files of a size may take
+  bool allow_weak_sandbox{false};  // read files even where the machine cannot confine their readers
 };
 
-/// Reads several files as ingest_files does, but opens none of them itself: a child process with limits reads each
-/// group of files into a store of its own; what has arrived there whole is taken over in one transaction. A file that
-/// breaks its reader, or takes more time or memory than a file of its size may, is refused and costs nothing else.
+/// What confines the processes that read files, as one of them tells; empty: it told nothing.
+/// Errors   std::runtime_error when it cannot be started
+[[nodiscard]] std::optional<sandbox::Layers> layers_in_force(const Guard& guard);
+
+/// Reads several files as ingest_files does, but opens none of them itself: a child process that is confined and bounded
+/// reads each group of files into a store of its own, and hands over the rows as plain values; what has arrived whole is
+/// taken over in one transaction. A file that breaks its reader, or takes more time or memory than a file of its size
+/// may, is refused and costs nothing else. Every file is refused where the machine cannot confine its reader.
 /// `reported`  called with each report as soon as it is known; may be empty
 /// Returns  the reports; of a group during which `stop` was requested none, and none of those after it
 /// Errors   std::runtime_error when the store or the machine fails

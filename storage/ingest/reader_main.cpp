@@ -15,18 +15,17 @@
 
 #include "storage/ingest/archive.hpp"
 #include "storage/ingest/reader_messages.hpp"
+#include "storage/ingest/reader_needs.hpp"
+#include "storage/repository/dataset_rows.hpp"
 #include "storage/repository/migrations.hpp"
+#include "storage/sandbox/confinement.hpp"
 #include "storage/sqlite/failure.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
-/// Nobody waits for the answers of a process whose parent is gone, and no program that this one might be made to start
-/// has more rights than it has.
-void bind_to_parent() {
-  prctl(PR_SET_PDEATHSIG, SIGKILL);
-  prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0);
-}
+/// Nobody waits for the answers of a process whose parent is gone.
+void bind_to_parent() { prctl(PR_SET_PDEATHSIG, SIGKILL); }
 
 /// Slice after slice takes and gives back the same megabytes; handing them to the kernel each time takes longer than
 /// reading.
@@ -48,12 +47,13 @@ class Reporter {
     close(nowhere);
   }
 
-  void tell(const ReaderEvent& event) const {
-    const std::string line = to_text(event) + '\n';
-    for (std::size_t done = 0; done < line.size();) {
-      const ssize_t count = write(pipe_, line.data() + done, line.size() - done);
+  void tell(const ReaderEvent& event) const { send(to_text(event) + '\n'); }
+
+  void send(std::string_view bytes) const {
+    while (!bytes.empty()) {
+      const ssize_t count = write(pipe_, bytes.data(), bytes.size());
       if (count <= 0) _exit(1);  // nobody listens
-      done += static_cast<std::size_t>(count);
+      bytes.remove_prefix(static_cast<std::size_t>(count));
     }
   }
 
@@ -94,15 +94,41 @@ ReaderEvent unpacked(const std::filesystem::path& archive, const std::filesystem
   return told;
 }
 
+void hand_over_what_was_stored(sqlite::Connection& db, const std::vector<IngestReport>& reports,
+                               const Reporter& reporter) {
+  std::vector<repository::DatasetId> stored;
+  for (const IngestReport& report : reports)
+    if (report.status == IngestStatus::stored) stored.push_back(report.dataset->id);
+  repository::send_datasets(db, stored, [&](std::string_view parcel) {
+    reporter.tell(RowsFollow{parcel.size()});
+    reporter.send(parcel);
+  });
+}
+
 void work(const ReaderRequest& request, const std::filesystem::path& staging,
           const std::vector<std::filesystem::path>& files, const Reporter& reporter) {
-  keep_to(request.limits);
+  if (request.task == ReaderRequest::Task::probe) return;
   if (request.task == ReaderRequest::Task::unpack)
     return reporter.tell(unpacked(files.front(), staging / unpacked_folder));
   if (request.task == ReaderRequest::Task::group) return reporter.tell(group(files, reporter));
   auto db = repository::open_scratch_store(staging);
-  for (IngestReport& report : ingest_group(db, files, request.options, request.now, progress_to(reporter)))
-    reporter.tell(Reported{std::move(report)});
+  std::vector<IngestReport> reports =
+      ingest_group(db, files, request.options, request.now, progress_to(reporter));
+  hand_over_what_was_stored(db, reports, reporter);
+  for (IngestReport& report : reports) reporter.tell(Reported{std::move(report)});
+}
+
+/// Takes everything from this process that reading does not need.
+/// Returns  whether it may be given foreign bytes
+bool is_confined(const ReaderRequest& request, const std::filesystem::path& staging,
+                 const std::vector<std::filesystem::path>& files, const Reporter& reporter) {
+  keep_to(request.limits);
+  prepare_libraries();
+  const sandbox::Layers layers = sandbox::confine(needs_of_reader(files, staging));
+  reporter.tell(Confined{layers});
+  if (sandbox::is_enough(layers) || request.allow_weak_sandbox) return true;
+  reporter.tell(Failed{Failed::Cause::sandbox, sandbox::to_text(layers)});
+  return false;
 }
 
 ReaderRequest read_request(const std::filesystem::path& staging) {
@@ -116,10 +142,11 @@ int read_foreign_files(const std::filesystem::path& staging,
                        const std::vector<std::filesystem::path>& files) {
   bind_to_parent();
   keep_freed_memory();
+  std::filesystem::current_path(staging);
   const ReaderRequest request = read_request(staging);
   const Reporter reporter;
   try {
-    work(request, staging, files, reporter);
+    if (is_confined(request, staging, files, reporter)) work(request, staging, files, reporter);
   } catch (const std::bad_alloc&) {
     reporter.tell(Failed{Failed::Cause::memory, ""});
   } catch (const sqlite::Failure& failure) {

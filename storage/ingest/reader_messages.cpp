@@ -74,22 +74,28 @@ IngestReport report_of(const json& object) {
 ReaderRequest::Task task_of(int number) {
   if (number == static_cast<int>(ReaderRequest::Task::unpack)) return ReaderRequest::Task::unpack;
   if (number == static_cast<int>(ReaderRequest::Task::group)) return ReaderRequest::Task::group;
+  if (number == static_cast<int>(ReaderRequest::Task::probe)) return ReaderRequest::Task::probe;
   return ReaderRequest::Task::ingest;
 }
 
 Failed::Cause cause_of(int number) {
   if (number == static_cast<int>(Failed::Cause::memory)) return Failed::Cause::memory;
   if (number == static_cast<int>(Failed::Cause::store)) return Failed::Cause::store;
+  if (number == static_cast<int>(Failed::Cause::sandbox)) return Failed::Cause::sandbox;
   return Failed::Cause::reader;
 }
 
 struct EventToJson {
+  json operator()(const Confined& confined) const {
+    return {{"confined", {confined.layers.system_calls, confined.layers.landlock}}};
+  }
   json operator()(const Progressed& made) const { return {{"progress", {made.stage, made.share}}}; }
   json operator()(const LooksAt& look) const { return {{"looks_at", look.file}}; }
   json operator()(const Grouped& grouped) const { return {{"groups", grouped.groups}}; }
   json operator()(const UnpackedArchive& unpacked) const {
     return {{"unpacked", {unpacked.data, unpacked.left_out}}};
   }
+  json operator()(const RowsFollow& rows) const { return {{"rows", rows.bytes}}; }
   json operator()(const Reported& reported) const { return {{"report", to_json(reported.report)}}; }
   json operator()(const Failed& failed) const {
     return {{"failed", {static_cast<int>(failed.cause), failed.reason}}};
@@ -102,6 +108,9 @@ std::optional<ReaderEvent> event_of(const json& event) {
   const auto member = event.begin();
   const std::string& name = member.key();
   const json& value = member.value();
+  if (name == "confined")
+    return Confined{{.system_calls = value.at(0).get<bool>(), .landlock = value.at(1).get<int>()}};
+  if (name == "rows") return RowsFollow{value.get<std::size_t>()};
   if (name == "progress") return Progressed{value.at(0), value.at(1)};
   if (name == "looks_at") return LooksAt{value.get<std::size_t>()};
   if (name == "groups") return Grouped{value.get<std::vector<std::vector<std::size_t>>>()};
@@ -128,7 +137,8 @@ std::string to_text(const ReaderRequest& request) {
                   {"now_s", core::unix_seconds(request.now)},
                   {"limits",
                    {limits.memory_bytes, limits.address_bytes, limits.cpu_s, limits.wall_s, limits.file_bytes,
-                    limits.open_files}}});
+                    limits.open_files}},
+                  {"allow_weak_sandbox", request.allow_weak_sandbox}});
 }
 
 std::string to_text(const ReaderEvent& event) { return text_of(std::visit(EventToJson{}, event)); }
@@ -142,6 +152,7 @@ ReaderRequest parse_reader_request(const std::string& text) {
     request.options = options_of(document.at("options"));
     request.now = core::from_unix_seconds(document.at("now_s").get<double>());
     request.limits = {limits.at(0), limits.at(1), limits.at(2), limits.at(3), limits.at(4), limits.at(5)};
+    request.allow_weak_sandbox = document.at("allow_weak_sandbox").get<bool>();
     return request;
   } catch (const std::exception& fault) {
     throw std::runtime_error{std::string{"this is no request to read files: "} + fault.what()};

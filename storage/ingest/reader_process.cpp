@@ -22,14 +22,23 @@ constexpr std::size_t longest_line = 4'000'000;  // a report with thousands of r
 
 std::system_error failure(int number, const char* what) { return {number, std::generic_category(), what}; }
 
-/// Where libraries find their own data, and the options of sanitizers. Nothing that could make GDAL load a plugin,
-/// speak to the network or change how it reads a file.
-std::vector<std::string> environment() {
-  std::vector<std::string> kept{"LC_ALL=C.UTF-8"};
-  for (const char* name : {"PATH", "TMPDIR", "GDAL_DATA", "PROJ_LIB", "PROJ_DATA", "LD_LIBRARY_PATH",
-                           "ASAN_OPTIONS", "LSAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS"})
-    if (const char* value = std::getenv(name)) kept.push_back(std::string{name} + "=" + value);
-  return kept;
+/// Nothing comes from the outside, so nothing there makes a library load a plugin, speak to the network or find other
+/// data than the system's. Sanitizers keep their options.
+std::vector<std::string> environment(const std::string& home) {
+  std::vector<std::string> variables{"LC_ALL=C.UTF-8",
+                                     "TZ=UTC0",
+                                     "HOME=" + home,
+                                     "TMPDIR=" + home,
+                                     "PROJ_NETWORK=OFF",
+                                     "PROJ_USER_WRITABLE_DIRECTORY=" + home,
+                                     "GDAL_DRIVER_PATH=disable",
+                                     "HDF5_PLUGIN_PRELOAD=::"};  // "::": no plugins (HDF5's H5PLpublic.h)
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  for (const char* name : {"ASAN_OPTIONS", "UBSAN_OPTIONS", "TSAN_OPTIONS"})
+    if (const char* value = std::getenv(name)) variables.push_back(std::string{name} + "=" + value);
+  variables.emplace_back("LSAN_OPTIONS=detect_leaks=0");  // it traces its own process, which no reader may
+#endif
+  return variables;
 }
 
 std::vector<char*> pointers(std::vector<std::string>& words) {
@@ -88,13 +97,14 @@ int milliseconds_until(std::chrono::steady_clock::time_point deadline) {
 
 }  // namespace
 
-ReaderProcess::ReaderProcess(const std::filesystem::path& program,
-                             const std::vector<std::string>& arguments) {
+ReaderProcess::ReaderProcess(const std::filesystem::path& program, const std::vector<std::string>& arguments,
+                             const std::filesystem::path& home) {
   std::array<int, 2> ends{};
   if (pipe2(ends.data(), O_CLOEXEC) != 0) throw failure(errno, "no pipe to a process that reads files");
   std::vector<std::string> words{"floeplan"};
   words.insert(words.end(), arguments.begin(), arguments.end());
-  std::vector<std::string> variables = environment();
+  fcntl(ends[1], F_SETPIPE_SZ, 1 << 20);  // a parcel of rows at once; with less it takes longer
+  std::vector<std::string> variables = environment(home.string());
   const FileActions actions{ends[1]};
   const int error = posix_spawn(&pid_, program.c_str(), actions.get(), nullptr, pointers(words).data(),
                                 pointers(variables).data());
@@ -115,7 +125,6 @@ ReaderProcess::~ReaderProcess() {
 
 ReaderProcess::Reading ReaderProcess::read_line(const std::stop_token& stop,
                                                 std::chrono::steady_clock::time_point deadline) {
-  const StopSignal stop_signal{stop};
   while (true) {
     if (stop.stop_requested()) return Reading::stopped;
     if (const auto end = buffer_.find('\n'); end != std::string::npos) {
@@ -123,6 +132,26 @@ ReaderProcess::Reading ReaderProcess::read_line(const std::stop_token& stop,
       buffer_.erase(0, end + 1);
       return Reading::line;
     }
+    if (buffer_.size() > longest_line) return Reading::ended;
+    if (const Reading more = read_more(stop, deadline); more != Reading::line) return more;
+  }
+}
+
+ReaderProcess::Reading ReaderProcess::read_bytes(std::size_t count, const std::stop_token& stop,
+                                                 std::chrono::steady_clock::time_point deadline) {
+  while (buffer_.size() < count)
+    if (const Reading more = read_more(stop, deadline); more != Reading::line) return more;
+  line_ = buffer_.substr(0, count);
+  buffer_.erase(0, count);
+  return Reading::line;
+}
+
+/// Waits for some more output.
+ReaderProcess::Reading ReaderProcess::read_more(const std::stop_token& stop,
+                                                std::chrono::steady_clock::time_point deadline) {
+  const StopSignal stop_signal{stop};
+  while (true) {
+    if (stop.stop_requested()) return Reading::stopped;
     if (std::chrono::steady_clock::now() >= deadline) return Reading::too_late;
     std::array<pollfd, 2> waited{{{output_, POLLIN, 0}, {stop_signal.descriptor(), POLLIN, 0}}};
     if (poll(waited.data(), waited.size(), milliseconds_until(deadline)) <= 0 || waited[0].revents == 0)
@@ -130,8 +159,9 @@ ReaderProcess::Reading ReaderProcess::read_line(const std::stop_token& stop,
     std::array<char, 65536> bytes{};
     const ssize_t count = read(output_, bytes.data(), bytes.size());
     if (count < 0 && errno == EINTR) continue;
-    if (count <= 0 || buffer_.size() > longest_line) return Reading::ended;
+    if (count <= 0) return Reading::ended;
     buffer_.append(bytes.data(), static_cast<std::size_t>(count));
+    return Reading::line;
   }
 }
 

@@ -197,6 +197,37 @@ TEST_F(GuardedIngest, SaysThatTheMachineFailedWhenItsProgramIsNotThere) {
                std::runtime_error);
 }
 
+TEST_F(GuardedIngest, ConfinesTheProcessThatReads) {
+  const auto layers = layers_in_force(guard_);
+  ASSERT_TRUE(layers.has_value());
+  EXPECT_TRUE(sandbox::is_enough(*layers)) << sandbox::to_text(*layers);
+}
+
+TEST_F(GuardedIngest, RefusesEveryFileWhereTheReaderCannotBeConfinedUnlessThatIsAllowed) {
+  const Guard weak{.program = support::program_folder() + "/reader_on_old_kernel",
+                   .staging = guard_.staging,
+                   .allow_weak_sandbox = false};
+  Guard allowed = weak;
+  allowed.allow_weak_sandbox = true;
+  CurrentFile{}.write(path("currents.nc"));
+  const auto read = [&](const Guard& guard) {
+    return guarded_ingest(db_, guard, {path("currents.nc"), write_file("bergs.geojson", point_)}, options_,
+                          core::from_unix_seconds(1.8e9), {}, {}, {});
+  };
+
+  EXPECT_EQ(layers_in_force(weak), (sandbox::Layers{.system_calls = true, .landlock = 0}));
+  const auto refused = read(weak);
+  ASSERT_EQ(refused.size(), 2U);
+  for (const IngestReport& report : refused) {
+    EXPECT_EQ(report.status, IngestStatus::refused);
+    EXPECT_THAT(words(report), HasSubstr("--allow-weak-sandbox"));
+  }
+  EXPECT_EQ(stored_datasets(), 0U);
+
+  for (const IngestReport& report : read(allowed))
+    EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
+}
+
 /// Bytes that make libhdf5 crash or run without end are found by trying; which of them do differs between its versions.
 TEST_F(GuardedIngest, OutlivesNetcdfFilesWithBytesChanged) {
   CurrentFile{}.write(path("good.nc"));
