@@ -137,15 +137,17 @@ json coverage_json(const CoverageTrajectory& trajectory) {
     tuples.push_back(std::move(tuple));
   }
   const json composite{{"dataType", "tuple"}, {"coordinates", coordinates}, {"values", std::move(tuples)}};
-  return {{"type", "Coverage"},
-          {"domain",
-           {{"type", "Domain"},
-            {"domainType", "Trajectory"},
-            {"axes", {{"composite", composite}}},
-            {"referencing", referencing(has_z, has_t)}}},
-          {"parameters", parameters_json(trajectory.parameters)},
-          {"ranges", ranges_json(trajectory.parameters, trajectory.values, json::array({"composite"}),
-                                 json::array({trajectory.places.size()}))}};
+  json coverage{{"type", "Coverage"},
+                {"domain",
+                 {{"type", "Domain"},
+                  {"domainType", "Trajectory"},
+                  {"axes", {{"composite", composite}}},
+                  {"referencing", referencing(has_z, has_t)}}},
+                {"parameters", parameters_json(trajectory.parameters)},
+                {"ranges", ranges_json(trajectory.parameters, trajectory.values, json::array({"composite"}),
+                                       json::array({trajectory.places.size()}))}};
+  if (!trajectory.source.dataset_id.empty()) coverage["source"] = source_json(trajectory.source);
+  return coverage;
 }
 
 json coverage_collection(std::vector<json> coverages) {

@@ -21,7 +21,7 @@ struct CoverageParameter {
 struct CoverageSource {
   std::string dataset_id{};  // empty: not told
   std::string dataset_name{};
-  std::vector<std::string> further_ids{};  // of other runs of the model, which added steps of time
+  std::vector<std::string> further_ids{};  // of datasets that added steps of time, or places of a trajectory
   std::string sampling{};                  // in words; empty: at the place that was asked for
 };
 
@@ -47,6 +47,7 @@ struct CoverageTrajectory {
   std::vector<Place> places;
   std::vector<CoverageParameter> parameters;
   std::vector<std::vector<std::optional<double>>> values;
+  CoverageSource source{};
 };
 
 /// CoverageJSON. A grid with a single place is a Point, a PointSeries (several times) or a VerticalProfile (several

@@ -202,10 +202,11 @@ tl::expected<codec::CoverageGrid, Response> first_with_values(
     const geo::BoundingBox& box,
     const std::function<tl::expected<EdrAttempt, Response>(const EdrShape&)>& ask) {
   auto datasets = edr_datasets(db, collection, box, wanted.span);
-  // A fine chart of a harbour is not the answer to a whole bay.
-  if (collection.kind == repository::DatasetKind::bathymetry)
-    std::ranges::stable_partition(datasets,
-                                  [&](const auto& dataset) { return geo::holds(dataset.bounds, box); });
+  // A fine chart of a harbour, or a model of it, is not the answer to a whole bay.
+  constexpr double share_step = 1e-3;  // chosen: more than the rounding of coordinates in files makes
+  std::ranges::stable_sort(datasets, std::ranges::greater{}, [&](const auto& dataset) {
+    return std::round(geo::share_held(dataset.bounds, box) / share_step);
+  });
   AskedGrids asked;
   std::optional<codec::CoverageGrid> without_values;
   std::string why;

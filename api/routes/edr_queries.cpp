@@ -125,6 +125,16 @@ std::optional<codec::CoverageTrajectory> planned_trajectory(const EdrCollection&
   return coverage;
 }
 
+/// One more dataset that answers places of a trajectory.
+void add_source(codec::CoverageSource& source, const repository::Dataset& dataset) {
+  if (source.dataset_id.empty()) {
+    source.dataset_id = dataset.id.value;
+    source.dataset_name = dataset.name;
+  } else {
+    source.further_ids.push_back(dataset.id.value);
+  }
+}
+
 /// Asks the dataset at those of the places that have no value yet. True: all have one now.
 bool fill_gaps(codec::CoverageTrajectory& coverage, std::vector<bool>& is_known, const Context& context,
                const EdrCollection& collection, const EdrShape& shape, const Wanted& wanted) {
@@ -146,6 +156,7 @@ bool fill_gaps(codec::CoverageTrajectory& coverage, std::vector<bool>& is_known,
   if (!field) return false;
   std::vector<std::optional<double>> sample(collection.parameters.size());
   bool all = true;
+  bool any = false;
   for (std::size_t i = 0; i < coverage.places.size(); ++i) {
     if (is_known[i]) continue;
     const auto& at = coverage.places[i];
@@ -153,9 +164,11 @@ bool fill_gaps(codec::CoverageTrajectory& coverage, std::vector<bool>& is_known,
     field->sample(at.place, core::Metres{at.z_m.value_or(0.0)}, at.time.value_or(core::UtcTime{}), sample);
     is_known[i] = std::ranges::any_of(sample, [](const auto& value) { return value.has_value(); });
     all = all && is_known[i];
+    any = any || is_known[i];
     for (std::size_t k = 0; k < wanted.parameters.size(); ++k)
       coverage.values[k][i] = sample[wanted.parameters[k]];
   }
+  if (any) add_source(coverage.source, shape.dataset);
   return all;
 }
 

@@ -60,6 +60,21 @@ bool holds(const BoundingBox& outer, const BoundingBox& inner) {
          begins_deg + width_deg(inner) <= width_deg(outer) + rounding_deg;
 }
 
+double share_held(const BoundingBox& outer, const BoundingBox& inner) {
+  if (!intersects(outer, inner)) return 0.0;
+  const auto share = [](double held_deg, double all_deg) {
+    return all_deg > 0.0 ? std::clamp(held_deg / all_deg, 0.0, 1.0) : 1.0;
+  };
+  const double inner_width = width_deg(inner);
+  // From the western edge of the inner box on the outer one may begin once, and may still reach in from behind.
+  const double begins = turn(inner.west_deg, outer.west_deg);
+  const double ahead = std::min(inner_width, begins + width_deg(outer)) - std::min(inner_width, begins);
+  const double behind = std::min(inner_width, std::max(0.0, begins + width_deg(outer) - 360.0));
+  return share(ahead + behind, inner_width) *
+         share(std::min(outer.north_deg, inner.north_deg) - std::max(outer.south_deg, inner.south_deg),
+               inner.north_deg - inner.south_deg);
+}
+
 std::optional<BoundingBox> shared(const BoundingBox& a, const BoundingBox& b) {
   if (!intersects(a, b)) return std::nullopt;
   BoundingBox result{a.west_deg, std::max(a.south_deg, b.south_deg), a.east_deg,

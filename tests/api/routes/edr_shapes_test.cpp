@@ -506,6 +506,36 @@ TEST_F(EdrShapesTest, DataOnAPolarGridAnswerEveryShapeInThem) {
   });
 }
 
+TEST_F(EdrShapesTest, TheDatasetThatHoldsMostOfAShapeAnswersIt) {
+  store(half_degrees());
+  Model harbour{.id = "currents-11111111", .x = nodes_from(-7.0, 0.05, 5), .y = nodes_from(52.0, 0.05, 5)};
+  harbour.ingested_s = 2e9;
+  harbour.u_m_s = [](auto...) { return 1.5; };
+  store(harbour);
+  const auto source = [&](const std::string& bbox) {
+    return get(currents + "cube?bbox=" + bbox + at_noon).at("source").at("dataset_id");
+  };
+
+  EXPECT_EQ(source("-11,51,-6,53"), "currents-00000000") << "none holds the whole box";
+  EXPECT_EQ(source("-6.95,52.05,-6.85,52.15"), "currents-11111111") << "both hold it: the newer one";
+  EXPECT_EQ(source("-9,51,-6,53"), "currents-00000000") << "the larger one alone holds it";
+}
+
+TEST_F(EdrShapesTest, ATrajectoryNamesTheDatasetsThatAnsweredIt) {
+  store(half_degrees());
+  Model harbour{.id = "currents-11111111", .x = nodes_from(-7.0, 0.05, 5), .y = nodes_from(52.0, 0.05, 5)};
+  harbour.ingested_s = 2e9;
+  store(harbour);
+  const auto source = [&](const std::string& line) {
+    return get(currents + "trajectory?coords=LINESTRING(" + line + ")" + at_noon).at("source");
+  };
+
+  const json both = source("-6.9+52.1,-8+53");
+  EXPECT_EQ(both.at("dataset_id"), "currents-11111111");
+  EXPECT_EQ(both.at("further_dataset_ids"), json::array({"currents-00000000"}));
+  EXPECT_FALSE(source("-6.9+52.1,-6.85+52.1").contains("further_dataset_ids"));
+}
+
 TEST_F(EdrShapesTest, DepthsOfTheSeaBedAreThoseOfTheNodes) {
   repository::Dataset dataset;
   dataset.id = {"bathymetry-00000000"};

@@ -79,5 +79,26 @@ TEST(UnitedBoxes, SharedPartIsInBoth) {
   });
 }
 
+TEST(UnitedBoxes, ShareHeldIsThatOfThePlacesInside) {
+  constexpr int places = 60;  // a side
+  for_each_seed(200, [](std::mt19937_64& rng) {
+    const BoundingBox outer = random_box(rng);
+    const BoundingBox inner = random_box(rng);
+    int inside = 0;
+    for (int i = 0; i < places; ++i) {
+      for (int k = 0; k < places; ++k) {
+        const double east = (i + 0.5) / places;
+        const double north = (k + 0.5) / places;
+        inside += contains(outer, {wrap_longitude(inner.west_deg + east * width_deg(inner)),
+                                   inner.south_deg + north * (inner.north_deg - inner.south_deg)});
+      }
+    }
+    EXPECT_NEAR(share_held(outer, inner), inside / double{places * places}, 2.0 / places);
+    EXPECT_EQ(share_held(inner, inner), 1.0);
+  });
+  EXPECT_EQ(share_held({170.0, 50.0, -170.0, 60.0}, {-175.0, 55.0, -175.0, 55.0}), 1.0) << "a place";
+  EXPECT_EQ(share_held({170.0, 50.0, -170.0, 60.0}, {-165.0, 55.0, -165.0, 55.0}), 0.0);
+}
+
 }  // namespace
 }  // namespace floeplan::geo::united_boxes_test
