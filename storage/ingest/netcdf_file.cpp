@@ -38,6 +38,16 @@ std::string name_for_gdal(const std::filesystem::path& file) {
   return first_bytes(file, 4) == "CDF\x05" ? "NETCDF:\"" + path + "\"" : path;
 }
 
+/// The group and those round it, up to the root; null where there is none of the name.
+std::vector<std::shared_ptr<GDALGroup>> way_out(std::shared_ptr<GDALGroup> root, const std::string& path) {
+  std::vector<std::shared_ptr<GDALGroup>> way{std::move(root)};
+  std::istringstream names{path.substr(1)};
+  for (std::string name; way.back() && std::getline(names, name, '/');)
+    way.push_back(way.back()->OpenGroup(name));
+  std::ranges::reverse(way);
+  return way;
+}
+
 }  // namespace
 
 NetcdfVariable::NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> array, bool of_zarr)
@@ -218,16 +228,21 @@ Checked<NetcdfFile> NetcdfFile::open(const std::filesystem::path& file, std::opt
 }
 
 NetcdfFile NetcdfFile::seen_from(const std::string& group) const {
+  return seen_through(way_out(dataset_->GetRootGroup(), group));
+}
+
+NetcdfFile NetcdfFile::only(const std::string& group) const {
+  const auto groups = way_out(dataset_->GetRootGroup(), group);
+  return seen_through(std::span{groups}.first(1));
+}
+
+NetcdfFile NetcdfFile::seen_through(std::span<const std::shared_ptr<GDALGroup>> groups) const {
   NetcdfFile result;
   result.dataset_ = dataset_;
   result.is_zarr_ = is_zarr_;
   result.also_missing_ = also_missing_;
-  std::vector<std::shared_ptr<GDALGroup>> way{dataset_->GetRootGroup()};
-  std::istringstream names{group.substr(1)};
-  for (std::string name; way.back() && std::getline(names, name, '/');)
-    way.push_back(way.back()->OpenGroup(name));
-  for (; !way.empty(); way.pop_back())
-    if (way.back()) result.add_variables_of(*way.back());
+  for (const auto& group : groups)
+    if (group) result.add_variables_of(*group);
   return result;
 }
 

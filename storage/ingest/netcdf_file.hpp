@@ -93,6 +93,8 @@ class NetcdfFile {
   /// The file through one of those: its variables, then those of the groups round it that nothing of it hides.
   /// Source  CF conventions 1.8, section 2.7, scope of groups
   [[nodiscard]] NetcdfFile seen_from(const std::string& group) const;
+  /// One of those groups alone, without what it sees of the groups round it.
+  [[nodiscard]] NetcdfFile only(const std::string& group) const;
   /// Null when there is none.
   [[nodiscard]] const NetcdfVariable* find(const std::string& name) const;
   /// What the file states of itself as a whole, trimmed; empty when it does not.
@@ -101,6 +103,7 @@ class NetcdfFile {
   [[nodiscard]] std::optional<double> numeric_attribute(const std::string& name) const;
 
  private:
+  [[nodiscard]] NetcdfFile seen_through(std::span<const std::shared_ptr<GDALGroup>> groups) const;
   void add_variables_of(GDALGroup& group);
   void list_groups_below(const GDALGroup& group, const std::string& path, std::size_t depth);
 

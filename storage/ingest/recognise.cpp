@@ -129,8 +129,10 @@ std::string nothing_known(const NetcdfFile& file) {
     return "the NetCDF file holds no variables at its top level; there is nothing to store; give a file with "
            "currents, depths, sea ice or wind";
   return "the file holds " + enumeration(names) +
-         ", but neither currents of the sea nor depths nor sea ice nor wind; there is nothing to store; give "
-         "a file with, for example, uo and vo, elevation, siconc or u10 and v10";
+         ", but neither currents of the sea nor depths nor sea ice nor wind under names that this program "
+         "knows; "
+         "there is nothing to store; if two of them are the current, say so by their standard_name, "
+         "eastward_sea_water_velocity and northward_sea_water_velocity, for example with ncatted";
 }
 
 /// A group of a file that holds data, seen as a file.
@@ -138,18 +140,25 @@ struct DataGroup {
   std::string path;
   std::shared_ptr<const NetcdfFile> seen;
   std::vector<DatasetKind> kinds;
+  bool has_own_data{false};  // not only what it sees of the groups round it
 };
+
+bool holds_wanted(const std::vector<DatasetKind>& kinds, const Expectation& expected) {
+  return expected.kind ? std::ranges::find(kinds, *expected.kind) != kinds.end() : !kinds.empty();
+}
 
 std::vector<DataGroup> groups_with_data(const NetcdfFile& file, const Expectation& expected) {
   std::vector<DataGroup> found;
   for (const std::string& path : file.groups()) {
+    const auto alone = std::make_shared<const NetcdfFile>(file.only(path));
+    const bool has_own_data = holds_wanted(kinds_of_netcdf(alone, expected), expected);
     const bool below_another = std::ranges::any_of(
         found, [&](const DataGroup& group) { return path.starts_with(group.path + "/"); });
-    if (below_another) continue;  // it sees the same variables once more
+    if (below_another && !has_own_data) continue;  // it sees the same variables once more
     auto seen = std::make_shared<const NetcdfFile>(file.seen_from(path));
     auto kinds = kinds_of_netcdf(seen, expected);
-    if (expected.kind && std::ranges::find(kinds, *expected.kind) == kinds.end()) continue;
-    if (!kinds.empty()) found.push_back({path, std::move(seen), std::move(kinds)});
+    if (holds_wanted(kinds, expected))
+      found.push_back({path, std::move(seen), std::move(kinds), has_own_data});
   }
   return found;
 }
@@ -167,13 +176,12 @@ std::string in_words(const std::vector<DataGroup>& groups) {
 /// Goes below the top level of a file where that does not hold what is wanted, and says what lies there where it does.
 Checked<bool> look_into_groups(RecognisedFile& file, const Expectation& expected) {
   if (file.netcdf->groups().empty()) return true;
-  const bool top_level =
-      !file.kinds.empty() &&
-      (!expected.kind || std::ranges::find(file.kinds, *expected.kind) != file.kinds.end());
+  const bool top_level = holds_wanted(file.kinds, expected);
   // What a group sees of the top level is no data of its own.
   std::vector<DataGroup> groups = groups_with_data(*file.netcdf, expected);
   if (top_level) {
-    std::erase_if(groups, [&](const DataGroup& group) { return group.kinds == file.kinds; });
+    std::erase_if(groups,
+                  [&](const DataGroup& group) { return !group.has_own_data && group.kinds == file.kinds; });
     if (!groups.empty())
       file.warnings.push_back("the top level of the file was read; its groups " + in_words(groups) +
                               " were not; to store one of them take it out, for example with ncks -G : -g " +

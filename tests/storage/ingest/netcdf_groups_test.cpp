@@ -134,6 +134,36 @@ TEST_F(NetcdfGroups, BesideTheTopLevelAreToldAndReadWhereTheirKindIsWanted) {
   EXPECT_NEAR(first_value(currents), 0.01, 1e-6);
 }
 
+TEST_F(NetcdfGroups, WithDataOfTheSameKindAsTheTopLevelAreTold) {
+  {
+    NetcdfWriter writer{path("groups.nc")};
+    write_axes(writer);
+    write_pair(writer, "uo", "vo", 0.01);
+    writer.enter("monthly");
+    write_pair(writer, "uo", "vo", 0.02);
+    writer.leave_groups();
+    writer.enter("notes");
+    write_pair(writer, "chl", "phyc", 0.03);
+  }
+  const auto report = ingest(path("groups.nc"));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_NEAR(first_value(report), 0.01, 1e-6);
+  EXPECT_THAT(words(report), HasSubstr("its groups /monthly (currents) were not"));
+}
+
+TEST_F(NetcdfGroups, BelowAGroupWithDataOfTheSameKindHaveToBeChosenFrom) {
+  {
+    NetcdfWriter writer{path("groups.nc")};
+    write_axes(writer);
+    writer.enter("ocean");
+    write_pair(writer, "uo", "vo", 0.01);
+    writer.enter("monthly");
+    write_pair(writer, "uo", "vo", 0.02);
+  }
+  expect_refused(path("groups.nc"), "/ocean (currents) and /ocean/monthly (currents)");
+}
+
 TEST_F(NetcdfGroups, WithoutAnythingKnownAreRefusedWithTheirNames) {
   {
     NetcdfWriter writer{path("groups.nc")};
