@@ -23,19 +23,6 @@ bool is_scalar(const NetcdfVariable& variable) {
                              [](const NetcdfDimension& dimension) { return dimension.size == 1; });
 }
 
-std::vector<std::string> words_between_blanks(const std::string& text) {
-  std::vector<std::string> words{""};
-  for (const char c : text + " ") {
-    if (c != ' ' && c != '\t' && c != '\n') {
-      words.back() += c;
-    } else if (!words.back().empty()) {
-      words.emplace_back();
-    }
-  }
-  words.pop_back();
-  return words;
-}
-
 /// A level by its standard name or its axis, not by its name or unit: a scalar may be anything.
 bool declares_a_level(const NetcdfVariable& variable) {
   const std::string standard_name = lower(variable.attribute("standard_name"));

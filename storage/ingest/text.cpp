@@ -53,4 +53,17 @@ std::optional<double> parse_number(std::string_view text) {
   return value;
 }
 
+std::vector<std::string> words_between_blanks(const std::string& text) {
+  std::vector<std::string> words{""};
+  for (const char c : text + " ") {
+    if (c != ' ' && c != '\t' && c != '\n') {
+      words.back() += c;
+    } else if (!words.back().empty()) {
+      words.emplace_back();
+    }
+  }
+  words.pop_back();
+  return words;
+}
+
 }  // namespace floeplan::ingest

@@ -16,6 +16,8 @@ namespace floeplan::ingest {
 [[nodiscard]] bool contains_any(std::string_view text, std::initializer_list<std::string_view> words);
 /// "a, b and c"; at most `limit` names, then "...".
 [[nodiscard]] std::string enumeration(const std::vector<std::string>& names, std::size_t limit = 8);
+/// Split at blanks, tabs and line ends.
+[[nodiscard]] std::vector<std::string> words_between_blanks(const std::string& text);
 /// A number as people write it: at most `digits` significant digits, no trailing zeros.
 [[nodiscard]] std::string number(double value, int digits = 6);
 /// The whole text as a finite number, independent of the locale.

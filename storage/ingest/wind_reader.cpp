@@ -4,6 +4,7 @@
 #include <cmath>
 #include <utility>
 
+#include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/variable_level.hpp"
 #include "storage/ingest/velocity_input.hpp"
@@ -34,10 +35,36 @@ bool names_ten_metres(const NetcdfVariable& variable) {
   return (level && level->at_10_m) || lower(variable.name()) == "uas";
 }
 
+/// A level of the model's own: one that it counts, or one that follows the ground. By its standard name: "sigma" alone,
+/// which files list beside winds at 10 m, is the level of other variables.
+/// Source   CF conventions 1.8, appendix D: the vertical coordinates of the air
+bool is_model_level(const NetcdfVariable& coordinate) {
+  const std::string standard_name = lower(coordinate.attribute("standard_name"));
+  return standard_name == "model_level_number" ||
+         (standard_name.starts_with("atmosphere_") && standard_name.ends_with("_coordinate"));
+}
+
+/// The coordinate by which a wind lies on such a level; null: none says so.
+const NetcdfVariable* model_level_of(const NetcdfFile& file, const NetcdfVariable& wind) {
+  for (const NetcdfDimension& dimension : wind.dimensions()) {
+    const NetcdfVariable* coordinate = coordinate_of(file, dimension);
+    if (coordinate != nullptr && is_model_level(*coordinate)) return coordinate;
+  }
+  for (const std::string& name : words_between_blanks(wind.attribute("coordinates"))) {
+    const NetcdfVariable* coordinate = file.find(name);
+    if (coordinate != nullptr && is_model_level(*coordinate)) return coordinate;
+  }
+  return nullptr;
+}
+
 Checked<CurrentInput> open_wind(const std::shared_ptr<const NetcdfFile>& file,
                                 const std::optional<std::string>& stated_crs) {
   auto pair = find_velocity_pair({file}, Moving::air);
   if (!pair) return refuse(pair.error());
+  if (const NetcdfVariable* level = model_level_of(*file, *pair->first))
+    return refuse("the wind \"" + pair->first->name() + "\" and \"" + pair->second->name() +
+                  "\" lies on levels of the model (\"" + level->name() +
+                  "\"), whose height above the sea is not known; ask for the wind at 10 m");
   auto input = velocity_input({file}, *pair, stated_crs);
   if (!input) return refuse(input.error());
   const SourceShape& shape = input->source->shape();

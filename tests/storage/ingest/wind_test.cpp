@@ -114,6 +114,19 @@ TEST_F(Wind, IsTakenAtTenMetres) {
   expect_refused(path("high.nc"), "not at 10 m");
 }
 
+TEST_F(Wind, OnALevelOfTheModelIsRefused) {
+  CurrentFile file = wind_file();
+  file.u_name = "u";
+  file.v_name = "v";
+  file.u_texts = {{"units", "m s-1"}, {"standard_name", "eastward_wind"}};
+  file.v_texts = {{"units", "m s-1"}, {"standard_name", "northward_wind"}};
+  file.depths = {137.0};
+  file.depth_texts = {
+      {"units", "1"}, {"positive", "down"}, {"standard_name", "atmosphere_hybrid_sigma_pressure_coordinate"}};
+  file.write(path("wind.nc"));
+  expect_refused(path("wind.nc"), "lies on levels of the model (\"depth\")");
+}
+
 TEST_F(Wind, OfRealFilesStandsBesideTheirCurrents) {
   if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
   const auto reports = ingest_all(sample_folder() / "currents/wrt_reduced_weather.nc");
