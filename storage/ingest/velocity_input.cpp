@@ -126,6 +126,12 @@ void place_by_words(CurrentInput& input, const VelocityPair& pair) {
         names +
         " are means over the whole water column; they were stored as the same at every "
         "depth, but near the surface the current may be much stronger or run another way");
+  } else {
+    input.warnings.push_back(
+        names +
+        " state no depth; they were stored as the same at every depth; if they are those of one depth alone, "
+        "state it, for example with ncap2 -s 'depth=0.0; depth@standard_name=\"depth\"; depth@units=\"m\"' "
+        "IN.nc OUT.nc");
   }
 }
 

@@ -81,7 +81,9 @@ VelocityAxes stated_axes(const NetcdfVariable& variable, Moving what) {
                            "along the grid", "xi-direction", "eta-direction"}))
     return VelocityAxes::grid;
   if (contains_any(words, {"eastward", "northward"})) return VelocityAxes::east_north;
-  if (name.ends_with("_eastward") || name.ends_with("_northward")) return VelocityAxes::east_north;
+  for (const std::string& part : parts_of_name(name))
+    if (part == "eastward" || part == "northward" || part == "east" || part == "north")
+      return VelocityAxes::east_north;
   if (name == "vozocrtx" || name == "vomecrty" || name == "vxo" || name == "vyo" || name == "sozocrtx" ||
       name == "somecrty")
     return VelocityAxes::grid;
@@ -110,10 +112,27 @@ bool is_no_speed(const NetcdfVariable& variable, const std::string& words, Movin
 
 /// Words that say what a current holds where its name does not.
 CurrentContent content_in_words(const std::string& words) {
-  if (contains_any(words, {"detided", "de-tided", "without tide", "without the tide", "no tide", "non-tidal",
-                           "nontidal", "tide removed", "tides removed", "tide-free", "tidal signal removed",
-                           "tide excluded", "tides excluded", "excluding tide", "excluding the tide",
-                           "tidally averaged", "tidally-averaged", "tidally filtered", "tidal residual"}))
+  if (contains_any(words, {"detided",
+                           "de-tided",
+                           "without tide",
+                           "without the tide",
+                           "no tide",
+                           "non-tidal",
+                           "nontidal",
+                           "tide removed",
+                           "tides removed",
+                           "tide-free",
+                           "tidal signal removed",
+                           "tide excluded",
+                           "tides excluded",
+                           "residual current",
+                           "residual velocity",
+                           "excluding tide",
+                           "excluding the tide",
+                           "tidally averaged",
+                           "tidally-averaged",
+                           "tidally filtered",
+                           "tidal residual"}))
     return CurrentContent::without_tide;
   const bool several = contains_any(
       words, {"total", "+", "includ", "incl.", "with tid", "with the tid", "with wave", "with stokes",
@@ -144,7 +163,8 @@ CurrentContent content_in_name(std::string_view name) {
       return CurrentContent::tide;
     if (part == "stokes") return CurrentContent::wave_drift;
     if (part == "ekman" || part == "baroclinic" || part == "bolus") return CurrentContent::other_part;
-    if (part == "detided" || part == "notide" || part == "nontidal") return CurrentContent::without_tide;
+    if (part == "detided" || part == "notide" || part == "nontidal" || part == "residual")
+      return CurrentContent::without_tide;
     if (part == "total" || part == "utotal" || part == "vtotal") return CurrentContent::total;
     if (part == "geostrophic") return CurrentContent::geostrophic;
   }
@@ -165,6 +185,9 @@ WaterPart part_in_name(std::string_view name) {
     if (part == "sur" || part == "surf" || part == "surface" || part == "sfc") return WaterPart::surface;
     if (part == "ubar" || part == "vbar" || part == "bar" || part == "barotropic" || part == "davg")
       return WaterPart::column_mean;
+    if (part == "averaged" || part == "average" ||
+        part == "avg")  // of a current: over the depth, or over time
+      return contains_any(name, {"depth", "Depth", "DEPTH"}) ? WaterPart::column_mean : WaterPart::unstated;
     if (part == "bottom" || part == "bot" || part == "seafloor" || part == "bed") return WaterPart::bed;
   }
   return WaterPart::unstated;
@@ -288,6 +311,10 @@ std::optional<VelocityMeaning> velocity_meaning(const NetcdfVariable& variable, 
   if (!standard && known->generic && !speaks_of(words, what)) return std::nullopt;
   if (!standard && known->needs_words && part_in_words(words) != known->part) return std::nullopt;
   if (is_no_speed(variable, words, what)) return std::nullopt;
+  // Names that no producer is known for count where the unit is that of a speed.
+  const bool is_guess = !standard && known->rank == unknown_rank(what);
+  if (is_guess && (variable.dimensions().size() < 2 || !speed_factor(variable.attribute("units"))))
+    return std::nullopt;
 
   VelocityMeaning meaning;
   meaning.axes = stated_axes(variable, what);

@@ -154,6 +154,60 @@ bool take_behind(std::string_view behind, StandardVelocity& velocity) {
   return true;
 }
 
+constexpr std::string_view of_first[]{"u", "uo", "east", "eastward", "x", "zonal", "ucx", "utotal"};
+constexpr std::string_view of_second[]{"v", "vo", "north", "northward", "y", "meridional", "ucy", "vtotal"};
+
+template <class Words>
+bool is_one_of(std::string_view word, const Words& words) {
+  return std::ranges::find(words, word) != std::end(words);
+}
+
+/// Words of a name that only a current of the sea has.
+constexpr std::string_view of_currents[]{"current", "currents", "curr", "cur"};
+/// Words that may stand beside those and beside the component, or without the former where the long name speaks of the
+/// sea. What else a name says (stress, error, ice) makes it another quantity.
+constexpr std::string_view beside_currents[]{
+    "sea",     "water",    "ocean", "vel",        "velocity", "component", "comp",
+    "total",   "surface",  "surf",  "sur",        "sfc",      "depth",     "avg",
+    "average", "averaged", "mean",  "barotropic", "residual", "tidal",     "tide"};
+
+/// A name that producers put together of a component and words of a current: "curr_east", "ucurr", "u_residual".
+std::optional<KnownName> composed_name(const std::string& plain) {
+  const std::vector<std::string> parts = parts_of_name(plain);
+  KnownName known{.generic = true};
+  bool first = false;
+  bool second = false;
+  for (const std::string& part : parts) {
+    const std::string_view rest = std::string_view{part}.substr(1);
+    if (is_one_of(part, of_first) || is_one_of(part, of_second)) {
+      (is_one_of(part, of_first) ? first : second) = true;
+    } else if (is_one_of(part, of_currents)) {
+      known.generic = false;
+    } else if (is_one_of(rest, of_currents) &&
+               std::string_view{"uvxy"}.find(part[0]) != std::string_view::npos) {
+      (part[0] == 'u' || part[0] == 'x' ? first : second) = true;
+      known.generic = false;
+    } else if (!is_one_of(part, beside_currents)) {
+      return std::nullopt;
+    }
+  }
+  const bool bare = parts.size() == 1 && known.generic;  // "x", "east": an axis
+  if (first == second || bare) return std::nullopt;
+  known.component = first ? Component::first : Component::second;
+  known.rank = unknown_rank(Moving::sea);
+  return known;
+}
+
+/// Of a name that is spelt as a standard name.
+std::optional<KnownName> standard_as_name(const std::string& plain, Moving what) {
+  const auto velocity = standard_velocity(plain);
+  if (!velocity || velocity->what != what) return std::nullopt;
+  return KnownName{.component = velocity->component,
+                   .content = velocity->content,
+                   .part = velocity->part,
+                   .rank = unknown_rank(what)};
+}
+
 }  // namespace
 
 std::optional<KnownName> known_name(std::string_view name, Moving what) {
@@ -169,7 +223,8 @@ std::optional<KnownName> known_name(std::string_view name, Moving what) {
                      .needs_words = pair.needs_words,
                      .rank = i};
   }
-  return std::nullopt;
+  if (auto standard = standard_as_name(plain, what)) return standard;
+  return what == Moving::sea ? composed_name(plain) : std::nullopt;
 }
 
 std::size_t unknown_rank(Moving what) { return known_pairs_of(what).size(); }
@@ -178,7 +233,8 @@ bool name_one_pair(std::string_view a, std::string_view b) {
   for (const Moving what : {Moving::sea, Moving::air}) {
     const auto first = known_name(a, what);
     const auto second = known_name(b, what);
-    if (first && second) return first->rank == second->rank && first->component != second->component;
+    const bool listed = first && second && std::min(first->rank, second->rank) < unknown_rank(what);
+    if (listed) return first->rank == second->rank && first->component != second->component;
   }
   const std::vector<std::string> left = parts_of_name(a);
   const std::vector<std::string> right = parts_of_name(b);
@@ -192,13 +248,11 @@ bool name_one_pair(std::string_view a, std::string_view b) {
 }
 
 std::optional<Component> component_in_name(std::string_view name) {
-  constexpr std::string_view of_first[]{"u", "uo", "east", "eastward", "x", "zonal", "ucx", "utotal"};
-  constexpr std::string_view of_second[]{"v", "vo", "north", "northward", "y", "meridional", "ucy", "vtotal"};
   bool first = false;
   bool second = false;
   for (const std::string& part : parts_of_name(name)) {
-    first = first || std::ranges::find(of_first, part) != std::end(of_first);
-    second = second || std::ranges::find(of_second, part) != std::end(of_second);
+    first = first || is_one_of(part, of_first);
+    second = second || is_one_of(part, of_second);
   }
   if (first == second) return std::nullopt;
   return first ? Component::first : Component::second;

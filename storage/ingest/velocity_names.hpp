@@ -20,7 +20,8 @@ struct KnownName {
   std::size_t rank{};  // in the order in which pairs are taken
 };
 
-/// Of a whole name in whatever case.
+/// Of a whole name in whatever case: one that producers are known to use, one spelt as a standard name, or, of a current,
+/// one put together of a component and words of currents ("curr_east", "ucurr").
 [[nodiscard]] std::optional<KnownName> known_name(std::string_view name, Moving what);
 /// Behind the last rank.
 [[nodiscard]] std::size_t unknown_rank(Moving what);

@@ -100,6 +100,7 @@ TEST_F(CurrentTraps, PackedIntegersAreComparedWithTheirFillBeforeTheyAreScaled) 
 
 TEST_F(CurrentTraps, AFloatFillIsComparedAsFloat) {
   CurrentFile file;
+  file.depths = {0.0};
   file.type = NetcdfWriter::Type::float32;
   file.numbers = {{"missing_value", 1e20}};
   file.value = [](char, std::size_t, std::size_t, std::size_t, std::size_t x) { return x == 1 ? 1e20 : 0.1; };
@@ -109,6 +110,11 @@ TEST_F(CurrentTraps, AFloatFillIsComparedAsFloat) {
   EXPECT_TRUE(std::isnan(samples.u[1]));
   EXPECT_FLOAT_EQ(samples.u[0], 0.1F);
   EXPECT_TRUE(report_.warnings.empty()) << words(report_);
+}
+
+TEST_F(CurrentTraps, CurrentsWithoutADepthAreToldToCountForAll) {
+  (void)stored(CurrentFile{});
+  EXPECT_THAT(words(report_), testing::HasSubstr("\"uo\" and \"vo\" state no depth"));
 }
 
 TEST_F(CurrentTraps, AnUndeclaredFillIsLeftOutWithAWarning) {

@@ -278,6 +278,49 @@ TEST_F(Choice, OfAVariableIsNotOverturnedByWordsOfHowItWasMade) {
   }
 }
 
+/// Names that producers put together themselves, with what such a pair says of itself.
+struct ComposedNames {
+  const char* east;
+  const char* north;
+  const char* long_name;  // before the name of the component
+  const char* words;      // among the warnings
+};
+
+TEST_F(Choice, KnowsNamesThatProducersPutTogether) {
+  const ComposedNames all[]{
+      {"surface_eastward_sea_water_velocity", "surface_northward_sea_water_velocity", "", "surface alone"},
+      {"current_u", "current_v", "", "state no depth"},
+      {"ucurr", "vcurr", "", "state no depth"},
+      {"CURR_EAST", "CURR_NORTH", "", "state no depth"},
+      {"U_sfc", "V_sfc", "sea water velocity", "surface alone"},
+      {"depth_averaged_u", "depth_averaged_v", "water velocity", "means over the whole water column"},
+      {"east_vel", "north_vel", "current", "state no depth"},
+      {"u_residual", "v_residual", "residual current", "are without the tide"}};
+  for (const ComposedNames& names : all) {
+    auto pair = pair_of(names.east, names.north, 0.25);
+    for (auto& variable : pair) {
+      variable.texts.erase("standard_name");
+      variable.texts["long_name"] = std::string{names.long_name} + " " + variable.name;
+    }
+    const auto report = outcome(write(pair));
+    ASSERT_EQ(report.status, IngestStatus::stored) << names.east << ": " << words(report);
+    expect_pair(stored(report), 0.25, report);
+    EXPECT_THAT(words(report), HasSubstr(names.words));
+  }
+}
+
+TEST_F(Choice, TakesNoOtherQuantityForACurrentByItsName) {
+  const std::pair<const char*, const char*> all[]{{"current_u_error", "current_v_error"},
+                                                  {"ice_u_vel", "ice_v_vel"},
+                                                  {"u_bottom_stress", "v_bottom_stress"},
+                                                  {"x", "y"}};
+  for (const auto& [east, north] : all) {
+    auto pair = pair_of(east, north, 0.25);
+    for (auto& variable : pair) variable.texts.erase("standard_name");
+    EXPECT_EQ(outcome(write(pair)).status, IngestStatus::refused) << east;
+  }
+}
+
 TEST_F(Choice, SaysWhatThePairHolds) {
   const auto report_of = [&](const std::string& standard_end, const std::string& long_name) {
     Texts more;
