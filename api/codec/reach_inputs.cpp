@@ -85,6 +85,7 @@ tl::expected<ReachInputs, core::Violations> parse_reach_inputs(const json& input
   result.name = reader.text("name").value_or("");
   reader.refuse_unknown();
   if (!reader.violations().empty()) return tl::unexpected(reader.violations());
+  result.warnings = reader.remarks();
   if (auto violations = request.violations(); !violations.empty())
     return tl::unexpected(std::move(violations));
 

@@ -3,6 +3,7 @@
 #include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <tl/expected.hpp>
+#include <vector>
 
 #include "engine/core/violation.hpp"
 #include "engine/planning/reach_request.hpp"
@@ -15,6 +16,7 @@ struct ReachInputs {
   planning::ReachRequest request;
   repository::EnvironmentQuery data;
   std::string name;
+  std::vector<std::string> warnings;  // what of the inputs is left out
 };
 
 /// "from" and "depart", or "to" and "arrive_by"; "hours" as one number or several; grid, vehicle, margin and data as

@@ -1,6 +1,8 @@
 #include "server/jobs/reach_service.hpp"
 
+#include <algorithm>
 #include <chrono>
+#include <iterator>
 #include <nlohmann/json.hpp>
 
 #include "api/codec/plan_document.hpp"
@@ -23,6 +25,7 @@ tl::expected<nlohmann::json, core::Violations> reach_document(sqlite::Connection
   const auto begin = std::chrono::steady_clock::now();
   auto reach = planning::find_reach(*environment, inputs.request, stop, progress);
   if (!reach) return codec::infeasible_document(reach.error(), *environment);
+  std::ranges::copy(inputs.warnings, std::back_inserter(reach->warnings));
   reach->search.duration = std::chrono::steady_clock::now() - begin;
   return codec::reach_document(*reach, inputs.request, inputs.name);
 }

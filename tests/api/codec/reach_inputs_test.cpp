@@ -12,6 +12,9 @@ namespace {
 
 using nlohmann::json;
 using planning::ReachRequest;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
 using testing::UnorderedElementsAre;
 
 const json from{{"from", {-53.0, 69.0}}, {"depart", "2026-11-20T06:00:00Z"}, {"hours", {6, 12.5}}};
@@ -61,6 +64,14 @@ TEST(ReachInputs, ReadWhatTheIceLetsPassAndNothingOfSurfacingsThatArePlanned) {
   EXPECT_EQ(parsed->request.under_ice.max_time_without_surfacing, core::Seconds{21600.0});
   EXPECT_THAT(faults(with(from, {{"under_ice", {{"escape_plan", true}, {"margin_below_ice_m", -1}}}})),
               UnorderedElementsAre("/under_ice/escape_plan", "/under_ice/margin_below_ice_m"));
+}
+
+TEST(ReachInputs, SayThatAThirdNumberIsLeftOut) {
+  const auto parsed = parse_reach_inputs(with(from, {{"from", {-60.0, 70.0, -30.0}}}));
+
+  ASSERT_TRUE(parsed.has_value());
+  EXPECT_THAT(parsed->warnings, ElementsAre(HasSubstr("third number of a position")));
+  EXPECT_THAT(parse_reach_inputs(from)->warnings, IsEmpty());
 }
 
 TEST(ReachInputs, ReadBackWhatTheyWrite) {
