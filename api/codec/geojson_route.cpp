@@ -24,7 +24,7 @@ struct Feature {
 };
 
 std::string name_of(const json& feature, const json& properties) {
-  for (const char* const key : {"name", "title"})
+  for (const char* const key : {"name", "Name", "NAME", "title"})
     if (std::string name = text_at(properties, key); !name.empty()) return name;
   return text_at(feature, "id");
 }

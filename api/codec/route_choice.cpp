@@ -44,10 +44,18 @@ tl::expected<std::size_t, core::Violations> named(const std::vector<NamedRoute>&
     return refused("holds " + std::to_string(count) + " routes named \"" +
                    core::cut_short(wanted, longest_name) + "\"; give the number of the one to take, of " +
                    titles(routes));
-  const auto found = std::ranges::find(routes, wanted, &NamedRoute::name);
-  if (found != routes.end()) return static_cast<std::size_t>(found - routes.begin());
-  for (std::size_t i = 0; i < routes.size(); ++i)
-    if (std::to_string(i + 1) == wanted) return i;
+  std::optional<std::size_t> by_name;
+  std::optional<std::size_t> by_number;
+  for (std::size_t i = 0; i < routes.size(); ++i) {
+    if (routes[i].name == wanted) by_name = i;
+    if (std::to_string(i + 1) == wanted) by_number = i;
+  }
+  if (by_name && by_number && by_name != by_number)
+    return refused("has \"" + wanted + "\" as the name of " + title(routes, *by_name) +
+                   " and as the number of " + title(routes, *by_number) +
+                   "; give the other word for the one to take");
+  if (by_name) return *by_name;
+  if (by_number) return *by_number;
   return refused("holds no route \"" + core::cut_short(wanted, longest_name) + "\", but " + titles(routes));
 }
 

@@ -170,6 +170,11 @@ TEST(RouteChoice, IsARefusalThatNamesTheRoutesAndTheWay) {
   const std::vector<Given> alike{two[0], {"out", two[1].places}};
   EXPECT_THAT(fault_of("a.gpx", gpx(alike, "rte", "rtept"), "out"), HasSubstr("2 routes named \"out\""));
   EXPECT_EQ(read_route_file("a.gpx", gpx(alike, "rte", "rtept"), "2")->places.front(), two[1].places.front());
+  const std::vector<Given> counted{{"2", two[0].places}, {"back", two[1].places}};
+  EXPECT_THAT(fault_of("a.gpx", gpx(counted, "rte", "rtept"), "2"),
+              HasSubstr("as the name of 1 \"2\" and as the number of 2 \"back\""));
+  EXPECT_EQ(read_route_file("a.gpx", gpx(counted, "rte", "rtept"), "1")->places.front(),
+            two[0].places.front());
 }
 
 TEST(RouteChoice, IsMadeInEveryRequestAlike) {
