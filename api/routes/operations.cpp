@@ -83,7 +83,12 @@ std::string obstacle(const Context& context) {
 /// Healthy is a process that answers; ready is one that can take work.
 Response show_readiness(const Context& context, const Request& request, const PathParameters&) {
   const std::string found = obstacle(context);
-  if (found.empty()) return json_reply({{"status", "ok"}});
+  if (found.empty()) {
+    nlohmann::json document{{"status", "ok"}};
+    if (const auto& readers = context.service.reader_layers)
+      document["sandbox"] = {{"layers", readers->layers}, {"enough", readers->enough}};
+    return json_reply(document);
+  }
   Response response = problem_reply(
       request, {503, "not-ready", "Not ready", "The server can take no work: " + found + ".", {}});
   response.headers.emplace_back("Retry-After", "30");
