@@ -18,6 +18,7 @@
 #include "engine/geo/bounding_box.hpp"
 #include "storage/ingest/bathymetry_grid.hpp"
 #include "storage/ingest/cf_units.hpp"
+#include "storage/ingest/crs_text.hpp"
 #include "storage/ingest/depth_table.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/grid_frame_of_crs.hpp"
@@ -116,7 +117,7 @@ Checked<OGRSpatialReference> crs_of(GDALDataset& dataset, std::string_view drive
     return crs;
   }
   if (options.crs) {
-    if (crs.SetFromUserInput(options.crs->c_str()) == OGRERR_NONE) {
+    if (read_crs(*options.crs, crs)) {
       crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
       return crs;
     }

@@ -5,7 +5,8 @@
 
 namespace floeplan::ingest {
 
-/// Registers the GDAL drivers that this folder reads, and no others: no virtual formats, no network.
+/// Registers the GDAL drivers that this folder reads, and no others: no virtual formats. GDAL asks no server from then
+/// on, and opens no name in archives or through other names; files and its memory are left.
 /// Idempotent.
 /// Threads  may be called from several threads at once
 void register_drivers();

@@ -3,6 +3,7 @@
 #include <ogr_spatialref.h>
 
 #include "engine/geo/geodesic.hpp"
+#include "storage/ingest/crs_text.hpp"
 #include "storage/ingest/grid_frame_of_crs.hpp"
 #include "storage/ingest/netcdf_projection.hpp"
 
@@ -56,7 +57,7 @@ Checked<ocean::HorizontalGrid> grid_of(const NetcdfFile& file, const NetcdfVaria
   OGRSpatialReference crs;
   if (const auto stated = projection_of(file, variable)) {
     crs = *stated;
-  } else if (!stated_crs || crs.SetFromUserInput(stated_crs->c_str()) != OGRERR_NONE) {
+  } else if (!stated_crs || !read_crs(*stated_crs, crs)) {
     return refuse("the grid of \"" + variable.name() +
                   "\" is projected, but the file does not say how; it cannot be placed on the Earth; state "
                   "the projection with --crs, for example --crs EPSG:3413");

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 
+#include "storage/ingest/crs_text.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/grid_frame_of_crs.hpp"
 #include "storage/ingest/netcdf_coordinates.hpp"
@@ -31,10 +32,10 @@ std::string without_unknown_axes(std::string wkt) {
 }
 
 std::shared_ptr<OGRSpatialReference> crs_of_text(const std::string& text) {
-  const GdalMessages messages;
   auto crs = std::make_shared<OGRSpatialReference>();
+  if (!read_crs(text, *crs)) return nullptr;
   crs->SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  return crs->SetFromUserInput(text.c_str()) == OGRERR_NONE ? crs : nullptr;
+  return crs;
 }
 
 bool has_any(const NetcdfVariable& variable, std::initializer_list<const char*> attributes) {

@@ -10,6 +10,7 @@
 
 #include "engine/geo/geodesic.hpp"
 #include "engine/geo/ring_turns.hpp"
+#include "storage/ingest/crs_text.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -225,7 +226,7 @@ Checked<OGRSpatialReference> crs_of(OGRLayer& layer, const std::optional<std::st
         std::string{"the layer \""} + layer.GetName() +
         "\" states no coordinate reference system (of a shapefile: the .prj file is missing); its areas "
         "could lie anywhere; give --crs, for example EPSG:4326");
-  } else if (crs.SetFromUserInput(stated->c_str()) != OGRERR_NONE) {
+  } else if (!read_crs(*stated, crs)) {
     return refuse("--crs " + *stated + " is no coordinate reference system that is known; as EPSG:4326");
   }
   crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);

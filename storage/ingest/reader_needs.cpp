@@ -14,6 +14,7 @@
 
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/sqlite/foreign_schema.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -77,6 +78,7 @@ void add_what_lies_beside(const fs::path& folder, const Stems& stems, std::vecto
 
 void prepare_libraries() {
   OPENSSL_init_crypto(0, nullptr);
+  sqlite::distrust_schemas();
   H5open();
   H5PLset_loading_state(0);
   register_drivers();

@@ -7,6 +7,8 @@
 #include <string_view>
 
 #include "storage/ingest/gdal_guard.hpp"
+#include "storage/sqlite/failure.hpp"
+#include "storage/sqlite/foreign_schema.hpp"
 
 namespace floeplan::ingest {
 
@@ -33,9 +35,24 @@ Checked<void> every_feature_can_be_read(GDALDataset& dataset) {
   return {};
 }
 
-bool is_raster(const std::string& path, const char* const* drivers) {
+bool is_raster(const std::string& path, const char* const* drivers, const char* const* options) {
   const GdalMessages messages;
-  return GDALDatasetUniquePtr{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER, drivers)} != nullptr;
+  return GDALDatasetUniquePtr{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER, drivers, options)} != nullptr;
+}
+
+/// Looks at the schema of a GeoPackage before GDAL does, whose functions it could call.
+Checked<void> holds_plain_tables(const std::filesystem::path& file) {
+  try {
+    const auto part = sqlite::active_part_of(file);
+    if (!part) return {};
+    return refuse(
+        "the GeoPackage holds " + *part +
+        ", which could run code of whoever made the file; save its layers into a new GeoPackage, for "
+        "example with QGIS or ogr2ogr, and give that");
+  } catch (const sqlite::Failure& failure) {
+    return refuse(std::string{"the GeoPackage cannot be read ("} + failure.what() +
+                  "); it is damaged or was cut short; copy or download it again");
+  }
 }
 
 }  // namespace
@@ -45,10 +62,15 @@ Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::pa
   register_drivers();
   const GdalMessages messages;
   const char* const drivers[] = {driver, nullptr};
+  const bool is_database = std::string_view{driver} == "GPKG";
+  if (is_database)
+    if (const auto plain = holds_plain_tables(file); !plain) return refuse(plain.error());
+  const char* const immutable[] = {"IMMUTABLE=YES", nullptr};
+  const char* const* const options = is_database ? immutable : nullptr;
   const std::string path = std::filesystem::absolute(file).string();
   std::shared_ptr<GDALDataset> dataset{
-      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers)};
-  if (!dataset && is_raster(path, drivers))
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options)};
+  if (!dataset && is_raster(path, drivers, options))
     return refuse(
         "the file holds a raster in tiles, but neither points nor polygons; of this format this program "
         "reads only "

@@ -11,7 +11,7 @@ class GDALDataset;
 namespace floeplan::ingest {
 
 /// Opens a file of features with one of GDAL's drivers, "GPKG" or "ESRI Shapefile".
-/// Errors   damaged; no features; a value that GDAL leaves out since it is none of its column's type
+/// Errors   damaged; a GeoPackage with views, computed columns or virtual tables but R*Trees; no features; a value that GDAL leaves out since it is none of its column's type
 [[nodiscard]] Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::path& file,
                                                                      const char* driver);
 

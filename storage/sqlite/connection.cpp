@@ -86,6 +86,7 @@ Connection Connection::open_scratch(const std::filesystem::path& folder) {
   try {
     Connection scratch{std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms), false};
     scratch.handle().exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF");
+    scratch.handle().exec("PRAGMA trusted_schema = ON");  // it is ours, and its triggers fill R*Trees
     return scratch;
   } catch (const SQLite::Exception& cause) {
     throw failure_of(cause, file);

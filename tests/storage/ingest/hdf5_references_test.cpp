@@ -4,6 +4,8 @@
 #include <hdf5.h>
 
 #include <array>
+#include <fstream>
+#include <iterator>
 
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
@@ -63,6 +65,51 @@ TEST_F(Hdf5References, AreNotMissedInValuesThatLieElsewhere) {
   add_dataset(creation);
 
   expect_refused_for("\"outside\" has its values in another file");
+}
+
+TEST_F(Hdf5References, AreNotMissedBelowGroups) {
+  hid_t group = opened_;
+  for (const char* const name : {"a", "b", "c"})
+    group = H5Gcreate2(group, name, H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  ASSERT_GE(H5Lcreate_external("other.nc", "/uo", group, "outside", H5P_DEFAULT, H5P_DEFAULT), 0);
+
+  expect_refused_for("\"a/b/c/outside\" is a link to another file");
+}
+
+TEST_F(Hdf5References, AreNotHiddenBehindAGroupThatCannotBeRead) {
+  const hid_t group = H5Gcreate2(opened_, "a", H5P_DEFAULT, H5P_DEFAULT, H5P_DEFAULT);
+  ASSERT_GE(H5Lcreate_soft("/uo", group, "inside", H5P_DEFAULT, H5P_DEFAULT), 0);
+  H5Gclose(group);
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  ASSERT_GE(H5Pset_external(creation, "/etc/hostname", 0, 48), 0);
+  add_dataset(creation);
+  H5Fclose(opened_);
+  std::fstream file{file_, std::ios::in | std::ios::out | std::ios::binary};
+  const std::string bytes{std::istreambuf_iterator<char>{file}, {}};
+  const std::size_t names_of_the_group = bytes.find("HEAP");
+  ASSERT_NE(names_of_the_group, std::string::npos);
+  file.clear();
+  file.seekp(static_cast<std::streamoff>(names_of_the_group));
+  file << "GONE" << std::flush;
+
+  expect_refused(file_, "cannot be ");  // opened, or gone through: "outside" itself was not seen
+}
+
+TEST_F(Hdf5References, AreNotTakenForWhatASoftLinkLeadsTo) {
+  ASSERT_GE(H5Lcreate_soft("/uo", opened_, "inside", H5P_DEFAULT, H5P_DEFAULT), 0);
+  H5Fclose(opened_);
+  EXPECT_TRUE(check_hdf5_references(file_).has_value());
+}
+
+TEST_F(Hdf5References, AreRefusedOfPackingThatIsAPlugin) {
+  const hid_t creation = H5Pcreate(H5P_DATASET_CREATE);
+  const std::array<hsize_t, 2> chunk{3, 4};
+  H5Pset_chunk(creation, 2, chunk.data());
+  constexpr H5Z_filter_t blosc = 32001;
+  ASSERT_GE(H5Pset_filter(creation, blosc, H5Z_FLAG_OPTIONAL, 0, nullptr), 0);
+  add_dataset(creation);
+
+  expect_refused_for("\"outside\" is packed by a method that this program does not have");
 }
 
 }  // namespace

@@ -1,9 +1,7 @@
 #include "storage/sandbox/confinement.hpp"
 
-#include <arpa/inet.h>
 #include <fcntl.h>
 #include <gmock/gmock.h>
-#include <sys/socket.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -14,36 +12,12 @@
 
 #include "storage/sandbox/system_call_filter.hpp"
 #include "tests/storage/sandbox/attempts.hpp"
+#include "tests/support/loopback_listener.hpp"
 
 namespace floeplan::sandbox::confinement_test {
 namespace {
 
 namespace fs = std::filesystem;
-
-/// A listener on loopback that tells whether anybody came.
-class Listener {
- public:
-  Listener() : socket_{socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK | SOCK_CLOEXEC, 0)} {
-    sockaddr_in place{.sin_family = AF_INET, .sin_port = 0, .sin_addr = {}, .sin_zero = {}};
-    place.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
-    socklen_t size = sizeof place;
-    auto* const address = reinterpret_cast<sockaddr*>(&place);
-    if (bind(socket_, address, size) != 0 || listen(socket_, 8) != 0 ||
-        getsockname(socket_, address, &size) != 0)
-      throw std::runtime_error{"no listener on loopback"};
-    port_ = ntohs(place.sin_port);
-  }
-  Listener(const Listener&) = delete;
-  Listener& operator=(const Listener&) = delete;
-  ~Listener() { close(socket_); }
-
-  [[nodiscard]] std::uint16_t port() const { return port_; }
-  [[nodiscard]] bool somebody_came() const { return accept(socket_, nullptr, nullptr) >= 0; }
-
- private:
-  int socket_;
-  std::uint16_t port_{};
-};
 
 class Confinement : public testing::Test {
  protected:
@@ -73,7 +47,7 @@ class Confinement : public testing::Test {
     EXPECT_TRUE(fs::is_empty(scene_.staging()));
   }
 
-  const Listener listener_;
+  const support::LoopbackListener listener_;
   const Scene scene_;
 };
 
