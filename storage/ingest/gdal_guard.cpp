@@ -5,12 +5,14 @@
 #include <cpl_http.h>
 #include <cpl_string.h>
 #include <cpl_vsi.h>
+#include <cpl_vsi_virtual.h>
 #include <gdal.h>
 #include <gdal_frmts.h>
 
 #include <memory>
 #include <mutex>
 #include <string_view>
+#include <vector>
 
 CPL_C_START
 void CPL_DLL RegisterOGRGeoJSON();
@@ -48,9 +50,14 @@ void close_other_ways_to_files() {
       calls{VSIAllocFilesystemPluginCallbacksStruct(), &VSIFreeFilesystemPluginCallbacksStruct};
   calls->open = [](void*, const char*, const char*) -> void* { return nullptr; };
   calls->stat = [](void*, const char*, VSIStatBufL*, int) { return -1; };
-  for (int i = 0; i < prefixes.size(); ++i)
-    if (std::string_view prefix{prefixes[i]}; prefix.starts_with("/vsi") && prefix != "/vsimem/")
-      VSIInstallPluginHandler(prefixes[i], calls.get());
+  // GDAL forgets what it replaces, which lives until the process ends.
+  static auto* const replaced = new std::vector<VSIFilesystemHandler*>;
+  for (int i = 0; i < prefixes.size(); ++i) {
+    const std::string_view prefix{prefixes[i]};
+    if (!prefix.starts_with("/vsi") || prefix == "/vsimem/") continue;
+    replaced->push_back(VSIFileManager::GetHandler(prefixes[i]));
+    VSIInstallPluginHandler(prefixes[i], calls.get());
+  }
 }
 
 }  // namespace

@@ -5,7 +5,9 @@
 #include <memory>
 #include <string>
 
+#include "tests/server/cli/served_program.hpp"
 #include "tests/support/places.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::deployment_test {
 namespace {
@@ -40,6 +42,15 @@ TEST(SystemdUnit, LeavesReadersOfFilesTheCallsThatConfineThem) {
   for (const char* const call : {"@system-service ", "landlock_create_ruleset ", "landlock_add_rule ",
                                  "landlock_restrict_self ", "seccomp "})
     EXPECT_THAT(filter, HasSubstr(call));
+}
+
+TEST(Server, SaysWhatConfinesItsReaders) {
+  const support::TemporaryFolder store;
+  const support::ServedProgram served{store.path()};
+  const auto readiness = served.get("/readyz").json();
+  EXPECT_EQ(readiness["status"], "ok");
+  EXPECT_EQ(readiness["sandbox"]["enough"], true);
+  EXPECT_THAT(readiness["sandbox"]["layers"].get<std::string>(), HasSubstr("seccomp, Landlock "));
 }
 
 }  // namespace

@@ -55,7 +55,8 @@ void write_points(const char* driver, const std::filesystem::path& file,
     ASSERT_EQ(layer->CreateFeature(&feature), OGRERR_NONE);
   }
   vector->FlushCache();
-  for (const std::string& statement : statements) vector->ExecuteSQL(statement.c_str(), nullptr, nullptr);
+  for (const std::string& statement : statements)
+    vector->ReleaseResultSet(vector->ExecuteSQL(statement.c_str(), nullptr, nullptr));
 }
 
 }  // namespace floeplan::ingest
