@@ -8,6 +8,10 @@ namespace floeplan::ocean {
 /// about 0.75 km an hour (C-CORE hindcast of 340 displacements, 2023-24), 50 km in this time.
 inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 
+/// Icebergs left out for their age are told as a danger when they were last seen less than this ago; older ones only
+/// where nothing newer is known of the area. Chosen: daily lists name a berg that lasts many times in a month.
+inline constexpr core::Seconds left_out_are_told{30.0 * 86400.0};
+
 /// The one rule of when a sighting is too old, for plans, checks, the map, probes and exports. Of each berg the newest
 /// sighting by a moment `as_of` speaks; it counts for a vehicle that leaves at `depart`, however long that is under way,
 /// when it is no earlier than `oldest_that_counts(as_of, depart, max_age)`. The age is that at the departure, or at

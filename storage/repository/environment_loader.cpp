@@ -24,22 +24,28 @@
 namespace floeplan::repository {
 namespace {
 
-/// Says which bergs of a dataset were seen too long ago: they may be there, and nobody avoids them.
-void tell_of_old_sightings(EnvironmentDraft& draft, const Dataset& dataset, const KnownIcebergs& known) {
+/// Says which bergs were seen too long ago: they may be there, and nobody avoids them.
+void tell_of_old_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
   std::vector<std::string> dropped;
-  for (const StoredSighting& sighting : known.too_old)
-    if (sighting.dataset == dataset.id)
-      dropped.push_back(sighting.iceberg.id.empty() ? "one without a name" : sighting.iceberg.id);
+  std::vector<std::string> lists;
+  auto all = std::ssize(known.too_old);
+  for (const Dataset& dataset : known.consulted) {
+    const auto before = dropped.size();
+    for (const StoredSighting& sighting : known.too_old)
+      if (sighting.dataset == dataset.id)
+        dropped.push_back(sighting.iceberg.id.empty() ? "one without a name" : sighting.iceberg.id);
+    if (dropped.size() == before) continue;
+    all += std::ranges::count(known.sightings, dataset.id, &StoredSighting::dataset);
+    lists.push_back(title(dataset));
+  }
   if (dropped.empty()) return;
-  const auto used = std::ranges::count(known.sightings, dataset.id, &StoredSighting::dataset);
-  const auto all = used + std::ssize(dropped);
-  draft.warn(
-      core::as_danger(std::to_string(dropped.size()) + " of " + std::to_string(all) +
-                      (all == 1 ? " iceberg of " : " icebergs of ") + title(dataset) +
-                      " ignored: not seen since " + core::iso8601(known.oldest) +
-                      ". Each may still be near the route, and the plan avoids none of them. Ingest "
-                      "newer sightings, or raise the maximum sighting age (--max-sighting-age). Ignored: " +
-                      shortened_list(dropped)));
+  draft.warn(core::as_danger(std::to_string(dropped.size()) + " of " + std::to_string(all) +
+                             (all == 1 ? " iceberg of " : " icebergs of ") + shortened_list(lists) +
+                             " ignored: not seen since " + core::iso8601(known.oldest) +
+                             ". Each may still be near the route, and the plan avoids none of them. Ingest "
+                             "newer sightings, or raise "
+                             "the maximum sighting age (--max-sighting-age). Ignored: " +
+                             shortened_list(dropped)));
 }
 
 /// Names the datasets that had something to say, those that were wanted by name and what people reported here; else the
@@ -85,7 +91,7 @@ void add_icebergs(EnvironmentDraft& draft) {
     if (departure_decides)
       iceberg.too_old_from = ocean::too_old_from(iceberg.observed, query.max_sighting_age);
   }
-  for (const Dataset& dataset : known.consulted) tell_of_old_sightings(draft, dataset, known);
+  tell_of_old_sightings(draft, known);
   cite_sightings(draft, known);
   if (draft.environment.datasets.empty() && query.icebergs.how != DatasetChoice::How::named) {
     warn_of_gap(draft, DatasetKind::icebergs, query.icebergs, "no iceberg is avoided");

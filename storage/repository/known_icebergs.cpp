@@ -19,7 +19,8 @@ std::vector<Dataset> datasets_of_sightings(const std::vector<Dataset>& stored, c
     return !dataset.time_start || *dataset.time_start <= query.as_of;
   };
   const auto recent = [&](const Dataset& dataset) {
-    return !dataset.time_end || *dataset.time_end >= known.oldest;
+    return !dataset.time_end || *dataset.time_end >= known.oldest ||
+           (query.also_too_old && query.as_of - *dataset.time_end < ocean::left_out_are_told);
   };
   std::vector<Dataset> chosen;
   std::ranges::copy_if(stored, std::back_inserter(chosen), [&](const Dataset& dataset) {

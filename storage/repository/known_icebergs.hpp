@@ -20,7 +20,7 @@ struct SightingQuery {
   core::UtcTime depart;     // of the vehicle; which sighting is too old then says ocean::oldest_that_counts
   core::Seconds max_age{ocean::max_sighting_age};
   core::Seconds track_age{0.0};  // each with its earlier fixes no older than this; zero: without
-  bool also_too_old{false};      // list those left out for their age too
+  bool also_too_old{false};      // list those left out for their age too, up to ocean::left_out_are_told
 };
 
 /// What the store knows of icebergs, as plans obey it and the map shows it.

@@ -368,6 +368,33 @@ TEST_F(EnvironmentLoaderTest, SaysHowManyBergsWereSeenTooLongAgo) {
                              HasSubstr("ignored: not seen since"), testing::EndsWith(": old"))));
 }
 
+/// Law: what is left out for its age is told alike in however many lists the same sightings came.
+TEST_F(EnvironmentLoaderTest, TellsOfBergsSeenTooLongAgoHoweverTheyWereListed) {
+  support::for_each_seed(20, [&](std::mt19937_64& rng) {
+    db_ = open_store_in_memory();
+    const int lists = support::uniform_int(rng, 1, 4);
+    std::vector<std::vector<ocean::Iceberg>> of_lists(static_cast<std::size_t>(lists));
+    int too_old = 0;
+    for (int i = 0; i < 8; ++i) {
+      const double age_days = support::uniform(rng, 0.1, 29.0);
+      if (age_days > 3.0 && age_days < 5.0) continue;  // the rule's own day counts as young
+      too_old += age_days > 3.0;
+      of_lists[static_cast<std::size_t>(support::uniform_int(rng, 0, lists - 1))].push_back(
+          sample_berg("berg" + std::to_string(i), {-52.0, 69.0 + 0.01 * i}, sample_time - age_days * day));
+    }
+    for (std::size_t i = 0; i < of_lists.size(); ++i)
+      if (!of_lists[i].empty()) add_icebergs("list" + std::to_string(i), of_lists[i]);
+
+    const auto warnings = load().warnings;
+
+    const auto told = std::ranges::find_if(warnings, [](const std::string& text) {
+      return text.find("ignored: not seen since") != std::string::npos;
+    });
+    ASSERT_EQ(told != warnings.end(), too_old > 0);
+    if (too_old > 0) EXPECT_THAT(*told, testing::StartsWith("Danger: " + std::to_string(too_old) + " of "));
+  });
+}
+
 TEST_F(EnvironmentLoaderTest, LeavesOutIcebergsOlderThanAsked) {
   add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - 2 * day),
                          sample_berg("b", {-52.1, 69.0}, sample_time - 8 * day)});
