@@ -71,9 +71,11 @@ void describe_product(GribField& field, const GribSection& product, double refer
                                        std::pow(10.0, -static_cast<double>(product.signed_at(24, 1)));
   if (product_template != 8 && product_template != 11) return;
   const std::size_t end_of_period = product_template == 8 ? 35 : 38;
+  const double begins_s = field.valid_s;
   field.valid_s = seconds_of_date(product, end_of_period);
   const auto statistic = static_cast<int>(product.at(end_of_period + 12, 1));
   field.statistic = statistic == 255 ? 0 : statistic;  // 255: not told
+  if (statistic == 0 && begins_s < field.valid_s) field.valid_s = (begins_s + field.valid_s) / 2.0;
 }
 
 class Walker {

@@ -17,7 +17,7 @@ struct GribField {
   int number{};
   int surface_type{};      // 160: a depth below the sea's surface
   double surface_value{};  // of it, in the unit of its type
-  double valid_s{};        // seconds since 1970-01-01T00:00:00Z
+  double valid_s{};        // seconds since 1970-01-01T00:00:00Z; of a mean the middle of its period
   std::optional<double>
       run_s{};          // when the forecast or its analysis began, likewise; empty: the time is another one
   int statistic{};      // over the time, code table 4.10; 0: a mean, or the value at one time

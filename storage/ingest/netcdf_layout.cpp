@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <span>
 
+#include "storage/ingest/mean_times.hpp"
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/text.hpp"
 
@@ -140,12 +141,18 @@ Checked<NetcdfLayout> finished(const NetcdfFile& file, const NetcdfVariable& var
                   std::to_string(layout.y.nodes.size()) + " nodes, more than this program accepts (" +
                   std::to_string(max_slice_nodes) + "); cut out your area first");
 
-  if (!layout.times_s) {
-    if (const NetcdfVariable* time = scalar_time(file)) {
-      auto nodes = time_nodes(*time, layout.warnings);
-      if (!nodes) return refuse(nodes.error());
-      layout.times_s = std::move(*nodes);
-    }
+  const NetcdfVariable* time = layout.time_dimension
+                                   ? coordinate_of(file, variable.dimensions()[*layout.time_dimension])
+                                   : scalar_time(file);
+  if (!layout.times_s && time != nullptr) {
+    auto nodes = time_nodes(*time, layout.warnings);
+    if (!nodes) return refuse(nodes.error());
+    layout.times_s = std::move(*nodes);
+  }
+  if (layout.times_s && time != nullptr) {
+    auto nodes = times_of_means(file, variable, *time, std::move(*layout.times_s), layout.warnings);
+    if (!nodes) return refuse(nodes.error());
+    layout.times_s = std::move(*nodes);
   }
   if (const auto added = add_level_beside(file, variable, layout); !added) return refuse(added.error());
   return layout;

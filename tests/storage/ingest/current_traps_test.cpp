@@ -8,6 +8,7 @@
 #include "storage/repository/field_repository.hpp"
 #include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/support/property.hpp"
 
 namespace floeplan::ingest::current_traps_test {
 namespace {
@@ -110,6 +111,55 @@ TEST_F(CurrentTraps, AFloatFillIsComparedAsFloat) {
   EXPECT_TRUE(std::isnan(samples.u[1]));
   EXPECT_FLOAT_EQ(samples.u[0], 0.1F);
   EXPECT_TRUE(report_.warnings.empty()) << words(report_);
+}
+
+/// Law: a mean stands in the middle of its interval, whichever moment of it the file states.
+TEST_F(CurrentTraps, MeansStandInTheMiddleOfTheirIntervals) {
+  support::for_each_seed(12, [&](std::mt19937_64& rng) {
+    const double length_h = support::uniform_int(rng, 1, 24);
+    const double stated = support::uniform_int(rng, 0, 2) / 2.0;  // at which share of the interval
+    const bool is_mean = support::uniform_int(rng, 0, 2) > 0;
+    std::filesystem::remove(path("means.nc"));
+    db_ = repository::open_store_in_memory();
+    {
+      NetcdfWriter writer{path("means.nc")};
+      const std::vector<double> begins{0.0, length_h, 2.0 * length_h};
+      std::vector<double> times;
+      std::vector<double> edges;
+      for (const double begin : begins) {
+        times.push_back(begin + stated * length_h);
+        edges.insert(edges.end(), {begin, begin + length_h});
+      }
+      writer.axis("time", times, {{"units", "hours since 2026-11-20 00:00:00"}, {"bounds", "time_bnds"}});
+      writer.axis("lat", {50.0, 51.0}, {{"units", "degrees_north"}});
+      writer.axis("lon", {0.0, 1.0}, {{"units", "degrees_east"}});
+      writer.dimension("nv", 2);
+      writer.variable({.name = "time_bnds",
+                       .dimensions = {"time", "nv"},
+                       .values = edges,
+                       .texts = {},
+                       .numbers = {},
+                       .fill = {},
+                       .type = NetcdfWriter::Type::float64});
+      for (const char* const name : {"uo", "vo"})
+        writer.variable(
+            {.name = name,
+             .dimensions = {"time", "lat", "lon"},
+             .values = std::vector<double>(12, 0.1),
+             .texts = {{"units", "m s-1"}, {"cell_methods", is_mean ? "time: mean" : "time: point"}},
+             .numbers = {},
+             .fill = {},
+             .type = NetcdfWriter::Type::float64});
+    }
+
+    const auto report = ingest(path("means.nc"));
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    const double first_h = (is_mean ? 0.5 : stated) * length_h;
+    EXPECT_EQ(report.dataset->time_start,
+              core::parse_iso8601("2026-11-20T00:00:00Z").value() + core::Seconds{3600.0 * first_h});
+    EXPECT_EQ(words(report).find("placed in the middle") != std::string::npos, is_mean && stated != 0.5);
+  });
 }
 
 TEST_F(CurrentTraps, CurrentsWithoutADepthAreToldToCountForAll) {

@@ -229,6 +229,15 @@ TEST_F(GribCurrents, AreNeverAStatisticOfAPeriodButItsMean) {
   }
 }
 
+TEST_F(GribCurrents, OfAMeanStandInTheMiddleOfItsPeriod) {
+  GribMessage mean;
+  mean.statistic = 0;
+  mean.period_begins_h = 0;
+  mean.forecast_h = 6;
+  (void)stored(both_components(mean));
+  EXPECT_EQ(report_.dataset->time_start, core::parse_iso8601("2026-11-20T03:00:00Z"));
+}
+
 TEST_F(GribCurrents, WithAGapAreRefused) {
   GribMessage later;
   later.forecast_h = 12;

@@ -225,7 +225,7 @@ std::string GribMessage::octets() const {
       .put(0, 2)
       .put(0, 1)
       .put(1, 1)
-      .put(static_cast<std::uint64_t>(forecast_h), 4)
+      .put(static_cast<std::uint64_t>(period_begins_h.value_or(forecast_h)), 4)
       .put(wind_height_m ? 103 : 160, 1)
       .put(2, 1)
       .put(static_cast<std::uint64_t>(std::llround(surface_m * 100.0)), 4)

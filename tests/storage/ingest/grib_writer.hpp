@@ -29,7 +29,8 @@ struct GribMessage {
   double depth_m{5.0};
   std::optional<double> wind_height_m;  // then it is wind at this height above the ground
   std::optional<int> statistic;  // over the hours until then, code table 4.10; empty: the value at one time
-  int forecast_h{6};             // from 2026-11-20T00:00:00Z on
+  std::optional<int> period_begins_h;                      // of a statistic; empty: where it ends
+  int forecast_h{6};                                       // from 2026-11-20T00:00:00Z on
   std::function<double(double column, double row)> value;  // rows from the south, columns from the west
 
   [[nodiscard]] geo::LonLat place(double column, double row) const;
