@@ -51,8 +51,8 @@ std::string nothing_in_grib(Moving what, bool direction, bool statistic) {
   if (direction)
     return "the GRIB file gives the current as speed and direction, which this program does not read; give a "
            "file with its components towards east and north";
-  return "the GRIB file holds no currents of the sea (discipline 10, category 1); there is nothing to store; "
-         "give a file with both components of the current";
+  return "the GRIB file holds no currents of the sea (discipline 10, category 1) and no wind 10 m above the "
+         "ground; there is nothing to store; give a file with both components of the current or of that wind";
 }
 
 }  // namespace

@@ -124,7 +124,7 @@ void place_by_words(CurrentInput& input, const VelocityPair& pair) {
   } else if (pair.part == WaterPart::column_mean) {
     input.warnings.push_back(
         names +
-        " are means over the whole water column; they were stored as the same at every "
+        " are means over the whole water column or a part of it; they were stored as the same at every "
         "depth, but near the surface the current may be much stronger or run another way");
   } else {
     input.warnings.push_back(

@@ -147,9 +147,11 @@ CurrentContent content_in_words(const std::string& words) {
                            "tidal v", "tidal zonal", "tidal meridional", "due to tide", "due to the tide"}) ||
       words.ends_with("tide"))
     return CurrentContent::tide;
-  if (contains_any(words, {"ekman velocity", "ekman current", "ekman drift", "baroclinic velocity",
-                           "baroclinic component", "bolus velocity", "eddy-induced", "ageostrophic velocity",
-                           "ageostrophic component", "inertial current"}))
+  if (contains_any(words,
+                   {"ekman velocity", "ekman current", "ekman drift", "baroclinic velocity",
+                    "baroclinic component", "bolus velocity", "eddy-induced", "eddy velocity", "eddy current",
+                    "eddy component", "velocity fluctuation", "current fluctuation", "fluctuating",
+                    "perturbation", "ageostrophic velocity", "ageostrophic component", "inertial current"}))
     return CurrentContent::other_part;
   if (contains_any(words, {"geostrophic"}) &&
       !contains_any(words, {"+", "includ", "incl.", " and ", "ekman"}))
@@ -193,10 +195,27 @@ WaterPart part_in_name(std::string_view name) {
   return WaterPart::unstated;
 }
 
+/// Whether a number of metres occurs: "0-300 m", "the upper 300 metres".
+bool states_metres(std::string_view words) {
+  for (std::size_t at = words.find('m'); at != std::string_view::npos; at = words.find('m', at + 1)) {
+    std::size_t before = at;
+    while (before > 0 && words[before - 1] == ' ') --before;
+    const std::string_view behind = words.substr(at + 1);
+    const bool is_unit = behind.empty() || behind[0] < 'a' || behind[0] > 'z' || behind.starts_with("etre") ||
+                         behind.starts_with("eter");
+    const bool is_speed = behind.starts_with("/") || behind.starts_with(" s-1");
+    if (before > 0 && words[before - 1] >= '0' && words[before - 1] <= '9' && is_unit && !is_speed)
+      return true;
+  }
+  return false;
+}
+
 WaterPart part_in_words(const std::string& words) {
   if (contains_any(words, {"vertically integrated", "vertically averaged", "vertically-averaged",
                            "barotropic", "depth average", "depth-average", "depth mean", "depth-mean",
                            "vertical mean", "column mean"}))
+    return WaterPart::column_mean;
+  if (contains_any(words, {"averaged", "average", "mean"}) && states_metres(words))
     return WaterPart::column_mean;
   if (contains_any(words, {"at the sea floor", "at sea floor", "at bottom", "at the bottom", "near-bottom",
                            "bottom velocity", "bottom current", "at the sea bed"}))

@@ -187,9 +187,10 @@ void warn_of_others(const std::vector<CandidatePair>& pairs, Moving what,
   std::string others;
   for (const CandidatePair& pair : pairs) {
     const bool same = pair.first == taken.first || pair.second == nullptr;
-    const bool lesser =
-        pair.meaning().content == taken.meaning().content &&
-        (pair.meaning().part != taken.meaning().part || pair.meaning().axes != taken.meaning().axes);
+    const bool fewer_depths =
+        taken.meaning().part == WaterPart::unstated && pair.meaning().part != WaterPart::unstated;
+    const bool lesser = pair.meaning().content == taken.meaning().content &&
+                        (fewer_depths || pair.meaning().axes != taken.meaning().axes);
     if (same || lesser) continue;
     others += (others.empty() ? "" : ", ") + pair.names();
     if (what == Moving::sea) others += " (" + content_words(pair.meaning().content) + ")";

@@ -321,6 +321,26 @@ TEST_F(Choice, TakesNoOtherQuantityForACurrentByItsName) {
   }
 }
 
+TEST_F(Choice, TellsOfTheSurfaceBesideAMeanAndOfATotalBesideTheRest) {
+  auto surface = pair_of("u_surf", "v_surf", 0.25);
+  for (auto& field : surface) field.texts["standard_name"] = "surface_" + field.texts["standard_name"];
+  auto mean = pair_of("ubar", "vbar", 0.5);
+  for (auto& field : mean) field.texts["standard_name"] = "barotropic_" + field.texts["standard_name"];
+  surface.insert(surface.end(), mean.begin(), mean.end());
+  EXPECT_THAT(words(outcome(write(surface))), HasSubstr("the file also holds"));
+
+  auto plain = pair_of("u", "v", 0.25);
+  for (auto& field : pair_of("u_total", "v_total", 0.5)) plain.push_back(field);
+  EXPECT_THAT(words(outcome(write(plain))), HasSubstr("the file also holds"));
+}
+
+TEST_F(Choice, TakesAPartOfTheCurrentForNoWhole) {
+  const auto eddies = outcome(write(pair_of("u", "v", 0.25, {{"long_name", "eddy velocity"}})));
+  EXPECT_THAT(words(eddies), HasSubstr("leaves out the rest of the current"));
+  const auto upper = outcome(write(pair_of("u", "v", 0.25, {{"long_name", "velocity averaged 0-300 m"}})));
+  EXPECT_THAT(words(upper), HasSubstr("means over the whole water column or a part of it"));
+}
+
 TEST_F(Choice, SaysWhatThePairHolds) {
   const auto report_of = [&](const std::string& standard_end, const std::string& long_name) {
     Texts more;
