@@ -1,16 +1,18 @@
 #include "api/codec/zone_inputs.hpp"
 
 #include <algorithm>
+#include <array>
 #include <chrono>
 #include <cmath>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
+#include <string>
 #include <string_view>
 #include <utility>
 
 #include "api/codec/document_values.hpp"
 #include "api/codec/input_limits.hpp"
-#include "engine/core/letter_case.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/ring_crossing.hpp"
 #include "engine/geo/ring_turns.hpp"
@@ -144,20 +146,33 @@ std::vector<geo::Polygon> read_geometry(InputReader& reader, const json& feature
   return polygons;
 }
 
+/// The property that an attribute of this name is meant for; nothing where it is for none.
+std::optional<std::string> property_meant_by(std::string_view name) {
+  switch (ocean::meaning_of_attribute(name)) {
+    using enum ocean::AttributeMeaning;
+    case kind: return "\"kind\"";
+    case from: return "\"from\"";
+    case until: return "\"until\"";
+    case period: return "\"from\" and \"until\"";
+    case top: return "\"top_m\"";
+    case bottom: return "\"bottom_m\"";
+    case depths: return "\"top_m\" and \"bottom_m\"";
+    default: return std::nullopt;
+  }
+}
+
 /// Refuses properties that are meant for one of a zone's but are not written as such: "bottom" for "bottom_m" would
 /// leave the rule in force at every depth.
 void refuse_near_names(InputReader& members, const json& properties) {
-  using enum ocean::ZoneMember;
+  constexpr auto right_names =
+      std::to_array<std::string_view>({"kind", "from", "until", "top_m", "bottom_m"});
   if (!properties.is_object()) return;
-  const std::vector<std::pair<ocean::ZoneMember, const char*>> known{
-      {kind, "kind"}, {from, "from"}, {until, "until"}, {top, "top_m"}, {bottom, "bottom_m"}};
   for (const auto& [name, value] : properties.items()) {
     if (members.is_full()) return;
-    const std::string word = core::plain_word(name);
-    for (const auto& [member, right_name] : known)
-      if (!value.is_null() && name != right_name && std::ranges::count(ocean::names_of(member), word) > 0)
-        members.refuse_member(name, std::string{"must be written \""} + right_name +
-                                        "\", or be left out where it means something else");
+    if (value.is_null() || value.is_boolean() || std::ranges::count(right_names, name) > 0) continue;
+    if (const auto meant = property_meant_by(name))
+      members.refuse_member(name,
+                            "must be written " + *meant + ", or be left out where it means something else");
   }
 }
 

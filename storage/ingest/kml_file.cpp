@@ -14,11 +14,10 @@
 #include <utility>
 #include <vector>
 
-#include "engine/core/letter_case.hpp"
-#include "engine/ocean/zone_words.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/stated_period.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/ingest/zone_attributes.hpp"
 #include "storage/xml/xml_document.hpp"
 
 namespace floeplan::ingest {
@@ -162,11 +161,8 @@ Attributes extended_data_of(const Element& feature) {
 
 /// The first attribute that would say what a zone is; empty: none.
 std::string word_of_zone(const Attributes& attributes) {
-  using enum ocean::ZoneMember;
-  for (const ocean::ZoneMember member : {kind, from, until, top, bottom})
-    for (const auto& [name, text] : attributes)
-      if (!text.empty() && std::ranges::count(ocean::names_of(member), core::plain_word(name)) > 0)
-        return name;
+  for (const auto& [name, text] : attributes)
+    if (!text.empty() && says_what_a_zone_is(name, text)) return name;
   return {};
 }
 

@@ -1,11 +1,14 @@
 #include "storage/ingest/stated_period.hpp"
 
 #include <algorithm>
+#include <array>
+#include <cctype>
 #include <chrono>
 #include <string>
 
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/table_dates.hpp"
+#include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -13,6 +16,10 @@ namespace {
 constexpr std::size_t year_length = std::string_view{"2026"}.size();
 constexpr std::size_t month_length = std::string_view{"2026-05"}.size();
 constexpr std::size_t day_length = std::string_view{"2026-05-01"}.size();
+constexpr std::size_t compact_length = std::string_view{"20260501"}.size();
+
+constexpr auto month_beginnings = std::to_array<std::string_view>(
+    {"jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec"});
 
 core::UtcTime midnight(std::chrono::sys_days day) { return core::UtcTime{day.time_since_epoch()}; }
 
@@ -53,11 +60,55 @@ std::string iso_of_gdal(std::string_view text) {
 }  // namespace
 
 std::optional<StatedPeriod> stated_period(std::string_view text) {
+  if (text.size() == compact_length && is_all_digits(text))
+    return stated_period(std::string{text.substr(0, 4)} + "-" + std::string{text.substr(4, 2)} + "-" +
+                         std::string{text.substr(6, 2)});
   if (text.size() < day_length) return year_or_month(text);
   const std::string iso = iso_of_gdal(text);
   const auto time = core::parse_iso8601(iso);
   if (!time) return std::nullopt;
   return StatedPeriod{*time, iso.size() == day_length ? *time + std::chrono::days{1} : *time};
+}
+
+std::optional<StatedInterval> stated_interval(std::string_view text) {
+  if (const auto whole = stated_period(text)) return StatedInterval{whole->first, whole->last};
+  for (const std::string_view between : {" to ", " until ", " - ", " – ", "/"}) {
+    const std::size_t at = text.find(between);
+    if (at == std::string_view::npos || text.find(between, at + 1) != std::string_view::npos) continue;
+    const std::string begin = trimmed(text.substr(0, at));
+    const std::string end = trimmed(text.substr(at + between.size()));
+    const auto is_open = [](const std::string& side) { return side.empty() || side == ".."; };
+    const auto first = stated_period(begin);
+    const auto last = stated_period(end);
+    if ((!first && !is_open(begin)) || (!last && !is_open(end)) || (!first && !last)) continue;
+    StatedInterval interval;
+    if (first) interval.first = first->first;
+    if (last) interval.last = last->last;
+    return interval;
+  }
+  return std::nullopt;
+}
+
+bool could_be_date(std::string_view text) {
+  constexpr std::size_t unix_seconds = 10;  // digits, since 2001; of milliseconds 13
+  constexpr std::size_t unix_milliseconds = 13;
+  const auto digits =
+      static_cast<std::size_t>(std::ranges::count_if(text, [](char c) { return c >= '0' && c <= '9'; }));
+  if (is_all_digits(text))
+    return text.size() == compact_length ? stated_period(text).has_value()
+                                         : text.size() == unix_seconds || text.size() == unix_milliseconds;
+  if (digits < std::string_view{"1126"}.size()) return false;
+  if (stated_interval(text)) return true;
+  const bool of_figures = text.find_first_not_of("0123456789-/.:,TZ+ ") == std::string_view::npos;
+  const auto strokes = std::ranges::count_if(text, [](char c) { return c == '-' || c == '/' || c == '.'; });
+  if (of_figures) return strokes >= 2 && text.front() != '-';
+  std::string letters;
+  for (const char c : text)
+    if (std::isalpha(static_cast<unsigned char>(c)) != 0) letters += c;
+  const std::string word = lower(letters);
+  return word.size() <= std::string_view{"septemberutc"}.size() &&
+         std::ranges::any_of(month_beginnings,
+                             [&](std::string_view month) { return contains_any(word, {month}); });
 }
 
 }  // namespace floeplan::ingest

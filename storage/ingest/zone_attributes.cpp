@@ -4,156 +4,351 @@
 #include <ogr_feature.h>
 
 #include <algorithm>
-#include <span>
-#include <string_view>
+#include <array>
 
 #include "engine/core/letter_case.hpp"
 #include "engine/core/utc_text.hpp"
-#include "engine/ocean/zone_words.hpp"
 #include "storage/ingest/feature_texts.hpp"
 #include "storage/ingest/kml_file.hpp"
+#include "storage/ingest/stated_depth.hpp"
 #include "storage/ingest/stated_period.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
-using ocean::ZoneMember;
-using Names = std::span<const std::string_view>;
+using ocean::AttributeMeaning;
 
-constexpr double deepest_m = 11'000.0;
 constexpr std::size_t longest_name = 200;  // bytes
 
 /// One of a feature's attributes that has a value.
 struct Attribute {
   std::string name;  // as the file writes it
   std::string text;
+  AttributeMeaning meaning{};
+};
+
+std::string said(const Attribute& attribute) {
+  return "\"" + attribute.name + "\" is \"" + attribute.text + "\"";
+}
+
+bool is_any_of(std::string_view text, std::initializer_list<std::string_view> words) {
+  const std::string word = core::plain_word(text);
+  return std::ranges::any_of(words, [&](std::string_view other) { return word == other; });
+}
+
+bool is_without_end(std::string_view text) {
+  return is_any_of(text, {"permanent", "permanently", "yearround", "allyear", "always", "indefinite"});
+}
+
+/// "valid: true" states no period.
+bool is_yes(std::string_view text) { return is_any_of(text, {"yes", "y", "true", "t", "1"}); }
+
+/// Rules that are told by their words alone, whatever the attribute's name.
+std::optional<ocean::ZoneKind> plain_rule(std::string_view text) {
+  std::string word = core::plain_word(text);
+  for (const std::string_view ending : {"zone", "area"})
+    if (word.ends_with(ending)) word.resize(word.size() - ending.size());
+  if (is_any_of(word, {"nogo", "keepout", "stayout"})) return ocean::ZoneKind::no_go;
+  if (is_any_of(word, {"stayin", "keepin"})) return ocean::ZoneKind::stay_in;
+  return std::nullopt;
+}
+
+std::optional<ocean::ZoneKind> rule_in(const Attribute& attribute) {
+  using enum AttributeMeaning;
+  if (attribute.meaning == zone_name) return std::nullopt;
+  const bool may_be_any = attribute.meaning == kind || attribute.meaning == perhaps_kind;
+  return may_be_any ? zone_kind_of(attribute.text) : plain_rule(attribute.text);
+}
+
+/// From a first to a last moment, either of which may be open.
+struct Period {
+  std::optional<core::UtcTime> first;
+  std::optional<core::UtcTime> last;
+
+  [[nodiscard]] bool is_empty() const { return first && last && !(*first < *last); }
+  [[nodiscard]] std::string words() const {
+    if (!first) return "until " + core::iso8601(*last);
+    return last ? core::iso8601(*first) + " to " + core::iso8601(*last) : "from " + core::iso8601(*first);
+  }
+};
+
+Period common_part(const Period& one, const Period& other) {
+  const auto later = [](const auto& a, const auto& b) { return a && b ? std::max(a, b) : a ? a : b; };
+  const auto earlier = [](const auto& a, const auto& b) { return a && b ? std::min(a, b) : a ? a : b; };
+  return {later(one.first, other.first), earlier(one.last, other.last)};
+}
+
+/// What attributes say of one thing, all of them the same.
+template <class Value>
+struct Stated {
+  std::optional<Value> value;
+  std::string by;  // the first attribute
 };
 
 /// Reads attributes and notes what is wrong with them.
 class AttributeReader {
  public:
-  explicit AttributeReader(const OGRFeature& feature) : feature_{feature} {}
+  AttributeReader(const OGRFeature& feature, AttributeMeanings& meanings) {
+    for (int i = 0; i < feature.GetFieldCount(); ++i) {
+      const std::string name = feature.GetFieldDefnRef(i)->GetNameRef();
+      Attribute attribute{table_text(name.c_str()), text_of_field(feature, i)};
+      if (attribute.text.empty()) continue;
+      if (name == folder_begin || name == folder_end) {
+        (name == folder_begin ? folder_begins_ : folder_ends_) = std::move(attribute);
+        continue;
+      }
+      attribute.meaning = meanings.of(name);
+      attributes_.push_back(std::move(attribute));
+    }
+  }
 
-  [[nodiscard]] std::vector<std::string>& faults() { return faults_; }
+  [[nodiscard]] std::string name() {
+    Stated<std::string> name;
+    for (const Attribute& attribute : all(AttributeMeaning::zone_name))
+      state(name, attribute, attribute.text);
+    std::string text = name.value.value_or("").substr(0, longest_name);
+    while (CPLIsUTF8(text.c_str(), -1) == 0) text.pop_back();  // cut inside a character
+    return text;
+  }
 
-  [[nodiscard]] std::optional<Attribute> find(Names names) {
-    std::optional<Attribute> found;
-    for (const std::string_view name : names) {
-      for (int i = 0; i < feature_.GetFieldCount(); ++i) {
-        const char* const own_name = feature_.GetFieldDefnRef(i)->GetNameRef();
-        if (core::plain_word(own_name) != name) continue;
-        Attribute attribute{table_text(own_name), text_of_field(feature_, i)};
-        if (attribute.text.empty()) continue;
-        if (found && found->text != attribute.text) {
-          faults_.push_back("\"" + found->name + "\" and \"" + attribute.name +
-                            "\" mean the same but differ; leave one of them out");
-          return found;
-        }
-        if (!found) found = std::move(attribute);
+  [[nodiscard]] ocean::ZoneKind kind(std::optional<ocean::ZoneKind> kind_of_others) {
+    Stated<ocean::ZoneKind> stated;
+    for (const Attribute& attribute : attributes_) {
+      const auto rule = rule_in(attribute);
+      if (rule) {
+        state(stated, attribute, *rule);
+      } else if (attribute.meaning == AttributeMeaning::kind) {
+        faults_.push_back(said(attribute) + "; write no_go (keep out) or stay_in (keep inside)");
+        stated.value = stated.value.value_or(ocean::ZoneKind::no_go);
       }
     }
+    if (stated.value) return *stated.value;
+    if (!kind_of_others) {
+      faults_.emplace_back(
+          "states no kind; add an attribute \"kind\" with no_go (keep out) or stay_in (keep inside), or give "
+          "--zone-kind for all that state none");
+      return ocean::ZoneKind::no_go;
+    }
+    for (const Attribute& attribute : all(AttributeMeaning::perhaps_kind))
+      leave_unheeded(attribute, ", which is neither no_go nor stay_in: the rule is the one of --zone-kind, " +
+                                    std::string{ocean::zone_kind_name(*kind_of_others)} +
+                                    "; check that it is meant for this area");
+    return *kind_of_others;
+  }
+
+  /// The common part of its own and the folder's.
+  [[nodiscard]] Period period() {
+    const Period own = own_period();
+    const Period around = folder_period();
+    Period both = common_part(own, around);
+    if (own.is_empty()) {
+      tell_empty(own);
+    } else if (around.is_empty()) {
+      tell_empty(around);
+    } else if (both.is_empty()) {
+      faults_.push_back("its own period (" + own.words() + ") and that of the folder around it (" +
+                        around.words() +
+                        ") do not overlap, so that it would never be in force; correct one of them");
+    }
+    return both;
+  }
+
+  void read_depths(ocean::Zone& zone) {
+    Stated<core::Metres> top;
+    Stated<core::Metres> bottom;
+    for (const Attribute& attribute : attributes_) {
+      const bool is_top = attribute.meaning == AttributeMeaning::top;
+      if (is_top || attribute.meaning == AttributeMeaning::bottom) {
+        const auto depth = stated_depth(attribute.text, ocean::unit_in_attribute(attribute.name));
+        if (depth)
+          state(is_top ? top : bottom, attribute, *depth);
+        else
+          faults_.push_back(said(attribute) + "; give metres below the surface, from 0 to 11000");
+      } else if (attribute.meaning == AttributeMeaning::depths ||
+                 attribute.meaning == AttributeMeaning::unclear_depth) {
+        read_range(attribute, top, bottom);
+      }
+    }
+    if (top.value) zone.top = *top.value;
+    if (bottom.value) zone.bottom = *bottom.value;
+    if (zone.bottom < zone.top)
+      faults_.push_back("ends above " + number(zone.top.value) +
+                        " m, where it begins; depths count downwards");
+  }
+
+  [[nodiscard]] std::vector<std::string>& faults() { return faults_; }
+  [[nodiscard]] std::vector<Unheeded>& unheeded() { return unheeded_; }
+
+ private:
+  [[nodiscard]] std::vector<Attribute> all(AttributeMeaning meaning) const {
+    std::vector<Attribute> found;
+    std::ranges::copy_if(attributes_, std::back_inserter(found),
+                         [&](const Attribute& attribute) { return attribute.meaning == meaning; });
     return found;
   }
 
-  [[nodiscard]] std::optional<core::Metres> depth(Names names) {
-    const auto attribute = find(names);
-    if (!attribute) return std::nullopt;
-    const auto metres = parse_number(attribute->text);
-    if (metres && *metres >= 0.0 && *metres <= deepest_m) return core::Metres{*metres};
-    faults_.push_back("\"" + attribute->name + "\" is \"" + attribute->text +
-                      "\"; give metres below the surface, from 0 to 11000");
-    return std::nullopt;
+  template <class Value>
+  void state(Stated<Value>& stated, const Attribute& attribute, const Value& value) {
+    if (stated.value && *stated.value != value)
+      faults_.push_back("\"" + stated.by + "\" and \"" + attribute.name +
+                        "\" mean the same but differ; leave one of them out");
+    if (!stated.value) stated = {value, attribute.name};
   }
 
-  /// What the attribute spans; of what begins and ends another end is meant.
-  [[nodiscard]] std::optional<StatedPeriod> period(const std::optional<Attribute>& attribute) {
-    if (!attribute) return std::nullopt;
-    const auto period = stated_period(attribute->text);
-    if (!period)
-      faults_.push_back("\"" + attribute->name + "\" is \"" + attribute->text +
-                        "\"; give a date, or a time with its zone, as 2026-11-20T06:00:00Z");
-    return period;
+  void leave_unheeded(const Attribute& attribute, const std::string& words) {
+    unheeded_.push_back({attribute.name, said(attribute) + words});
   }
 
-  /// The rule's first moment: the later one of its own and of the folder's around it.
-  [[nodiscard]] std::optional<core::UtcTime> first_moment() {
-    const auto own = period(find(names_of(ZoneMember::from)));
-    const auto around = period(find_field(folder_begin));
-    if (own && around) return std::max(own->first, around->first);
-    return own ? std::optional{own->first} : around ? std::optional{around->first} : std::nullopt;
+  void refuse_time(const Attribute& attribute) {
+    faults_.push_back(said(attribute) + "; give a date, or a time with its zone, as 2026-11-20T06:00:00Z");
   }
 
-  /// Its last moment, of a day, month or year the last of them: the earlier one of its own and of the folder's.
-  [[nodiscard]] std::optional<core::UtcTime> last_moment() {
-    const auto own = period(find(names_of(ZoneMember::until)));
-    const auto around = period(find_field(folder_end));
-    if (own && around) return std::min(own->last, around->last);
-    return own ? std::optional{own->last} : around ? std::optional{around->last} : std::nullopt;
+  void tell_empty(const Period& period) {
+    if (*period.first == *period.last)
+      faults_.push_back("is in force at " + core::iso8601(*period.first) +
+                        " alone, a moment that no plan would meet; give its first and its last moment");
+    else
+      faults_.push_back("ends at " + core::iso8601(*period.last) + ", before it begins at " +
+                        core::iso8601(*period.first) + "; correct one of them");
   }
 
- private:
-  [[nodiscard]] std::optional<Attribute> find_field(const char* name) const {
-    const int index = feature_.GetFieldIndex(name);
-    if (index < 0 || feature_.IsFieldSetAndNotNull(index) == 0) return std::nullopt;
-    return Attribute{name, text_of_field(feature_, index)};
+  [[nodiscard]] Period folder_period() {
+    const auto read = [&](const std::optional<Attribute>& attribute) {
+      const auto period = attribute ? stated_period(attribute->text) : std::nullopt;
+      if (attribute && !period) refuse_time(*attribute);
+      return period;
+    };
+    const auto begin = read(folder_begins_);
+    const auto end = read(folder_ends_);
+    return {begin ? std::optional{begin->first} : std::nullopt,
+            end ? std::optional{end->last} : std::nullopt};
   }
 
-  const OGRFeature& feature_;
+  [[nodiscard]] Period own_period() {
+    Stated<core::UtcTime> first;
+    Stated<core::UtcTime> last;
+    std::vector<Attribute> dates;
+    for (const Attribute& attribute : attributes_) {
+      switch (attribute.meaning) {
+        using enum AttributeMeaning;
+        case from:
+        case until: read_moment(attribute, attribute.meaning == from ? first : last); break;
+        case period: read_interval(attribute, first, last); break;
+        case unclear_period:
+          if (could_be_date(attribute.text))
+            faults_.push_back(said(attribute) +
+                              ", a date that is not clear to begin or end the rule; name it \"from\" or "
+                              "\"until\" if it does, else leave it out");
+          break;
+        case some_date:
+        case nothing:
+          if (could_be_date(attribute.text)) dates.push_back(attribute);
+          break;
+        default: break;
+      }
+    }
+    for (const Attribute& date : dates) {
+      // What stands in other words twice, as KML's timestamp, or is a number that looks like one, is no news.
+      const bool is_number = parse_number(date.text).has_value();
+      if (date.meaning == AttributeMeaning::some_date ? !first.value && !last.value : !is_number)
+        leave_unheeded(date,
+                       ", a date that does not say whether the rule begins or ends then, and is not obeyed; "
+                       "name it \"from\" or \"until\" if it does");
+    }
+    return {first.value, last.value};
+  }
+
+  void read_moment(const Attribute& attribute, Stated<core::UtcTime>& stated) {
+    if (is_without_end(attribute.text)) return;
+    const auto period = stated_period(attribute.text);
+    if (!period) return refuse_time(attribute);
+    state(stated, attribute, attribute.meaning == AttributeMeaning::from ? period->first : period->last);
+  }
+
+  void read_interval(const Attribute& attribute, Stated<core::UtcTime>& first, Stated<core::UtcTime>& last) {
+    if (is_without_end(attribute.text) || is_yes(attribute.text)) return;
+    const auto interval = stated_interval(attribute.text);
+    if (!interval) {
+      faults_.push_back(said(attribute) +
+                        "; give the first and the last date, as 2026-11-20/2026-12-31, or \"permanent\"");
+      return;
+    }
+    if (interval->first) state(first, attribute, *interval->first);
+    if (interval->last) state(last, attribute, *interval->last);
+  }
+
+  void read_range(const Attribute& attribute, Stated<core::Metres>& top, Stated<core::Metres>& bottom) {
+    const bool is_clear = attribute.meaning == AttributeMeaning::depths;
+    const auto range = stated_depths(attribute.text, ocean::unit_in_attribute(attribute.name));
+    if (is_clear && range) {
+      state(top, attribute, range->top);
+      state(bottom, attribute, range->bottom);
+    } else if (attribute.text.find_first_of("0123456789") != std::string::npos) {
+      leave_unheeded(attribute,
+                     ", a depth that does not say whether the rule begins or ends there, and is not obeyed; "
+                     "name it \"top_m\" or \"bottom_m\" if it does");
+    }
+  }
+
+  std::vector<Attribute> attributes_;
+  std::optional<Attribute> folder_begins_;
+  std::optional<Attribute> folder_ends_;
   std::vector<std::string> faults_;
+  std::vector<Unheeded> unheeded_;
 };
 
 }  // namespace
 
-std::optional<ocean::ZoneKind> zone_kind_of(const std::string& text) {
-  const std::string word = core::plain_word(text);
-  for (const std::string_view keep_out : {"nogo", "keepout", "exclusion"})
-    if (word == keep_out) return ocean::ZoneKind::no_go;
-  for (const std::string_view keep_in : {"stayin", "keepin", "inclusion"})
-    if (word == keep_in) return ocean::ZoneKind::stay_in;
-  return std::nullopt;
+AttributeMeaning AttributeMeanings::of(const std::string& name) {
+  const auto [known, is_new] = known_.try_emplace(name, AttributeMeaning::nothing);
+  if (is_new) known->second = ocean::meaning_of_attribute(name);
+  return known->second;
+}
+
+std::optional<ocean::ZoneKind> zone_kind_of(std::string_view text) {
+  if (is_any_of(text, {"exclusion", "exclusionzone", "exclusionarea"})) return ocean::ZoneKind::no_go;
+  if (is_any_of(text, {"inclusion", "inclusionzone", "inclusionarea"})) return ocean::ZoneKind::stay_in;
+  return plain_rule(text);
 }
 
 bool states_zone_kind(const OGRFeature& feature) {
-  const auto kind = AttributeReader{feature}.find(names_of(ZoneMember::kind));
-  return kind && zone_kind_of(kind->text);
+  for (int i = 0; i < feature.GetFieldCount(); ++i) {
+    Attribute attribute{feature.GetFieldDefnRef(i)->GetNameRef(), text_of_field(feature, i)};
+    if (!zone_kind_of(attribute.text)) continue;
+    attribute.meaning = ocean::meaning_of_attribute(attribute.name);
+    if (rule_in(attribute)) return true;
+  }
+  return false;
 }
 
-ZoneAttributes read_zone_attributes(const OGRFeature& feature,
-                                    std::optional<ocean::ZoneKind> kind_of_others) {
-  AttributeReader reader{feature};
-  ocean::Zone zone;
-  if (const auto name = reader.find(names_of(ZoneMember::name)))
-    zone.name = name->text.substr(0, longest_name);
-  while (CPLIsUTF8(zone.name.c_str(), -1) == 0) zone.name.pop_back();  // cut inside a character
-
-  if (const auto kind = reader.find(names_of(ZoneMember::kind))) {
-    const auto known = zone_kind_of(kind->text);
-    zone.kind = known.value_or(ocean::ZoneKind::no_go);
-    if (!known)
-      reader.faults().push_back("\"" + kind->name + "\" is \"" + kind->text +
-                                "\"; write no_go (keep out) or stay_in (keep inside)");
-  } else if (kind_of_others) {
-    zone.kind = *kind_of_others;
-  } else {
-    reader.faults().push_back(
-        "states no kind; add an attribute \"kind\" with no_go (keep out) or stay_in (keep inside), or give "
-        "--zone-kind for all that state none");
+bool says_what_a_zone_is(std::string_view name, std::string_view text) {
+  using enum AttributeMeaning;
+  const AttributeMeaning meaning = ocean::meaning_of_attribute(name);
+  switch (meaning) {
+    case kind:
+    case from:
+    case until:
+    case top:
+    case bottom: return true;
+    case period: return !is_yes(text) && !is_without_end(text);
+    case unclear_period: return could_be_date(text);
+    case depths: return stated_depths(text, ocean::unit_in_attribute(name)).has_value();
+    default: return rule_in({std::string{name}, std::string{text}, meaning}).has_value();
   }
-  zone.from = reader.first_moment();
-  zone.until = reader.last_moment();
-  if (const auto top = reader.depth(names_of(ZoneMember::top))) zone.top = *top;
-  if (const auto bottom = reader.depth(names_of(ZoneMember::bottom))) zone.bottom = *bottom;
-  if (zone.from && zone.until && *zone.until < *zone.from)
-    reader.faults().push_back("ends at " + core::iso8601(*zone.until) + ", before it begins at " +
-                              core::iso8601(*zone.from) + "; correct one of them");
-  if (zone.from && zone.until && *zone.until == *zone.from)
-    reader.faults().push_back("is in force at " + core::iso8601(*zone.from) +
-                              " alone, a moment that no plan would meet; give its first and its last moment");
-  if (zone.bottom < zone.top)
-    reader.faults().push_back("ends above " + number(zone.top.value) +
-                              " m, where it begins; depths count downwards");
-  return {std::move(zone), std::move(reader.faults())};
+}
+
+ZoneAttributes read_zone_attributes(const OGRFeature& feature, AttributeMeanings& meanings,
+                                    std::optional<ocean::ZoneKind> kind_of_others) {
+  AttributeReader reader{feature, meanings};
+  ocean::Zone zone;
+  zone.name = reader.name();
+  zone.kind = reader.kind(kind_of_others);
+  const Period period = reader.period();
+  zone.from = period.first;
+  zone.until = period.last;
+  reader.read_depths(zone);
+  return {std::move(zone), std::move(reader.faults()), std::move(reader.unheeded())};
 }
 
 }  // namespace floeplan::ingest

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "engine/geo/ring_turns.hpp"
 #include "storage/ingest/fault_report.hpp"
@@ -75,14 +76,28 @@ struct Gathering {
   std::vector<std::string> faults;
   std::vector<std::string> warnings;
   std::size_t corners{};
+  AttributeMeanings meanings;
+  std::map<std::string, std::pair<std::string, int>>
+      unheeded;  // by attribute: where it is first, and how often
+
+  void note(const Unheeded& attribute, const std::string& subject) {
+    ++unheeded.try_emplace(attribute.attribute, subject + attribute.words, 0).first->second.second;
+  }
+  void warn_of_unheeded() {
+    for (const auto& [attribute, first] : unheeded)
+      warnings.push_back(first.first + (first.second == 1 ? ""
+                                                          : " (so of " + std::to_string(first.second) +
+                                                                " features with \"" + attribute + "\")"));
+  }
 };
 
 void gather(Gathering& all, const OGRFeature& feature, const std::string& label, const PolygonShapes& shapes,
             std::optional<ocean::ZoneKind> kind_of_others) {
-  ZoneAttributes attributes = read_zone_attributes(feature, kind_of_others);
+  ZoneAttributes attributes = read_zone_attributes(feature, all.meanings, kind_of_others);
   const std::string subject =
       label + (attributes.zone.name.empty() ? "" : " \"" + attributes.zone.name + "\"") + ": ";
   for (const std::string& fault : attributes.faults) all.faults.push_back(subject + fault);
+  for (const Unheeded& attribute : attributes.unheeded) all.note(attribute, subject);
   auto polygons = shapes.polygons(feature.GetGeometryRef());
   if (!polygons) {
     all.faults.push_back(subject + polygons.error() + "; draw it as an area, or leave it out");
@@ -164,6 +179,7 @@ Checked<PreparedDataset> read_zones(GDALDataset& dataset, const IngestOptions& o
     data.bounds = geo::united(data.bounds, geo::bounding_box(zone.area));
   set_period(data, all.zones);
   data.rows_accepted = static_cast<std::int64_t>(all.zones.size());
+  all.warn_of_unheeded();
   data.warnings = std::move(all.warnings);
   data.write = [zones = std::move(all.zones)](
                    sqlite::Connection& db,

@@ -109,6 +109,14 @@ TEST_F(KmlZones, AreHeldByTheTimeSpanOfTheirFolderToo) {
             "stay_in 2026-05-01T00:00:00Z/2026-05-11T00:00:00Z");
 }
 
+TEST_F(KmlZones, WhosePeriodIsNotThatOfTheirFolderAreRefusedWithBoth) {
+  const std::string refusal =
+      rule_of_span("<TimeSpan><begin>2026-05-01</begin><end>2026-06-01</end></TimeSpan>",
+                   "<TimeSpan><begin>2026-01-01</begin><end>2026-03-01</end></TimeSpan>");
+  EXPECT_THAT(refusal, HasSubstr("its own period (2026-05-01T00:00:00Z to 2026-06-02T00:00:00Z)"));
+  EXPECT_THAT(refusal, HasSubstr("of the folder around it (2026-01-01T00:00:00Z to 2026-03-02T00:00:00Z)"));
+}
+
 TEST_F(KmlZones, AreRefusedWithWhatTheFileHolds) {
   EXPECT_THAT(rule_of_span("<TimeSpan><begin>01.05.2026</begin></TimeSpan>"),
               HasSubstr("\"begin\" is \"01.05.2026\""));

@@ -34,8 +34,37 @@ TEST(StatedPeriod, IsReadAsGdalSpellsIt) {
 TEST(StatedPeriod, IsNoneWhereTheTextIsNoDateOrLacksItsZone) {
   for (const char* const text :
        {"", "tomorrow", "2026-05-31T06:00:00", "2026/05/31 06:00:00", "2026-13", "2026-02-30", "26-05-31",
-        "31/05/2026", "05/31/2026", "2026-5", "202", "20260", "2026-05-31Z "})
+        "31/05/2026", "05/31/2026", "2026-5", "20261301", "202", "20260", "2026-05-31Z "})
     EXPECT_EQ(span_of(text), "none") << text;
+}
+
+std::string interval_of(std::string_view text) {
+  const auto interval = stated_interval(text);
+  const auto words = [](const auto& moment) { return moment ? core::iso8601(*moment) : ".."; };
+  return interval ? words(interval->first) + "/" + words(interval->last) : "none";
+}
+
+TEST(StatedInterval, IsBetweenTwoTextsOrTheSpanOfOne) {
+  const std::string may = "2026-05-01T00:00:00Z/2026-06-01T00:00:00Z";
+  for (const char* const text :
+       {"2026-05", "2026-05-01/2026-05-31", "2026-05-01 to 2026-05-31", "20260501/20260531",
+        "2026-05-01 - 2026-05-31", "2026-05-01 until 2026-05-31"})
+    EXPECT_EQ(interval_of(text), may) << text;
+  EXPECT_EQ(interval_of("2026-05-01/.."), "2026-05-01T00:00:00Z/..");
+  EXPECT_EQ(interval_of("/2026-05-31"), "../2026-06-01T00:00:00Z");
+  for (const char* const text : {"", "/", "..", "May", "2026-05-01/soon", "1 to 2"})
+    EXPECT_EQ(interval_of(text), "none") << text;
+}
+
+TEST(StatedPeriod, IsToldFromOtherTextsByItsLook) {
+  for (const char* const text :
+       {"2026-05-01", "20260501", "31.5.2026", "5/31/26", "1 May 2026", "May 1, 2026", "2026-05",
+        "1777593600000", "2026-05-01T06:00", "2026-05-01/2026-05-31", "01-JUN-2026"})
+    EXPECT_TRUE(could_be_date(text)) << text;
+  for (const char* const text :
+       {"", "5", "2026", "69.2", "-52.525", "99999999", "Somewhere 2026", "SOR/2005-293", "MPA 12",
+        "12345678901", "0.123456789", "Marine Reserve 2005"})
+    EXPECT_FALSE(could_be_date(text)) << text;
 }
 
 /// A coarser text of the same moment spans no less.

@@ -188,6 +188,116 @@ TEST_F(Zones, AcceptTheNamesOfOthers) {
   }
 }
 
+/// Attributes of one meaning in the ways in which services and map programs write them.
+struct Spelling {
+  const char* name;
+  const char* text;
+};
+
+const std::string triangle = "POLYGON ((0 50,1 50,1 51,0 50))";
+
+/// In every format, under names of many makers, beside the ordinary attributes of theirs.
+TEST_F(Zones, NeverLoseWhatTheirAttributesSay) {
+  const std::vector<Spelling> rules{{"kind", "stay_in"},       {"type", "stay in"},
+                                    {"zone_type", "keep_in"},  {"ZoneType", "STAY IN"},
+                                    {"class", "stay-in zone"}, {"policy", "KeepIn"}};
+  const std::vector<Spelling> begins{{"start_date", "2026-05-01"}, {"DateStart", "2026/05/01"},
+                                     {"effective", "2026-05-01"},  {"valid_from", "2026-05-01T00:00:00Z"},
+                                     {"DATSTA", "20260501"},       {"BeginDate", "2026-05"}};
+  const std::vector<Spelling> ends{
+      {"end_date", "2026-05-31"},   {"DateEnd", "2026/05/31"},           {"EXPDATE", "2026-05"},
+      {"validUntil", "2026-05-31"}, {"expires", "2026-06-01T00:00:00Z"}, {"DATEND", "20260531"}};
+  const std::vector<Spelling> periods{
+      {"period", "2026-05-01/2026-05-31"}, {"validity", "2026-05"}, {"active", "2026-05-01 to 2026-05-31"}};
+  const std::vector<Spelling> tops{
+      {"top_m", "20"}, {"depth_from", "20 m"}, {"UPPER", "20"}, {"MinDepth", "20.0"}};
+  const std::vector<Spelling> bottoms{{"bottom_m", "150"}, {"depth_to", "150"}, {"lower", "150 m"}};
+  const std::vector<Spelling> ordinary{
+      {"OBJECTID", "7"},    {"Shape_Area", "0.5"}, {"edit_date", "2024-01-05"}, {"date_added", "2024-01-05"},
+      {"created_us", "me"}, {"COUNTRY", "DK"},     {"start_lat", "50.25"},      {"NAME_E", "Somewhere"}};
+  const auto one_of = [](const std::vector<Spelling>& spellings, std::mt19937_64& rng) {
+    const auto last = static_cast<int>(spellings.size()) - 1;
+    return spellings[static_cast<std::size_t>(support::uniform_int(rng, 0, last))];
+  };
+  support::for_each_seed(80, [&](std::mt19937_64& rng) {
+    std::vector<Spelling> said{one_of(rules, rng)};
+    if (support::uniform_int(rng, 0, 2) == 0) {
+      said.push_back(one_of(periods, rng));
+    } else {
+      said.push_back(one_of(begins, rng));
+      said.push_back(one_of(ends, rng));
+    }
+    said.push_back(one_of(tops, rng));
+    said.push_back(one_of(bottoms, rng));
+    for (const Spelling& other : ordinary)
+      if (support::uniform_int(rng, 0, 1) == 0) said.push_back(other);
+    std::ranges::shuffle(said, rng);
+    Feature feature{triangle, {}};
+    std::string trace;
+    for (const auto& [name, text] : said) {
+      feature.texts.emplace_back(name, text);
+      trace += std::string{name} + "=" + text + " ";
+    }
+    const Format& format = formats[static_cast<std::size_t>(support::uniform_int(rng, 0, 3))];
+    SCOPED_TRACE(format.driver + (" " + trace));
+
+    const auto report = ingest(write(format, {feature}), {.zone_kind = "no_go"});
+
+    ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+    EXPECT_TRUE(report.warnings.empty()) << words(report);
+    const auto zones = stored(report);
+    ASSERT_EQ(zones.size(), 1U);
+    EXPECT_EQ(zones.front().kind, ocean::ZoneKind::stay_in);
+    EXPECT_EQ(core::iso8601(zones.front().from.value()), "2026-05-01T00:00:00Z");
+    EXPECT_EQ(core::iso8601(zones.front().until.value()), "2026-06-01T00:00:00Z");
+    EXPECT_EQ(zones.front().top, core::Metres{20.0});
+    EXPECT_EQ(zones.front().bottom, core::Metres{150.0});
+    db_ = repository::open_store_in_memory();
+    for (const auto& file : std::filesystem::directory_iterator{path("")})
+      if (file.path().stem() == "zones") std::filesystem::remove(file.path());
+  });
+}
+
+TEST_F(Zones, WithWhatCannotBeReadAreRefusedByItsName) {
+  for (const auto& [name, text] : std::initializer_list<Spelling>{{"start_date", "1 May 2026"},
+                                                                  {"end_mo", "5"},
+                                                                  {"PERSTA", "--0501"},
+                                                                  {"period", "May to June"},
+                                                                  {"opening_date", "2026-05-01"},
+                                                                  {"project_end", "31.5.2026"},
+                                                                  {"effective_", "2026-05-01"},
+                                                                  {"upper", "shallow"},
+                                                                  {"depth_to", "-100"},
+                                                                  {"policy", "stay in"}}) {
+    SCOPED_TRACE(name);
+    const auto report = ingest(write(formats[2], {{triangle, {{"kind", "no_go"}, {name, text}}}}));
+    EXPECT_EQ(report.status, IngestStatus::refused);
+    EXPECT_THAT(report.errors, Contains(HasSubstr("\"" + std::string{name} + "\"")));
+    std::filesystem::remove(path(formats[2].file));
+  }
+}
+
+TEST_F(Zones, TellWhatTheirAttributesSeemToSayAndIsNotObeyed) {
+  const Feature park{triangle, {{"type", "Reserve"}, {"mean_depth", "40"}, {"fecha_fin", "31/05/2026"}}};
+  const auto report = ingest(write(formats[2], {park, park}), {.zone_kind = "no_go"});
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_THAT(report.warnings, SizeIs(3));
+  EXPECT_THAT(report.warnings, Contains(testing::AllOf(HasSubstr("feature 1: \"type\" is \"Reserve\""),
+                                                       HasSubstr("2 features with \"type\""))));
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("\"mean_depth\" is \"40\"")));
+  EXPECT_THAT(report.warnings, Contains(HasSubstr("\"fecha_fin\" is \"31/05/2026\"")));
+}
+
+TEST_F(Zones, MayHaveTheirDepthsInFeetAndFathoms) {
+  const auto report = ingest(
+      write(formats[2], {{triangle, {{"kind", "no_go"}, {"top_ft", "100"}, {"lower", "20 fathoms"}}}}));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_NEAR(stored(report).front().top.value, 30.48, 1e-9);
+  EXPECT_NEAR(stored(report).front().bottom.value, 36.576, 1e-9);
+}
+
 TEST_F(Zones, TellEveryFaultOfEveryFeature) {
   const std::vector<Feature> faulty{
       {"POLYGON ((0 50,1 50,1 51,0 50))", {{"name", "A"}, {"kind", "maybe"}, {"from", "tomorrow"}}},
