@@ -108,6 +108,7 @@ json comparison_document(std::span<const ComparedDive> dives) {
                       {"parasite_drag", compared.parasite_drag},
                       {"trim_cm3", 1e6 * dive.logged.trim().value},
                       {"currents_turned_from", vehicle_axes_document(dive.logged.turned_from)}});
+    if (!dive.logged.positions_read.empty()) listed.back()["positions_read"] = dive.logged.positions_read;
   }
   const simulation::ComparisonSummary summary = summary_of(dives);
   return {{"dives", std::move(listed)},

@@ -8,6 +8,7 @@
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/packed_degrees.hpp"
 #include "engine/simulation/log_table.hpp"
+#include "engine/simulation/logged_positions.hpp"
 
 namespace floeplan::simulation {
 namespace {
@@ -70,6 +71,8 @@ class Reader {
           {"/m_ballast_pumped", "is a column that the log must have, or m_de_oil_vol, and move"});
     if (!found_.empty()) return tl::unexpected(std::move(found_));
 
+    const auto positions = settle_positions(log_);
+    if (!positions) return tl::unexpected(core::Violations{positions.error()});
     note_axes();
     std::vector<LoggedSegment> segments;
     for (const Span& span : spans()) {
@@ -77,6 +80,7 @@ class Reader {
       if (!axes) return tl::unexpected(core::Violations{unknown_axes()});
       if (auto segment = segment_of(span, *axes)) segments.push_back(std::move(*segment));
     }
+    for (LoggedSegment& segment : segments) segment.positions_read = positions->value_or("");
     if (segments.empty())
       return tl::unexpected(core::Violations{{"/x_dr_state",
                                               "shows no dive with a position before and after it, a "

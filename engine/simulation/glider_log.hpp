@@ -25,6 +25,8 @@ struct LoggedSegment {
   geo::VelocityEn reckoned_with{};   // current that it steered and reckoned with on the dive
   geo::VelocityEn depth_averaged{};  // current of this dive, by the vehicle's own estimate after it
   ocean::VehicleAxes turned_from;    // both: the vehicle's own axes, in which it logs them
+  std::string
+      positions_read{};  // what to know of how the log's positions were read; empty: as the vehicle has them
   struct Waypoint {
     geo::LonLat place{};
     std::optional<core::Metres> reached_within{};  // when it turned to the next, by its dead reckoning
@@ -50,7 +52,7 @@ struct LoggedSegment {
 /// Reads the dives of a Slocum's log as comma-separated text: a line of sensor names, a line of units, rows in the
 /// order of time; lines that begin with # and empty fields are left out. Or as the vendor's program dbd2asc turns a
 /// binary log into text. Positions are packed degrees and minutes, as the
-/// vehicle has them; 69696969 is no position.
+/// vehicle has them, or decimal degrees (see settle_positions); 69696969 is no position.
 /// Needs    m_present_time, m_lat, m_lon, m_gps_lat, m_gps_lon, m_depth, m_pitch, x_dr_state, m_water_vx, m_water_vy,
 ///          c_wpt_lat, c_wpt_lon, m_initial_water_vx and _vy (or m_final_water_...), m_ballast_pumped or m_de_oil_vol
 /// Edges    a dive that the log does not follow to a fix after it is left out

@@ -84,6 +84,7 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text,
   std::vector<std::string> names;
   std::vector<Column> columns;
   std::vector<bool> kept;
+  std::vector<std::string> units;
   Layout layout;
   if (is_converted(text)) layout = {.by_blanks = true, .lines_of_labels = 2};
   int rows_seen = 0;
@@ -104,7 +105,9 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text,
       continue;
     }
     ++rows_seen;
-    if (rows_seen <= layout.lines_of_labels || (rows_seen == 1 && is_units(fields))) continue;
+    const bool are_units = rows_seen == 1 && (layout.lines_of_labels > 0 || is_units(fields));
+    if (are_units) units.assign(fields.begin(), fields.end());
+    if (are_units || rows_seen <= layout.lines_of_labels) continue;
     if (fields.size() > names.size()) {
       found.push_back({"/line " + std::to_string(line_number), "has more fields than the line of names"});
     }
@@ -129,7 +132,30 @@ tl::expected<LogTable, core::Violations> LogTable::read(std::string_view text,
   table.rows_ = rows;
   for (std::size_t i = 0; i < names.size(); ++i)
     if (kept[i]) table.columns_.emplace(names[i], std::move(columns[i]));
+  for (std::size_t i = 0; i < std::min(names.size(), units.size()); ++i)
+    if (kept[i]) table.units_.emplace(names[i], std::move(units[i]));
   return table;
+}
+
+LogTable LogTable::of(std::map<std::string, Column> columns, std::map<std::string, std::string> units,
+                      std::size_t rows) {
+  LogTable table;
+  table.columns_ = std::move(columns);
+  table.units_ = std::move(units);
+  table.rows_ = rows;
+  return table;
+}
+
+std::string LogTable::unit(const std::string& name) const {
+  const auto found = units_.find(name);
+  return found != units_.end() ? found->second : std::string{};
+}
+
+void LogTable::change(const std::string& name, const std::function<std::optional<double>(double)>& value) {
+  const auto column = columns_.find(name);
+  if (column == columns_.end()) return;
+  for (std::optional<double>& field : column->second)
+    if (field) field = value(*field);
 }
 
 std::optional<double> LogTable::before(const std::string& name, std::size_t row) const {

@@ -63,6 +63,7 @@ void print(const std::vector<codec::ComparedDive>& dives) {
     std::printf("  flown with a parasite drag of %.3f and a trim of %+.0f cm3\n", compared.parasite_drag,
                 1e6 * dive.logged.trim().value);
     std::printf("  currents turned from %s\n", ocean::words_of(dive.logged.turned_from).c_str());
+    if (!dive.logged.positions_read.empty()) std::printf("  %s\n", dive.logged.positions_read.c_str());
   }
   const simulation::ComparisonSummary summary = codec::summary_of(dives);
   std::printf("median of %zu dives: time %.1f %%, dives %.1f %%, speed %.1f %%, position %.1f %%: %s\n",

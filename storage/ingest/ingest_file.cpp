@@ -67,7 +67,9 @@ Checked<PreparedDataset> prepare(const RecognisedFile& file, const FileGroup& fi
     case FileFormat::netcdf_classic:
     case FileFormat::netcdf4:
     case FileFormat::zarr:
-      if (kind == DatasetKind::glider_tracks) return read_glider_netcdf(files, progress);
+      if (kind == DatasetKind::glider_tracks)
+        return is_glider_track(*file.netcdf) ? read_glider_netcdf(files, progress)
+                                             : read_slocum_tracks(files, progress);
       if (kind == DatasetKind::coastline) return read_gshhg_coastline(file.path, progress);
       if (kind == DatasetKind::tides) return read_tides(together(file), file.path, options, progress);
       if (kind == DatasetKind::wind) return read_wind(file.netcdf, options.crs, progress);

@@ -13,6 +13,7 @@
 #include "storage/ingest/kml_file.hpp"
 #include "storage/ingest/netcdf_grid.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
+#include "storage/ingest/slocum_netcdf.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/tide_variables.hpp"
 #include "storage/ingest/vector_file.hpp"
@@ -217,7 +218,7 @@ Checked<bool> look_into(RecognisedFile& file, const Expectation& expected) {
       auto netcdf = NetcdfFile::open(file.path, expected.missing);
       if (!netcdf) return refuse(netcdf.error());
       file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
-      if (is_glider_track(*file.netcdf)) {
+      if (is_glider_track(*file.netcdf) || is_slocum_netcdf(*file.netcdf)) {
         file.kinds = {DatasetKind::glider_tracks};
         return true;
       }

@@ -122,8 +122,8 @@ Checked<SlocumLog> read_slocum_binary(const std::filesystem::path& file, const F
   if (!cycles.was_cut())
     return refuse(damaged_slocum_log("what follows " + std::to_string(count) + " cycles is no cycle"));
   log.rows_refused = 1;
-  log.warning =
-      "the log ends before its end mark; what is whole was read; if it was cut short, copy it again";
+  log.warnings.emplace_back(
+      "the log ends before its end mark; what is whole was read; if it was cut short, copy it again");
   return log;
 }
 

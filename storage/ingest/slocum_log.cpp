@@ -4,7 +4,7 @@
 #include <regex>
 #include <vector>
 
-#include "engine/simulation/log_table.hpp"
+#include "engine/simulation/logged_positions.hpp"
 #include "storage/ingest/fault_report.hpp"
 #include "storage/ingest/first_bytes.hpp"
 #include "storage/ingest/slocum_bytes.hpp"
@@ -53,6 +53,31 @@ bool is_slocum_text(std::string_view head) {
   return contains_any(head.substr(0, most_tag_bytes), {"m_present_time", "m_gps_lat"});
 }
 
+std::vector<std::string_view> slocum_columns() {
+  std::vector<std::string_view> wanted = simulation::columns_that_tell_of_positions();
+  wanted.insert(wanted.end(), slocum_sensors.begin(), slocum_sensors.end());
+  return wanted;
+}
+
+Checked<SlocumLog> take_slocum_table(SlocumLog log, simulation::LogTable table,
+                                     const std::function<void(const SlocumRow&)>& take) {
+  const auto positions = simulation::settle_positions(table);
+  if (!positions) return refuse(positions.error().field.substr(1) + " " + positions.error().rule);
+  if (*positions) log.warnings.push_back(**positions);
+  std::array<const simulation::LogTable::Column*, slocum_sensors.size()> columns{};
+  for (std::size_t i = 0; i < columns.size(); ++i) {
+    log.has[i] = table.has(std::string{slocum_sensors[i]});
+    if (log.has[i]) columns[i] = &table[std::string{slocum_sensors[i]}];
+  }
+  for (std::size_t row = 0; row < table.rows(); ++row) {
+    SlocumRow values;
+    for (std::size_t i = 0; i < columns.size(); ++i)
+      if (columns[i] != nullptr) values.values[i] = (*columns[i])[row];
+    take(values);
+  }
+  return log;
+}
+
 Checked<SlocumLog> read_slocum_text(const std::filesystem::path& file,
                                     const std::function<void(const SlocumRow&)>& take) {
   if (std::filesystem::file_size(file) > most_bytes)
@@ -62,22 +87,13 @@ Checked<SlocumLog> read_slocum_text(const std::filesystem::path& file,
   if (!text.ends_with('\n')) {
     text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);
     ++log.rows_refused;
-    log.warning = "the last line has no end and was left out; if the log was cut short, copy it again";
+    log.warnings.emplace_back(
+        "the last line has no end and was left out; if the log was cut short, copy it again");
   }
-  const auto table = simulation::LogTable::read(text, slocum_sensors);
+  const auto wanted = slocum_columns();
+  auto table = simulation::LogTable::read(text, wanted);
   if (!table) return refuse(reasons_of(table.error()));
-  for (std::size_t i = 0; i < slocum_sensors.size(); ++i)
-    log.has[i] = table->has(std::string{slocum_sensors[i]});
-  std::array<const simulation::LogTable::Column*, slocum_sensors.size()> columns{};
-  for (std::size_t i = 0; i < columns.size(); ++i)
-    if (log.has[i]) columns[i] = &(*table)[std::string{slocum_sensors[i]}];
-  for (std::size_t row = 0; row < table->rows(); ++row) {
-    SlocumRow values;
-    for (std::size_t i = 0; i < columns.size(); ++i)
-      if (columns[i] != nullptr) values.values[i] = (*columns[i])[row];
-    take(values);
-  }
-  return log;
+  return take_slocum_table(std::move(log), std::move(*table), take);
 }
 
 }  // namespace floeplan::ingest

@@ -7,7 +7,9 @@
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
+#include "engine/simulation/log_table.hpp"
 #include "storage/ingest/refusal.hpp"
 
 namespace floeplan::ingest {
@@ -61,7 +63,7 @@ struct SlocumLog {
   SlocumName name;
   std::array<bool, slocum_sensors.size()> has{};  // whether the log lists the sensor
   std::int64_t rows_refused{};
-  std::optional<std::string> warning{};
+  std::vector<std::string> warnings{};
 };
 
 /// The name of a log by the tags "key: value" at its beginning.
@@ -70,10 +72,19 @@ struct SlocumLog {
 /// Whether a text is a log: comma-separated with the names of sensors, or as the vendor's dbd2asc writes it.
 [[nodiscard]] bool is_slocum_text(std::string_view head);
 
-/// Reads a log as text. `take` gets the rows in the order of the file. A last line without its end may have lost
-/// digits; it is refused and counted.
+/// The sensors that a log is read for: `slocum_sensors` and what tells how its positions are to be read.
+[[nodiscard]] std::vector<std::string_view> slocum_columns();
+
+/// Gives the rows of a log in their order to `take`, with positions in packed degrees and minutes, to which decimal ones
+/// are brought (see simulation::settle_positions).
+/// Errors   positions whose notation nothing tells
+[[nodiscard]] Checked<SlocumLog> take_slocum_table(SlocumLog log, simulation::LogTable table,
+                                                   const std::function<void(const SlocumRow&)>& take);
+
+/// Reads a log as text, as `take_slocum_table`. A last line without its end may have lost digits; it is refused and
+/// counted.
 /// Bounds   128 MB of text
-/// Errors   lines that are no row; no line of names
+/// Errors   lines that are no row; no line of names; those of `take_slocum_table`
 [[nodiscard]] Checked<SlocumLog> read_slocum_text(const std::filesystem::path& file,
                                                   const std::function<void(const SlocumRow&)>& take);
 

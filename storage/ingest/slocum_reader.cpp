@@ -6,6 +6,7 @@
 #include "storage/ingest/slocum_dives.hpp"
 #include "storage/ingest/slocum_header.hpp"
 #include "storage/ingest/slocum_log.hpp"
+#include "storage/ingest/slocum_netcdf.hpp"
 #include "storage/ingest/track_builder.hpp"
 
 namespace floeplan::ingest {
@@ -40,13 +41,14 @@ Checked<PreparedDataset> read_slocum_tracks(const FileGroup& files, const core::
     if (progress) progress("reading", static_cast<double>(i) / static_cast<double>(files.size()));
     if (holds_sensor_cache(files[i])) continue;
     const auto take = [&](const SlocumRow& row) { dives.take(row); };
-    const auto log = holds_slocum_binary(files[i]) ? read_slocum_binary(files[i], files, take)
-                                                   : read_slocum_text(files[i], take);
+    const auto log = holds_slocum_binary(files[i])   ? read_slocum_binary(files[i], files, take)
+                     : holds_slocum_netcdf(files[i]) ? read_slocum_netcdf(files[i], take)
+                                                     : read_slocum_text(files[i], take);
     if (!log) return refuse(log.error());
     if (const std::string missing = missing_in(*log); !missing.empty())
       return refuse("the log \"" + files[i].filename().string() + "\" has no " + missing +
                     "; without time and position there is no track; convert it with these sensors");
-    if (log->warning) track.warn(*log->warning);
+    for (const std::string& warning : log->warnings) track.warn(warning);
     for (std::int64_t refused = log->rows_refused; refused > 0; --refused) track.refuse_row();
     if (names.empty()) names = names_in(*log);
   }

@@ -7,9 +7,9 @@
 
 namespace floeplan::ingest {
 
-/// One track from the logs of a Slocum, text or binary, with the lists of sensors of the latter: the segments of one
+/// One track from the logs of a Slocum, text, NetCDF or binary, with the lists of sensors of the latter: the segments of one
 /// mission in their order. Times are m_present_time, places m_gps_lat and m_gps_lon, else m_lat and m_lon, in packed
-/// degrees; 69696969 is no position. Currents: see SlocumDives.
+/// or decimal degrees; 69696969 is no position. Currents: see SlocumDives.
 /// Errors   every file that cannot be read; a log without times or positions
 [[nodiscard]] Checked<PreparedDataset> read_slocum_tracks(const FileGroup& files,
                                                           const core::ProgressCallback& progress);

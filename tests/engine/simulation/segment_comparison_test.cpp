@@ -3,10 +3,13 @@
 #include <gmock/gmock.h>
 
 #include <algorithm>
+#include <cstdio>
 #include <filesystem>
 #include <fstream>
 #include <iterator>
+#include <sstream>
 
+#include "engine/mission/packed_degrees.hpp"
 #include "tests/engine/simulation/flown.hpp"
 #include "tests/engine/simulation/logged.hpp"
 #include "tests/support/places.hpp"
@@ -37,6 +40,30 @@ std::string simulated_log(double east_m_s, double north_m_s) {
   return support::log_of(record, world, orders.lists.front().waypoints.front(), 230.0, east_m_s, north_m_s);
 }
 
+/// The log as a converter writes it that leaves the vehicle's units standing over decimal degrees.
+std::string in_decimal_degrees(const std::string& log) {
+  std::istringstream lines{log};
+  std::vector<std::string> names;
+  std::string text;
+  for (std::string line; std::getline(lines, line);) {
+    std::istringstream fields{line};
+    std::string converted;
+    std::size_t column = 0;
+    const bool is_row = !line.empty() && line.front() >= '0' && line.front() <= '9';
+    for (std::string field; std::getline(fields, field, ','); ++column) {
+      if (line.starts_with("m_present_time")) names.push_back(field);
+      const bool is_angle = is_row && !field.empty() &&
+                            (names.at(column).ends_with("_lat") || names.at(column).ends_with("_lon"));
+      char degrees[40];
+      if (is_angle)
+        std::snprintf(degrees, sizeof degrees, "%.9f", mission::unpack_degrees(std::stod(field)).degrees);
+      converted += (column > 0 ? "," : "") + (is_angle ? std::string{degrees} : field);
+    }
+    text += converted + "\n";
+  }
+  return text;
+}
+
 std::vector<LoggedSegment> shared_segments() {
   std::vector<LoggedSegment> segments;
   const auto folder = std::filesystem::path{support::source_folder()} / "../shared/data/env/glider";
@@ -65,6 +92,46 @@ TEST(GliderLog, TellsTheSettingsOfAFlightThatWasSimulated) {
   EXPECT_NEAR(segment.climb_buoyancy.value, 230e-6, 1e-9);
   EXPECT_NEAR(segment.trim().value, 0.0, 15e-6);
   EXPECT_THAT(segment.waypoints, SizeIs(1));
+}
+
+/// At 47.5 N 52 W the numbers could be either, so that the unit or the vehicle's speed has to tell.
+TEST(GliderLog, IsReadInDecimalDegreesAsInTheVehiclesOwn) {
+  const std::string log = simulated_log(0.05, -0.08);
+  const std::string decimal_log = in_decimal_degrees(log);
+  std::string stated = decimal_log;
+  for (const std::string unit : {",lat", ",lon"})
+    for (std::size_t at = stated.find("timestamp"); (at = stated.find(unit + ",", at)) != std::string::npos;)
+      stated.replace(at, unit.size(), ",deg");
+  const auto own = read_glider_log(log);
+  const auto decimal = read_glider_log(stated);
+  const auto untold = read_glider_log(decimal_log);
+
+  ASSERT_TRUE(own.has_value());
+  ASSERT_TRUE(decimal.has_value()) << decimal.error().front().field << " " << decimal.error().front().rule;
+  ASSERT_THAT(*decimal, SizeIs(1));
+  EXPECT_NEAR(decimal->front().start.lat_deg, own->front().start.lat_deg, 1e-6);
+  EXPECT_NEAR(decimal->front().end.lon_deg, own->front().end.lon_deg, 1e-6);
+  EXPECT_NEAR(decimal->front().waypoints.front().place.lat_deg, own->front().waypoints.front().place.lat_deg,
+              1e-6);
+  EXPECT_EQ(decimal->front().turned_from.axes, own->front().turned_from.axes);
+  EXPECT_EQ(decimal->front().positions_read, "");
+  ASSERT_FALSE(untold.has_value());
+  EXPECT_THAT(untold.error().front().rule, HasSubstr("write the unit ddmm or deg"));
+}
+
+TEST(GliderLog, TellsWhyItReadDecimalDegreesThatNoUnitStates) {
+  const auto file = std::filesystem::path{support::source_folder()} /
+                    "../shared/data/env/glider/slocum_comet-2019-222-02-154_nav.csv";
+  std::ifstream stream{file, std::ios::binary};
+  const std::string log{std::istreambuf_iterator<char>{stream}, {}};
+  if (log.empty()) GTEST_SKIP() << "the shared logs are not there";
+  const auto decimal = read_glider_log(in_decimal_degrees(log));
+  const auto own = read_glider_log(log);
+
+  ASSERT_TRUE(own.has_value() && decimal.has_value());
+  EXPECT_EQ(own->front().positions_read, "");
+  EXPECT_THAT(decimal->front().positions_read, HasSubstr("m_x_lmc and m_y_lmc"));
+  EXPECT_NEAR(decimal->front().end.lat_deg, own->front().end.lat_deg, 1e-6);
 }
 
 TEST(GliderLog, ReadsWhatTheVendorsConverterWrites) {

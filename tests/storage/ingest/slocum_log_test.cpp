@@ -7,6 +7,7 @@
 #include <sstream>
 
 #include "storage/repository/glider_track_repository.hpp"
+#include "tests/storage/ingest/netcdf_writer.hpp"
 #include "tests/storage/ingest/store_fixture.hpp"
 
 namespace floeplan::ingest::slocum_log_test {
@@ -149,6 +150,85 @@ TEST_F(SlocumLogs, LeaveOutWhatTheVehicleReckonedFromWhereItWasSwitchedOff) {
 
   EXPECT_EQ(track.points.size(), 4U + 0U) << warnings_;
   EXPECT_THAT(warnings_, HasSubstr("before its first fix"));
+}
+
+/// One dive off Greenland in the notation and with the units of a converter.
+std::string disko_dive(const std::string& unit_lat, const std::string& unit_lon, bool decimal) {
+  const std::string lat = decimal ? "69.2" : "6912";
+  const auto row = [&](const std::string& time, const std::string& lon, const std::string& rest) {
+    return time + "," + lat + "," + lon + "," + lat + "," + lon + "," + rest + "\n";
+  };
+  const std::string from = decimal ? "-52.525" : "-5231.5";
+  const std::string to = decimal ? "-52.5" : "-5230";
+  return header.substr(0, header.find('\n')) + "\ntimestamp," + unit_lat + "," + unit_lon + "," + unit_lat +
+         "," + unit_lon + ",m,enum,m/s,m/s,m/s,m/s,m/s,m/s\n" +
+         row("1566395000", from, "0.1,4,0.4,-0.1,0.4,-0.1,0.3,-0.2") + row("1566396000", from, "40,1,,,,,,") +
+         row("1566399600", to, "0.2,2,,,,,,") + row("1566399700", to, "0.1,3,-0.1,0.2,-0.1,0.2,,");
+}
+
+TEST_F(SlocumLogs, InDecimalDegreesLieWhereTheVehicleWas) {
+  const auto own = track_of(disko_dive("lat", "lon", false));
+  for (const auto& [unit_lat, unit_lon] :
+       {std::pair{"lat", "lon"}, {"deg", "deg"}, {"degrees_north", "degrees_east"}}) {
+    SCOPED_TRACE(unit_lat);
+    db_ = repository::open_store_in_memory();
+    std::filesystem::remove(path("log.csv"));
+    const auto track = track_of(disko_dive(unit_lat, unit_lon, true));
+
+    ASSERT_EQ(track.points.size(), own.points.size());
+    EXPECT_NEAR(track.points[0].place.lat_deg, 69.2, 1e-9);
+    EXPECT_NEAR(track.points[0].place.lon_deg, -52.525, 1e-9);
+    ASSERT_EQ(track.currents.size(), 1U);
+    EXPECT_NEAR(track.currents[0].current.east.value, own.currents[0].current.east.value, 1e-9);
+    EXPECT_EQ(warnings_.find("were read as decimal degrees") != std::string::npos,
+              std::string{"lat"} == unit_lat);
+  }
+}
+
+TEST_F(SlocumLogs, WhoseNotationNothingTellsAreRefused) {
+  expect_refused(
+      write_file("log.csv", "m_present_time,m_gps_lat,m_gps_lon\ntimestamp,lat,lon\n1566394900,54.3,7.4\n"),
+      "write the unit ddmm or deg");
+}
+
+/// As dbd2netcdf turns binary logs into NetCDF.
+TEST_F(SlocumLogs, AsNetcdfAreTheSameTrackAsTheirText) {
+  const std::string text = disko_dive("lat", "lon", false);
+  const auto own = track_of(text);
+  db_ = repository::open_store_in_memory();
+  std::istringstream lines{text};
+  std::vector<std::vector<std::string>> rows;
+  for (std::string line; std::getline(lines, line);) {
+    rows.emplace_back();
+    std::istringstream fields{line + ","};
+    for (std::string field; std::getline(fields, field, ',');) rows.back().push_back(field);
+  }
+  {
+    NetcdfWriter writer{path("log.nc")};
+    writer.dimension("i", rows.size() - 2);
+    for (std::size_t column = 0; column < rows[0].size(); ++column) {
+      NetcdfWriter::Variable sensor{.name = rows[0][column],
+                                    .dimensions = {"i"},
+                                    .values = {},
+                                    .texts = {{"units", rows[1][column]}},
+                                    .numbers = {},
+                                    .fill = {},
+                                    .type = NetcdfWriter::Type::float64};
+      for (std::size_t row = 2; row < rows.size(); ++row)
+        sensor.values.push_back(rows[row][column].empty() ? std::nan("") : std::stod(rows[row][column]));
+      writer.variable(sensor);
+    }
+  }
+
+  const auto report = ingest(path("log.nc"));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_EQ(report.dataset->kind, repository::DatasetKind::glider_tracks);
+  const auto track = stored();
+  ASSERT_EQ(track.points.size(), own.points.size());
+  for (std::size_t i = 0; i < own.points.size(); ++i) EXPECT_EQ(track.points[i].place, own.points[i].place);
+  ASSERT_EQ(track.currents.size(), own.currents.size());
+  EXPECT_EQ(track.currents[0].current, own.currents[0].current);
 }
 
 TEST_F(SlocumLogs, WithoutPositionsAreRefused) {
