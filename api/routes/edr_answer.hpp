@@ -56,7 +56,8 @@ class AskedGrids {
   std::vector<ocean::HorizontalGrid> asked_;
 };
 
-/// The coverage of the first dataset with a value, those before others that hold more of the box; else of the first whose nulls are the answer; else a refusal.
+/// The coverage of the first dataset with a value, those first that hold most of the box; else of the first whose nulls
+/// are the answer; else a refusal.
 /// Where a period is asked for, the other runs of the same model add their steps in it that no newer run speaks of.
 [[nodiscard]] tl::expected<codec::CoverageGrid, Response> first_with_values(
     sqlite::Connection& db, const Request& request, const EdrCollection& collection, const Wanted& wanted,

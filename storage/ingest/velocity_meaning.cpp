@@ -187,9 +187,9 @@ WaterPart part_in_name(std::string_view name) {
     if (part == "sur" || part == "surf" || part == "surface" || part == "sfc") return WaterPart::surface;
     if (part == "ubar" || part == "vbar" || part == "bar" || part == "barotropic" || part == "davg")
       return WaterPart::column_mean;
-    if (part == "averaged" || part == "average" ||
-        part == "avg")  // of a current: over the depth, or over time
-      return contains_any(name, {"depth", "Depth", "DEPTH"}) ? WaterPart::column_mean : WaterPart::unstated;
+    const bool is_mean =
+        part == "averaged" || part == "average" || part == "avg";  // over the depth, or over time
+    if (is_mean && contains_any(lower(name), {"depth"})) return WaterPart::column_mean;
     if (part == "bottom" || part == "bot" || part == "seafloor" || part == "bed") return WaterPart::bed;
   }
   return WaterPart::unstated;
