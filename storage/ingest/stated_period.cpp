@@ -5,6 +5,7 @@
 #include <cctype>
 #include <chrono>
 #include <string>
+#include <utility>
 
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/table_dates.hpp"
@@ -20,6 +21,10 @@ constexpr std::size_t compact_length = std::string_view{"20260501"}.size();
 
 constexpr auto month_beginnings = std::to_array<std::string_view>(
     {"jan", "feb", "mar", "apr", "may", "jun", "jul", "aug", "sep", "oct", "nov", "dec"});
+
+constexpr auto months =
+    std::to_array<std::string_view>({"january", "february", "march", "april", "may", "june", "july", "august",
+                                     "september", "october", "november", "december"});
 
 core::UtcTime midnight(std::chrono::sys_days day) { return core::UtcTime{day.time_since_epoch()}; }
 
@@ -109,6 +114,54 @@ bool could_be_date(std::string_view text) {
   return word.size() <= std::string_view{"septemberutc"}.size() &&
          std::ranges::any_of(month_beginnings,
                              [&](std::string_view month) { return contains_any(word, {month}); });
+}
+
+namespace {
+
+/// "31.5.2026", "5/31/2026", "2026-05-31": three numbers, of which the first or the last is a year.
+bool is_date_of_figures(std::string_view word) {
+  const std::size_t first = word.find_first_of("./-");
+  if (first == std::string_view::npos) return false;
+  const std::size_t second = word.find(word[first], first + 1);
+  if (second == std::string_view::npos) return false;
+  const std::string_view parts[]{word.substr(0, first), word.substr(first + 1, second - first - 1),
+                                 word.substr(second + 1)};
+  const bool are_numbers =
+      std::ranges::all_of(parts, [](std::string_view part) { return !part.empty() && is_all_digits(part); });
+  return are_numbers && parts[1].size() <= 2 &&
+         ((parts[0].size() == year_length && parts[2].size() <= 2) ||
+          (parts[0].size() <= 2 && parts[2].size() == year_length));
+}
+
+}  // namespace
+
+bool mentions_date(std::string_view text) {
+  const auto is_month = [](const std::string& word) {
+    return word.size() >= 3 &&
+           std::ranges::any_of(months, [&](std::string_view month) { return month.starts_with(word); });
+  };
+  const auto is_day_or_year = [](const std::string& word) {
+    return !word.empty() && word.size() <= year_length && is_all_digits(word);
+  };
+  std::string before;
+  std::string word;
+  for (const char c : std::string{text} + " ") {
+    const bool is_inside = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '/' ||
+                           c == ':' || (c == '.' && !word.empty());
+    if (is_inside) {
+      word += c;
+      continue;
+    }
+    while (!word.empty() && (word.back() == '.' || word.back() == ':')) word.pop_back();
+    if (word.empty()) continue;
+    const bool is_moment = word.size() >= compact_length && stated_period(word);
+    word = lower(word);
+    const bool beside_month =
+        (is_month(word) && is_day_or_year(before)) || (is_month(before) && is_day_or_year(word));
+    if (is_moment || beside_month || is_date_of_figures(word)) return true;
+    before = std::exchange(word, {});
+  }
+  return false;
 }
 
 }  // namespace floeplan::ingest

@@ -32,4 +32,8 @@ struct StatedInterval {
 /// Whether a text looks like a date in any spelling: "31.5.2026", "5/31/26", "1 May 2026", "1777593600000".
 [[nodiscard]] bool could_be_date(std::string_view text);
 
+/// Whether free text holds a date among its words: "closed from 1 May 2026", "until 31.5.2026".
+/// Edges    a year alone is none
+[[nodiscard]] bool mentions_date(std::string_view text);
+
 }  // namespace floeplan::ingest

@@ -19,7 +19,8 @@ namespace {
 
 using ocean::AttributeMeaning;
 
-constexpr std::size_t longest_name = 200;  // bytes
+constexpr std::size_t longest_name = 200;   // bytes
+constexpr std::size_t longest_quote = 120;  // bytes, of free text
 
 /// One of a feature's attributes that has a value.
 struct Attribute {
@@ -28,8 +29,17 @@ struct Attribute {
   AttributeMeaning meaning{};
 };
 
+std::string cut(std::string text, std::size_t most_bytes) {
+  if (text.size() <= most_bytes) return text;
+  text.resize(most_bytes);
+  while (CPLIsUTF8(text.c_str(), -1) == 0) text.pop_back();  // cut inside a character
+  return text;
+}
+
 std::string said(const Attribute& attribute) {
-  return "\"" + attribute.name + "\" is \"" + attribute.text + "\"";
+  const bool is_whole = attribute.text.size() <= longest_quote;
+  return "\"" + attribute.name + "\" is \"" + cut(attribute.text, longest_quote) +
+         (is_whole ? "\"" : "...\"");
 }
 
 bool is_any_of(std::string_view text, std::initializer_list<std::string_view> words) {
@@ -107,9 +117,7 @@ class AttributeReader {
     Stated<std::string> name;
     for (const Attribute& attribute : all(AttributeMeaning::zone_name))
       state(name, attribute, attribute.text);
-    std::string text = name.value.value_or("").substr(0, longest_name);
-    while (CPLIsUTF8(text.c_str(), -1) == 0) text.pop_back();  // cut inside a character
-    return text;
+    return cut(name.value.value_or(""), longest_name);
   }
 
   [[nodiscard]] ocean::ZoneKind kind(std::optional<ocean::ZoneKind> kind_of_others) {
@@ -229,6 +237,7 @@ class AttributeReader {
     Stated<core::UtcTime> first;
     Stated<core::UtcTime> last;
     std::vector<Attribute> dates;
+    std::vector<Attribute> texts;
     for (const Attribute& attribute : attributes_) {
       switch (attribute.meaning) {
         using enum AttributeMeaning;
@@ -243,7 +252,10 @@ class AttributeReader {
           break;
         case some_date:
         case nothing:
-          if (could_be_date(attribute.text)) dates.push_back(attribute);
+          if (could_be_date(attribute.text))
+            dates.push_back(attribute);
+          else if (mentions_date(attribute.text))
+            texts.push_back(attribute);
           break;
         default: break;
       }
@@ -256,6 +268,12 @@ class AttributeReader {
                        ", a date that does not say whether the rule begins or ends then, and is not obeyed; "
                        "name it \"from\" or \"until\" if it does");
     }
+    for (const Attribute& text : texts)
+      if (!first.value && !last.value)
+        leave_unheeded(
+            text,
+            ", text that names a date and is not obeyed; if the rule begins or ends then, say so in an "
+            "attribute \"from\" or \"until\"");
     return {first.value, last.value};
   }
 

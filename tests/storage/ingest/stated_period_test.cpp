@@ -56,6 +56,16 @@ TEST(StatedInterval, IsBetweenTwoTextsOrTheSpanOfOne) {
     EXPECT_EQ(interval_of(text), "none") << text;
 }
 
+TEST(StatedPeriod, IsFoundAmongTheWordsOfFreeText) {
+  for (const char* const text :
+       {"closed from 1 May 2026 on", "until 31.5.2026.", "<b>valid</b> 2026-05-01T06:00:00Z",
+        "May 12: survey", "from 2026/05/31, daily", "ends 20260531"})
+    EXPECT_EQ(mentions_date(text), true) << text;
+  for (const char* const text : {"", "Act of 1998", "Marine park 2015", "69.20 -52.50", "call +45-12-34-56",
+                                 "vessels may pass", "10/20 nets", "depth 12.5-20.5 m", "version 1.2.3"})
+    EXPECT_EQ(mentions_date(text), false) << text;
+}
+
 TEST(StatedPeriod, IsToldFromOtherTextsByItsLook) {
   for (const char* const text :
        {"2026-05-01", "20260501", "31.5.2026", "5/31/26", "1 May 2026", "May 1, 2026", "2026-05",

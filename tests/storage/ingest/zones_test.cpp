@@ -289,6 +289,17 @@ TEST_F(Zones, TellWhatTheirAttributesSeemToSayAndIsNotObeyed) {
   EXPECT_THAT(report.warnings, Contains(HasSubstr("\"fecha_fin\" is \"31/05/2026\"")));
 }
 
+TEST_F(Zones, TellOfFreeTextThatNamesADateUnlessTheyStateTheirPeriod) {
+  const std::string text = "Trawling, nets to 60 m. Closed from 1 May 2026 until further notice.";
+  const auto told = ingest(write(formats[2], {{triangle, {{"kind", "no_go"}, {"remarks", text}}}}));
+  ASSERT_EQ(told.status, IngestStatus::stored) << words(told);
+  EXPECT_THAT(told.warnings, Contains(HasSubstr("text that names a date and is not obeyed")));
+  std::filesystem::remove(path(formats[2].file));
+
+  const Feature plain{triangle, {{"kind", "no_go"}, {"remarks", text}, {"from", "2026-05-01"}}};
+  EXPECT_THAT(ingest(write(formats[2], {plain})).warnings, testing::IsEmpty());
+}
+
 TEST_F(Zones, MayHaveTheirDepthsInFeetAndFathoms) {
   const auto report = ingest(
       write(formats[2], {{triangle, {{"kind", "no_go"}, {"top_ft", "100"}, {"lower", "20 fathoms"}}}}));
