@@ -105,6 +105,13 @@ std::optional<double> length_factor(std::string_view unit) {
   return *multiple * *length;
 }
 
+bool is_pressure_unit(std::string_view unit) {
+  constexpr std::string_view pressures[]{"pa",       "hpa",       "kpa",    "mb",      "mbar",
+                                         "millibar", "millibars", "bar",    "dbar",    "db",
+                                         "decibar",  "decibars",  "pascal", "pascals", "hectopascal"};
+  return std::ranges::find(pressures, lower(unit)) != std::end(pressures);
+}
+
 bool is_degrees_east(std::string_view unit) {
   const std::string text = bare(unit);
   return text == "degreeseast" || text == "degreeeast" || text == "degreese" || text == "degreee";

@@ -15,6 +15,9 @@ namespace floeplan::ingest {
 /// Outside  nullopt for a unit that is not a length or not known
 [[nodiscard]] std::optional<double> length_factor(std::string_view unit);
 
+/// Whether a unit is one of pressure: "hPa", "dbar", "millibars".
+[[nodiscard]] bool is_pressure_unit(std::string_view unit);
+
 /// Degrees along meridians or parallels in the spellings of the CF conventions: "degrees_east", "degree_E",
 /// "degreesE".
 [[nodiscard]] bool is_degrees_east(std::string_view unit);

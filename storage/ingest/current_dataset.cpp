@@ -142,6 +142,15 @@ Checked<StoredCurrents> placed(const CurrentInput& input, std::shared_ptr<const 
                         std::move(depths_m)};
 }
 
+/// What is taken for the water above the first level, where that is no model's uppermost layer.
+std::optional<std::string> above_the_first_level(const StoredCurrents& currents) {
+  constexpr double uppermost_layer_m = 10.0;  // of coarse global models, such as ORCA2 of NEMO (31 levels)
+  if (!currents.depths_m || currents.depths_m->front() <= uppermost_layer_m) return std::nullopt;
+  const std::string first_m = number(currents.depths_m->front());
+  return "the currents begin at a depth of " + first_m + " m; above it those of " + first_m +
+         " m are taken, although the water near the surface may run faster or another way";
+}
+
 std::optional<std::string> too_large(const StoredCurrents& currents) {
   if (currents.levels() * currents.times() <= max_values / currents.grid.size()) return std::nullopt;
   return "the file holds " + std::to_string(currents.times()) + " times and " +
@@ -185,6 +194,7 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
   if (found->land)
     data.warnings.push_back("the file marks no land, but " + number(100.0 * found->land->share(), 3) +
                             " % of its nodes are exactly zero at all times and lie together; taken as land");
+  if (auto above = above_the_first_level(*currents)) data.warnings.push_back(std::move(*above));
   if (shape.levels_follow_bed)
     data.warnings.push_back("the model's " + std::to_string(shape.levels) +
                             " levels follow the sea bed; the currents were interpolated to " +

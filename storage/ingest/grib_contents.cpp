@@ -20,7 +20,9 @@ constexpr int east_number = 2;  // of both: direction and speed are 0 and 1, u a
 constexpr int north_number = 3;
 constexpr int depth_surface = 160;
 constexpr int sea_surface = 1;
+constexpr int pressure_surface = 100;
 constexpr int height_surface = 103;
+constexpr double pascals_per_hectopascal = 100.0;
 constexpr double wind_height_m = 10.0;
 constexpr double same_height_m = 0.5;
 
@@ -28,31 +30,58 @@ bool is_current(const GribField& field) {
   return field.discipline == oceanography && field.category == currents_category;
 }
 
-bool is_wind(const GribField& field) {
+bool is_wind_anywhere(const GribField& field) {
   return field.discipline == meteorology && field.category == momentum_category &&
-         (field.number == east_number || field.number == north_number) &&
-         field.surface_type == height_surface &&
+         (field.number == east_number || field.number == north_number);
+}
+
+bool is_wind(const GribField& field) {
+  return is_wind_anywhere(field) && field.surface_type == height_surface &&
          std::abs(field.surface_value - wind_height_m) <= same_height_m;
+}
+
+/// Source  WMO code table 4.5
+std::string words_of_level(const GribField& field) {
+  const std::string value = number(field.surface_value);
+  if (field.surface_type == height_surface) return value + " m above the ground";
+  if (field.surface_type == pressure_surface)
+    return "a pressure of " + number(field.surface_value / pascals_per_hectopascal) + " hPa";
+  return "a surface of type " + std::to_string(field.surface_type) + " (code table 4.5)";
+}
+
+/// "the wind at 100 m above the ground and a pressure of 850 hPa", of all wind in a file; empty: it has none.
+std::string wind_in_words(const std::vector<GribField>& fields) {
+  std::vector<std::string> levels;
+  for (const GribField& field : fields) {
+    if (!is_wind_anywhere(field)) continue;
+    std::string words = words_of_level(field);
+    if (std::ranges::find(levels, words) == levels.end()) levels.push_back(std::move(words));
+  }
+  return levels.empty() ? std::string{} : "the wind at " + enumeration(levels);
 }
 
 /// Extremes, sums and deviations over a period are no state of the sea or the air.
 bool is_state(const GribField& field) { return field.statistic == 0; }
 
-std::string nothing_in_grib(Moving what, bool direction, bool statistic) {
+std::string nothing_in_grib(Moving what, const std::vector<GribField>& fields, bool direction,
+                            bool statistic) {
   if (statistic)
     return std::string{"the GRIB file holds extremes, sums or deviations of the "} +
            (what == Moving::sea ? "current" : "wind") +
            " over a period, which is nothing that a vehicle or an iceberg meets; give a file with its values "
            "or its means";
+  const std::string elsewhere = wind_in_words(fields);
+  const std::string beside = elsewhere.empty() ? "" : elsewhere + ", but ";
   if (what == Moving::air)
-    return "the GRIB file holds no wind 10 m above the ground (discipline 0, category 2, surface 103); there "
-           "is "
-           "nothing to store; give a file with both components of that wind";
+    return "the GRIB file holds " + beside +
+           "no wind 10 m above the ground (discipline 0, category 2, surface 103), which is the wind that "
+           "moves icebergs; there is nothing to store; give a file with both components of that wind";
   if (direction)
     return "the GRIB file gives the current as speed and direction, which this program does not read; give a "
            "file with its components towards east and north";
-  return "the GRIB file holds no currents of the sea (discipline 10, category 1) and no wind 10 m above the "
-         "ground; there is nothing to store; give a file with both components of the current or of that wind";
+  return "the GRIB file holds " + beside +
+         "no currents of the sea (discipline 10, category 1) and no wind 10 m above the ground; there is "
+         "nothing to store; give a file with both components of the current or of that wind";
 }
 
 }  // namespace
@@ -92,7 +121,7 @@ Checked<GribContents> grib_contents(const std::vector<GribField>& fields, Moving
     times.insert(field.valid_s);
     depths.insert(depth_m);
   }
-  if (first == nullptr) return refuse(nothing_in_grib(what, direction, statistic));
+  if (first == nullptr) return refuse(nothing_in_grib(what, fields, direction, statistic));
 
   GribContents contents{{times.begin(), times.end()},
                         {depths.begin(), depths.end()},

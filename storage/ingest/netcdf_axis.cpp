@@ -18,8 +18,10 @@ AxisRole role_of_standard_name(const std::string& name) {
   if (name == "time") return AxisRole::time;
   if (name == "projection_x_coordinate") return AxisRole::projected_x;
   if (name == "projection_y_coordinate") return AxisRole::projected_y;
-  if (contains_any(name, {"ocean_s", "ocean_sigma", "ocean_double_sigma", "model_level"}))
-    return AxisRole::model_level;
+  if (contains_any(name, {"ocean_s", "ocean_sigma", "ocean_double_sigma"})) return AxisRole::model_level;
+  const bool of_the_air = name.starts_with("atmosphere_") && name.ends_with("_coordinate");
+  if (of_the_air || contains_any(name, {"model_level", "sea_floor", "pressure"}))
+    return AxisRole::other_level;
   return AxisRole::unknown;
 }
 
@@ -70,14 +72,17 @@ AxisRole role_of(const NetcdfVariable& coordinate) {
   if (is_degrees_east(unit)) return AxisRole::longitude;
   if (is_degrees_north(unit)) return AxisRole::latitude;
   if (contains_any(lower(unit), {" since "})) return AxisRole::time;
+  if (is_pressure_unit(unit)) return AxisRole::other_level;
 
   const std::string axis = coordinate.attribute("axis");
   const std::string name = lower(coordinate.name());
   const AxisRole by_name = role_of_name(name);
+  const bool is_length = length_factor(unit).has_value();
+  if (by_name == AxisRole::depth && !unit.empty() && !is_length) return AxisRole::other_level;
   if (by_name != AxisRole::unknown) return by_name;
   if (axis == "T") return AxisRole::time;
-  if ((axis == "Z" || !coordinate.attribute("positive").empty()) && length_factor(unit))
-    return AxisRole::depth;
+  if (axis == "Z" || !coordinate.attribute("positive").empty())
+    return is_length ? AxisRole::depth : AxisRole::other_level;
   if (axis == "X" && length_factor(unit)) return AxisRole::projected_x;
   if (axis == "Y" && length_factor(unit)) return AxisRole::projected_y;
   return AxisRole::unknown;

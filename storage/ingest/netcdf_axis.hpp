@@ -10,7 +10,17 @@
 namespace floeplan::ingest {
 
 /// What the values of a coordinate variable measure.
-enum class AxisRole { longitude, latitude, depth, time, projected_x, projected_y, model_level, unknown };
+enum class AxisRole {
+  longitude,
+  latitude,
+  depth,
+  time,
+  projected_x,
+  projected_y,
+  model_level,  // follows the sea bed; its depths come from a formula or a table
+  other_level,  // no depth and no height: a pressure, a temperature, a number of a level, a height above the sea bed
+  unknown
+};
 
 /// Told by standard name, unit, axis attribute and, last, by name.
 [[nodiscard]] AxisRole role_of(const NetcdfVariable& coordinate);

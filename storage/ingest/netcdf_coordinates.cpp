@@ -52,15 +52,16 @@ bool declares_its_role(const NetcdfVariable& variable) {
 }  // namespace
 
 const NetcdfVariable* coordinate_of(const NetcdfFile& file, const NetcdfDimension& dimension) {
-  if (const NetcdfVariable* named = file.find(dimension.name))
-    return runs_along(*named, dimension) ? named : nullptr;
+  const NetcdfVariable* named = file.find(dimension.name);
+  if (named != nullptr && !runs_along(*named, dimension)) return nullptr;
+  if (named != nullptr && role_of(*named) != AxisRole::unknown) return named;
   const NetcdfVariable* found = nullptr;
   for (const NetcdfVariable& variable : file.variables()) {
     if (!runs_along(variable, dimension) || !declares_its_role(variable)) continue;
-    if (found != nullptr) return nullptr;
+    if (found != nullptr) return named;
     found = &variable;
   }
-  return found;
+  return found != nullptr ? found : named;
 }
 
 const NetcdfVariable* heights_along(const NetcdfFile& file, const NetcdfDimension& levels) {
@@ -148,14 +149,32 @@ const NetcdfVariable* scalar_time(const NetcdfFile& file) {
   return nullptr;
 }
 
-bool counts_pressure(const NetcdfVariable& coordinate) {
-  const std::string standard_name = lower(coordinate.attribute("standard_name"));
-  if (standard_name == "air_pressure" || standard_name == "sea_water_pressure") return true;
-  const std::string unit = lower(coordinate.attribute("units"));
-  constexpr std::string_view pressures[]{"pa",       "hpa",       "kpa",    "mb",      "mbar",
-                                         "millibar", "millibars", "bar",    "dbar",    "db",
-                                         "decibar",  "decibars",  "pascal", "pascals", "hectopascal"};
-  return std::ranges::find(pressures, unit) != std::end(pressures);
+bool cannot_be_placed(const NetcdfVariable& levels) {
+  if (role_of(levels) != AxisRole::other_level) return false;
+  constexpr std::string_view of_numbers[]{"", "1", "level", "levels", "layer", "layers", "count"};
+  const bool number_alone =
+      levels.attribute("standard_name").empty() &&
+      std::ranges::find(of_numbers, lower(levels.attribute("units"))) != std::end(of_numbers);
+  return !number_alone || !is_scalar(levels);
+}
+
+std::string not_in_metres(const NetcdfVariable& levels, const std::string& variable) {
+  const std::string standard_name = lower(levels.attribute("standard_name"));
+  const std::string unit = levels.attribute("units");
+  const std::string begin = "the levels of \"" + variable + "\" (\"" + levels.name() + "\") are ";
+  if (contains_any(standard_name, {"sea_floor"}))
+    return begin +
+           "heights above the sea bed; how deep below the surface they lie is not known; ask for depths "
+           "below "
+           "the surface";
+  const bool follows_ground = contains_any(standard_name, {"sigma", "hybrid", "model_level"});
+  const bool is_number = unit == "1" || lower(unit).starts_with("level");
+  const std::string what = follows_ground || is_number ? "numbers of the model's levels"
+                           : contains_any(standard_name, {"pressure"}) || is_pressure_unit(unit) ? "pressures"
+                           : unit.empty() ? "in no unit that the file states"
+                                          : "in the unit \"" + unit + "\", not in metres";
+  return begin + what +
+         "; how deep in the sea or how high above it they lie is not known; ask for levels in metres";
 }
 
 const NetcdfVariable* level_beside(const NetcdfFile& file, const NetcdfVariable& variable) {
@@ -163,7 +182,8 @@ const NetcdfVariable* level_beside(const NetcdfFile& file, const NetcdfVariable&
     for (const std::string& name : words_between_blanks(text)) {
       const NetcdfVariable* coordinate = file.find(name);
       if (coordinate == nullptr || coordinate == &variable || !is_scalar(*coordinate)) continue;
-      if (counts_pressure(*coordinate) || role_of(*coordinate) == AxisRole::depth) return coordinate;
+      const AxisRole role = role_of(*coordinate);
+      if (role == AxisRole::depth || role == AxisRole::other_level) return coordinate;
     }
   const NetcdfVariable* only = nullptr;
   for (const NetcdfVariable& other : file.variables()) {

@@ -10,7 +10,7 @@
 namespace floeplan::ingest {
 
 /// The coordinate variable of a dimension: one-dimensional and of the dimension's own name; where nothing has that
-/// name, the only variable along it that standard name, axis or unit make a coordinate ("xgrid" along "x", OSCAR's
+/// name, or what has it does not say what it measures, the only variable along it that standard name, axis or unit make a coordinate ("xgrid" along "x", OSCAR's
 /// "lat" along "latitude"). GDAL's own indexing variable is not asked: it may be a two-dimensional table or belong to
 /// the other axis.
 /// Returns  null when there is none
@@ -31,10 +31,13 @@ namespace floeplan::ingest {
 /// A time that the file states once for all its data; null when there is none.
 [[nodiscard]] const NetcdfVariable* scalar_time(const NetcdfFile& file);
 
-/// Whether a coordinate counts levels by the pressure there, which is no depth and no height.
-[[nodiscard]] bool counts_pressure(const NetcdfVariable& coordinate);
+/// Whether levels are of the role other_level, so that what lies on them cannot be placed. A single level with a number
+/// alone ("level = 1") says nothing, neither this.
+[[nodiscard]] bool cannot_be_placed(const NetcdfVariable& levels);
+/// Why a variable on such levels is refused.
+[[nodiscard]] std::string not_in_metres(const NetcdfVariable& levels, const std::string& variable);
 
-/// A single depth, height or pressure that holds for all of a variable: one of its `coordinates` (or of the file's), or
+/// A single depth, height or other level that holds for all of a variable: one of its `coordinates` (or of the file's), or
 /// the only scalar of the file that its standard name or axis makes a level.
 /// Returns  null when there is none
 [[nodiscard]] const NetcdfVariable* level_beside(const NetcdfFile& file, const NetcdfVariable& variable);

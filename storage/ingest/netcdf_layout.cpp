@@ -30,6 +30,7 @@ struct RoleOfDimension {
 
 /// Reads the coordinates of one dimension into the layout.
 Checked<bool> add_dimension(NetcdfLayout& layout, std::size_t index, const RoleOfDimension& found) {
+  if (found.coordinate == nullptr) return true;
   const NetcdfVariable& coordinate = *found.coordinate;
   Checked<AxisNodes> nodes = AxisNodes{};
   switch (found.role) {
@@ -46,6 +47,7 @@ Checked<bool> add_dimension(NetcdfLayout& layout, std::size_t index, const RoleO
     case AxisRole::projected_x:
     case AxisRole::projected_y: nodes = projected_nodes(coordinate, layout.warnings); break;
     case AxisRole::model_level:
+    case AxisRole::other_level:
     case AxisRole::unknown: return true;
   }
   if (!nodes) return refuse(nodes.error());
@@ -92,16 +94,15 @@ std::string unknown_dimension(const std::string& dimension, const std::string& v
     return "\"" + variable + "\" holds the members of an ensemble along \"" + dimension +
            "\"; one of them has to be chosen; take it out first, for example with ncks -d " + dimension +
            ",0 IN.nc OUT.nc";
+  if (is_any({"step", "lead", "leadtime", "lead_time", "forecast_period", "forecast_time"}))
+    return "\"" + variable + "\" holds forecasts of several lengths along \"" + dimension +
+           "\", and no coordinate along it alone says for which times they hold; take out one run, or one "
+           "length "
+           "of forecast, so that the times run along one dimension";
   return "the dimension \"" + dimension + "\" of \"" + variable +
          "\" has no coordinates that say what it is; the data cannot be placed; ask for a file with "
          "longitude, "
          "latitude, depth and time coordinates";
-}
-
-/// Levels of pressure tell nothing of metres, of one level as of many.
-std::string levels_of_pressure(const std::string& levels, const std::string& variable) {
-  return "the levels of \"" + variable + "\" are pressures (\"" + levels +
-         "\"); how deep in the sea or how high above it they lie is not known; ask for levels in metres";
 }
 
 /// Of a dimension without a coordinate variable. The levels of terrain-following models often have tables alone.
@@ -126,7 +127,7 @@ AxisNodes indices(std::uint64_t count) {
 Checked<bool> add_level_beside(const NetcdfFile& file, const NetcdfVariable& variable, NetcdfLayout& layout) {
   const NetcdfVariable* level = layout.depth_dimension ? nullptr : level_beside(file, variable);
   if (level == nullptr) return true;
-  if (counts_pressure(*level)) return refuse(levels_of_pressure(level->name(), variable.name()));
+  if (cannot_be_placed(*level)) return refuse(not_in_metres(*level, variable.name()));
   if (role_of(*level) != AxisRole::depth) return true;
   auto nodes = depth_nodes(*level, layout.warnings);
   if (!nodes) return refuse(nodes.error());
@@ -203,8 +204,8 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
       return refuse("the levels \"" + dimension.name +
                     "\" follow the sea bed (a sigma or s coordinate); this layout is not yet supported; "
                     "interpolate the data to depths in metres first");
-    if (roles.back().role == AxisRole::unknown && coordinate != nullptr && counts_pressure(*coordinate))
-      return refuse(levels_of_pressure(dimension.name, variable.name()));
+    if (coordinate != nullptr && cannot_be_placed(*coordinate))
+      return refuse(not_in_metres(*coordinate, variable.name()));
     if (roles.back().role == AxisRole::unknown && dimension.size > 1)
       return refuse(unknown_dimension(dimension.name, variable.name()));
   }
@@ -221,7 +222,6 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
                   "Earth; ask for a regular longitude-latitude grid");
 
   for (std::size_t i = 0; i < roles.size(); ++i) {
-    if (roles[i].role == AxisRole::unknown) continue;
     const auto added = add_dimension(layout, i, roles[i]);
     if (!added) return refuse(added.error());
   }
@@ -241,8 +241,8 @@ Checked<NetcdfLayout> layout_over(const NetcdfFile& file, const NetcdfVariable& 
     const NetcdfVariable* coordinate = coordinate_of(file, dimensions[i]);
     const AxisRole role =
         coordinate == nullptr ? role_of_dimension(file, dimensions[i]) : role_of(*coordinate);
-    if (role == AxisRole::unknown && coordinate != nullptr && counts_pressure(*coordinate))
-      return refuse(levels_of_pressure(dimensions[i].name, variable.name()));
+    if (coordinate != nullptr && cannot_be_placed(*coordinate))
+      return refuse(not_in_metres(*coordinate, variable.name()));
     if (role == AxisRole::model_level && layout.depth_dimension == std::nullopt) {
       layout.depth_dimension = i;
       layout.bed_levels = static_cast<std::size_t>(dimensions[i].size);

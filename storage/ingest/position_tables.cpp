@@ -179,7 +179,8 @@ std::optional<PlaneDimensions> plane_of(const NetcdfFile& file, const NetcdfVari
     const NetcdfVariable* coordinate = coordinate_of(file, dimension);
     const AxisRole role = coordinate == nullptr ? AxisRole::unknown : role_of(*coordinate);
     const bool level_or_time = role == AxisRole::depth || role == AxisRole::time ||
-                               role == AxisRole::model_level || lower(dimension.name).starts_with("s_rho");
+                               role == AxisRole::model_level || role == AxisRole::other_level ||
+                               lower(dimension.name).starts_with("s_rho");
     if (!level_or_time) found.push_back(i);
   }
   // What comes before the last two is a time or a depth without coordinates.

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "storage/ingest/bathymetry_netcdf_reader.hpp"
+#include "storage/ingest/cf_units.hpp"
 #include "storage/ingest/feature_kind.hpp"
 #include "storage/ingest/geojson_file.hpp"
 #include "storage/ingest/glider_netcdf.hpp"
@@ -16,7 +17,9 @@
 #include "storage/ingest/slocum_netcdf.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/tide_variables.hpp"
+#include "storage/ingest/variable_meaning.hpp"
 #include "storage/ingest/vector_file.hpp"
+#include "storage/ingest/velocity_names.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 #include "storage/ingest/wind_reader.hpp"
 
@@ -84,6 +87,22 @@ bool is_part_of_another(const NetcdfFile& file, const NetcdfVariable& variable) 
   return bracket != std::string::npos && file.find(variable.name().substr(0, bracket)) != nullptr;
 }
 
+/// Of a variable called as currents are that is none by its own words; empty: there is none.
+std::string called_currents(const NetcdfFile& file) {
+  for (const NetcdfVariable& variable : file.variables()) {
+    const std::string standard_name = standard_name_of(variable);
+    const auto known = known_name(variable.name(), Moving::sea);
+    if (!known || known->generic || variable.dimensions().size() < 2) continue;
+    const std::string unit = variable.attribute("units");
+    if (!names_another_quantity(standard_name, Moving::sea) && (unit.empty() || speed_factor(unit))) continue;
+    return "\"" + variable.name() + "\" is called as currents are, but holds another quantity (" +
+           (standard_name.empty() ? variable.attribute("long_name") : standard_name) +
+           (unit.empty() ? "" : " in " + unit) +
+           "); this is not the current that a vehicle meets; give a file of the current itself";
+  }
+  return {};
+}
+
 std::string nothing_known(const NetcdfFile& file) {
   if (const std::string what = known_by_direction(file); !what.empty())
     return "the file holds " + what +
@@ -119,6 +138,7 @@ std::string nothing_known(const NetcdfFile& file) {
            "ncks -A";
   for (const Moving what : {Moving::sea, Moving::air})
     if (std::string left_out = velocities_left_out(file, what); !left_out.empty()) return left_out;
+  if (std::string other = called_currents(file); !other.empty()) return other;
   if (!file.groups().empty())
     return "neither the top level of the file nor its groups (" + enumeration(file.groups()) +
            ") hold currents of the sea, depths, sea ice or wind that this program knows; there is nothing to "

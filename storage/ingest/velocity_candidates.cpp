@@ -14,7 +14,7 @@ bool has_levels(const NetcdfFile& file, const NetcdfVariable& variable) {
   return std::ranges::any_of(variable.dimensions(), [&](const NetcdfDimension& dimension) {
     const NetcdfVariable* coordinate = coordinate_of(file, dimension);
     const AxisRole role = coordinate == nullptr ? AxisRole::unknown : role_of(*coordinate);
-    return role == AxisRole::depth || role == AxisRole::model_level ||
+    return role == AxisRole::depth || role == AxisRole::model_level || role == AxisRole::other_level ||
            contains_any(lower(dimension.name), {"s_rho", "siglay", "sigma", "layer", "depth", "lev"});
   });
 }

@@ -113,7 +113,7 @@ void place_by_words(CurrentInput& input, const VelocityPair& pair) {
   const std::string names = "\"" + pair.first->name() + "\" and \"" + pair.second->name() + "\"";
   if (pair.depth_m) {
     input.warnings.push_back(names + " are currents at a depth of " + number(*pair.depth_m) +
-                             " m, as they say themselves; nothing is known of the water above and below it");
+                             " m, as they say themselves; nothing is known of the water below it");
     input.source = one_level(std::move(input.source), 0, *pair.depth_m);
   } else if (pair.part == WaterPart::surface) {
     input.warnings.push_back(

@@ -134,9 +134,10 @@ CurrentContent content_in_words(const std::string& words) {
                            "tidally filtered",
                            "tidal residual"}))
     return CurrentContent::without_tide;
-  const bool several = contains_any(
-      words, {"total", "+", "includ", "incl.", "with tid", "with the tid", "with wave", "with stokes",
-              " and tid", " and wave", " and stokes", " and drift", "tide-resolving", "tide resolving"});
+  const bool several =
+      contains_any(words, {"total", "+", "includ", "incl.", "with tid", "with the tid", "with wave",
+                           "with stokes", " and tid", " and wave", " and stokes", " and drift", " plus ", "&",
+                           "combined", "tide-resolving", "tide resolving"});
   if (several && contains_any(words, {"tide", "tidal", "wave", "stokes drift"})) return CurrentContent::total;
   if (contains_any(words, {"total velocity", "total current"})) return CurrentContent::total;
   if (contains_any(words, {"without", "exclud", "except", "minus"})) return CurrentContent::whole;
@@ -305,6 +306,14 @@ void describe_current(VelocityMeaning& meaning, const NetcdfVariable& variable,
   meaning.depth_m = depth_in_words(variable);
 }
 
+/// Of one constituent of the tide: half of a wave, which the phase has to complete.
+bool is_amplitude(const NetcdfVariable& variable) {
+  return contains_any(lower(variable.attribute("long_name")), {"amplitude"}) ||
+         std::ranges::any_of(parts_of_name(variable.name()), [](const std::string& part) {
+           return part == "amp" || part == "amplitude" || part == "ampl";
+         });
+}
+
 void describe_wind(VelocityMeaning& meaning, const NetcdfVariable& variable) {
   const auto level = wind_level_in_words(variable);
   if (!level) return;
@@ -338,7 +347,7 @@ std::optional<VelocityMeaning> velocity_meaning(const NetcdfVariable& variable, 
   VelocityMeaning meaning;
   meaning.axes = stated_axes(variable, what);
   meaning.rank = known ? known->rank : unknown_rank(what);
-  meaning.instead = in_words(statistic_of(variable));
+  meaning.instead = is_amplitude(variable) ? "the amplitude of a tide" : in_words(statistic_of(variable));
   const std::string long_name = lower(variable.attribute("long_name"));
   settle_component(meaning, variable,
                    {.standard_name = standard ? std::optional{standard->component} : std::nullopt,

@@ -205,7 +205,8 @@ TEST_F(GribCurrents, AndWindAlikeAreTurnedFromTheirGrid) {
 TEST_F(GribCurrents, AreMissingWhereTheWindBlowsHigherUpAlone) {
   GribMessage wind;
   wind.wind_height_m = 100.0;
-  expect_refused(write_file("high.grb2", both_components(wind)), "no currents of the sea");
+  expect_refused(write_file("high.grb2", both_components(wind)),
+                 "holds the wind at 100 m above the ground, but no currents of the sea");
 }
 
 /// Code table 4.10: 0 a mean, 1 a sum, 2 and 3 extremes, 4 a difference, 5 and 6 a root mean square and a deviation.

@@ -176,6 +176,72 @@ TEST_F(LevelChoice, OfLevelsOfPressureIsRefusedBesideAVariableAndAlongADimension
   }
 }
 
+/// Levels that are no depths, and what is said of them.
+TEST_F(LevelChoice, OfLevelsThatAreNotInMetresIsRefusedForWhatTheyAre) {
+  struct Unplaced {
+    const char* standard_name;
+    const char* unit;
+    const char* words;
+  };
+  for (const Unplaced& unplaced :
+       {Unplaced{"model_level_number", "1", "numbers of the model's levels"},
+        Unplaced{"model_level_number", "level", "numbers of the model's levels"},
+        Unplaced{"hybrid_sigma_pressure", "level", "numbers of the model's levels"},
+        Unplaced{"height_above_sea_floor", "m", "heights above the sea bed"},
+        Unplaced{"sea_water_pressure", "dbar", "pressures"},
+        Unplaced{"", "K", "in the unit \"K\", not in metres"}}) {
+    for (const bool is_dimension : {false, true}) {
+      const Level level{
+          .name = "lev",
+          .value = 2.0,
+          .texts = {{"units", unplaced.unit}, {"standard_name", unplaced.standard_name}, {"axis", "Z"}},
+          .is_dimension = is_dimension};
+      const auto report = outcome(write(pair_of("uo", "vo", 0.25), level));
+      EXPECT_FALSE(stored(report)) << unplaced.words << is_dimension;
+      EXPECT_THAT(words(report), HasSubstr(unplaced.words)) << is_dimension;
+    }
+  }
+}
+
+TEST_F(LevelChoice, TellsWhatIsTakenForTheWaterAboveADeepFirstLevel) {
+  for (const auto& [depth_m, is_told] : {std::pair{0.5, false}, {5.0, false}, {50.0, true}}) {
+    const Level level{.name = "depth", .value = depth_m, .texts = {{"units", "m"}, {"positive", "down"}}};
+    const auto report = outcome(write(pair_of("uo", "vo", 0.25), level));
+    expect_pair(stored(report), 0.25, report);
+    EXPECT_EQ(
+        words(report).find("begin at a depth of 50 m; above it those of 50 m are taken") != std::string::npos,
+        is_told)
+        << depth_m;
+  }
+}
+
+/// As SCHISM writes vectors: east and north along a last dimension "two".
+TEST_F(LevelChoice, OfAVectorInOneVariableIsThatOfItsName) {
+  const auto write_vector = [&](const char* name, double value) {
+    NetcdfWriter writer{path("vector.nc")};
+    writer.axis("time", {0.0, 6.0}, {{"units", "hours since 2026-11-20 00:00:00"}});
+    writer.axis("lat", {50.0, 51.0}, {{"units", "degrees_north"}});
+    writer.axis("lon", {0.0, 1.0}, {{"units", "degrees_east"}});
+    writer.dimension("two", 2);
+    std::vector<double> values;
+    for (int i = 0; i < 8; ++i) values.insert(values.end(), {value, -value});
+    writer.variable({.name = name,
+                     .dimensions = {"time", "lat", "lon", "two"},
+                     .values = values,
+                     .texts = {},
+                     .numbers = {},
+                     .fill = {},
+                     .type = NetcdfWriter::Type::float64});
+    return outcome(path("vector.nc"));
+  };
+  const auto mean = write_vector("dahv", 0.25);
+  expect_pair(stored(mean), 0.25, mean);
+  EXPECT_THAT(words(mean), HasSubstr("means over the whole water column"));
+  const auto wind = write_vector("wind_speed", 5.0);
+  expect_pair(stored(wind), 5.0, wind);
+  EXPECT_EQ(wind.dataset->kind, repository::DatasetKind::wind);
+}
+
 TEST_F(LevelChoice, OfWindGoesByTheLevelThatNamesState) {
   struct Named {
     const char* first;
@@ -186,7 +252,7 @@ TEST_F(LevelChoice, OfWindGoesByTheLevelThatNamesState) {
   for (const Named& named :
        {Named{"u10", "v10", {}, true}, Named{"u100", "v100", {}, false}, Named{"ua850", "va850", {}, false},
         Named{"ugrd_850mb", "vgrd_850mb", {}, false}, Named{"wind_u_80m", "wind_v_80m", {}, false},
-        Named{"wind_u_10m", "wind_v_10m", {}, true},
+        Named{"wind_u_10m", "wind_v_10m", {}, true}, Named{"windx", "windy", {}, true},
         Named{"wu", "wv", {{"long_name", "100 metre wind component"}}, false},
         Named{"wu", "wv", {{"long_name", "10 metre wind component"}}, true},
         Named{"wu", "wv", {{"GRIB_typeOfLevel", "isobaricInhPa"}}, false},

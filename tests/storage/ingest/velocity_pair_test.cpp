@@ -6,6 +6,7 @@
 #include <cmath>
 #include <ostream>
 
+#include "engine/core/utc_text.hpp"
 #include "tests/storage/ingest/choice_fixture.hpp"
 #include "tests/support/property.hpp"
 
@@ -321,6 +322,48 @@ TEST_F(Choice, TakesNoOtherQuantityForACurrentByItsName) {
   }
 }
 
+TEST_F(Choice, IsRefusedWithWhatIsStoredUnderTheNamesOfACurrent) {
+  const auto tendency = outcome(
+      write({{"uo", 0.25, {{"standard_name", "tendency_of_" + eastward_current}, {"units", "m s-2"}}},
+             {"vo", 0.25, {{"standard_name", "tendency_of_" + northward_current}, {"units", "m s-2"}}}}));
+  EXPECT_FALSE(stored(tendency));
+  EXPECT_THAT(words(tendency), HasSubstr("\"uo\" is called as currents are, but holds another quantity "
+                                         "(tendency_of_eastward_sea_water_velocity in m s-2)"));
+  const auto amplitude = outcome(write(pair_of("u_amp", "v_amp", 0.25, {{"long_name", "M2 amplitude"}})));
+  EXPECT_FALSE(stored(amplitude));
+  EXPECT_THAT(words(amplitude), HasSubstr("\"u_amp\" and \"v_amp\" hold the amplitude of a tide"));
+}
+
+/// As cfgrib writes forecasts: along their lengths, with the times beside these.
+TEST_F(Choice, OfAForecastStandsAtTheTimesBesideItsLengths) {
+  NetcdfWriter writer{path("forecast.nc")};
+  writer.axis("step", {6.0, 12.0}, {{"units", "hours"}, {"standard_name", "forecast_period"}});
+  writer.axis("lat", {50.0, 51.0}, {{"units", "degrees_north"}});
+  writer.axis("lon", {0.0, 1.0}, {{"units", "degrees_east"}});
+  const auto add = [&](const std::string& name, std::vector<std::string> dimensions,
+                       std::vector<double> values, const Texts& texts) {
+    writer.variable({.name = name,
+                     .dimensions = std::move(dimensions),
+                     .values = std::move(values),
+                     .texts = texts,
+                     .numbers = {},
+                     .fill = {},
+                     .type = NetcdfWriter::Type::float64});
+  };
+  const std::string unit = "hours since 2026-11-20 00:00:00";
+  add("time", {}, {0.0}, {{"units", unit}, {"standard_name", "forecast_reference_time"}});
+  add("valid_time", {"step"}, {6.0, 12.0}, {{"units", unit}, {"standard_name", "time"}});
+  for (const auto& [name, standard] : {std::pair{"uoe", eastward_current}, {"von", northward_current}})
+    add(name, {"step", "lat", "lon"}, std::vector<double>(8, 0.25),
+        {{"units", "m s-1"}, {"standard_name", standard}});
+
+  const auto report = outcome(path("forecast.nc"));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_EQ(report.dataset->time_start, core::parse_iso8601("2026-11-20T06:00:00Z"));
+  EXPECT_EQ(report.dataset->time_end, core::parse_iso8601("2026-11-20T12:00:00Z"));
+}
+
 TEST_F(Choice, TellsOfTheSurfaceBesideAMeanAndOfATotalBesideTheRest) {
   auto surface = pair_of("u_surf", "v_surf", 0.25);
   for (auto& field : surface) field.texts["standard_name"] = "surface_" + field.texts["standard_name"];
@@ -360,6 +403,8 @@ TEST_F(Choice, SaysWhatThePairHolds) {
   EXPECT_THAT(words(tide), HasSubstr("hold the tide alone, as their long names say"));
   const auto waves = report_of("", "Eulerian velocity and drift by waves");
   EXPECT_THAT(words(waves), HasSubstr("already hold the drift by waves"));
+  const auto sum = report_of("", "Eulerian current plus Stokes drift");
+  EXPECT_THAT(words(sum), HasSubstr("already hold the drift by waves"));
   const auto climatology = outcome(
       write(pair_of("uo", "vo", 0.25, {{"cell_methods", "time: mean within years time: mean over years"}})));
   EXPECT_THAT(words(climatology), HasSubstr("climatology"));
