@@ -1,9 +1,9 @@
 #include "api/codec/coverage.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

@@ -1,9 +1,8 @@
 #include "api/codec/dataset_document.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 nlohmann::json dataset_document(const repository::Dataset& dataset, const std::vector<core::UtcTime>& times) {

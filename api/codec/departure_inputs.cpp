@@ -1,8 +1,7 @@
 #include "api/codec/departure_inputs.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

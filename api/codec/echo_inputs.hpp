@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <tl/expected.hpp>
 
 #include "engine/core/units.hpp"
 #include "engine/core/violation.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

@@ -1,6 +1,6 @@
 #include "api/codec/energy_inputs.hpp"
 
-#include <nlohmann/json.hpp>
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

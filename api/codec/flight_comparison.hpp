@@ -1,6 +1,5 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <span>
 #include <string>
 #include <tl/expected.hpp>
@@ -8,6 +7,7 @@
 
 #include "engine/core/violation.hpp"
 #include "engine/simulation/segment_comparison.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

@@ -1,11 +1,11 @@
 #include "api/codec/flight_document.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "engine/core/units.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

@@ -1,6 +1,6 @@
 #include "api/codec/foreign_members.hpp"
 
-#include <nlohmann/json.hpp>
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

@@ -1,10 +1,9 @@
 #include "api/codec/glider_track_feature.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/line_geometry.hpp"
 #include "api/codec/vehicle_axes_document.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

@@ -1,10 +1,9 @@
 #include "api/codec/iceberg_feature.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/input_reader.hpp"
 #include "api/codec/line_geometry.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

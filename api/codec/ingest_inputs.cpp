@@ -2,10 +2,10 @@
 
 #include <algorithm>
 #include <limits>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/input_reader.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

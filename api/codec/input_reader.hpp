@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstddef>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <set>
 #include <string>
@@ -10,6 +9,7 @@
 #include "engine/core/units.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/geo/lon_lat.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

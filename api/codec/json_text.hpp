@@ -1,9 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <string_view>
 #include <tl/expected.hpp>
+
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

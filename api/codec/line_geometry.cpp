@@ -1,7 +1,8 @@
 #include "api/codec/line_geometry.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
+
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

@@ -3,9 +3,9 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

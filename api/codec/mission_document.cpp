@@ -2,10 +2,10 @@
 
 #include <cstddef>
 #include <map>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "engine/mission/document_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

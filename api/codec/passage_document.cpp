@@ -1,9 +1,8 @@
 #include "api/codec/passage_document.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

@@ -1,6 +1,5 @@
 #include "api/codec/plan_document.hpp"
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <type_traits>
 #include <variant>
@@ -12,6 +11,7 @@
 #include "api/codec/uncertainty_inputs.hpp"
 #include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

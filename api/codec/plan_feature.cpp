@@ -1,11 +1,11 @@
 #include "api/codec/plan_feature.hpp"
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "api/codec/line_geometry.hpp"
 #include "api/codec/plan_document.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

@@ -1,8 +1,8 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <vector>
 
+#include "storage/json/json.hpp"
 #include "storage/repository/plan_repository.hpp"
 
 namespace floeplan::codec {

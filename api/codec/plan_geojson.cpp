@@ -1,8 +1,7 @@
 #include "api/codec/plan_geojson.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/plan_feature.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

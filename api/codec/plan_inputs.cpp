@@ -1,7 +1,6 @@
 #include "api/codec/plan_inputs.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/data_inputs.hpp"
 #include "api/codec/departure_inputs.hpp"
@@ -16,6 +15,7 @@
 #include "api/codec/zone_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/planning/layout.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

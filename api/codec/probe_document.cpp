@@ -1,10 +1,10 @@
 #include "api/codec/probe_document.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

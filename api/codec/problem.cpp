@@ -1,8 +1,7 @@
 #include "api/codec/problem.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "engine/core/violation_list.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

@@ -1,11 +1,11 @@
 #include "api/codec/reach_document.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/dataset_document.hpp"
 #include "engine/core/message_rank.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

@@ -1,7 +1,5 @@
 #include "api/codec/reach_inputs.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/data_inputs.hpp"
 #include "api/codec/iceberg_inputs.hpp"
 #include "api/codec/input_reader.hpp"
@@ -9,6 +7,7 @@
 #include "api/codec/vehicle_inputs.hpp"
 #include "api/codec/zone_inputs.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

@@ -1,11 +1,11 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <tl/expected.hpp>
 
 #include "engine/core/violation.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

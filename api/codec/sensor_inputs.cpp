@@ -1,12 +1,12 @@
 #include "api/codec/sensor_inputs.hpp"
 
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <span>
 #include <string>
 
 #include "api/codec/input_limits.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

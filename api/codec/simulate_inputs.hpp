@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -13,6 +12,7 @@
 #include "engine/simulation/current_error_field.hpp"
 #include "engine/simulation/flight.hpp"
 #include "engine/simulation/sonar_settings.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

@@ -1,7 +1,7 @@
-#include <nlohmann/json.hpp>
 
 #include "api/codec/line_geometry.hpp"
 #include "api/codec/simulation_exports.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

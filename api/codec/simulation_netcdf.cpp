@@ -1,9 +1,9 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/netcdf_classic.hpp"
 #include "api/codec/simulation_exports.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

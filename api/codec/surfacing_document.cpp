@@ -1,11 +1,11 @@
 #include "api/codec/surfacing_document.hpp"
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "api/codec/document_values.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/planning/objective.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

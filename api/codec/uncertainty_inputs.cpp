@@ -1,9 +1,8 @@
 #include "api/codec/uncertainty_inputs.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/input_limits.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

@@ -1,6 +1,6 @@
 #include "api/codec/vehicle_axes_document.hpp"
 
-#include <nlohmann/json.hpp>
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

@@ -1,11 +1,11 @@
 #include "api/codec/vehicle_inputs.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
 #include "api/codec/input_limits.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

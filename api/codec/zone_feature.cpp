@@ -1,8 +1,7 @@
 #include "api/codec/zone_feature.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/zone_inputs.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <chrono>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <span>
 #include <string>
@@ -17,6 +16,7 @@
 #include "engine/geo/ring_crossing.hpp"
 #include "engine/geo/ring_turns.hpp"
 #include "engine/ocean/zone_words.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::codec {
 namespace {

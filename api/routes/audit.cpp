@@ -104,7 +104,7 @@ void write_down(const Context& context, const Request& request, const Response& 
                                                  .target = deed->target.substr(0, longest),
                                                  .request_id = request.id});
   } catch (const std::exception& error) {
-    spdlog::error("request={} what was done could not be written down: {}", request.id, error.what());
+    spdlog::error("request=" + request.id + " what was done could not be written down: " + error.what());
   }
 }
 

@@ -1,8 +1,7 @@
 #include "api/routes/door_description.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "engine/core/letter_case.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -4,12 +4,12 @@
 #include <array>
 #include <cmath>
 #include <cstdio>
-#include <nlohmann/json.hpp>
 #include <utility>
 
 #include "api/routes/reply.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/united_boxes.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/dataset_choice.hpp"
 
 namespace floeplan::routes {

@@ -3,13 +3,13 @@
 #include <algorithm>
 #include <cmath>
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 
 #include "api/routes/edr_answer.hpp"
 #include "api/routes/edr_places.hpp"
 #include "api/routes/reply.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/dataset_choice.hpp"
 #include "storage/sqlite/snapshot.hpp"
 

@@ -1,11 +1,11 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <tl/expected.hpp>
 
 #include "api/routes/message.hpp"
 #include "api/routes/process_catalogue.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 

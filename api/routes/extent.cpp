@@ -2,12 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "api/routes/feature_crs.hpp"
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/united_boxes.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <map>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
@@ -11,6 +10,7 @@
 #include "api/routes/context.hpp"
 #include "api/routes/parameters.hpp"
 #include "engine/core/violation.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 

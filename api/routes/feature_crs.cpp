@@ -3,11 +3,12 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <numbers>
 #include <stdexcept>
 #include <string_view>
 #include <utility>
+
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 namespace {

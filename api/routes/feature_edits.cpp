@@ -1,11 +1,10 @@
 #include "api/routes/feature_edits.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/json_text.hpp"
 #include "api/codec/sha256.hpp"
 #include "api/routes/feature_crs.hpp"
 #include "api/routes/reply.hpp"
+#include "storage/json/json.hpp"
 #include "storage/sqlite/transaction.hpp"
 
 namespace floeplan::routes {

@@ -1,9 +1,8 @@
 #include "api/routes/flight_check_service.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/plan_inputs.hpp"
 #include "engine/mission/flight_check.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/environment_loader.hpp"
 
 namespace floeplan::routes {

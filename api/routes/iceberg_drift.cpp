@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/dataset_document.hpp"
 #include "api/routes/parameters.hpp"
@@ -10,6 +9,7 @@
 #include "api/routes/resources.hpp"
 #include "api/routes/text_values.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 

@@ -1,11 +1,11 @@
 #include "api/routes/idempotency.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/sha256.hpp"
 #include "api/routes/owner.hpp"
 #include "api/routes/reply.hpp"
+#include "storage/json/json.hpp"
 #include "storage/sqlite/transaction.hpp"
 
 namespace floeplan::routes {

@@ -1,9 +1,9 @@
 #include "api/routes/job_reply.hpp"
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "api/routes/reply.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 

@@ -1,5 +1,4 @@
 #include <algorithm>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/input_reader.hpp"
 #include "api/codec/json_text.hpp"
@@ -10,6 +9,7 @@
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "engine/mission/read_document.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "api/codec/plan_document.hpp"
@@ -14,6 +13,7 @@
 #include "engine/mission/read_document.hpp"
 #include "engine/mission/safe_places.hpp"
 #include "engine/mission/yo_flight.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/environment_loader.hpp"
 
 namespace floeplan::routes {

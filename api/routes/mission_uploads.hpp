@@ -1,12 +1,12 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 #include <tl/expected.hpp>
 #include <vector>
 
 #include "api/routes/message.hpp"
 #include "engine/core/violation.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 

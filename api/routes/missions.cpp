@@ -1,6 +1,5 @@
 #include <algorithm>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/zip_archive.hpp"
 #include "api/routes/mission_service.hpp"
@@ -12,6 +11,7 @@
 #include "engine/core/message_rank.hpp"
 #include "engine/core/violation_list.hpp"
 #include "engine/mission/comment_text.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/plan_repository.hpp"
 
 namespace floeplan::routes {

@@ -3,7 +3,6 @@
 #include <algorithm>
 #include <array>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "api/codec/plan_document.hpp"
@@ -11,6 +10,7 @@
 #include "engine/core/message_rank.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/route_check.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 

@@ -4,7 +4,6 @@
 #include <array>
 #include <cmath>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 #include <string_view>
 
@@ -24,6 +23,7 @@
 #include "engine/mission/goto_lists.hpp"
 #include "engine/mission/nmea_route.hpp"
 #include "engine/mission/seaglider_files.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/coastline_repository.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"

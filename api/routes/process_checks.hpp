@@ -1,12 +1,12 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <tl/expected.hpp>
 
 #include "api/routes/context.hpp"
 #include "engine/core/violation.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "api/codec/problem.hpp"
 #include "api/routes/message.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 

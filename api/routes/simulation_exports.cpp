@@ -1,10 +1,10 @@
 #include "api/routes/simulation_exports.hpp"
 
 #include <array>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "api/codec/simulation_exports.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -1,4 +1,3 @@
-#include <nlohmann/json.hpp>
 
 #include "api/routes/paging.hpp"
 #include "api/routes/parameters.hpp"
@@ -6,6 +5,7 @@
 #include "api/routes/resources.hpp"
 #include "api/routes/simulation_exports.hpp"
 #include "engine/core/utc_text.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/simulation_repository.hpp"
 
 namespace floeplan::routes {

@@ -1,9 +1,9 @@
-#include <nlohmann/json.hpp>
 
 #include "api/codec/vehicle_inputs.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "engine/vehicle/glider_profile.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 namespace {

@@ -61,7 +61,7 @@ Result or_store_trouble(const routes::Request& request, const Work& work) {
   try {
     return work();
   } catch (const sqlite::Failure& failure) {
-    spdlog::error("method={} path={} failed: {}", request.method, request.path, failure.what());
+    spdlog::error("method=" + request.method + " path=" + request.path + " failed: " + failure.what());
     return routes::store_trouble_reply(request, failure);
   }
 }

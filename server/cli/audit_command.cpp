@@ -1,9 +1,9 @@
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "engine/core/utc_text.hpp"
 #include "server/cli/operator_commands.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/audit_repository.hpp"
 
 namespace floeplan::cli {

@@ -2,7 +2,6 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/mission_document.hpp"
 #include "api/routes/flight_check_service.hpp"
@@ -12,6 +11,7 @@
 #include "server/cli/flag_values.hpp"
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {

@@ -2,11 +2,11 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 
 #include "api/codec/plan_comparison.hpp"
 #include "server/cli/plan_commands.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/plan_repository.hpp"
 
 namespace floeplan::cli {

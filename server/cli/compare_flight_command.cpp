@@ -2,7 +2,6 @@
 #include <fstream>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <sstream>
 #include <utility>
 
@@ -10,6 +9,7 @@
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "server/jobs/comparison_service.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -1,13 +1,13 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "api/codec/dataset_document.hpp"
 #include "api/codec/retention_inputs.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/retention.hpp"
 

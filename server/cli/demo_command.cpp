@@ -1,12 +1,12 @@
 #include <chrono>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "storage/demo/write_demo.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -2,7 +2,6 @@
 #include <iostream>
 #include <iterator>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/zip_archive.hpp"
 #include "api/routes/mission_service.hpp"
@@ -13,6 +12,7 @@
 #include "server/cli/file_set.hpp"
 #include "server/cli/flag_values.hpp"
 #include "server/cli/plan_output.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/plan_repository.hpp"
 
 namespace floeplan::cli {

@@ -1,6 +1,6 @@
 #include "server/cli/figure_geojson.hpp"
 
-#include <nlohmann/json.hpp>
+#include "storage/json/json.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -1,12 +1,12 @@
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
 #include "server/jobs/ingest_service.hpp"
 #include "storage/ingest/guarded_ingest.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/migrations.hpp"
 
 namespace floeplan::cli {

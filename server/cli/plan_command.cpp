@@ -1,11 +1,11 @@
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/plan_inputs.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/plan_service.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::cli {
 namespace {

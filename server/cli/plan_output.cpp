@@ -5,12 +5,12 @@
 #include <cmath>
 #include <cstdio>
 #include <iostream>
-#include <nlohmann/json.hpp>
 #include <vector>
 
 #include "engine/core/message_rank.hpp"
 #include "engine/core/violation_list.hpp"
 #include "server/cli/command.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::cli {
 namespace {

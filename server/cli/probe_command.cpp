@@ -1,12 +1,12 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "api/routes/probe_service.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -1,13 +1,13 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/reach_inputs.hpp"
 #include "server/cli/command.hpp"
 #include "server/cli/input_flags.hpp"
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/reach_service.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -1,9 +1,9 @@
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "api/routes/plan_check.hpp"
 #include "server/cli/plan_commands.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::cli {
 namespace {

@@ -4,7 +4,6 @@
 #include <filesystem>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "engine/reproduction/figure_svg.hpp"
 #include "engine/reproduction/figures.hpp"
@@ -12,6 +11,7 @@
 #include "server/cli/command.hpp"
 #include "server/cli/figure_geojson.hpp"
 #include "server/cli/whole_file.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::cli {
 namespace {

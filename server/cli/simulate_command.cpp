@@ -5,7 +5,6 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <stdexcept>
 #include <thread>
@@ -19,6 +18,7 @@
 #include "server/cli/plan_output.hpp"
 #include "server/jobs/scenario_service.hpp"
 #include "server/jobs/simulation_service.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/repository/simulation_repository.hpp"
 

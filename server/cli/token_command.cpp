@@ -1,12 +1,12 @@
 #include <iomanip>
 #include <iostream>
 #include <memory>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/credential.hpp"
 #include "api/routes/message.hpp"
 #include "engine/core/utc_text.hpp"
 #include "server/cli/operator_commands.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/token_repository.hpp"
 

@@ -1,10 +1,10 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <stop_token>
 
 #include "api/codec/echo_inputs.hpp"
 #include "engine/core/progress.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::jobs {
 

@@ -1,10 +1,10 @@
 #include "server/jobs/ingest_service.hpp"
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
 
 #include "api/codec/dataset_document.hpp"
 #include "storage/ingest/staging_folder.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/upload_repository.hpp"
 
 namespace floeplan::jobs {

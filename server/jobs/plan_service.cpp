@@ -4,7 +4,6 @@
 #include <chrono>
 #include <ctime>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "api/codec/departure_document.hpp"
@@ -15,6 +14,7 @@
 #include "engine/planning/evaluate_route.hpp"
 #include "engine/planning/latest_departure.hpp"
 #include "engine/planning/plan_route.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/plan_repository.hpp"

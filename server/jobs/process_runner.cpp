@@ -1,7 +1,5 @@
 #include "server/jobs/process_runner.hpp"
 
-#include <nlohmann/json.hpp>
-
 #include "api/codec/echo_inputs.hpp"
 #include "api/codec/flight_comparison.hpp"
 #include "api/codec/plan_inputs.hpp"
@@ -15,6 +13,7 @@
 #include "server/jobs/reach_service.hpp"
 #include "server/jobs/scenario_service.hpp"
 #include "server/jobs/simulation_service.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::jobs {
 namespace {

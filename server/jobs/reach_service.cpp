@@ -3,11 +3,11 @@
 #include <algorithm>
 #include <chrono>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "api/codec/plan_document.hpp"
 #include "api/codec/reach_document.hpp"
 #include "engine/planning/reach.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/environment_loader.hpp"
 
 namespace floeplan::jobs {

@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <utility>
@@ -14,6 +13,7 @@
 #include "engine/simulation/hindsight.hpp"
 #include "engine/simulation/random_icebergs.hpp"
 #include "server/jobs/parallel_runs.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::jobs {
 namespace {

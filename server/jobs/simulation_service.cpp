@@ -2,7 +2,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -24,6 +23,7 @@
 #include "engine/simulation/equipped_vehicle.hpp"
 #include "engine/simulation/make_world.hpp"
 #include "server/jobs/parallel_runs.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/environment_loader.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/repository/simulation_repository.hpp"

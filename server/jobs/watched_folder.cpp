@@ -7,10 +7,10 @@
 #include <chrono>
 #include <fstream>
 #include <map>
-#include <nlohmann/json.hpp>
 
 #include "server/jobs/pause.hpp"
 #include "storage/ingest/sidecar.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::jobs {
 namespace {

@@ -6,7 +6,6 @@
 #include <fstream>
 #include <functional>
 #include <iterator>
-#include <nlohmann/json.hpp>
 #include <optional>
 #include <utility>
 
@@ -15,6 +14,7 @@
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/table_dates.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -1,7 +1,8 @@
 #include "storage/ingest/reader_messages.hpp"
 
-#include <nlohmann/json.hpp>
 #include <stdexcept>
+
+#include "storage/json/json.hpp"
 
 namespace floeplan::ingest {
 namespace {

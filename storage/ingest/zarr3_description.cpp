@@ -4,8 +4,9 @@
 #include <array>
 #include <bit>
 #include <cmath>
-#include <nlohmann/json.hpp>
 #include <utility>
+
+#include "storage/json/json.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -35,7 +36,7 @@ const json& member(const json& object, const char* name) {
   return found == object.end() ? nothing : *found;
 }
 
-std::string text_of(const json& value) {
+std::string text_or_empty(const json& value) {
   return value.is_string() ? value.get<std::string>() : std::string{};
 }
 
@@ -63,7 +64,7 @@ std::optional<std::vector<std::uint64_t>> counts(const json& numbers) {
 json compressor_of(const std::string& name, const json& configuration) {
   if (name == "gzip" || name == "zstd") return {{"id", name}, {"level", 1}};  // of no meaning to a reader
   if (name != "blosc") return nullptr;
-  const std::string cname = text_of(member(configuration, "cname"));
+  const std::string cname = text_or_empty(member(configuration, "cname"));
   if (cname.empty()) return nullptr;
   return {{"id", "blosc"}, {"cname", cname}, {"clevel", 1}, {"shuffle", 0}, {"blocksize", 0}};
 }
@@ -79,12 +80,13 @@ Checked<Codecs> codecs_of(const json& list) {
   Codecs codecs;
   bool are_bytes = false;
   for (const json& codec : list) {
-    const std::string name = codec.is_string() ? codec.get<std::string>() : text_of(member(codec, "name"));
+    const std::string name =
+        codec.is_string() ? codec.get<std::string>() : text_or_empty(member(codec, "name"));
     const json& configuration = member(codec, "configuration");
     if (name == "sharding_indexed") return refuse(unreadable("keeps many chunks in one file (shards)"));
     if (name == "bytes" && !are_bytes) {
       are_bytes = true;
-      if (text_of(member(configuration, "endian")) == "big") codecs.order_of_bytes = '>';
+      if (text_or_empty(member(configuration, "endian")) == "big") codecs.order_of_bytes = '>';
       continue;
     }
     json compressor = are_bytes ? compressor_of(name, configuration) : json{};
@@ -99,9 +101,9 @@ Checked<Codecs> codecs_of(const json& list) {
 
 /// How the files of chunks are called: prefix and separator.
 std::optional<std::pair<std::string, std::string>> chunk_keys(const json& encoding) {
-  const std::string name = text_of(member(encoding, "name"));
+  const std::string name = text_or_empty(member(encoding, "name"));
   if (name != "default" && name != "v2") return std::nullopt;
-  std::string separator = text_of(member(member(encoding, "configuration"), "separator"));
+  std::string separator = text_or_empty(member(member(encoding, "configuration"), "separator"));
   if (separator.empty()) separator = name == "v2" ? "." : "/";
   if (separator != "." && separator != "/") return std::nullopt;
   return std::pair{name == "v2" ? std::string{} : "c" + separator, separator};
@@ -151,8 +153,8 @@ bool all_are_texts(const json& names, std::size_t count) {
 Checked<std::optional<Zarr3Array>> zarr3_array(std::string_view text) {
   const json array = json::parse(text, nullptr, false);
   if (!array.is_object() || member(array, "zarr_format") != 3) return refuse(damaged("is none of version 3"));
-  if (text_of(member(array, "node_type")) != "array") return std::nullopt;
-  const std::string type_name = text_of(member(array, "data_type"));
+  if (text_or_empty(member(array, "node_type")) != "array") return std::nullopt;
+  const std::string type_name = text_or_empty(member(array, "data_type"));
   const auto* const type =
       std::ranges::find(number_types, type_name, &std::pair<std::string_view, std::string_view>::first);
   if (type == number_types.end()) return std::nullopt;
@@ -161,7 +163,8 @@ Checked<std::optional<Zarr3Array>> zarr3_array(std::string_view text) {
   const auto shape = counts(member(array, "shape"));
   const auto chunk_shape = counts(member(member(grid, "configuration"), "chunk_shape"));
   if (!shape) return refuse(damaged("has no shape"));
-  if (text_of(member(grid, "name")) != "regular" || !chunk_shape || chunk_shape->size() != shape->size())
+  if (text_or_empty(member(grid, "name")) != "regular" || !chunk_shape ||
+      chunk_shape->size() != shape->size())
     return refuse(unreadable("has chunks of different sizes"));
   const json& transformers = member(array, "storage_transformers");
   if (!transformers.is_null() && !transformers.empty())

@@ -1,12 +1,12 @@
 #include "storage/ingest/zarr_store.hpp"
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
 #include <optional>
 
 #include "storage/ingest/file_digest.hpp"
 #include "storage/ingest/first_bytes.hpp"
 #include "storage/ingest/zarr3_description.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -6,9 +6,10 @@
 #include <algorithm>
 #include <chrono>
 #include <fstream>
-#include <nlohmann/json.hpp>
 #include <random>
 #include <stdexcept>
+
+#include "storage/json/json.hpp"
 
 namespace floeplan::repository {
 namespace {

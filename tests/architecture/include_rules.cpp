@@ -33,7 +33,8 @@ const std::map<std::string, Folder>& folders() {
       {"engine/avoidance", {{"engine/graph", "engine/motion", "engine/vehicle"}}},
       {"engine/simulation", {{"engine/mission", "engine/avoidance"}}},
       {"storage/sqlite", {{"engine/core"}}},
-      {"storage/repository", {{"storage/sqlite", "engine/mission", "engine/simulation"}}},
+      {"storage/json", {{}}},
+      {"storage/repository", {{"storage/sqlite", "storage/json", "engine/mission", "engine/simulation"}}},
       {"storage/xml", {{"engine/core"}}},
       {"storage/sandbox", {{}}},
       {"storage/ingest", {{"storage/repository", "storage/sandbox", "storage/xml"}}},
@@ -60,7 +61,8 @@ struct Library {
 const std::vector<Library>& libraries() {
   static const std::vector<Library> all{
       {std::regex{"fstream|iostream|thread|spdlog/.*"}, {"storage", "api", "server"}},
-      {std::regex{"nlohmann/.*"}, {"storage", "api", "server"}},
+      {std::regex{"nlohmann/json_fwd.*"}, {"storage", "api", "server"}},
+      {std::regex{"nlohmann/(?!json_fwd\\.hpp).*"}, {"storage/json"}},
       {std::regex{"gdal.*|ogr.*|cpl_.*"}, {"storage/ingest", "storage/demo"}},
       {std::regex{"seccomp\\.h"}, {"storage/sandbox"}},
       {std::regex{"expat\\.h"}, {"storage/xml"}},

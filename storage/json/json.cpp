@@ -1,0 +1,3 @@
+#include "storage/json/json.hpp"
+
+template class nlohmann::basic_json<>;
