@@ -1,0 +1,70 @@
+#include "server/cli/run.hpp"
+
+#include <CLI/CLI.hpp>
+#include <exception>
+
+#include "server/cli/command.hpp"
+#include "server/cli/flag_values.hpp"
+#include "server/cli/operator_commands.hpp"
+#include "server/cli/plan_commands.hpp"
+
+namespace floeplan::cli {
+namespace {
+
+void add_commands(CLI::App& app, Program& program) {
+  add_serve(app, program);
+  add_ingest(app, program);
+  add_read_files(app, program);
+  add_datasets(app, program);
+  add_probe(app, program);
+  add_plan(app, program);
+  add_evaluate(app, program);
+  add_reach(app, program);
+  add_simulate(app, program);
+  add_export(app, program);
+  add_recheck(app, program);
+  add_compare(app, program);
+  add_check(app, program);
+  add_compare_flight(app, program);
+  add_reproduce(app, program);
+  add_demo(app, program);
+  add_token(app, program);
+  add_audit(app, program);
+  add_backup(app, program);
+  add_restore(app, program);
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const std::string& version) {
+  CLI::App app{"Mission planning for underwater gliders in and under ice", "floeplan"};
+  app.set_version_flag("--version", version);
+  app.require_subcommand(1);
+
+  Program program;
+  program.store = default_store();
+  app.add_option("--data", program.store, "Folder of the store")->capture_default_str();
+  app.add_option("--log-level", program.log_level, "Of a server's log on stderr")
+      ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
+      ->capture_default_str();
+  app.set_config("--config", "", "File with options in TOML, a [section] for each command");
+  add_commands(app, program);
+  refuse_empty_numbers(app);
+
+  try {
+    app.parse(argc, argv);
+    return program.exit_code;
+  } catch (const CLI::CallForHelp& help) {
+    return app.exit(help);
+  } catch (const CLI::CallForVersion& call) {
+    return app.exit(call);
+  } catch (const CLI::ParseError& error) {
+    return complain(wrong_usage, std::string{error.what()} + "; floeplan --help lists commands and flags");
+  } catch (const BadDataError& error) {
+    return complain(bad_data, error.what());
+  } catch (const std::exception& error) {
+    return complain(could_not, error.what());
+  }
+}
+
+}  // namespace floeplan::cli
