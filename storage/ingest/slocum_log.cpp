@@ -1,7 +1,7 @@
 #include "storage/ingest/slocum_log.hpp"
 
 #include <algorithm>
-#include <regex>
+#include <string_view>
 #include <vector>
 
 #include "engine/simulation/logged_positions.hpp"
@@ -26,6 +26,19 @@ std::string tag(std::string_view head, std::string_view key) {
   return {};
 }
 
+/// Cuts the part behind the last hyphen off, and the hyphen; all of a text without one.
+std::string_view cut_last_part(std::string_view& text) {
+  const std::size_t hyphen = text.rfind('-');
+  const std::string_view part = hyphen == std::string_view::npos ? text : text.substr(hyphen + 1);
+  text = hyphen == std::string_view::npos ? std::string_view{} : text.substr(0, hyphen);
+  return part;
+}
+
+bool is_number(std::string_view text, std::size_t least_digits, std::size_t most_digits) {
+  return text.size() >= least_digits && text.size() <= most_digits &&
+         std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
+}
+
 std::string reasons_of(const core::Violations& violations) {
   std::vector<std::string> faults;
   for (const auto& violation : violations)
@@ -37,14 +50,21 @@ std::string reasons_of(const core::Violations& violations) {
 }  // namespace
 
 SlocumName slocum_name_of(const std::filesystem::path& file) {
-  static const std::regex form{R"((.+)-(\d{4}-\d{1,3}-\d{1,4})-(\d{1,5}))"};
   const std::string head = slocum_bytes(file, most_tag_bytes).bytes;
   const std::string full = tag(head, "full_filename");
-  std::smatch parts;
-  if (!std::regex_match(full, parts, form)) return {};
-  return {.glider = parts[1],
-          .mission = parts[1].str() + "-" + parts[2].str() + "." + tag(head, "filename_extension"),
-          .segment = std::stoi(parts[3])};
+  // As "unit-7-2026-330-1-12": glider, year, day, mission of the day, segment; a glider's name may hold hyphens.
+  std::string_view glider = full;
+  const std::string_view segment = cut_last_part(glider);
+  const std::string_view mission{full.data(), glider.size()};
+  const std::string_view of_day = cut_last_part(glider);
+  const std::string_view day = cut_last_part(glider);
+  const std::string_view year = cut_last_part(glider);
+  if (glider.empty() || !is_number(year, 4, 4) || !is_number(day, 1, 3) || !is_number(of_day, 1, 4) ||
+      !is_number(segment, 1, 5))
+    return {};
+  return {.glider = std::string{glider},
+          .mission = std::string{mission} + "." + tag(head, "filename_extension"),
+          .segment = std::stoi(std::string{segment})};
 }
 
 bool is_slocum_text(std::string_view head) {
