@@ -6,6 +6,7 @@
 #include "api/openapi/openapi.hpp"
 #include "api/routes/edr_field.hpp"
 #include "api/routes/extent.hpp"
+#include "api/routes/openapi_schema.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "engine/core/version.hpp"
@@ -16,7 +17,6 @@ namespace {
 using nlohmann::json;
 
 constexpr const char* crs84 = "http://www.opengis.net/def/crs/OGC/1.3/CRS84";
-constexpr const char* openapi_type = "application/vnd.oai.openapi+json;version=3.0";
 
 std::string base_of(const Context& context) { return context.service.public_url + "/edr"; }
 
@@ -31,7 +31,7 @@ Response show_landing(const Context& context, const Request&, const PathParamete
                        link("data", "application/json", url + "/collections", "Collections")}}});
 }
 
-Response show_conformance(const Context&, const Request&, const PathParameters&) {
+Response show_edr_conformance(const Context&, const Request&, const PathParameters&) {
   json classes = json::array();
   for (const std::string version : {"1.0", "1.1"}) {
     for (const char* name : {"core", "collections", "json", "oas30", "covjson", "queries"})
@@ -160,7 +160,7 @@ Response show_collection(const Context& context, const Request& request, const P
 
 std::vector<Route> edr_routes() {
   return {{"GET", "/edr", {}, show_landing},
-          {"GET", "/edr/conformance", {}, show_conformance},
+          {"GET", "/edr/conformance", {}, show_edr_conformance},
           {"GET", "/edr/api", {}, show_api},
           {"GET", "/edr/collections", {}, list_collections},
           {"GET", "/edr/collections/{collection_id}", {}, show_collection}};

@@ -5,6 +5,7 @@
 #include "api/openapi/openapi.hpp"
 #include "api/routes/assets.hpp"
 #include "api/routes/door_description.hpp"
+#include "api/routes/openapi_schema.hpp"
 #include "api/routes/preferences.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
@@ -14,8 +15,6 @@ namespace floeplan::routes {
 namespace {
 
 using nlohmann::json;
-
-constexpr const char* openapi_type = "application/vnd.oai.openapi+json;version=3.0";
 
 json landing_page(const std::string& url) {
   const std::string ogc = "http://www.opengis.net/def/rel/ogc/1.0/";

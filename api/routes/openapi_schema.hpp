@@ -1,9 +1,13 @@
 #pragma once
 
-#include <nlohmann/json.hpp>
 #include <string>
 
+#include "storage/json/json.hpp"
+
 namespace floeplan::routes {
+
+/// The media type of an OpenAPI document.
+inline constexpr const char* openapi_type = "application/vnd.oai.openapi+json;version=3.0";
 
 /// The component schemas of the OpenAPI document, by their names.
 [[nodiscard]] const nlohmann::json& component_schemas();

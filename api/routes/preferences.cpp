@@ -9,13 +9,6 @@
 namespace floeplan::routes {
 namespace {
 
-std::string_view trimmed(std::string_view text) {
-  const auto blank = [](char c) { return c == ' ' || c == '\t'; };
-  while (!text.empty() && blank(text.front())) text.remove_prefix(1);
-  while (!text.empty() && blank(text.back())) text.remove_suffix(1);
-  return text;
-}
-
 std::vector<std::string_view> trimmed_parts(std::string_view text, char separator) {
   auto parts = split(text, separator);
   for (auto& part : parts) part = trimmed(part);

@@ -1,20 +1,15 @@
 #include "api/routes/shown_credential.hpp"
 
-#include <nlohmann/json.hpp>
 #include <string_view>
 
 #include "api/codec/json_text.hpp"
+#include "api/routes/text_values.hpp"
+#include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 namespace {
 
 constexpr std::string_view cookie_name = "floeplan_session";
-
-std::string_view trimmed(std::string_view text) {
-  while (text.starts_with(' ')) text.remove_prefix(1);
-  while (text.ends_with(' ')) text.remove_suffix(1);
-  return text;
-}
 
 /// The scheme's name may come in any case (RFC 9110, 11.1).
 bool is_bearer(std::string_view header) {

@@ -16,4 +16,7 @@ namespace floeplan::routes {
 /// What stands between the separators, one part more than there are of them.
 [[nodiscard]] std::vector<std::string_view> split(std::string_view text, char separator);
 
+/// Without the spaces and tabs at either end that a header may have (RFC 9110, 5.6.3).
+[[nodiscard]] std::string_view trimmed(std::string_view text);
+
 }  // namespace floeplan::routes

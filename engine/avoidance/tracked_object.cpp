@@ -16,7 +16,7 @@ constexpr double independent_echoes = 4.0;  // of one ping: errors of neighbouri
 constexpr double drift_walk_m2_s3 = 1e-6;   // (0.01 m/s)^2 in 100 s
 constexpr std::uint16_t settled_hits = 6;   // after them a cell's place holds: it is what drift is told by
 constexpr double join_m = 25.0;             // a surface so near belongs to the same body
-constexpr double behind_m = 15.0;           // an echo so far behind a cell has looked past it
+constexpr double past_cell_m = 15.0;        // an echo so far behind a cell has looked past it
 
 double squared(double x) { return x * x; }
 
@@ -234,14 +234,14 @@ void TrackedObject::contradict(const Echo& echo, geo::PlanePoint vehicle, double
   const double dx = echo.place.x_m - vehicle.x_m;
   const double dy = echo.place.y_m - vehicle.y_m;
   const double far_m = std::hypot(dx, dy);
-  if (!(far_m > behind_m)) return;
+  if (!(far_m > past_cell_m)) return;
   bool removed = false;
   for (std::size_t i = size_; i-- > 0;) {
     SurfaceCell& cell = cells_[i];
     const geo::PlanePoint p = place(cell);
     const double along_m = ((p.x_m - vehicle.x_m) * dx + (p.y_m - vehicle.y_m) * dy) / far_m;
     const double across_m = ((p.x_m - vehicle.x_m) * dy - (p.y_m - vehicle.y_m) * dx) / far_m;
-    if (along_m < 0.0 || along_m > far_m - behind_m || std::abs(across_m) > 0.25 * SurfaceCell::size_m)
+    if (along_m < 0.0 || along_m > far_m - past_cell_m || std::abs(across_m) > 0.25 * SurfaceCell::size_m)
       continue;
     const double beam_depth_m = vehicle_depth_m + along_m / far_m * (echo.depth_m - vehicle_depth_m);
     if (std::abs(beam_depth_m - cell.depth_m) > 0.25 * SurfaceCell::size_m) continue;

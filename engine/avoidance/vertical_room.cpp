@@ -11,10 +11,10 @@ namespace floeplan::avoidance {
 namespace {
 
 constexpr double right_angle = std::numbers::pi / 2.0;
-constexpr double soundings_hold_s = 900.0;  // some 300 m of way
-constexpr double steepest = 0.2;            // of a bed or an underside: beyond that it is taken for a wall
-constexpr double noise_m = 3.0;             // of an echo's depth
-constexpr double beside_m = 150.0;          // farther from a sounding nothing is concluded from it
+constexpr double soundings_hold_s = 900.0;   // some 300 m of way
+constexpr double steepest = 0.2;             // of a bed or an underside: beyond that it is taken for a wall
+constexpr double noise_m = 3.0;              // of an echo's depth
+constexpr double sounding_radius_m = 150.0;  // farther from a sounding nothing is concluded from it
 constexpr double bed_echo_holds_s = 120.0;
 constexpr double silence_tells_s = 30.0;
 constexpr double heard_from_m = 40.0;    // by any altimeter, of any bed
@@ -200,7 +200,7 @@ bool VerticalRoom::is_roof(const Echo& echo) {
       false;  // at the same slope without the noise: else a wall would be walked down, noise by noise
   for (const Sounding& roof : roof_.all()) {
     const double apart_m = distance_m(roof.place, echo.place);
-    if (apart_m > beside_m) continue;
+    if (apart_m > sounding_radius_m) continue;
     is_known |= echo.shallowest_m <= roof.depth_m + noise_m + steepest * apart_m;
     goes_on |= echo.depth_m <= roof.depth_m + steepest * apart_m;
   }
@@ -215,7 +215,7 @@ bool VerticalRoom::is_roof(const Echo& echo) {
 bool VerticalRoom::is_cover(const TrackedObject& object) const {
   if (2.0 * object.half_extent_m() < cover_width_m || object.looks_below() < looks_needed) return false;
   if (!has_room_under(object.keel_m())) return false;
-  double nearest_m = beside_m;
+  double nearest_m = sounding_radius_m;
   for (std::size_t i = 0; i < object.size(); ++i) {
     nearest_m = std::min(nearest_m, distance_m(object.place(object.cell(i)), place_));
   }
@@ -245,7 +245,7 @@ VerticalRoom::Band VerticalRoom::band() const {
 std::optional<core::Metres> VerticalRoom::below_ice() const {
   std::optional<core::Metres> limit;
   for (const Sounding& roof : roof_.all()) {
-    if (distance_m(roof.place, place_) > beside_m) continue;
+    if (distance_m(roof.place, place_) > sounding_radius_m) continue;
     const core::Metres below{roof.depth_m + settings_.vertical_margin.value};
     if (below > settings_.shallowest && (!limit || below > *limit)) limit = below;
   }

@@ -83,4 +83,7 @@ struct Document {
   [[nodiscard]] Verdict verdict() const { return verdict_of(messages); }
 };
 
+/// Adds what was noticed on a line; line 0 is the file as a whole.
+void report(Document& document, int line, Severity severity, const char* code, std::string text);
+
 }  // namespace floeplan::mission

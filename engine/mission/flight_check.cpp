@@ -16,10 +16,6 @@
 namespace floeplan::mission {
 namespace {
 
-void report(Document& document, int line, Severity severity, const char* code, std::string text) {
-  document.messages.push_back({line, severity, code, std::move(text)});
-}
-
 const Behavior* first_of(const Document& document, std::string_view name) {
   const auto found = std::ranges::find(document.behaviors, name, &Behavior::name);
   return found == document.behaviors.end() ? nullptr : &*found;

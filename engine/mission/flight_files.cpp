@@ -12,10 +12,10 @@ namespace floeplan::mission {
 namespace {
 
 // start_when, from the vendor's data dictionary of firmware 10.5.
-constexpr std::string_view when_pitch_idle = "2";
-constexpr std::string_view when_heading_idle = "3";
-constexpr std::string_view when_waypoint_hit = "8";
-constexpr std::string_view when_silent = "12";
+constexpr std::string_view start_when_pitch_idle = "2";
+constexpr std::string_view start_when_heading_idle = "3";
+constexpr std::string_view start_when_waypoint_hit = "8";
+constexpr std::string_view start_when_silent = "12";
 
 constexpr double share_of_rating = 0.98;  // 980 m for a 1000 m vehicle, as operators write it
 /// Of a 30 m vehicle a tenth, as operators keep their dives from the overdepth; a turn takes metres at every depth.
@@ -33,10 +33,10 @@ struct SurfacingKind {
   std::string_view end_action;  // 0: ends the mission, 1: waits for the pilot and then goes on
 };
 
-constexpr SurfacingKind silent{"no contact for too long", when_silent, "1"};
-constexpr SurfacingKind list_done{"the list is flown", when_heading_idle, "0"};
-constexpr SurfacingKind yo_done{"the yo has ended", when_pitch_idle, "1"};
-constexpr SurfacingKind waypoint_hit{"a waypoint is reached", when_waypoint_hit, "1"};
+constexpr SurfacingKind silent{"no contact for too long", start_when_silent, "1"};
+constexpr SurfacingKind list_done{"the list is flown", start_when_heading_idle, "0"};
+constexpr SurfacingKind yo_done{"the yo has ended", start_when_pitch_idle, "1"};
+constexpr SurfacingKind waypoint_hit{"a waypoint is reached", start_when_waypoint_hit, "1"};
 
 std::vector<SurfacingKind> kinds_of(const MissionSetOptions& options) {
   std::vector<SurfacingKind> kinds{silent, list_done, yo_done};
@@ -53,7 +53,7 @@ MissionFile file(std::string_view behavior, int number, const std::string& what,
 MissionFile surfacing_file(const planning::Plan& plan, const MissionSetOptions& options, int number,
                            const SurfacingKind& kind, const std::string& origin) {
   std::vector<ArgumentValue> values{{"start_when", std::string{kind.start_when}}};
-  if (kind.start_when == when_silent)
+  if (kind.start_when == start_when_silent)
     values.push_back({"when_secs", whole(longest_silence(plan, options).count())});
   values.push_back({"end_action", std::string{kind.end_action}});
   values.push_back({"gps_wait_time", "300"});
@@ -67,7 +67,7 @@ MissionFile yo_file(const planning::Plan& plan, const MissionSetOptions& options
   const std::string pitch_rad = decimal(vehicle.pitch.value, 4);
   const std::string pump_cc = whole(vehicle.buoyancy.value * 1e6);
   std::vector<ArgumentValue> values{
-      {"start_when", std::string{when_pitch_idle}},
+      {"start_when", std::string{start_when_pitch_idle}},
       {"num_half_cycles_to_do", "-1"},
       {"d_target_depth", whole(target_depth(vehicle).value)},
       {"d_target_altitude", whole(std::ceil(vehicle.altimeter_margin.value))},

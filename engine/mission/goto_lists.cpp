@@ -1,9 +1,7 @@
 #include "engine/mission/goto_lists.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <iterator>
 
 #include "engine/core/utc_text.hpp"
@@ -11,6 +9,7 @@
 #include "engine/mission/argument_lines.hpp"
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/list_parts.hpp"
+#include "engine/mission/printed_text.hpp"
 #include "engine/mission/waypoint_ranges.hpp"
 
 namespace floeplan::mission {
@@ -26,13 +25,6 @@ constexpr double long_leg_m = 100'000.0;
 // Judgements: beyond what pilots expect of dead reckoning, and may still find by what a plan knows of the ice around it.
 constexpr core::Metres far_off{5000.0};
 constexpr core::Seconds far_later{2.0 * 3600.0};
-
-template <class... Values>
-std::string print(const char* format, Values... values) {
-  std::array<char, 200> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 std::vector<core::Metres> leg_lengths(const planning::Plan& plan) {
   std::vector<core::Metres> lengths;

@@ -1,9 +1,7 @@
 #include "engine/mission/ice_check.hpp"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
-#include <cstdio>
 #include <set>
 #include <string>
 
@@ -12,6 +10,7 @@
 #include "engine/mission/below_ice.hpp"
 #include "engine/mission/document_text.hpp"
 #include "engine/mission/list_parts.hpp"
+#include "engine/mission/printed_text.hpp"
 #include "engine/mission/waypoint_ranges.hpp"
 
 namespace floeplan::mission {
@@ -19,13 +18,6 @@ namespace {
 
 /// Files hold places to a fifth of a metre and depths in whole metres: what differs by less is the same turn.
 constexpr core::Metres rounding{0.1};
-
-template <class... Values>
-std::string print(const char* format, Values... values) {
-  std::array<char, 300> text{};
-  std::snprintf(text.data(), text.size(), format, values...);
-  return text.data();
-}
 
 /// Waypoints of the route that stand in one document.
 struct FlownList {

@@ -27,10 +27,6 @@ std::optional<std::pair<std::string_view, std::string_view>> SeagliderLine::fiel
   return std::pair{word.substr(0, equals), word.substr(equals + 1)};
 }
 
-void report(Document& document, int line, Severity severity, const char* code, std::string text) {
-  document.messages.push_back({line, severity, code, std::move(text)});
-}
-
 std::vector<SeagliderLine> seaglider_lines(const FileText& text, Document& document) {
   std::vector<SeagliderLine> lines;
   for (std::size_t i = 0; i < text.lines.size(); ++i) {

@@ -27,7 +27,4 @@ struct SeagliderLine {
 /// Source    iop-apl-uw/basestation3 validate.py
 [[nodiscard]] std::vector<SeagliderLine> seaglider_lines(const FileText& text, Document& document);
 
-/// What a reader notices on a line; line 0 is the file as a whole.
-void report(Document& document, int line, Severity severity, const char* code, std::string text);
-
 }  // namespace floeplan::mission

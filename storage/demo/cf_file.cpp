@@ -94,7 +94,7 @@ std::shared_ptr<GDALMDArray> add_packed(GDALGroup& group, const CfDimensions& ax
       group.CreateMDArray(variable.name, axes, GDALExtendedDataType::Create(GDT_Int16), options.List());
   if (!array) throw std::runtime_error{"cannot write the variable " + variable.name};
 
-  array->SetRawNoDataValue(&variable.missing);
+  array->SetRawNoDataValue(&packed_missing);
   array->SetScale(variable.step);
   array->SetOffset(0.0);
   return array;

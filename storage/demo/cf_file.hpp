@@ -38,11 +38,12 @@ void add_cf_text(Owner& owner, const std::string& name, const std::string& text)
 [[nodiscard]] std::shared_ptr<GDALDimension> add_latitudes(GDALGroup& group, const RasterFrame& frame);
 [[nodiscard]] std::shared_ptr<GDALDimension> add_longitudes(GDALGroup& group, const RasterFrame& frame);
 
-/// A variable of int16 in steps.
+inline constexpr std::int16_t packed_missing = -32767;
+
+/// A variable of int16 in steps, `packed_missing` where it has no value.
 struct PackedVariable {
   std::string name;
   double step{};
-  std::int16_t missing{};
 };
 
 /// The last two axes are latitude and longitude; one horizontal slice is one chunk, because readers take the file

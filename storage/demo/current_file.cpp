@@ -14,11 +14,10 @@ namespace floeplan::demo {
 namespace {
 
 constexpr double step_m_s = 0.0005;
-constexpr std::int16_t missing = -32767;
 
 std::shared_ptr<GDALMDArray> add_component(GDALGroup& group, const CfDimensions& axes,
                                            const std::string& name, const std::string& direction) {
-  const auto component = add_packed(group, axes, {.name = name, .step = step_m_s, .missing = missing});
+  const auto component = add_packed(group, axes, {.name = name, .step = step_m_s});
   add_cf_text(*component, "standard_name", direction + "_sea_water_velocity");
   add_cf_text(*component, "long_name", "synthetic " + direction + " sea water velocity, not for navigation");
   add_cf_text(*component, "units", "m s-1");
@@ -26,7 +25,7 @@ std::shared_ptr<GDALMDArray> add_component(GDALGroup& group, const CfDimensions&
 }
 
 std::vector<std::int16_t> packed(const std::vector<double>& values, const std::vector<bool>& masked) {
-  std::vector<std::int16_t> steps(values.size(), missing);
+  std::vector<std::int16_t> steps(values.size(), packed_missing);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!masked[i]) steps[i] = static_cast<std::int16_t>(std::lround(values[i] / step_m_s));
   }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "storage/demo/bell.hpp"
 #include "storage/demo/disko_places.hpp"
 #include "storage/demo/land_mask.hpp"
 #include "storage/demo/smooth_noise.hpp"
@@ -12,11 +13,8 @@ namespace {
 
 constexpr RasterFrame relief_frame{
     disko::area.west_deg, disko::area.south_deg, 1.0 / 144.0, 1.0 / 400.0, 576, 480};
-constexpr double cell_m = 278.0;
 constexpr std::size_t share_radius = 14;  // 4 km
 constexpr double fjord_west_deg = -51.22;
-
-double bell(double distance, double width) { return std::exp(-(distance / width) * (distance / width)); }
 
 /// 1 well below zero, 0 well above, half-way at zero.
 double fading(double value, double width) { return 0.5 * (1.0 - std::tanh(value / width)); }
@@ -101,10 +99,11 @@ Relief make_disko_relief(const std::vector<geo::Polygon>& land, std::uint64_t se
   for (std::size_t i = 0; i < relief_frame.size(); ++i) {
     const geo::LonLat place = relief_frame.centre(i);
     // The coast runs half a cell before the first cell behind it.
-    const double metres = relief.land[i] != 0
-                              ? land_height_m(place, (static_cast<double>(to_sea[i]) - 0.5) * cell_m, hills)
-                              : -bed.depth_m(place, (static_cast<double>(to_land[i]) - 0.5) * cell_m,
-                                             static_cast<double>(share[i]));
+    const double metres =
+        relief.land[i] != 0
+            ? land_height_m(place, (static_cast<double>(to_sea[i]) - 0.5) * disko_cell_m, hills)
+            : -bed.depth_m(place, (static_cast<double>(to_land[i]) - 0.5) * disko_cell_m,
+                           static_cast<double>(share[i]));
     relief.elevation_m[i] = static_cast<float>(std::round(metres * 10.0) / 10.0);
   }
   return relief;

@@ -8,6 +8,8 @@
 
 namespace floeplan::demo {
 
+inline constexpr double disko_cell_m = 278.0;
+
 /// Height of the ground, metres, positive up, and where it is land.
 struct Relief {
   RasterFrame frame;

@@ -5,6 +5,7 @@
 #include <numbers>
 #include <random>
 
+#include "storage/demo/bell.hpp"
 #include "storage/demo/disko_places.hpp"
 #include "storage/demo/land_mask.hpp"
 #include "storage/demo/tidal_flow.hpp"
@@ -25,8 +26,6 @@ const Gate icefjord{{-50.51, 69.14, -50.49, 69.225}, 0.0};
 double uniform(std::mt19937_64& rng, double low, double high) {
   return low + (high - low) * static_cast<double>(rng() >> 11) * 0x1.0p-53;
 }
-
-double bell(double distance, double width) { return std::exp(-(distance / width) * (distance / width)); }
 
 /// A current that is held together along the outflow's way and widens with the distance from the fjord's
 /// head.

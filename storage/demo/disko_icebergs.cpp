@@ -13,7 +13,6 @@
 namespace floeplan::demo {
 namespace {
 
-constexpr double cell_m = 278.0;
 constexpr double corridor_clearance_m = 7000.0;
 constexpr double alone_m = 13'000.0;  // the corridor's berg closes no gap together with another
 constexpr geo::LonLat corridor_berg{-52.42, 69.227};  // three kilometres beside the straight way
@@ -94,14 +93,14 @@ class BergMaker {
         places_, [&](geo::LonLat other) { return disko::earth.distance_m(place, other) < 700.0; });
     const bool alone = disko::earth.distance_m(place, corridor_berg) > alone_m;
     return !crowded && alone && corridor_m > corridor_clearance_m && depth_m(relief_, place) > 30.0 &&
-           coast_m(place) > 0.5 * length_m + cell_m;
+           coast_m(place) > 0.5 * length_m + disko_cell_m;
   }
 
   [[nodiscard]] double coast_m(geo::LonLat place) const {
     const RasterFrame& frame = relief_.frame;
     const auto column = static_cast<std::size_t>((place.lon_deg - frame.west_deg) / frame.step_lon_deg);
     const auto row = static_cast<std::size_t>((place.lat_deg - frame.south_deg) / frame.step_lat_deg);
-    return cell_m * static_cast<double>(coast_cells_[frame.index(column, row)]);
+    return disko_cell_m * static_cast<double>(coast_cells_[frame.index(column, row)]);
   }
 
   const Relief& relief_;

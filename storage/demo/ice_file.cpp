@@ -14,11 +14,10 @@ namespace {
 
 constexpr double step_of_concentration = 1e-4;
 constexpr double step_of_thickness_m = 1e-3;
-constexpr std::int16_t missing = -32767;
 
 void write_slice(GDALMDArray& array, std::size_t time, const RasterFrame& frame,
                  const std::vector<double>& values, const std::vector<bool>& masked, double step) {
-  std::vector<std::int16_t> packed(values.size(), missing);
+  std::vector<std::int16_t> packed(values.size(), packed_missing);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!masked[i]) packed[i] = static_cast<std::int16_t>(std::lround(values[i] / step));
   }
@@ -36,13 +35,11 @@ void write_ice(const std::filesystem::path& file, const IceFile& content) {
   const auto group = dataset->GetRootGroup();
   const CfDimensions axes{add_time_axis(*group, content.times), add_latitudes(*group, content.frame),
                           add_longitudes(*group, content.frame)};
-  const auto concentration =
-      add_packed(*group, axes, {.name = "siconc", .step = step_of_concentration, .missing = missing});
+  const auto concentration = add_packed(*group, axes, {.name = "siconc", .step = step_of_concentration});
   add_cf_text(*concentration, "standard_name", "sea_ice_area_fraction");
   add_cf_text(*concentration, "long_name", "synthetic sea ice concentration, not for navigation");
   add_cf_text(*concentration, "units", "1");
-  const auto thickness =
-      add_packed(*group, axes, {.name = "sithick", .step = step_of_thickness_m, .missing = missing});
+  const auto thickness = add_packed(*group, axes, {.name = "sithick", .step = step_of_thickness_m});
   add_cf_text(*thickness, "standard_name", "sea_ice_thickness");
   add_cf_text(*thickness, "long_name", "synthetic sea ice thickness, not for navigation");
   add_cf_text(*thickness, "units", "m");

@@ -14,8 +14,8 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr float deepest_m = 12000.0F;
-constexpr float highest_m = 9000.0F;
+constexpr float deepest_sea_m = 12000.0F;
+constexpr float highest_land_m = 9000.0F;
 
 /// With the range of its cells, and what of it GDAL or HDF5 holds meanwhile, a quarter of what a reader may take.
 constexpr std::size_t band_nodes = 4'000'000;
@@ -136,7 +136,7 @@ std::optional<std::string> fault_of_depths(const RawBathymetry& raw, VerticalSen
                                            const std::optional<Extreme>& shoalest_cell) {
   for (const Extreme& extreme : {range.first, range.second, shoalest_cell.value_or(range.first)}) {
     const float depth_m = sense == VerticalSense::up ? 0.0F - extreme.value : extreme.value;
-    if (depth_m <= deepest_m && depth_m >= -highest_m) continue;
+    if (depth_m <= deepest_sea_m && depth_m >= -highest_land_m) continue;
     const std::size_t columns = raw.grid.x().size();
     const geo::LonLat at = raw.grid.place(extreme.node % columns, extreme.node / columns);
     const std::string what = depth_m > 0.0F ? "a depth of " + number(static_cast<double>(depth_m)) + " m"

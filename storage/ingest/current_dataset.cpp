@@ -6,6 +6,7 @@
 
 #include "storage/ingest/current_survey.hpp"
 #include "storage/ingest/depth_columns.hpp"
+#include "storage/ingest/grid_limits.hpp"
 #include "storage/ingest/resampling.hpp"
 #include "storage/ingest/target_grid.hpp"
 #include "storage/ingest/text.hpp"
@@ -14,7 +15,6 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::uint64_t max_values = 4'000'000'000;  // of one component in one dataset
 constexpr std::size_t max_batch_bytes = 64U << 20U;  // of slices at fixed depths that are held at a time
 
 /// A source, the land found in it, and the way to the grid on which it is stored.
@@ -152,7 +152,7 @@ std::optional<std::string> above_the_first_level(const StoredCurrents& currents)
 }
 
 std::optional<std::string> too_large(const StoredCurrents& currents) {
-  if (currents.levels() * currents.times() <= max_values / currents.grid.size()) return std::nullopt;
+  if (currents.levels() * currents.times() <= max_grid_values / currents.grid.size()) return std::nullopt;
   return "the file holds " + std::to_string(currents.times()) + " times and " +
          std::to_string(currents.levels()) + " depths of " + std::to_string(currents.grid.size()) +
          " nodes, more than this program accepts; cut out your area and period first";
@@ -162,7 +162,7 @@ std::optional<std::string> too_large(const StoredCurrents& currents) {
 
 Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::ProgressCallback& progress) {
   const SourceShape& shape = input.source->shape();
-  if (shape.levels * shape.times_s.size() > max_values / shape.points())
+  if (shape.levels * shape.times_s.size() > max_grid_values / shape.points())
     return refuse("the file holds " + std::to_string(shape.times_s.size()) + " times and " +
                   std::to_string(shape.levels) + " depths of " + std::to_string(shape.points()) +
                   " nodes, more than this program accepts; cut out your area and period first");

@@ -9,12 +9,11 @@
 #include "engine/geo/lon_lat.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/grib_section.hpp"
+#include "storage/ingest/grid_limits.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
-
-constexpr std::uint64_t max_points = 10'000'000;
 
 // Flag table 3.4.
 constexpr std::uint64_t i_runs_west = 0x80;
@@ -76,9 +75,9 @@ class GridReader {
       fail_grib(
           std::string{"the rows of the GRIB file's grid have different numbers of nodes (a reduced grid)"} +
           convert_first);
-    if (columns == 0 || rows == 0 || columns > max_points / std::max<std::uint64_t>(rows, 1))
+    if (columns == 0 || rows == 0 || columns > max_grid_points / std::max<std::uint64_t>(rows, 1))
       fail_grib("the grid of the GRIB file has " + std::to_string(columns) + " x " + std::to_string(rows) +
-                " nodes; this program accepts 1 to " + std::to_string(max_points) +
+                " nodes; this program accepts 1 to " + std::to_string(max_grid_points) +
                 "; cut out your area first");
     if (section_.at(7, 4) != columns * rows)
       fail_grib("the GRIB file states a grid of " + std::to_string(columns) + " x " + std::to_string(rows) +

@@ -19,7 +19,8 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr float without_bound = std::numeric_limits<float>::max();
-constexpr double most_nodes = 2'000'000.0;  // 16 MB for both quantities, and as much while they are filled
+constexpr double most_raster_nodes =
+    2'000'000.0;                            // 16 MB for both quantities, and as much while they are filled
 constexpr double finest_spacing_m = 250.0;  // charts are drawn at 1:1 000 000 and coarser
 constexpr double longest_edge_deg = 0.1;    // before it is bent by the projection: within metres of it
 
@@ -35,7 +36,7 @@ struct Cells {
 Cells cells_over(const OGREnvelope& box) {
   const double width = box.MaxX - box.MinX;
   const double height = box.MaxY - box.MinY;
-  const double spacing = std::max(finest_spacing_m, std::sqrt(width * height / most_nodes));
+  const double spacing = std::max(finest_spacing_m, std::sqrt(width * height / most_raster_nodes));
   constexpr double around = 2.0;  // cells, for what is spread to the neighbours
   return {box.MinX - around * spacing, box.MinY - around * spacing, spacing,
           static_cast<int>(std::ceil(width / spacing + 2.0 * around)) + 1,

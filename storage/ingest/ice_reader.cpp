@@ -5,6 +5,7 @@
 #include <limits>
 
 #include "storage/ingest/bent_plane.hpp"
+#include "storage/ingest/grid_limits.hpp"
 #include "storage/ingest/ice_units.hpp"
 #include "storage/ingest/ice_variables.hpp"
 #include "storage/ingest/missing_value.hpp"
@@ -14,8 +15,6 @@
 
 namespace floeplan::ingest {
 namespace {
-
-constexpr std::uint64_t max_values = 4'000'000'000;  // of one variable in one file
 
 /// Of models, whose fields of the surface are often placed at their uppermost level.
 constexpr double deepest_top_level_m = 20.0;
@@ -167,7 +166,7 @@ Checked<NetcdfLayout> layout_of_ice(NetcdfLayout layout, const NetcdfVariable& v
                   number(layout.depths_m->nodes.front()) +
                   " m, where there is no sea ice; the file is not what it says; ask the producer");
   const std::uint64_t nodes = layout.x.nodes.size() * layout.y.nodes.size();
-  if (layout.times_s->nodes.size() > max_values / nodes)
+  if (layout.times_s->nodes.size() > max_grid_values / nodes)
     return refuse("the file holds " + std::to_string(layout.times_s->nodes.size()) + " times of " +
                   std::to_string(nodes) +
                   " nodes, more than this program accepts; cut out your area and period first");

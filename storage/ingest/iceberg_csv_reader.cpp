@@ -19,7 +19,7 @@ constexpr std::array<std::string_view, 9> column_names{"YEAR",      "NUMBER", "D
 enum Column { ice_year, berg_number, date, time_of_day, latitude, longitude, method, size, shape };
 
 /// Position of each column in the file.
-using Columns = std::array<std::size_t, column_names.size()>;
+using ColumnNumbers = std::array<std::size_t, column_names.size()>;
 
 std::string_view plain_name(std::string_view column) {
   for (const std::string_view word : {"ICEBERG_", "ICE-", "ICE_", "BERG_", "SIGHTING_"})
@@ -27,8 +27,8 @@ std::string_view plain_name(std::string_view column) {
   return column;
 }
 
-std::optional<Columns> find_columns(const std::vector<std::string>& header) {
-  Columns columns{};
+std::optional<ColumnNumbers> find_columns(const std::vector<std::string>& header) {
+  ColumnNumbers columns{};
   for (std::size_t i = 0; i < column_names.size(); ++i) {
     const auto found = std::ranges::find(header, column_names[i], &plain_name);
     if (found == header.end()) return std::nullopt;
@@ -71,7 +71,7 @@ std::optional<core::UtcTime> time_of(const std::string& date_text, const std::st
 }
 
 /// The sighting of one row, or why it has none.
-Checked<ocean::Iceberg> sighting(const std::vector<std::string>& fields, const Columns& columns) {
+Checked<ocean::Iceberg> sighting(const std::vector<std::string>& fields, const ColumnNumbers& columns) {
   const auto field = [&](Column column) { return trimmed(fields[columns[column]]); };
   ocean::Iceberg iceberg;
   if (!whole_number(field(ice_year)) || field(berg_number).empty())

@@ -72,13 +72,13 @@ Checked<core::UtcTime> observed_of(const OGRFeature& feature) {
 }
 
 /// Where an iceberg is, and how long it is where its outline says it.
-struct Extent {
+struct PlaceAndLength {
   geo::LonLat place;
   std::optional<core::Metres> length;
 };
 
 /// The middle of the box of an outline, and twice the way to its farthest corner: a circle that holds all of it.
-Checked<Extent> extent_of(const std::vector<geo::LonLat>& corners) {
+Checked<PlaceAndLength> extent_of(const std::vector<geo::LonLat>& corners) {
   for (const geo::LonLat corner : corners)
     if (auto fault = fault_of_place(corner); !fault.empty()) return refuse(std::move(fault));
   double west = 0.0;  // of the first corner, so that an outline across the date line stays in one piece
@@ -92,7 +92,8 @@ Checked<Extent> extent_of(const std::vector<geo::LonLat>& corners) {
     south = std::min(south, corner.lat_deg);
     north = std::max(north, corner.lat_deg);
   }
-  Extent extent{{corners.front().lon_deg + 0.5 * (west + east), 0.5 * (south + north)}, core::Metres{0.0}};
+  PlaceAndLength extent{{corners.front().lon_deg + 0.5 * (west + east), 0.5 * (south + north)},
+                        core::Metres{0.0}};
   for (const geo::LonLat corner : corners)
     extent.length = std::max(*extent.length, 2.0 * geo::geodesic_between(extent.place, corner).length);
   if (extent.length->value > longest_iceberg_m)
@@ -101,13 +102,13 @@ Checked<Extent> extent_of(const std::vector<geo::LonLat>& corners) {
   return extent;
 }
 
-Checked<Extent> extent_of(const OGRGeometry* geometry) {
+Checked<PlaceAndLength> extent_of(const OGRGeometry* geometry) {
   if (geometry == nullptr || geometry->IsEmpty()) return refuse("it has no position");
   const OGRwkbGeometryType type = wkbFlatten(geometry->getGeometryType());
   if (type == wkbPoint) {
     const geo::LonLat place{geometry->toPoint()->getX(), geometry->toPoint()->getY()};
     if (auto fault = fault_of_place(place); !fault.empty()) return refuse(std::move(fault));
-    return Extent{place, std::nullopt};
+    return PlaceAndLength{place, std::nullopt};
   }
   std::vector<geo::LonLat> corners;
   const auto add = [&](const OGRPolygon& part) {

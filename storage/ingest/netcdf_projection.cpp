@@ -9,13 +9,12 @@
 #include "storage/ingest/crs_text.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/grid_frame_of_crs.hpp"
+#include "storage/ingest/grid_limits.hpp"
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
-
-constexpr std::uint64_t max_points = 10'000'000;
 
 /// GDAL before 3 wrote axes of an unknown direction for polar projections, which PROJ does not accept; the coordinates
 /// of NetCDF say themselves which is which. NSIDC's concentrations carry them.
@@ -151,10 +150,10 @@ Checked<std::vector<geo::LonLat>> places_by_projection(const NetcdfFile& file, c
   if (!ys) return refuse(ys.error());
   const auto xs = values_of(*axes.x, axes.turned);
   if (!xs) return refuse(xs.error());
-  if (ys->size() > max_points / std::max<std::size_t>(1, xs->size()))
+  if (ys->size() > max_grid_points / std::max<std::size_t>(1, xs->size()))
     return refuse("the grid of \"" + variable.name() + "\" has " + std::to_string(ys->size()) + " x " +
                   std::to_string(xs->size()) + " points, more than this program accepts (" +
-                  std::to_string(max_points) + "); cut out your area first");
+                  std::to_string(max_grid_points) + "); cut out your area first");
 
   const GdalMessages messages;
   OGRSpatialReference crs{*projection_of(file, variable)};

@@ -8,7 +8,7 @@
 namespace floeplan::ingest {
 namespace {
 
-struct Range {
+struct Extremes {
   double least{std::numeric_limits<double>::infinity()};
   double most{-std::numeric_limits<double>::infinity()};
 
@@ -43,8 +43,8 @@ Run columns_within(const ocean::Axis& lons, double from, double width) {
 
 NodeBox geographic_box(const ocean::HorizontalGrid& grid, const SourceMesh& mesh,
                        const SourceMesh::Cell& cell) {
-  Range lon;
-  Range lat;
+  Extremes lon;
+  Extremes lat;
   double turned = 0.0;  // the way round the cell, by longitude
   const geo::LonLat first = mesh.points[cell[0]];
   for (std::size_t i = 0; i < cell.size(); ++i) {
@@ -71,8 +71,8 @@ NodeBox geographic_box(const ocean::HorizontalGrid& grid, const SourceMesh& mesh
 
 NodeBox projected_box(const ocean::HorizontalGrid& grid, const SourceMesh& mesh,
                       const SourceMesh::Cell& cell) {
-  Range x;
-  Range y;
+  Extremes x;
+  Extremes y;
   for (const std::uint32_t corner : cell) {
     const geo::GridPoint at = geo::to_grid(grid.frame(), mesh.points[corner]);
     x.add(at.x);

@@ -7,14 +7,13 @@
 #include <sstream>
 #include <string_view>
 
+#include "storage/ingest/grid_limits.hpp"
 #include "storage/ingest/netcdf_coordinates.hpp"
 #include "storage/ingest/netcdf_projection.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
-
-constexpr std::uint64_t max_points = 10'000'000;
 
 using Names = std::vector<std::string_view>;
 
@@ -124,10 +123,10 @@ std::vector<Table> tables_over(const NetcdfFiles& files, const NetcdfFile& file,
 Checked<std::optional<Positions>> read_table(const Table& table) {
   const auto dimensions = table_dimensions(*table.lons).value();
   if (dimensions[0].size == 0 || dimensions[1].size == 0 ||
-      dimensions[0].size > max_points / dimensions[1].size)
+      dimensions[0].size > max_grid_points / dimensions[1].size)
     return refuse("the table of positions \"" + table.lons->name() + "\" has " +
                   std::to_string(dimensions[0].size) + " x " + std::to_string(dimensions[1].size) +
-                  " points, more than this program accepts (" + std::to_string(max_points) +
+                  " points, more than this program accepts (" + std::to_string(max_grid_points) +
                   "); cut out your area first");
   const auto lons = table.lons->read_all();
   if (!lons) return refuse(lons.error());
@@ -157,7 +156,7 @@ Checked<std::optional<Positions>> positions_of_axes(const NetcdfFile& file, cons
   const NetcdfVariable* x = coordinate_of(file, variable.dimensions()[plane.x]);
   if (y == nullptr || x == nullptr || role_of(*y) != AxisRole::latitude || role_of(*x) != AxisRole::longitude)
     return std::optional<Positions>{};
-  if (y->dimensions()[0].size > max_points / std::max<std::uint64_t>(1, x->dimensions()[0].size))
+  if (y->dimensions()[0].size > max_grid_points / std::max<std::uint64_t>(1, x->dimensions()[0].size))
     return refuse("the grid of \"" + variable.name() +
                   "\" has more points than this program accepts; cut out your area first");
   const auto lats = y->read_all();

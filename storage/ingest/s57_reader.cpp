@@ -23,7 +23,7 @@ namespace {
 constexpr double paper_m = 0.0005;  // on the chart: about the width of its thickest line
 constexpr double metres_per_degree = 111'195.0;
 constexpr double finest_m = 5.0;
-constexpr double most_nodes = 6'000'000.0;
+constexpr double most_chart_nodes = 6'000'000.0;
 
 /// Nodes of the grid, which are the centres of a raster's cells.
 struct Frame {
@@ -64,7 +64,7 @@ Checked<Frame> frame_of(const ChartCell& chart) {
   frame.dx_deg = frame.dy_deg / std::max(std::cos(middle), 0.01);
   const double columns = std::ceil(width / frame.dx_deg);
   const double rows = std::ceil(height / frame.dy_deg);
-  if (columns * rows > most_nodes)
+  if (columns * rows > most_chart_nodes)
     return refuse("the chart (S-57) covers " + number(columns) + " x " + number(rows) +
                   " nodes of half a millimetre at its scale, more than this program accepts; its coverage or "
                   "its scale is damaged; download it again");

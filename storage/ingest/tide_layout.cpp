@@ -16,7 +16,7 @@ namespace {
 using ocean::TideQuantity;
 
 constexpr std::uint64_t max_tide_nodes = 25'000'000;
-constexpr double missing = std::numeric_limits<double>::quiet_NaN();
+constexpr double no_value = std::numeric_limits<double>::quiet_NaN();
 
 std::string suffix_of(TideQuantity quantity) {
   switch (quantity) {
@@ -262,7 +262,7 @@ Checked<std::vector<std::complex<double>>> read_tide_field(const TideVariables& 
     const double a = (*first)[i];
     const double b = (*second)[i];
     if (std::isnan(a) || std::isnan(b) || (a == 0.0 && b == 0.0))
-      field.emplace_back(missing, missing);
+      field.emplace_back(no_value, no_value);
     else
       field.push_back(tide.amplitude_and_phase ? tide::harmonic_value(a, b) : std::complex{a, b});
   }
@@ -280,7 +280,7 @@ Checked<std::vector<double>> read_tide_depths(const NetcdfFiles& files, const Ti
     auto depths = read_plane(*depth, *own, 0);
     if (!depths) return refuse(depths.error());
     for (double& value : *depths)
-      if (!(value > 0.0)) value = missing;
+      if (!(value > 0.0)) value = no_value;
     return depths;
   }
   return std::vector<double>{};

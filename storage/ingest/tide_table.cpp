@@ -5,11 +5,11 @@
 #include <cmath>
 #include <fstream>
 #include <iterator>
-#include <nlohmann/json.hpp>
 
 #include "engine/geo/written_place.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/text.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/tide_repository.hpp"
 
 namespace floeplan::ingest {
@@ -33,7 +33,7 @@ std::vector<std::string> split(std::string_view line, std::string_view separator
   return parts;
 }
 
-Checked<std::string> text_of(const std::filesystem::path& file) {
+Checked<std::string> text_of_file(const std::filesystem::path& file) {
   if (std::filesystem::file_size(file) > max_bytes)
     return refuse(
         "the list of harmonic constants is longer than 50 MB; no station has so many; give another file");
@@ -265,7 +265,7 @@ bool is_otps_extract(std::string_view head) {
 }
 
 Checked<PreparedDataset> read_tide_json(const std::filesystem::path& file, const IngestOptions& options) {
-  const auto text = text_of(file);
+  const auto text = text_of_file(file);
   if (!text) return refuse(text.error());
   const json document = json::parse(*text, nullptr, false);
   const char* key =
@@ -299,7 +299,7 @@ Checked<PreparedDataset> read_tide_json(const std::filesystem::path& file, const
 }
 
 Checked<PreparedDataset> read_tide_table(const std::filesystem::path& file, const IngestOptions& options) {
-  const auto text = text_of(file);
+  const auto text = text_of_file(file);
   if (!text) return refuse(text.error());
   std::size_t rest = 0;
   const std::string header_line = header_of(*text, rest);
@@ -345,7 +345,7 @@ Checked<PreparedDataset> read_tide_table(const std::filesystem::path& file, cons
 }
 
 Checked<PreparedDataset> read_otps_extract(const std::filesystem::path& file) {
-  const auto text = text_of(file);
+  const auto text = text_of_file(file);
   if (!text) return refuse(text.error());
   std::vector<std::string> names;  // of the constituents, once the header is found
   std::vector<TideStation> stations;

@@ -20,7 +20,7 @@ namespace {
 constexpr std::size_t planes = 5;
 constexpr int first_of_box = 6;
 
-const std::string columns =
+const std::string track_columns =
     "row, (SELECT id FROM dataset WHERE dataset.row = dataset_row), glider, points, deepest_m, way, "
     "dataset_row, position, frame, variation_source, variation_west_rad, utm_zone ";
 
@@ -190,7 +190,7 @@ void GliderTrackRepository::insert(const DatasetId& dataset, const std::vector<o
 }
 
 std::optional<StoredGliderTrack> GliderTrackRepository::find(std::int64_t row) const {
-  sqlite::Statement query{db_, "SELECT " + columns + "FROM glider_track WHERE row = ?1"};
+  sqlite::Statement query{db_, "SELECT " + track_columns + "FROM glider_track WHERE row = ?1"};
   query.bind(1, row);
   if (!query.step()) return std::nullopt;
   BlobCodec codec;
@@ -199,7 +199,7 @@ std::optional<StoredGliderTrack> GliderTrackRepository::find(std::int64_t row) c
 
 GliderTrackPage GliderTrackRepository::list(const GliderTrackFilter& filter, std::int64_t after,
                                             int limit) const {
-  sqlite::Statement query = select(db_, columns, filter, after);
+  sqlite::Statement query = select(db_, track_columns, filter, after);
   GliderTrackPage page;
   std::size_t listed = 0;
   BlobCodec codec;
@@ -221,7 +221,7 @@ std::int64_t GliderTrackRepository::count(const GliderTrackFilter& filter) const
     sqlite::Statement query = select(db_, "count(*)", filter, 0);
     return query.step() ? query.integer(0) : 0;
   }
-  sqlite::Statement query = select(db_, columns, filter, 0);
+  sqlite::Statement query = select(db_, track_columns, filter, 0);
   std::int64_t tracks = 0;
   BlobCodec codec;
   while (query.step()) tracks += comes_into(*filter.area, points_of(query, codec)) ? 1 : 0;

@@ -8,7 +8,7 @@
 namespace floeplan::repository {
 namespace {
 
-const std::string columns =
+const std::string sighting_columns =
     "row, lon_deg, lat_deg, (SELECT id FROM dataset WHERE dataset.row = dataset_row), berg_id, observed_s, "
     "size, "
     "length_m, draft_m, position_uncertainty_m, shape, method ";
@@ -113,7 +113,7 @@ bool IcebergRepository::remove(std::int64_t row) {
 }
 
 std::optional<StoredSighting> IcebergRepository::find(std::int64_t row) const {
-  sqlite::Statement query{db_, "SELECT " + columns + "FROM sighting WHERE row = ?1"};
+  sqlite::Statement query{db_, "SELECT " + sighting_columns + "FROM sighting WHERE row = ?1"};
   query.bind(1, row);
   if (!query.step()) return std::nullopt;
   return read_sighting(query);
@@ -121,7 +121,7 @@ std::optional<StoredSighting> IcebergRepository::find(std::int64_t row) const {
 
 std::vector<StoredSighting> IcebergRepository::list(const SightingFilter& filter, std::int64_t after,
                                                     int limit) const {
-  sqlite::Statement query = select(db_, columns, filter, after);
+  sqlite::Statement query = select(db_, sighting_columns, filter, after);
   std::vector<StoredSighting> sightings;
   while (std::ssize(sightings) < limit && query.step()) {
     if (filter.area && !geo::contains(*filter.area, read_place(query))) continue;
@@ -163,7 +163,7 @@ std::vector<StoredSighting> IcebergRepository::latest(const DatasetId& dataset, 
   // The area comes last: a berg that has left it must not be found where it was before. A sighting without a
   // berg's name is a berg of its own.
   sqlite::Statement query{
-      db_, "SELECT " + columns +
+      db_, "SELECT " + sighting_columns +
                "FROM sighting AS own WHERE dataset_row = (SELECT row FROM dataset WHERE id = ?1) "
                "AND observed_s BETWEEN ?3 AND ?2 AND (berg_id = '' OR row = (SELECT row FROM "
                "sighting AS same WHERE same.dataset_row = own.dataset_row AND same.berg_id = "

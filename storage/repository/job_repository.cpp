@@ -18,7 +18,7 @@ constexpr std::array<std::pair<JobStatus, const char*>, 5> status_names{
      {JobStatus::dismissed, "dismissed"}}};
 
 // Shared by SELECT and RETURNING; read_job reads them in this order.
-const std::string columns =
+const std::string job_columns =
     "row, id, process, request_json, status, stage, progress, attempts, created_s, started_s, finished_s, "
     "updated_s, "
     "result_json, message, owner, digest, reply_json, change ";
@@ -116,7 +116,7 @@ void JobRepository::submit(const JobRecord& job) {
 }
 
 std::optional<JobRecord> JobRepository::find(const JobId& id) const {
-  sqlite::Statement query{db_, "SELECT " + columns + "FROM job WHERE id = ?1"};
+  sqlite::Statement query{db_, "SELECT " + job_columns + "FROM job WHERE id = ?1"};
   query.bind(1, id.value);
   if (!query.step()) return std::nullopt;
   return read_job(query);
@@ -124,7 +124,7 @@ std::optional<JobRecord> JobRepository::find(const JobId& id) const {
 
 std::vector<JobRecord> JobRepository::list(std::int64_t before, int limit, const JobFilter& filter) const {
   const std::string duration = "(coalesce(finished_s, updated_s) - started_s)";
-  std::string sql = "SELECT " + columns + "FROM job WHERE (?1 = 0 OR row < ?1)";
+  std::string sql = "SELECT " + job_columns + "FROM job WHERE (?1 = 0 OR row < ?1)";
   if (filter.status) sql += " AND status = ?3";
   if (filter.process) sql += " AND process = ?4";
   if (filter.owner) sql += " AND owner = ?5";
@@ -147,7 +147,7 @@ std::vector<JobRecord> JobRepository::list(std::int64_t before, int limit, const
 
 std::optional<JobRecord> JobRepository::find_shared(const std::string& digest,
                                                     const std::string& owner) const {
-  sqlite::Statement query{db_, "SELECT " + columns +
+  sqlite::Statement query{db_, "SELECT " + job_columns +
                                    "FROM job WHERE digest = ?1 AND (status = 'successful' OR (owner = ?2 AND "
                                    "status IN ('accepted', 'running'))) ORDER BY status = 'successful' DESC, "
                                    "row DESC LIMIT 1"};
@@ -158,7 +158,7 @@ std::optional<JobRecord> JobRepository::find_shared(const std::string& digest,
 
 std::vector<JobRecord> JobRepository::changed_since(std::int64_t change, int limit) const {
   sqlite::Statement query{
-      db_, "SELECT " + columns + "FROM job WHERE change > ?1 ORDER BY change LIMIT max(?2, 0)"};
+      db_, "SELECT " + job_columns + "FROM job WHERE change > ?1 ORDER BY change LIMIT max(?2, 0)"};
   query.bind_all(change, limit);
   return read_jobs(query);
 }
@@ -186,7 +186,7 @@ std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::U
                              "UPDATE job SET status = 'running', worker = ?1, lease_until_s = ?3, attempts = "
                              "attempts + 1, started_s = coalesce(started_s, ?2), updated_s = ?2, stage = '', "
                              "progress = 0.0 WHERE row = (" +
-                                 next_in_turn(lane) + ") RETURNING " + columns};
+                                 next_in_turn(lane) + ") RETURNING " + job_columns};
     update.bind_all(worker, now, now + lease);
     if (update.step()) claimed = read_job(update);
   }

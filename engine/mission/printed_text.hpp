@@ -1,0 +1,17 @@
+#pragma once
+
+#include <array>
+#include <cstdio>
+#include <string>
+
+namespace floeplan::mission {
+
+/// A sentence as `std::printf` writes it, at most 299 bytes of it.
+template <class... Values>
+[[nodiscard]] std::string print(const char* format, Values... values) {
+  std::array<char, 300> text{};
+  std::snprintf(text.data(), text.size(), format, values...);
+  return text.data();
+}
+
+}  // namespace floeplan::mission
