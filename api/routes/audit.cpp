@@ -1,10 +1,9 @@
 #include "api/routes/audit.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <array>
 #include <string_view>
 
+#include "api/log/log.hpp"
 #include "api/routes/paging.hpp"
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
@@ -104,7 +103,7 @@ void write_down(const Context& context, const Request& request, const Response& 
                                                  .target = deed->target.substr(0, longest),
                                                  .request_id = request.id});
   } catch (const std::exception& error) {
-    spdlog::error("request=" + request.id + " what was done could not be written down: " + error.what());
+    log::error({"request=", request.id, " what was done could not be written down: ", error.what()});
   }
 }
 

@@ -1,11 +1,10 @@
 #include "server/cli/api_handler.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <memory>
 #include <mutex>
 #include <vector>
 
+#include "api/log/log.hpp"
 #include "api/routes/store_trouble.hpp"
 
 namespace floeplan::cli {
@@ -61,7 +60,7 @@ Result or_store_trouble(const routes::Request& request, const Work& work) {
   try {
     return work();
   } catch (const sqlite::Failure& failure) {
-    spdlog::error("method=" + request.method + " path=" + request.path + " failed: " + failure.what());
+    log::error({"method=", request.method, " path=", request.path, " failed: ", failure.what()});
     return routes::store_trouble_reply(request, failure);
   }
 }

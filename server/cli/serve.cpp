@@ -1,7 +1,5 @@
 #include "server/cli/serve.hpp"
 
-#include <spdlog/sinks/stdout_sinks.h>
-#include <spdlog/spdlog.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -10,6 +8,7 @@
 #include <iostream>
 #include <memory>
 
+#include "api/log/log.hpp"
 #include "api/routes/router.hpp"
 #include "api/routes/site.hpp"
 #include "server/cli/api_handler.hpp"
@@ -31,15 +30,6 @@ namespace {
 constexpr std::size_t handler_threads = 4;
 /// Of currents about places: ten days of hourly ones of a model, 64 by 64 nodes at one depth, are a sixteenth of it.
 constexpr std::size_t most_kept_blocks = std::size_t{128} << 20;
-
-/// Structured lines on stderr; stdout is for answers to people and scripts.
-void log_to_stderr(const std::string& level) {
-  auto logger =
-      std::make_shared<spdlog::logger>("floeplan", std::make_shared<spdlog::sinks::stderr_sink_mt>());
-  logger->set_pattern("%Y-%m-%dT%H:%M:%S.%e%z level=%l %v");
-  logger->set_level(spdlog::level::from_str(level));
-  spdlog::set_default_logger(std::move(logger));
-}
 
 /// The built client: where it was said to be, beside the program, or in the source tree the program was built
 /// in.
@@ -74,7 +64,7 @@ void raise_descriptor_limit() {
   if (getrlimit(RLIMIT_NOFILE, &limit) != 0) return;
   constexpr rlim_t enough = 16'384;
   limit.rlim_cur = std::max(limit.rlim_cur, std::min<rlim_t>(limit.rlim_max, enough));
-  if (setrlimit(RLIMIT_NOFILE, &limit) != 0) spdlog::warn("the limit of open files could not be raised");
+  if (setrlimit(RLIMIT_NOFILE, &limit) != 0) log::warn({"the limit of open files could not be raised"});
 }
 
 std::optional<http::TlsFiles> tls_of(const ServeOptions& options) {
@@ -144,12 +134,12 @@ routes::ReaderLayers logged_layers(const ingest::Guard& guard) {
   const std::string text = layers ? sandbox::to_text(*layers) : "not known";
   const bool enough = layers && sandbox::is_enough(*layers);
   if (enough) {
-    spdlog::info("readers layers=\"{}\"", text);
+    log::info({"readers layers=\"", text, "\""});
   } else if (guard.allow_weak_sandbox) {
-    spdlog::warn("readers layers=\"{}\" a hostile file could read and change whatever this user can", text);
+    log::warn({"readers layers=\"", text, "\" a hostile file could read and change whatever this user can"});
   } else {
-    spdlog::error("readers layers=\"{}\" too few: every file will be refused; see --allow-weak-sandbox",
-                  text);
+    log::error(
+        {"readers layers=\"", text, "\" too few: every file will be refused; see --allow-weak-sandbox"});
   }
   return {.layers = text, .enough = enough};
 }
@@ -218,7 +208,7 @@ int serve(const ServeOptions& options) {
               << " workers are not possible; choose 1 to 64 with --workers\n";
     return 2;
   }
-  log_to_stderr(options.log_level);
+  log::to_stderr(options.log_level);
   try {
     if (const auto fault = fault_of(options, *address)) return complain(wrong_usage, *fault);
     serve_until_stopped(options, *address);

@@ -1,10 +1,10 @@
-#include <spdlog/spdlog.h>
 
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
 #include <vector>
 
+#include "api/log/log.hpp"
 #include "server/http/refusals.hpp"
 #include "server/http/request_head.hpp"
 #include "server/http/session.hpp"
@@ -66,7 +66,7 @@ net::awaitable<error_code> Session::receive(Head& head, bool to_disk, Request& b
   try {
     sink.emplace(share_.equipment.streaming.folder);
   } catch (const std::system_error& closed) {
-    spdlog::error("peer={} {}", peer_, closed.what());
+    log::error({"peer=", peer_, " ", closed.what()});
     co_return error_code{closed.code().value(), boost::system::generic_category()};
   }
   co_return co_await stream_body(head, *sink);
@@ -117,7 +117,7 @@ net::awaitable<error_code> Session::store(BodySink& sink, std::string_view bytes
   try {
     sink.add(bytes);
   } catch (const std::system_error& full) {
-    spdlog::error("peer={} {}", peer_, full.what());
+    log::error({"peer=", peer_, " ", full.what()});
     co_return error_code{full.code().value(), boost::system::generic_category()};
   }
   co_return error_code{};

@@ -1,7 +1,5 @@
 #include "server/http/server.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <atomic>
 #include <boost/asio/co_spawn.hpp>
 #include <boost/asio/detached.hpp>
@@ -16,6 +14,7 @@
 #include <stdexcept>
 #include <unordered_set>
 
+#include "api/log/log.hpp"
 #include "server/http/session.hpp"
 
 namespace floeplan::http {
@@ -49,7 +48,7 @@ class Server::Listener {
   void run() {
     signals_.async_wait([this](const boost::system::error_code& error, int signal) {
       if (error) return;
-      spdlog::info("signal={} the server stops", signal);
+      log::info({"signal=", std::to_string(signal), " the server stops"});
       finish();
     });
     net::co_spawn(io_, accept(), net::detached);
@@ -110,7 +109,7 @@ class Server::Listener {
     try {
       co_await session->run();
     } catch (const std::exception& error) {
-      spdlog::error("a connection broke off: {}", error.what());
+      log::error({"a connection broke off: ", error.what()});
     }
     sessions_[peer].erase(session.get());
     if (sessions_[peer].empty()) sessions_.erase(peer);

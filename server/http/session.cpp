@@ -1,7 +1,5 @@
 #include "server/http/session.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <array>
 #include <atomic>
@@ -16,6 +14,7 @@
 #include <sstream>
 #include <vector>
 
+#include "api/log/log.hpp"
 #include "server/http/finish_response.hpp"
 #include "server/http/refusals.hpp"
 #include "server/http/request_head.hpp"
@@ -80,10 +79,10 @@ Result or_problem(const Request& request, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    spdlog::error("method={} path={} failed: no memory", request.method, request.path);
+    log::error({"method=", request.method, " path=", request.path, " failed: no memory"});
     return busy();
   } catch (const std::exception& error) {
-    spdlog::error("method={} path={} failed: {}", request.method, request.path, error.what());
+    log::error({"method=", request.method, " path=", request.path, " failed: ", error.what()});
   }
   return internal_error();
 }
@@ -203,8 +202,9 @@ net::awaitable<bool> Session::exchange() {
     written = co_await write(response, head_only, open);
   }
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  spdlog::info("request={} peer={} caller={} method={} target={} status={} bytes={} ms={:.2f}", id, peer_,
-               caller, method, target, status, bytes, 1000.0 * taken.count());
+  log::info({"request=", id, " peer=", peer_, " caller=", caller, " method=", method, " target=", target,
+             " status=", std::to_string(status), " bytes=", std::to_string(bytes),
+             " ms=", log::decimals(1000.0 * taken.count(), 2)});
   if (share_.equipment.observe && !streams) share_.equipment.observe({method, route, status, taken, bytes});
   co_return written&& open;
 }
@@ -301,7 +301,8 @@ net::awaitable<bool> Session::write(const Response& response, bool head_only, bo
 net::awaitable<void> Session::refuse(error_code fault, bool in_first_line, std::uint64_t most_bytes) {
   const auto response = refusal_of(fault, in_first_line, most_bytes);
   if (!response) co_return;
-  spdlog::info("peer={} status={} reason=\"{}\"", peer_, response->status, fault.message());
+  log::info(
+      {"peer=", peer_, " status=", std::to_string(response->status), " reason=\"", fault.message(), "\""});
   co_await write(*response, false, false);
   co_await linger();
 }

@@ -1,13 +1,12 @@
 #include "server/jobs/watched_folder.hpp"
 
-#include <spdlog/spdlog.h>
-
 #include <algorithm>
 #include <array>
 #include <chrono>
 #include <fstream>
 #include <map>
 
+#include "api/log/log.hpp"
 #include "server/jobs/pause.hpp"
 #include "storage/ingest/sidecar.hpp"
 #include "storage/json/json.hpp"
@@ -93,7 +92,7 @@ void ingest_and_put_away(sqlite::Connection& db, const ingest::Guard& guard,
   for (const auto& [group, reports] : groups) {
     const bool refused = std::ranges::any_of(
         reports, [](const auto& report) { return report.status == ingest::IngestStatus::refused; });
-    spdlog::info("watched file=\"{}\" outcome={}", reports.front().file, refused ? "refused" : "done");
+    log::info({"watched file=\"", reports.front().file, "\" outcome=", refused ? "refused" : "done"});
     for (const fs::path& file : group)
       if (fs::exists(file))  // an archive may have been in several groups
         put_away(file, file.parent_path() / (refused ? "refused" : "done"), report_document(reports).dump(2));
@@ -150,7 +149,7 @@ void WatchedFolder::watch(const std::stop_token& stop) {
         ingest_and_put_away(db, guard_, complete, stop);
       }
     } catch (const std::exception& error) {
-      spdlog::error("watched folder={} failed: {}", folder_.string(), error.what());
+      log::error({"watched folder=", folder_.native(), " failed: ", error.what()});
       pause(after_failure, stop);
     }
     pause(interval, stop);

@@ -1,6 +1,5 @@
 #include "server/jobs/worker_pool.hpp"
 
-#include <spdlog/spdlog.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -8,6 +7,7 @@
 #include <map>
 #include <new>
 
+#include "api/log/log.hpp"
 #include "server/jobs/pause.hpp"
 #include "server/jobs/process_runner.hpp"
 #include "storage/sqlite/failure.hpp"
@@ -42,7 +42,7 @@ core::UtcTime now() { return std::chrono::system_clock::now(); }
 void lower_priority() {
   constexpr int niceness = 10;
   if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness) != 0) {
-    spdlog::warn("the priority of a worker thread could not be lowered");
+    log::warn({"the priority of a worker thread could not be lowered"});
   }
 }
 
@@ -71,7 +71,7 @@ void keep_trying(sqlite::Connection& db, const repository::JobId& id, const Writ
       write(jobs);
       return;
     } catch (const std::exception& error) {
-      spdlog::error("job={} its end could not be written down: {}", id.value, error.what());
+      log::error({"job=", id.value, " its end could not be written down: ", error.what()});
       if (stop.stop_requested()) return;
     }
     pause(between, stop);
@@ -121,7 +121,7 @@ void WorkerPool::work(sqlite::Connection& db, const std::string& name, repositor
         continue;
       }
     } catch (const std::exception& error) {
-      spdlog::error("a worker could not read or write the queue: {}", error.what());
+      log::error({"a worker could not read or write the queue: ", error.what()});
     }
     board_.wait_for_work(seen, stop);
   }
@@ -133,7 +133,8 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   const std::stop_callback stop_with_pool{pool_stop,
                                           [source = job_stop]() mutable { source.request_stop(); }};
   board_.announce(job.id);
-  spdlog::info("job={} process={} attempt={} begins", job.id.value, job.process, job.attempts);
+  log::info(
+      {"job=", job.id.value, " process=", job.process, " attempt=", std::to_string(job.attempts), " begins"});
 
   const auto begin = std::chrono::steady_clock::now();
   tl::expected<std::string, std::string> result;
@@ -143,15 +144,15 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
         db, job, place_, workers_, kept_, job_stop.get_token(),
         [&](std::string_view stage, double share) { board_.report(job.id, stage, share); }, now());
   } catch (const std::bad_alloc&) {
-    spdlog::error("job={} broke off: no memory", job.id.value);
+    log::error({"job=", job.id.value, " broke off: no memory"});
     result = tl::unexpected(std::string{no_memory});
   } catch (const sqlite::Failure& failure) {
     // A file that is too large for the disk would fill it again and again, so whoever sent it is told at once.
     put_off = lane == repository::Lane::planning && may_pass(failure);
-    spdlog::error("job={} {}: {}", job.id.value, put_off ? "is put off" : "broke off", failure.what());
+    log::error({"job=", job.id.value, put_off ? " is put off: " : " broke off: ", failure.what()});
     result = tl::unexpected(std::string{"the work broke off: "} + failure.what());
   } catch (const std::exception& error) {
-    spdlog::error("job={} broke off: {}", job.id.value, error.what());
+    log::error({"job=", job.id.value, " broke off: ", error.what()});
     result = tl::unexpected(std::string{"the work broke off: "} + error.what());
   }
   const bool stopped = job_stop.stop_requested();
@@ -169,7 +170,7 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   board_.announce(job.id);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
   const char* outcome = stopped ? "stopped" : put_off ? "put off" : result ? "successful" : "failed";
-  spdlog::info("job={} outcome={} seconds={:.3f}", job.id.value, outcome, taken.count());
+  log::info({"job=", job.id.value, " outcome=", outcome, " seconds=", log::decimals(taken.count(), 3)});
   if (put_off) pause(before_next_try, pool_stop);
 }
 
@@ -187,7 +188,7 @@ void WorkerPool::keep_leases(sqlite::Connection& db, const std::stop_token& stop
         if (!JobRepository{db}.renew(job.id, job.worker, job.stage, job.progress, now(), lease))
           board_.stop(job.id);
       } catch (const std::exception& error) {
-        spdlog::error("job={} the lease could not be renewed: {}", job.id.value, error.what());
+        log::error({"job=", job.id.value, " the lease could not be renewed: ", error.what()});
       }
       board_.announce(job.id);
     }
