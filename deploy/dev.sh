@@ -67,7 +67,8 @@ main() {
   if [[ ! -d $root/web/node_modules ]]; then npm --prefix "$root/web" ci --no-audit --no-fund --loglevel=error; fi
   trap end EXIT INT TERM
   start_server
-  npm --prefix "$root/web" run --silent dev &
+  # Not by npm, which would leave Vite running when it is ended.
+  (cd "$root/web" && exec node_modules/.bin/vite --host 127.0.0.1 --port 5173 --strictPort) &
   client=$!
   while kill -0 "$client" 2>/dev/null; do
     sleep 1
