@@ -142,6 +142,23 @@ Checked<StoredCurrents> placed(const CurrentInput& input, std::shared_ptr<const 
                         std::move(depths_m)};
 }
 
+/// What the file's own quality flags left of its values.
+std::vector<std::string> words_of_flags(const FlagCount& flagged) {
+  const auto values = [](std::int64_t count) {
+    return std::to_string(count) + (count == 1 ? " value is" : " values are");
+  };
+  std::vector<std::string> words;
+  if (flagged.bad > 0)
+    words.push_back(values(flagged.bad) +
+                    " flagged as bad, failed or missing by the file's own quality flags; " +
+                    (flagged.bad == 1 ? "it was" : "they were") + " left out");
+  if (flagged.doubtful > 0)
+    words.push_back(values(flagged.doubtful) + " flagged as suspect by the file's own quality flags; " +
+                    (flagged.doubtful == 1 ? "it was" : "they were") +
+                    " kept; take out what you do not trust before you plan");
+  return words;
+}
+
 /// What is taken for the water above the first level, where that is no model's uppermost layer.
 std::optional<std::string> above_the_first_level(const StoredCurrents& currents) {
   constexpr double uppermost_layer_m = 10.0;  // of coarse global models, such as ORCA2 of NEMO (31 levels)
@@ -168,6 +185,10 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
                   " nodes, more than this program accepts; cut out your area and period first");
   const auto found = survey(*input.source, input.what, input.states_unit, progress);
   if (!found) return refuse(found.error());
+  if (found->valid == 0 && found->flagged.bad > 0)
+    return refuse("every value of " + enumeration(input.variables) +
+                  " is missing or flagged as bad by the file's own quality flags; there is nothing to store; "
+                  "check the area and the period of your download");
   if (found->valid == 0)
     return refuse("every value of " + enumeration(input.variables) +
                   " is missing; there is nothing to store; check the area and the period of your download");
@@ -190,6 +211,7 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
                             " values are markers for \"missing\" that the file does not declare, or lie "
                             "outside its valid range; they were "
                             "left out");
+  for (std::string& told : words_of_flags(found->flagged)) data.warnings.push_back(std::move(told));
   if (!found->doubt.empty()) data.warnings.push_back(found->doubt);
   if (found->land)
     data.warnings.push_back("the file marks no land, but " + number(100.0 * found->land->share(), 3) +

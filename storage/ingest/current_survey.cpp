@@ -115,6 +115,8 @@ Checked<CurrentSurvey> survey(const VelocitySource& source, Moving what, bool st
       result.valid += speeds.known;
       if (speeds.moving > 0) result.everything_is_zero = false;
       result.undeclared_fill += slice->undeclared_fill;
+      result.flagged.bad += slice->flagged.bad;
+      result.flagged.doubtful += slice->flagged.doubtful;
       if (time == 0 && level == 0) result.doubt = doubt_in_marks(*slice);
       if (land) land->add(level, slice->east, slice->north);
     }

@@ -13,6 +13,7 @@ namespace floeplan::ingest {
 struct CurrentSurvey {
   std::int64_t valid{};
   std::int64_t undeclared_fill{};
+  FlagCount flagged{};
   bool everything_is_zero{true};
   std::shared_ptr<const ZeroLand> land;  // null: no land that was written as still water
   std::string doubt;                     // about a number that may mark missing values; empty: none

@@ -66,6 +66,7 @@ class CurvilinearSource : public VelocitySource {
     VelocitySlice slice{std::vector<float>(shape_.points(), missing),
                         std::vector<float>(shape_.points(), missing),
                         std::max(first->undeclared_fill, second->undeclared_fill)};
+    slice.flagged = of_both(first->flagged, second->flagged);
     for (std::size_t row = 0; row < shape_.rows; ++row) {
       for (std::size_t column = 0; column < shape_.columns; ++column) {
         const std::size_t point = row * shape_.columns + column;
@@ -100,12 +101,16 @@ class CurvilinearSource : public VelocitySource {
   }
 
   /// The mean of the two points of each component beside a centre. No water flows through a coast: a point on it
-  /// counts as zero, and a centre with water on no side is land.
+  /// counts as zero, and a centre with water on no side is land. A point that is flagged as bad is no coast: beside it
+  /// the current is not known.
   [[nodiscard]] std::optional<Components> at_centre(const ComponentSlice& first, const ComponentSlice& second,
                                                     std::size_t row, std::size_t column) const {
     const Staggering& way = parts_.staggering;
     const std::size_t left = (row + way.first_row) * parts_.first.columns() + column;
     const std::size_t below = row * parts_.second.columns() + column + way.second_column;
+    if (first.is_bad(left) || first.is_bad(left + 1) || second.is_bad(below) ||
+        second.is_bad(below + parts_.second.columns()))
+      return std::nullopt;
     const double u_left = first.values[left];
     const double u_right = first.values[left + 1];
     const double v_below = second.values[below];
@@ -287,9 +292,9 @@ Checked<MeshCurrents> curvilinear_currents(const NetcdfFiles& files, const Veloc
   if (!second_mask) return refuse(second_mask.error());
 
   warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
-  auto u = VelocityComponent::of(*pair.first, std::move(*layout), warnings);
+  auto u = VelocityComponent::of(*pair.first_file, *pair.first, std::move(*layout), warnings);
   if (!u) return refuse(u.error());
-  auto v = VelocityComponent::of(*pair.second, std::move(*second_layout), warnings);
+  auto v = VelocityComponent::of(*pair.second_file, *pair.second, std::move(*second_layout), warnings);
   if (!v) return refuse(v.error());
   const bool staggered = !arrangement->staggering.collocated;
   const std::string layout_in_words = staggered       ? "a bent and staggered grid"

@@ -49,6 +49,7 @@ class MeshSource : public VelocitySource {
     VelocitySlice slice{std::vector<float>(shape_.points(), missing),
                         std::vector<float>(shape_.points(), missing),
                         std::max(east->undeclared_fill, north->undeclared_fill)};
+    slice.flagged = of_both(east->flagged, north->flagged);
     const std::size_t first = parts_.in_faces ? parts_.nodes : 0;
     for (std::size_t i = 0; i < east->values.size(); ++i) {
       if (std::isnan(east->values[i]) || std::isnan(north->values[i])) continue;
@@ -171,9 +172,9 @@ Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair
     levels = std::move(*found);
   }
   warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
-  auto u = VelocityComponent::of(*pair.first, std::move(*layout), warnings);
+  auto u = VelocityComponent::of(*pair.first_file, *pair.first, std::move(*layout), warnings);
   if (!u) return refuse(u.error());
-  auto v = VelocityComponent::of(*pair.second, std::move(*second_layout), warnings);
+  auto v = VelocityComponent::of(*pair.second_file, *pair.second, std::move(*second_layout), warnings);
   if (!v) return refuse(v.error());
 
   SourceMesh cells{mesh->nodes, along_faces ? split(*mesh) : mesh->faces};

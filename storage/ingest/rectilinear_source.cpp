@@ -72,6 +72,7 @@ class RectilinearSource : public VelocitySource {
     const std::size_t points = shape_.points();
     VelocitySlice slice{std::vector<float>(points), std::vector<float>(points),
                         std::max(first->undeclared_fill, second->undeclared_fill)};
+    slice.flagged = of_both(first->flagged, second->flagged);
     if (!turns_) {
       slice.east_steps = first_.steps();
       slice.north_steps = second_.steps();
@@ -151,9 +152,9 @@ Checked<RectilinearCurrents> rectilinear_currents(const NetcdfFiles& files, cons
         "\" point along the axes of the model's grid, which here run along parallels and meridians");
 
   warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
-  auto first = VelocityComponent::of(*pair.first, std::move(*layout), warnings);
+  auto first = VelocityComponent::of(*pair.first_file, *pair.first, std::move(*layout), warnings);
   if (!first) return refuse(first.error());
-  auto second = VelocityComponent::of(*pair.second, std::move(*second_layout), warnings);
+  auto second = VelocityComponent::of(*pair.second_file, *pair.second, std::move(*second_layout), warnings);
   if (!second) return refuse(second.error());
   auto source = std::make_shared<const RectilinearSource>(files, std::move(*first), std::move(*second), *grid,
                                                           std::move(turns));

@@ -49,12 +49,13 @@ Extent valid_range_of(const NetcdfVariable& variable, double factor) {
 
 }  // namespace
 
-Checked<VelocityComponent> VelocityComponent::of(const NetcdfVariable& variable, NetcdfLayout layout,
-                                                 std::vector<std::string>& warnings) {
+Checked<VelocityComponent> VelocityComponent::of(const NetcdfFile& file, const NetcdfVariable& variable,
+                                                 NetcdfLayout layout, std::vector<std::string>& warnings) {
   const auto factor = speed_factor_of(variable, warnings);
   if (!factor) return refuse(factor.error());
   VelocityComponent component;
   component.variable_ = &variable;
+  component.flags_ = GridFlags{file, variable, layout, warnings};
   component.layout_ = std::move(layout);
   component.factor_ = *factor;
   component.valid_ = valid_range_of(variable, *factor);
@@ -68,7 +69,7 @@ repository::SampleSteps VelocityComponent::steps() const {
 Checked<ComponentSlice> VelocityComponent::read(std::size_t time, std::size_t level) const {
   auto values = read_slice(*variable_, layout_, time, level);
   if (!values) return refuse(values.error());
-  ComponentSlice slice{std::move(*values), 0};
+  ComponentSlice slice{.values = std::move(*values)};
   const double factor = factor_;
   const Extent valid = valid_;
   const Extent plain{std::max(valid.least, -below_markers), std::min(valid.greatest, below_markers)};
@@ -85,6 +86,12 @@ Checked<ComponentSlice> VelocityComponent::read(std::size_t time, std::size_t le
     }
     for (std::size_t i = 0; i < count; ++i) some[i] *= factor;
   });
+  if (flags_.empty()) return slice;
+  auto bad = flags_.bad_among(slice.values, time, level, slice.flagged);
+  if (!bad) return refuse(bad.error());
+  slice.bad = std::move(*bad);
+  for (std::size_t i = 0; i < slice.values.size(); ++i)
+    if (slice.bad[i]) slice.values[i] = std::numeric_limits<double>::quiet_NaN();
   return slice;
 }
 

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/geo/lon_lat.hpp"
+#include "storage/ingest/grid_flags.hpp"
 #include "storage/ingest/refusal.hpp"
 #include "storage/repository/sample_steps.hpp"
 
@@ -33,6 +34,7 @@ struct VelocitySlice {
   std::int64_t undeclared_fill{};        // values taken as missing although the file does not say so
   repository::SampleSteps east_steps{};  // in which the file counts them, if it does
   repository::SampleSteps north_steps{};
+  FlagCount flagged{};  // by the file's own quality flags; the bad ones are missing
 };
 
 /// Currents of one file or of several as their model has them: whatever the layout, brought to one set of points
