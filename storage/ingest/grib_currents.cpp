@@ -217,6 +217,10 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
   CurrentInput input;
   input.what = what;
   input.variables = {"u", "v"};
+  if (!contents->layers.empty())
+    input.warnings.push_back("the currents are means over layers of the water (" + contents->layers +
+                             "); each was placed at the middle of its layer, and within a layer the current "
+                             "may be much stronger or run another way");
   std::optional<GridDirections> directions;
   if (contents->along_grid && !place->grid) {
     directions = std::move(place->directions);

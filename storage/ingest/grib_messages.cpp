@@ -55,6 +55,22 @@ bool is_along_grid(const GribSection& grid, int grid_template) {
   return (flags & 8U) != 0;
 }
 
+/// From the octet of its scale factor on; empty where it is missing.
+std::optional<double> surface_value(const GribSection& product, std::size_t first) {
+  if (product.is_missing(first, 1) && product.is_missing(first + 1, 4)) return std::nullopt;
+  return static_cast<double>(product.signed_at(first + 1, 4)) *
+         std::pow(10.0, -static_cast<double>(product.signed_at(first, 1)));
+}
+
+/// Not where the second surface is none (255, or the reserved 0), or the first one again.
+void describe_end_of_layer(GribField& field, const GribSection& product) {
+  const auto type = static_cast<int>(product.at(29, 1));
+  const auto value = surface_value(product, 30);
+  const bool same_again = type == field.surface_type && (!value || *value == field.surface_value);
+  field.second_surface_type = type == 0 || same_again ? 255 : type;
+  field.second_surface_value = value.value_or(0.0);
+}
+
 void describe_product(GribField& field, const GribSection& product, double reference_s) {
   const std::uint64_t product_template = product.at(8, 2);
   if (product_template != 0 && product_template != 8 && product_template != 1 && product_template != 11)
@@ -65,10 +81,8 @@ void describe_product(GribField& field, const GribSection& product, double refer
   field.valid_s =
       reference_s + seconds_of_unit(product.at(18, 1)) * static_cast<double>(product.signed_at(19, 4));
   field.surface_type = static_cast<int>(product.at(23, 1));
-  const bool no_value = product.at(24, 1) == 255 && product.at(25, 4) == 0xFFFFFFFFU;
-  field.surface_value = no_value ? 0.0
-                                 : static_cast<double>(product.signed_at(25, 4)) *
-                                       std::pow(10.0, -static_cast<double>(product.signed_at(24, 1)));
+  field.surface_value = surface_value(product, 24).value_or(0.0);
+  describe_end_of_layer(field, product);
   if (product_template != 8 && product_template != 11) return;
   const std::size_t end_of_period = product_template == 8 ? 35 : 38;
   const double begins_s = field.valid_s;

@@ -15,15 +15,19 @@ struct GribField {
   int discipline{};  // 10: oceanography
   int category{};
   int number{};
-  int surface_type{};      // 160: a depth below the sea's surface
-  double surface_value{};  // of it, in the unit of its type
-  double valid_s{};        // seconds since 1970-01-01T00:00:00Z; of a mean the middle of its period
+  int surface_type{};            // 160: a depth below the sea's surface
+  double surface_value{};        // of it, in the unit of its type
+  int second_surface_type{255};  // where a layer ends that begins at the first surface; 255: it is no layer
+  double second_surface_value{};
+  double valid_s{};  // seconds since 1970-01-01T00:00:00Z; of a mean the middle of its period
   std::optional<double>
       run_s{};          // when the forecast or its analysis began, likewise; empty: the time is another one
   int statistic{};      // over the time, code table 4.10; 0: a mean, or the value at one time
   int grid_template{};  // 0: latitude and longitude, 20: polar stereographic, ...
   std::string grid;     // the octets of its grid, to compare grids
   bool along_grid{false};  // vectors point along the grid's x and y, not towards east and north
+
+  [[nodiscard]] bool is_of_layer() const { return second_surface_type != 255; }
 };
 
 /// Walks through the octets of a GRIB2 file. GDAL decodes the values, but it hides what vectors are relative to, and it

@@ -175,6 +175,61 @@ TEST_F(GribCurrents, OfSeveralTimesAndDepthsAreOneField) {
   EXPECT_EQ(currents.samples().times_s.size(), 2U);
 }
 
+/// Law: means over layers stand at the middles of these, and are told; a layer without thickness is a depth.
+TEST_F(GribCurrents, OfLayersStandAtTheirMiddles) {
+  support::for_each_seed(8, [&](std::mt19937_64& rng) {
+    db_ = repository::open_store_in_memory();
+    std::string octets;
+    std::vector<double> middles_m;
+    double top_m = support::uniform_int(rng, 0, 5);
+    bool any_thick = false;
+    for (int count = support::uniform_int(rng, 1, 4); count > 0; --count) {
+      const double thick_m = support::uniform_int(rng, 0, 3) * 10.0;
+      const bool upside_down = support::uniform_int(rng, 0, 1) == 1;
+      GribMessage message;
+      message.depth_m = upside_down ? top_m + thick_m : top_m;
+      message.layer_ends_m = upside_down ? top_m : top_m + thick_m;
+      octets += both_components(message);
+      middles_m.push_back(top_m + thick_m / 2.0);
+      any_thick = any_thick || thick_m > 0.0;
+      top_m += thick_m + support::uniform_int(rng, 1, 5);
+    }
+
+    const auto currents = stored(octets);
+
+    ASSERT_THAT(currents.samples().depths_m->nodes(), testing::ElementsAreArray(middles_m));
+    EXPECT_EQ(words(report_).find("means over layers") != std::string::npos, any_thick);
+  });
+}
+
+TEST_F(GribCurrents, OfLayersThatOverlapOrReachTheBedAreRefused) {
+  GribMessage upper;
+  upper.depth_m = 0.0;
+  upper.layer_ends_m = 10.0;
+  GribMessage both = upper;
+  both.layer_ends_m = 30.0;
+  expect_refused(write_file("overlap.grb2", both_components(both) + both_components(upper)),
+                 "overlap (0 to 10 m and 0 to 30 m)");
+  GribMessage within;
+  within.depth_m = 5.0;
+  expect_refused(write_file("within.grb2", both_components(upper) + both_components(within)),
+                 "overlap (0 to 10 m and 5 m)");
+  GribMessage column = upper;
+  column.second_type = 9;
+  expect_refused(write_file("column.grb2", both_components(column)),
+                 "from a depth of 0 m down to a surface of type 9");
+}
+
+TEST_F(GribCurrents, AreMissingWhereTheWindOfALayerBlowsAlone) {
+  GribMessage wind;
+  wind.wind_height_m = 10.0;
+  wind.layer_ends_m = 100.0;
+  expect_refused(write_file("layer.grb2", both_components(wind)),
+                 "holds the wind over the layer from 10 to 100 m above the ground, but no currents");
+  wind.layer_ends_m = 10.0;  // no layer, but a height said twice
+  EXPECT_EQ(stored(both_components(wind)).samples().grid.size(), 120U);
+}
+
 TEST_F(GribCurrents, AreNotTheWindOfTheirFile) {
   std::string octets = both_components({});
   for (const double height_m : {100.0, 10.0}) {

@@ -229,9 +229,10 @@ std::string GribMessage::octets() const {
       .put(wind_height_m ? 103 : 160, 1)
       .put(2, 1)
       .put(static_cast<std::uint64_t>(std::llround(surface_m * 100.0)), 4)
-      .put(255, 1)
-      .put(255, 1)
-      .put(0xFFFFFFFFU, 4);
+      .put(layer_ends_m ? static_cast<std::uint64_t>(second_type.value_or(wind_height_m ? 103 : 160)) : 255,
+           1)
+      .put(layer_ends_m ? 2 : 255, 1)
+      .put(layer_ends_m ? static_cast<std::uint64_t>(std::llround(*layer_ends_m * 100.0)) : 0xFFFFFFFFU, 4);
   if (statistic) {  // of one range of six hours that ends on 2026-11-20
     product.put(2026, 2).put(11, 1).put(20, 1).put(static_cast<std::uint64_t>(forecast_h), 1).put(0, 2);
     product.put(1, 1).put(0, 4).put(static_cast<std::uint64_t>(*statistic), 1).put(2, 1);

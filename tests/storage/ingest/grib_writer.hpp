@@ -28,6 +28,8 @@ struct GribMessage {
   double spacing_m{50000.0};       // of the planes; the middle of the polar ones is 600 km from the pole
   double depth_m{5.0};
   std::optional<double> wind_height_m;  // then it is wind at this height above the ground
+  std::optional<double> layer_ends_m;   // a second surface of the same type, at this depth or height
+  std::optional<int> second_type;       // of it; empty: the first one's
   std::optional<int> statistic;  // over the hours until then, code table 4.10; empty: the value at one time
   std::optional<int> period_begins_h;                      // of a statistic; empty: where it ends
   int forecast_h{6};                                       // from 2026-11-20T00:00:00Z on
