@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "engine/planning/hat_moves.hpp"
+#include "engine/planning/kept_points.hpp"
 #include "engine/planning/leg_meter.hpp"
 #include "engine/planning/leg_trade.hpp"
 #include "engine/planning/smooth_moves.hpp"
@@ -44,6 +45,8 @@ class Refiner {
     }
     fewer_and_fewer(more_and_more(start));
     place_better(found_.choose(limits_.least_gain, limits_.most_legs));
+    constexpr double worth_a_last_round = 5e-7;
+    found_.offer(settle(found_.choose(limits_.least_gain, limits_.most_legs), worth_a_last_round));
     const Itinerary& chosen = found_.choose(limits_.least_gain, limits_.most_legs);
     const bool costs_more = chosen.cost() > start.cost();
     const Itinerary& kept = costs_more ? found_.choose(0.0, limits_.most_legs) : chosen;
@@ -65,13 +68,12 @@ class Refiner {
     return tidy && tidy->cost() <= (1.0 + rounding) * kept.cost() ? *tidy : kept;
   }
 
-  /// Moves the points of a route until that gains nothing more.
-  Itinerary settle(Itinerary timed) {
-    constexpr double worth_a_step = 2.5e-7;  // shares of the cost
-    constexpr double worth_a_round = 5e-6;
+  /// Moves the points of a route until a round gains less than this share of the cost.
+  Itinerary settle(Itinerary timed, double worth_a_round = 5e-6) {
+    constexpr double most_steps_in_a_round = 20.0;
     for (;;) {
       const double before = timed.cost();
-      SmoothMoves moves = descend_smoothly(legs_, std::move(timed), worth_a_step);
+      SmoothMoves moves = descend_smoothly(legs_, std::move(timed), worth_a_round / most_steps_in_a_round);
       timed = moves.met_closed ? HatMoves{legs_, std::move(moves.itinerary)}() : std::move(moves.itinerary);
       if (before - timed.cost() <= worth_a_round * before) return timed;
     }
@@ -97,16 +99,48 @@ class Refiner {
   }
 
   /// Halves the legs and settles until the route would close.
-  void fewer_and_fewer(Itinerary timed) {
-    while (timed.route.legs() > 1) {
-      const std::size_t legs = timed.route.legs();
+  void fewer_and_fewer(const Itinerary& finest) {
+    std::vector<Itinerary> levels{finest};
+    while (levels.back().route.legs() > 1) {
+      const std::size_t legs = levels.back().route.legs();
       const std::size_t most = limits_.most_legs.value_or(0);
       const std::size_t half = std::bit_ceil(legs) / 2;
-      Itinerary thinned = thin_to(legs_, std::move(timed), half < most && most < legs ? most : half);
-      if (thinned.route.legs() == legs) return;
-      timed = settle(std::move(thinned));
-      found_.offer(timed);
+      auto settled = settled_with(half < most && most < legs ? most : half, levels);
+      if (!settled) return;
+      levels.push_back(std::move(*settled));
     }
+  }
+
+  /// With so few legs: the better of two choices of points, which settle in different places. Empty where no point can go.
+  std::optional<Itinerary> settled_with(std::size_t fewer, const std::vector<Itinerary>& levels) {
+    const Itinerary& last = levels.back();
+    Itinerary first = thinned(last, fewer);
+    if (first.route.legs() == last.route.legs()) return std::nullopt;
+    const auto second = chosen_otherwise(fewer, levels);
+    Itinerary best = settle(std::move(first));
+    found_.offer(best);
+    if (!second) return best;
+    Itinerary other = settle(*second);
+    found_.offer(other);
+    if (other.route.legs() == best.route.legs() && other.cost() < best.cost()) best = std::move(other);
+    return best;
+  }
+
+  /// So few legs from the points of the last of `levels` that has many for each of them: of points that were thinned before
+  /// the best may be gone. Where there is none but the last, its points are taken out one after the other.
+  std::optional<Itinerary> chosen_otherwise(std::size_t fewer, const std::vector<Itinerary>& levels) {
+    constexpr std::size_t many = 4;
+    const auto has_many = [&](const Itinerary& level) { return level.route.legs() >= many * fewer; };
+    const auto found = std::find_if(levels.rbegin(), levels.rend(), has_many);
+    const Itinerary& from = found == levels.rend() ? levels.front() : *found;
+    if (&from != &levels.back()) return keep_best_points(legs_, from, fewer);
+    return thin_to(legs_, from, fewer);
+  }
+
+  /// With so many legs; with more where the route would close.
+  Itinerary thinned(const Itinerary& timed, std::size_t most) {
+    auto kept = keep_best_points(legs_, timed, most);
+    return kept ? std::move(*kept) : thin_to(legs_, timed, most);
   }
 
   /// Twice the legs and back to as many as before, so that the points end up where they serve best: again and again
@@ -116,7 +150,7 @@ class Refiner {
     const std::size_t legs = chosen.route.legs();
     for (;;) {
       Itinerary finer = settle(split_to(legs_, chosen, 2 * legs));
-      Itinerary placed = settle(thin_to(legs_, std::move(finer), legs));
+      Itinerary placed = settle(thinned(finer, legs));
       found_.offer(placed);
       const double gain = chosen.cost() - placed.cost();
       if (placed.route.legs() != legs || gain <= worth_a_round * chosen.cost()) return;

@@ -3,6 +3,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <bit>
 
 #include "engine/graph/label_setting_search.hpp"
 #include "engine/motion/edge_time.hpp"
@@ -77,6 +78,23 @@ const InCurrent<MeanderingJet> jet{{}, core::MetresPerSecond{0.5}, 1e-4};
 const Lattice jet_lattice{{-10.0, -5.0}, 0.5, 0.5, 41, 21, 4, 6, 40, 12};
 constexpr double jet_optimum_s = 17.1588;
 
+/// A leg timer whose answers differ by a few last bits, as those of another processor's functions do; the same arguments
+/// give the same answer.
+template <class Timer>
+struct WithOtherLastBits {
+  Timer timer;
+  std::uint64_t seed;
+
+  Leg operator()(geo::PlanePoint a, geo::PlanePoint b, core::Seconds depart) const {
+    std::uint64_t state = seed;
+    for (const double argument : {a.x_m, a.y_m, b.x_m, b.y_m, depart.count()})
+      state = std::rotl(state ^ std::bit_cast<std::uint64_t>(argument), 29) *
+              0x9e3779b97f4a7c15;  // Fibonacci hashing
+    const double share = 1e-13 * (std::ldexp(static_cast<double>(state >> 11), -52) - 1.0);
+    return timer(a, b, depart).map([share](core::Seconds time) { return time * (1.0 + share); });
+  }
+};
+
 /// How far above the optimum a route of at most `legs` legs stays, in per cent.
 template <class Timer>
 double deviation_pct(const Timer& leg_time, const Lattice& lattice, double optimum_s, std::size_t legs) {
@@ -88,15 +106,25 @@ double deviation_pct(const Timer& leg_time, const Lattice& lattice, double optim
 
 TEST(Refinement, ComesAsNearToTheRiversOptimumAsItsLegsAllow) {
   EXPECT_LE(deviation_pct(river, river_lattice, river_optimum_s, 8), 0.39);
-  EXPECT_LE(deviation_pct(river, river_lattice, river_optimum_s, 10), 0.32);
+  EXPECT_LE(deviation_pct(river, river_lattice, river_optimum_s, 10), 0.26);
   EXPECT_LE(deviation_pct(river, river_lattice, river_optimum_s, 16), 0.11);
 }
 
 TEST(Refinement, ComesAsNearToTheJetsOptimumAsItsLegsAllow) {
   EXPECT_LE(deviation_pct(jet, jet_lattice, jet_optimum_s, 12), 2.04);
-  EXPECT_LE(deviation_pct(jet, jet_lattice, jet_optimum_s, 21), 0.81);
+  EXPECT_LE(deviation_pct(jet, jet_lattice, jet_optimum_s, 21), 0.78);
   EXPECT_LE(deviation_pct(jet, jet_lattice, jet_optimum_s, 42), 0.23);
   EXPECT_LE(deviation_pct(jet, jet_lattice, jet_optimum_s, 84), 0.061);
+}
+
+TEST(Refinement, ComesAsNearWhateverTheLastBitsOfTheCurrents) {
+  for (const std::uint64_t seed : {1, 2, 3}) {
+    const WithOtherLastBits<decltype(river)> other_river{river, seed};
+    EXPECT_LE(deviation_pct(other_river, river_lattice, river_optimum_s, 8), 0.39) << seed;
+    const WithOtherLastBits<decltype(jet)> other_jet{jet, seed};
+    EXPECT_LE(deviation_pct(other_jet, jet_lattice, jet_optimum_s, 12), 2.04) << seed;
+    EXPECT_LE(deviation_pct(other_jet, jet_lattice, jet_optimum_s, 21), 0.78) << seed;
+  }
 }
 
 TEST(Refinement, LosesThreeQuartersOfItsErrorWithTwiceTheLegs) {
