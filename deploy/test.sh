@@ -9,7 +9,7 @@
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 # What reads bytes from outside, or computes the indices that it is read by. --full runs all folders.
-readonly asan_folders=(core geo graph motion ocean tide vehicle mission ingest codec)
+readonly asan_folders=(elementary core geo graph motion ocean tide vehicle mission ingest codec)
 readonly reports=$root/build/reports
 failed_steps=()
 

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <stdexcept>
 
+#include "engine/motion/fan_path_limit.hpp"
+
 namespace floeplan::motion {
 namespace {
 
@@ -289,6 +291,11 @@ std::vector<FanPath> possible_paths() {
   return paths;
 }
 
+std::vector<FanPath>& paths_to_take() {
+  static std::vector<FanPath> paths = possible_paths();
+  return paths;
+}
+
 }  // namespace
 
 EdgeFan::EdgeFan(const std::vector<geo::PlanePoint>& edges) {
@@ -306,9 +313,12 @@ EdgeFan::EdgeFan(const std::vector<geo::PlanePoint>& edges) {
   }
 }
 
-const std::vector<FanPath>& fan_paths() {
-  static const std::vector<FanPath> paths = possible_paths();
-  return paths;
+const std::vector<FanPath>& fan_paths() { return paths_to_take(); }
+
+void limit_fan_paths(FanPath widest) {
+  const auto found = std::ranges::find(paths_to_take(), widest);
+  if (found == paths_to_take().end()) throw std::invalid_argument{"this processor has no such path"};
+  paths_to_take().erase(found + 1, paths_to_take().end());
 }
 
 void estimate_fan(const EdgeFan& fan, const NearbyCurrent& current, const FanVehicle& vehicle,

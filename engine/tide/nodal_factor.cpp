@@ -21,6 +21,10 @@ struct NodeSeries {
 
 constexpr NodeSeries of_m2{-0.03731, 0.00052, -0.03731, 0.00052};
 
+std::complex<double> to_the_three_halves(std::complex<double> factor) {
+  return std::polar(std::pow(std::abs(factor), 1.5), 1.5 * std::arg(factor));
+}
+
 std::complex<double> of_m1(double perigee_rad, double node_rad) {
   return 1.0 + std::polar(0.36, -2.0 * perigee_rad) + std::polar(0.201, -node_rad) +
          std::polar(0.066, -2.0 * perigee_rad + node_rad);
@@ -49,7 +53,7 @@ std::complex<double> nodal_factor(NodalClass nodal, const MeanLongitudes& longit
     case NodalClass::j1: return NodeSeries{0.169, 0.0, -0.227, 0.0}.at(node);
     case NodalClass::oo1: return NodeSeries{0.640, 0.134, -0.640, -0.134}.at(node);
     case NodalClass::m2: return of_m2.at(node);
-    case NodalClass::m3: return std::pow(of_m2.at(node), 1.5);
+    case NodalClass::m3: return to_the_three_halves(of_m2.at(node));
     case NodalClass::l2: return of_l2(perigee, node);
     case NodalClass::k2: return NodeSeries{0.2852, 0.0324, -0.3108, -0.0324}.at(node);
     case NodalClass::eta2: return NodeSeries{0.436, 0.0, -0.436, 0.0}.at(node);

@@ -5,6 +5,7 @@
 
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
+#include "server/cli/instructions_flag.hpp"
 #include "server/cli/operator_commands.hpp"
 #include "server/cli/plan_commands.hpp"
 
@@ -47,6 +48,7 @@ int run(int argc, char** argv, const std::string& version) {
   app.add_option("--log-level", program.log_level, "Of a server's log on stderr")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
+  add_instructions(app);
   app.set_config("--config", "", "File with options in TOML, a [section] for each command");
   add_commands(app, program);
   refuse_empty_numbers(app);

@@ -20,6 +20,7 @@ struct Folder {
 
 const std::map<std::string, Folder>& folders() {
   static const std::map<std::string, Folder> all{
+      {"engine/elementary", {{}}},
       {"engine/core", {{}}},
       {"engine/tide", {{"engine/core"}}},
       {"engine/geo", {{"engine/core"}}},

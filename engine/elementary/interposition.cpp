@@ -1,0 +1,46 @@
+/// The functions of <math.h> that differ between processors in the C library, under their own names. Every call in the
+/// process is bound to these: those of the program by the linker, which finds them before the C library; those of shared
+/// libraries (GeographicLib, PROJ, NLopt, GDAL) by the loader, which looks into the program first. For that they have to be
+/// in the program's dynamic symbol table: exported_names.txt.
+/// What is not here is the C library's: functions whose exact value it returns (sqrt, fmod, floor), and those that it has
+/// in one version only (hypot, cbrt); tests compare their bits with and without fused multiply-add. Its complex functions
+/// call its own real ones, past these: std::pow, exp and log of complex numbers are not to be used.
+
+#include "engine/elementary/elementary.hpp"
+
+namespace numbers = floeplan::elementary;
+
+extern "C" {
+
+double sin(double x) noexcept { return numbers::sin(x); }
+double cos(double x) noexcept { return numbers::cos(x); }
+double tan(double x) noexcept { return numbers::tan(x); }
+// What compilers make of both for one argument.
+void sincos(double x, double* sine, double* cosine) noexcept {
+  const numbers::SineCosine both = numbers::sincos(x);
+  *sine = both.sine;
+  *cosine = both.cosine;
+}
+
+double asin(double x) noexcept { return numbers::asin(x); }
+double acos(double x) noexcept { return numbers::acos(x); }
+double atan(double x) noexcept { return numbers::atan(x); }
+double atan2(double y, double x) noexcept { return numbers::atan2(y, x); }
+
+double exp(double x) noexcept { return numbers::exp(x); }
+double exp2(double x) noexcept { return numbers::exp2(x); }
+double expm1(double x) noexcept { return numbers::expm1(x); }
+double pow(double x, double y) noexcept { return numbers::pow(x, y); }
+double log(double x) noexcept { return numbers::log(x); }
+double log2(double x) noexcept { return numbers::log2(x); }
+double log10(double x) noexcept { return numbers::log10(x); }
+double log1p(double x) noexcept { return numbers::log1p(x); }
+
+double sinh(double x) noexcept { return numbers::sinh(x); }
+double cosh(double x) noexcept { return numbers::cosh(x); }
+double tanh(double x) noexcept { return numbers::tanh(x); }
+double asinh(double x) noexcept { return numbers::asinh(x); }
+double acosh(double x) noexcept { return numbers::acosh(x); }
+double atanh(double x) noexcept { return numbers::atanh(x); }
+
+}  // extern "C"
