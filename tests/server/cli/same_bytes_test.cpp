@@ -20,8 +20,8 @@ namespace fs = std::filesystem;
 using support::Program;
 
 /// Two seas: a river of the paper, which is small, with a tide, and the demonstration's bay with depths, ice and icebergs. $river and
-/// so on stand for a start, a goal and what goes with them, $plan for the id of the first plan. No request is bounded
-/// by computing time, or it would not even be the same twice.
+/// so on stand for a start, a goal and what goes with them, $plan for the id of the first plan. No request ends with its
+/// computing time, or it would not even be the same twice: what is refined has time enough to converge.
 const std::vector<std::pair<std::string, std::string>>& abbreviations() {
   static const std::vector<std::pair<std::string, std::string>> all{
       {"$river", "--from=-56.90,66.00 --to=-56.60,66.05 --depart 2026-11-22T06:00:00Z $grid"},
@@ -31,6 +31,9 @@ const std::vector<std::pair<std::string, std::string>>& abbreviations() {
       {"$ice",
        "--from=-53.15,68.95 --to=-51.75,69.0 --depart 2026-11-22T00:00:00Z --currents none --icebergs none"
        " --spacing 3000 --no-refine"},
+      {"$refined",
+       "--from=-56.98,66.00 --to=-56.36,66.02 --depart 2026-11-22T06:00:00Z --spacing 2000"
+       " --refine-seconds 60"},
       {"$grid", "--spacing 1500 --no-refine"},
       {"$errors", "--members 4 --current-error 0.05 --error-length 20000 --error-time PT12H"},
       {"$thruster", "--vehicle slocum-g3-200-thruster"}};
@@ -49,6 +52,9 @@ constexpr std::array in_the_river{
     "plan $river --pitch 24 --climb-to 10",
     "plan $river --max-leg 3000 --max-waypoints 9",
     "plan $river --currents none",
+    "plan $refined",
+    "plan $refined --max-waypoints 6",
+    "plan $refined --objective energy",
     "plan $back",
     "plan $back --method tve",
     "plan $river --objective energy",
@@ -104,7 +110,7 @@ constexpr std::array in_the_bay{
     "probe --at=-52.95,69.19 --time 2026-11-22T09:30:00Z",
 };
 
-const char* const without_fma = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4";
+const char* const without_fma = "GLIBC_TUNABLES=glibc.cpu.hwcaps=-AVX2,-FMA,-FMA4,-AVX512F";
 
 /// A diurnal tide about the river, by ncgen.
 const char* const tide_file = R"(netcdf k1 {
