@@ -29,6 +29,7 @@ struct ServiceInfo {
   std::filesystem::path uploads;                // folder of what was sent and waits to be ingested
   bool secure{false};                           // clients come by TLS
   std::filesystem::path store{};                // folder of the database, to tell its size
+  std::size_t damaged_pages{0};                 // of the database, when the server began
   std::shared_ptr<RequestCounts> counts{};      // empty: nobody counts
   std::optional<ReaderLayers> reader_layers{};  // empty: nobody reads files here
   std::function<std::size_t()> connections{};   // open now

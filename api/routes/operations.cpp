@@ -70,9 +70,9 @@ Response show_metrics(const Context& context, const Request&, const PathParamete
 /// What keeps the server from doing its work, in words; empty when nothing does.
 std::string obstacle(const Context& context) {
   try {
-    static_cast<void>(repository::JobRepository{context.db}.count(JobStatus::accepted));
+    repository::JobRepository{context.db}.touch_queue();
   } catch (const std::runtime_error&) {
-    return "the store cannot be read";
+    return "the queue of jobs cannot be written";
   }
   std::error_code unknown;
   const auto space = std::filesystem::space(context.service.store, unknown);
@@ -84,7 +84,7 @@ std::string obstacle(const Context& context) {
 Response show_readiness(const Context& context, const Request& request, const PathParameters&) {
   const std::string found = obstacle(context);
   if (found.empty()) {
-    nlohmann::json document{{"status", "ok"}};
+    nlohmann::json document{{"status", "ok"}, {"damaged_pages", context.service.damaged_pages}};
     if (const auto& readers = context.service.reader_layers)
       document["sandbox"] = {{"layers", readers->layers}, {"enough", readers->enough}};
     return json_reply(document);

@@ -25,11 +25,14 @@ codec::Problem problem_of(sqlite::Trouble trouble) {
           "The server cannot write to its disk. Nothing of the request was done; its operator has to look.",
           {}};
     case sqlite::Trouble::damaged:
-      return {503,
-              "store-damaged",
-              "The store is damaged",
-              "The server's store is damaged; its operator has to put back a backup.",
-              {}};
+      return {
+          503,
+          "store-damaged",
+          "The store is damaged",
+          "What was asked for is damaged in the server's store and cannot be read; the rest can. Its "
+          "operator sees "
+          "what is damaged with floeplan verify, saves the rest with floeplan repair, or puts back a backup.",
+          {}};
     case sqlite::Trouble::other:
       return {500,
               "internal-error",

@@ -1,11 +1,12 @@
-#include <cmath>
 #include <iostream>
 #include <memory>
 
 #include "server/cli/operator_commands.hpp"
 #include "storage/repository/migrations.hpp"
+#include "storage/repository/replacement.hpp"
 #include "storage/repository/store_lock.hpp"
 #include "storage/sqlite/backup.hpp"
+#include "storage/sqlite/failure.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -22,33 +23,22 @@ int back_up(const fs::path& file, const Program& program) {
   return done;
 }
 
-/// What was there goes aside under a name of its own, with the log that belongs to it. False when there was nothing.
-bool set_aside(const fs::path& store, const fs::path& place) {
-  if (!fs::exists(store / "floeplan.sqlite")) return false;
-  for (const char* ending : {"", "-wal", "-shm"}) {
-    const fs::path file = store / ("floeplan.sqlite" + std::string{ending});
-    if (fs::exists(file)) fs::rename(file, place.string() + ending);
-  }
-  return true;
+std::string words_for_kept(const fs::path& kept) {
+  return kept.empty() ? "" : "; what was there before lies in " + kept.string();
 }
 
 int restore(const fs::path& file, const Program& program) {
   if (!fs::exists(file)) return complain(could_not, "there is no file " + file.string() + "; name a backup");
-  const std::string damage = sqlite::damage_of(file);
-  if (!damage.empty())
-    return complain(bad_data, file.string() + " cannot be restored; " + damage + "; take another backup");
   const repository::StoreLock lock{program.store};
-  const fs::path arriving = program.store / "floeplan.sqlite.arriving";
-  fs::copy_file(file, arriving, fs::copy_options::overwrite_existing);
-  const fs::path aside =
-      program.store / ("floeplan.sqlite.before-" + std::to_string(std::llround(core::unix_seconds(now()))));
-  const bool was_there = set_aside(program.store, aside);
-  fs::rename(arriving, program.store / "floeplan.sqlite");
-  auto db = repository::open_store(program.store);  // an older backup comes up to date here
-  std::cout << "restored " << file.string();
-  if (was_there) std::cout << "; what was there before lies in " << aside.string();
-  std::cout << '\n';
-  return done;
+  try {
+    const auto replacement = repository::restore_store(program.store, file, terminal_progress());
+    std::cout << "restored " << file.string() << words_for_kept(replacement.kept) << '\n';
+    return done;
+  } catch (const sqlite::Failure&) {
+    throw;
+  } catch (const std::runtime_error& error) {
+    return complain(bad_data, error.what());
+  }
 }
 
 }  // namespace

@@ -9,5 +9,7 @@ void add_token(CLI::App& app, Program& program);
 void add_audit(CLI::App& app, Program& program);
 void add_backup(CLI::App& app, Program& program);
 void add_restore(CLI::App& app, Program& program);
+void add_verify(CLI::App& app, Program& program);
+void add_repair(CLI::App& app, Program& program);
 
 }  // namespace floeplan::cli

@@ -33,6 +33,8 @@ void add_commands(CLI::App& app, Program& program) {
   add_audit(app, program);
   add_backup(app, program);
   add_restore(app, program);
+  add_verify(app, program);
+  add_repair(app, program);
 }
 
 }  // namespace

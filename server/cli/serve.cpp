@@ -13,6 +13,7 @@
 #include "api/routes/site.hpp"
 #include "server/cli/api_handler.hpp"
 #include "server/cli/command.hpp"
+#include "server/cli/store_watch.hpp"
 #include "server/http/server.hpp"
 #include "server/jobs/watched_folder.hpp"
 #include "server/jobs/worker_pool.hpp"
@@ -22,7 +23,8 @@
 #include "storage/repository/store_lock.hpp"
 #include "storage/repository/token_repository.hpp"
 #include "storage/repository/upload_repository.hpp"
-#include "storage/sqlite/backup.hpp"
+#include "storage/sqlite/database_files.hpp"
+#include "storage/sqlite/page_checksums.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -119,13 +121,18 @@ std::optional<std::string> fault_of(const ServeOptions& options, const http::Lis
   return std::nullopt;
 }
 
-/// A damaged store would lose more with everything that is written to it.
-void refuse_damaged_store(const std::filesystem::path& store) {
+/// Looks at every page. What is damaged answers with an error from here on, and cannot be written over; all else is served.
+/// Returns  how many pages have changed
+std::size_t logged_damage(const std::filesystem::path& store) {
+  const bool is_new = !std::filesystem::exists(sqlite::database_in(store));
   auto db = repository::open_store(store);
-  const std::string damage = sqlite::damage_of(db);
-  if (damage.empty()) return;
-  throw std::runtime_error{"the store " + store.string() + " is damaged (" + damage +
-                           "); put back the last backup with floeplan restore FILE"};
+  if (is_new) log::warn({"store new=\"", store.string(), "\" it was created, and holds nothing"});
+  const std::size_t pages = sqlite::damaged_pages(sqlite::database_in(store)).size();
+  if (pages > 0)
+    log::error({"store damaged_pages=", std::to_string(pages),
+                " what lies there cannot be read; floeplan verify names it, floeplan repair saves the rest, "
+                "floeplan restore puts back a backup"});
+  return pages;
 }
 
 /// What confines the processes that read files, as one of them tells; the log says it, too.
@@ -146,7 +153,7 @@ routes::ReaderLayers logged_layers(const ingest::Guard& guard) {
 
 void serve_until_stopped(const ServeOptions& options, const http::ListenAddress& address) {
   const repository::StoreLock lock{options.store};
-  refuse_damaged_store(options.store);
+  const std::size_t damaged_pages = logged_damage(options.store);
   const auto open_store = [store = options.store] { return repository::open_store(store); };
   jobs::JobBoard board;
   Api api;  // needs the port, so it is filled in once that is known
@@ -177,6 +184,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                   .uploads = uploads,
                   .secure = secure,
                   .store = options.store,
+                  .damaged_pages = damaged_pages,
                   .counts = counts,
                   .reader_layers = logged_layers(place.guard),
                   .connections = [&server] { return server.connections(); },
@@ -188,6 +196,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
   repository::UploadRepository{uploads}.remove_expired(now());
   ingest::StagingFolder::remove_abandoned(place.guard.staging);
   jobs::WorkerPool workers{open_store, board, options.workers, place};
+  const StoreWatch store_watch{options.store};
   std::optional<jobs::WatchedFolder> watched;
   if (options.watch) watched.emplace(*options.watch, open_store, place.guard);
   std::cerr << "floeplan: serving " << local << '\n' << std::flush;

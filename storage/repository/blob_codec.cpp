@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <string>
 
+#include "storage/sqlite/failure.hpp"
+
 namespace floeplan::repository {
 namespace {
 
@@ -18,9 +20,10 @@ constexpr int compression_level = 3;
 constexpr std::size_t largest_blob_bytes = std::size_t{1} << 30;
 
 [[noreturn]] void refuse(const std::string& why) {
-  throw std::runtime_error{
+  throw sqlite::Failure{
       "stored data are damaged (" + why +
-      "); remove the dataset and ingest its file again, or restore the store from a backup"};
+          "); remove the dataset and ingest its file again, or restore the store from a backup",
+      sqlite::Trouble::damaged};
 }
 
 /// Puts the bytes of each number together again.
@@ -87,6 +90,8 @@ std::vector<double> BlobCodec::unpack_doubles(std::span<const std::byte> blob, s
   unshuffle<double, std::uint64_t>(decompress(blob, count * sizeof(double)), values);
   return values;
 }
+
+void BlobCodec::check(std::span<const std::byte> blob) { (void)decompress(blob, unpacked_bytes(blob)); }
 
 std::size_t BlobCodec::unpacked_bytes(std::span<const std::byte> blob) {
   const auto bytes = ZSTD_getFrameContentSize(blob.data(), blob.size());

@@ -17,7 +17,7 @@ namespace floeplan::repository {
 ///          checksum. Neighbouring values of a smooth field share their high bytes; shuffling joins those. Floats that
 ///          are multiples of steps: those (see write_as_steps), told by their odd length, in the same frame
 /// Threads  one thread at a time
-/// Errors   std::runtime_error from `unpack` for a damaged blob or one of another length
+/// Errors   sqlite::Failure (damaged) from `unpack` and `check` for a damaged blob or one of another length
 class BlobCodec {
  public:
   BlobCodec();
@@ -35,6 +35,9 @@ class BlobCodec {
   /// A view of scratch memory, valid until the next call: fields are read by the thousand of such blobs.
   [[nodiscard]] std::span<const float> unpack_floats(std::span<const std::byte> blob, std::size_t count);
   [[nodiscard]] std::vector<double> unpack_doubles(std::span<const std::byte> blob, std::size_t count);
+
+  /// Compares a blob with its checksum.
+  void check(std::span<const std::byte> blob);
 
   /// How many bytes the blob holds once unpacked.
   [[nodiscard]] static std::size_t unpacked_bytes(std::span<const std::byte> blob);

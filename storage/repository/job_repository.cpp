@@ -174,6 +174,8 @@ std::int64_t JobRepository::count(JobStatus status) const {
   return query.step() ? query.integer(0) : 0;
 }
 
+void JobRepository::touch_queue() { sqlite::execute(db_, "UPDATE job_clock SET change = change"); }
+
 std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::UtcTime now,
                                               core::Seconds lease, Lane lane) {
   if (!has_claimable(db_, now, lane)) return std::nullopt;

@@ -84,6 +84,9 @@ class JobRepository {
   /// The number of the last change of all.
   [[nodiscard]] std::int64_t last_change() const;
   [[nodiscard]] std::int64_t count(JobStatus status) const;
+  /// Writes to the queue as a new job would, and changes nothing.
+  /// Errors  sqlite::Failure where a job could not be taken
+  void touch_queue();
 
   /// An accepted job, or a running one whose lease ran out, made this worker's until `now + lease`: the oldest of the
   /// owner with the fewest running jobs, of several the one whose last job began longest ago.

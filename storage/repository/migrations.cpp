@@ -1,91 +1,56 @@
 #include "storage/repository/migrations.hpp"
 
-#include <stdexcept>
+#include <fstream>
 #include <string>
 
-#include "storage/repository/schema_scripts.hpp"
-#include "storage/sqlite/statement.hpp"
-#include "storage/sqlite/transaction.hpp"
+#include "storage/repository/replacement.hpp"
+#include "storage/repository/schema.hpp"
+#include "storage/sqlite/database_files.hpp"
+#include "storage/sqlite/failure.hpp"
 
 namespace floeplan::repository {
 namespace {
 
-const auto newest_schema = static_cast<std::int64_t>(schema_scripts().size());
+namespace fs = std::filesystem;
 
-std::int64_t schema_of(sqlite::Connection& db) {
-  sqlite::Statement query{db, "PRAGMA user_version"};
-  return query.step() ? query.integer(0) : 0;
+/// Says that a folder holds a store, so that one without its database is no new one.
+fs::path mark_in(const fs::path& store) { return store / "floeplan.use"; }
+
+void refuse_folder_without_its_database(const fs::path& store) {
+  std::error_code none;
+  if (fs::exists(sqlite::database_in(store), none) || fs::file_size(mark_in(store), none) == 0 || none)
+    return;
+  throw sqlite::Failure{
+      "the folder " + store.string() +
+      " held a store, but its floeplan.sqlite is gone; put it back, for example with floeplan "
+      "restore FILE, or choose an empty folder"};
 }
 
-void refuse_newer_schema(std::int64_t schema) {
-  if (schema <= newest_schema) return;
-  throw std::runtime_error{"the store was written by a newer Floeplan (schema " + std::to_string(schema) +
-                           ", this program knows " + std::to_string(newest_schema) +
-                           "); update the program, or choose another folder"};
-}
-
-/// Dropping a table that others refer to would empty them too. The setting cannot be changed inside a transaction.
-class WithoutForeignKeys {
- public:
-  explicit WithoutForeignKeys(sqlite::Connection& db) : db_{db} {
-    sqlite::execute(db_, "PRAGMA foreign_keys = OFF");
-  }
-  WithoutForeignKeys(const WithoutForeignKeys&) = delete;
-  WithoutForeignKeys& operator=(const WithoutForeignKeys&) = delete;
-  ~WithoutForeignKeys() {
-    try {
-      sqlite::execute(db_, "PRAGMA foreign_keys = ON");
-      // NOLINTNEXTLINE(bugprone-empty-catch): the store is not handed out, because opening it failed already
-    } catch (const std::runtime_error&) {
-    }
-  }
-
- private:
-  sqlite::Connection& db_;  // borrowed
-};
-
-void refuse_broken_references(sqlite::Connection& db) {
-  sqlite::Statement check{db, "PRAGMA foreign_key_check"};
-  if (check.step())
-    throw std::runtime_error{"the store refers to a dataset that it does not hold; it is damaged"};
-}
-
-void migrate(sqlite::Connection& db) {
-  const std::int64_t before = schema_of(db);
-  refuse_newer_schema(before);
-  if (before == newest_schema) return;
-
-  const WithoutForeignKeys no_foreign_keys{db};
-  sqlite::Transaction transaction{db};
-  // Asked again: another program may have migrated the store in the meantime.
-  const std::int64_t found = schema_of(db);
-  refuse_newer_schema(found);
-  for (auto schema = static_cast<std::size_t>(found); schema < schema_scripts().size(); ++schema) {
-    sqlite::execute(db, schema_scripts()[schema]);
-  }
-  refuse_broken_references(db);
-  sqlite::execute(db, "PRAGMA application_id = " + std::to_string(sqlite::application_id));
-  sqlite::execute(db, "PRAGMA user_version = " + std::to_string(newest_schema));
-  transaction.commit();
-}
+void mark(const fs::path& store) { std::ofstream{mark_in(store), std::ios::app} << "a store of Floeplan\n"; }
 
 }  // namespace
 
-sqlite::Connection open_store(const std::filesystem::path& store) {
+sqlite::Connection open_store(const fs::path& store) {
+  refuse_folder_without_its_database(store);
+  const auto header = sqlite::header_of(sqlite::database_in(store));
+  const bool is_ours = header.application_id == sqlite::application_id;
+  if (is_ours && header.schema > 0 && (header.schema < newest_schema() || !header.has_checksums))
+    (void)bring_up_to_date(store);
   sqlite::Connection db = sqlite::Connection::open(store);
-  migrate(db);
+  bring_to_newest_schema(db);
+  if (!is_ours) mark(store);
   return db;
 }
 
-sqlite::Connection open_scratch_store(const std::filesystem::path& folder) {
+sqlite::Connection open_scratch_store(const fs::path& folder) {
   sqlite::Connection db = sqlite::Connection::open_scratch(folder);
-  migrate(db);
+  bring_to_newest_schema(db);
   return db;
 }
 
 sqlite::Connection open_store_in_memory() {
   sqlite::Connection db = sqlite::Connection::in_memory();
-  migrate(db);
+  bring_to_newest_schema(db);
   return db;
 }
 

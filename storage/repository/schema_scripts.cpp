@@ -338,6 +338,9 @@ INSERT INTO dataset_text (dataset_row, role, position, text)
     'the depth-averaged currents are in the vehicle''s own axes, not true east and north; in Greenland''s waters they '
     || 'point about 30 degrees off; ingest the same files again to turn them'
   FROM dataset WHERE outdated = 1;
+)sql",
+                             R"sql(
+-- Pages end with checksums from here on; a program that does not write them must not open the store.
 )sql"};
 
 }  // namespace

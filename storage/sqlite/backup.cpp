@@ -3,12 +3,12 @@
 #include <SQLiteCpp/Backup.h>
 #include <SQLiteCpp/Database.h>
 #include <SQLiteCpp/Statement.h>
-#include <fcntl.h>
-#include <unistd.h>
 
 #include <system_error>
 
+#include "storage/sqlite/database_files.hpp"
 #include "storage/sqlite/failure.hpp"
+#include "storage/sqlite/page_checksums.hpp"
 
 namespace floeplan::sqlite {
 namespace {
@@ -21,16 +21,9 @@ std::string damage_in(SQLite::Database& database) {
   return found == "ok" ? "" : found;
 }
 
-void flush(const fs::path& path) {
-  const int descriptor = open(path.c_str(), O_RDONLY | O_CLOEXEC);
-  const bool flushed = descriptor >= 0 && fsync(descriptor) == 0;
-  if (descriptor >= 0) close(descriptor);
-  if (!flushed) throw Failure{path.string() + " cannot be written to the disk; look at its free space"};
-}
-
 /// In one step: the copy is of one moment, and in a write-ahead log nobody waits for it.
 void copy_into(SQLite::Database& from, const fs::path& file) {
-  SQLite::Database to{file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE};
+  SQLite::Database to{file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, 0, checked_files()};
   {
     SQLite::Backup backup{to, from};
     backup.executeStep(-1);
@@ -73,7 +66,7 @@ std::string damage_of(Connection& db) {
 
 std::string damage_of(const fs::path& file) {
   try {
-    SQLite::Database database{file.string(), SQLite::OPEN_READONLY};
+    SQLite::Database database{file.string(), SQLite::OPEN_READONLY, 0, checked_files()};
     if (database.execAndGet("PRAGMA application_id").getInt() != application_id)
       return "it is no store of Floeplan";
     return damage_in(database);

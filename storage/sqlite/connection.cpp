@@ -8,7 +8,9 @@
 #include <thread>
 #include <utility>
 
+#include "storage/sqlite/database_files.hpp"
 #include "storage/sqlite/failure.hpp"
+#include "storage/sqlite/page_checksums.hpp"
 #include "storage/sqlite/prepared_statements.hpp"
 
 namespace floeplan::sqlite {
@@ -26,6 +28,13 @@ void refuse_foreign_file(SQLite::Database& database) {
   if (mark == application_id || (mark == 0 && is_empty)) return;
   throw Failure{database.getFilename() +
                 " belongs to another program, not to Floeplan; choose another folder"};
+}
+
+/// In a database that does not exist yet; one that does keeps its form.
+void reserve_checksums(SQLite::Database& database) {
+  int bytes = checksum_bytes;
+  if (sqlite3_file_control(database.getHandle(), "main", SQLITE_FCNTL_RESERVE_BYTES, &bytes) != SQLITE_OK)
+    throw Failure{database.getFilename() + " cannot be given checksums"};
 }
 
 /// The busy timeout does not hold while the journal mode changes: two programs that create the store at once would
@@ -61,6 +70,7 @@ Connection& Connection::operator=(Connection&& other) noexcept {
   std::swap(statements_, other.statements_);  // what this one had ends with `other`, in the right order
   std::swap(database_, other.database_);
   std::swap(has_write_ahead_log_, other.has_write_ahead_log_);
+  std::swap(use_, other.use_);
   return *this;
 }
 Connection::~Connection() = default;
@@ -70,19 +80,23 @@ Connection Connection::open(const std::filesystem::path& store) {
   std::filesystem::create_directories(store, error);
   if (error) throw Failure{"the folder " + store.string() + " cannot be created: " + error.message()};
 
-  const std::string file = (store / "floeplan.sqlite").string();
+  auto use = StoreUse::shared(store);
+  const std::string file = database_in(store).string();
   try {
-    auto database = std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms);
+    auto database = std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms, checked_files());
+    reserve_checksums(*database);
     refuse_foreign_file(*database);
     use_write_ahead_log(*database);
-    return Connection{std::move(database), true};
+    Connection connection{std::move(database), true};
+    connection.use_ = std::move(use);
+    return connection;
   } catch (const SQLite::Exception& cause) {
     throw failure_of(cause, file);
   }
 }
 
 Connection Connection::open_scratch(const std::filesystem::path& folder) {
-  const std::string file = (folder / "floeplan.sqlite").string();
+  const std::string file = database_in(folder).string();
   try {
     Connection scratch{std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms), false};
     scratch.handle().exec("PRAGMA journal_mode = MEMORY; PRAGMA synchronous = OFF");

@@ -3,6 +3,9 @@
 #include <cstdint>
 #include <filesystem>
 #include <memory>
+#include <optional>
+
+#include "storage/sqlite/store_use.hpp"
 
 namespace SQLite {
 class Database;
@@ -23,7 +26,8 @@ inline constexpr std::int32_t application_id = 0x464C4F45;
 ///          program; such a file is left as it is
 class Connection {
  public:
-  /// Opens (and creates, with its folder) `<store>/floeplan.sqlite`.
+  /// Opens (and creates, with its folder) `<store>/floeplan.sqlite`, whose pages have checksums. Nobody puts another file in
+  /// its place while the connection lasts.
   [[nodiscard]] static Connection open(const std::filesystem::path& store);
   /// Opens (and creates) `<folder>/floeplan.sqlite` for data that are thrown away when anything goes wrong: nothing
   /// waits for the disk, and nobody else may have it open for writing.
@@ -43,6 +47,7 @@ class Connection {
  private:
   Connection(std::unique_ptr<SQLite::Database> database, bool has_write_ahead_log);
 
+  std::optional<StoreUse> use_;  // ends after the database is closed
   std::unique_ptr<SQLite::Database> database_;
   std::unique_ptr<PreparedStatements> statements_;  // of database_
   bool has_write_ahead_log_;

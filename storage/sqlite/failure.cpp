@@ -12,7 +12,9 @@ Failure failure_of(const SQLite::Exception& cause, const std::string& file) {
     case SQLITE_NOTADB:
     case SQLITE_CORRUPT:
       return Failure{database + " is damaged or not a Floeplan store" + detail +
-                         "; restore it from a backup, or move it away and ingest the files again",
+                         "; floeplan verify says what of it is damaged, floeplan repair saves the rest, and "
+                         "floeplan restore puts "
+                         "back a backup",
                      Trouble::damaged};
     case SQLITE_FULL:
       return Failure{database + " cannot grow: the disk is full" + detail, Trouble::disk_full};

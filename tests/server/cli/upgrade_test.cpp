@@ -41,7 +41,7 @@ class Upgrade : public testing::Test {
   [[nodiscard]] std::string documents() const {
     const std::string out = (program_.folder() / "documents").string();
     EXPECT_EQ(
-        python("import sqlite3, sys; db = sqlite3.connect(sys.argv[1]); open(sys.argv[2], 'w').write(repr("
+        python("import sqlite3, sys; db = sqlite3.connect('file:' + sys.argv[1] + '?mode=ro', uri=True); open(sys.argv[2], 'w').write(repr("
                "db.execute('SELECT id, request_json, document_json FROM plan WHERE row <= 3 ORDER BY id')"
                ".fetchall() + db.execute('SELECT id, plan_id, request_json, document_json FROM simulation')"
                ".fetchall()))",

@@ -1,0 +1,72 @@
+#include "storage/repository/damage.hpp"
+
+#include "storage/repository/blob_codec.hpp"
+#include "storage/repository/dataset_tables.hpp"
+#include "storage/sqlite/page_checksums.hpp"
+#include "storage/sqlite/statement.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+constexpr const char* samples_table = "field_chunk";
+
+/// Reads every row that belongs to a thing, samples down to their own checksums.
+bool is_whole_below(sqlite::Connection& db, const ThingTable& table, std::int64_t row, BlobCodec& codec) {
+  for (const std::string& below : tables_below(db, "main", table)) {
+    const bool whole = past_damaged_indices([&](const char* index) {
+      const std::string columns = below == samples_table ? "samples" : "*";
+      sqlite::Statement rows{db, "SELECT " + columns + " FROM main." + below + index + "WHERE " +
+                                     std::string{table.key} + " = ?1"};
+      rows.bind(1, row);
+      while (rows.step())
+        if (below == samples_table) codec.check(rows.blob(0));
+    });
+    if (!whole) return false;
+    const std::string boxes = boxes_of(below);
+    const bool boxes_whole = !has_table(db, boxes) || meets_no_damage([&] {
+      sqlite::Statement rows{db, "SELECT * FROM main." + boxes + " WHERE row IN (SELECT row FROM main." +
+                                     below + " WHERE " + std::string{table.key} + " = ?1)"};
+      rows.bind(1, row);
+      while (rows.step()) continue;
+    });
+    if (!boxes_whole) return false;
+  }
+  return true;
+}
+
+std::string structure_of(sqlite::Connection& db) {
+  sqlite::Statement check{db, "PRAGMA integrity_check(1)"};
+  const std::string found = check.step() ? check.text(0) : "nothing was checked";
+  return found == "ok" ? "" : found;
+}
+
+}  // namespace
+
+Damage find_damage(sqlite::Connection& db, const std::filesystem::path& database,
+                   const core::ProgressCallback& progress) {
+  Damage damage;
+  if (progress) progress("reading every page", 0.0);
+  damage.pages = sqlite::damaged_pages(database);
+  BlobCodec codec;
+  for (const ThingTable& table : thing_tables) {
+    ThingList list = things_in(db, "main", table);
+    damage.things.insert(damage.things.end(), list.damaged.begin(), list.damaged.end());
+    for (std::size_t i = 0; i < list.readable.size(); ++i) {
+      if (progress)
+        progress("reading every " + std::string{table.kind},
+                 static_cast<double>(i) / static_cast<double>(list.readable.size()));
+      if (!is_whole_below(db, table, list.readable[i].row, codec)) damage.things.push_back(list.readable[i]);
+    }
+  }
+  for (const std::string& table : tables_beside(db, "main")) {
+    const bool whole = meets_no_damage([&] {
+      sqlite::Statement rows{db, "SELECT * FROM main." + table};
+      while (rows.step()) continue;
+    });
+    if (!whole) damage.tables.push_back(table);
+  }
+  if (damage.pages.empty()) damage.structure = structure_of(db);
+  return damage;
+}
+
+}  // namespace floeplan::repository

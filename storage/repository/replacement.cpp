@@ -1,0 +1,96 @@
+#include "storage/repository/replacement.hpp"
+
+#include <stdexcept>
+
+#include "storage/repository/rebuilding.hpp"
+#include "storage/repository/schema.hpp"
+#include "storage/sqlite/backup.hpp"
+#include "storage/sqlite/database_files.hpp"
+
+namespace floeplan::repository {
+namespace {
+
+namespace fs = std::filesystem;
+
+enum class Losses { refused, accepted };
+
+std::string in_words(const StoredThing& thing) {
+  return "the " + thing.kind + (thing.id.empty() ? " in row " + std::to_string(thing.row) : " " + thing.id);
+}
+
+/// The one place whose damage shows in no checksum says whether there are any. Nothing may be written then.
+void refuse_changed_header(const fs::path& database) {
+  const auto header = sqlite::header_of(database);
+  if (header.schema < first_schema_with_checksums || header.has_checksums) return;
+  throw sqlite::Failure{
+      "the header of " + database.string() + " is damaged; put back a backup with floeplan restore FILE",
+      sqlite::Trouble::damaged};
+}
+
+/// Builds the new database beside the old one, of which `from` may be the file, and puts it in its place as the last step:
+/// a kill before leaves the store as it was.
+Replacement replace(const fs::path& store, const fs::path& from, const std::string& why, Losses losses,
+                    const core::ProgressCallback& progress) {
+  const fs::path beside = store / "rebuilding";
+  Replacement replacement;
+  replacement.lost = rebuild(from, beside, progress);
+  if (losses == Losses::refused && !replacement.lost.empty()) {
+    fs::remove_all(beside);
+    throw sqlite::Failure{in_words(replacement.lost.front()) + " of " + from.string() +
+                              " is damaged; nothing was changed; floeplan repair saves what is whole",
+                          sqlite::Trouble::damaged};
+  }
+  {
+    auto db = sqlite::Connection::open(beside);
+    bring_to_newest_schema(db);
+  }
+  sqlite::settle(sqlite::database_in(beside));
+  replacement.kept = sqlite::put_in_place(sqlite::database_in(beside), sqlite::database_in(store), why);
+  fs::remove_all(beside);
+  return replacement;
+}
+
+}  // namespace
+
+Replacement bring_up_to_date(const fs::path& store, const core::ProgressCallback& progress) {
+  const auto alone = sqlite::StoreUse::alone(store);
+  const fs::path database = sqlite::database_in(store);
+  refuse_changed_header(database);
+  sqlite::settle(database);
+  const auto header = sqlite::header_of(database);
+  refuse_newer_schema(header.schema);
+  if (header.schema == newest_schema() && header.has_checksums) return {};  // somebody else did meanwhile
+  return replace(store, database, "schema-" + std::to_string(newest_schema()), Losses::refused, progress);
+}
+
+Replacement repair_store(const fs::path& store, const core::ProgressCallback& progress) {
+  const auto alone = sqlite::StoreUse::alone(store);
+  const fs::path database = sqlite::database_in(store);
+  refuse_changed_header(database);
+  sqlite::settle(database);
+  refuse_newer_schema(sqlite::header_of(database).schema);
+  return replace(store, database, "repair", Losses::accepted, progress);
+}
+
+Replacement restore_store(const fs::path& store, const fs::path& backup,
+                          const core::ProgressCallback& progress) {
+  const auto header = sqlite::header_of(backup);
+  const auto refuse = [&](const std::string& why) {
+    return std::runtime_error{backup.string() + " cannot be restored; " + why + "; take another backup"};
+  };
+  if (header.application_id != sqlite::application_id) throw refuse("it is no store of Floeplan");
+  refuse_newer_schema(header.schema);
+  if (const std::string damage = sqlite::damage_of(backup); !damage.empty()) throw refuse(damage);
+  fs::create_directories(store);
+  const auto alone = sqlite::StoreUse::alone(store);
+  const fs::path database = sqlite::database_in(store);
+  const auto settle = [&] {
+    refuse_changed_header(database);
+    sqlite::settle(database);
+  };
+  if (fs::exists(database) && !meets_no_damage(settle))
+    sqlite::set_log_aside(database);  // of a database that cannot be read any more
+  return replace(store, backup, "restore", Losses::refused, progress);
+}
+
+}  // namespace floeplan::repository

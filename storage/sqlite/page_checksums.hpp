@@ -1,0 +1,34 @@
+#pragma once
+
+#include <cstddef>
+#include <cstdint>
+#include <filesystem>
+#include <span>
+#include <vector>
+
+namespace floeplan::sqlite {
+
+/// Every page of a database ends with a checksum of the rest of it, in bytes that SQLite reserves for this. It is written
+/// when a page goes to the database file and compared whenever one is read from it, so that a byte that the disk changed is
+/// an error in place of an answer.
+/// Format   XXH3, 64 bits, little-endian, in the last 8 bytes; the header (byte 20) says how many bytes are reserved
+/// Edges    files without reserved bytes are read and written as they are. Pages in the write-ahead log have none until
+///          they are moved to the file (PRAGMA wal_checkpoint); SQLite's own checksums guard them until a program opens it
+/// Source   SQLite file format, 1.3.4 "Reserved bytes per page"; XXH3 as libxxhash 0.8 defines it
+inline constexpr int checksum_bytes = 8;
+
+/// Name of SQLite's virtual file system that does so, registered by this call; for SQLite::Database and ATTACH. What it
+/// finds damaged ends a statement with SQLITE_NOTADB: after SQLITE_CORRUPT a transaction could write no more, and after
+/// SQLITE_IOERR it would be undone, so that nothing could be copied round damage.
+/// Threads  any
+[[nodiscard]] const char* checked_files();
+
+/// Whether the pages of a database file end with checksums, by its header; false of a file that is no database.
+[[nodiscard]] bool has_page_checksums(const std::filesystem::path& database);
+
+/// Numbers of the pages, from 1, whose bytes in the file are not those that were written. Others may read and write the
+/// database meanwhile. Of a file whose header reserves no bytes for checksums the first: nothing is known of the rest.
+/// Errors   Failure when the file cannot be read
+[[nodiscard]] std::vector<std::uint32_t> damaged_pages(const std::filesystem::path& database);
+
+}  // namespace floeplan::sqlite

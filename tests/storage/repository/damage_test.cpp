@@ -1,0 +1,238 @@
+#include "storage/repository/damage.hpp"
+
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <map>
+#include <set>
+
+#include "storage/repository/coastline_repository.hpp"
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/migrations.hpp"
+#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/replacement.hpp"
+#include "storage/sqlite/backup.hpp"
+#include "storage/sqlite/database_files.hpp"
+#include "storage/sqlite/page_checksums.hpp"
+#include "storage/sqlite/statement.hpp"
+#include "tests/storage/repository/sample_data.hpp"
+#include "tests/support/property.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace floeplan::repository::damage_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::HasSubstr;
+
+constexpr int plans = 40;
+constexpr std::size_t page_size = 4096;
+
+PlanRecord plan_of(int number) {
+  PlanRecord plan;
+  plan.id = {"plan-" + std::to_string(number)};
+  plan.name = "Plan " + std::to_string(number);
+  plan.request_json = R"({"from":[)" + std::to_string(number) + ",69.2]}";
+  plan.document_json =
+      "{\"legs\":\"" + std::string(static_cast<std::size_t>(500 * (number % 20)), 'x') + "\"}";
+  return plan;
+}
+
+/// A store with plans of 0.1 to 10 KB, icebergs and a field of currents, closed again.
+void fill(const fs::path& store) {
+  auto db = open_store(store);
+  for (int i = 0; i < plans; ++i) (void)PlanRepository{db}.insert(plan_of(i));
+  for (const char* const id : {"bergs-a", "bergs-b"}) {
+    DatasetRepository{db}.insert(sample_dataset(id, DatasetKind::icebergs));
+    std::vector<ocean::Iceberg> bergs;
+    for (int i = 0; i < 300; ++i)
+      bergs.push_back(sample_berg(std::string{id} + std::to_string(i), {-52.0 - 0.001 * i, 69.0}));
+    IcebergRepository{db}.insert({id}, bergs);
+  }
+}
+
+void flip_bit(const fs::path& file, std::uint64_t at, int bit) {
+  std::fstream io{file, std::ios::in | std::ios::out | std::ios::binary};
+  io.seekg(static_cast<std::streamoff>(at));
+  const int byte = io.get();
+  io.seekp(static_cast<std::streamoff>(at));
+  io.put(static_cast<char>(byte ^ (1 << bit)));
+}
+
+/// What every plan and every iceberg of a store says; of what cannot be read "damaged".
+std::map<std::string, std::string> contents_of(sqlite::Connection& db) {
+  std::map<std::string, std::string> contents;
+  for (int i = 0; i < plans; ++i) {
+    const PlanId id = plan_of(i).id;
+    const bool whole = meets_no_damage([&] {
+      const auto plan = PlanRepository{db}.find(id);
+      contents[id.value] = plan ? plan->name + plan->request_json + plan->document_json : "gone";
+    });
+    if (!whole) contents[id.value] = "damaged";
+  }
+  for (const char* const id : {"bergs-a", "bergs-b"}) {
+    const bool whole = meets_no_damage([&] {
+      std::string text;
+      sqlite::Statement rows{
+          db,
+          "SELECT s.* FROM sighting AS s JOIN dataset AS d ON d.row = s.dataset_row WHERE d.id = ?1 "
+          "ORDER BY s.row"};
+      rows.bind(1, std::string{id});
+      while (rows.step()) text += rows.text(2) + rows.text(3) + rows.text(4) + rows.text(5) + "\n";
+      contents[id] = text.empty() ? "gone" : text;
+    });
+    if (!whole) contents[id] = "damaged";
+  }
+  return contents;
+}
+
+class DamagedStore : public testing::Test {
+ protected:
+  void SetUp() override {
+    fill(folder_.path());
+    auto db = open_store(folder_.path());
+    before_ = contents_of(db);
+  }
+  [[nodiscard]] fs::path database() const { return sqlite::database_in(folder_.path()); }
+
+  const support::TemporaryFolder folder_;
+  std::map<std::string, std::string> before_;
+};
+
+TEST_F(DamagedStore, IsWholeAsItWasWritten) {
+  auto db = open_store(folder_.path());
+
+  EXPECT_TRUE(find_damage(db, database()).is_none());
+  EXPECT_TRUE(sqlite::has_page_checksums(database()));
+}
+
+/// Wherever a bit is flipped: never another answer, always noticed, and what cannot be read is named and left out. A store
+/// whose schema is damaged, on some of the first pages, is not opened.
+TEST_F(DamagedStore, AnswersNothingElseThanWasWrittenAndNamesWhatItCannotAnswer) {
+  const std::uint64_t pages = fs::file_size(database()) / page_size;
+  const fs::path whole = folder_.path() / "whole";
+  fs::copy_file(database(), whole);
+  int unopened = 0;
+  support::for_each_seed(100, [&](std::mt19937_64& rng) {
+    fs::copy_file(whole, database(), fs::copy_options::overwrite_existing);
+    const auto page = static_cast<std::uint64_t>(support::uniform_int(rng, 1, static_cast<int>(pages) - 1));
+    const auto byte =
+        static_cast<std::uint64_t>(support::uniform_int(rng, 0, static_cast<int>(page_size) - 1));
+    flip_bit(database(), page * page_size + byte, support::uniform_int(rng, 0, 7));
+
+    if (!meets_no_damage([&] { const auto db = open_store(folder_.path()); })) {
+      ++unopened;
+      EXPECT_FALSE(meets_no_damage([&] { (void)repair_store(folder_.path()); }))
+          << "with a schema that is whole";
+      return;
+    }
+    std::set<std::string> unreadable;
+    {
+      auto db = open_store(folder_.path());
+      const Damage damage = find_damage(db, database());
+      EXPECT_THAT(damage.pages, testing::ElementsAre(page + 1));
+      for (const StoredThing& thing : damage.things) unreadable.insert(thing.id);
+      for (const auto& [id, text] : contents_of(db)) {
+        EXPECT_TRUE(text == before_[id] || text == "damaged") << id << " of page " << page << ": " << text;
+      }
+    }
+    const Replacement repaired = repair_store(folder_.path());
+    std::set<std::string> lost;
+    for (const StoredThing& thing : repaired.lost) lost.insert(thing.id);
+    auto db = open_store(folder_.path());
+    EXPECT_TRUE(find_damage(db, database()).is_none());
+    for (const auto& [id, text] : contents_of(db)) {
+      const bool is_lost = lost.contains(id);
+      EXPECT_EQ(text, is_lost ? "gone" : before_[id]) << id;
+      if (is_lost) {
+        EXPECT_TRUE(unreadable.contains(id)) << id << " was lost, but not named before";
+      }
+    }
+    fs::remove(repaired.kept);
+  });
+  EXPECT_LT(unopened, 20);
+}
+
+TEST_F(DamagedStore, WithAChangedHeaderIsNotOpened) {
+  for (const std::uint64_t byte : {0U, 18U, 20U, 30U, 60U, 63U, 70U, 99U}) {
+    flip_bit(database(), byte, 3);
+    bool opened = false;
+    std::string reason;
+    try {
+      auto db = open_store(folder_.path());
+      opened = true;
+    } catch (const std::runtime_error& error) {
+      reason = error.what();
+    }
+    EXPECT_FALSE(opened) << byte;
+    EXPECT_FALSE(reason.empty());
+    flip_bit(database(), byte, 3);
+    auto db = open_store(folder_.path());
+    EXPECT_EQ(contents_of(db), before_) << byte << " " << reason;
+  }
+}
+
+TEST_F(DamagedStore, OfASampleBlockIsNoticedEvenWhereItsPageIsNot) {
+  auto db = open_store(folder_.path());
+  DatasetRepository{db}.insert(sample_dataset("field", DatasetKind::currents));
+  FieldRepository fields{db};
+  const ocean::Axis nodes{{0.0, 1.0, 2.0}};
+  fields.create({"field"},
+                {ocean::HorizontalGrid{geo::GridFrame{}, nodes, nodes}, std::nullopt, ocean::Axis{{0.0}}});
+  const std::vector<float> samples(9, 0.25F);
+  fields.write_slice({"field"}, "u_m_s", 0, 0, samples);
+  ASSERT_TRUE(find_damage(db, database()).is_none());
+
+  sqlite::execute(
+      db, "UPDATE field_chunk SET samples = CAST(substr(samples, 1, length(samples) - 1) || x'00' AS BLOB)");
+
+  const Damage damage = find_damage(db, database());
+  ASSERT_EQ(damage.things.size(), 1U);
+  EXPECT_EQ(damage.things.front().id, "field");
+}
+
+TEST_F(DamagedStore, IsRestoredFromABackupAndKept) {
+  const fs::path backup = folder_.path() / "backup";
+  {
+    auto db = open_store(folder_.path());
+    sqlite::back_up(db, backup);
+  }
+  EXPECT_TRUE(sqlite::damaged_pages(backup).empty());
+  flip_bit(database(), 0, 0);
+
+  const Replacement restored = restore_store(folder_.path(), backup);
+
+  auto db = open_store(folder_.path());
+  EXPECT_EQ(contents_of(db), before_);
+  EXPECT_TRUE(fs::exists(restored.kept));
+  flip_bit(backup, 3 * page_size + 100, 1);
+  EXPECT_THAT([&] { (void)restore_store(folder_.path() / "elsewhere", backup); },
+              testing::Throws<std::runtime_error>());
+  EXPECT_FALSE(fs::exists(sqlite::database_in(folder_.path() / "elsewhere")));
+}
+
+TEST(StoreFolder, WhoseDatabaseIsGoneIsNoNewStore) {
+  const support::TemporaryFolder folder;
+  {
+    const auto db = open_store(folder.path());
+  }
+  fs::remove(sqlite::database_in(folder.path()));
+
+  EXPECT_THAT([&] { const auto db = open_store(folder.path()); },
+              testing::Throws<std::runtime_error>(testing::Property(
+                  &std::runtime_error::what, HasSubstr("held a store, but its floeplan.sqlite is gone"))));
+}
+
+TEST(StoreFolder, IsNotReplacedWhileItIsUsed) {
+  const support::TemporaryFolder folder;
+  const auto db = open_store(folder.path());
+
+  EXPECT_THAT([&] { (void)repair_store(folder.path()); },
+              testing::Throws<sqlite::Failure>(
+                  testing::Property(&sqlite::Failure::trouble, sqlite::Trouble::held_by_another)));
+}
+
+}  // namespace
+}  // namespace floeplan::repository::damage_test
