@@ -5,12 +5,15 @@
 #   --quick    the C++ tests (release) alone
 #   --full     adds lint, every preset, both sanitizers over everything, kills, attacks, damaged files, benchmarks
 #   FOLDER...  the C++ tests (release) of these folders alone, as `deploy/test.sh planning ingest`
+# Tests listed in tests/long.txt, and browser journeys tagged @long, run with --full and with FOLDER... alone.
 # The last line counts the C++, client and browser tests that passed, failed and were skipped.
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 # What reads bytes from outside, or computes the indices that it is read by. --full runs all folders.
 readonly asan_folders=(elementary core geo graph motion ocean tide vehicle mission ingest codec)
 readonly reports=$root/build/reports
+readonly long_list=$root/tests/long.txt
+left_out=()  # options of ctest that leave out the long tests
 failed_steps=()
 
 # step NAME COMMAND...: goes on after a failure, so that one run shows everything that is wrong. The command runs in a
@@ -43,12 +46,23 @@ build_preset() {
   cmake --build "$root/build/$preset" -j "$(build_jobs)" "${targets[@]}"
 }
 
+# leave_out_long_tests PRESET: from here on. Each name in the list has to be that of a test.
+leave_out_long_tests() {
+  local name tests names=()
+  tests=$(ctest --test-dir "$root/build/$1" -N)
+  while read -r name; do
+    [[ $tests == *": $name"* ]] || fail "tests/long.txt names $name, which is no test" "correct or remove the line"
+    names+=("${name//./\\.}")
+  done < <(grep -v '^#' "$long_list")
+  left_out=(-E "^($(IFS='|' && echo "${names[*]}"))(/| |\$)")
+}
+
 # run_ctest PRESET [CTEST OPTION...]
 run_ctest() {
   local preset=$1
   shift
   ctest --test-dir "$root/build/$preset" -j "$(nproc)" --output-on-failure --no-tests=error \
-    --output-junit "$reports/$preset.xml" "$@" | grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^ +Start '
+    --output-junit "$reports/$preset.xml" "${left_out[@]}" "$@" | grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^ +Start '
 }
 
 # pattern_of FOLDER...: matches the tests of these folders alone.
@@ -140,6 +154,11 @@ main() {
   fi
   step "build" "$root/deploy/build.sh" --with-tests
   if ((${#failed_steps[@]} > 0)); then fail "the program does not build" "read the first error above"; fi
+  if [[ $extent == full ]]; then
+    export FLOEPLAN_LONG=1  # for the browser tests
+  else
+    leave_out_long_tests release
+  fi
   step "C++ tests, release" run_ctest release
   if [[ $extent == quick ]]; then
     summary "$reports/release.xml"

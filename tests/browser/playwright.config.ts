@@ -13,6 +13,8 @@ export default defineConfig({
   workers: Number(process.env['PLAYWRIGHT_WORKERS'] ?? 2),
   // Patient: nothing waits longer than it must, and a busy machine is no fault of the page.
   timeout: 300_000,
+  // Long journeys, tagged @long, run with `deploy/test.sh --full`.
+  ...(process.env['FLOEPLAN_LONG'] ? {} : { grepInvert: /@long/ }),
   expect: { timeout: 60_000 },
   reporter: 'list',
   use: {

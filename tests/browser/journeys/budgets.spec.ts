@@ -29,7 +29,7 @@ test('the page asks the server for little, and for nothing more while nothing is
   expect(asked.slice(before)).toEqual([]);
 });
 
-test('three hundred icebergs and twenty plans played through stay within the memory allowed', async ({ page, request }) => {
+test('three hundred icebergs and twenty plans played through stay within the memory allowed', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);

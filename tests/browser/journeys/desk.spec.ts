@@ -41,7 +41,7 @@ test('a colleague opens the same view from the address', async ({ page, request 
   await other.close();
 });
 
-test('how far the vehicle comes is drawn and taken off again, with the keyboard alone', async ({ page, request }) => {
+test('how far the vehicle comes is drawn and taken off again, with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start } = await findPlaces(request);
   await open(page);
   await page.getByLabel('Start', { exact: true }).fill(typed(start));
@@ -146,7 +146,7 @@ test('a plan under way when the page is reloaded is waited for and shown', async
   expect(await page.evaluate(() => sessionStorage.length)).toBe(0);
 });
 
-test('a plan is found among many, over the pages of a long list', async ({ page, request }) => {
+test('a plan is found among many, over the pages of a long list', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);

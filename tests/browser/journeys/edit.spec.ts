@@ -76,7 +76,7 @@ test('a copy of a plan is changed with the mouse, judged anew, taken back and st
   await expect(page.getByRole('heading', { name: /\(edited\)/ })).toBeVisible();
 });
 
-test('a copy of a plan is changed with the keyboard alone', async ({ page, request }) => {
+test('a copy of a plan is changed with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);

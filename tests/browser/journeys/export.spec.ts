@@ -25,7 +25,7 @@ test('a plan is previewed as the glider will read it, and downloaded', async ({ 
   await expect(dialog).toBeHidden();
 });
 
-test('a plan is exported with the keyboard alone', async ({ page, request }) => {
+test('a plan is exported with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);

@@ -8,7 +8,7 @@ async function press(page: Page, control: Locator): Promise<void> {
   await page.keyboard.press('Enter');
 }
 
-test('plans are compared and one made the baseline with the keyboard alone', async ({ page, request }) => {
+test('plans are compared and one made the baseline with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByKeyboard(page, start, goal);
@@ -39,7 +39,7 @@ test('plans are compared and one made the baseline with the keyboard alone', asy
   await expect(page.getByRole('complementary', { name: 'Waypoints' }).getByRole('heading', { level: 2 }).first()).toContainText('B');
 });
 
-test('new ice is checked and a plan made before judged on it with the keyboard alone', async ({ page, request }) => {
+test('new ice is checked and a plan made before judged on it with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByKeyboard(page, start, goal);
@@ -58,7 +58,7 @@ test('new ice is checked and a plan made before judged on it with the keyboard a
   await expect(page.getByRole('button', { name: 'Remove sighted-today', exact: true })).toHaveCount(0);
 });
 
-test('the view is handed over and a draft taken up again with the keyboard alone', async ({ page, context, request }) => {
+test('the view is handed over and a draft taken up again with the keyboard alone', { tag: '@long' }, async ({ page, context, request }) => {
   const { start } = await findPlaces(request);
   await context.grantPermissions(['clipboard-read', 'clipboard-write']);
   await open(page);
@@ -78,7 +78,7 @@ test('the view is handed over and a draft taken up again with the keyboard alone
   await expect(theirs.getByLabel('Start', { exact: true })).toHaveValue(typed(start));
 });
 
-test('a plan that fails is explained, and a change that helps taken, with the keyboard alone', async ({ page, request }) => {
+test('a plan that fails is explained, and a change that helps taken, with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start, land } = await findPlaces(request);
   await open(page);
   await typeInto(page, page.getByLabel('Start', { exact: true }), typed(start));
@@ -95,7 +95,7 @@ test('a plan that fails is explained, and a change that helps taken, with the ke
   await expect(goal).not.toHaveValue(typed(land));
 });
 
-test('a plan is flown and its flight played back with the keyboard alone', async ({ page, request }) => {
+test('a plan is flown and its flight played back with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start } = await findPlaces(request);
   await open(page);
   await press(page, page.getByText('Data', { exact: true }).last());

@@ -68,7 +68,7 @@ test('an iceberg is reported, moved and retired with the mouse, and a plan made 
   await expect(page.locator('#map')).toHaveAttribute('data-icebergs', String(bergs));
 });
 
-test('an iceberg is reported with the keyboard alone, and what another changed meanwhile is not overwritten unasked', async ({ page, request }) => {
+test('an iceberg is reported with the keyboard alone, and what another changed meanwhile is not overwritten unasked', { tag: '@long' }, async ({ page, request }) => {
   const { start } = await findPlaces(request);
   await open(page);
   await data(page).focus();
@@ -119,7 +119,7 @@ test('an iceberg is reported with the keyboard alone, and what another changed m
   await expect(part(page).getByRole('alert')).toContainText('cannot be undone: somebody else has changed it since');
 });
 
-test('a zone is drawn into the store, obeyed by plans, changed and retired, by day and by night', async ({ page, request }) => {
+test('a zone is drawn into the store, obeyed by plans, changed and retired, by day and by night', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await data(page).click();

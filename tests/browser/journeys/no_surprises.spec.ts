@@ -2,7 +2,7 @@ import { expectAccessible } from '../support/accessible';
 import { expect, open, planByTyping, settled, test } from '../support/page';
 import { findPlaces } from '../support/places';
 
-test('every state can be used by everyone', async ({ page, request }) => {
+test('every state can be used by everyone', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await expectAccessible(page);

@@ -6,7 +6,7 @@ import { findPlaces } from '../support/places';
 
 const chartDrawn = '.uplot canvas';
 
-test('a window of departures is swept, and another departure chosen on the chart', async ({ page, request }) => {
+test('a window of departures is swept, and another departure chosen on the chart', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await page.getByLabel('Start', { exact: true }).fill(typed(start));
@@ -84,7 +84,7 @@ test('an area is drawn on the map, and the way keeps out of it', async ({ page, 
   await expect(page.locator('#map')).toHaveAttribute('data-areas', '0');
 });
 
-test('an area and places to pass are typed with the keyboard alone', async ({ page, request }) => {
+test('an area and places to pass are typed with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await page.getByText('Places and areas', { exact: true }).focus();
@@ -121,7 +121,7 @@ test('the set-up is there again after a reload', async ({ page }) => {
   await expect(page.getByLabel('Ice margin')).toHaveValue('750');
 });
 
-test('the server understands every option of the set-up', async ({ page, request }) => {
+test('the server understands every option of the set-up', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   const ice = {
     max_inflation_m: '4000', max_sighting_age_days: '2', pass_under_icebergs: true, keel_clearance_m: '25', draft_uncertainty: '30',
@@ -182,7 +182,7 @@ test('goals are taken from a mission file, and a file that is none is refused be
   await expect(page.getByLabel('Goal', { exact: true })).toBeVisible();
 });
 
-test('stored currents are the members of an ensemble, until one of them is removed', async ({ page, request }) => {
+test('stored currents are the members of an ensemble, until one of them is removed', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   const { datasets } = (await (await request.get('/datasets')).json()) as { datasets: { kind: string; time_start: string; bbox: [number, number, number, number] }[] };
   const known = datasets.find(({ kind }) => kind === 'currents');

@@ -32,7 +32,7 @@ test('where motion is not wanted the clock plays in whole hours', async ({ page 
   expect((Number(await slider.inputValue()) - first) % 3_600_000).toBe(0);
 });
 
-test('the vehicles of two plans follow the clock, by mouse and by keyboard', async ({ page, request }) => {
+test('the vehicles of two plans follow the clock, by mouse and by keyboard', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);

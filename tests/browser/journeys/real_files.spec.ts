@@ -70,7 +70,8 @@ test.describe('in a store of real files', () => {
     await field(page, 'Goal').fill(typed(ashore));
     await page.getByRole('button', { name: /^Plan / }).click();
     const failure = page.getByRole('alert', { name: 'No plan is possible' });
-    await expect(failure).toContainText(/goal/i);
+    // The planner looks through changes that would help before it answers: minutes on a machine that is busy otherwise.
+    await expect(failure).toContainText(/goal/i, { timeout: 240_000 });
     await expect(failure.getByRole('group', { name: 'Changes that help' }).getByRole('button').first()).toBeEnabled();
   });
 

@@ -49,7 +49,7 @@ test('without a connection planning says so and what was typed stays', async ({ 
   await expect(page.locator('#map')).not.toHaveAttribute('data-plans', '0', { timeout: 120_000 });
 });
 
-test('sending, a refusal, coverage and playback can be used by everyone, by day and by night', async ({ page, request }) => {
+test('sending, a refusal, coverage and playback can be used by everyone, by day and by night', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);

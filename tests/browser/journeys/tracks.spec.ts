@@ -39,7 +39,7 @@ test.describe('in a store that holds nothing else', () => {
   });
 });
 
-test('what the map tells of a track is read, and the clock brought to it, with the keyboard alone', async ({ page }) => {
+test('what the map tells of a track is read, and the clock brought to it, with the keyboard alone', { tag: '@long' }, async ({ page }) => {
   await open(page);
   await page.getByRole('button', { name: 'Data', exact: true }).click();
   await add(page);
