@@ -24,6 +24,7 @@ std::string damage_in(SQLite::Database& database) {
 /// In one step: the copy is of one moment, and in a write-ahead log nobody waits for it.
 void copy_into(SQLite::Database& from, const fs::path& file) {
   SQLite::Database to{file.string(), SQLite::OPEN_READWRITE | SQLite::OPEN_CREATE, 0, checked_files()};
+  fs::permissions(file, fs::perms::owner_read | fs::perms::owner_write);  // it holds tokens
   {
     SQLite::Backup backup{to, from};
     backup.executeStep(-1);

@@ -77,13 +77,17 @@ Connection::~Connection() = default;
 
 Connection Connection::open(const std::filesystem::path& store) {
   std::error_code error;
-  std::filesystem::create_directories(store, error);
+  const bool is_new_folder = std::filesystem::create_directories(store, error);
   if (error) throw Failure{"the folder " + store.string() + " cannot be created: " + error.message()};
 
+  using std::filesystem::perms;
+  if (is_new_folder) std::filesystem::permissions(store, perms::owner_all, error);  // it holds tokens
   auto use = StoreUse::shared(store);
   const std::string file = database_in(store).string();
+  const bool is_new = !std::filesystem::exists(file);
   try {
     auto database = std::make_unique<SQLite::Database>(file, open_flags, busy_timeout_ms, checked_files());
+    if (is_new) std::filesystem::permissions(file, perms::owner_read | perms::owner_write, error);
     reserve_checksums(*database);
     refuse_foreign_file(*database);
     use_write_ahead_log(*database);

@@ -33,6 +33,19 @@ std::string reason_why_not_opened(const std::filesystem::path& store) {
   }
 }
 
+TEST(Connection, KeepsANewStoreFromOtherUsersOfTheMachine) {
+  const support::TemporaryFolder folder;
+  auto db = Connection::open(folder.path() / "store");
+  execute(db, "CREATE TABLE t (a)");
+  using std::filesystem::perms;
+  for (const char* const name :
+       {"store", "store/floeplan.sqlite", "store/floeplan.sqlite-wal", "store/floeplan.use"})
+    EXPECT_EQ(
+        std::filesystem::status(folder.path() / name).permissions() & (perms::group_all | perms::others_all),
+        perms::none)
+        << name;
+}
+
 TEST(Connection, KeepsACommittedTransactionThroughAPowerCut) {
   const support::TemporaryFolder folder;
 
