@@ -15,6 +15,9 @@ constexpr std::size_t most_named = 8;      // routes that a refusal names
 constexpr std::size_t longest_name = 60;   // bytes of each
 constexpr double rounding = 1e-9;          // of a share of a line
 constexpr double same_place_deg = 1.5e-7;  // places are printed to 1e-7 degrees, 1 cm
+constexpr double beside_antimeridian_deg =
+    1.5e-5;                                       // cuts at 179.99999 are common, 1 m from it at the equator
+constexpr core::Metres cut_at_antimeridian{2.5};  // from one side to the other
 
 tl::unexpected<core::Violations> refused(const std::string& rule) {
   return tl::unexpected(core::Violations{{"file", rule}});
@@ -71,13 +74,17 @@ tl::expected<std::size_t, core::Violations> only_one(const std::vector<NamedRout
                  " routes, and which is meant nobody can tell: " + titles(routes) + "; " + how_to_choose);
 }
 
-bool touch(geo::LonLat a, geo::LonLat b) {
-  return std::abs(a.lat_deg - b.lat_deg) <= same_place_deg &&
-         std::abs(geo::longitude_difference(a.lon_deg, b.lon_deg)) <= same_place_deg;
+/// Programs that cut a line at the antimeridian may leave a little on either side.
+bool is_on_antimeridian(geo::LonLat place) {
+  return std::abs(std::abs(place.lon_deg) - 180.0) <= beside_antimeridian_deg;
 }
 
-bool is_on_antimeridian(geo::LonLat place) {
-  return std::abs(std::abs(place.lon_deg) - 180.0) <= same_place_deg;
+bool touch(geo::LonLat a, geo::LonLat b) {
+  if (is_on_antimeridian(a) && is_on_antimeridian(b) &&
+      geo::geodesic_between(a, b).length <= cut_at_antimeridian)
+    return true;
+  return std::abs(a.lat_deg - b.lat_deg) <= same_place_deg &&
+         std::abs(geo::longitude_difference(a.lon_deg, b.lon_deg)) <= same_place_deg;
 }
 
 /// Whether a line that is straight in longitude and latitude leads from one place to the other over this one.

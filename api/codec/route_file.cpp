@@ -18,6 +18,7 @@ constexpr std::size_t max_bytes = 8 << 20;
 ReadRoutes read_mission(const std::string& name, std::string_view bytes, std::optional<geo::LonLat> from) {
   const mission::Document document = mission::read_document(name, bytes);
   std::vector<geo::LonLat> places;
+  std::string left_out;
   FileRoutes file;
   core::Violations faults;
   for (const auto& message : document.messages) {
@@ -30,11 +31,14 @@ ReadRoutes read_mission(const std::string& name, std::string_view bytes, std::op
     mission::FlownWaypoints flown = mission::flown_waypoints(document, from);
     for (const auto& row : flown.rows) places.push_back(row.place);
     for (const std::string& note : flown.notes) file.warnings.push_back(name + ": " + note);
+    if (!flown.notes.empty()) left_out = flown.notes.front();
     faults = std::move(flown.faults);
   }
   if (faults.empty() && places.empty())
     faults.push_back(
-        {"file", "holds no waypoints by longitude and latitude; a mission names its list in another file"});
+        {"file", "holds no waypoints by longitude and latitude; " +
+                     (left_out.empty() ? "where its lists are in files of their own, give one of those"
+                                       : left_out + "; write them in degrees and minutes (wpt_units 2)")});
   if (!faults.empty()) return tl::unexpected(std::move(faults));
   file.routes.push_back({"", {std::move(places)}});
   return file;

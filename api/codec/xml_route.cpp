@@ -31,6 +31,14 @@ void add(std::vector<NamedRoute>& routes, NamedRoute route) {
   if (!route.parts.empty()) routes.push_back(std::move(route));
 }
 
+/// What OpenCPN writes of a route or track that is not shown: "opencpn:viz" among the extensions.
+bool is_hidden_in_gpx(const Element& element) {
+  const Element* const extensions = element.child("extensions");
+  if (extensions == nullptr) return false;
+  const std::string shown = extensions->text_of("viz");
+  return shown == "0" || shown == "false";
+}
+
 /// Reads the geometries of KML.
 class KmlReader {
  public:
@@ -135,16 +143,19 @@ ReadRoutes read_gpx(std::string_view bytes) {
   core::Violations faults;
   add(routes, {"", {points_of(*document, "rtept", faults)}});
   for (const Element& element : document->children) {
-    if (element.name == "rte") add(routes, {element.text_of("name"), {points_of(element, "rtept", faults)}});
+    const std::string aside = is_hidden_in_gpx(element) ? "hidden" : "";
+    if (element.name == "rte")
+      add(routes, {element.text_of("name"), {points_of(element, "rtept", faults)}, Gaps::refused, aside});
     if (element.name != "trk") continue;
-    NamedRoute track{element.text_of("name"), {points_of(element, "trkpt", faults)}, Gaps::flown};
+    NamedRoute track{element.text_of("name"), {points_of(element, "trkpt", faults)}, Gaps::flown, aside};
     for (const Element& segment : element.children)
       if (segment.name == "trkseg") track.parts.push_back(points_of(segment, "trkpt", faults));
     add(tracks, std::move(track));
   }
-  const bool has_routes = !routes.empty();
+  const bool has_routes =
+      std::ranges::any_of(routes, [](const NamedRoute& route) { return route.aside.empty(); });
   for (NamedRoute& track : tracks) {
-    if (has_routes) track.aside = "a track beside a route";
+    if (has_routes && track.aside.empty()) track.aside = "a track beside a route";
     routes.push_back(std::move(track));
   }
   if (routes.empty()) add(routes, {"", {points_of(*document, "wpt", faults)}});

@@ -113,11 +113,13 @@ std::optional<BoxWithDepths> ParameterReader::read_box(FeatureCrs crs, bool with
   if (!text) return std::nullopt;
   const auto numbers = parse_numbers(*text);
   if (!with_depths && numbers && numbers->size() == 6) {
-    refuse("bbox", "must be four numbers here, west,south,east,north: these data have no heights or depths");
+    refuse("bbox", "must be four numbers here, west,south,east,north: heights and depths are not searched");
     return std::nullopt;
   }
   if (!numbers || (numbers->size() != 4 && numbers->size() != 6)) {
-    refuse("bbox", "must be four numbers: west,south,east,north");
+    refuse("bbox", with_depths ? "must be four numbers, west,south,east,north, or six, "
+                                 "west,south,from,east,north,to with the depths from and to"
+                               : "must be four numbers: west,south,east,north");
     return std::nullopt;
   }
   const std::size_t half = numbers->size() / 2;

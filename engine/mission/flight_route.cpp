@@ -53,7 +53,10 @@ FlownWaypoints flown_of_mission(const Document& mission, std::optional<geo::LonL
   for (const Behavior& behavior : mission.behaviors) {
     Messages told_already;
     const std::vector<WaypointRow> rows = inline_waypoints(behavior, told_already);
-    if (behavior.name == "goto_list" && slots_of(behavior) == rows.size()) {
+    if (rows.empty() && (slots_of(behavior) > 0 || behavior.find("wpt_x") != nullptr)) {
+      route.notes.push_back(behavior.name + " at line " + std::to_string(behavior.line) +
+                            " has its waypoints in local metres or UTM, which are left out");
+    } else if (behavior.name == "goto_list" && slots_of(behavior) == rows.size()) {
       fly_list(behavior, rows, from, route);
     } else if (behavior.name == "goto_list" || behavior.name == "goto_wpt") {
       std::ranges::copy(rows, std::back_inserter(route.rows));
@@ -78,6 +81,9 @@ FlownWaypoints flown_waypoints(const Document& document, std::optional<geo::LonL
     fly_list(document.behaviors.front(), document.waypoints, from, route);
   } else {
     route.rows = document.waypoints;
+    for (const Message& message : document.messages)
+      if (message.code == "target_off_the_way" || message.code == "targets_go_round")
+        route.notes.push_back(message.text);
   }
   return route;
 }

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "engine/mission/argument_rules.hpp"
+#include "engine/mission/flown_rows.hpp"
 #include "engine/mission/setting_line.hpp"
 
 namespace floeplan::mission {
@@ -32,9 +33,10 @@ void check_radius(const Behavior& list, Messages& messages) {
 void check_legs(const Behavior& list, Messages& messages) {
   const Argument* legs = list.find("num_legs_to_run");
   if (legs == nullptr || is_parameter(legs)) return;
-  if (legs->value == 0.0 || legs->value < -2.0 || !is_whole(legs->value)) {
+  if (legs->value == 0.0 || legs->value < -2.0 || legs->value > most_legs || !is_whole(legs->value)) {
     messages.push_back({legs->line, Severity::warning, "illegal_legs",
-                        "num_legs_to_run must be 1 or more, -1 to go round for ever or -2 for once"});
+                        "num_legs_to_run must be from 1 to " + std::to_string(most_legs) +
+                            ", -1 to go round for ever or -2 for once"});
   }
 }
 

@@ -105,10 +105,22 @@ void check_names(const Targets& targets, Document& document) {
   }
 }
 
+Targets::const_iterator next_of(const Targets& targets, Targets::const_iterator at) {
+  return targets.find(at->second.fields.find("goto")->second);
+}
+
 /// From target to target until one comes again.
 void follow(const Targets& targets, std::string_view first, Document& document) {
   std::set<std::string_view> visited;
-  for (auto at = targets.find(first); at != targets.end() && visited.insert(at->first).second;) {
+  std::string_view last;
+  for (auto at = targets.find(first); at != targets.end(); last = at->first, at = next_of(targets, at)) {
+    if (!visited.insert(at->first).second) {
+      if (at->first != last)
+        report(document, at->second.line, Severity::note, "targets_go_round",
+               "after " + std::string{last} + " the vehicle goes on to " + at->first +
+                   " again, round and round; it is followed to " + std::string{last} + " once");
+      break;
+    }
     if (!at->second.place) {
       report(
           document, at->second.line, Severity::warning, "target_without_place",
@@ -116,7 +128,6 @@ void follow(const Targets& targets, std::string_view first, Document& document) 
       break;
     }
     document.waypoints.push_back(*at->second.place);
-    at = targets.find(at->second.fields.find("goto")->second);
   }
   for (const auto& [name, target] : targets) {
     if (!visited.contains(name))

@@ -224,6 +224,34 @@ TEST(RouteChoice, LeavesOutWhatIsHiddenAndTracksBesideARouteUnlessNamed) {
   EXPECT_EQ(read_route_file("a.gpx", both, "flown")->places.front(), (geo::LonLat{1.0, 1.0}));
 }
 
+/// Law: of a GPX file what is shown counts, and where nothing is, it is refused.
+TEST(RouteChoice, LeavesOutWhatOpenCpnHides) {
+  support::for_each_seed(30, [](std::mt19937_64& rng) {
+    const int count = support::uniform_int(rng, 1, 4);
+    const int shown = support::uniform_int(rng, 0, count);  // `count`: none
+    const bool are_tracks = support::uniform_int(rng, 0, 1) == 1;
+    const std::string of_route = are_tracks ? "trk" : "rte";
+    const std::string of_point = are_tracks ? "trkpt" : "rtept";
+    std::string file = "<gpx xmlns:opencpn=\"http://www.opencpn.org\">";
+    for (int i = 0; i < count; ++i) {
+      file += "<" + of_route + "><name>" + std::to_string(10 + i) + "</name><extensions><opencpn:viz>" +
+              (i == shown ? "1" : "0") + "</opencpn:viz></extensions>";
+      for (const char* lon : {"1", "2"})
+        file += "<" + of_point + " lat=\"" + std::to_string(50 + i) + "\" lon=\"" + lon + "\"/>";
+      file += "</" + of_route + ">";
+    }
+    file += "</gpx>";
+
+    if (shown == count) {
+      EXPECT_THAT(fault_of("a.gpx", file), HasSubstr("no route that is shown"));
+    } else {
+      const auto read = read_route_file("a.gpx", file, {});
+      ASSERT_TRUE(read) << fault_of("a.gpx", file);
+      EXPECT_EQ(read->places.front().lat_deg, 50.0 + shown);
+    }
+  });
+}
+
 TEST(RouteGaps, OfATrackAreFlownWithAWarningThatTellsThem) {
   const auto read = read_route_file(
       "a.gpx",
@@ -265,6 +293,17 @@ TEST(RouteGaps, AtTheAntimeridianAreNone) {
   EXPECT_THAT(
       fault_of("a.geojson", lines({{{179.8, 68.0}, {180.0, 68.0}}, {{-180.0, 68.1}, {-179.8, 68.05}}})),
       HasSubstr("a gap of 11 km"));
+}
+
+TEST(RouteGaps, OfAMetreAtTheAntimeridianAreNone) {
+  const auto read = read_route_file(
+      "a.geojson", lines({{{179.0, -20.0}, {179.99999, -20.0}}, {{-179.99999, -20.0}, {-179.0, -20.0}}}));
+  ASSERT_TRUE(read.has_value());
+  EXPECT_THAT(read->warnings, testing::IsEmpty());
+  EXPECT_EQ(read->places.size(), 2U);
+  EXPECT_THAT(fault_of("a.geojson",
+                       lines({{{179.0, -20.0}, {179.9999, -20.0}}, {{-179.9999, -20.0}, {-179.0, -20.0}}})),
+              HasSubstr("do not touch"));
 }
 
 TEST(RoutePositions, MayHaveHeightsWhichAreLeftOut) {

@@ -11,6 +11,7 @@ namespace floeplan::codec::route_file_test {
 namespace {
 
 using nlohmann::json;
+using testing::Contains;
 using testing::ElementsAre;
 using testing::HasSubstr;
 
@@ -119,6 +120,40 @@ TEST(RouteFile, FollowsTargetsInTheOrderInWhichTheyLead) {
   ASSERT_EQ(read->places.size(), 3U);
   EXPECT_DOUBLE_EQ(read->places[1].lat_deg, 69.1);
   EXPECT_EQ(read->places[2], second);
+}
+
+TEST(RouteFile, TellsWhatTargetsLeaveOutAndThatTheyGoRound) {
+  const auto loop = read_route_file("targets",
+                                    "ONE lat=5200.0 lon=-800.0 radius=500 goto=TWO\n"
+                                    "TWO lat=5230.0 lon=-0700.0 radius=500 goto=ONE\n"
+                                    "OFF lat=5100.0 lon=-900.0 radius=500 goto=OFF\n");
+  ASSERT_TRUE(loop.has_value());
+  EXPECT_EQ(loop->places.size(), 2U);
+  EXPECT_THAT(loop->warnings, Contains(HasSubstr("after TWO the vehicle goes on to ONE again")));
+  EXPECT_THAT(loop->warnings, Contains(HasSubstr("OFF does not follow from the first target")));
+
+  const auto line = read_route_file("targets",
+                                    "ONE lat=5200.0 lon=-800.0 radius=500 goto=TWO\n"
+                                    "TWO lat=5230.0 lon=-0700.0 radius=500 goto=TWO\n");
+  ASSERT_TRUE(line.has_value());
+  EXPECT_THAT(line->warnings, testing::IsEmpty());
+}
+
+TEST(RouteFile, SaysThatWaypointsOfAMissionAreInLocalMetres) {
+  const auto read = read_route_file("m.mi",
+                                    "behavior: goto_list\n"
+                                    "    b_arg: args_from_file(enum) -1\n"
+                                    "    b_arg: num_legs_to_run(nodim) -2\n"
+                                    "    b_arg: num_waypoints(nodim) 2\n"
+                                    "    b_arg: wpt_units_0(enum) 0\n"
+                                    "    b_arg: wpt_x_0(X) -0730.00\n"
+                                    "    b_arg: wpt_y_0(X) 5200.00\n"
+                                    "    b_arg: wpt_units_1(enum) 0\n"
+                                    "    b_arg: wpt_x_1(X) -0700.00\n"
+                                    "    b_arg: wpt_y_1(X) 5230.00\n");
+  ASSERT_FALSE(read.has_value());
+  EXPECT_THAT(read.error().front().rule, HasSubstr("in local metres or UTM"));
+  EXPECT_THAT(read.error().front().rule, testing::Not(HasSubstr("files of their own")));
 }
 
 TEST(RouteFile, SaysWhatIsWrongAndWhere) {

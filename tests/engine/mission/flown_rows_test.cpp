@@ -2,6 +2,8 @@
 
 #include <gmock/gmock.h>
 
+#include <algorithm>
+
 #include "engine/geo/geodesic.hpp"
 #include "engine/mission/flight_route.hpp"
 #include "engine/mission/read_document.hpp"
@@ -57,6 +59,17 @@ std::vector<std::size_t> followed(const Said& said, std::size_t rows, std::size_
 }
 
 const std::vector<geo::LonLat> three{{-7.5, 52.0}, {-7.0, 52.5}, {-6.0, 52.0}};
+
+/// Law: a check finds every number of legs for which nobody can say what is flown.
+TEST(FlownRows, OfWhichNobodyKnowsAreFoundByTheCheck) {
+  for (const int legs : {-3, -2, -1, 0, 1, 4, 1000, 1001, 2147483647}) {
+    const Document list = list_of(three, {.legs = legs, .initial = 0});
+    const bool is_refused = !flown_waypoints(list, std::nullopt).faults.empty();
+    const bool is_found = std::ranges::any_of(
+        list.messages, [](const Message& message) { return message.code == "illegal_legs"; });
+    EXPECT_EQ(is_refused, is_found) << legs;
+  }
+}
 
 std::vector<int> flown(const Said& said, std::optional<geo::LonLat> from = std::nullopt) {
   const FlownWaypoints route = flown_waypoints(list_of(three, said), from);
