@@ -19,6 +19,7 @@ class DelimitedText {
   [[nodiscard]] const std::vector<std::string>& columns() const { return columns_; }
   /// The name of a column as the table has it, for messages.
   [[nodiscard]] const std::string& header(std::size_t column) const { return headers_[column]; }
+  [[nodiscard]] const std::vector<std::string>& headers() const { return headers_; }
   /// The only column with one of the names; empty when none has, or several.
   [[nodiscard]] std::optional<std::size_t> column(const std::vector<std::string_view>& names) const;
   /// Without quotes and blanks around them; empty of a blank line.

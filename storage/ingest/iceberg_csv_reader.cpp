@@ -7,6 +7,7 @@
 
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
+#include "storage/ingest/position_errors.hpp"
 #include "storage/ingest/table_dates.hpp"
 #include "storage/ingest/text.hpp"
 
@@ -135,6 +136,7 @@ Checked<PreparedDataset> read_ice_patrol_csv(const std::filesystem::path& file) 
         "the columns are not those of the International Ice Patrol (ICE-YEAR, BERG_NUMBER, DATE, TIME, "
         "LATITUDE, LONGITUDE, METHOD, SIZE, SHAPE)");
 
+  const PositionErrors position_errors{header};
   IcebergRows rows;
   for (int line_number = 2; std::getline(in, line); ++line_number) {
     const std::string where = "line " + std::to_string(line_number);
@@ -147,13 +149,14 @@ Checked<PreparedDataset> read_ice_patrol_csv(const std::filesystem::path& file) 
       continue;
     }
     auto iceberg = sighting(fields, *columns);
+    if (iceberg) iceberg = with_position_error(std::move(*iceberg), position_errors, fields);
     if (iceberg) {
       rows.accept(std::move(*iceberg));
     } else {
       rows.reject(where, iceberg.error());
     }
   }
-  return std::move(rows).prepared(header);
+  return std::move(rows).prepared(header, position_errors.warnings());
 }
 
 }  // namespace floeplan::ingest

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <chrono>
 #include <initializer_list>
+#include <iterator>
 #include <memory>
 #include <optional>
 #include <vector>
@@ -15,6 +16,7 @@
 #include "storage/ingest/feature_texts.hpp"
 #include "storage/ingest/grid_frame_of_crs.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
+#include "storage/ingest/position_errors.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -31,9 +33,16 @@ std::string property(const OGRFeature& feature, std::initializer_list<const char
 
 /// A length property in metres, or why it is none.
 Checked<std::optional<core::Metres>> length_property(const OGRFeature& feature, const char* name,
-                                                     double most_m, Zero zero = Zero::refused) {
+                                                     double most_m) {
   const std::string text = property(feature, {name});
-  return metres_of(name, text, parse_number(text), most_m, zero);
+  return metres_of(name, text, parse_number(text), most_m);
+}
+
+std::vector<std::string> names_of_fields(OGRLayer& layer) {
+  std::vector<std::string> names;
+  for (int i = 0; i < layer.GetLayerDefn()->GetFieldCount(); ++i)
+    names.emplace_back(layer.GetLayerDefn()->GetFieldDefn(i)->GetNameRef());
+  return names;
 }
 
 /// A time that the file keeps as one: with its zone, or a day alone, which counts from its beginning on.
@@ -122,7 +131,7 @@ Checked<PlaceAndLength> extent_of(const OGRGeometry* geometry) {
   return extent_of(corners);
 }
 
-Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature) {
+Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature, const PositionErrors& position_errors) {
   const auto extent = extent_of(feature.GetGeometryRef());
   if (!extent) return refuse(extent.error());
   ocean::Iceberg iceberg;
@@ -139,7 +148,12 @@ Checked<ocean::Iceberg> iceberg_of(const OGRFeature& feature) {
   const auto draft = length_property(feature, "draft_m", deepest_iceberg_m);
   if (!draft) return refuse(draft.error());
   iceberg.draft = *draft;
-  const auto error = length_property(feature, "position_uncertainty_m", least_certain_m, Zero::allowed);
+  const auto error = position_errors.of(
+      [&](std::size_t column) {
+        const int index = static_cast<int>(column);
+        return feature.IsFieldSetAndNotNull(index) ? text_of_field(feature, index) : std::string{};
+      },
+      parse_number);
   if (!error) return refuse(error.error());
   iceberg.position_uncertainty = *error;
   if (const std::string size = property(feature, {"size"}); !size.empty()) {
@@ -178,11 +192,14 @@ Checked<Transformation> transformation_to_degrees(OGRLayer& layer) {
 
 Checked<PreparedDataset> read_geojson_icebergs(GDALDataset& dataset) {
   std::vector<std::string> variables;
+  std::vector<std::string> warnings;
   IcebergRows rows;
   int number_of_feature = 0;
   for (OGRLayer* const layer : dataset.GetLayers()) {
-    for (int i = 0; i < layer->GetLayerDefn()->GetFieldCount(); ++i)
-      variables.emplace_back(layer->GetLayerDefn()->GetFieldDefn(i)->GetNameRef());
+    const std::vector<std::string> names = names_of_fields(*layer);
+    variables.insert(variables.end(), names.begin(), names.end());
+    const PositionErrors position_errors{names};
+    std::ranges::move(position_errors.warnings(), std::back_inserter(warnings));
     const auto to_degrees = transformation_to_degrees(*layer);
     if (!to_degrees) return refuse(to_degrees.error());
     layer->ResetReading();
@@ -191,7 +208,7 @@ Checked<PreparedDataset> read_geojson_icebergs(GDALDataset& dataset) {
       OGRGeometry* geometry = feature->GetGeometryRef();
       const bool moved = *to_degrees == nullptr || geometry == nullptr ||
                          geometry->transform(to_degrees->get()) == OGRERR_NONE;
-      auto iceberg = moved ? iceberg_of(*feature)
+      auto iceberg = moved ? iceberg_of(*feature, position_errors)
                            : Checked<ocean::Iceberg>{refuse("its position cannot be turned into degrees")};
       if (iceberg) {
         rows.accept(std::move(*iceberg));
@@ -200,7 +217,7 @@ Checked<PreparedDataset> read_geojson_icebergs(GDALDataset& dataset) {
       }
     }
   }
-  return std::move(rows).prepared(std::move(variables));
+  return std::move(rows).prepared(std::move(variables), std::move(warnings));
 }
 
 }  // namespace floeplan::ingest

@@ -9,6 +9,7 @@
 #include "storage/ingest/cf_units.hpp"
 #include "storage/ingest/delimited_text.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
+#include "storage/ingest/position_errors.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -44,7 +45,7 @@ struct Columns {
   bool observed_in_utc{};
   std::optional<LengthColumn> length;
   std::optional<LengthColumn> draft;
-  std::optional<LengthColumn> position_uncertainty;
+  PositionErrors position_errors;
   std::optional<std::size_t> size;
   std::optional<std::size_t> shape;
   std::optional<std::size_t> method;
@@ -66,7 +67,7 @@ std::optional<Columns> columns_of(const DelimitedText& table) {
                         .observed_in_utc = in_utc.has_value(),
                         .length = length_column(table, "length"),
                         .draft = length_column(table, "draft"),
-                        .position_uncertainty = length_column(table, "position_uncertainty"),
+                        .position_errors = PositionErrors{table.headers()},
                         .size = table.column({"size", "size_class"}),
                         .shape = table.column({"shape"}),
                         .method = table.column({"method", "source"})};
@@ -81,14 +82,15 @@ bool name_icebergs(const DelimitedText& table, const Columns& columns) {
 
 /// Whether there are an id and a sighting, and nothing that a sighting of an iceberg does not have.
 bool are_sightings_alone(const DelimitedText& table, const Columns& columns) {
-  const std::size_t known = 4 + std::size_t{columns.position_uncertainty.has_value()} +
-                            std::size_t{columns.shape.has_value()} + std::size_t{columns.method.has_value()};
+  std::size_t known = 4 + std::size_t{columns.shape.has_value()} + std::size_t{columns.method.has_value()};
+  for (std::size_t i = 0; i < table.columns().size(); ++i)
+    known += std::size_t{columns.position_errors.is_read(i)};
   return table.columns()[columns.id] == "id" && known == table.columns().size();
 }
 
-/// Of columns that tell a size in a way that is not read.
+/// Of columns that tell a size or an error of the position in a way that is not read.
 std::vector<std::string> warnings_of(const DelimitedText& table, const Columns& columns) {
-  std::vector<std::string> warnings;
+  std::vector<std::string> warnings = columns.position_errors.warnings();
   if (!name_icebergs(table, columns))
     warnings.emplace_back(
         "the columns of the table do not tell what was sighted; every row was taken for an iceberg of "
@@ -130,7 +132,9 @@ class Row {
     const auto draft = metres(columns_.draft, deepest_iceberg_m);
     if (!draft) return refuse(draft.error());
     iceberg.draft = *draft;
-    const auto error = metres(columns_.position_uncertainty, least_certain_m, Zero::allowed);
+    const auto error =
+        columns_.position_errors.of([this](std::size_t column) { return fields_[column]; },
+                                    [this](const std::string& field) { return table_.number(field); });
     if (!error) return refuse(error.error());
     iceberg.position_uncertainty = *error;
     if (const std::string size = text(columns_.size); !size.empty()) {
@@ -160,12 +164,12 @@ class Row {
   }
 
   [[nodiscard]] Checked<std::optional<core::Metres>> metres(const std::optional<LengthColumn>& column,
-                                                            double most_m, Zero zero = Zero::refused) const {
+                                                            double most_m) const {
     if (!column) return std::nullopt;
     const std::string& value = fields_[column->index];
     auto length = table_.number(value);
     if (length) *length *= column->metres;
-    return metres_of(table_.header(column->index), value, length, most_m, zero);
+    return metres_of(table_.header(column->index), value, length, most_m);
   }
 
   const DelimitedText& table_;
@@ -208,12 +212,7 @@ Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& fil
       rows.reject(where, iceberg.error());
     }
   }
-  auto data = std::move(rows).prepared(table.columns());
-  if (data) {
-    const auto warnings = warnings_of(table, *columns);
-    data->warnings.insert(data->warnings.begin(), warnings.begin(), warnings.end());
-  }
-  return data;
+  return std::move(rows).prepared(table.columns(), warnings_of(table, *columns));
 }
 
 }  // namespace floeplan::ingest

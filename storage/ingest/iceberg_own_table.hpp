@@ -19,9 +19,9 @@ namespace floeplan::ingest {
 ///  observed (time, timestamp, datetime, date, last_seen)         required; ISO 8601 with its zone or a day alone;
 ///  times in
 ///                                                                a column whose name ends in "_utc" may leave it out
-///  length_m, draft_m, position_uncertainty_m, size, shape,
-///  method                                                        optional; lengths also in other units of length_factor
+///  length_m, draft_m, size, shape, method                       optional; lengths also in other units of length_factor
 ///                                                                (length_ft, length_km) and in nautical miles (_nm)
+///  position_uncertainty_m                                        optional; all that PositionErrors understands
 /// Fields are parted by commas, semicolons or tabs. A bad row is left out and counted.
 [[nodiscard]] Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& file);
 

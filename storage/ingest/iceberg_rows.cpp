@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 
 #include "storage/ingest/text.hpp"
 #include "storage/repository/iceberg_repository.hpp"
@@ -55,7 +56,8 @@ void IcebergRows::reject(const std::string& where, const std::string& reason) {
   if (reasons_.size() < max_reasons) reasons_.push_back(where + " was left out: " + reason);
 }
 
-Checked<PreparedDataset> IcebergRows::prepared(std::vector<std::string> variables) && {
+Checked<PreparedDataset> IcebergRows::prepared(std::vector<std::string> variables,
+                                               std::vector<std::string> warnings) && {
   if (icebergs_.empty())
     return refuse("the file holds no usable sighting" +
                   (reasons_.empty() ? std::string{"; it has no rows"} : "; " + reasons_.front()) +
@@ -66,7 +68,8 @@ Checked<PreparedDataset> IcebergRows::prepared(std::vector<std::string> variable
   data.variables = std::move(variables);
   data.rows_accepted = static_cast<std::int64_t>(icebergs_.size());
   data.rows_refused = rejected_;
-  data.warnings = reasons_;
+  data.warnings = std::move(warnings);
+  std::ranges::copy(reasons_, std::back_inserter(data.warnings));
   if (rejected_ > static_cast<std::int64_t>(reasons_.size()))
     data.warnings.push_back(std::to_string(rejected_ - static_cast<std::int64_t>(reasons_.size())) +
                             " more rows were left out");

@@ -25,16 +25,14 @@ enum class Zero : std::uint8_t { allowed, refused };
 /// Collects the sightings of one file: good rows are kept, bad ones counted, the first ten with their reason.
 class IcebergRows {
  public:
-  /// Longitudes below -180 degrees are counted on from there.
-  void accept(ocean::Iceberg iceberg) {
-    if (iceberg.place.lon_deg < -180.0) iceberg.place.lon_deg += 360.0;
-    icebergs_.push_back(std::move(iceberg));
-  }
+  void accept(ocean::Iceberg iceberg) { icebergs_.push_back(std::move(iceberg)); }
   /// `where` names the row for a person: "line 12", "feature 3".
   void reject(const std::string& where, const std::string& reason);
 
+  /// `warnings`  of the file as a whole, told before those of its rows
   /// Errors  no good row at all
-  [[nodiscard]] Checked<PreparedDataset> prepared(std::vector<std::string> variables) &&;
+  [[nodiscard]] Checked<PreparedDataset> prepared(std::vector<std::string> variables,
+                                                  std::vector<std::string> warnings = {}) &&;
 
  private:
   std::vector<ocean::Iceberg> icebergs_;

@@ -12,6 +12,7 @@
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
+#include "storage/ingest/position_errors.hpp"
 #include "storage/ingest/table_dates.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/json/json.hpp"
@@ -244,6 +245,7 @@ Checked<ocean::Iceberg> listed(const json& item) {
 using ReadRow = std::function<Checked<ocean::Iceberg>(const TableRow&)>;
 
 Checked<PreparedDataset> read_rows(std::ifstream& in, const Header& header, const ReadRow& read_row) {
+  const PositionErrors position_errors{header.names(), {"loc_accuracy"}};
   IcebergRows rows;
   std::string line;
   for (int line_number = 2; std::getline(in, line); ++line_number) {
@@ -258,13 +260,14 @@ Checked<PreparedDataset> read_rows(std::ifstream& in, const Header& header, cons
       continue;
     }
     auto iceberg = read_row(TableRow{header, fields});
+    if (iceberg) iceberg = with_position_error(std::move(*iceberg), position_errors, fields);
     if (iceberg) {
       rows.accept(std::move(*iceberg));
     } else {
       rows.reject(where, iceberg.error());
     }
   }
-  return std::move(rows).prepared(header.names());
+  return std::move(rows).prepared(header.names(), position_errors.warnings());
 }
 
 }  // namespace

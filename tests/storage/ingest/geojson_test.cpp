@@ -49,6 +49,17 @@ TEST_F(Geojson, PointsBecomeIcebergs) {
   EXPECT_EQ(rows[1].iceberg.size, ocean::IcebergSize::bergy_bit);
 }
 
+TEST_F(Geojson, PointsHaveTheErrorOfTheirPositionUnderAnyNameOfIt) {
+  const auto report = ingest(
+      write(point("[-54.25, 69.5]",
+                  R"("id": "A-1", "observed": "2026-11-20T06:00:00Z", "accuracyKm": 4, "radius_m": 9)")));
+
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  const auto rows = repository::IcebergRepository{db_}.list({}, 0, 10);
+  EXPECT_EQ(rows[0].iceberg.position_uncertainty, core::Metres{4000.0});
+  EXPECT_THAT(words(report), HasSubstr("\"radius_m\" may state how uncertain"));
+}
+
 TEST_F(Geojson, BadPointsAreLeftOutCountedAndExplained) {
   const std::string good = R"("id": "A", "observed": "2026-11-20T06:00:00Z")";
   const auto report = ingest(write(

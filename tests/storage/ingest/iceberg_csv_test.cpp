@@ -197,6 +197,76 @@ TEST_F(OwnIcebergTable, HasLengthsInTheUnitThatItsColumnNames) {
   });
 }
 
+/// Law: whatever names the error of a position and its unit is obeyed alike.
+TEST_F(OwnIcebergTable, KnowsAnErrorOfThePositionByItsWords) {
+  constexpr std::array names{"position_uncertainty",
+                             "position_error",
+                             "uncertainty",
+                             "accuracy",
+                             "error",
+                             "pos_err",
+                             "poserr",
+                             "position_accuracy",
+                             "error_radius",
+                             "Location error",
+                             "locAccuracy",
+                             "POS_ERR",
+                             "Position precision",
+                             "position_sigma",
+                             "horiz_uncert",
+                             "estimated position error"};
+  struct Unit {
+    const char* name;
+    double metres;
+  };
+  constexpr std::array units{Unit{"_m", 1.0}, Unit{" (km)", 1000.0}, Unit{"_nm", 1852.0},
+                             Unit{" [ft]", 0.3048}, Unit{" nautical miles", 1852.0}};
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    const std::string name =
+        names.at(static_cast<std::size_t>(support::uniform_int(rng, 0, static_cast<int>(names.size()) - 1)));
+    const Unit unit =
+        units.at(static_cast<std::size_t>(support::uniform_int(rng, 0, static_cast<int>(units.size()) - 1)));
+    const int error = support::uniform_int(rng, 0, 100);
+    SCOPED_TRACE(name + unit.name);
+    const auto report =
+        ingest(write_file("bergs.csv", "id,lat,lon,time,length_m," + name + unit.name +
+                                           "\nA1,69.1,-52.2,2026-11-22,100," + std::to_string(error) + "\n"));
+
+    ASSERT_TRUE(report.dataset) << words(report);
+    ASSERT_TRUE(sightings().back().iceberg.position_uncertainty);
+    EXPECT_NEAR(sightings().back().iceberg.position_uncertainty->value, error * unit.metres, 1e-6);
+    EXPECT_THAT(words(report), testing::Not(HasSubstr("may state how uncertain")));
+  });
+}
+
+TEST_F(OwnIcebergTable, TellsOfAnErrorThatItDoesNotUnderstand) {
+  for (const char* name : {"radius_m", "Accuracy", "position_error", "lat_error_deg", "length_error_m"}) {
+    const auto report = ingest(write_file("bergs.csv", std::string{"id,lat,lon,time,length_m,"} + name +
+                                                           "\nA1,69.1,-52.2,2026-11-22,100,4000\n"));
+
+    ASSERT_TRUE(report.dataset) << words(report);
+    EXPECT_THAT(words(report), HasSubstr('"' + std::string{name} + "\" may state how uncertain"));
+    EXPECT_FALSE(sightings().back().iceberg.position_uncertainty);
+  }
+}
+
+TEST_F(OwnIcebergTable, TakesTheLargestOfSeveralErrors) {
+  const auto report = ingest(write_file("bergs.csv",
+                                        "id,lat,lon,time,length_m,accuracy_m,position_error_km\n"
+                                        "A1,69.1,-52.2,2026-11-22,100,300,4\n"));
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_EQ(sightings().back().iceberg.position_uncertainty, core::Metres{4000.0});
+}
+
+TEST_F(IcePatrolCsv, KnowsAnErrorOfThePosition) {
+  const auto report =
+      ingest(write_file("bergs.csv",
+                        "ICE-YEAR,BERG_NUMBER,DATE,TIME,LATITUDE,LONGITUDE,METHOD,SIZE,SHAPE,POS_ERR_NM\n"
+                        "2014,1,10/7/2013,0815,60.46,-63.51,SAT,VLG,TAB,2\n"));
+  ASSERT_EQ(report.status, IngestStatus::stored) << words(report);
+  EXPECT_EQ(sightings().back().iceberg.position_uncertainty, core::Metres{3704.0});
+}
+
 TEST_F(OwnIcebergTable, TellsOfALengthWithoutAUnit) {
   const auto report =
       ingest(write_file("bergs.csv", "berg,lat,lon,time,length\nA1,69.1,-52.2,2026-11-22,2\n"));
