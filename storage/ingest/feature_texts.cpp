@@ -55,6 +55,8 @@ std::string text_of_field(const OGRFeature& feature, int index) {
   if (feature.IsFieldSetAndNotNull(index) == 0) return {};
   const OGRFieldType type = feature.GetFieldDefnRef(index)->GetType();
   if (type == OFTDate || type == OFTDateTime) return iso_of_field(feature, index);
+  if (feature.GetFieldDefnRef(index)->GetSubType() == OFSTBoolean)
+    return feature.GetFieldAsInteger(index) != 0 ? "true" : "false";
   return table_text(feature.GetFieldAsString(index));
 }
 

@@ -171,7 +171,13 @@ struct Placemark {
   Attributes attributes;
 };
 
-Checked<Placemark> placemark_of(const Element& element, const TimeTexts& around) {
+/// What the folders around a placemark hand down to it.
+struct Around {
+  TimeTexts time;
+  std::string names;
+};
+
+Checked<Placemark> placemark_of(const Element& element, const Around& around) {
   Placemark placemark;
   for (const Element& child : element.children) {
     if (!is_geometry(child.name)) continue;
@@ -185,18 +191,22 @@ Checked<Placemark> placemark_of(const Element& element, const TimeTexts& around)
   placemark.attributes = {{"Name", element.text_of("name")},
                           {"description", element.text_of("description")},
                           {"timestamp", own.when},
-                          {"begin", own.begin},
-                          {"end", own.end},
-                          {folder_begin, around.begin},
-                          {folder_end, around.end}};
+                          {time_stamp, own.when},
+                          {"begin", own.when.empty() ? own.begin : ""},
+                          {"end", own.when.empty() ? own.end : ""},
+                          {folder_names, around.names},
+                          {folder_begin, around.time.begin},
+                          {folder_end, around.time.end}};
   for (auto& attribute : extended_data_of(element)) placemark.attributes.push_back(std::move(attribute));
   std::erase_if(placemark.attributes, [](const auto& attribute) { return attribute.second.empty(); });
   return placemark;
 }
 
-/// Gathers the placemarks below `element`. `around`: what the folders around it span
-Checked<bool> gather(const Element& element, const TimeTexts& around, std::vector<Placemark>& placemarks) {
-  const TimeTexts here = narrower(around, time_of(element));
+/// Gathers the placemarks below `element`.
+Checked<bool> gather(const Element& element, const Around& around, std::vector<Placemark>& placemarks) {
+  const std::string name = element.text_of("name");
+  const Around here{narrower(around.time, time_of(element)),
+                    around.names + (around.names.empty() || name.empty() ? "" : " / ") + name};
   if (const std::string word = word_of_zone(extended_data_of(element)); !word.empty())
     return refuse(at_line(element) + "the " + element.name + " states \"" + word +
                   "\" for what it holds, but KML hands it down to no placemark; give it to each of them");

@@ -10,6 +10,7 @@
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/feature_texts.hpp"
 #include "storage/ingest/kml_file.hpp"
+#include "storage/ingest/spoken_rule.hpp"
 #include "storage/ingest/stated_depth.hpp"
 #include "storage/ingest/stated_period.hpp"
 #include "storage/ingest/text.hpp"
@@ -104,8 +105,8 @@ class AttributeReader {
       const std::string name = feature.GetFieldDefnRef(i)->GetNameRef();
       Attribute attribute{table_text(name.c_str()), text_of_field(feature, i)};
       if (attribute.text.empty()) continue;
-      if (name == folder_begin || name == folder_end) {
-        (name == folder_begin ? folder_begins_ : folder_ends_) = std::move(attribute);
+      if (std::optional<Attribute>* const of_kml = kml_attribute(name)) {
+        *of_kml = std::move(attribute);
         continue;
       }
       attribute.meaning = meanings.of(name);
@@ -138,6 +139,7 @@ class AttributeReader {
           "--zone-kind for all that state none");
       return ocean::ZoneKind::no_go;
     }
+    tell_of_the_other_rule(*kind_of_others);
     for (const Attribute& attribute : all(AttributeMeaning::perhaps_kind))
       leave_unheeded(attribute, ", which is neither no_go nor stay_in: the rule is the one of --zone-kind, " +
                                     std::string{ocean::zone_kind_name(*kind_of_others)} +
@@ -189,6 +191,29 @@ class AttributeReader {
   [[nodiscard]] std::vector<Unheeded>& unheeded() { return unheeded_; }
 
  private:
+  /// Where it belongs, if it is none of the zone's own attributes.
+  [[nodiscard]] std::optional<Attribute>* kml_attribute(std::string_view name) {
+    if (name == folder_begin) return &folder_begins_;
+    if (name == folder_end) return &folder_ends_;
+    if (name == folder_names) return &folder_names_;
+    return name == time_stamp ? &time_stamp_ : nullptr;
+  }
+
+  /// Of names and descriptions whose words are of the other rule than that of --zone-kind.
+  void tell_of_the_other_rule(ocean::ZoneKind rule) {
+    const ocean::ZoneKind other =
+        rule == ocean::ZoneKind::no_go ? ocean::ZoneKind::stay_in : ocean::ZoneKind::no_go;
+    const auto tell = [&](const Attribute& attribute) {
+      if (!has_words_of(attribute.text, other)) return;
+      leave_unheeded(attribute, std::string{", words of "} + ocean::zone_kind_name(other) +
+                                    ", which are not obeyed: the rule is the one of --zone-kind, " +
+                                    ocean::zone_kind_name(rule) + "; check that it is meant for this area");
+    };
+    for (const Attribute& attribute : attributes_)
+      if (attribute.meaning != AttributeMeaning::perhaps_kind) tell(attribute);
+    if (folder_names_) tell(*folder_names_);
+  }
+
   [[nodiscard]] std::vector<Attribute> all(AttributeMeaning meaning) const {
     std::vector<Attribute> found;
     std::ranges::copy_if(attributes_, std::back_inserter(found),
@@ -238,6 +263,12 @@ class AttributeReader {
     Stated<core::UtcTime> last;
     std::vector<Attribute> dates;
     std::vector<Attribute> texts;
+    if (time_stamp_) {
+      const auto period = stated_period(time_stamp_->text);
+      if (!period) refuse_time(*time_stamp_);
+      if (period) state(first, *time_stamp_, period->first);
+      if (period) state(last, *time_stamp_, period->last);
+    }
     for (const Attribute& attribute : attributes_) {
       switch (attribute.meaning) {
         using enum AttributeMeaning;
@@ -310,6 +341,8 @@ class AttributeReader {
   }
 
   std::vector<Attribute> attributes_;
+  std::optional<Attribute> folder_names_;
+  std::optional<Attribute> time_stamp_;
   std::optional<Attribute> folder_begins_;
   std::optional<Attribute> folder_ends_;
   std::vector<std::string> faults_;
@@ -333,7 +366,7 @@ std::optional<ocean::ZoneKind> zone_kind_of(std::string_view text) {
 bool states_zone_kind(const OGRFeature& feature) {
   for (int i = 0; i < feature.GetFieldCount(); ++i) {
     Attribute attribute{feature.GetFieldDefnRef(i)->GetNameRef(), text_of_field(feature, i)};
-    if (!zone_kind_of(attribute.text)) continue;
+    if (attribute.name == folder_names || !zone_kind_of(attribute.text)) continue;
     attribute.meaning = ocean::meaning_of_attribute(attribute.name);
     if (rule_in(attribute)) return true;
   }

@@ -43,7 +43,8 @@ struct ZoneAttributes {
 /// Depths   as `stated_depth` reads them; by default from the surface down to the sea bed
 /// Edges    an empty attribute is as none; attributes that mean the same must agree
 /// Faults   what is understood and cannot be read; a date that begins or ends something unknown
-/// Unheeded a type that is no rule where none is stated; dates and depths of something unknown
+/// Unheeded a type that is no rule where none is stated, and words of the other rule than `kind_of_others`, also of the
+///          folders around; dates and depths of something unknown
 [[nodiscard]] ZoneAttributes read_zone_attributes(const OGRFeature& feature, AttributeMeanings& meanings,
                                                   std::optional<ocean::ZoneKind> kind_of_others);
 

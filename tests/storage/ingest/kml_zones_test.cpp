@@ -117,7 +117,31 @@ TEST_F(KmlZones, WhosePeriodIsNotThatOfTheirFolderAreRefusedWithBoth) {
   EXPECT_THAT(refusal, HasSubstr("of the folder around it (2026-01-01T00:00:00Z to 2026-03-02T00:00:00Z)"));
 }
 
+/// Words of the rule that the zone does not get are told, wherever they stand; those of its own are not.
+TEST_F(KmlZones, TellWordsOfTheOtherRule) {
+  const auto told = [&](const std::string& around, const std::string& name, const std::string& text,
+                        const char* kind) {
+    return words(ingest(
+        kml(element("Folder",
+                    element("name", around) +
+                        element("Placemark", element("name", name) + element("description", text) + square))),
+        {.zone_kind = kind}));
+  };
+  EXPECT_THAT(told("stay_in", "A", "", "no_go"),
+              HasSubstr("\"names of the folders around\" is \"stay_in\", words of stay_in"));
+  EXPECT_THAT(told("zones", "Stay-In box until June", "", "no_go"), HasSubstr("words of stay_in"));
+  EXPECT_THAT(told("zones", "A", "Vehicle must stay inside this box", "no_go"),
+              HasSubstr("words of stay_in"));
+  EXPECT_THAT(told("zones", "Cable: keep out", "", "stay_in"), HasSubstr("words of no_go"));
+  EXPECT_THAT(told("stay_in", "A", "Must stay inside", "stay_in"), testing::Not(HasSubstr("words of")));
+  EXPECT_THAT(told("fishing banks", "mainstay inlet", "", "no_go"), testing::Not(HasSubstr("words of")));
+}
+
 TEST_F(KmlZones, AreRefusedWithWhatTheFileHolds) {
+  const std::string stamp = rule_of_span("<TimeStamp><when>2026-05-01T06:00:00</when></TimeStamp>");
+  EXPECT_THAT(stamp, HasSubstr("\"when of the TimeStamp\" is \"2026-05-01T06:00:00\""));
+  EXPECT_THAT(stamp, testing::Not(HasSubstr("\"begin\"")));
+  EXPECT_THAT(stamp, testing::Not(HasSubstr("\"end\"")));
   EXPECT_THAT(rule_of_span("<TimeSpan><begin>01.05.2026</begin></TimeSpan>"),
               HasSubstr("\"begin\" is \"01.05.2026\""));
   EXPECT_THAT(rule_of_span("", "<TimeSpan><end>soon</end></TimeSpan>"), HasSubstr("is \"soon\""));

@@ -289,6 +289,16 @@ TEST_F(Zones, TellWhatTheirAttributesSeemToSayAndIsNotObeyed) {
   EXPECT_THAT(report.warnings, Contains(HasSubstr("\"fecha_fin\" is \"31/05/2026\"")));
 }
 
+TEST_F(Zones, AreToldOfATruthValueAsTheFileWritesIt) {
+  const auto told = words(ingest(
+      write_file(
+          "active.geojson",
+          R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties": {"type": false},
+               "geometry": {"type": "Polygon", "coordinates": [[[-8,52],[-7,52],[-7,53],[-8,53],[-8,52]]]}}]})"),
+      {.zone_kind = "no_go"}));
+  EXPECT_THAT(told, HasSubstr("\"type\" is \"false\""));
+}
+
 TEST_F(Zones, TellOfFreeTextThatNamesADateUnlessTheyStateTheirPeriod) {
   const std::string text = "Trawling, nets to 60 m. Closed from 1 May 2026 until further notice.";
   const auto told = ingest(write(formats[2], {{triangle, {{"kind", "no_go"}, {"remarks", text}}}}));
