@@ -8,8 +8,8 @@ namespace floeplan::ocean {
 /// about 0.75 km an hour (C-CORE hindcast of 340 displacements, 2023-24), 50 km in this time.
 inline constexpr core::Seconds max_sighting_age{3.0 * 86400.0};
 
-/// Icebergs left out for their age are told as a danger when they were last seen less than this ago; older ones only
-/// where nothing newer is known of the area. Chosen: daily lists name a berg that lasts many times in a month.
+/// Those left out are told as a danger when last seen less than this ago, or first seen less than this after the last
+/// moment that counts; older ones where nothing newer is known. Chosen: daily lists name a lasting berg again and again.
 inline constexpr core::Seconds left_out_are_told{30.0 * 86400.0};
 
 /// The one rule of when a sighting is too old, for plans, checks, the map, probes and exports. Of each berg the newest

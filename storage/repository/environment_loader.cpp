@@ -1,6 +1,7 @@
 #include "storage/repository/environment_loader.hpp"
 
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <memory>
 #include <utility>
@@ -48,6 +49,35 @@ void tell_of_old_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) 
                              shortened_list(dropped)));
 }
 
+/// Says which bergs were only seen later than counts: they may have been there before, and nobody avoids them. Where the
+/// user set the moment, that is a wish.
+void tell_of_later_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
+  if (known.later.empty()) return;
+  const core::UtcTime as_of = sightings_as_of(draft.query);
+  std::vector<std::string> dropped;
+  core::UtcTime last = as_of;
+  for (const StoredSighting& sighting : known.later) {
+    const ocean::Iceberg& berg = sighting.iceberg;
+    dropped.push_back((berg.id.empty() ? "one without a name" : berg.id) + " at " +
+                      core::iso8601(berg.observed));
+    last = std::max(last, berg.observed);
+  }
+  const std::string icebergs =
+      std::to_string(dropped.size()) + (dropped.size() == 1 ? " iceberg" : " icebergs");
+  if (draft.query.icebergs_as_of) {
+    draft.warn(icebergs + " left out as requested: seen only after " + core::iso8601(as_of) + " (" +
+               shortened_list(dropped) + "). The plan avoids none of them");
+    return;
+  }
+  draft.warn(core::as_danger(
+      icebergs + " ignored: seen only after " +
+      (as_of > draft.query.depart ? "the last departure asked for, " : "the departure at ") +
+      core::iso8601(as_of) +
+      ". Each may be near the route, and the plan avoids none of them. Let them count (--icebergs-as-of " +
+      core::iso8601(std::chrono::ceil<std::chrono::seconds>(last)) +
+      "), or depart later. Ignored: " + shortened_list(dropped)));
+}
+
 /// Names the datasets that had something to say, those that were wanted by name and what people reported here; else the
 /// newest that speaks of the area.
 void cite_sightings(EnvironmentDraft& draft, const KnownIcebergs& known) {
@@ -78,7 +108,7 @@ void add_icebergs(EnvironmentDraft& draft) {
                        .as_of = as_of,
                        .depart = query.depart,
                        .max_age = query.max_sighting_age,
-                       .also_too_old = true};
+                       .also_left_out = true};
   if (query.iceberg_drift) {
     wanted.reach = reach_of_drift;
     wanted.track_age = query.max_sighting_age;
@@ -92,8 +122,10 @@ void add_icebergs(EnvironmentDraft& draft) {
       iceberg.too_old_from = ocean::too_old_from(iceberg.observed, query.max_sighting_age);
   }
   tell_of_old_sightings(draft, known);
+  tell_of_later_sightings(draft, known);
   cite_sightings(draft, known);
-  if (draft.environment.datasets.empty() && query.icebergs.how != DatasetChoice::How::named) {
+  if (draft.environment.datasets.empty() && known.later.empty() &&
+      query.icebergs.how != DatasetChoice::How::named) {
     warn_of_gap(draft, DatasetKind::icebergs, query.icebergs, "no iceberg is avoided");
   }
 }

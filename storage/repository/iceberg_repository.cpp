@@ -1,5 +1,7 @@
 #include "storage/repository/iceberg_repository.hpp"
 
+#include <cmath>
+
 #include "storage/repository/box_index.hpp"
 #include "storage/repository/dataset_row.hpp"
 #include "storage/sqlite/statement.hpp"
@@ -21,7 +23,11 @@ std::optional<double> number(std::optional<core::Metres> length) {
   return length ? std::optional{length->value} : std::nullopt;
 }
 
-geo::LonLat read_place(const sqlite::Statement& row) { return {row.real(1), row.real(2)}; }
+/// Longitudes from -180 to 180, whichever way the source counts them.
+geo::LonLat read_place(const sqlite::Statement& row, int first_column = 1) {
+  const double lon_deg = row.real(first_column);
+  return {std::abs(lon_deg) > 180.0 ? geo::wrap_longitude(lon_deg) : lon_deg, row.real(first_column + 1)};
+}
 
 StoredSighting read_sighting(const sqlite::Statement& row) {
   return {.row = row.integer(0),
@@ -154,7 +160,7 @@ std::vector<ocean::IcebergFix> IcebergRepository::earlier(const StoredSighting& 
                           "observed_s >= ?4 GROUP BY observed_s ORDER BY observed_s"};
   query.bind_all(sighting.dataset.value, sighting.iceberg.id, sighting.iceberg.observed,
                  sighting.iceberg.observed - max_age);
-  while (query.step()) fixes.push_back({{query.real(0), query.real(1)}, query.time(2)});
+  while (query.step()) fixes.push_back({read_place(query, 0), query.time(2)});
   return fixes;
 }
 

@@ -28,7 +28,8 @@ struct SightingFilter {
   std::optional<std::string> berg_id{};
 };
 
-/// Sightings of icebergs, indexed by place (R*Tree) and time.
+/// Sightings of icebergs, indexed by place (R*Tree) and time. However a source counts longitudes, those read back are
+/// within [-180, 180].
 /// Threads  as the connection: one thread at a time
 class IcebergRepository {
  public:

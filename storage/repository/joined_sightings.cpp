@@ -1,12 +1,15 @@
 #include "storage/repository/joined_sightings.hpp"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 #include <map>
 #include <string>
 #include <tuple>
 #include <utility>
 
 #include "engine/geo/geodesic.hpp"
+#include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/hand_made_id.hpp"
 
 namespace floeplan::repository {
@@ -114,6 +117,35 @@ std::vector<StoredSighting> joined_sightings(sqlite::Connection& db, const std::
     }
   }
   return joined;
+}
+
+std::vector<StoredSighting> first_seen_after(sqlite::Connection& db, const std::vector<Dataset>& datasets,
+                                             const geo::BoundingBox& area, core::UtcTime as_of,
+                                             core::UtcTime until,
+                                             const std::vector<StoredSighting>& counted) {
+  std::map<DatasetId, std::string> sources;
+  for (const Dataset& dataset : DatasetRepository{db}.list()) sources[dataset.id] = source_of(dataset);
+  const auto are_one = [&](const StoredSighting& a, const StoredSighting& b) {
+    return !a.iceberg.id.empty() && a.iceberg.id == b.iceberg.id &&
+           sources[a.dataset] == sources[b.dataset] &&
+           may_be_one_berg(a.iceberg.place, a.iceberg.observed, b.iceberg.place, b.iceberg.observed);
+  };
+
+  std::vector<StoredSighting> first;
+  for (const Dataset& dataset : datasets) {
+    const SightingFilter filter{.area = area, .from = as_of, .to = until, .dataset = dataset.id};
+    for (StoredSighting& sighting : IcebergRepository{db}.list(filter, 0, std::numeric_limits<int>::max())) {
+      const auto is_same = [&](const StoredSighting& other) { return are_one(sighting, other); };
+      if (sighting.iceberg.observed <= as_of || std::ranges::any_of(counted, is_same)) continue;
+      const auto known = std::ranges::find_if(first, is_same);
+      if (known == first.end()) {
+        first.push_back(std::move(sighting));
+      } else if (sighting.iceberg.observed < known->iceberg.observed) {
+        *known = std::move(sighting);
+      }
+    }
+  }
+  return first;
 }
 
 }  // namespace floeplan::repository

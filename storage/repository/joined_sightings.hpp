@@ -21,4 +21,12 @@ namespace floeplan::repository {
                                                            core::Seconds max_age,
                                                            core::Seconds track_age = core::Seconds{0.0});
 
+/// The first sighting in the area after `as_of`, up to `until`, of each berg that none of `counted` is of, by the same
+/// rule of which sightings are of one berg. In the order of the datasets, then by row.
+[[nodiscard]] std::vector<StoredSighting> first_seen_after(sqlite::Connection& db,
+                                                           const std::vector<Dataset>& datasets,
+                                                           const geo::BoundingBox& area, core::UtcTime as_of,
+                                                           core::UtcTime until,
+                                                           const std::vector<StoredSighting>& counted);
+
 }  // namespace floeplan::repository

@@ -20,7 +20,7 @@ std::vector<Dataset> datasets_of_sightings(const std::vector<Dataset>& stored, c
   };
   const auto recent = [&](const Dataset& dataset) {
     return !dataset.time_end || *dataset.time_end >= known.oldest ||
-           (query.also_too_old && query.as_of - *dataset.time_end < ocean::left_out_are_told);
+           (query.also_left_out && query.as_of - *dataset.time_end < ocean::left_out_are_told);
   };
   std::vector<Dataset> chosen;
   std::ranges::copy_if(stored, std::back_inserter(chosen), [&](const Dataset& dataset) {
@@ -32,6 +32,18 @@ std::vector<Dataset> datasets_of_sightings(const std::vector<Dataset>& stored, c
         newest != known.here.end())
       chosen.insert(chosen.begin(), *newest);
   std::ranges::copy_if(stored, std::back_inserter(chosen), by_hand);
+  return chosen;
+}
+
+std::vector<Dataset> datasets_of_later_sightings(const std::vector<Dataset>& stored,
+                                                 const KnownIcebergs& known, const SightingQuery& query) {
+  if (query.choice.how != DatasetChoice::How::newest) return known.here;
+  std::vector<Dataset> chosen;
+  std::ranges::copy_if(stored, std::back_inserter(chosen), [&](const Dataset& dataset) {
+    if (dataset.kind != DatasetKind::icebergs) return false;
+    return by_hand(dataset) || !dataset.time_start || !dataset.time_end ||
+           (*dataset.time_end > query.as_of && *dataset.time_start - query.as_of <= ocean::left_out_are_told);
+  });
   return chosen;
 }
 
@@ -55,10 +67,13 @@ KnownIcebergs known_icebergs(sqlite::Connection& db, const std::vector<Dataset>&
 
   constexpr core::Seconds any_age{std::numeric_limits<double>::infinity()};
   auto all = joined_sightings(db, known.consulted, reached, query.as_of,
-                              query.also_too_old ? any_age : query.as_of - known.oldest, query.track_age);
+                              query.also_left_out ? any_age : query.as_of - known.oldest, query.track_age);
   for (StoredSighting& sighting : all)
     (sighting.iceberg.observed >= known.oldest ? known.sightings : known.too_old)
         .push_back(std::move(sighting));
+  if (query.also_left_out)
+    known.later = first_seen_after(db, datasets_of_later_sightings(stored, known, query), reached,
+                                   query.as_of, query.as_of + ocean::left_out_are_told, known.sightings);
   return known;
 }
 

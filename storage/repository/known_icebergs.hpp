@@ -20,7 +20,8 @@ struct SightingQuery {
   core::UtcTime depart;     // of the vehicle; which sighting is too old then says ocean::oldest_that_counts
   core::Seconds max_age{ocean::max_sighting_age};
   core::Seconds track_age{0.0};  // each with its earlier fixes no older than this; zero: without
-  bool also_too_old{false};      // list those left out for their age too, up to ocean::left_out_are_told
+  bool also_left_out{
+      false};  // list those left out for their age or as seen later, up to ocean::left_out_are_told
 };
 
 /// What the store knows of icebergs, as plans obey it and the map shows it.
@@ -28,8 +29,10 @@ struct KnownIcebergs {
   std::vector<Dataset> here;              // of the choice those that meet the area; named ones, within reach
   std::vector<Dataset> consulted;         // those that the sightings were taken from
   std::vector<StoredSighting> sightings;  // of each berg the newest, in the order of the datasets
-  std::vector<StoredSighting> too_old;    // that nobody has seen since `oldest`, where these were wanted
-  core::UtcTime oldest;                   // the earliest sighting that counts
+  std::vector<StoredSighting> too_old;    // that nobody has seen since `oldest`, where wanted
+  std::vector<StoredSighting>
+      later;             // the first after `as_of` of each berg that no sighting here is of; the same
+  core::UtcTime oldest;  // the earliest sighting that counts
 
   [[nodiscard]] bool speaks_here(const DatasetId& dataset) const;
 };

@@ -395,6 +395,66 @@ TEST_F(EnvironmentLoaderTest, TellsOfBergsSeenTooLongAgoHoweverTheyWereListed) {
   });
 }
 
+TEST_F(EnvironmentLoaderTest, TellsOfABergThatWasOnlySeenAfterTheDeparture) {
+  add_icebergs("bergs", {sample_berg("later", {-52.0, 69.2}, sample_time + core::Seconds{1.0})});
+
+  const ocean::Environment environment = load();
+
+  EXPECT_THAT(environment.icebergs, IsEmpty());
+  EXPECT_THAT(environment.warnings,
+              Contains(AllOf(testing::StartsWith("Danger: 1 iceberg ignored: seen only after the departure"),
+                             HasSubstr("--icebergs-as-of"), HasSubstr(": later at "))));
+  EXPECT_THAT(environment.warnings, Not(Contains(HasSubstr("no stored icebergs"))));
+}
+
+TEST_F(EnvironmentLoaderTest, LeavesOutLaterSightingsWithoutADangerWhereTheUserSaidSo) {
+  add_icebergs("bergs", {sample_berg("now", {-52.0, 69.0}, sample_time - hour),
+                         sample_berg("later", {-52.0, 69.2}, sample_time + hour)});
+  query_.icebergs_as_of = sample_time;
+
+  const auto warnings = load().warnings;
+
+  EXPECT_THAT(warnings, Contains(testing::StartsWith("1 iceberg left out as requested: seen only after")));
+  EXPECT_THAT(warnings, Not(Contains(testing::StartsWith("Danger"))));
+}
+
+/// Law: of the bergs near the area exactly those are told that were seen within a month after the departure, and of
+/// which no sighting counts.
+TEST_F(EnvironmentLoaderTest, TellsOfEveryBergThatOnlyLaterSightingsKnow) {
+  support::for_each_seed(20, [&](std::mt19937_64& rng) {
+    db_ = open_store_in_memory();
+    std::vector<std::vector<ocean::Iceberg>> of_lists(
+        static_cast<std::size_t>(support::uniform_int(rng, 1, 3)));
+    const auto add = [&](const ocean::Iceberg& berg) {
+      of_lists[static_cast<std::size_t>(support::uniform_int(rng, 0, static_cast<int>(of_lists.size()) - 1))]
+          .push_back(berg);
+    };
+    int told = 0;
+    for (int i = 0; i < 8; ++i) {
+      const std::string name = "berg" + std::to_string(i);
+      const geo::LonLat place{-52.0, 69.0 + 0.01 * i};
+      const bool counts = support::uniform_int(rng, 0, 1) == 1;
+      const double first_days = support::uniform(rng, 0.01, 40.0);
+      if (counts) add(sample_berg(name, place, sample_time - hour));
+      add(sample_berg(name, place, sample_time + first_days * day));
+      add(sample_berg(name, place, sample_time + (first_days + 1.0) * day));
+      told += !counts && first_days <= 30.0;
+    }
+    for (std::size_t i = 0; i < of_lists.size(); ++i)
+      if (!of_lists[i].empty()) add_icebergs("list" + std::to_string(i), of_lists[i]);
+
+    const auto warnings = load().warnings;
+
+    const auto found = std::ranges::find_if(warnings, [](const std::string& text) {
+      return text.find("ignored: seen only after") != std::string::npos;
+    });
+    ASSERT_EQ(found != warnings.end(), told > 0);
+    if (told > 0) {
+      EXPECT_THAT(*found, testing::StartsWith("Danger: " + std::to_string(told) + " iceberg"));
+    }
+  });
+}
+
 TEST_F(EnvironmentLoaderTest, LeavesOutIcebergsOlderThanAsked) {
   add_icebergs("bergs", {sample_berg("a", {-52.0, 69.0}, sample_time - 2 * day),
                          sample_berg("b", {-52.1, 69.0}, sample_time - 8 * day)});

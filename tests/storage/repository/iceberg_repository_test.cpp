@@ -34,7 +34,7 @@ class IcebergRepositoryTest : public testing::Test {
 
 TEST_F(IcebergRepositoryTest, GivesBackWhatWasInserted) {
   const ocean::Iceberg full{.id = "B-22A",
-                            .place = {359.9, -75.1},
+                            .place = {-0.1, -75.1},
                             .observed = sample_time + core::Seconds{0.1},
                             .size = ocean::IcebergSize::radar_target,
                             .length = core::Metres{0.1},
@@ -88,6 +88,26 @@ TEST_F(IcebergRepositoryTest, FindsThroughTheIndexExactlyWhatLiesInTheArea) {
       ASSERT_EQ(ids(icebergs_.list({.area = area}, 0, 1000)), expected);
       ASSERT_EQ(icebergs_.count({.area = area}), std::ssize(expected));
     }
+  });
+}
+
+TEST_F(IcebergRepositoryTest, AnswersLongitudesWithin180DegreesHoweverTheyWereCounted) {
+  support::for_each_seed(30, [&](std::mt19937_64& rng) {
+    const double lon = support::uniform(rng, -180.0, 180.0);
+    const int turns = support::uniform_int(rng, -1, 1);
+    const double written = std::abs(lon + 360.0 * turns) <= 360.0 ? lon + 360.0 * turns : lon;
+    const std::string id = "berg " + std::to_string(lon);
+    icebergs_.insert(dataset_, {sample_berg(id, {lon, 69.0}, sample_time),
+                                sample_berg(id, {written, 69.0}, sample_time + hour)});
+
+    const auto found = icebergs_.list({.berg_id = id}, 0, 10);
+
+    ASSERT_EQ(found.size(), 2U);
+    EXPECT_NEAR(found[1].iceberg.place.lon_deg, lon, 1e-9);
+    EXPECT_EQ(found[0].iceberg.place.lon_deg, lon);
+    const auto before = icebergs_.earlier(found[1], 2.0 * hour);
+    ASSERT_EQ(before.size(), 1U);
+    EXPECT_NEAR(before[0].place.lon_deg, lon, 1e-9);
   });
 }
 
