@@ -50,6 +50,19 @@ std::string tenths(double value) {
   return text;
 }
 
+/// As far from where a mission began a vehicle may be: it makes 25 km a day (0.3 m/s), and about a week passes until
+/// its pilots start another mission.
+constexpr double reach_of_mission_m = 200'000.0;
+constexpr double metres_per_degree = 111'195.0;  // of the equator, on a sphere of 6371 km
+
+/// The zone beyond the nearer edge of a zone in which a place lies, and the distance to that edge along its parallel.
+std::pair<int, double> nearest_zone_beside(int zone, geo::LonLat place) {
+  const double from_meridian_deg = geo::longitude_difference(6.0 * zone - 183.0, place.lon_deg);
+  const double to_edge_deg = std::max(0.0, 3.0 - std::abs(from_meridian_deg));
+  const int beside = (zone + (from_meridian_deg < 0.0 ? 58 : 0)) % 60 + 1;
+  return {beside, to_edge_deg * metres_per_degree * std::cos(core::degrees_to_radians(place.lat_deg))};
+}
+
 /// "27.2 degrees west".
 std::string degrees_west(double variation_rad) {
   const double deg = core::radians_to_degrees(variation_rad);
@@ -83,7 +96,9 @@ std::size_t LoggedAxes::note(const AxesRow& row) {
   const auto& before = missions_.back().turn_rad;
   if (turn && before && std::abs(*turn - *before) > same_turn_rad) missions_.emplace_back();
   Mission& mission = missions_.back();
+  if (!std::exchange(begun_, true)) mission.segment = row.segment;
   if (turn && !mission.turn_rad) mission.turn_rad = turn;
+  if (row.variation_rad && !is_angle(*row.variation_rad)) mission.impossible_variation = row.variation_rad;
   if (row.variation_rad && is_angle(*row.variation_rad) && mission.variation_rad.value_or(0.0) == 0.0)
     mission.variation_rad = row.variation_rad;
   if (row.utm_zone && is_zone(*row.utm_zone) && !mission.utm_zone)
@@ -138,10 +153,16 @@ std::vector<std::string> LoggedAxes::doubts(std::size_t number) const {
   }
   if (model && known->source == VariationSource::magnetic_model)
     doubts.push_back(
-        "the log has neither x_utm_to_lmc_00 and _01 nor m_gps_mag_var; the model's variation has a "
+        (mission.impossible_variation
+             ? "the log has no x_utm_to_lmc_00 and _01, and its m_gps_mag_var of " +
+                   tenths(*mission.impossible_variation) +
+                   " is impossible in radians, in which a Slocum logs it, and was not used"
+             : std::string{"the log has neither x_utm_to_lmc_00 and _01 nor m_gps_mag_var"}) +
+        "; the model's variation has a "
         "standard deviation of " +
-        tenths(model->sigma_deg) +
-        " degrees, and the vehicle may have used another; log m_gps_mag_var to be sure");
+        tenths(model->sigma_deg) + " degrees, and the vehicle may have used another; " +
+        (mission.impossible_variation ? "convert m_gps_mag_var to radians" : "log m_gps_mag_var") +
+        " to be sure");
   const int standard = geo::standard_utm_zone_of(*at);
   if (!mission.utm_zone && standard >= 1 && standard != known->axes.utm_zone()) {
     const geo::LocalMissionAxes other{standard, known->axes.variation_west()};
@@ -150,6 +171,18 @@ std::vector<std::string> LoggedAxes::doubts(std::size_t number) const {
                      std::to_string(known->axes.utm_zone()) + " was taken; if the vehicle uses zone " +
                      std::to_string(standard) + ", the wider one of Norway and Svalbard, the currents lie " +
                      tenths(turn_deg) + " degrees off; log the zone to be sure");
+  }
+  const auto [beside, edge_m] = nearest_zone_beside(known->axes.utm_zone(), *at);
+  if (!mission.utm_zone && mission.segment > 0 && edge_m <= reach_of_mission_m) {
+    const geo::LocalMissionAxes other{beside, known->axes.variation_west()};
+    const double turn_deg = off_deg(other.turn_at(*at).value, known->axes.turn_at(*at).value);
+    doubts.push_back("the log begins with segment " + std::to_string(mission.segment) +
+                     " of its mission and does not name the zone of its grid (x_lmc_utm_zone_digit), which "
+                     "the vehicle keeps from the start of the mission; zone " +
+                     std::to_string(known->axes.utm_zone()) + ", of the first fix, was taken; zone " +
+                     std::to_string(beside) + " is " + tenths(edge_m / 1000.0) +
+                     " km away, and if the mission began there, the currents lie " + tenths(turn_deg) +
+                     " degrees off; give segment 0 in the same command, or log the zone");
   }
   return doubts;
 }

@@ -43,6 +43,7 @@ struct AxesRow {
   std::optional<double> sine{};           // x_utm_to_lmc_01
   std::optional<double> variation_rad{};  // m_gps_mag_var, west positive
   std::optional<double> utm_zone{};       // x_lmc_utm_zone_digit
+  int segment{};                          // of its mission; 0: the first, or not told
 };
 
 /// Finds the axes of a Slocum's currents in its log, row after row from the first.
@@ -61,7 +62,8 @@ class LoggedAxes {
   /// Outside  nullopt where nothing tells them: no place at all, or neither a variation nor a time within the model's
   [[nodiscard]] std::optional<VehicleAxes> axes(std::size_t number) const;
 
-  /// What makes the axes doubtful, for the pilot: a variation far from the model's, a zone that may be another.
+  /// What makes the axes doubtful, for the pilot: a variation that is impossible or far from the model's; a zone that
+  /// may be another, by the exceptions of the UTM or because the mission began before the log.
   [[nodiscard]] std::vector<std::string> doubts(std::size_t number) const;
 
  private:
@@ -73,11 +75,14 @@ class LoggedAxes {
     std::optional<geo::LonLat> fix;
     std::optional<geo::LonLat> place;
     std::optional<core::UtcTime> began;
+    std::optional<double> impossible_variation;  // m_gps_mag_var that is no angle in its unit
+    int segment{};                               // of the mission, where the log begins
   };
 
   [[nodiscard]] std::optional<geo::LonLat> origin(std::size_t number) const;
 
   std::vector<Mission> missions_{1};
+  bool begun_{false};
 };
 
 }  // namespace floeplan::ocean

@@ -73,7 +73,8 @@ void SlocumDives::note_axes(const SlocumRow& row, core::UtcTime time) {
                           .cosine = row[SlocumSensor::utm_to_lmc_00],
                           .sine = row[SlocumSensor::utm_to_lmc_01],
                           .variation_rad = row[SlocumSensor::variation],
-                          .utm_zone = row[SlocumSensor::utm_zone]});
+                          .utm_zone = row[SlocumSensor::utm_zone],
+                          .segment = segment_});
 }
 
 void SlocumDives::note_place(const SlocumRow& row, core::UtcTime time) {
@@ -175,7 +176,7 @@ void SlocumDives::turn_currents() {
     track_.warn(
         std::to_string(unknown) +
         (unknown == 1 ? " depth-averaged current is" : " depth-averaged currents are") +
-        " in the vehicle's own axes and left out: the log has neither x_utm_to_lmc_00 and _01 nor "
+        " in the vehicle's own axes and left out: the log has no usable x_utm_to_lmc_00 and _01 or "
         "m_gps_mag_var, and the World Magnetic Model is known from 2010 to 2030 alone; convert the log "
         "with m_gps_mag_var");
 }

@@ -24,6 +24,8 @@ class SlocumDives {
  public:
   explicit SlocumDives(TrackBuilder& track) : track_{track} {}
 
+  /// The rows from now on are of this segment of their mission; 0: the first, or not told.
+  void begin_log(int segment) { segment_ = segment; }
   void take(const SlocumRow& row);
   /// After the last row.
   void finish();
@@ -67,6 +69,7 @@ class SlocumDives {
   TrackBuilder& track_;  // borrowed
   ocean::LoggedAxes axes_;
   std::size_t axes_now_{};
+  int segment_{};
   std::vector<Met> met_;
   Known known_;
   std::optional<Dive> dive_;

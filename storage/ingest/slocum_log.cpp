@@ -39,6 +39,23 @@ bool is_number(std::string_view text, std::size_t least_digits, std::size_t most
          std::ranges::all_of(text, [](char c) { return c >= '0' && c <= '9'; });
 }
 
+/// Of "unit-7-2026-330-1-12": glider, year, day, mission of the day, segment; a glider's name may hold hyphens. Empty of
+/// any other text.
+SlocumName name_in(const std::string& full, const std::string& kind) {
+  std::string_view glider = full;
+  const std::string_view segment = cut_last_part(glider);
+  const std::string_view mission{full.data(), glider.size()};
+  const std::string_view of_day = cut_last_part(glider);
+  const std::string_view day = cut_last_part(glider);
+  const std::string_view year = cut_last_part(glider);
+  if (glider.empty() || !is_number(year, 4, 4) || !is_number(day, 1, 3) || !is_number(of_day, 1, 4) ||
+      !is_number(segment, 1, 5))
+    return {};
+  return {.glider = std::string{glider},
+          .mission = std::string{mission} + "." + kind,
+          .segment = std::stoi(std::string{segment})};
+}
+
 std::string reasons_of(const core::Violations& violations) {
   std::vector<std::string> faults;
   for (const auto& violation : violations)
@@ -51,20 +68,11 @@ std::string reasons_of(const core::Violations& violations) {
 
 SlocumName slocum_name_of(const std::filesystem::path& file) {
   const std::string head = slocum_bytes(file, most_tag_bytes).bytes;
-  const std::string full = tag(head, "full_filename");
-  // As "unit-7-2026-330-1-12": glider, year, day, mission of the day, segment; a glider's name may hold hyphens.
-  std::string_view glider = full;
-  const std::string_view segment = cut_last_part(glider);
-  const std::string_view mission{full.data(), glider.size()};
-  const std::string_view of_day = cut_last_part(glider);
-  const std::string_view day = cut_last_part(glider);
-  const std::string_view year = cut_last_part(glider);
-  if (glider.empty() || !is_number(year, 4, 4) || !is_number(day, 1, 3) || !is_number(of_day, 1, 4) ||
-      !is_number(segment, 1, 5))
-    return {};
-  return {.glider = std::string{glider},
-          .mission = std::string{mission} + "." + tag(head, "filename_extension"),
-          .segment = std::stoi(std::string{segment})};
+  const SlocumName by_tags = name_in(tag(head, "full_filename"), tag(head, "filename_extension"));
+  if (!by_tags.glider.empty()) return by_tags;
+  const std::string name = file.filename().string();
+  const std::size_t stop = std::min(name.find('.'), name.size());
+  return name_in(name.substr(0, stop), name.substr(std::min(stop + 1, name.size())));
 }
 
 bool is_slocum_text(std::string_view head) {

@@ -50,10 +50,10 @@ struct SlocumRow {
   }
 };
 
-/// Which of a glider's logs a file is, by the tags before its rows: "comet-2019-222-2-154" is segment 154 of the third
+/// Which of a glider's logs a file is, by the tags before its rows, else by the file's name: "comet-2019-222-2-154" is segment 154 of the third
 /// mission of comet that was begun on day 223 of 2019.
 struct SlocumName {
-  std::string glider;   // "comet"; of a log without tags empty
+  std::string glider;   // "comet"; empty: neither tells
   std::string mission;  // "comet-2019-222-2.dbd": the same of all segments of one kind
   int segment{};
 };
@@ -66,7 +66,7 @@ struct SlocumLog {
   std::vector<std::string> warnings{};
 };
 
-/// The name of a log by the tags "key: value" at its beginning.
+/// The name of a log by the tags "key: value" at its beginning, else by that of its file up to the first full stop.
 [[nodiscard]] SlocumName slocum_name_of(const std::filesystem::path& file);
 
 /// Whether a text is a log: comma-separated with the names of sensors, or as the vendor's dbd2asc writes it.

@@ -40,6 +40,7 @@ Checked<PreparedDataset> read_slocum_tracks(const FileGroup& files, const core::
   for (std::size_t i = 0; i < files.size(); ++i) {
     if (progress) progress("reading", static_cast<double>(i) / static_cast<double>(files.size()));
     if (holds_sensor_cache(files[i])) continue;
+    dives.begin_log(slocum_name_of(files[i]).segment);
     const auto take = [&](const SlocumRow& row) { dives.take(row); };
     const auto log = holds_slocum_binary(files[i])   ? read_slocum_binary(files[i], files, take)
                      : holds_slocum_netcdf(files[i]) ? read_slocum_netcdf(files[i], take)

@@ -138,7 +138,10 @@ class SlocumAxes : public StoreFixture {
  protected:
   ocean::GliderTrack track_of(const std::string& name, const std::string& bytes) {
     db_ = repository::open_store_in_memory();
-    const auto report = ingest(write_file(name, bytes));
+    return track_of(ingest(write_file(name, bytes)));
+  }
+
+  ocean::GliderTrack track_of(const IngestReport& report) {
     EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
     told_ = words(report);
     return stored();
@@ -332,6 +335,58 @@ TEST_F(SlocumAxes, AreDoubtedWhereTheVariationIsFarFromTheModelsOrTheZoneMayBeAn
   EXPECT_THAT(told_, HasSubstr("5.9 degrees off"));
   (void)track_of("log.csv", with_variation(dive_at(78.0, 10.0), -0.15, 33).text());
   EXPECT_THAT(told_, Not(HasSubstr("Norway and Svalbard")));
+}
+
+/// Law: the axes of a later segment are those of its mission's start, in whatever zone it dives, and however the
+/// segments are given.
+TEST_F(SlocumAxes, OfALaterSegmentAreThoseOfItsMissionsStart) {
+  support::for_each_seed(12, [&](std::mt19937_64& rng) {
+    const double lat_deg = support::uniform(rng, 50.0, 75.0);
+    const int zone = support::uniform_int(rng, 2, 28);
+    const double edge_deg = -180.0 + 6.0 * zone;  // its eastern one
+    const double variation_rad = support::uniform(rng, -0.5, 0.5);
+    const DiveLog first =
+        with_variation(dive_at(lat_deg, edge_deg - support::uniform(rng, 0.1, 1.0)), variation_rad);
+    const double later_deg = edge_deg + support::uniform(rng, 0.1, 1.0);
+    DiveLog later = of_current(with_variation(dive_at(lat_deg, later_deg), variation_rad), 0.15, -0.25);
+    later.start_s = first.start_s + 10.0 * 86'400.0;
+    later.before = {{first.x_m_s}, {first.y_m_s}};
+    const auto begin = write_file("unit_409-2026-323-1-0.csv", first.text());
+    const auto end = write_file("unit_409-2026-323-1-41.csv", later.text());
+    const bool in_order = support::uniform_int(rng, 0, 1) == 0;
+
+    db_ = repository::open_store_in_memory();
+    const auto track =
+        track_of(ingest_together(in_order ? std::vector{begin, end} : std::vector{end, begin}));
+
+    ASSERT_EQ(track.glider, "unit_409");
+    ASSERT_EQ(track.currents.size(), 2U) << told_;
+    const double y_bears_rad = convergence_rad({later_deg, lat_deg}, zone) - variation_rad;
+    const geo::VelocityEn met = track.currents[1].current;
+    EXPECT_NEAR(met.east.value, 0.15 * std::cos(y_bears_rad) - 0.25 * std::sin(y_bears_rad), 1e-5);
+    EXPECT_NEAR(met.north.value, -0.15 * std::sin(y_bears_rad) - 0.25 * std::cos(y_bears_rad), 1e-5);
+    EXPECT_THAT(told_, Not(HasSubstr("begins with segment")));
+  });
+}
+
+TEST_F(SlocumAxes, OfALaterSegmentAloneAreDoubtedNearTheEdgeOfAZone) {
+  const DiveLog near = with_variation(dive_at(69.2, -53.9), 0.45);
+  (void)track_of("unit_409-2026-323-1-41.csv", near.text());
+  EXPECT_THAT(told_, HasSubstr("begins with segment 41 of its mission"));
+  EXPECT_THAT(told_, HasSubstr("zone 22, of the first fix, was taken; zone 21 is"));
+  EXPECT_THAT(told_, HasSubstr("the currents lie 5.6 degrees off"));
+  (void)track_of("unit_409-2026-323-1-0.csv", near.text());
+  EXPECT_THAT(told_, Not(HasSubstr("begins with segment")));
+  (void)track_of("unit_409-2026-323-1-42.csv", with_variation(dive_at(69.2, -53.9), 0.45, 22).text());
+  EXPECT_THAT(told_, Not(HasSubstr("begins with segment")));
+  (void)track_of("unit_409-2026-323-1-43.csv", with_variation(dive_at(45.0, -51.0), 0.3).text());
+  EXPECT_THAT(told_, Not(HasSubstr("begins with segment")));  // 236 km from either edge
+}
+
+TEST_F(SlocumAxes, ByAVariationThatIsImpossibleAreTheModelsAndSaySo) {
+  (void)track_of("log.csv", with_variation(dive_at(69.2, -52.5), 27.2).text());
+  EXPECT_THAT(told_, HasSubstr("m_gps_mag_var of 27.2 is impossible in radians"));
+  EXPECT_THAT(told_, Not(HasSubstr("nor m_gps_mag_var")));
 }
 
 TEST_F(SlocumAxes, OfTracksStoredBeforeTheyWereKnownAreMendedByTheSameFile) {
