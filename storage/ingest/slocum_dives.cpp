@@ -106,6 +106,11 @@ void SlocumDives::note_place(const SlocumRow& row, core::UtcTime time) {
   if (place || noted.depth) track_.add(noted);
 }
 
+void SlocumDives::begin_log(int segment) {
+  if (segment != segment_ && segment != segment_ + 1) settle();
+  segment_ = segment;
+}
+
 void SlocumDives::take(const SlocumRow& row) {
   const auto& seconds = row[SlocumSensor::time];
   if (!seconds || !(*seconds > 0.0) || *seconds > 7.3e9) {  // the year 2201: what follows is no time of a log

@@ -24,8 +24,9 @@ class SlocumDives {
  public:
   explicit SlocumDives(TrackBuilder& track) : track_{track} {}
 
-  /// The rows from now on are of this segment of their mission; 0: the first, or not told.
-  void begin_log(int segment) { segment_ = segment; }
+  /// The rows from now on are of this segment of their mission; 0: the first, or not told. Where segments between are
+  /// not there, what the vehicle knows next is of their dives.
+  void begin_log(int segment);
   void take(const SlocumRow& row);
   /// After the last row.
   void finish();

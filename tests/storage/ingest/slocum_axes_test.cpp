@@ -345,12 +345,13 @@ TEST_F(SlocumAxes, OfALaterSegmentAreThoseOfItsMissionsStart) {
     const int zone = support::uniform_int(rng, 2, 28);
     const double edge_deg = -180.0 + 6.0 * zone;  // its eastern one
     const double variation_rad = support::uniform(rng, -0.5, 0.5);
-    const DiveLog first =
-        with_variation(dive_at(lat_deg, edge_deg - support::uniform(rng, 0.1, 1.0)), variation_rad);
+    const double first_deg = edge_deg - support::uniform(rng, 0.1, 1.0);
+    const DiveLog first = with_variation(dive_at(lat_deg, first_deg), variation_rad);
     const double later_deg = edge_deg + support::uniform(rng, 0.1, 1.0);
     DiveLog later = of_current(with_variation(dive_at(lat_deg, later_deg), variation_rad), 0.15, -0.25);
     later.start_s = first.start_s + 10.0 * 86'400.0;
-    later.before = {{first.x_m_s}, {first.y_m_s}};
+    if (support::uniform_int(rng, 0, 1) == 0)  // else the current of a dive between, which is of neither
+      later.before = {{first.x_m_s}, {first.y_m_s}};
     const auto begin = write_file("unit_409-2026-323-1-0.csv", first.text());
     const auto end = write_file("unit_409-2026-323-1-41.csv", later.text());
     const bool in_order = support::uniform_int(rng, 0, 1) == 0;
@@ -361,10 +362,13 @@ TEST_F(SlocumAxes, OfALaterSegmentAreThoseOfItsMissionsStart) {
 
     ASSERT_EQ(track.glider, "unit_409");
     ASSERT_EQ(track.currents.size(), 2U) << told_;
-    const double y_bears_rad = convergence_rad({later_deg, lat_deg}, zone) - variation_rad;
-    const geo::VelocityEn met = track.currents[1].current;
-    EXPECT_NEAR(met.east.value, 0.15 * std::cos(y_bears_rad) - 0.25 * std::sin(y_bears_rad), 1e-5);
-    EXPECT_NEAR(met.north.value, -0.15 * std::sin(y_bears_rad) - 0.25 * std::cos(y_bears_rad), 1e-5);
+    const auto expect_current = [&](const geo::VelocityEn& met, double lon_deg, const DiveLog& of) {
+      const double y_bears_rad = convergence_rad({lon_deg, lat_deg}, zone) - variation_rad;
+      EXPECT_NEAR(met.east.value, of.x_m_s * std::cos(y_bears_rad) + of.y_m_s * std::sin(y_bears_rad), 1e-5);
+      EXPECT_NEAR(met.north.value, of.y_m_s * std::cos(y_bears_rad) - of.x_m_s * std::sin(y_bears_rad), 1e-5);
+    };
+    expect_current(track.currents[0].current, first_deg, first);
+    expect_current(track.currents[1].current, later_deg, later);
     EXPECT_THAT(told_, Not(HasSubstr("begins with segment")));
   });
 }
