@@ -214,8 +214,9 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
   for (std::string& told : words_of_flags(found->flagged)) data.warnings.push_back(std::move(told));
   if (!found->doubt.empty()) data.warnings.push_back(found->doubt);
   if (found->land)
-    data.warnings.push_back("the file marks no land, but " + number(100.0 * found->land->share(), 3) +
-                            " % of its nodes are exactly zero at all times and lie together; taken as land");
+    data.warnings.push_back(
+        "no value of the currents is missing, but " + number(100.0 * found->land->share(), 3) +
+        " % of their nodes are exactly zero at all times and lie together; taken as land");
   if (auto above = above_the_first_level(*currents)) data.warnings.push_back(std::move(*above));
   if (shape.levels_follow_bed)
     data.warnings.push_back("the model's " + std::to_string(shape.levels) +

@@ -241,6 +241,7 @@ NetcdfFile NetcdfFile::seen_through(std::span<const std::shared_ptr<GDALGroup>> 
   result.dataset_ = dataset_;
   result.is_zarr_ = is_zarr_;
   result.also_missing_ = also_missing_;
+  result.groups_ = groups_;
   for (const auto& group : groups)
     if (group) result.add_variables_of(*group);
   return result;

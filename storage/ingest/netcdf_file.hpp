@@ -88,7 +88,7 @@ class NetcdfFile {
                                                 std::optional<double> also_missing = std::nullopt);
 
   [[nodiscard]] const std::vector<NetcdfVariable>& variables() const { return variables_; }
-  /// All groups below the root ("/ocean", "/ocean/daily"), each before those below it.
+  /// All groups below the root ("/ocean", "/ocean/daily"), each before those below it; also of a file seen from one.
   [[nodiscard]] const std::vector<std::string>& groups() const { return groups_; }
   /// The file through one of those: its variables, then those of the groups round it that nothing of it hides.
   /// Source  CF conventions 1.8, section 2.7, scope of groups

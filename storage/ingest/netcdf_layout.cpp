@@ -80,7 +80,15 @@ std::optional<std::string> fault_of_size(const NetcdfDimension& dimension, bool 
 }
 
 /// Why a variable is refused along one of whose dimensions it is not known what varies.
-std::string unknown_dimension(const std::string& dimension, const std::string& variable) {
+/// The group that holds the coordinates of a dimension, of a file that does not see them from where it is read.
+std::optional<std::string> group_with_coordinates(const NetcdfFile& file, const std::string& dimension) {
+  for (const std::string& group : file.groups())
+    if (file.only(group).find(dimension) != nullptr) return group;
+  return std::nullopt;
+}
+
+std::string unknown_dimension(const NetcdfFile& file, const std::string& dimension,
+                              const std::string& variable) {
   const std::string name = lower(dimension);
   const auto is_any = [&](std::initializer_list<std::string_view> names) {
     return std::ranges::find(names, name) != names.end();
@@ -99,6 +107,11 @@ std::string unknown_dimension(const std::string& dimension, const std::string& v
            "\", and no coordinate along it alone says for which times they hold; take out one run, or one "
            "length "
            "of forecast, so that the times run along one dimension";
+  if (const auto group = group_with_coordinates(file, dimension))
+    return "the coordinates \"" + dimension + "\" of \"" + variable +
+           "\" lie in another group of the file (" + *group +
+           "), where they belong to other data; put all into one group first, for example with ncks -G : "
+           "IN.nc OUT.nc";
   return "the dimension \"" + dimension + "\" of \"" + variable +
          "\" has no coordinates that say what it is; the data cannot be placed; ask for a file with "
          "longitude, "
@@ -207,7 +220,7 @@ Checked<NetcdfLayout> layout_of(const NetcdfFile& file, const NetcdfVariable& va
     if (coordinate != nullptr && cannot_be_placed(*coordinate))
       return refuse(not_in_metres(*coordinate, variable.name()));
     if (roles.back().role == AxisRole::unknown && dimension.size > 1)
-      return refuse(unknown_dimension(dimension.name, variable.name()));
+      return refuse(unknown_dimension(file, dimension.name, variable.name()));
   }
 
   const auto has = [&](AxisRole role) {
@@ -250,7 +263,7 @@ Checked<NetcdfLayout> layout_over(const NetcdfFile& file, const NetcdfVariable& 
       const auto added = add_dimension(layout, i, {role, coordinate});
       if (!added) return refuse(added.error());
     } else if (dimensions[i].size > 1) {
-      return refuse(unknown_dimension(dimensions[i].name, variable.name()));
+      return refuse(unknown_dimension(file, dimensions[i].name, variable.name()));
     }
   }
   layout.x = indices(dimensions[x_dimension].size);

@@ -35,6 +35,7 @@ constexpr KnownPair currents_known[]{
     {"u-vel", "v-vel", true},
     {"hvel[0]", "hvel[1]"},
     {"dahv[0]", "dahv[1]", false, CurrentContent::whole, WaterPart::column_mean},
+    {"depthaveragevelx", "depthaveragevely", false, CurrentContent::whole, WaterPart::column_mean},
     {"u", "v", true},
     {"ssu", "ssv", false, CurrentContent::whole, WaterPart::surface},
     {"uos", "vos", false, CurrentContent::whole, WaterPart::surface},

@@ -47,6 +47,7 @@ TEST_F(LevelChoice, OfCurrentsWithoutLevelsLeavesThemWhereTheyAre) {
        0.0,
        surface},
       {"ubar", "vbar", {}, {}, all, mean},
+      {"depthAverageVelX", "depthAverageVelY", {}, {}, all, mean},
       {"ubar_eastward", "vbar_northward", {}, {}, all, mean},
       {"ubar",
        "vbar",
