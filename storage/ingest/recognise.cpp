@@ -19,6 +19,7 @@
 #include "storage/ingest/tide_variables.hpp"
 #include "storage/ingest/variable_meaning.hpp"
 #include "storage/ingest/vector_file.hpp"
+#include "storage/ingest/velocity_hints.hpp"
 #include "storage/ingest/velocity_names.hpp"
 #include "storage/ingest/velocity_pair.hpp"
 #include "storage/ingest/wind_reader.hpp"
@@ -214,6 +215,14 @@ Checked<bool> look_into_groups(RecognisedFile& file, const Expectation& expected
                   "; which of them is meant is not known; take one out, for example with ncks -G : -g " +
                   groups.front().path + " IN.nc OUT.nc");
   if (groups.empty()) return true;
+  const std::vector<DatasetKind>& kinds = groups.front().kinds;
+  const auto holds = [&](DatasetKind kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
+  if (holds(DatasetKind::currents) || holds(DatasetKind::wind) || holds(DatasetKind::ice))
+    if (std::string statistic = statistic_in_group(groups.front().path); !statistic.empty())
+      return refuse(std::move(statistic));
+  if (holds(DatasetKind::currents))
+    if (std::string part = part_in_group(groups.front().path); !part.empty())
+      file.warnings.push_back(std::move(part));
   file.netcdf = std::move(groups.front().seen);
   file.kinds = std::move(groups.front().kinds);
   file.warnings.push_back("the data lie in the group " + groups.front().path + " of the file");

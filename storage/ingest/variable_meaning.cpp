@@ -171,19 +171,6 @@ bool undoes(const std::string& part) {
   return contains_any(part, {"correct", "adjust", "remov"}) || part == "free";
 }
 
-Statistic statistic_in_name(std::string_view name) {
-  const std::vector<std::string> parts = parts_of_name(name);
-  for (std::size_t i = 0; i < parts.size(); ++i) {
-    const bool minutes = parts[i] == "min" && i > 0 && is_digits(parts[i - 1]);
-    if (minutes || (i + 1 < parts.size() && undoes(parts[i + 1]))) continue;
-    if (const Statistic found = find_whole(name_parts, parts[i]); found != Statistic::none) return found;
-    if (parts[i] == "var" && i > 0 && i + 1 == parts.size()) return Statistic::variance;
-    for (const auto& [end, statistic] : name_ends)
-      if (parts[i].ends_with(end)) return statistic;
-  }
-  return Statistic::none;
-}
-
 /// By its modifier, or by words that producers join to the name as if CF knew them.
 Statistic statistic_in_standard_name(const NetcdfVariable& variable) {
   const std::vector<std::string> words = words_of(lower(variable.attribute("standard_name")));
@@ -256,6 +243,19 @@ std::string in_words(Statistic statistic) {
     case Statistic::detection_limit: return "a limit of detection";
   }
   return {};
+}
+
+Statistic statistic_in_name(std::string_view name) {
+  const std::vector<std::string> parts = parts_of_name(name);
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    const bool minutes = parts[i] == "min" && i > 0 && is_digits(parts[i - 1]);
+    if (minutes || (i + 1 < parts.size() && undoes(parts[i + 1]))) continue;
+    if (const Statistic found = find_whole(name_parts, parts[i]); found != Statistic::none) return found;
+    if (parts[i] == "var" && i > 0 && i + 1 == parts.size()) return Statistic::variance;
+    for (const auto& [end, statistic] : name_ends)
+      if (parts[i].ends_with(end)) return statistic;
+  }
+  return Statistic::none;
 }
 
 Statistic statistic_in_words(std::string_view text) {

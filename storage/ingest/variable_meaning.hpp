@@ -56,6 +56,9 @@ enum class Statistic {
 /// Source  CF conventions 1.11, appendix C (modifiers) and appendix E (cell methods)
 [[nodiscard]] Statistic statistic_of(const NetcdfVariable& variable);
 
+/// The same of a name alone, such as that of a group.
+[[nodiscard]] Statistic statistic_in_name(std::string_view name);
+
 /// The same of a text alone, such as the description of a band.
 [[nodiscard]] Statistic statistic_in_words(std::string_view text);
 

@@ -110,89 +110,12 @@ bool is_no_speed(const NetcdfVariable& variable, const std::string& words, Movin
          (!speed && contains_any(words, {"transport", "vertically integrated", "stress", "shear"}));
 }
 
-/// Words that say what a current holds where its name does not.
-CurrentContent content_in_words(const std::string& words) {
-  if (contains_any(words, {"detided",
-                           "de-tided",
-                           "without tide",
-                           "without the tide",
-                           "no tide",
-                           "non-tidal",
-                           "nontidal",
-                           "tide removed",
-                           "tides removed",
-                           "tide-free",
-                           "tidal signal removed",
-                           "tide excluded",
-                           "tides excluded",
-                           "residual current",
-                           "residual velocity",
-                           "excluding tide",
-                           "excluding the tide",
-                           "tidally averaged",
-                           "tidally-averaged",
-                           "tidally filtered",
-                           "tidal residual"}))
-    return CurrentContent::without_tide;
-  const bool several =
-      contains_any(words, {"total", "+", "includ", "incl.", "with tid", "with the tid", "with wave",
-                           "with stokes", " and tid", " and wave", " and stokes", " and drift", " plus ", "&",
-                           "combined", "tide-resolving", "tide resolving"});
-  if (several && contains_any(words, {"tide", "tidal", "wave", "stokes drift"})) return CurrentContent::total;
-  if (contains_any(words, {"total velocity", "total current"})) return CurrentContent::total;
-  if (contains_any(words, {"without", "exclud", "except", "minus"})) return CurrentContent::whole;
-  if (contains_any(words, {"stokes drift", "stokes_drift", "wave-induced", "wave induced"}))
-    return CurrentContent::wave_drift;
-  if (contains_any(words, {"tide-induced", "tide induced", "tidal current", "tidal velocity", "tide current",
-                           "tide velocity", "tidal component", "tidal eastward", "tidal northward", "tidal u",
-                           "tidal v", "tidal zonal", "tidal meridional", "due to tide", "due to the tide"}) ||
-      words.ends_with("tide"))
-    return CurrentContent::tide;
-  if (contains_any(words,
-                   {"ekman velocity", "ekman current", "ekman drift", "baroclinic velocity",
-                    "baroclinic component", "bolus velocity", "eddy-induced", "eddy velocity", "eddy current",
-                    "eddy component", "velocity fluctuation", "current fluctuation", "fluctuating",
-                    "perturbation", "ageostrophic velocity", "ageostrophic component", "inertial current"}))
-    return CurrentContent::other_part;
-  if (contains_any(words, {"geostrophic"}) &&
-      !contains_any(words, {"+", "includ", "incl.", " and ", "ekman"}))
-    return CurrentContent::geostrophic;
-  return CurrentContent::whole;
-}
-
-CurrentContent content_in_name(std::string_view name) {
-  for (const std::string& part : parts_of_name(name)) {
-    if (part == "tide" || part == "tides" || part == "tidal" || part == "utide" || part == "vtide")
-      return CurrentContent::tide;
-    if (part == "stokes") return CurrentContent::wave_drift;
-    if (part == "ekman" || part == "baroclinic" || part == "bolus") return CurrentContent::other_part;
-    if (part == "detided" || part == "notide" || part == "nontidal" || part == "residual")
-      return CurrentContent::without_tide;
-    if (part == "total" || part == "utotal" || part == "vtotal") return CurrentContent::total;
-    if (part == "geostrophic") return CurrentContent::geostrophic;
-  }
-  return CurrentContent::whole;
-}
-
 WaterPart part_in_cell_methods(const NetcdfVariable& variable) {
   for (const CellMethod& cell : cell_methods_of(variable))
     if (cell.method == "mean" && std::ranges::any_of(cell.axes, [](const std::string& axis) {
           return axis == "depth" || axis == "z" || axis == "lev" || axis == "deptht" || axis == "ocean_depth";
         }))
       return WaterPart::column_mean;
-  return WaterPart::unstated;
-}
-
-WaterPart part_in_name(std::string_view name) {
-  for (const std::string& part : parts_of_name(name)) {
-    if (part == "sur" || part == "surf" || part == "surface" || part == "sfc") return WaterPart::surface;
-    if (part == "ubar" || part == "vbar" || part == "bar" || part == "barotropic" || part == "davg")
-      return WaterPart::column_mean;
-    const bool is_mean =
-        part == "averaged" || part == "average" || part == "avg";  // over the depth, or over time
-    if (is_mean && contains_any(lower(name), {"depth"})) return WaterPart::column_mean;
-    if (part == "bottom" || part == "bot" || part == "seafloor" || part == "bed") return WaterPart::bed;
-  }
   return WaterPart::unstated;
 }
 
@@ -322,6 +245,95 @@ void describe_wind(VelocityMeaning& meaning, const NetcdfVariable& variable) {
 }
 
 }  // namespace
+
+CurrentContent content_in_words(const std::string& words) {
+  if (contains_any(words, {"detided",
+                           "de-tided",
+                           "without tide",
+                           "without the tide",
+                           "no tide",
+                           "non-tidal",
+                           "nontidal",
+                           "tide removed",
+                           "tides removed",
+                           "tide-free",
+                           "tidal signal removed",
+                           "tide excluded",
+                           "tides excluded",
+                           "residual current",
+                           "residual velocity",
+                           "excluding tide",
+                           "excluding the tide",
+                           "tidally averaged",
+                           "tidally-averaged",
+                           "tidally filtered",
+                           "tidal residual"}))
+    return CurrentContent::without_tide;
+  const bool several =
+      contains_any(words, {"total", "+", "includ", "incl.", "with tid", "with the tid", "with wave",
+                           "with stokes", " and tid", " and wave", " and stokes", " and drift", " plus ", "&",
+                           "combined", "tide-resolving", "tide resolving"});
+  if (several && contains_any(words, {"tide", "tidal", "wave", "stokes drift"})) return CurrentContent::total;
+  if (contains_any(words, {"total velocity", "total current"})) return CurrentContent::total;
+  if (contains_any(words, {"without", "exclud", "except", "minus"})) return CurrentContent::whole;
+  if (contains_any(words, {"stokes drift", "stokes_drift", "wave-induced", "wave induced"}))
+    return CurrentContent::wave_drift;
+  if (contains_any(words, {"tide-induced", "tide induced", "tidal current", "tidal velocity", "tide current",
+                           "tide velocity", "tidal component", "tidal eastward", "tidal northward", "tidal u",
+                           "tidal v", "tidal zonal", "tidal meridional", "due to tide", "due to the tide"}) ||
+      words.ends_with("tide"))
+    return CurrentContent::tide;
+  if (contains_any(words,
+                   {"ekman velocity", "ekman current", "ekman drift", "baroclinic velocity",
+                    "baroclinic component", "bolus velocity", "eddy-induced", "eddy velocity", "eddy current",
+                    "eddy component", "velocity fluctuation", "current fluctuation", "fluctuating",
+                    "perturbation", "ageostrophic velocity", "ageostrophic component", "inertial current"}))
+    return CurrentContent::other_part;
+  if (contains_any(words, {"geostrophic"}) &&
+      !contains_any(words, {"+", "includ", "incl.", " and ", "ekman"}))
+    return CurrentContent::geostrophic;
+  return CurrentContent::whole;
+}
+
+CurrentContent content_in_name(std::string_view name) {
+  for (const std::string& part : parts_of_name(name)) {
+    if (part == "tide" || part == "tides" || part == "tidal" || part == "utide" || part == "vtide")
+      return CurrentContent::tide;
+    if (part == "stokes") return CurrentContent::wave_drift;
+    if (part == "ekman" || part == "baroclinic" || part == "bolus") return CurrentContent::other_part;
+    if (part == "detided" || part == "notide" || part == "nontidal" || part == "residual")
+      return CurrentContent::without_tide;
+    if (part == "total" || part == "utotal" || part == "vtotal") return CurrentContent::total;
+    if (part == "geostrophic") return CurrentContent::geostrophic;
+  }
+  return CurrentContent::whole;
+}
+
+WaterPart part_in_name(std::string_view name) {
+  for (const std::string& part : parts_of_name(name)) {
+    if (part == "sur" || part == "surf" || part == "surface" || part == "sfc") return WaterPart::surface;
+    if (part == "ubar" || part == "vbar" || part == "bar" || part == "barotropic" || part == "davg")
+      return WaterPart::column_mean;
+    const bool is_mean =
+        part == "averaged" || part == "average" || part == "avg";  // over the depth, or over time
+    if (is_mean && contains_any(lower(name), {"depth"})) return WaterPart::column_mean;
+    if (part == "bottom" || part == "bot" || part == "seafloor" || part == "bed") return WaterPart::bed;
+  }
+  return WaterPart::unstated;
+}
+
+std::string content_words(CurrentContent content) {
+  switch (content) {
+    case CurrentContent::whole: return "currents";
+    case CurrentContent::total: return "currents with the tide";
+    case CurrentContent::without_tide: return "currents without the tide";
+    case CurrentContent::geostrophic: return "geostrophic currents";
+    case CurrentContent::tide: return "the tide alone";
+    case CurrentContent::wave_drift: return "the drift by waves alone";
+    case CurrentContent::other_part: return "a part of the current alone";
+  }
+  return {};
+}
 
 std::optional<Component> stated_component(const NetcdfVariable& variable) {
   if (const auto standard = standard_velocity(standard_name_of(variable))) return standard->component;

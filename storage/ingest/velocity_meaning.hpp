@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <optional>
 #include <string>
+#include <string_view>
 
 #include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/velocity_kind.hpp"
@@ -31,6 +32,14 @@ struct VelocityMeaning {
 /// `what`   the sea: currents; the air: wind near the sea
 /// Outside  nullopt for anything that does not claim to be a component of that velocity
 [[nodiscard]] std::optional<VelocityMeaning> velocity_meaning(const NetcdfVariable& variable, Moving what);
+
+/// What a current holds by words in lower case, such as a long name, and by a name; whole: they do not say.
+[[nodiscard]] CurrentContent content_in_words(const std::string& words);
+[[nodiscard]] CurrentContent content_in_name(std::string_view name);
+/// Which water a current is of by a name.
+[[nodiscard]] WaterPart part_in_name(std::string_view name);
+/// "the tide alone": what a pair holds, of pairs that are told apart by it.
+[[nodiscard]] std::string content_words(CurrentContent content);
 
 /// The component that the standard name, or failing that the long name, states; nullopt: neither, or both at once.
 [[nodiscard]] std::optional<Component> stated_component(const NetcdfVariable& variable);

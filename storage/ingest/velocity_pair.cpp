@@ -8,6 +8,7 @@
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/variable_meaning.hpp"
 #include "storage/ingest/velocity_candidates.hpp"
+#include "storage/ingest/velocity_hints.hpp"
 #include "storage/ingest/velocity_names.hpp"
 
 namespace floeplan::ingest {
@@ -21,20 +22,6 @@ std::optional<CandidatePair> best_of(const std::vector<VelocityCandidate>& candi
   const auto pairs = pairs_to_store(candidates, wanted_names(wanted));
   if (pairs.empty()) return std::nullopt;
   return pairs.front();
-}
-
-/// "the tide alone": what a pair holds, of pairs that are told apart by it.
-std::string content_words(CurrentContent content) {
-  switch (content) {
-    case CurrentContent::whole: return "currents";
-    case CurrentContent::total: return "currents with the tide";
-    case CurrentContent::without_tide: return "currents without the tide";
-    case CurrentContent::geostrophic: return "geostrophic currents";
-    case CurrentContent::tide: return "the tide alone";
-    case CurrentContent::wave_drift: return "the drift by waves alone";
-    case CurrentContent::other_part: return "a part of the current alone";
-  }
-  return {};
 }
 
 /// What a variable that is not stored holds; empty: it could be stored.
@@ -286,6 +273,10 @@ Checked<VelocityPair> find_velocity_pair(const NetcdfFiles& files, Moving what,
                     .depth_m = best.meaning().depth_m,
                     .warnings = {}};
   warn_of_meaning(best, what, pair.warnings);
+  if (auto doubt =
+          doubt_in_title(pair.first_file->attribute("title"), best.names(), what, best.meaning().content);
+      !doubt.empty())
+    pair.warnings.push_back(std::move(doubt));
   if (what == Moving::sea) warn_of_content(best, pair.warnings);
   // Parts that are stored on request alone are told, too.
   std::vector<const VelocityCandidate*> all;

@@ -376,6 +376,24 @@ TEST_F(CurrentTraps, LandWrittenAsStillWaterBecomesMissing) {
   EXPECT_THAT(words(report_), HasSubstr("taken as land"));
 }
 
+TEST_F(CurrentTraps, ATitleThatSpeaksOfSomethingElseIsTold) {
+  for (const auto& [title, what] :
+       {std::pair{"Barotropic tidal currents predicted by TPXO9", "speaks of the tide alone"},
+        {"Standard deviation of daily currents", "speaks of a standard deviation"},
+        {"Stokes drift from a wave model", "speaks of the drift by waves alone"},
+        {"Daily mean currents of a global ocean forecast", ""},
+        {"", ""}}) {
+    db_ = repository::open_store_in_memory();
+    CurrentFile file;
+    if (*title != '\0') file.title = title;
+    file.write(path("titled.nc"));
+    const auto report = ingest(path("titled.nc"));
+    EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
+    EXPECT_EQ(words(report).find("the title of the file") != std::string::npos, *what != '\0') << title;
+    EXPECT_THAT(words(report), HasSubstr(what));
+  }
+}
+
 TEST_F(CurrentTraps, AFewStillNodesAreNotLand) {
   CurrentFile file;
   file.value = [](char, std::size_t, std::size_t, std::size_t y, std::size_t x) {

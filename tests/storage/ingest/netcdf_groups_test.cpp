@@ -164,6 +164,64 @@ TEST_F(NetcdfGroups, BelowAGroupWithDataOfTheSameKindHaveToBeChosenFrom) {
   expect_refused(path("groups.nc"), "/ocean (currents) and /ocean/monthly (currents)");
 }
 
+/// The only group with data, called `group`.
+void write_sole_group(const std::filesystem::path& file, const std::string& group) {
+  std::filesystem::remove(file);
+  NetcdfWriter writer{file};
+  write_axes(writer);
+  writer.enter(group);
+  write_pair(writer, "uo", "vo", 0.01);
+}
+
+TEST_F(NetcdfGroups, WhoseNamesSpeakOfStatisticsAreRefused) {
+  for (const auto& [group, what] : {std::pair{"std", "a standard deviation"},
+                                    {"uv_rmse", "an uncertainty"},
+                                    {"daily_max", "a maximum"},
+                                    {"anomaly", "an anomaly"}}) {
+    write_sole_group(path("named.nc"), group);
+    expect_refused(path("named.nc"), std::string{"by its name holds "} + what);
+  }
+}
+
+TEST_F(NetcdfGroups, WhoseNamesSpeakOfAPartAreTold) {
+  for (const auto& [group, what] : {std::pair{"tide", "holds the tide alone"},
+                                    {"bottom", "holds the current at the sea bed"},
+                                    {"surface", "holds the surface alone"},
+                                    {"quality_controlled", ""},
+                                    {"ocean", ""}}) {
+    db_ = repository::open_store_in_memory();
+    write_sole_group(path("named.nc"), group);
+    const auto report = ingest(path("named.nc"));
+    EXPECT_EQ(report.status, IngestStatus::stored) << words(report);
+    EXPECT_EQ(words(report).find("by its name the group") != std::string::npos, *what != '\0') << group;
+    EXPECT_THAT(words(report), HasSubstr(what));
+  }
+}
+
+TEST_F(NetcdfGroups, WhoseCoordinatesLieInAnotherAreRefusedForThat) {
+  {
+    NetcdfWriter writer{path("beside.nc")};
+    writer.dimension("time", 1);
+    writer.dimension("lat", lats.size());
+    writer.dimension("lon", lons.size());
+    writer.enter("places");
+    for (const auto& [name, values, unit] :
+         {std::tuple{"time", std::vector{0.0}, "hours since 2026-11-20 00:00:00"},
+          std::tuple{"lat", lats, "degrees_north"}, std::tuple{"lon", lons, "degrees_east"}})
+      writer.variable({.name = name,
+                       .dimensions = {name},
+                       .values = values,
+                       .texts = {{"units", unit}},
+                       .numbers = {},
+                       .fill = {},
+                       .type = NetcdfWriter::Type::float64});
+    writer.leave_groups();
+    writer.enter("data");
+    write_pair(writer, "uo", "vo", 0.01);
+  }
+  expect_refused(path("beside.nc"), "lie in another group of the file (/places)");
+}
+
 TEST_F(NetcdfGroups, WithoutAnythingKnownAreRefusedWithTheirNames) {
   {
     NetcdfWriter writer{path("groups.nc")};

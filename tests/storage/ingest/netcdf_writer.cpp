@@ -108,6 +108,7 @@ void NetcdfWriter::axis(const std::string& name, const std::vector<double>& valu
 
 void CurrentFile::write(const std::filesystem::path& file) const {
   NetcdfWriter writer{file};
+  if (title) writer.attribute("title", *title);
   writer.axis("time", times, time_texts);
   if (!depths.empty()) writer.axis("depth", depths, depth_texts);
   writer.axis("lat", lats, lat_texts);

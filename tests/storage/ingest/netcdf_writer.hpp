@@ -75,6 +75,7 @@ struct CurrentFile {
   std::string v_name{"vo"};
   std::vector<std::string> order{"time", "depth", "lat", "lon"};  // "depth" is left out when there are none
   bool with_north{true};
+  std::optional<std::string> title{};
   /// Packed value of a component ('u', 'v') at time, depth, latitude and longitude indices as the axes above
   /// have them.
   std::function<double(char, std::size_t, std::size_t, std::size_t, std::size_t)> value{
