@@ -236,6 +236,10 @@ TEST_F(EdrShapesTest, TheDepthsOfABoxOfSixNumbersAreObeyed) {
   EXPECT_EQ(depths("bbox=-8,52,-7,53&z=0/50"), json::array({0.0, 50.0}));
   EXPECT_EQ(depths("bbox=-8,52,-7,53"), json::array({0.0, 50.0, 200.0}));
   EXPECT_EQ(depths("bbox=-8,52,100,-7,53,100"), json::array({100.0})) << "one depth is interpolated";
+  EXPECT_NE(get(currents + "cube?bbox=-8,52,0,-7,53" + at_noon, 400).dump().find("or six"),
+            std::string::npos);
+  EXPECT_NE(ask("GET", "/collections/nogo-zones/items?bbox=-8,52,0,-7,53,50").body.find("are not searched"),
+            std::string::npos);
   for (const std::string query :
        {"cube?bbox=-8,52,-50,-7,53,0", "cube?bbox=-8,52,50,-7,53,0", "cube?bbox=-8,52,0,-7,53,50&z=0",
         "cube?bbox=-8,52,-7,53&z=-5", "position?coords=POINT+Z(-7.5+52.5+-5)",
