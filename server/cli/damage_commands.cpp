@@ -50,7 +50,7 @@ void print(const repository::Damage& damage) {
 
 int verify(bool as_json, const Program& program) {
   auto db = open_existing_store(program);
-  const auto damage = repository::find_damage(db, sqlite::database_in(program.store), terminal_progress());
+  const auto damage = repository::find_damage(db, terminal_progress());
   if (as_json)
     std::cout << to_json(damage).dump(2) << '\n';
   else

@@ -127,7 +127,7 @@ std::size_t logged_damage(const std::filesystem::path& store) {
   const bool is_new = !std::filesystem::exists(sqlite::database_in(store));
   auto db = repository::open_store(store);
   if (is_new) log::warn({"store new=\"", store.string(), "\" it was created, and holds nothing"});
-  const std::size_t pages = sqlite::damaged_pages(sqlite::database_in(store)).size();
+  const std::size_t pages = sqlite::damaged_pages(db).size();
   if (pages > 0)
     log::error({"store damaged_pages=", std::to_string(pages),
                 " what lies there cannot be read; floeplan verify names it, floeplan repair saves the rest, "

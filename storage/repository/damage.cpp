@@ -42,11 +42,10 @@ std::string structure_of(sqlite::Connection& db) {
 
 }  // namespace
 
-Damage find_damage(sqlite::Connection& db, const std::filesystem::path& database,
-                   const core::ProgressCallback& progress) {
+Damage find_damage(sqlite::Connection& db, const core::ProgressCallback& progress) {
   Damage damage;
   if (progress) progress("reading every page", 0.0);
-  damage.pages = sqlite::damaged_pages(database);
+  damage.pages = sqlite::damaged_pages(db);
   BlobCodec codec;
   for (const ThingTable& table : thing_tables) {
     ThingList list = things_in(db, "main", table);

@@ -1,7 +1,6 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <string>
 #include <vector>
 
@@ -25,7 +24,6 @@ struct Damage {
 /// Reads all of a store: every page with its checksum, everything that users know by name, every block of samples. Others
 /// may use the store meanwhile.
 /// Errors  sqlite::Failure when the store cannot be opened, its schema is damaged, or it fails otherwise
-[[nodiscard]] Damage find_damage(sqlite::Connection& db, const std::filesystem::path& database,
-                                 const core::ProgressCallback& progress = {});
+[[nodiscard]] Damage find_damage(sqlite::Connection& db, const core::ProgressCallback& progress = {});
 
 }  // namespace floeplan::repository

@@ -1,12 +1,15 @@
 #include "storage/repository/migrations.hpp"
 
 #include <fstream>
+#include <optional>
 #include <string>
+#include <utility>
 
 #include "storage/repository/replacement.hpp"
 #include "storage/repository/schema.hpp"
 #include "storage/sqlite/database_files.hpp"
 #include "storage/sqlite/failure.hpp"
+#include "storage/sqlite/page_checksums.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -32,14 +35,18 @@ void mark(const fs::path& store) { std::ofstream{mark_in(store), std::ios::app} 
 
 sqlite::Connection open_store(const fs::path& store) {
   refuse_folder_without_its_database(store);
-  const auto header = sqlite::header_of(sqlite::database_in(store));
-  const bool is_ours = header.application_id == sqlite::application_id;
-  if (is_ours && header.schema > 0 && (header.schema < newest_schema() || !header.has_checksums))
+  std::optional<sqlite::Connection> db = sqlite::Connection::open(store);
+  const std::int64_t schema = schema_of(*db);
+  const bool is_new = schema == 0;
+  if (!is_new && (schema < newest_schema() || !sqlite::has_page_checksums(*db))) {
+    refuse_newer_schema(schema);
+    db.reset();  // who puts another database in the place of this one has to be alone
     (void)bring_up_to_date(store);
-  sqlite::Connection db = sqlite::Connection::open(store);
-  bring_to_newest_schema(db);
-  if (!is_ours) mark(store);
-  return db;
+    db = sqlite::Connection::open(store);
+  }
+  bring_to_newest_schema(*db);
+  if (is_new) mark(store);
+  return std::move(*db);
 }
 
 sqlite::Connection open_scratch_store(const fs::path& folder) {

@@ -10,11 +10,6 @@
 namespace floeplan::repository {
 namespace {
 
-std::int64_t schema_of(sqlite::Connection& db) {
-  sqlite::Statement query{db, "PRAGMA user_version"};
-  return query.step() ? query.integer(0) : 0;
-}
-
 /// Dropping a table that others refer to would empty them too. The setting cannot be changed inside a transaction.
 class WithoutForeignKeys {
  public:
@@ -44,6 +39,11 @@ void refuse_broken_references(sqlite::Connection& db) {
 }  // namespace
 
 std::int64_t newest_schema() { return static_cast<std::int64_t>(schema_scripts().size()); }
+
+std::int64_t schema_of(sqlite::Connection& db) {
+  sqlite::Statement query{db, "PRAGMA user_version"};
+  return query.step() ? query.integer(0) : 0;
+}
 
 void refuse_newer_schema(std::int64_t schema) {
   if (schema <= newest_schema()) return;

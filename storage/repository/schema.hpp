@@ -12,6 +12,9 @@ namespace floeplan::repository {
 /// From this schema on the pages of a database have checksums.
 inline constexpr std::int64_t first_schema_with_checksums = 12;
 
+/// That of an open database; 0: it is empty.
+[[nodiscard]] std::int64_t schema_of(sqlite::Connection& db);
+
 /// Errors  std::runtime_error for a schema that this program does not know yet
 void refuse_newer_schema(std::int64_t schema);
 

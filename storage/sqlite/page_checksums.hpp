@@ -6,6 +6,8 @@
 #include <span>
 #include <vector>
 
+#include "storage/sqlite/connection.hpp"
+
 namespace floeplan::sqlite {
 
 /// Every page of a database ends with a checksum of the rest of it, in bytes that SQLite reserves for this. It is written
@@ -23,12 +25,16 @@ inline constexpr int checksum_bytes = 8;
 /// Threads  any
 [[nodiscard]] const char* checked_files();
 
-/// Whether the pages of a database file end with checksums, by its header; false of a file that is no database.
+/// Whether the pages of an open database end with checksums.
+[[nodiscard]] bool has_page_checksums(Connection& db);
+
+/// The same of a database that nobody of this process has open, by its header; false of a file that is no database. Whoever
+/// closes a file gives back all locks that his process has on it (POSIX, fcntl), those of SQLite, too.
 [[nodiscard]] bool has_page_checksums(const std::filesystem::path& database);
 
 /// Numbers of the pages, from 1, whose bytes in the file are not those that were written. Others may read and write the
 /// database meanwhile. Of a file whose header reserves no bytes for checksums the first: nothing is known of the rest.
 /// Errors   Failure when the file cannot be read
-[[nodiscard]] std::vector<std::uint32_t> damaged_pages(const std::filesystem::path& database);
+[[nodiscard]] std::vector<std::uint32_t> damaged_pages(Connection& db);
 
 }  // namespace floeplan::sqlite

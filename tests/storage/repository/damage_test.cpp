@@ -104,8 +104,8 @@ class DamagedStore : public testing::Test {
 TEST_F(DamagedStore, IsWholeAsItWasWritten) {
   auto db = open_store(folder_.path());
 
-  EXPECT_TRUE(find_damage(db, database()).is_none());
-  EXPECT_TRUE(sqlite::has_page_checksums(database()));
+  EXPECT_TRUE(find_damage(db).is_none());
+  EXPECT_TRUE(sqlite::has_page_checksums(db));
 }
 
 /// Wherever a bit is flipped: never another answer, always noticed, and what cannot be read is named and left out. A store
@@ -131,7 +131,7 @@ TEST_F(DamagedStore, AnswersNothingElseThanWasWrittenAndNamesWhatItCannotAnswer)
     std::set<std::string> unreadable;
     {
       auto db = open_store(folder_.path());
-      const Damage damage = find_damage(db, database());
+      const Damage damage = find_damage(db);
       EXPECT_THAT(damage.pages, testing::ElementsAre(page + 1));
       for (const StoredThing& thing : damage.things) unreadable.insert(thing.id);
       for (const auto& [id, text] : contents_of(db)) {
@@ -142,7 +142,7 @@ TEST_F(DamagedStore, AnswersNothingElseThanWasWrittenAndNamesWhatItCannotAnswer)
     std::set<std::string> lost;
     for (const StoredThing& thing : repaired.lost) lost.insert(thing.id);
     auto db = open_store(folder_.path());
-    EXPECT_TRUE(find_damage(db, database()).is_none());
+    EXPECT_TRUE(find_damage(db).is_none());
     for (const auto& [id, text] : contents_of(db)) {
       const bool is_lost = lost.contains(id);
       EXPECT_EQ(text, is_lost ? "gone" : before_[id]) << id;
@@ -183,12 +183,12 @@ TEST_F(DamagedStore, OfASampleBlockIsNoticedEvenWhereItsPageIsNot) {
                 {ocean::HorizontalGrid{geo::GridFrame{}, nodes, nodes}, std::nullopt, ocean::Axis{{0.0}}});
   const std::vector<float> samples(9, 0.25F);
   fields.write_slice({"field"}, "u_m_s", 0, 0, samples);
-  ASSERT_TRUE(find_damage(db, database()).is_none());
+  ASSERT_TRUE(find_damage(db).is_none());
 
   sqlite::execute(
       db, "UPDATE field_chunk SET samples = CAST(substr(samples, 1, length(samples) - 1) || x'00' AS BLOB)");
 
-  const Damage damage = find_damage(db, database());
+  const Damage damage = find_damage(db);
   ASSERT_EQ(damage.things.size(), 1U);
   EXPECT_EQ(damage.things.front().id, "field");
 }
@@ -199,7 +199,7 @@ TEST_F(DamagedStore, IsRestoredFromABackupAndKept) {
     auto db = open_store(folder_.path());
     sqlite::back_up(db, backup);
   }
-  EXPECT_TRUE(sqlite::damaged_pages(backup).empty());
+  EXPECT_EQ(sqlite::damage_of(backup), "");
   flip_bit(database(), 0, 0);
 
   const Replacement restored = restore_store(folder_.path(), backup);
