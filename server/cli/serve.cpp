@@ -23,8 +23,8 @@
 #include "storage/repository/store_lock.hpp"
 #include "storage/repository/token_repository.hpp"
 #include "storage/repository/upload_repository.hpp"
+#include "storage/sqlite/damaged_pages.hpp"
 #include "storage/sqlite/database_files.hpp"
-#include "storage/sqlite/page_checksums.hpp"
 
 namespace floeplan::cli {
 namespace {

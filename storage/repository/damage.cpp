@@ -2,7 +2,7 @@
 
 #include "storage/repository/blob_codec.hpp"
 #include "storage/repository/dataset_tables.hpp"
-#include "storage/sqlite/page_checksums.hpp"
+#include "storage/sqlite/damaged_pages.hpp"
 #include "storage/sqlite/statement.hpp"
 
 namespace floeplan::repository {

@@ -7,9 +7,9 @@
 
 #include "storage/repository/replacement.hpp"
 #include "storage/repository/schema.hpp"
+#include "storage/sqlite/damaged_pages.hpp"
 #include "storage/sqlite/database_files.hpp"
 #include "storage/sqlite/failure.hpp"
-#include "storage/sqlite/page_checksums.hpp"
 
 namespace floeplan::repository {
 namespace {
@@ -37,15 +37,14 @@ sqlite::Connection open_store(const fs::path& store) {
   refuse_folder_without_its_database(store);
   std::optional<sqlite::Connection> db = sqlite::Connection::open(store);
   const std::int64_t schema = schema_of(*db);
-  const bool is_new = schema == 0;
-  if (!is_new && (schema < newest_schema() || !sqlite::has_page_checksums(*db))) {
+  if (schema > 0 && (schema < newest_schema() || !sqlite::has_page_checksums(*db))) {
     refuse_newer_schema(schema);
     db.reset();  // who puts another database in the place of this one has to be alone
     (void)bring_up_to_date(store);
     db = sqlite::Connection::open(store);
   }
   bring_to_newest_schema(*db);
-  if (is_new) mark(store);
+  if (fs::file_size(mark_in(store)) == 0) mark(store);
   return std::move(*db);
 }
 

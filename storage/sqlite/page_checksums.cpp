@@ -1,25 +1,20 @@
 #include "storage/sqlite/page_checksums.hpp"
 
-#include <SQLiteCpp/Database.h>
 #include <sqlite3.h>
 #include <xxhash.h>
 
 #include <algorithm>
 #include <array>
 #include <bit>
-#include <chrono>
 #include <cstring>
 #include <fstream>
 #include <new>
-#include <string>
-#include <thread>
 
 #include "storage/sqlite/failure.hpp"
 
 namespace floeplan::sqlite {
 namespace {
 
-constexpr std::size_t header_bytes = 100;
 constexpr std::size_t page_size_at = 16;  // two bytes, big-endian; 1 stands for 65536
 constexpr std::size_t reserved_at = 20;
 constexpr std::size_t smallest_page = 512;
@@ -165,41 +160,13 @@ struct CheckedFiles {
   }
 };
 
-/// The file that SQLite has open already: see has_page_checksums.
-CheckedFile& file_of(Connection& db) {
+CheckedFile& file_of(sqlite3* database) {
   sqlite3_file* file = nullptr;
-  const int result = sqlite3_file_control(db.handle().getHandle(), "main", SQLITE_FCNTL_FILE_POINTER,
-                                          static_cast<void*>(&file));
+  const int result =
+      sqlite3_file_control(database, "main", SQLITE_FCNTL_FILE_POINTER, static_cast<void*>(&file));
   if (result != SQLITE_OK || file == nullptr || file->pMethods != &methods)
-    throw Failure{db.handle().getFilename() + " is no database file with checksums"};
+    throw Failure{"the database is in no file with checksums"};
   return checked(file);
-}
-
-/// Bytes as they are in the file; fewer at its end.
-std::vector<std::byte> read_at(CheckedFile& file, std::uint64_t offset, std::size_t bytes) {
-  sqlite3_int64 size = 0;
-  if (file.own()->pMethods->xFileSize(file.own(), &size) != SQLITE_OK) size = 0;
-  const auto end = static_cast<std::uint64_t>(size);
-  std::vector<std::byte> data(offset < end ? std::min<std::uint64_t>(bytes, end - offset) : 0);
-  if (data.empty()) return data;
-  const int result = file.own()->pMethods->xRead(file.own(), data.data(), static_cast<int>(data.size()),
-                                                 static_cast<sqlite3_int64>(offset));
-  if (result == SQLITE_IOERR_SHORT_READ) data.clear();  // cut off at this moment
-  if (result != SQLITE_OK && result != SQLITE_IOERR_SHORT_READ)
-    throw Failure{"the database cannot be read; look at the disk", Trouble::not_writable};
-  return data;
-}
-
-/// Whether a page stays unlike its checksum: who writes it at this moment has done so a little later.
-bool stays_damaged(CheckedFile& file, std::uint64_t offset, std::size_t page_size) {
-  constexpr int looks = 5;
-  constexpr std::chrono::milliseconds between{20};
-  for (int look = 0; look < looks; ++look) {
-    if (look > 0) std::this_thread::sleep_for(between);
-    const auto page = read_at(file, offset, page_size);
-    if (page.size() < page_size || is_whole(page)) return false;  // cut off meanwhile, or whole
-  }
-  return true;
 }
 
 }  // namespace
@@ -209,11 +176,6 @@ const char* checked_files() {
   return files.vfs.zName;
 }
 
-bool has_page_checksums(Connection& db) {
-  const auto header = read_at(file_of(db), 0, header_bytes);
-  return header.size() == header_bytes && reserves_sums(header);
-}
-
 bool has_page_checksums(const std::filesystem::path& database) {
   std::ifstream in{database, std::ios::binary};
   std::array<std::byte, header_bytes> header{};
@@ -221,23 +183,27 @@ bool has_page_checksums(const std::filesystem::path& database) {
   return in.gcount() == static_cast<std::streamsize>(header.size()) && reserves_sums(header);
 }
 
-std::vector<std::uint32_t> damaged_pages(Connection& db) {
-  CheckedFile& file = file_of(db);
-  const auto header = read_at(file, 0, header_bytes);
-  if (header.empty()) return {};  // a database that nothing was moved to yet
-  const std::size_t page_size = header.size() < header_bytes ? 0 : page_size_of(header);
-  if (!is_page(page_size, 0) || !reserves_sums(header)) return {1};
-  constexpr std::size_t pages_at_once = 256;
-  std::vector<std::uint32_t> damaged;
-  for (std::uint64_t first = 0;; first += pages_at_once) {
-    const auto block = read_at(file, first * page_size, pages_at_once * page_size);
-    const std::span pages{block};
-    for (std::size_t i = 0; (i + 1) * page_size <= pages.size(); ++i)
-      if (!is_whole(pages.subspan(i * page_size, page_size)) &&
-          stays_damaged(file, (first + i) * page_size, page_size))
-        damaged.push_back(static_cast<std::uint32_t>(first + i + 1));
-    if (block.size() < pages_at_once * page_size) return damaged;
-  }
+PageLayout layout_of_pages(std::span<const std::byte> header) {
+  if (header.size() < header_bytes) return {};
+  const std::size_t size = page_size_of(header);
+  return {.page_bytes = is_page(size, 0) ? size : 0, .has_checksums = reserves_sums(header)};
+}
+
+bool is_whole_page(std::span<const std::byte> page) { return is_whole(page); }
+
+std::vector<std::byte> bytes_in_file(sqlite3* database, std::uint64_t offset, std::size_t bytes) {
+  sqlite3_file* const file = file_of(database).own();
+  sqlite3_int64 size = 0;
+  if (file->pMethods->xFileSize(file, &size) != SQLITE_OK) size = 0;
+  const auto end = static_cast<std::uint64_t>(size);
+  std::vector<std::byte> data(offset < end ? std::min<std::uint64_t>(bytes, end - offset) : 0);
+  if (data.empty()) return data;
+  const int result = file->pMethods->xRead(file, data.data(), static_cast<int>(data.size()),
+                                           static_cast<sqlite3_int64>(offset));
+  if (result == SQLITE_IOERR_SHORT_READ) data.clear();  // cut off at this moment
+  if (result != SQLITE_OK && result != SQLITE_IOERR_SHORT_READ)
+    throw Failure{"the database cannot be read; look at the disk", Trouble::not_writable};
+  return data;
 }
 
 }  // namespace floeplan::sqlite

@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "storage/sqlite/connection.hpp"
+struct sqlite3;
 
 namespace floeplan::sqlite {
 
@@ -25,16 +25,24 @@ inline constexpr int checksum_bytes = 8;
 /// Threads  any
 [[nodiscard]] const char* checked_files();
 
-/// Whether the pages of an open database end with checksums.
-[[nodiscard]] bool has_page_checksums(Connection& db);
-
-/// The same of a database that nobody of this process has open, by its header; false of a file that is no database. Whoever
-/// closes a file gives back all locks that his process has on it (POSIX, fcntl), those of SQLite, too.
+/// Whether a database that nobody of this process has open has checksums, by its header; false of a file that is no
+/// database. Whoever closes a file gives back all locks that his process has on it (POSIX, fcntl), those of SQLite, too.
 [[nodiscard]] bool has_page_checksums(const std::filesystem::path& database);
 
-/// Numbers of the pages, from 1, whose bytes in the file are not those that were written. Others may read and write the
-/// database meanwhile. Of a file whose header reserves no bytes for checksums the first: nothing is known of the rest.
-/// Errors   Failure when the file cannot be read
-[[nodiscard]] std::vector<std::uint32_t> damaged_pages(Connection& db);
+/// What the first bytes of a database say of its pages.
+struct PageLayout {
+  std::size_t page_bytes{};  // 0: no size that a page can have
+  bool has_checksums{};
+};
+inline constexpr std::size_t header_bytes = 100;
+[[nodiscard]] PageLayout layout_of_pages(std::span<const std::byte> header);
+
+/// Whether a page is as it was written.
+[[nodiscard]] bool is_whole_page(std::span<const std::byte> page);
+
+/// Bytes as they are in the file that SQLite has open already, not compared; fewer at its end.
+/// Errors   Failure when the file cannot be read, or was not opened by checked_files
+[[nodiscard]] std::vector<std::byte> bytes_in_file(sqlite3* database, std::uint64_t offset,
+                                                   std::size_t bytes);
 
 }  // namespace floeplan::sqlite
