@@ -195,7 +195,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                   .origins = options.allow_origins});
   repository::UploadRepository{uploads}.remove_expired(now());
   ingest::StagingFolder::remove_abandoned(place.guard.staging);
-  jobs::WorkerPool workers{open_store, board, options.workers, place};
+  jobs::WorkerPool workers{open_store, board, options.workers, place, options.time_limits};
   const StoreWatch store_watch{options.store};
   std::optional<jobs::WatchedFolder> watched;
   if (options.watch) watched.emplace(*options.watch, open_store, place.guard);

@@ -7,13 +7,16 @@
 #include <string>
 #include <vector>
 
+#include "server/jobs/job_class.hpp"
+
 namespace floeplan::cli {
 
 /// What `floeplan serve` was told.
 struct ServeOptions {
-  std::filesystem::path store;               // the data folder, created when missing
-  std::string listen{"127.0.0.1:8080"};      // ADDR:PORT; port 0: any free port
-  std::size_t workers{1};                    // planning jobs at the same time
+  std::filesystem::path store;           // the data folder, created when missing
+  std::string listen{"127.0.0.1:8080"};  // ADDR:PORT; port 0: any free port
+  std::size_t workers{1};                // interactive jobs at the same time
+  jobs::TimeLimits time_limits{};
   std::optional<std::filesystem::path> web;  // folder of the built client; default: found beside the program
   std::optional<std::filesystem::path> watch;     // folder whose files are ingested as they come
   std::uint64_t max_upload_mb{2000};              // the largest file that may be sent

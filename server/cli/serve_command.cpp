@@ -1,16 +1,31 @@
 #include <memory>
+#include <string>
 
 #include "server/cli/command.hpp"
 #include "server/cli/serve.hpp"
 
 namespace floeplan::cli {
+namespace {
+
+void add_time_limit(CLI::App& command, const std::string& job_class, core::Seconds& limit) {
+  constexpr double a_year_s = 3.2e7;
+  command
+      .add_option_function<double>(
+          "--max-" + job_class + "-s", [&limit](double seconds) { limit = core::Seconds{seconds}; },
+          "Longest that " + job_class + " jobs may run, seconds")
+      ->check(CLI::Range(0.001, a_year_s))
+      ->default_str(std::to_string(static_cast<long>(limit.count())));
+}
+
+}  // namespace
 
 void add_serve(CLI::App& app, Program& program) {
   auto options = std::make_shared<ServeOptions>();
   auto* command = app.add_subcommand("serve", "HTTP API, map and planning in one process");
   command->add_option("--listen", options->listen, "ADDR:PORT; port 0: any free port")->capture_default_str();
   command
-      ->add_option("--workers", options->workers, "Planning jobs at the same time, and flights of one batch")
+      ->add_option("--workers", options->workers,
+                   "Interactive jobs at the same time, and flights of one batch")
       ->capture_default_str();
   command->add_option("--web", options->web, "Folder of the built map client");
   command->add_option("--watch", options->watch,
@@ -19,6 +34,9 @@ void add_serve(CLI::App& app, Program& program) {
   command->add_option("--max-upload-mb", options->max_upload_mb, "Largest file that may be sent, megabytes")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}))
       ->capture_default_str();
+  add_time_limit(*command, "interactive", options->time_limits.interactive);
+  add_time_limit(*command, "batch", options->time_limits.batch);
+  add_time_limit(*command, "ingest", options->time_limits.ingest);
   command->add_option("--public-url", options->public_url, "What links in answers begin with");
   auto* cert = command->add_option("--tls-cert", options->tls_cert,
                                    "Certificate with its chain, PEM; then HTTPS alone");

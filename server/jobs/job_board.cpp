@@ -4,6 +4,7 @@
 #include <random>
 #include <string_view>
 
+#include "server/jobs/job_class.hpp"
 #include "storage/sqlite/transaction.hpp"
 
 namespace floeplan::jobs {
@@ -30,6 +31,7 @@ JobRecord new_job(const routes::Submission& submission, core::UtcTime now) {
   job.id = random_id();
   job.process = submission.process;
   job.request_json = submission.inputs_json;
+  job.job_class = class_of(job.process, job.request_json);
   job.owner = submission.owner;
   job.digest = submission.digest;
   job.reply_json = submission.reply_json;
@@ -93,7 +95,7 @@ tl::expected<JobRecord, SubmissionRefused> JobBoard::submit(sqlite::Connection& 
     const std::lock_guard lock{mutex_};
     ++submissions_;
   }
-  work_.notify_all();  // a worker takes only what belongs to its lane
+  work_.notify_all();  // a worker takes only jobs of its class
   announce(job.id);
   return job;
 }
@@ -132,11 +134,13 @@ void JobBoard::wait_for_work(std::uint64_t seen, const std::stop_token& stop) {
   work_.wait_for(lock, stop, std::chrono::seconds{1}, [&] { return submissions_ > seen; });
 }
 
-std::stop_source JobBoard::begin(const JobId& id, const std::string& worker) {
+std::stop_source JobBoard::begin(const JobId& id, const std::string& worker,
+                                 std::chrono::steady_clock::time_point deadline) {
   const std::lock_guard lock{mutex_};
   Entry& entry = running_[id];
   entry.job.id = id;
   entry.job.worker = worker;
+  entry.job.deadline = deadline;
   return entry.stop;
 }
 
@@ -169,6 +173,21 @@ void JobBoard::stop(const JobId& id) {
   const std::lock_guard lock{mutex_};
   const auto found = running_.find(id);
   if (found != running_.end()) found->second.stop.request_stop();
+}
+
+void JobBoard::stop_overdue(std::chrono::steady_clock::time_point now) {
+  const std::lock_guard lock{mutex_};
+  for (auto& [id, entry] : running_) {
+    if (entry.overdue || now < entry.job.deadline) continue;
+    entry.overdue = true;
+    entry.stop.request_stop();
+  }
+}
+
+bool JobBoard::is_overdue(const JobId& id) const {
+  const std::lock_guard lock{mutex_};
+  const auto found = running_.find(id);
+  return found != running_.end() && found->second.overdue;
 }
 
 void JobBoard::stop_all() {

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <chrono>
 #include <condition_variable>
 #include <cstdint>
 #include <functional>
@@ -20,6 +21,7 @@ struct RunningJob {
   std::string stage;
   double progress{};
   bool changed{false};  // since the last call of running()
+  std::chrono::steady_clock::time_point deadline{};
 };
 
 /// What this process knows of its jobs beside the store: who waits for which, and how to stop the ones that
@@ -45,13 +47,18 @@ class JobBoard : public routes::JobGateway {
   void wait_for_work(std::uint64_t seen, const std::stop_token& stop);
 
   /// A worker takes up a job; its work ends when the returned source is asked to stop.
-  [[nodiscard]] std::stop_source begin(const repository::JobId& id, const std::string& worker);
+  [[nodiscard]] std::stop_source begin(const repository::JobId& id, const std::string& worker,
+                                       std::chrono::steady_clock::time_point deadline);
   void report(const repository::JobId& id, std::string_view stage, double progress);
   void end(const repository::JobId& id);
   /// The jobs of this process as they stand; takes back their `changed` marks.
   [[nodiscard]] std::vector<RunningJob> running();
   /// Asks the work on the job to stop, if it runs here.
   void stop(const repository::JobId& id);
+  /// Asks the work on every job to stop whose deadline has passed.
+  void stop_overdue(std::chrono::steady_clock::time_point now);
+  /// Whether the work on the job was asked to stop because of its deadline.
+  [[nodiscard]] bool is_overdue(const repository::JobId& id) const;
   /// Asks all work to stop.
   void stop_all();
   /// Wakes everybody who waits for the job, or for any.
@@ -61,6 +68,7 @@ class JobBoard : public routes::JobGateway {
   struct Entry {
     RunningJob job;
     std::stop_source stop;
+    bool overdue{false};
   };
 
   void wake(const repository::JobId& id);

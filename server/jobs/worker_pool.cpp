@@ -15,6 +15,7 @@
 namespace floeplan::jobs {
 namespace {
 
+using repository::JobClass;
 using repository::JobRecord;
 using repository::JobRepository;
 
@@ -38,9 +39,10 @@ constexpr const char* no_memory =
 
 core::UtcTime now() { return std::chrono::system_clock::now(); }
 
-/// Requests come first: on Linux the priority of a single thread can be lowered.
-void lower_priority() {
-  constexpr int niceness = 10;
+/// Requests come first, then interactive jobs: on Linux the priority of a single thread can be lowered, and those that it
+/// begins are as low.
+void lower_priority(JobClass job_class) {
+  const int niceness = job_class == JobClass::batch ? 19 : 10;
   if (setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness) != 0) {
     log::warn({"the priority of a worker thread could not be lowered"});
   }
@@ -80,10 +82,12 @@ void keep_trying(sqlite::Connection& db, const repository::JobId& id, const Writ
 
 }  // namespace
 
-WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers, IngestPlace place)
+WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t workers, IngestPlace place,
+                       TimeLimits limits)
     : board_{board},
       workers_{workers},
       place_{std::move(place)},
+      limits_{limits},
       kept_{.currents = repository::CurrentGridCache{most_kept_currents},
             .grounds = repository::RecentlyUsed<GroundKey, planning::RouteGround>{most_kept_grounds}} {
   auto db = open_store();
@@ -91,12 +95,13 @@ WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t
   // Every connection is made here: what goes wrong then keeps the pool from starting, and does not end a thread.
   lease_keeper_ = std::jthread{
       [this, own = open_store()](const std::stop_token& stop) mutable { keep_leases(own, stop); }};
-  for (std::size_t i = 0; i <= workers; ++i) {
+  std::vector<JobClass> classes(workers, JobClass::interactive);
+  classes.insert(classes.end(), batches_at_once, JobClass::batch);
+  classes.push_back(JobClass::ingest);
+  for (std::size_t i = 0; i < classes.size(); ++i) {
     const std::string name = std::to_string(getpid()) + "-" + std::to_string(i + 1);
-    const auto lane = i < workers ? repository::Lane::planning : repository::Lane::ingest;
-    threads_.emplace_back([this, own = open_store(), name, lane](const std::stop_token& stop) mutable {
-      work(own, name, lane, stop);
-    });
+    threads_.emplace_back([this, own = open_store(), name, job_class = classes[i]](
+                              const std::stop_token& stop) mutable { work(own, name, job_class, stop); });
   }
 }
 
@@ -109,15 +114,15 @@ void WorkerPool::stop() {
   lease_keeper_ = {};
 }
 
-void WorkerPool::work(sqlite::Connection& db, const std::string& name, repository::Lane lane,
+void WorkerPool::work(sqlite::Connection& db, const std::string& name, JobClass job_class,
                       const std::stop_token& stop) {
-  lower_priority();
+  lower_priority(job_class);
   while (!stop.stop_requested()) {
     const auto seen = board_.submissions();
     try {
-      const auto job = JobRepository{db}.claim(name, now(), lease, lane);
+      const auto job = JobRepository{db}.claim(name, now(), lease, job_class);
       if (job) {
-        run(db, *job, name, lane, stop);
+        run(db, *job, name, stop);
         continue;
       }
     } catch (const std::exception& error) {
@@ -128,15 +133,17 @@ void WorkerPool::work(sqlite::Connection& db, const std::string& name, repositor
 }
 
 void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::string& worker,
-                     repository::Lane lane, const std::stop_token& pool_stop) {
-  const std::stop_source job_stop = board_.begin(job.id, worker);
+                     const std::stop_token& pool_stop) {
+  const auto begin = std::chrono::steady_clock::now();
+  const core::Seconds limit = limits_.of(job.job_class);
+  const std::stop_source job_stop =
+      board_.begin(job.id, worker, begin + std::chrono::duration_cast<std::chrono::milliseconds>(limit));
   const std::stop_callback stop_with_pool{pool_stop,
                                           [source = job_stop]() mutable { source.request_stop(); }};
   board_.announce(job.id);
   log::info(
       {"job=", job.id.value, " process=", job.process, " attempt=", std::to_string(job.attempts), " begins"});
 
-  const auto begin = std::chrono::steady_clock::now();
   tl::expected<std::string, std::string> result;
   bool put_off = false;
   try {
@@ -148,7 +155,7 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
     result = tl::unexpected(std::string{no_memory});
   } catch (const sqlite::Failure& failure) {
     // A file that is too large for the disk would fill it again and again, so whoever sent it is told at once.
-    put_off = lane == repository::Lane::planning && may_pass(failure);
+    put_off = job.job_class != JobClass::ingest && may_pass(failure);
     log::error({"job=", job.id.value, put_off ? " is put off: " : " broke off: ", failure.what()});
     result = tl::unexpected(std::string{"the work broke off: "} + failure.what());
   } catch (const std::exception& error) {
@@ -156,8 +163,11 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
     result = tl::unexpected(std::string{"the work broke off: "} + error.what());
   }
   const bool stopped = job_stop.stop_requested();
+  const bool overdue = board_.is_overdue(job.id);
   const auto write_end = [&](JobRepository& jobs) {
-    if (stopped || put_off) {
+    if (overdue) {
+      jobs.fail(job.id, worker, overdue_message(job.job_class, limit), now());
+    } else if (stopped || put_off) {
       jobs.hand_back(worker, now());  // does nothing for a job that was dismissed
     } else if (result) {
       jobs.succeed(job.id, worker, *result, now());
@@ -169,7 +179,11 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
   board_.end(job.id);
   board_.announce(job.id);
   const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - begin;
-  const char* outcome = stopped ? "stopped" : put_off ? "put off" : result ? "successful" : "failed";
+  const char* outcome = overdue   ? "overdue"
+                        : stopped ? "stopped"
+                        : put_off ? "put off"
+                        : result  ? "successful"
+                                  : "failed";
   log::info({"job=", job.id.value, " outcome=", outcome, " seconds=", log::decimals(taken.count(), 3)});
   if (put_off) pause(before_next_try, pool_stop);
 }
@@ -177,6 +191,7 @@ void WorkerPool::run(sqlite::Connection& db, const JobRecord& job, const std::st
 void WorkerPool::keep_leases(sqlite::Connection& db, const std::stop_token& stop) {
   std::map<repository::JobId, core::UtcTime> renewed;
   while (!stop.stop_requested()) {
+    board_.stop_overdue(std::chrono::steady_clock::now());
     const auto running = board_.running();
     std::map<repository::JobId, core::UtcTime> next;
     for (const auto& job : running) {

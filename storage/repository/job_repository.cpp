@@ -17,17 +17,21 @@ constexpr std::array<std::pair<JobStatus, const char*>, 5> status_names{
      {JobStatus::failed, "failed"},
      {JobStatus::dismissed, "dismissed"}}};
 
+constexpr std::array<std::pair<JobClass, const char*>, 3> class_names{
+    {{JobClass::interactive, "interactive"}, {JobClass::batch, "batch"}, {JobClass::ingest, "ingest"}}};
+
 // Shared by SELECT and RETURNING; read_job reads them in this order.
 const std::string job_columns =
     "row, id, process, request_json, status, stage, progress, attempts, created_s, started_s, finished_s, "
     "updated_s, "
-    "result_json, message, owner, digest, reply_json, change ";
+    "result_json, message, owner, digest, reply_json, change, class ";
 
 JobRecord read_job(const sqlite::Statement& row) {
   return {.row = row.integer(0),
           .id = {row.text(1)},
           .process = row.text(2),
           .request_json = row.text(3),
+          .job_class = parse_class(row.text(18)),
           .owner = row.text(14),
           .digest = row.optional_text(15),
           .reply_json = row.text(16),
@@ -50,31 +54,27 @@ std::vector<JobRecord> read_jobs(sqlite::Statement& query) {
   return jobs;
 }
 
-std::string condition_of(Lane lane) {
-  switch (lane) {
-    case Lane::any: return "";
-    case Lane::ingest: return "process = 'ingest' AND ";
-    case Lane::planning: return "process <> 'ingest' AND ";
-  }
-  throw std::logic_error{"Lane without a condition"};
-}
+/// The oldest claimable job of the class and the owner whose turn it is; ?2 is the time, ?4 a class or NULL.
+const std::string next_in_turn =
+    "SELECT first_row FROM (SELECT class AS its_class, owner AS candidate, min(row) AS first_row FROM job AS "
+    "waiting WHERE (?4 IS NULL OR class = ?4) AND (status = 'accepted' OR (status = 'running' AND "
+    "(lease_until_s IS NULL OR lease_until_s <= ?2))) AND NOT (class = 'batch' AND EXISTS (SELECT 1 FROM job "
+    "WHERE status = 'running' AND class = 'batch' AND owner = waiting.owner AND process = waiting.process "
+    "AND "
+    "lease_until_s > ?2)) GROUP BY class, owner) ORDER BY CASE its_class WHEN 'interactive' THEN 0 WHEN "
+    "'batch' THEN 1 ELSE 2 END, (SELECT count(*) FROM job WHERE status = 'running' AND class = its_class AND "
+    "owner = candidate AND lease_until_s > ?2), (SELECT max(started_s) FROM job WHERE owner = candidate AND "
+    "class = its_class) NULLS FIRST, first_row LIMIT 1";
 
-/// The oldest claimable job of the owner whose turn it is; ?2 is the time.
-std::string next_in_turn(Lane lane) {
-  return "SELECT first_row FROM (SELECT owner AS candidate, min(row) AS first_row FROM job WHERE " +
-         condition_of(lane) +
-         "(status = 'accepted' OR (status = 'running' AND (lease_until_s IS NULL OR lease_until_s <= ?2))) "
-         "GROUP BY owner) ORDER BY (SELECT count(*) FROM job WHERE status = 'running' AND owner = candidate "
-         "AND lease_until_s > ?2), (SELECT max(started_s) FROM job WHERE owner = candidate) NULLS FIRST, "
-         "first_row LIMIT 1";
+std::optional<std::string> name_of(std::optional<JobClass> only) {
+  return only ? std::optional{class_name(*only)} : std::nullopt;
 }
 
 /// A read, which many idle workers may do at once, before anybody asks for the right to write.
-bool has_claimable(sqlite::Connection& db, core::UtcTime now, Lane lane) {
-  sqlite::Statement query{db, "SELECT 1 FROM job WHERE " + condition_of(lane) +
-                                  "(status = 'accepted' OR (status = 'running' AND (lease_until_s IS "
-                                  "NULL OR lease_until_s <= ?1))) LIMIT 1"};
-  query.bind(1, now);
+bool has_claimable(sqlite::Connection& db, core::UtcTime now, std::optional<JobClass> only) {
+  sqlite::Statement query{db, next_in_turn};
+  query.bind(2, now);
+  query.bind(4, name_of(only));
   return query.step();
 }
 
@@ -105,13 +105,27 @@ JobStatus parse_status(const std::string& name) {
   throw std::runtime_error{"no job has the status " + name};
 }
 
+std::string class_name(JobClass job_class) {
+  for (const auto& [candidate, name] : class_names) {
+    if (candidate == job_class) return name;
+  }
+  throw std::logic_error{"JobClass without a name"};
+}
+
+JobClass parse_class(const std::string& name) {
+  for (const auto& [job_class, candidate] : class_names) {
+    if (name == candidate) return job_class;
+  }
+  throw std::runtime_error{"no job is of the class " + name};
+}
+
 void JobRepository::submit(const JobRecord& job) {
   sqlite::Statement insert{db_,
                            "INSERT INTO job (id, process, request_json, status, stage, progress, attempts, "
-                           "created_s, updated_s, message, owner, digest, reply_json) "
-                           "VALUES (?1, ?2, ?3, 'accepted', '', 0.0, 0, ?4, ?4, '', ?5, ?6, ?7)"};
+                           "created_s, updated_s, message, owner, digest, reply_json, class) "
+                           "VALUES (?1, ?2, ?3, 'accepted', '', 0.0, 0, ?4, ?4, '', ?5, ?6, ?7, ?8)"};
   insert.bind_all(job.id.value, job.process, job.request_json, job.created, job.owner, job.digest,
-                  job.reply_json);
+                  job.reply_json, class_name(job.job_class));
   insert.run();
 }
 
@@ -177,8 +191,8 @@ std::int64_t JobRepository::count(JobStatus status) const {
 void JobRepository::touch_queue() { sqlite::execute(db_, "UPDATE job_clock SET change = change"); }
 
 std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::UtcTime now,
-                                              core::Seconds lease, Lane lane) {
-  if (!has_claimable(db_, now, lane)) return std::nullopt;
+                                              core::Seconds lease, std::optional<JobClass> only) {
+  if (!has_claimable(db_, now, only)) return std::nullopt;
 
   sqlite::Transaction transaction{db_};
   fail_exhausted(db_, now);
@@ -188,8 +202,8 @@ std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::U
                              "UPDATE job SET status = 'running', worker = ?1, lease_until_s = ?3, attempts = "
                              "attempts + 1, started_s = coalesce(started_s, ?2), updated_s = ?2, stage = '', "
                              "progress = 0.0 WHERE row = (" +
-                                 next_in_turn(lane) + ") RETURNING " + job_columns};
-    update.bind_all(worker, now, now + lease);
+                                 next_in_turn + ") RETURNING " + job_columns};
+    update.bind_all(worker, now, now + lease, name_of(only));
     if (update.step()) claimed = read_job(update);
   }
   transaction.commit();

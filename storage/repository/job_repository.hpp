@@ -23,15 +23,24 @@ enum class JobStatus { accepted, running, successful, failed, dismissed };
 /// Errors   std::runtime_error for a name that is none
 [[nodiscard]] JobStatus parse_status(const std::string& name);
 
-/// Which jobs a worker takes: those that read files, which may take minutes, the others, or any.
-enum class Lane { any, ingest, planning };
+/// How long somebody waits for a job, and with it which workers take it. Workers of any class take the first first.
+enum class JobClass {
+  interactive,  // somebody waits for one plan, one evaluation, one flight
+  batch,  // many parts that each take as long as an interactive job: flights, departures, members of an ensemble
+  ingest  // reads files, which may take minutes
+};
+
+[[nodiscard]] std::string class_name(JobClass job_class);
+/// Errors   std::runtime_error for a name that is none
+[[nodiscard]] JobClass parse_class(const std::string& name);
 
 /// A job as it stands in the store.
 struct JobRecord {
   std::int64_t row{};  // given by the store, ascending in the order of submission
   JobId id;
-  std::string process;                  // "plan-route"
-  std::string request_json;             // the execute request's inputs
+  std::string process;       // "plan-route"
+  std::string request_json;  // the execute request's inputs
+  JobClass job_class{JobClass::interactive};
   std::string owner{};                  // who asked for it; empty: nobody in particular
   std::optional<std::string> digest{};  // of all that the result follows from; empty: shared with nobody
   std::string reply_json{"{}"};         // which outputs the client wants, and in which form
@@ -88,10 +97,12 @@ class JobRepository {
   /// Errors  sqlite::Failure where a job could not be taken
   void touch_queue();
 
-  /// An accepted job, or a running one whose lease ran out, made this worker's until `now + lease`: the oldest of the
-  /// owner with the fewest running jobs, of several the one whose last job began longest ago.
+  /// An accepted job, or a running one whose lease ran out, made this worker's until `now + lease`: of the first class
+  /// the oldest of the owner with the fewest running jobs of this class, of several owners the one whose last began
+  /// longest ago. Of one owner's batches of one process no two run at the same time: their order is kept, and one owner
+  /// does not take the workers of all.
   [[nodiscard]] std::optional<JobRecord> claim(const std::string& worker, core::UtcTime now,
-                                               core::Seconds lease, Lane lane = Lane::any);
+                                               core::Seconds lease, std::optional<JobClass> only = {});
   /// Reports progress and renews the lease. False when the job was dismissed or is no longer this worker's:
   /// stop then.
   [[nodiscard]] bool renew(const JobId& id, const std::string& worker, const std::string& stage,

@@ -341,6 +341,16 @@ INSERT INTO dataset_text (dataset_row, role, position, text)
 )sql",
                              R"sql(
 -- Pages end with checksums from here on; a program that does not write them must not open the store.
+)sql",
+                             R"sql(
+ALTER TABLE job ADD COLUMN class TEXT NOT NULL DEFAULT 'interactive' CHECK (class IN ('interactive', 'batch', 'ingest'));
+UPDATE job SET class = 'ingest' WHERE process = 'ingest';
+UPDATE job SET class = 'batch' WHERE process IN ('simulate-plan', 'fly-scenario');
+DROP INDEX job_by_owner;
+CREATE INDEX job_by_owner ON job (owner, class, started_s);
+
+ALTER TABLE dataset ADD COLUMN owner TEXT;  -- who sent its file over HTTP; '': the user of an open server; NULL: no request
+CREATE INDEX dataset_by_owner ON dataset (owner) WHERE owner IS NOT NULL;
 )sql"};
 
 }  // namespace

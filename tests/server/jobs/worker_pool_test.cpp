@@ -1,12 +1,16 @@
 #include "server/jobs/worker_pool.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
+#include <algorithm>
 #include <atomic>
 #include <ctime>
 #include <memory>
 #include <stdexcept>
+#include <vector>
 
+#include "server/jobs/scenario_service.hpp"
+#include "storage/json/json.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "tests/server/jobs/wait_until.hpp"
@@ -26,6 +30,7 @@ constexpr const char* long_plan =
     R"("spacing_m":400,"sectors":5})";
 constexpr const char* plan_of_many_legs =  // its document needs pages of its own
     R"({"from":[-53,69],"to":[-52.9,69.05],"depart":"2026-11-20T06:00:00Z","method":"direct","max_leg_m":100})";
+constexpr const char* thousands_of_flights = R"({"scenario":"random-icebergs","runs":10000})";
 constexpr core::UtcTime some_time{core::Seconds{1.8e9}};
 
 class WorkerPoolTest : public testing::Test {
@@ -33,11 +38,13 @@ class WorkerPoolTest : public testing::Test {
   OpenStore open_store() {
     return [path = store_.path()] { return repository::open_store(path); };
   }
-  repository::JobRecord submit(const std::string& process, const std::string& inputs) {
+  repository::JobRecord submit(const std::string& process, const std::string& inputs,
+                               const std::string& owner = {}) {
     return board_
-        .submit(db_, {.process = process, .inputs_json = inputs, .owner = {}, .digest = {}}, some_time)
+        .submit(db_, {.process = process, .inputs_json = inputs, .owner = owner, .digest = {}}, some_time)
         .value();
   }
+  JobStatus status_of(const repository::JobRecord& job) { return JobRepository{db_}.find(job.id)->status; }
   bool wait_for(const repository::JobId& id, JobStatus status) {
     return wait_until([&] { return JobRepository{db_}.find(id)->status == status; });
   }
@@ -87,8 +94,8 @@ TEST_F(WorkerPoolTest, KeepsAPlanForWhichTheDiskHasNoRoomUntilThereIs) {
 }
 
 TEST_F(WorkerPoolTest, DoesNotStartWhileTheStoreCannotBeOpenedForEachThread) {
-  for (int opened = 0; opened < 4;
-       ++opened) {  // its own, the keeper of leases, one worker, the one that ingests
+  constexpr int of_one_worker = 2 + 1 + static_cast<int>(WorkerPool::batches_at_once) + 1;
+  for (int opened = 0; opened < of_one_worker; ++opened) {
     const OpenStore open_so_often = [open = open_store(), left = std::make_shared<int>(opened)] {
       if ((*left)-- == 0) throw std::runtime_error{"damaged meanwhile"};
       return open();
@@ -114,7 +121,7 @@ TEST_F(WorkerPoolTest, KeepsARunningJobHoweverTheClockIsSet) {
   const auto job = submit("echo", R"({"pause":10})");
   ASSERT_TRUE(wait_for(job.id, JobStatus::running));
   const core::UtcTime a_year_ahead = std::chrono::system_clock::now() + core::Seconds{3.2e7};
-  EXPECT_FALSE(JobRepository{db_}.claim("another", a_year_ahead, core::Seconds{30.0}, repository::Lane::any));
+  EXPECT_FALSE(JobRepository{db_}.claim("another", a_year_ahead, core::Seconds{30.0}, {}));
 }
 
 TEST_F(WorkerPoolTest, WritesTheResultDownOnceTheStoreTakesItAgain) {
@@ -135,6 +142,65 @@ TEST_F(WorkerPoolTest, WritesTheResultDownOnceTheStoreTakesItAgain) {
   ASSERT_TRUE(wait_for(job.id, JobStatus::successful));
   EXPECT_EQ(JobRepository{db_}.find(job.id)->result_json, R"({"echo":"kept"})");
   EXPECT_EQ(JobRepository{db_}.find(job.id)->attempts, 1);
+}
+
+TEST_F(WorkerPoolTest, PlansWhateverBatchesRun) {
+  WorkerPool pool{open_store(), board_, 1};
+  std::vector<repository::JobRecord> batches;
+  for (std::size_t i = 0; i <= WorkerPool::batches_at_once; ++i)  // one more than run at once
+    batches.push_back(submit("fly-scenario", thousands_of_flights, "ann" + std::to_string(i)));
+  ASSERT_TRUE(wait_until([&] { return board_.running().size() == WorkerPool::batches_at_once; }));
+
+  const auto plan = submit("plan-route", short_plan, "bob");
+  ASSERT_TRUE(wait_for(plan.id, JobStatus::successful)) << JobRepository{db_}.find(plan.id)->message;
+
+  EXPECT_EQ(board_.running().size(), WorkerPool::batches_at_once) << "none was broken off for it";
+  EXPECT_EQ(std::ranges::count(batches, JobStatus::running, [&](const auto& job) { return status_of(job); }),
+            WorkerPool::batches_at_once);
+}
+
+TEST_F(WorkerPoolTest, FliesTheSameBesideASteadyStreamOfPlans) {
+  WorkerPool pool{open_store(), board_, 1};
+  const auto batch =
+      submit("fly-scenario", R"({"scenario":"random-icebergs","runs":3,"seed":7,"avoidance":false})", "ann");
+
+  std::size_t plans = 0;
+  auto plan = submit("plan-route", short_plan, "bob");
+  const bool ended = wait_until([&] {
+    if (status_of(plan) == JobStatus::successful) {
+      plan = submit("plan-route", short_plan, "bob");
+      ++plans;
+    }
+    return status_of(batch) == JobStatus::successful;
+  });
+
+  ASSERT_TRUE(ended);
+  EXPECT_GT(plans, 0U);
+  const auto alone = fly_scenario_document({.runs = 3, .seed = 7, .avoidance = false}, 1, {}, {});
+  EXPECT_EQ(JobRepository{db_}.find(batch.id)->result_json, (nlohmann::json{{"scenario", alone}}.dump()));
+}
+
+TEST_F(WorkerPoolTest, FailsAJobBeyondItsTimeLimitAndGoesOn) {
+  WorkerPool pool{open_store(), board_, 1, {}, {.interactive = core::Seconds{0.3}}};
+  const auto endless = submit("echo", R"({"pause":10})");
+  const auto next = submit("echo", R"({"pause":0})");
+
+  ASSERT_TRUE(wait_for(endless.id, JobStatus::failed));
+  const std::string message = JobRepository{db_}.find(endless.id)->message;
+  EXPECT_THAT(message, testing::HasSubstr("stopped after 0.3 s"));
+  EXPECT_THAT(message, testing::HasSubstr("ask for less at once"));
+  EXPECT_THAT(message, testing::HasSubstr("--max-interactive-s"));
+  EXPECT_TRUE(wait_for(next.id, JobStatus::successful));
+}
+
+TEST_F(WorkerPoolTest, LimitsEachClassByItself) {
+  WorkerPool pool{open_store(), board_, 1, {}, {.batch = core::Seconds{0.0}}};
+  const auto batch = submit("fly-scenario", thousands_of_flights);
+  const auto plan = submit("plan-route", short_plan);
+
+  EXPECT_TRUE(wait_for(batch.id, JobStatus::failed));
+  EXPECT_THAT(JobRepository{db_}.find(batch.id)->message, testing::HasSubstr("--max-batch-s"));
+  EXPECT_TRUE(wait_for(plan.id, JobStatus::successful));
 }
 
 TEST_F(WorkerPoolTest, EndsAPauseThatWasDismissed) {

@@ -82,16 +82,68 @@ TEST_F(JobRepositoryTest, GivesTheOldestJobToAWorker) {
   EXPECT_FALSE(jobs_.claim("w3", start, lease));
 }
 
-TEST_F(JobRepositoryTest, KeepsFilesAndPlansInLanesOfTheirOwn) {
-  JobRecord files = job("files");
-  files.process = "ingest";
-  jobs_.submit(files);
-  jobs_.submit(job("plan"));
+TEST_F(JobRepositoryTest, GivesEachWorkerJobsOfItsClassAlone) {
+  for (const JobClass of : {JobClass::ingest, JobClass::batch, JobClass::interactive}) {
+    JobRecord record = job(class_name(of));
+    record.job_class = of;
+    jobs_.submit(record);
+    EXPECT_EQ(found(class_name(of)).job_class, of);
+  }
 
-  EXPECT_EQ(jobs_.claim("w1", start, lease, Lane::planning)->id.value, "plan");
-  EXPECT_FALSE(jobs_.claim("w1", start, lease, Lane::planning));
-  EXPECT_EQ(jobs_.claim("w2", start, lease, Lane::ingest)->id.value, "files");
-  EXPECT_FALSE(jobs_.claim("w2", start + lease, lease, Lane::ingest)->id.value == "plan");
+  for (const JobClass of : {JobClass::ingest, JobClass::batch, JobClass::interactive}) {
+    EXPECT_EQ(jobs_.claim("w", start, lease, of)->id.value, class_name(of));
+    EXPECT_FALSE(jobs_.claim("w", start, lease, of));
+  }
+}
+
+TEST_F(JobRepositoryTest, GivesAWorkerOfAnyClassInteractiveJobsFirst) {
+  for (const JobClass of : {JobClass::ingest, JobClass::batch, JobClass::interactive}) {
+    JobRecord record = job(class_name(of));
+    record.job_class = of;
+    jobs_.submit(record);
+  }
+
+  std::vector<std::string> order;
+  while (const auto claimed = jobs_.claim("w", start, lease)) order.push_back(claimed->id.value);
+
+  EXPECT_THAT(order, testing::ElementsAre("interactive", "batch", "ingest"));
+}
+
+TEST_F(JobRepositoryTest, RunsNoTwoBatchesOfOneOwnerAndProcessAtOnce) {
+  const auto batch = [&](const std::string& owner, const std::string& process, const std::string& id) {
+    JobRecord record = job(id);
+    record.owner = owner;
+    record.process = process;
+    record.job_class = JobClass::batch;
+    jobs_.submit(record);
+  };
+  batch("ann", "simulate-plan", "a1");
+  batch("ann", "simulate-plan", "a2");
+  batch("bob", "simulate-plan", "b1");
+  batch("ann", "plan-route", "a3");
+
+  std::vector<std::string> order;
+  while (const auto claimed = jobs_.claim("w", start, lease, JobClass::batch))
+    order.push_back(claimed->id.value);
+  EXPECT_THAT(order, testing::ElementsAre("a1", "b1", "a3"));
+
+  ASSERT_TRUE(jobs_.succeed({"a1"}, "w", "{}", start));
+  EXPECT_EQ(jobs_.claim("w", start, lease, JobClass::batch)->id.value, "a2");
+}
+
+TEST_F(JobRepositoryTest, TakesTurnsWithinAClassWhateverElseAnOwnerRuns) {
+  JobRecord batch = job("batch");
+  batch.owner = "ann";
+  batch.job_class = JobClass::batch;
+  jobs_.submit(batch);
+  ASSERT_TRUE(jobs_.claim("w1", start, lease));
+  for (const char* owner : {"ann", "bob"}) {
+    JobRecord record = job(owner);
+    record.owner = owner;
+    jobs_.submit(record);
+  }
+
+  EXPECT_EQ(jobs_.claim("w2", start, lease)->id.value, "ann") << "hers is older, and no plan of hers runs";
 }
 
 TEST_F(JobRepositoryTest, ReportsProgressAndKeepsTheLease) {
