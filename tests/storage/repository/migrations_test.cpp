@@ -65,6 +65,8 @@ CREATE TABLE first_dataset (
   ingested_s REAL NOT NULL,
   tool_version TEXT NOT NULL
 ) STRICT;
+DROP INDEX dataset_by_owner;
+ALTER TABLE dataset DROP COLUMN owner;
 ALTER TABLE dataset DROP COLUMN arriving_s;
 ALTER TABLE dataset DROP COLUMN run_s;
 ALTER TABLE dataset DROP COLUMN outdated;
@@ -88,6 +90,7 @@ DROP TABLE job_clock;
 DROP TRIGGER job_added;
 DROP TRIGGER job_changed;
 DROP INDEX job_by_owner;
+ALTER TABLE job DROP COLUMN class;
 DROP INDEX job_by_digest;
 DROP INDEX job_by_change;
 ALTER TABLE job DROP COLUMN owner;
@@ -120,6 +123,33 @@ TEST(OpenStore, BringsAnOlderStoreUpToDateWithEverythingInIt) {
   EXPECT_EQ(IcebergRepository{db}.count({}), 0) << "foreign keys are obeyed again";
 }
 
+/// Goes on from a pragma; for stores that are older than the classes of jobs and the owners of datasets.
+const std::string before_classes_of_jobs =
+    "; DROP INDEX job_by_owner; ALTER TABLE job DROP COLUMN class; CREATE INDEX job_by_owner ON job (owner, "
+    "started_s); DROP INDEX dataset_by_owner; ALTER TABLE dataset DROP COLUMN owner";
+
+TEST(OpenStore, TellsTheClassesOfJobsThatWereAcceptedBeforeThereWereAny) {
+  const support::TemporaryFolder folder;
+  {
+    sqlite::Connection db = open_store(folder.path());
+    for (const char* process : {"plan-route", "simulate-plan", "fly-scenario", "ingest"}) {
+      JobRecord job;
+      job.id = {process};
+      job.process = process;
+      JobRepository{db}.submit(job);
+    }
+    sqlite::execute(db, "PRAGMA user_version = 12" + before_classes_of_jobs);
+  }
+
+  sqlite::Connection db = open_store(folder.path());
+
+  const auto class_of = [&](const char* id) { return JobRepository{db}.find({id})->job_class; };
+  EXPECT_EQ(class_of("plan-route"), JobClass::interactive);
+  EXPECT_EQ(class_of("simulate-plan"), JobClass::batch);
+  EXPECT_EQ(class_of("fly-scenario"), JobClass::batch);
+  EXPECT_EQ(class_of("ingest"), JobClass::ingest);
+}
+
 TEST(OpenStore, KnowsNoRunOfWhatWasStoredBeforeRunsWereKept) {
   const support::TemporaryFolder folder;
   {
@@ -129,7 +159,8 @@ TEST(OpenStore, KnowsNoRunOfWhatWasStoredBeforeRunsWereKept) {
                     "DROP TABLE glider_current; DROP TABLE glider_track; DROP TABLE glider_track_box;"
                     "ALTER TABLE dataset DROP COLUMN arriving_s; ALTER TABLE dataset DROP COLUMN run_s;"
                     "ALTER TABLE dataset DROP COLUMN outdated;"
-                    "PRAGMA user_version = 7");
+                    "PRAGMA user_version = 7" +
+                        before_classes_of_jobs);
   }
 
   sqlite::Connection db = open_store(folder.path());
@@ -145,7 +176,8 @@ TEST(OpenStore, TakesTracksOfGlidersIntoAStoreThatWasMadeBeforeThem) {
     DatasetRepository{db}.insert(sample_dataset("a", DatasetKind::icebergs));
     sqlite::execute(db,
                     "DROP TABLE glider_current; DROP TABLE glider_track; DROP TABLE glider_track_box;"
-                    "ALTER TABLE dataset DROP COLUMN outdated; PRAGMA user_version = 8");
+                    "ALTER TABLE dataset DROP COLUMN outdated; PRAGMA user_version = 8" +
+                        before_classes_of_jobs);
   }
 
   sqlite::Connection db = open_store(folder.path());
@@ -180,7 +212,8 @@ TEST(OpenStore, MarksTheCurrentsOfSlocumsThatWereStoredInTheirOwnAxes) {
                     "ALTER TABLE dataset DROP COLUMN outdated; ALTER TABLE glider_track DROP COLUMN frame;"
                     "ALTER TABLE glider_track DROP COLUMN variation_source;"
                     "ALTER TABLE glider_track DROP COLUMN variation_west_rad;"
-                    "ALTER TABLE glider_track DROP COLUMN utm_zone; PRAGMA user_version = 10");
+                    "ALTER TABLE glider_track DROP COLUMN utm_zone; PRAGMA user_version = 10" +
+                        before_classes_of_jobs);
   }
 
   sqlite::Connection db = open_store(folder.path());
