@@ -1,6 +1,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -22,12 +23,19 @@ struct ReaderLayers {
   bool enough{false};
 };
 
+/// The most that one owner may have of what others have to share. Generous: a season of a regional ocean model is 200 GB.
+struct Quotas {
+  std::uint64_t stored_bytes{500'000'000'000};  // of files that were sent, as they were sent
+  std::size_t uploads{500};                     // that wait to be ingested
+};
+
 /// What is the same for every request of a server.
 struct ServiceInfo {
-  std::string public_url;                       // links begin with it; no slash at its end
-  std::filesystem::path web;                    // folder of the built client; empty: none
-  std::filesystem::path uploads;                // folder of what was sent and waits to be ingested
-  bool secure{false};                           // clients come by TLS
+  std::string public_url;         // links begin with it; no slash at its end
+  std::filesystem::path web;      // folder of the built client; empty: none
+  std::filesystem::path uploads;  // folder of what was sent and waits to be ingested
+  bool secure{false};             // clients come by TLS
+  Quotas quotas{};
   std::filesystem::path store{};                // folder of the database, to tell its size
   std::size_t damaged_pages{0};                 // of the database, when the server began
   std::shared_ptr<RequestCounts> counts{};      // empty: nobody counts

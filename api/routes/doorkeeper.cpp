@@ -5,6 +5,7 @@
 
 #include "api/codec/credential.hpp"
 #include "api/routes/audit.hpp"
+#include "api/routes/quotas.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/shown_credential.hpp"
 #include "api/routes/site.hpp"
@@ -161,7 +162,8 @@ std::optional<Response> Doorkeeper::let_in(const Context& context, Request& requ
 
 std::optional<Response> Doorkeeper::refuse(const Context& context, Request request) {
   if (auto refusal = let_in(context, request)) return refusal;
-  return router_.refusal(request);
+  if (auto refusal = router_.refusal(request)) return refusal;
+  return refuse_coming_upload(context, request);
 }
 
 Response Doorkeeper::answer(const Context& context, Request request) {

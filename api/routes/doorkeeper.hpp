@@ -32,7 +32,7 @@ class Doorkeeper {
   Doorkeeper(Doors doors, Router router) : doors_{std::move(doors)}, router_{std::move(router)} {}
 
   [[nodiscard]] Response answer(const Context& context, Request request);
-  /// The answer to a caller who may not send this request, before its body is there; nothing when he may.
+  /// The answer to a caller who may not send this file, before its body is there; nothing when he may.
   [[nodiscard]] std::optional<Response> refuse(const Context& context, Request request);
 
  private:

@@ -8,6 +8,7 @@
 #include "api/routes/owner.hpp"
 #include "api/routes/preferences.hpp"
 #include "api/routes/process_checks.hpp"
+#include "api/routes/quotas.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 
@@ -77,6 +78,10 @@ tl::expected<Submission, Response> submission_of(const Context& context, const R
   if (!key) return tl::unexpected(key.error());
   const auto inputs = checked_inputs(context, process.id, read->inputs);
   if (!inputs) return tl::unexpected(invalid(request, under_inputs(inputs.error())));
+  if (process.id == "ingest") {
+    if (auto refusal = refuse_ingest(context, request, inputs->at("uploads")))
+      return tl::unexpected(std::move(*refusal));
+  }
 
   Submission submission{.process = process.id,
                         .inputs_json = inputs->dump(),

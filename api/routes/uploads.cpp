@@ -1,3 +1,11 @@
+#include <algorithm>
+#include <charconv>
+#include <cmath>
+
+#include "api/routes/owner.hpp"
+#include "api/routes/paging.hpp"
+#include "api/routes/parameters.hpp"
+#include "api/routes/quotas.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "engine/core/letter_case.hpp"
@@ -16,6 +24,7 @@ json upload_document(const Upload& upload, const std::string& public_url) {
           {"name", upload.name},
           {"bytes", upload.bytes},
           {"sha256", upload.sha256},
+          {"owner", upload.owner},
           {"created", core::iso8601(upload.created)},
           {"expires", core::iso8601(upload.expires)},
           {"links", json::array({link("self", "application/json", public_url + "/uploads/" + upload.id)})}};
@@ -45,11 +54,81 @@ Response add_upload(const Context& context, const Request& request, const PathPa
   if (!faults.empty()) return invalid(request, faults);
   UploadRepository uploads{context.service.uploads};
   uploads.remove_expired(request.now);
+  const std::string owner = owner_of(request);
   const Upload upload = uploads.add(request.body_file->path, request.parameter("name").value_or(""),
-                                    request.body_file->sha256, request.now);
+                                    request.body_file->sha256, owner, request.now);
+  // Counted when it is there, so that files that come at the same time are not all found to fit.
+  QuotaUse others = use_of(context, owner);
+  --others.uploads;
+  others.waiting_bytes -= upload.bytes;
+  if (auto refusal = refuse_upload(context, request, others, upload.bytes)) {
+    uploads.remove(upload.id);
+    return std::move(*refusal);
+  }
   Response response = json_reply(upload_document(upload, context.service.public_url), 201);
   response.headers.emplace_back("Location", context.service.public_url + "/uploads/" + upload.id);
   return response;
+}
+
+/// A place in the list of uploads, the newest first.
+struct Place {
+  std::int64_t created_us{};
+  std::string id;
+
+  [[nodiscard]] bool is_before(const Place& other) const {
+    return created_us != other.created_us ? created_us > other.created_us : id < other.id;
+  }
+};
+
+Place place_of(const Upload& upload) {
+  return {std::llround(core::unix_seconds(upload.created) * 1e6), upload.id};
+}
+
+std::string text_of(const Place& place) { return std::to_string(place.created_us) + "-" + place.id; }
+
+/// As `text_of` wrote it.
+std::optional<Place> parse_place(const std::string& text) {
+  Place place;
+  const char* end = text.data() + text.size();
+  const auto [rest, error] = std::from_chars(text.data(), end, place.created_us);
+  if (error != std::errc{} || rest == end || *rest != '-') return std::nullopt;
+  place.id = {rest + 1, end};
+  return place;
+}
+
+/// Those of the caller; of everybody for an admin.
+Response list_uploads(const Context& context, const Request& request, const PathParameters&) {
+  ParameterReader reader{request};
+  const auto limit = static_cast<std::size_t>(std::min(reader.limit(), 1000));
+  core::Violations faults = reader.violations();
+  const auto before = request.parameter("before");
+  const auto last = before ? parse_place(*before) : std::nullopt;
+  if (before && !last) faults.push_back({"?before", "must be taken from a next link"});
+  if (!faults.empty()) return invalid(request, faults);
+
+  const std::string& url = context.service.public_url;
+  const std::string owner = owner_of(request);
+  const bool sees_all = request.caller && request.caller->role == repository::Role::admin;
+  std::vector<Upload> uploads = UploadRepository{context.service.uploads}.list();
+  std::erase_if(uploads, [&](const Upload& upload) {
+    return upload.expires <= request.now || (!sees_all && upload.owner != owner) ||
+           (last && !last->is_before(place_of(upload)));
+  });
+  json links = json::array({link("self", "application/json", address_of(request, url))});
+  if (uploads.size() > limit) {
+    uploads.resize(limit);
+    links.push_back(link("next", "application/json",
+                         address_with(request, url, "before", text_of(place_of(uploads.back())))));
+  }
+  json documents = json::array();
+  for (const Upload& upload : uploads) documents.push_back(upload_document(upload, url));
+  const Quotas& quotas = context.service.quotas;
+  const QuotaUse used = use_of(context, owner);
+  return json_reply({{"uploads", std::move(documents)},
+                     {"quotas",
+                      {{"uploads", {{"used", used.uploads}, {"most", quotas.uploads}}},
+                       {"stored_bytes", {{"used", used.stored_bytes()}, {"most", quotas.stored_bytes}}}}},
+                     {"links", std::move(links)}});
 }
 
 Response unknown_upload(const Request& request, const PathParameters& path) {
@@ -79,6 +158,7 @@ bool streams_body(const std::string& method, const std::string& path) {
 
 std::vector<Route> upload_routes() {
   return {{"POST", "/uploads", {"name", "sha256"}, add_upload},
+          {"GET", "/uploads", {"limit", "before"}, list_uploads},
           {"GET", "/uploads/{upload_id}", {}, show_upload},
           {"DELETE", "/uploads/{upload_id}", {}, remove_upload}};
 }

@@ -183,6 +183,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                   .web = find_web(options),
                   .uploads = uploads,
                   .secure = secure,
+                  .quotas = options.quotas,
                   .store = options.store,
                   .damaged_pages = damaged_pages,
                   .counts = counts,

@@ -7,6 +7,7 @@
 #include <string>
 #include <vector>
 
+#include "api/routes/context.hpp"
 #include "server/jobs/job_class.hpp"
 
 namespace floeplan::cli {
@@ -18,8 +19,9 @@ struct ServeOptions {
   std::size_t workers{1};                // interactive jobs at the same time
   jobs::TimeLimits time_limits{};
   std::optional<std::filesystem::path> web;  // folder of the built client; default: found beside the program
-  std::optional<std::filesystem::path> watch;     // folder whose files are ingested as they come
-  std::uint64_t max_upload_mb{2000};              // the largest file that may be sent
+  std::optional<std::filesystem::path> watch;  // folder whose files are ingested as they come
+  std::uint64_t max_upload_mb{2000};           // the largest file that may be sent
+  routes::Quotas quotas{};
   std::string log_level{"info"};                  // debug, info, warning, error or off
   std::optional<std::string> public_url;          // what links begin with; default: http://ADDR:PORT
   bool behind_proxy{false};                       // a proxy does TLS and names its client

@@ -34,6 +34,19 @@ void add_serve(CLI::App& app, Program& program) {
   command->add_option("--max-upload-mb", options->max_upload_mb, "Largest file that may be sent, megabytes")
       ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000}))
       ->capture_default_str();
+  constexpr std::uint64_t megabyte = 1'000'000;
+  command
+      ->add_option_function<std::uint64_t>(
+          "--max-stored-mb",
+          [options](std::uint64_t megabytes) { options->quotas.stored_bytes = megabytes * megabyte; },
+          "Files that one token may have uploaded and ingested, megabytes")
+      ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000}))
+      ->default_str(std::to_string(options->quotas.stored_bytes / megabyte));
+  command
+      ->add_option("--max-uploads", options->quotas.uploads,
+                   "Uploads of one token that may wait to be ingested")
+      ->check(CLI::Range(std::size_t{1}, std::size_t{100'000}))
+      ->capture_default_str();
   add_time_limit(*command, "interactive", options->time_limits.interactive);
   add_time_limit(*command, "batch", options->time_limits.batch);
   add_time_limit(*command, "ingest", options->time_limits.ingest);

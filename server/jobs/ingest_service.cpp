@@ -5,6 +5,7 @@
 #include "api/codec/dataset_document.hpp"
 #include "storage/ingest/staging_folder.hpp"
 #include "storage/json/json.hpp"
+#include "storage/repository/dataset_owners.hpp"
 #include "storage/repository/upload_repository.hpp"
 
 namespace floeplan::jobs {
@@ -78,13 +79,18 @@ json report_document(const std::vector<ingest::IngestReport>& reports) {
 }
 
 tl::expected<json, std::string> ingest_document(sqlite::Connection& db, const codec::IngestInputs& inputs,
-                                                const IngestPlace& place, const std::stop_token& stop,
+                                                const IngestPlace& place, const std::string& owner,
+                                                bool again, const std::stop_token& stop,
                                                 const core::ProgressCallback& progress, core::UtcTime now) {
   const ingest::StagingFolder folder{place.guard.staging};
   const auto files = lay_out(inputs, place.uploads, folder.path());
   if (!files) return tl::unexpected(files.error());
+  const auto note_owner = [&](const ingest::IngestReport& report) {
+    const bool is_new = report.status == ingest::IngestStatus::stored;
+    if (report.dataset && (is_new || again)) repository::DatasetOwners{db}.note(report.dataset->id, owner);
+  };
   return report_document(
-      ingest::guarded_ingest(db, place.guard, *files, options_of(inputs), now, stop, progress, {}));
+      ingest::guarded_ingest(db, place.guard, *files, options_of(inputs), now, stop, progress, note_owner));
 }
 
 }  // namespace floeplan::jobs

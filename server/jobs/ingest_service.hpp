@@ -26,10 +26,12 @@ struct IngestPlace {
 /// {"datasets": [...]}, one report after the other.
 [[nodiscard]] nlohmann::json report_document(const std::vector<ingest::IngestReport>& reports);
 
-/// Reads uploads into the store. A file that is refused is part of the report, not an error.
+/// Reads uploads into the store, for their `owner`. A file that is refused is part of the report, not an error.
+/// `again`  after an attempt that broke off: what is found unchanged may be the owner's of then
 /// Errors   why nothing could be read: an upload has expired
 [[nodiscard]] tl::expected<nlohmann::json, std::string> ingest_document(
     sqlite::Connection& db, const codec::IngestInputs& inputs, const IngestPlace& place,
-    const std::stop_token& stop, const core::ProgressCallback& progress, core::UtcTime now);
+    const std::string& owner, bool again, const std::stop_token& stop, const core::ProgressCallback& progress,
+    core::UtcTime now);
 
 }  // namespace floeplan::jobs

@@ -69,7 +69,7 @@ tl::expected<std::string, std::string> run_process(sqlite::Connection& db, const
   if (job.process == "ingest") {
     const auto inputs = codec::parse_ingest_inputs(request);
     if (!inputs) return tl::unexpected(in_one_line(inputs.error()));
-    const auto report = ingest_document(db, *inputs, place, stop, progress, now);
+    const auto report = ingest_document(db, *inputs, place, job.owner, job.attempts > 1, stop, progress, now);
     if (!report) return tl::unexpected(report.error());
     return json{{"report", *report}}.dump(-1, ' ', false, json::error_handler_t::replace);
   }

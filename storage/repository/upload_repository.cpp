@@ -65,11 +65,12 @@ std::string plain_file_name(const std::string& name) {
 }
 
 Upload UploadRepository::add(const fs::path& file, const std::string& name, const std::string& sha256,
-                             core::UtcTime now) {
+                             const std::string& owner, core::UtcTime now) {
   const Upload upload{.id = random_id(),
                       .name = plain_file_name(name),
                       .bytes = fs::file_size(file),
                       .sha256 = sha256,
+                      .owner = owner,
                       .created = now,
                       .expires = now + lifetime};
   const fs::path unfinished = folder_ / (upload.id + ".new");
@@ -78,6 +79,7 @@ Upload UploadRepository::add(const fs::path& file, const std::string& name, cons
   std::ofstream{unfinished / "upload.json"} << json{{"name", upload.name},
                                                     {"bytes", upload.bytes},
                                                     {"sha256", upload.sha256},
+                                                    {"owner", upload.owner},
                                                     {"created_s", core::unix_seconds(upload.created)},
                                                     {"expires_s", core::unix_seconds(upload.expires)}};
   flush_to_disk(unfinished / "data");
@@ -97,8 +99,21 @@ std::optional<Upload> UploadRepository::find(const std::string& id) const {
                 .name = document.at("name"),
                 .bytes = document.at("bytes"),
                 .sha256 = document.at("sha256"),
+                .owner = document.value("owner", ""),  // of versions that knew none
                 .created = core::from_unix_seconds(document.at("created_s").get<double>()),
                 .expires = core::from_unix_seconds(document.at("expires_s").get<double>())};
+}
+
+std::vector<Upload> UploadRepository::list() const {
+  std::vector<Upload> uploads;
+  std::error_code error;
+  for (fs::directory_iterator entry{folder_, error}, end; !error && entry != end; entry.increment(error)) {
+    if (auto upload = find(entry->path().filename())) uploads.push_back(std::move(*upload));
+  }
+  std::ranges::sort(uploads, [](const Upload& a, const Upload& b) {
+    return a.created != b.created ? a.created > b.created : a.id < b.id;
+  });
+  return uploads;
 }
 
 bool UploadRepository::remove(const std::string& id) {

@@ -4,6 +4,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "engine/core/units.hpp"
 
@@ -15,6 +16,7 @@ struct Upload {
   std::string name;  // as a file may be called: letters, digits, '.', '_' and '-' alone
   std::uint64_t bytes{};
   std::string sha256;  // lower-case hexadecimal
+  std::string owner;   // who sent it; empty: the user of an open server
   core::UtcTime created;
   core::UtcTime expires;
 };
@@ -35,9 +37,11 @@ class UploadRepository {
 
   /// Takes over a file that lies on the same disk.
   Upload add(const std::filesystem::path& file, const std::string& name, const std::string& sha256,
-             core::UtcTime now);
+             const std::string& owner, core::UtcTime now);
   /// Nothing for an id that is unknown or none.
   [[nodiscard]] std::optional<Upload> find(const std::string& id) const;
+  /// All, the newest first; ties by id.
+  [[nodiscard]] std::vector<Upload> list() const;
   /// Where the bytes of a known upload lie.
   [[nodiscard]] std::filesystem::path file_of(const Upload& upload) const {
     return folder_ / upload.id / "data";

@@ -393,6 +393,7 @@ def uploads():
     letter = drive("POST", "/uploads", 201, b"a letter", binary, "?name=letter.txt")
     drive("POST", "/uploads", 400, file, binary, f"?name=bed.asc&sha256={64 * '0'}")
     drive("GET", "/uploads/{upload_id}", 200, upload_id=sent["id"])
+    drive("GET", "/uploads", 200, query="?limit=1")
     reports = execute("ingest", {"uploads": [sent["id"], letter["id"]], "positive": "up"})["report"]["datasets"]
     statuses = [report["status"] for report in reports]
     if statuses != ["stored", "refused"]:

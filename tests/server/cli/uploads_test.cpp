@@ -106,5 +106,31 @@ TEST(UploadLimit, IsWhatTheServerWasTold) {
   EXPECT_EQ(served.upload(std::string(2'100'000, ' '), "").status, 413);
 }
 
+TEST_F(Uploads, CountInTheQuotaOfStoredBytesAsTheirDatasetsDo) {
+  const std::string id = send(bed, "bed.asc");
+  ASSERT_EQ(served_.execute("ingest", {{"uploads", {id}}, {"positive", "up"}}).status, 200);
+  const auto used = [&] { return served_.get("/uploads").json().at("quotas").at("stored_bytes").at("used"); };
+
+  EXPECT_EQ(used(), 2 * std::string{bed}.size());
+  EXPECT_EQ(served_.remove("/uploads/" + id).status, 204);
+  EXPECT_EQ(used(), std::string{bed}.size());
+  const std::string dataset = served_.get("/datasets").json().at("datasets").at(0).at("id");
+  EXPECT_EQ(served_.remove("/datasets/" + dataset).status, 204);
+  EXPECT_EQ(used(), 0);
+}
+
+TEST(LargeUploads, AreRefusedBeforeTheirBodyIsThereWhereTheQuotaLeavesNoRoom) {
+  const support::Program program;
+  const support::ServedProgram served{program.folder() / "store",
+                                      {"--max-stored-mb", "2", "--max-uploads", "2"}};
+
+  EXPECT_EQ(served.upload(std::string(1'500'000, ' '), "").status, 201);
+  const auto too_large = served.upload(std::string(600'000, ' '), "");
+  EXPECT_EQ(too_large.status, 403);
+  EXPECT_EQ(too_large.json().at("type"), "/problems/quota-stored-bytes");
+  EXPECT_EQ(served.upload(std::string(400'000, ' '), "").status, 201);
+  EXPECT_EQ(served.upload("", "").json().at("type"), "/problems/quota-uploads");
+}
+
 }  // namespace
 }  // namespace floeplan::cli::uploads_test

@@ -101,7 +101,7 @@ TEST(KilledServer, StoresAnUploadWholeAndOnceWheneverItIsKilled) {
     auto db = repository::open_store(store.path());
     std::ofstream{store.path() / "arriving"} << large_grid();
     const auto upload = repository::UploadRepository{store.path() / "uploads"}.add(
-        store.path() / "arriving", "bed.asc", "", std::chrono::system_clock::now());
+        store.path() / "arriving", "bed.asc", "", "", std::chrono::system_clock::now());
     JobBoard queue;
     const auto job =
         queue.submit(db, submission("ingest", R"({"positive": "up", "uploads": [")" + upload.id + "\"]}"),

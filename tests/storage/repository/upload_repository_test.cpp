@@ -1,6 +1,6 @@
 #include "storage/repository/upload_repository.hpp"
 
-#include <gtest/gtest.h>
+#include <gmock/gmock.h>
 
 #include <fstream>
 #include <iterator>
@@ -14,9 +14,9 @@ const core::UtcTime noon{core::Seconds{1.8e9}};
 
 class UploadRepositoryTest : public testing::Test {
  protected:
-  Upload send(const std::string& name, const std::string& content = "data") {
+  Upload send(const std::string& name, const std::string& content = "data", core::UtcTime now = noon) {
     std::ofstream{folder_.path() / "arriving"} << content;
-    return uploads_.add(folder_.path() / "arriving", name, "digest", noon);
+    return uploads_.add(folder_.path() / "arriving", name, "digest", "ann", now);
   }
 
   support::TemporaryFolder folder_;
@@ -32,9 +32,22 @@ TEST_F(UploadRepositoryTest, GivesBackWhatWasSent) {
   EXPECT_EQ(found->name, "u.nc");
   EXPECT_EQ(found->bytes, 10U);
   EXPECT_EQ(found->sha256, "digest");
+  EXPECT_EQ(found->owner, "ann");
   EXPECT_EQ(found->expires, noon + UploadRepository::lifetime);
   std::ifstream in{uploads_.file_of(*found)};
   EXPECT_EQ(std::string(std::istreambuf_iterator<char>{in}, {}), "some bytes");
+}
+
+TEST_F(UploadRepositoryTest, ListsTheNewestFirst) {
+  EXPECT_THAT(uploads_.list(), testing::IsEmpty()) << "there is no folder yet";
+  send("second", "", noon + core::Seconds{1.0});
+  send("third", "", noon + core::Seconds{2.0});
+  send("first", "", noon);
+  std::filesystem::create_directories(folder_.path() / "uploads" / "half.new");
+
+  EXPECT_THAT(uploads_.list(), testing::ElementsAre(testing::Field(&Upload::name, "third"),
+                                                    testing::Field(&Upload::name, "second"),
+                                                    testing::Field(&Upload::name, "first")));
 }
 
 TEST_F(UploadRepositoryTest, TakesNoIdForAPath) {

@@ -1,0 +1,81 @@
+#include "api/routes/quotas.hpp"
+
+#include "api/routes/owner.hpp"
+#include "api/routes/reply.hpp"
+#include "api/routes/text_values.hpp"
+#include "storage/repository/dataset_owners.hpp"
+#include "storage/repository/upload_repository.hpp"
+
+namespace floeplan::routes {
+namespace {
+
+constexpr std::uint64_t megabyte = 1'000'000;
+
+std::string megabytes(std::uint64_t bytes) {
+  return std::to_string((bytes + megabyte - 1) / megabyte) + " MB";
+}
+
+Response over_uploads(const Request& request, const Quotas& quotas) {
+  return problem_reply(
+      request, {403,
+                "quota-uploads",
+                "Too many uploads",
+                "You have as many uploads waiting as one token may (" + std::to_string(quotas.uploads) +
+                    "). This file was not kept. Remove some of yours with DELETE "
+                    "/uploads/{id} (GET /uploads lists them); each expires after a day.",
+                {}});
+}
+
+Response over_bytes(const Request& request, const Quotas& quotas, std::uint64_t used, std::uint64_t bytes) {
+  return problem_reply(
+      request, {403,
+                "quota-stored-bytes",
+                "Too much is stored",
+                "You have " + megabytes(used) + " stored of the " + megabytes(quotas.stored_bytes) +
+                    " that one token may; " + megabytes(bytes) +
+                    " more do not fit, and nothing was kept of this request. Remove uploads with DELETE "
+                    "/uploads/{id} (GET /uploads lists them) or datasets that nobody needs with DELETE "
+                    "/datasets/{id}, or have the quota raised (serve --max-stored-mb).",
+                {}});
+}
+
+}  // namespace
+
+QuotaUse use_of(const Context& context, const std::string& owner) {
+  QuotaUse use{.ingested_bytes = repository::DatasetOwners{context.db}.bytes_of(owner)};
+  for (const auto& upload : repository::UploadRepository{context.service.uploads}.list()) {
+    if (upload.owner != owner) continue;
+    ++use.uploads;
+    use.waiting_bytes += upload.bytes;
+  }
+  return use;
+}
+
+std::optional<Response> refuse_upload(const Context& context, const Request& request, const QuotaUse& used,
+                                      std::uint64_t bytes) {
+  const Quotas& quotas = context.service.quotas;
+  if (used.uploads >= quotas.uploads) return over_uploads(request, quotas);
+  if (used.stored_bytes() + bytes > quotas.stored_bytes)
+    return over_bytes(request, quotas, used.stored_bytes(), bytes);
+  return std::nullopt;
+}
+
+std::optional<Response> refuse_coming_upload(const Context& context, const Request& request) {
+  const auto told = parse_integer(request.header("content-length"));
+  const std::uint64_t bytes = told && *told > 0 ? static_cast<std::uint64_t>(*told) : 0;
+  return refuse_upload(context, request, use_of(context, owner_of(request)), bytes);
+}
+
+std::optional<Response> refuse_ingest(const Context& context, const Request& request,
+                                      const std::vector<std::string>& uploads) {
+  const repository::UploadRepository waiting{context.service.uploads};
+  std::uint64_t bytes = 0;
+  for (const std::string& id : uploads)
+    if (const auto upload = waiting.find(id)) bytes += upload->bytes;
+  const std::uint64_t used = use_of(context, owner_of(request)).ingested_bytes;
+  const Quotas& quotas = context.service.quotas;
+  if (used + bytes > quotas.stored_bytes) return over_bytes(request, quotas, used, bytes);
+  return std::nullopt;
+}
+
+}  // namespace floeplan::routes
