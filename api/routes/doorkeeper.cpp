@@ -5,6 +5,7 @@
 
 #include "api/codec/credential.hpp"
 #include "api/routes/audit.hpp"
+#include "api/routes/client_address.hpp"
 #include "api/routes/quotas.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/shown_credential.hpp"
@@ -15,17 +16,6 @@ namespace {
 
 bool only_reads(const Request& request) {
   return request.method == "GET" || request.method == "HEAD" || request.method == "OPTIONS";
-}
-
-/// A proxy adds the address of its client to the end; what stands before it came from outside.
-std::string client_of(const Request& request) {
-  const std::string hops = request.header("x-forwarded-for");
-  if (hops.empty()) return request.peer;
-  const auto begin =
-      hops.find_first_not_of(", ", hops.find_last_of(',') == std::string::npos ? 0 : hops.find_last_of(','));
-  return begin == std::string::npos
-             ? request.peer
-             : hops.substr(begin, hops.find_last_not_of(' ') - begin + 1).substr(0, 64);
 }
 
 bool any_tokens(const Context& context) {
@@ -154,7 +144,7 @@ std::optional<Response> Doorkeeper::refuse_foreign_page(const Context& context,
 
 /// Notes in the request who asks; a refusal when the doors stay shut, whatever is asked for.
 std::optional<Response> Doorkeeper::let_in(const Context& context, Request& request) {
-  if (doors_.behind_proxy) request.peer = client_of(request);
+  if (doors_.behind_proxy) request.peer = address_behind_proxy(request);
   if (auto refusal = identify(context, request)) return refusal;
   const bool open = request.caller && request.caller->name == local_caller.name;
   return open ? refuse_foreign_page(context, request) : std::nullopt;

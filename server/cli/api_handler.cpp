@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "api/log/log.hpp"
+#include "api/routes/known_clients.hpp"
 #include "api/routes/store_trouble.hpp"
 
 namespace floeplan::cli {
@@ -69,6 +70,7 @@ Result or_store_trouble(const routes::Request& request, const Work& work) {
 
 Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway& jobs,
              routes::ServiceInfo service, routes::Doors doors) {
+  auto clients = std::make_shared<routes::KnownClients>(doors.behind_proxy);
   auto doorkeeper =
       std::make_shared<routes::Doorkeeper>(std::move(doors), routes::Router{routes::all_routes()});
   auto pool = std::make_shared<ConnectionPool>(std::move(open_store));
@@ -78,10 +80,12 @@ Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway&
         [&](Reader& reader) { return use(routes::Context{reader.db, jobs, *info, &reader.remembered}); });
   };
   return {.answer =
-              [doorkeeper, with_context](const routes::Request& request) {
+              [doorkeeper, with_context, clients](const routes::Request& request) {
                 return or_store_trouble<routes::Response>(request, [&] {
-                  return with_context(
+                  auto response = with_context(
                       [&](const routes::Context& context) { return doorkeeper->answer(context, request); });
+                  clients->learn(request, response.caller);
+                  return response;
                 });
               },
           .at_once = [doorkeeper,
@@ -95,6 +99,7 @@ Api make_api(std::function<sqlite::Connection()> open_store, routes::JobGateway&
               });
             });
           },
+          .client_of = [clients](const routes::Request& request) { return clients->client_of(request); },
           .refuse =
               [doorkeeper, with_context](const routes::Request& request) {
                 return or_store_trouble<std::optional<routes::Response>>(request, [&] {

@@ -16,6 +16,8 @@ struct Api {
   routes::Handler answer;
   /// What is answered as soon as it is read, or was answered before and has not changed; nothing: ask `answer`.
   std::function<std::optional<routes::Response>(const routes::Request&)> at_once;
+  /// Who is one client to the server.
+  std::function<std::string(const routes::Request&)> client_of;
   /// Before a large body is taken in: the refusal of whoever may not send it.
   std::function<std::optional<routes::Response>(const routes::Request&)> refuse;
 };

@@ -175,6 +175,7 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                            [counts](const http::Exchange& exchange) {
                              counts->add(exchange.method, exchange.route, exchange.status, exchange.taken);
                            },
+                       .client_of = [&api](const routes::Request& request) { return api.client_of(request); },
                        .at_once = [&api](const routes::Request& request) { return api.at_once(request); }}};
   const std::string local = origin(address, server.port(), options.tls_cert.has_value());
   const bool secure = options.behind_proxy || options.tls_cert;

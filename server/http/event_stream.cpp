@@ -3,7 +3,6 @@
 // clang-format on
 
 #include <algorithm>
-#include <boost/asio/co_spawn.hpp>
 #include <boost/asio/post.hpp>
 #include <boost/asio/redirect_error.hpp>
 #include <boost/asio/use_awaitable.hpp>
@@ -43,25 +42,13 @@ class WakeUp {
   bool woken_{false};
 };
 
-/// Counts a stream while it lives.
-class OpenStream {
- public:
-  explicit OpenStream(std::size_t& count) : count_{count} { ++count_; }
-  OpenStream(const OpenStream&) = delete;
-  OpenStream& operator=(const OpenStream&) = delete;
-  ~OpenStream() { --count_; }
-
- private:
-  std::size_t& count_;  // borrowed
-};
-
 }  // namespace
 
 /// Sends the pieces of a stream as they come. The next piece is asked for once the last one is sent, so a slow client
 /// holds up nobody and nothing is kept for it. Returns the bytes of all pieces.
 net::awaitable<std::size_t> Session::stream(Request& request, Response piece) {
   using std::chrono::steady_clock;
-  const OpenStream counted{share_.streams};
+  const ClientCounts::One counted{share_.streams, share_.client_of(request)};
   beast::http::response<beast::http::empty_body> head{static_cast<beast::http::status>(piece.status), 11};
   head.set(beast::http::field::content_type, piece.content_type);
   for (const auto& [name, value] : piece.headers) head.insert(name, value);
@@ -100,7 +87,7 @@ net::awaitable<std::size_t> Session::stream(Request& request, Response piece) {
     }
     request.resumption = routes::Resumption{piece.wait->token, due};
     request.now = std::chrono::system_clock::now();
-    piece = co_await net::co_spawn(share_.pool.get_executor(), answer_on_pool(request), net::use_awaitable);
+    piece = co_await answer_in_turn(request);
     if (!piece.streams) break;  // the store cannot be read: the client comes again
   }
   co_return sent;

@@ -28,7 +28,9 @@ struct Limits {
   std::chrono::seconds stop_time{8};  // for open requests, when the server stops
   std::size_t connections{12'000};    // 10,000 that say nothing, each 10 KB as measured, and those at work
   std::size_t connections_per_address{1024};
-  std::size_t streams{200};  // of events, each on a connection of its own
+  std::size_t streams{200};           // of events, each on a connection of its own
+  std::size_t streams_of_client{20};  // a browser needs one, a watching script another
+  std::size_t files_of_client{8};     // on their way to disk at once
 };
 
 /// A request that was answered, as logs and counts see it.
@@ -45,13 +47,15 @@ struct Equipment {
   Streaming streaming{};
   std::optional<TlsFiles> tls{};                   // none: in the clear
   std::function<void(const Exchange&)> observe{};  // called on the I/O thread after every answer
+  /// Who shares the limits of one client and takes turns with others, asked on the I/O thread; nothing: an address.
+  std::function<std::string(const routes::Request&)> client_of{};
   /// Answers requests so small that to hand them to another thread takes as long as to answer them. It is called on the
   /// I/O thread, and everybody else waits meanwhile; nothing: the handler is asked.
   std::function<std::optional<routes::Response>(const routes::Request&)> at_once{};
 };
 
 /// HTTP/1.1 listener. One thread (the caller of run) does all input and output; handlers run on threads of
-/// their own, except for what is to be answered at once.
+/// their own, except for what is to be answered at once. Clients have them in turn, and none has all of them.
 /// When there are too many connections, of one address or in all, the one that has been waiting longest for its client
 /// makes room; those that are being answered are never ended, and a new one is refused when there are no others.
 /// Errors   std::runtime_error from the constructor when the address cannot be listened on or the certificate not be

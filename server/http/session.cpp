@@ -47,11 +47,28 @@ Response internal_error() {
                  "The server could not answer; its log says why. The request may be sent again.");
 }
 
-Response too_many_streams() {
-  Response response = problem(503, "too-many-streams", "Too many streams",
-                              "Too many event streams are open; ask again later.");
+Response come_again(Response response) {
   response.headers.emplace_back("Retry-After", "30");
   return response;
+}
+
+Response too_many_streams() {
+  return come_again(problem(503, "too-many-streams", "Too many streams",
+                            "Too many event streams are open; ask again later."));
+}
+
+Response too_many_streams_of_client(std::size_t most) {
+  return come_again(problem(429, "too-many-streams", "Too many streams",
+                            "You have " + std::to_string(most) +
+                                " event streams open, as many as one client may; close some. One stream of "
+                                "/events tells of all jobs."));
+}
+
+Response too_many_files(std::size_t most) {
+  return come_again(problem(429, "too-many-files", "Too many files at once",
+                            "You are sending " + std::to_string(most) +
+                                " files, as many as one client may at once; send this one when another has "
+                                "arrived."));
 }
 
 /// Status line and fields in one piece: Beast's serializer hands each field to the system as four, and gathering some
@@ -95,7 +112,12 @@ SessionShare::SessionShare(routes::Handler answer, Limits bounds, Equipment tool
       equipment{std::move(tools)},
       tls{equipment.tls ? make_tls_context(*equipment.tls) : nullptr},
       memory{bounds.held_bytes},
-      pool{threads} {}
+      pool{threads},
+      line{threads} {}
+
+std::string SessionShare::client_of(const Request& request) const {
+  return equipment.client_of ? equipment.client_of(request) : request.peer;
+}
 
 Session::Session(net::ip::tcp::socket socket, SessionShare& share)
     : stream_{std::move(socket), share.tls.get()}, share_{share} {
@@ -153,11 +175,17 @@ net::awaitable<bool> Session::exchange() {
   const bool head_only = head.get().method() == beast::http::verb::head;
   const bool keep_alive = !error && head.keep_alive();
   std::optional<Request> request;
-  std::optional<BodySink> sink;  // until the answer is there
+  std::optional<ClientCounts::One> counted;  // until the answer is there, as is
+  std::optional<BodySink> sink;
   Request body;
   if (!error) request = to_request(head.get());
   if (request && to_disk) {
-    if (const auto refusal = co_await ask_doors(*request)) {
+    auto refusal = co_await ask_doors(*request);
+    const std::string client = share_.client_of(*request);
+    if (!refusal && share_.files.of(client) >= share_.limits.files_of_client)
+      refusal = too_many_files(share_.limits.files_of_client);
+    if (!refusal) counted.emplace(share_.files, client);
+    if (refusal) {
       co_await write(*refusal, head_only, false);
       co_await linger();
       co_return false;
@@ -188,8 +216,15 @@ net::awaitable<bool> Session::exchange() {
     response = problem(400, "invalid-target", "Invalid request", "The address of the request is not valid.");
   }
   response.headers.emplace_back("X-Request-Id", id);
-  const bool streams = response.streams && !head_only && share_.streams < share_.limits.streams;
-  if (response.streams && !streams && !head_only) response = too_many_streams();
+  if (response.streams && !head_only) {
+    const std::size_t most_of_client = share_.limits.streams_of_client;
+    if (share_.streams.all() >= share_.limits.streams) {
+      response = too_many_streams();
+    } else if (share_.streams.of(share_.client_of(*request)) >= most_of_client) {
+      response = too_many_streams_of_client(most_of_client);
+    }
+  }
+  const bool streams = response.streams && !head_only;
   const bool open = keep_alive && !finishing_ && !streams;
   const int status = response.status;
   const std::string route = response.route;
@@ -214,11 +249,11 @@ net::awaitable<std::optional<Response>> Session::ask_doors(Request& request) {
   if (!share_.equipment.streaming.refuse) co_return std::nullopt;
   request.now = now();
   request.peer = peer_;
-  const auto ask = [&]() -> net::awaitable<std::optional<Response>> {
-    co_return or_problem<std::optional<Response>>(request,
-                                                  [&] { return share_.equipment.streaming.refuse(request); });
+  const std::function<std::optional<Response>()> ask = [&] {
+    return or_problem<std::optional<Response>>(request,
+                                               [&] { return share_.equipment.streaming.refuse(request); });
   };
-  auto refusal = co_await net::co_spawn(share_.pool.get_executor(), ask, net::use_awaitable);
+  auto refusal = co_await in_turn(request, ask);
   if (refusal) refusal = finish_response(request, std::move(*refusal));
   co_return refusal;
 }
@@ -228,8 +263,7 @@ net::awaitable<Response> Session::answer(Request& request) {
   if (auto known = ask_at_once(request)) {
     response = std::move(*known);
   } else {
-    response =
-        co_await net::co_spawn(share_.pool.get_executor(), answer_on_pool(request), net::use_awaitable);
+    response = co_await answer_in_turn(request);
   }
   if (response.wait && !response.streams) {
     routes::Wait wait = std::move(*response.wait);
@@ -238,7 +272,21 @@ net::awaitable<Response> Session::answer(Request& request) {
   co_return response;
 }
 
-net::awaitable<Response> Session::answer_on_pool(const Request& request) { co_return ask_handler(request); }
+/// What `work` gives on a thread of the pool, once it is the client's turn to have one.
+template <class Result>
+net::awaitable<Result> Session::in_turn(const Request& request, std::function<Result()> work) {
+  const auto executor = co_await net::this_coro::executor;
+  net::steady_timer turn{executor, net::steady_timer::time_point::max()};
+  const FairLine::Place place{share_.line, share_.client_of(request), [&turn] { turn.cancel(); }};
+  error_code ignored;
+  if (!place.has_begun()) co_await turn.async_wait(net::redirect_error(net::use_awaitable, ignored));
+  const auto on_pool = [&work]() -> net::awaitable<Result> { co_return work(); };
+  co_return co_await net::co_spawn(share_.pool.get_executor(), on_pool, net::use_awaitable);
+}
+
+net::awaitable<Response> Session::answer_in_turn(const Request& request) {
+  return in_turn(request, std::function<Response()>{[this, &request] { return ask_handler(request); }});
+}
 
 Response Session::ask_handler(const Request& request) {
   return or_problem<Response>(request, [&] { return finish_response(request, share_.handler(request)); });
@@ -272,8 +320,7 @@ net::awaitable<Response> Session::wait_and_answer(Request& request, routes::Wait
     *woken = false;
     request.resumption = routes::Resumption{wait.token, last};
     request.now = now();
-    Response response =
-        co_await net::co_spawn(share_.pool.get_executor(), answer_on_pool(request), net::use_awaitable);
+    Response response = co_await answer_in_turn(request);
     if (!response.wait || last) co_return response;
     if (*woken) continue;
     error_code ignored;

@@ -14,6 +14,8 @@
 #include <string_view>
 
 #include "api/routes/message.hpp"
+#include "server/http/client_counts.hpp"
+#include "server/http/fair_line.hpp"
 #include "server/http/memory_budget.hpp"
 #include "server/http/server.hpp"
 #include "server/http/transport.hpp"
@@ -29,10 +31,14 @@ struct SessionShare {
   std::unique_ptr<boost::asio::ssl::context> tls;  // empty: in the clear
   MemoryBudget memory;
   boost::asio::thread_pool pool;
-  std::size_t streams{0};  // that are open; on the I/O thread alone
-  WaitingLine waiting;     // the same
+  FairLine line;         // for the pool; on the I/O thread alone
+  ClientCounts streams;  // that are open; the same
+  ClientCounts files;    // on their way to disk; the same
+  WaitingLine waiting;   // the same
 
   SessionShare(routes::Handler answer, Limits bounds, Equipment tools, std::size_t threads);
+
+  [[nodiscard]] std::string client_of(const routes::Request& request) const;
 };
 
 /// One connection: reads requests, has them answered, writes the answers, until the client or the server ends
@@ -65,7 +71,10 @@ class Session {
   boost::asio::awaitable<void> invite_body(const Head& head);
   boost::asio::awaitable<std::optional<routes::Response>> ask_doors(routes::Request& request);
   boost::asio::awaitable<routes::Response> answer(routes::Request& request);
-  boost::asio::awaitable<routes::Response> answer_on_pool(const routes::Request& request);
+  template <class Result>
+  boost::asio::awaitable<Result> in_turn(const routes::Request& request,
+                                         std::function<Result()> work);  // on the pool
+  boost::asio::awaitable<routes::Response> answer_in_turn(const routes::Request& request);
   [[nodiscard]] routes::Response ask_handler(const routes::Request& request);
   [[nodiscard]] std::optional<routes::Response> ask_at_once(const routes::Request& request);
   boost::asio::awaitable<routes::Response> wait_and_answer(routes::Request& request, routes::Wait wait);

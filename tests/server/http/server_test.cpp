@@ -3,10 +3,14 @@
 #include <gtest/gtest.h>
 
 #include <atomic>
+#include <boost/asio/read_until.hpp>
+#include <condition_variable>
+#include <list>
 #include <mutex>
 #include <new>
 
 #include "tests/server/http/running_server.hpp"
+#include "tests/support/temporary_folder.hpp"
 
 namespace floeplan::http::server_test {
 namespace {
@@ -138,6 +142,113 @@ TEST(Server, RefusesMoreStreamsThanItMayHold) {
   const auto answer = server.exchange(get("/events"));
   EXPECT_TRUE(answer.starts_with("HTTP/1.1 503")) << answer;
   EXPECT_NE(answer.find("Retry-After: 30\r\n"), std::string::npos);
+}
+
+/// Asks in the name of a client, on a connection of its own.
+class Asking {
+ public:
+  Asking(const RunningServer& server, const std::string& target, const std::string& client) {
+    socket_.connect(server.endpoint());
+    boost::asio::write(socket_, boost::asio::buffer(get(target, "X-Client: " + client + "\r\n")));
+  }
+  std::string answer() { return RunningServer::exchange(socket_, ""); }
+  /// As soon as the first line of the answer has come.
+  std::string first_line() {
+    boost::asio::read_until(socket_, boost::asio::dynamic_buffer(begin_), "\r\n");
+    return begin_.substr(0, begin_.find('\r'));
+  }
+
+ private:
+  boost::asio::io_context io_;
+  boost::asio::ip::tcp::socket socket_{io_};
+  std::string begin_;
+};
+
+Equipment clients_by_header() {
+  Equipment equipment;
+  equipment.client_of = [](const routes::Request& request) { return request.header("x-client"); };
+  return equipment;
+}
+
+TEST(Server, AnswersAnotherClientWhileOneKeepsItsHandlersBusy) {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool released = false;
+  int busy = 0;
+  const auto handler = [&](const routes::Request& request) {
+    if (request.path == "/slow") {
+      std::unique_lock lock{mutex};
+      ++busy;
+      changed.notify_all();
+      changed.wait(lock, [&] { return released; });
+    }
+    return echo(request);
+  };
+  RunningServer server{handler, {}, clients_by_header()};
+  std::list<Asking> slow;
+  for (int i = 0; i < 8; ++i) slow.emplace_back(server, "/slow", "ann");
+  {
+    std::unique_lock lock{mutex};
+    changed.wait(lock, [&] { return busy > 0; });
+  }
+
+  for (int i = 0; i < 5; ++i)
+    EXPECT_TRUE(Asking(server, "/quick", "bob").answer().starts_with("HTTP/1.1 200"));
+
+  {
+    const std::lock_guard lock{mutex};
+    EXPECT_EQ(busy, 1) << "of ann's, who never has both handlers";
+    released = true;
+  }
+  changed.notify_all();
+  for (Asking& one : slow) EXPECT_TRUE(one.answer().starts_with("HTTP/1.1 200"));
+}
+
+TEST(Server, LeavesStreamsForOtherClients) {
+  const auto endless = [](const routes::Request&) {
+    routes::Response response;
+    response.content_type = "text/event-stream";
+    response.streams = true;
+    response.body = "1";
+    response.wait = routes::Wait{core::Seconds{60.0}, "", [](std::function<void()>) { return nullptr; }};
+    return response;
+  };
+  Limits limits;
+  limits.streams_of_client = 2;
+  RunningServer server{endless, limits, clients_by_header()};
+  std::list<Asking> streams;
+  for (int i = 0; i < 2; ++i)
+    EXPECT_EQ(streams.emplace_back(server, "/events", "ann").first_line(), "HTTP/1.1 200 OK");
+
+  const std::string refused = Asking(server, "/events", "ann").answer();
+  EXPECT_TRUE(refused.starts_with("HTTP/1.1 429")) << refused;
+  EXPECT_NE(refused.find("Retry-After: 30\r\n"), std::string::npos) << refused;
+  EXPECT_NE(refused.find("You have 2 event streams open"), std::string::npos) << refused;
+
+  EXPECT_EQ(streams.emplace_back(server, "/events", "bob").first_line(), "HTTP/1.1 200 OK");
+}
+
+TEST(Server, TakesInSoManyFilesOfOneClientAtOnce) {
+  const support::TemporaryFolder folder;
+  Equipment equipment = clients_by_header();
+  equipment.streaming = {[](const std::string& method, const std::string&) { return method == "POST"; },
+                         folder.path() / "files", 4'000'000};
+  Limits limits;
+  limits.files_of_client = 1;
+  RunningServer server{echo, limits, equipment};
+  const std::string half_sent =
+      "POST /file HTTP/1.1\r\nHost: x\r\nX-Client: ann\r\nExpect: 100-continue\r\n"
+      "Connection: close\r\nContent-Length: 4\r\n\r\n";
+  boost::asio::io_context io;
+  boost::asio::ip::tcp::socket first{io};
+  first.connect(server.endpoint());
+  boost::asio::write(first, boost::asio::buffer(half_sent));
+  std::string invited;
+  boost::asio::read_until(first, boost::asio::dynamic_buffer(invited), "100 Continue\r\n\r\n");
+
+  EXPECT_TRUE(server.exchange(half_sent).starts_with("HTTP/1.1 429"));
+  EXPECT_TRUE(RunningServer::exchange(first, "data").starts_with("HTTP/1.1 200"));
+  EXPECT_TRUE(server.exchange(half_sent + "data").find("HTTP/1.1 200") != std::string::npos);
 }
 
 TEST(Server, TellsTheHandlerWhenTheTimeToWaitIsOver) {
