@@ -13,7 +13,6 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 readonly asan_folders=(elementary core geo graph motion ocean tide vehicle mission ingest codec)
 readonly reports=$root/build/reports
 readonly long_list=$root/tests/long.txt
-left_out=()  # options of ctest that leave out the long tests
 failed_steps=()
 
 # step NAME COMMAND...: goes on after a failure, so that one run shows everything that is wrong. The command runs in a
@@ -48,21 +47,39 @@ build_preset() {
 
 # leave_out_long_tests PRESET: from here on. Each name in the list has to be that of a test.
 leave_out_long_tests() {
-  local name tests names=()
-  tests=$(ctest --test-dir "$root/build/$1" -N)
+  local program folder name names=() tests=
+  for program in "$root/build/$1"/*_test; do
+    folder=$(basename "$program" _test)
+    tests+=$("$program" --gtest_list_tests | awk -v folder="$folder" '
+      /^[^ ]*\./ { suite = $1; next }
+      suite != "" { print folder "." suite $1 }')$'\n'
+  done
   while read -r name; do
-    [[ $tests == *": $name"* ]] || fail "tests/long.txt names $name, which is no test" "correct or remove the line"
-    names+=("${name//./\\.}")
+    grep -qE "^${name//./\\.}(/|\$)" <<<"$tests" ||
+      fail "tests/long.txt names $name, which is no test" "correct or remove the line"
+    names+=("${name#*.}" "${name#*.}/*")
   done < <(grep -v '^#' "$long_list")
-  left_out=(-E "^($(IFS='|' && echo "${names[*]}"))(/| |\$)")
+  GTEST_FILTER=-$(IFS=: && echo "${names[*]}")
+  export GTEST_FILTER
 }
 
-# run_ctest PRESET [CTEST OPTION...]
+# failures_alone: of what test executables print, all but the tests that passed.
+failures_alone() {
+  awk '/^\[ RUN / { run = $0; next }
+    /^\[ +OK |^\[[-=]+\]|^ +Start |Test +#[0-9]+: .* Passed/ { run = ""; next }
+    { if (run != "") print run; run = ""; print }'
+}
+
+# run_ctest PRESET [CTEST OPTION...]: keeps the reports of all parts in build/reports/PRESET.
 run_ctest() {
-  local preset=$1
+  local preset=$1 code=0
   shift
+  rm -rf "$root/build/$preset/reports" "${reports:?}/$preset"
+  mkdir "$reports/$preset"
   ctest --test-dir "$root/build/$preset" -j "$(nproc)" --output-on-failure --no-tests=error \
-    --output-junit "$reports/$preset.xml" "${left_out[@]}" "$@" | grep -vE '^ *[0-9]+/[0-9]+ Test .* Passed|^ +Start '
+    --output-junit "$reports/$preset/parts" "$@" | failures_alone || code=$?
+  cp "$root/build/$preset/reports"/*.xml "$reports/$preset" || code=$?
+  return "$code"
 }
 
 # pattern_of FOLDER...: matches the tests of these folders alone.
@@ -149,7 +166,7 @@ main() {
 
   if ((${#folders[@]} > 0)); then
     step "C++ tests, release: ${folders[*]}" folders_of_preset release "${folders[@]}"
-    summary "$reports/release.xml"
+    summary "$reports/release"
     return
   fi
   step "build" "$root/deploy/build.sh" --with-tests
@@ -161,7 +178,7 @@ main() {
   fi
   step "C++ tests, release" run_ctest release
   if [[ $extent == quick ]]; then
-    summary "$reports/release.xml"
+    summary "$reports/release"
     return
   fi
   if [[ $extent == full ]]; then
@@ -172,7 +189,7 @@ main() {
   step "quickstart" "$root/tests/deploy/quickstart_test.sh"
   step "client unit tests" client_tests
   step "browser tests" browser_tests
-  summary "$reports"/*.xml
+  summary "$reports"/*/ "$reports"/*.xml
 }
 
 main "$@"

@@ -1,7 +1,7 @@
 import { expect, open, test, typed, typeInto } from '../support/page';
 import { findPlaces } from '../support/places';
 
-test('a position is understood as people write it, and what can be read in two ways is asked back', async ({ page, request }) => {
+test('a position is understood as people write it, and what can be read in two ways is asked back', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   const asked: [number, number][] = [];

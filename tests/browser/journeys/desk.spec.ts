@@ -3,7 +3,7 @@ import { expect, mapAtRest, open, planByTyping, settled, test, typed } from '../
 import { setClock } from '../support/now';
 import { findPlaces } from '../support/places';
 
-test('a colleague opens the same view from the address', async ({ page, request }) => {
+test('a colleague opens the same view from the address', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);
@@ -62,7 +62,7 @@ test('how far the vehicle comes is drawn and taken off again, with the keyboard 
   await expect(page.locator('#map')).toHaveAttribute('data-reach', 'none');
 });
 
-test('a plan on older data is marked, and checked on the newest', async ({ page, request }) => {
+test('a plan on older data is marked, and checked on the newest', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);
@@ -103,7 +103,7 @@ test('plans are compared, and one of them is the baseline', async ({ page, reque
   await expect(table.getByRole('columnheader', { name: /Travel time/ })).toHaveAttribute('aria-sort', 'ascending');
 });
 
-test('the jobs of the server are listed', async ({ page, request }) => {
+test('the jobs of the server are listed', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);

@@ -112,7 +112,7 @@ test('a copy of a plan is changed with the keyboard alone', { tag: '@long' }, as
   await expect(map).toHaveAttribute('data-handles', String(handles));
 });
 
-test('a route that cannot be flown or judged cannot be stored', async ({ page, request }) => {
+test('a route that cannot be flown or judged cannot be stored', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal, land } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);

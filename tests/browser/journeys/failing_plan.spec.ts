@@ -1,7 +1,7 @@
 import { expect, open, test, typed } from '../support/page';
 import { findPlaces } from '../support/places';
 
-test('a goal on land is explained, marked on the map and answered with a suggestion', async ({ page, request }) => {
+test('a goal on land is explained, marked on the map and answered with a suggestion', { tag: '@long' }, async ({ page, request }) => {
   const { start, land } = await findPlaces(request);
   await open(page);
   await page.getByLabel('Start', { exact: true }).fill(typed(start));

@@ -10,7 +10,7 @@ async function shortPlan(page: Page, start: LonLat): Promise<void> {
   await planByTyping(page, start, [start[0] + 0.06, start[1] + 0.02]);
 }
 
-test('a plan is flown many times, and a flight is played back by the clock', async ({ page, request }) => {
+test('a plan is flown many times, and a flight is played back by the clock', { tag: '@long' }, async ({ page, request }) => {
   const { start } = await findPlaces(request);
   await open(page);
   await shortPlan(page, start);

@@ -95,7 +95,7 @@ test('the login is made and ended with the keyboard alone, by day and by night',
   await expect(form(page).getByLabel('Token')).toBeFocused();
 });
 
-test('what a viewer may not do is said before it is tried', async ({ page, guarded_server }) => {
+test('what a viewer may not do is said before it is tried', { tag: '@long' }, async ({ page, guarded_server }) => {
   await signIn(page, guarded_server.pilot);
   const { start, goal } = await findPlaces(page.request);
   await planByTyping(page, start, goal);
@@ -135,7 +135,7 @@ test('a login that ends does not take along what was typed', async ({ page, guar
   await expect(page.locator('#map')).not.toHaveAttribute('data-plans', '0', { timeout: 120_000 });
 });
 
-test('files that a login which ended kept from the server are sent again', async ({ page, guarded_server }) => {
+test('files that a login which ended kept from the server are sent again', { tag: '@long' }, async ({ page, guarded_server }) => {
   await signIn(page, guarded_server.pilot);
   const { start } = await findPlaces(page.request);
   await page.getByRole('button', { name: 'Data', exact: true }).click();

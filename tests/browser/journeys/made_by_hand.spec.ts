@@ -19,7 +19,7 @@ async function clear(request: APIRequestContext): Promise<void> {
 }
 test.afterEach(async ({ request }) => clear(request));
 
-test('an iceberg is reported, moved and retired with the mouse, and a plan made before is marked', async ({ page, request }) => {
+test('an iceberg is reported, moved and retired with the mouse, and a plan made before is marked', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await planByTyping(page, start, goal);

@@ -14,7 +14,7 @@ test('on a narrow screen the panels are drawers and the page does not scroll sid
   expect(overflow).toBeLessThanOrEqual(0);
 });
 
-test('on a narrow screen the drawer makes way for the plan that was asked for, and stays for what stands in its way', async ({ page, request }) => {
+test('on a narrow screen the drawer makes way for the plan that was asked for, and stays for what stands in its way', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal, land } = await findPlaces(request);
   await page.setViewportSize({ width: 390, height: 844 });
   await open(page);

@@ -151,7 +151,7 @@ test('the server understands every option of the set-up', { tag: '@long' }, asyn
   await expect(page.getByText('Arrival, p10–p90')).toBeVisible();
 });
 
-test('goals are taken from a mission file, and a file that is none is refused beside its field', async ({ page, request }) => {
+test('goals are taken from a mission file, and a file that is none is refused beside its field', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   const middle: LonLat = [(start[0] + goal[0]) / 2, (start[1] + goal[1]) / 2];
   await open(page);

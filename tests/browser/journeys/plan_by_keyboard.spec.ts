@@ -1,7 +1,7 @@
 import { expect, open, test, typed, typeInto } from '../support/page';
 import { findPlaces } from '../support/places';
 
-test('a first plan is made, read and played back with the keyboard alone', async ({ page, request }) => {
+test('a first plan is made, read and played back with the keyboard alone', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
 

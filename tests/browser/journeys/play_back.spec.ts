@@ -19,7 +19,7 @@ test('the clock plays with the mouse, and the table marks the leg under way', as
   await expect.poll(async () => Number(await slider.inputValue())).toBeLessThan(paused);
 });
 
-test('where motion is not wanted the clock plays in whole hours', async ({ page }) => {
+test('where motion is not wanted the clock plays in whole hours', { tag: '@long' }, async ({ page }) => {
   await page.emulateMedia({ reducedMotion: 'reduce' });
   await open(page);
   const slider = page.getByRole('slider', { name: 'Time' });

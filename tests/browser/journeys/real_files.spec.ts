@@ -64,7 +64,7 @@ test.describe('into an empty store', () => {
 test.describe('in a store of real files', () => {
   test.use({ baseURL: async ({ stockedServer }, use) => use(stockedServer.url) });
 
-  test('a goal in the mountains is explained and answered with a suggestion', async ({ page }) => {
+  test('a goal in the mountains is explained and answered with a suggestion', { tag: '@long' }, async ({ page }) => {
     await open(page);
     await field(page, 'Start').fill(typed(start));
     await field(page, 'Goal').fill(typed(ashore));

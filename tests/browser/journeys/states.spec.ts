@@ -76,7 +76,7 @@ test('sending, a refusal, coverage and playback can be used by everyone, by day 
   await page.getByRole('button', { name: 'Pause (Space)' }).click();
 });
 
-test('the middle of the map is probed with the keyboard alone', async ({ page }) => {
+test('the middle of the map is probed with the keyboard alone', { tag: '@long' }, async ({ page }) => {
   await open(page);
   await page.locator('#map').focus();
   await page.keyboard.press('i');

@@ -66,7 +66,7 @@ test('what the map tells of a track is read, and the clock brought to it, with t
   await expect(page.locator('#map')).toHaveAttribute('data-tracks', '0');
 });
 
-test('a track south of where the polar projections end is shown in Mercator', async ({ page }) => {
+test('a track south of where the polar projections end is shown in Mercator', { tag: '@long' }, async ({ page }) => {
   await open(page);
   await page.getByRole('button', { name: 'Data', exact: true }).click();
   await page.getByLabel('Files to add').setInputFiles([trackLog([[-70.2, 35.0], [-70.0, 35.1]])]);
