@@ -16,7 +16,7 @@ namespace floeplan::cli {
 struct ServeOptions {
   std::filesystem::path store;           // the data folder, created when missing
   std::string listen{"127.0.0.1:8080"};  // ADDR:PORT; port 0: any free port
-  std::size_t workers{1};                // interactive jobs at the same time
+  std::size_t workers{1};                // interactive jobs of one owner at the same time
   jobs::TimeLimits time_limits{};
   std::optional<std::filesystem::path> web;  // folder of the built client; default: found beside the program
   std::optional<std::filesystem::path> watch;  // folder whose files are ingested as they come

@@ -25,7 +25,7 @@ void add_serve(CLI::App& app, Program& program) {
   command->add_option("--listen", options->listen, "ADDR:PORT; port 0: any free port")->capture_default_str();
   command
       ->add_option("--workers", options->workers,
-                   "Interactive jobs at the same time, and flights of one batch")
+                   "Interactive jobs of one token at the same time, and one of another; flights of one batch")
       ->capture_default_str();
   command->add_option("--web", options->web, "Folder of the built map client");
   command->add_option("--watch", options->watch,

@@ -6,6 +6,7 @@
 #include <chrono>
 #include <map>
 #include <new>
+#include <optional>
 
 #include "api/log/log.hpp"
 #include "server/jobs/pause.hpp"
@@ -95,7 +96,7 @@ WorkerPool::WorkerPool(const OpenStore& open_store, JobBoard& board, std::size_t
   // Every connection is made here: what goes wrong then keeps the pool from starting, and does not end a thread.
   lease_keeper_ = std::jthread{
       [this, own = open_store()](const std::stop_token& stop) mutable { keep_leases(own, stop); }};
-  std::vector<JobClass> classes(workers, JobClass::interactive);
+  std::vector<JobClass> classes(workers + 1, JobClass::interactive);
   classes.insert(classes.end(), batches_at_once, JobClass::batch);
   classes.push_back(JobClass::ingest);
   for (std::size_t i = 0; i < classes.size(); ++i) {
@@ -117,10 +118,12 @@ void WorkerPool::stop() {
 void WorkerPool::work(sqlite::Connection& db, const std::string& name, JobClass job_class,
                       const std::stop_token& stop) {
   lower_priority(job_class);
+  std::optional<std::int64_t> most_of_owner;
+  if (job_class == JobClass::interactive) most_of_owner = static_cast<std::int64_t>(workers_);
   while (!stop.stop_requested()) {
     const auto seen = board_.submissions();
     try {
-      const auto job = JobRepository{db}.claim(name, now(), lease, job_class);
+      const auto job = JobRepository{db}.claim(name, now(), lease, job_class, most_of_owner);
       if (job) {
         run(db, *job, name, stop);
         continue;

@@ -19,8 +19,8 @@ using OpenStore = std::function<sqlite::Connection()>;
 
 /// Threads that take jobs from the queue and do them, at lower priority than the rest of the process, and one
 /// that keeps their leases, their time limits, and writes their progress.
-/// Classes  each has threads of its own: `workers` for interactive jobs, `batches_at_once` for batches, one that ingests
-///          files. So nobody who plans waits for a batch or a large file, however long their parts take: a flight may
+/// Classes  each has threads of its own: `workers` for the interactive jobs of one owner and one more for another,
+///          `batches_at_once` for batches, one that ingests files. So nobody who plans waits for a batch or a large file, however long their parts take: a flight may
 ///          take half a minute, and a batch that gave way between flights would be too late.
 /// Priority batches yield to interactive jobs by the niceness of their threads, at any moment, and lose no work by it:
 ///          beside one interactive thread that never rests, a batch's has 15/(15+110) = 12 % of their core (the kernel's

@@ -54,27 +54,31 @@ std::vector<JobRecord> read_jobs(sqlite::Statement& query) {
   return jobs;
 }
 
-/// The oldest claimable job of the class and the owner whose turn it is; ?2 is the time, ?4 a class or NULL.
+/// The oldest claimable job of the class and the owner whose turn it is; ?2 is the time, ?4 a class or NULL, ?5 the most
+/// running jobs that its owner may have or NULL.
 const std::string next_in_turn =
-    "SELECT first_row FROM (SELECT class AS its_class, owner AS candidate, min(row) AS first_row FROM job AS "
-    "waiting WHERE (?4 IS NULL OR class = ?4) AND (status = 'accepted' OR (status = 'running' AND "
-    "(lease_until_s IS NULL OR lease_until_s <= ?2))) AND NOT (class = 'batch' AND EXISTS (SELECT 1 FROM job "
-    "WHERE status = 'running' AND class = 'batch' AND owner = waiting.owner AND process = waiting.process "
-    "AND "
-    "lease_until_s > ?2)) GROUP BY class, owner) ORDER BY CASE its_class WHEN 'interactive' THEN 0 WHEN "
-    "'batch' THEN 1 ELSE 2 END, (SELECT count(*) FROM job WHERE status = 'running' AND class = its_class AND "
-    "owner = candidate AND lease_until_s > ?2), (SELECT max(started_s) FROM job WHERE owner = candidate AND "
-    "class = its_class) NULLS FIRST, first_row LIMIT 1";
+    "SELECT first_row FROM (SELECT first_row, its_class, candidate, (SELECT count(*) FROM job WHERE status = "
+    "'running' AND class = its_class AND owner = candidate AND lease_until_s > ?2) AS running FROM (SELECT "
+    "class AS its_class, owner AS candidate, min(row) AS first_row FROM job AS waiting WHERE (?4 IS NULL OR "
+    "class = ?4) AND (status = 'accepted' OR (status = 'running' AND (lease_until_s IS NULL OR lease_until_s "
+    "<= ?2))) AND NOT (class = 'batch' AND EXISTS (SELECT 1 FROM job WHERE status = 'running' AND class = "
+    "'batch' AND owner = waiting.owner AND process = waiting.process AND lease_until_s > ?2)) GROUP BY "
+    "class, "
+    "owner)) WHERE ?5 IS NULL OR running < ?5 ORDER BY CASE its_class WHEN 'interactive' THEN 0 WHEN 'batch' "
+    "THEN 1 ELSE 2 END, running, (SELECT max(started_s) FROM job WHERE owner = candidate AND class = "
+    "its_class) NULLS FIRST, first_row LIMIT 1";
 
 std::optional<std::string> name_of(std::optional<JobClass> only) {
   return only ? std::optional{class_name(*only)} : std::nullopt;
 }
 
 /// A read, which many idle workers may do at once, before anybody asks for the right to write.
-bool has_claimable(sqlite::Connection& db, core::UtcTime now, std::optional<JobClass> only) {
+bool has_claimable(sqlite::Connection& db, core::UtcTime now, std::optional<JobClass> only,
+                   std::optional<std::int64_t> most_of_owner) {
   sqlite::Statement query{db, next_in_turn};
   query.bind(2, now);
   query.bind(4, name_of(only));
+  query.bind(5, most_of_owner);
   return query.step();
 }
 
@@ -191,8 +195,9 @@ std::int64_t JobRepository::count(JobStatus status) const {
 void JobRepository::touch_queue() { sqlite::execute(db_, "UPDATE job_clock SET change = change"); }
 
 std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::UtcTime now,
-                                              core::Seconds lease, std::optional<JobClass> only) {
-  if (!has_claimable(db_, now, only)) return std::nullopt;
+                                              core::Seconds lease, std::optional<JobClass> only,
+                                              std::optional<std::int64_t> most_of_owner) {
+  if (!has_claimable(db_, now, only, most_of_owner)) return std::nullopt;
 
   sqlite::Transaction transaction{db_};
   fail_exhausted(db_, now);
@@ -203,7 +208,7 @@ std::optional<JobRecord> JobRepository::claim(const std::string& worker, core::U
                              "attempts + 1, started_s = coalesce(started_s, ?2), updated_s = ?2, stage = '', "
                              "progress = 0.0 WHERE row = (" +
                                  next_in_turn + ") RETURNING " + job_columns};
-    update.bind_all(worker, now, now + lease, name_of(only));
+    update.bind_all(worker, now, now + lease, name_of(only), most_of_owner);
     if (update.step()) claimed = read_job(update);
   }
   transaction.commit();

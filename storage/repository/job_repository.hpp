@@ -101,8 +101,11 @@ class JobRepository {
   /// the oldest of the owner with the fewest running jobs of this class, of several owners the one whose last began
   /// longest ago. Of one owner's batches of one process no two run at the same time: their order is kept, and one owner
   /// does not take the workers of all.
+  /// `only`           jobs of this class; empty: of any
+  /// `most_of_owner`  owners with so many running jobs of the class are passed over; empty: none is
   [[nodiscard]] std::optional<JobRecord> claim(const std::string& worker, core::UtcTime now,
-                                               core::Seconds lease, std::optional<JobClass> only = {});
+                                               core::Seconds lease, std::optional<JobClass> only = {},
+                                               std::optional<std::int64_t> most_of_owner = {});
   /// Reports progress and renews the lease. False when the job was dismissed or is no longer this worker's:
   /// stop then.
   [[nodiscard]] bool renew(const JobId& id, const std::string& worker, const std::string& stage,

@@ -94,7 +94,7 @@ TEST_F(WorkerPoolTest, KeepsAPlanForWhichTheDiskHasNoRoomUntilThereIs) {
 }
 
 TEST_F(WorkerPoolTest, DoesNotStartWhileTheStoreCannotBeOpenedForEachThread) {
-  constexpr int of_one_worker = 2 + 1 + static_cast<int>(WorkerPool::batches_at_once) + 1;
+  constexpr int of_one_worker = 2 + 2 + static_cast<int>(WorkerPool::batches_at_once) + 1;
   for (int opened = 0; opened < of_one_worker; ++opened) {
     const OpenStore open_so_often = [open = open_store(), left = std::make_shared<int>(opened)] {
       if ((*left)-- == 0) throw std::runtime_error{"damaged meanwhile"};
@@ -157,6 +157,19 @@ TEST_F(WorkerPoolTest, PlansWhateverBatchesRun) {
   EXPECT_EQ(board_.running().size(), WorkerPool::batches_at_once) << "none was broken off for it";
   EXPECT_EQ(std::ranges::count(batches, JobStatus::running, [&](const auto& job) { return status_of(job); }),
             WorkerPool::batches_at_once);
+}
+
+TEST_F(WorkerPoolTest, PlansForOneOwnerBesideTheLongPlansOfAnother) {
+  WorkerPool pool{open_store(), board_, 1};
+  std::vector<repository::JobRecord> pauses;
+  for (int i = 0; i < 3; ++i) pauses.push_back(submit("echo", R"({"pause":10})", "ann"));
+  ASSERT_TRUE(wait_for(pauses[0].id, JobStatus::running));
+
+  const auto plan = submit("plan-route", short_plan, "bob");
+  ASSERT_TRUE(wait_for(plan.id, JobStatus::successful)) << JobRepository{db_}.find(plan.id)->message;
+
+  EXPECT_EQ(status_of(pauses[0]), JobStatus::running);
+  EXPECT_EQ(status_of(pauses[1]), JobStatus::accepted) << "ann has as many workers as she may";
 }
 
 TEST_F(WorkerPoolTest, FliesTheSameBesideASteadyStreamOfPlans) {

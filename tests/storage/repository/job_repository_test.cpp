@@ -131,6 +131,20 @@ TEST_F(JobRepositoryTest, RunsNoTwoBatchesOfOneOwnerAndProcessAtOnce) {
   EXPECT_EQ(jobs_.claim("w", start, lease, JobClass::batch)->id.value, "a2");
 }
 
+TEST_F(JobRepositoryTest, PassesOverOwnersWithAsManyRunningJobsAsTheyMayHave) {
+  for (const char* id : {"a1", "a2", "b1"}) {
+    JobRecord record = job(id);
+    record.owner = id[0] == 'a' ? "ann" : "bob";
+    jobs_.submit(record);
+  }
+
+  EXPECT_EQ(jobs_.claim("w1", start, lease, {}, 1)->id.value, "a1");
+  EXPECT_EQ(jobs_.claim("w2", start, lease, {}, 1)->id.value, "b1");
+  EXPECT_FALSE(jobs_.claim("w3", start, lease, {}, 1));
+  ASSERT_TRUE(jobs_.succeed({"a1"}, "w1", "{}", start));
+  EXPECT_EQ(jobs_.claim("w3", start, lease, {}, 1)->id.value, "a2");
+}
+
 TEST_F(JobRepositoryTest, TakesTurnsWithinAClassWhateverElseAnOwnerRuns) {
   JobRecord batch = job("batch");
   batch.owner = "ann";
