@@ -6,8 +6,10 @@
 #include <boost/asio/read_until.hpp>
 #include <condition_variable>
 #include <list>
+#include <memory>
 #include <mutex>
 #include <new>
+#include <thread>
 
 #include "tests/server/http/running_server.hpp"
 #include "tests/support/temporary_folder.hpp"
@@ -202,6 +204,43 @@ TEST(Server, AnswersAnotherClientWhileOneKeepsItsHandlersBusy) {
   }
   changed.notify_all();
   for (Asking& one : slow) EXPECT_TRUE(one.answer().starts_with("HTTP/1.1 200"));
+}
+
+TEST(Server, StopsWhileRequestsWaitForTheirTurn) {
+  std::mutex mutex;
+  std::condition_variable changed;
+  bool released = false;
+  int busy = 0;
+  const auto handler = [&](const routes::Request& request) {
+    std::unique_lock lock{mutex};
+    ++busy;
+    changed.notify_all();
+    changed.wait(lock, [&] { return released; });
+    return echo(request);
+  };
+  Limits limits;
+  limits.stop_time = std::chrono::seconds{0};
+  auto server = std::make_unique<RunningServer>(handler, limits, clients_by_header());
+  std::list<Asking> slow;
+  for (const char* client : {"ann", "ann", "ann", "bob", "bob", "cy"})
+    slow.emplace_back(*server, "/slow", client);
+  {
+    std::unique_lock lock{mutex};
+    changed.wait(lock, [&] { return busy == 2; });
+  }
+
+  std::jthread stopping{[&] { server.reset(); }};
+  {
+    const std::lock_guard lock{mutex};
+    released = true;
+  }
+  changed.notify_all();
+  stopping.join();
+
+  for (Asking& one : slow) {
+    const std::string answer = one.answer();  // ends, because its connection did
+    EXPECT_TRUE(answer.empty() || answer.starts_with("HTTP/1.1 200")) << answer;
+  }
 }
 
 TEST(Server, LeavesStreamsForOtherClients) {
