@@ -1,5 +1,6 @@
 #include "api/codec/problem.hpp"
 
+#include "engine/core/shown_text.hpp"
 #include "engine/core/violation_list.hpp"
 #include "storage/json/json.hpp"
 
@@ -10,11 +11,12 @@ nlohmann::json to_json(const Problem& problem) {
   nlohmann::json document{{"type", whole_uri ? problem.slug : "/problems/" + problem.slug},
                           {"title", problem.title},
                           {"status", problem.status},
-                          {"detail", problem.detail}};
+                          {"detail", core::excerpt(core::without_secrets(problem.detail))}};
   if (!problem.violations.empty()) {
     auto& errors = document["errors"] = nlohmann::json::array();
     for (const auto& violation : core::shortened(problem.violations)) {
-      errors.push_back({{"pointer", violation.field}, {"detail", violation.rule}});
+      errors.push_back({{"pointer", core::excerpt(core::without_secrets(violation.field))},
+                        {"detail", core::excerpt(core::without_secrets(violation.rule))}});
     }
   }
   return document;

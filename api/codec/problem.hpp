@@ -16,6 +16,7 @@ struct Problem {
   core::Violations violations;
 };
 
+/// Its texts may hold what a client sent: long words are cut to their beginning, and credentials are hidden.
 [[nodiscard]] nlohmann::json to_json(const Problem& problem);
 
 }  // namespace floeplan::codec

@@ -3,11 +3,14 @@
 #include <spdlog/sinks/stdout_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdio>
 #include <memory>
 #include <new>
 #include <utility>
+
+#include "engine/core/shown_text.hpp"
 
 namespace floeplan::log {
 namespace {
@@ -16,7 +19,11 @@ void write(spdlog::level::level_enum level, std::initializer_list<std::string_vi
   try {
     spdlog::memory_buf_t line;
     for (const std::string_view part : parts) line.append(part.data(), part.data() + part.size());
-    spdlog::log(level, spdlog::string_view_t{line.data(), line.size()});
+    std::string shown = core::without_secrets({line.data(), line.size()});
+    std::replace_if(  // one event, one line, whatever was in a name
+        shown.begin(), shown.end(), [](char c) { return static_cast<unsigned char>(c) < ' ' || c == '\x7f'; },
+        '?');
+    spdlog::log(level, spdlog::string_view_t{shown});
   } catch (const std::bad_alloc&) {  // the line is lost; what it tells of is dealt with by the caller
   }
 }
@@ -30,6 +37,8 @@ void to_stderr(const std::string& level) {
   logger->set_level(spdlog::level::from_str(level));
   spdlog::set_default_logger(std::move(logger));
 }
+
+void set_level(const std::string& level) { spdlog::set_level(spdlog::level::from_str(level)); }
 
 void info(std::initializer_list<std::string_view> parts) noexcept { write(spdlog::level::info, parts); }
 void warn(std::initializer_list<std::string_view> parts) noexcept { write(spdlog::level::warn, parts); }

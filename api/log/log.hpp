@@ -4,14 +4,17 @@
 #include <string>
 #include <string_view>
 
-/// What whoever runs the server reads: one line for each event, of "key=value" pairs. Its parts are put together without
-/// taking memory where the line is short, and no function throws: a line that there is no memory for is not written.
+/// What whoever runs the server reads: one line for each event, of "key=value" pairs, without the secrets that its parts
+/// may hold and without control characters. No function throws: a line that there is no memory for is not written.
 /// Threads  every function may be called from any thread
 namespace floeplan::log {
 
-/// Lines go to stderr, stdout being for answers to people and scripts; those below `level` ("debug", "info", "warn",
+/// Lines go to stderr, stdout being for answers to people and scripts; those below `level` ("debug", "info", "warning",
 /// "error", "off") are not written.
 void to_stderr(const std::string& level);
+
+/// From now on, for every thread.
+void set_level(const std::string& level);
 
 void info(std::initializer_list<std::string_view> parts) noexcept;
 void warn(std::initializer_list<std::string_view> parts) noexcept;

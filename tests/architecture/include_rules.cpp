@@ -42,7 +42,7 @@ const std::map<std::string, Folder>& folders() {
       {"storage/demo", {{"storage/ingest"}}},
       {"api/codec", {{"storage/repository", "storage/xml"}}},
       {"api/openapi", {{}}},
-      {"api/log", {{}}},
+      {"api/log", {{"engine/core"}}},
       {"api/routes", {{"api/codec", "api/openapi", "api/log"}}},
       {"server/jobs", {{"storage/ingest", "api/codec", "api/log"}, {"api/routes/job_gateway.hpp"}}},
       // The listener speaks in messages and problems; it knows no resource.
