@@ -8,6 +8,7 @@
 #include "api/routes/parameters.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "engine/core/shown_text.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/repository/audit_repository.hpp"
 
@@ -44,7 +45,6 @@ Deed post_of(const Request& request, const Response& response) {
   const std::string target = response.wait ? "/jobs/" + response.wait->token : location_of(response);
   if (const auto process = process_of(request.path)) return {*process, target};
   if (request.path.starts_with("/uploads")) return {"upload", target};
-  if (request.path == "/session") return {"log-in", request.path};
   if (request.path == "/datasets/prune")
     return {"remove", request.path + " " + json::parse(request.body).dump()};
   return {"add", target.empty() ? request.path : target};
@@ -81,7 +81,7 @@ std::optional<Deed> deed_of(const Request& request, const Response& response) {
   const bool first_look = !request.resumption;  // a request that waits was written down when it began to
   if (response.status >= 400 || !first_look) return std::nullopt;
   if (request.method == "POST") {
-    if (request.path == "/missions/check") return std::nullopt;
+    if (request.path == "/missions/check" || request.path == "/session") return std::nullopt;
     return post_of(request, response);
   }
   if (request.method == "DELETE")
@@ -96,12 +96,13 @@ void write_down(const Context& context, const Request& request, const Response& 
   if (!deed) return;
   try {
     constexpr std::size_t longest = 500;
-    repository::AuditRepository{context.db}.add({.at = request.now,
-                                                 .caller = request.caller ? request.caller->name : "",
-                                                 .peer = request.peer,
-                                                 .action = deed->action.substr(0, longest),
-                                                 .target = deed->target.substr(0, longest),
-                                                 .request_id = request.id});
+    repository::AuditRepository{context.db}.add(
+        {.at = request.now,
+         .caller = request.caller ? request.caller->name : "",
+         .peer = request.peer,
+         .action = deed->action.substr(0, longest),
+         .target = core::without_secrets(deed->target).substr(0, longest),
+         .request_id = request.id});
   } catch (const std::exception& error) {
     log::error({"request=", request.id, " what was done could not be written down: ", error.what()});
   }

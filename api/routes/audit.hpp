@@ -15,8 +15,8 @@ struct Deed {
 };
 
 /// What an answered request did that somebody may have to answer for: jobs that it started (by the process' name),
-/// files it took ("export") or brought ("upload"), what it changed or removed, and logins. Nothing when it failed or
-/// only looked.
+/// files it took ("export") or brought ("upload"), what it changed or removed, and logouts. Nothing when it failed or
+/// only looked. Logins are the ledger's.
 [[nodiscard]] std::optional<Deed> deed_of(const Request& request, const Response& response);
 
 /// Stores the deed, if there was one. A store that cannot take it is logged and does not take back what was done.

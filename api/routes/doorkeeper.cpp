@@ -18,29 +18,30 @@ bool only_reads(const Request& request) {
   return request.method == "GET" || request.method == "HEAD" || request.method == "OPTIONS";
 }
 
-bool any_tokens(const Context& context) {
+bool opens_login(const Request& request) { return request.method == "POST" && request.path == "/session"; }
+
+bool ever_any_tokens(const Context& context) {
   const repository::TokenRepository tokens{context.db};
-  if (context.remembered == nullptr) return tokens.any();
-  std::optional<bool>& known = context.remembered->any_tokens;
-  if (!known) known = tokens.any();
+  if (context.remembered == nullptr) return tokens.ever_any();
+  std::optional<bool>& known = context.remembered->ever_any_tokens;
+  if (!known) known = tokens.ever_any();
   return *known;
 }
 
 Response wrong_credential(const Request& request) {
-  Response response = problem_reply(
-      request,
-      {401, "unauthorized", "Unauthorized", "The token is not known; it may have been revoked.", {}});
+  Response response = problem_reply(request, {401,
+                                              "unauthorized",
+                                              "Unauthorized",
+                                              "The token is not known; it may have been revoked. Ask for a "
+                                              "new one: it is made on the server's machine with floeplan "
+                                              "token add NAME --role ROLE.",
+                                              {}});
   response.headers.emplace_back("WWW-Authenticate", R"(Bearer realm="floeplan", error="invalid_token")");
   return response;
 }
 
-Response slow_down(const Request& request, core::Seconds wait) {
-  Response response =
-      problem_reply(request, {429,
-                              "too-many-attempts",
-                              "Too many attempts",
-                              "Too many wrong tokens came from your address; wait and try again.",
-                              {}});
+Response slow_down(const Request& request, core::Seconds wait, const char* why) {
+  Response response = problem_reply(request, {429, "too-many-attempts", "Too many attempts", why, {}});
   response.headers.emplace_back("Retry-After", std::to_string(static_cast<long>(std::ceil(wait.count()))));
   return response;
 }
@@ -96,7 +97,7 @@ void Doorkeeper::allow_origin(const Request& request, Response& response) const 
 /// Notes the caller in the request; a refusal when what was shown is wrong.
 std::optional<Response> Doorkeeper::identify(const Context& context, Request& request) {
   const repository::TokenRepository tokens{context.db};
-  if (doors_.open_without_tokens && !any_tokens(context)) {
+  if (doors_.open_without_tokens && !ever_any_tokens(context)) {
     request.caller = local_caller;
     return std::nullopt;
   }
@@ -104,20 +105,35 @@ std::optional<Response> Doorkeeper::identify(const Context& context, Request& re
   if (!shown) return std::nullopt;
 
   const auto credential = codec::parse_credential(shown->text);
-  const std::string digest = credential ? codec::digest_of(*credential) : std::string{};
-  const core::Seconds wait = guard_.wait(request.peer, digest, request.now);
-  if (wait > core::Seconds{0.0}) return slow_down(request, wait);
+  const GuessGuard::Shown guess{.address = request.peer,
+                                .key = credential ? credential->key : std::string{},
+                                .digest = credential ? codec::digest_of(*credential) : std::string{}};
+  if (const core::Seconds wait = guard_.wait(guess, request.now); wait > core::Seconds{0.0}) {
+    ledger_.note(context, request, "log-in-refused", "");
+    return slow_down(request, wait,
+                     "Too many wrong tokens came from your address, or for this token; wait and try again.");
+  }
 
   std::optional<repository::TokenRecord> token;
   if (credential) {
     token = shown->by_cookie ? tokens.find_login(credential->key, request.now) : tokens.find(credential->key);
   }
   if (!token || !codec::proves(*credential, token->digest)) {
-    guard_.note_wrong(request.peer, request.now);
+    guard_.note_wrong(guess, request.now);
+    ledger_.note(context, request, "log-in-refused", token ? token->name : "");
     if (shown->by_cookie) return std::nullopt;  // of a login that has ended: as if it were not there
     return wrong_credential(request);
   }
-  guard_.note_right(request.peer, digest, request.now);
+  guard_.note_right(guess, request.now);
+  if (!shown->by_cookie && opens_login(request)) {
+    if (const core::Seconds wait = guard_.wait_to_log_in(guess, request.now); wait > core::Seconds{0.0}) {
+      ledger_.note(context, request, "log-in-refused", token->name);
+      return slow_down(request, wait,
+                       "Too many logins were opened with this token, or from your address; keep the one you "
+                       "have, or wait and try again.");
+    }
+    ledger_.note(context, request, "log-in", token->name);
+  }
   request.caller = Caller{token->name, token->role, shown->by_cookie ? std::string{} : token->key};
   const bool may_be_forged = shown->by_cookie && !only_reads(request);
   if (may_be_forged && !is_own_page(request, context.service.public_url)) return foreign_page(request);

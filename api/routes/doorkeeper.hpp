@@ -5,16 +5,17 @@
 #include <vector>
 
 #include "api/routes/guess_guard.hpp"
+#include "api/routes/login_ledger.hpp"
 #include "api/routes/router.hpp"
 
 namespace floeplan::routes {
 
 /// How the doors of a server stand.
 struct Doors {
-  bool open_without_tokens{
-      true};                 // while the store holds none: only where this machine alone reaches the server
-  bool secure{false};        // clients come by TLS: cookies may travel by nothing else
-  bool behind_proxy{false};  // every request comes from a proxy of ours that names its client
+  /// Until the store gets its first token, and never again: only where this machine alone reaches the server.
+  bool open_without_tokens{true};
+  bool secure{false};                // clients come by TLS: cookies may travel by nothing else
+  bool behind_proxy{false};          // every request comes from a proxy of ours that names its client
   std::vector<std::string> origins;  // of other sites whose pages may ask, as "https://map.example"
 };
 
@@ -47,6 +48,7 @@ class Doorkeeper {
   Doors doors_;
   Router router_;
   GuessGuard guard_;
+  LoginLedger ledger_;
 };
 
 }  // namespace floeplan::routes

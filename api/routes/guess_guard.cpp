@@ -4,38 +4,35 @@
 
 namespace floeplan::routes {
 
-/// With the time that has passed already forgiven.
-GuessGuard::Record& GuessGuard::record_of(const std::string& address, core::UtcTime now) {
-  if (records_.size() >= most_addresses && !records_.contains(address)) {
-    records_.erase(std::min_element(records_.begin(), records_.end(), [](const auto& a, const auto& b) {
-      return a.second.as_of < b.second.as_of;
-    }));
-  }
-  Record& record = records_.try_emplace(address, Record{0.0, now, {}}).first->second;
-  const double forgiven = std::max((now - record.as_of) / interval, 0.0);  // a clock may be set back
-  record.wrong = std::max(record.wrong - forgiven, 0.0);
-  record.as_of = now;
-  return record;
+core::Seconds GuessGuard::wait(const Shown& shown, core::UtcTime now) {
+  const std::lock_guard lock{mutex_};
+  const auto proven = proven_.find(shown.address);
+  if (proven != proven_.end() && proven->second.contains(shown.digest)) return core::Seconds{0.0};
+  const core::Seconds of_address = wrong_from_.wait(shown.address, now);
+  return shown.key.empty() ? of_address : std::max(of_address, wrong_of_.wait(shown.key, now));
 }
 
-core::Seconds GuessGuard::wait(const std::string& address, const std::string& digest, core::UtcTime now) {
+void GuessGuard::note_wrong(const Shown& shown, core::UtcTime now) {
   const std::lock_guard lock{mutex_};
-  if (!records_.contains(address)) return core::Seconds{0.0};
-  const Record& record = record_of(address, now);
-  if (record.proven.contains(digest)) return core::Seconds{0.0};
-  return std::max(record.wrong + 1.0 - burst, 0.0) * interval;
+  wrong_from_.note(shown.address, now);
+  if (!shown.key.empty()) wrong_of_.note(shown.key, now);
 }
 
-void GuessGuard::note_wrong(const std::string& address, core::UtcTime now) {
+void GuessGuard::note_right(const Shown& shown, core::UtcTime) {
   const std::lock_guard lock{mutex_};
-  record_of(address, now).wrong += 1.0;
+  if (proven_.size() >= most_addresses && !proven_.contains(shown.address)) proven_.clear();
+  std::set<std::string>& proven = proven_[shown.address];
+  if (proven.size() >= most_proven) proven.clear();
+  proven.insert(shown.digest);
 }
 
-void GuessGuard::note_right(const std::string& address, const std::string& digest, core::UtcTime now) {
+core::Seconds GuessGuard::wait_to_log_in(const Shown& shown, core::UtcTime now) {
   const std::lock_guard lock{mutex_};
-  Record& record = record_of(address, now);
-  if (record.proven.size() >= most_proven) record.proven.clear();
-  record.proven.insert(digest);
+  const core::Seconds wait = std::max(logins_from_.wait(shown.address, now), logins_of_.wait(shown.key, now));
+  if (wait > core::Seconds{0.0}) return wait;
+  logins_from_.note(shown.address, now);
+  logins_of_.note(shown.key, now);
+  return wait;
 }
 
 }  // namespace floeplan::routes

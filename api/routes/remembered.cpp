@@ -43,7 +43,7 @@ void Remembered::refresh(sqlite::Connection& db) {
   if (version_ == now) return;
   answers_.clear();
   bytes_ = 0;
-  any_tokens.reset();
+  ever_any_tokens.reset();
   version_ = now;
 }
 

@@ -25,7 +25,7 @@ class Remembered {
   /// Small answers of status 200 alone, up to a bound in all. The answer gets its tag, if it has none.
   void keep(const Request& request, Response& response);
 
-  std::optional<bool> any_tokens{};  // whether the store holds one; nothing: not looked yet
+  std::optional<bool> ever_any_tokens{};  // whether the store has ever held one; nothing: not looked yet
 
  private:
   std::optional<sqlite::Version> version_;

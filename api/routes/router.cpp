@@ -97,7 +97,8 @@ Response unknown_caller(const Request& request) {
                               "unauthorized",
                               "Unauthorized",
                               "Nobody is known who asks; send a token as \"Authorization: Bearer "
-                              "TOKEN\", or log in with it by POST /session.",
+                              "TOKEN\", or log in with it by POST /session. Tokens are made on the "
+                              "server's machine: floeplan token add NAME --role ROLE.",
                               {}});
   response.headers.emplace_back("WWW-Authenticate", "Bearer realm=\"floeplan\"");
   return response;

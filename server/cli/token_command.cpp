@@ -76,14 +76,23 @@ int list_tokens(const TokenFlags& flags, const Program& program) {
     std::cout << std::left << std::setw(24) << token.name << ' ' << std::setw(7)
               << repository::role_name(token.role) << "  " << core::iso8601(token.created) << '\n';
   }
-  if (tokens.empty()) std::cout << "There are no tokens: on loopback, the server needs none.\n";
+  if (tokens.empty() && TokenRepository{db}.ever_any()) {
+    std::cout << "There is no token left, and the server lets nobody in: add one with floeplan token add.\n";
+  } else if (tokens.empty()) {
+    std::cout << "There are no tokens: on loopback, the server needs none.\n";
+  }
   return done;
 }
 
 int revoke_token(const TokenFlags& flags, const Program& program) {
   auto db = open_existing_store(program);
-  if (TokenRepository{db}.remove(flags.name)) return done;
-  return complain(could_not, "there is no token " + flags.name + "; floeplan token list shows them");
+  TokenRepository tokens{db};
+  if (!tokens.remove(flags.name))
+    return complain(could_not, "there is no token " + flags.name + "; floeplan token list shows them");
+  if (!tokens.any())
+    std::cerr
+        << "That was the last token: the server lets nobody in until floeplan token add makes another.\n";
+  return done;
 }
 
 }  // namespace
@@ -98,6 +107,7 @@ void add_token(CLI::App& app, Program& program) {
   };
 
   auto* addition = command->add_subcommand("add", "Create a token and print it, once");
+  addition->alias("create");
   addition->add_option("NAME", flags->name, "Whose it is; what is done with it is noted under this name")
       ->required();
   addition

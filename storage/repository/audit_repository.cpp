@@ -5,17 +5,27 @@
 
 namespace floeplan::repository {
 
-void AuditRepository::add(const AuditEntry& entry) {
+std::int64_t AuditRepository::add(const AuditEntry& entry) {
   sqlite::Transaction transaction{db_};
   sqlite::Statement insert{
       db_,
-      "INSERT INTO audit (at_s, caller, peer, action, target, request_id) VALUES (?1, ?2, ?3, ?4, ?5, ?6)"};
+      "INSERT INTO audit (at_s, caller, peer, action, target, request_id) VALUES (?1, ?2, ?3, ?4, ?5, ?6) "
+      "RETURNING row"};
   insert.bind_all(entry.at, entry.caller, entry.peer, entry.action, entry.target, entry.request_id);
-  insert.run();
+  insert.step();
+  const std::int64_t row = insert.integer(0);
+  insert.step();  // to its end: a transaction with an open statement is not committed
   sqlite::Statement forget{db_, "DELETE FROM audit WHERE row <= (SELECT max(row) FROM audit) - ?1"};
   forget.bind(1, most_entries);
   forget.run();
   transaction.commit();
+  return row;
+}
+
+void AuditRepository::restate(std::int64_t row, const std::string& target) {
+  sqlite::Statement change{db_, "UPDATE audit SET target = ?2 WHERE row = ?1"};
+  change.bind_all(row, target);
+  change.run();
 }
 
 std::vector<AuditEntry> AuditRepository::list(std::int64_t before, int limit) const {

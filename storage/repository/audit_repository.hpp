@@ -20,7 +20,7 @@ struct AuditEntry {
   std::string request_id;
 };
 
-/// Entries are added and read, never changed; those beyond the newest `most_entries` go.
+/// Entries are added and read; one that counts may count further. Those beyond the newest `most_entries` go.
 /// Threads  as the connection: one thread at a time
 class AuditRepository {
  public:
@@ -28,7 +28,10 @@ class AuditRepository {
 
   static constexpr std::int64_t most_entries = 1'000'000;  // some 150 MB: years of a busy station
 
-  void add(const AuditEntry& entry);
+  /// Returns  its row
+  std::int64_t add(const AuditEntry& entry);
+  /// Gives an entry that counts its new count.
+  void restate(std::int64_t row, const std::string& target);
   /// Newest first, at most `limit` with a row below `before` (0: from the newest).
   [[nodiscard]] std::vector<AuditEntry> list(std::int64_t before, int limit) const;
 

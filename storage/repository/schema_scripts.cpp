@@ -351,6 +351,17 @@ CREATE INDEX job_by_owner ON job (owner, class, started_s);
 
 ALTER TABLE dataset ADD COLUMN owner TEXT;  -- who sent its file over HTTP; '': the user of an open server; NULL: no request
 CREATE INDEX dataset_by_owner ON dataset (owner) WHERE owner IS NOT NULL;
+)sql",
+                             R"sql(
+-- Holds a row once there has been a token. It is never deleted: with the last token the doors must not open again.
+CREATE TABLE first_token (row INTEGER PRIMARY KEY CHECK (row = 1), created_s REAL NOT NULL) STRICT;
+CREATE TRIGGER note_first_token AFTER INSERT ON token BEGIN
+  INSERT OR IGNORE INTO first_token (row, created_s) VALUES (1, NEW.created_s);
+END;
+INSERT INTO first_token (row, created_s) SELECT 1, min(created_s) FROM token HAVING count(*) > 0;
+-- Tokens that were revoked before this schema are known by what was done with them.
+INSERT OR IGNORE INTO first_token (row, created_s)
+  SELECT 1, min(at_s) FROM audit WHERE caller NOT IN ('local', '') HAVING count(*) > 0;
 )sql"};
 
 }  // namespace

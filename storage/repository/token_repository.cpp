@@ -61,6 +61,11 @@ bool TokenRepository::any() const {
   return query.step();
 }
 
+bool TokenRepository::ever_any() const {
+  sqlite::Statement query{db_, "SELECT 1 FROM first_token"};
+  return query.step();
+}
+
 std::optional<TokenRecord> TokenRepository::find(const std::string& key) const {
   sqlite::Statement query{db_, "SELECT name, role, key, digest, created_s FROM token WHERE key = ?1"};
   query.bind(1, key);

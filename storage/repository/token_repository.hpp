@@ -47,6 +47,8 @@ class TokenRepository {
   /// By name.
   [[nodiscard]] std::vector<TokenRecord> list() const;
   [[nodiscard]] bool any() const;
+  /// Also when the last one has been revoked since.
+  [[nodiscard]] bool ever_any() const;
   [[nodiscard]] std::optional<TokenRecord> find(const std::string& key) const;
 
   /// Logins whose time is over are forgotten on the way. False when the token is no longer there.

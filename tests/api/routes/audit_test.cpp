@@ -22,12 +22,13 @@ TEST(Deed, IsWhatSomebodyMayHaveToAnswerFor) {
   EXPECT_EQ(action_of("GET", "/collections/plans/items/a/mission.zip"), "export");
   EXPECT_EQ(action_of("GET", "/collections/plans/items/a/mission"), "export");
   EXPECT_EQ(action_of("GET", "/simulations/a/tracks.nc"), "export");
-  EXPECT_EQ(action_of("POST", "/session"), "log-in");
+  EXPECT_EQ(action_of("DELETE", "/session", 204), "log-out");
 }
 
 TEST(Deed, IsNoLookAndNoFailure) {
   EXPECT_EQ(action_of("GET", "/collections/plans/items/a"), "");
   EXPECT_EQ(action_of("POST", "/missions/check"), "");
+  EXPECT_EQ(action_of("POST", "/session"), "") << "is counted by the ledger of logins";
   EXPECT_EQ(action_of("POST", "/processes/plan-route/execution", 400), "");
   EXPECT_EQ(action_of("DELETE", "/collections/plans/items/a", 404), "");
 }

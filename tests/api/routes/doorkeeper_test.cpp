@@ -78,6 +78,17 @@ TEST_F(DoorsTest, CloseWithTheFirstToken) {
   EXPECT_TRUE(support::header_of(refused, "WWW-Authenticate").starts_with("Bearer"));
 }
 
+TEST_F(DoorsTest, StayClosedWhenTheLastTokenIsRevoked) {
+  const std::string token = add_token("ship", Role::admin);
+  EXPECT_TRUE(repository::TokenRepository{db_}.remove("ship"));
+  for (const auto& headers : {Headers{}, bearer(token)}) {
+    const Response refused = ask("GET", "/datasets", headers);
+    EXPECT_EQ(refused.status, 401);
+    EXPECT_NE(refused.body.find("floeplan token add"), std::string::npos) << "the way out is named";
+  }
+  EXPECT_EQ(ask("GET", "/datasets", bearer(add_token("ship", Role::viewer))).status, 200);
+}
+
 TEST_F(ClosedDoorsTest, StayShutWithoutTokens) {
   EXPECT_EQ(ask("GET", "/datasets").status, 401);
   EXPECT_EQ(ask("POST", "/session").status, 401);
@@ -137,6 +148,38 @@ TEST_F(DoorsTest, SlowDownGuesses) {
   EXPECT_EQ(ask("GET", "/datasets", ship).status, 200) << "was right from there before";
   now_ += core::Seconds{6.0};
   EXPECT_EQ(ask("GET", "/datasets", other).status, 200);
+}
+
+TEST_F(DoorsTest, WriteDownFailuresOnceForEachAddressWithTheirNumber) {
+  std::string wrong = add_token("ship", Role::admin);
+  wrong.back() = wrong.back() == '0' ? '1' : '0';
+  for (int i = 0; i < 300; ++i) {
+    const Response refused = ask("POST", "/session", {}, R"({"token": ")" + wrong + "\"}");
+    EXPECT_EQ(refused.status, i < 10 ? 401 : 429);
+    EXPECT_EQ(support::header_of(refused, "Retry-After").empty(), i < 10);
+  }
+  const auto entries = repository::AuditRepository{db_}.list(0, 1000);
+  ASSERT_EQ(entries.size(), 2U);
+  EXPECT_EQ(entries[1].action, "log-in-refused");
+  EXPECT_EQ(entries[1].caller, "ship") << "whose token was guessed at";
+  EXPECT_EQ(entries[1].peer, "192.0.2.1");
+  EXPECT_EQ(entries[1].target, "at least 8 times within 10 minutes");
+  EXPECT_EQ(entries[0].target, "at least 256 times within 10 minutes") << "that were not looked at";
+}
+
+TEST_F(DoorsTest, BoundLoginsAndWhatTheAuditLogSaysOfThem) {
+  const std::string token = add_token("ship", Role::pilot);
+  int opened = 0;
+  for (int i = 0; i < 300; ++i) {
+    const Response response = ask("POST", "/session", bearer(token));
+    opened += response.status == 200 ? 1 : 0;
+    if (response.status == 429) EXPECT_EQ(support::header_of(response, "Retry-After"), "3");
+  }
+  EXPECT_EQ(opened, 20);
+  EXPECT_EQ(ask("GET", "/datasets", bearer(token)).status, 200) << "the token itself goes on";
+  EXPECT_EQ(repository::AuditRepository{db_}.list(0, 1000).size(), 2U);
+  now_ += core::Seconds{3.0};
+  EXPECT_EQ(ask("POST", "/session", bearer(token)).status, 200);
 }
 
 TEST_F(DoorsTest, OpenToALoginUntilItEnds) {

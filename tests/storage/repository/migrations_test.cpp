@@ -7,11 +7,14 @@
 #include <thread>
 #include <vector>
 
+#include "storage/repository/audit_repository.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/glider_track_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
 #include "storage/repository/job_repository.hpp"
 #include "storage/repository/plan_repository.hpp"
+#include "storage/repository/schema.hpp"
+#include "storage/repository/token_repository.hpp"
 #include "storage/repository/zone_repository.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "storage/sqlite/transaction.hpp"
@@ -84,6 +87,7 @@ DROP TABLE simulation_flight;
 DROP TABLE simulation;
 DROP TABLE login;
 DROP TABLE token;
+DROP TABLE first_token;
 DROP TABLE audit;
 DROP TABLE kept_answer;
 DROP TABLE job_clock;
@@ -123,10 +127,11 @@ TEST(OpenStore, BringsAnOlderStoreUpToDateWithEverythingInIt) {
   EXPECT_EQ(IcebergRepository{db}.count({}), 0) << "foreign keys are obeyed again";
 }
 
-/// Goes on from a pragma; for stores that are older than the classes of jobs and the owners of datasets.
+/// Goes on from a pragma; for stores that are older than the classes of jobs, the owners of datasets and the note of a token.
 const std::string before_classes_of_jobs =
     "; DROP INDEX job_by_owner; ALTER TABLE job DROP COLUMN class; CREATE INDEX job_by_owner ON job (owner, "
-    "started_s); DROP INDEX dataset_by_owner; ALTER TABLE dataset DROP COLUMN owner";
+    "started_s); DROP INDEX dataset_by_owner; ALTER TABLE dataset DROP COLUMN owner; DROP TRIGGER "
+    "note_first_token; DROP TABLE first_token";
 
 TEST(OpenStore, TellsTheClassesOfJobsThatWereAcceptedBeforeThereWereAny) {
   const support::TemporaryFolder folder;
@@ -148,6 +153,21 @@ TEST(OpenStore, TellsTheClassesOfJobsThatWereAcceptedBeforeThereWereAny) {
   EXPECT_EQ(class_of("simulate-plan"), JobClass::batch);
   EXPECT_EQ(class_of("fly-scenario"), JobClass::batch);
   EXPECT_EQ(class_of("ingest"), JobClass::ingest);
+}
+
+TEST(OpenStore, KnowsOfTokensThatWereRevokedBeforeThatWasKept) {
+  for (const char* caller : {"ship", "local"}) {
+    const support::TemporaryFolder folder;
+    {
+      sqlite::Connection db = open_store(folder.path());
+      AuditRepository{db}.add({.caller = caller, .action = "plan-route"});
+      sqlite::execute(db, "DROP TRIGGER note_first_token");
+      sqlite::execute(db, "DROP TABLE first_token");
+      sqlite::execute(db, "PRAGMA user_version = " + std::to_string(newest_schema() - 1));
+    }
+    sqlite::Connection db = open_store(folder.path());
+    EXPECT_EQ(TokenRepository{db}.ever_any(), std::string{caller} == "ship") << caller;
+  }
 }
 
 TEST(OpenStore, KnowsNoRunOfWhatWasStoredBeforeRunsWereKept) {

@@ -38,6 +38,14 @@ TEST_F(Tokens, AreFoundByTheirKeyAndListedByName) {
   EXPECT_EQ(tokens_.list().front().name, "office");
 }
 
+TEST_F(Tokens, AreRememberedToHaveBeenThereWhenAllAreRevoked) {
+  EXPECT_FALSE(tokens_.ever_any());
+  ASSERT_TRUE(add("ship", Role::pilot));
+  EXPECT_TRUE(tokens_.remove("ship"));
+  EXPECT_FALSE(tokens_.any());
+  EXPECT_TRUE(tokens_.ever_any());
+}
+
 TEST_F(Tokens, BearANameOnce) {
   ASSERT_TRUE(add("ship", Role::pilot));
   EXPECT_FALSE(add("ship", Role::admin));
