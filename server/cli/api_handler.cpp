@@ -7,6 +7,7 @@
 #include "api/log/log.hpp"
 #include "api/routes/known_clients.hpp"
 #include "api/routes/store_trouble.hpp"
+#include "engine/core/shown_text.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -61,7 +62,8 @@ Result or_store_trouble(const routes::Request& request, const Work& work) {
   try {
     return work();
   } catch (const sqlite::Failure& failure) {
-    log::error({"method=", request.method, " path=", request.path, " failed: ", failure.what()});
+    log::error(
+        {"method=", request.method, " path=", core::shown_target(request.path), " failed: ", failure.what()});
     return routes::store_trouble_reply(request, failure);
   }
 }

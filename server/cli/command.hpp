@@ -2,6 +2,7 @@
 
 #include <CLI/CLI.hpp>
 #include <filesystem>
+#include <functional>
 #include <stdexcept>
 #include <string>
 
@@ -15,11 +16,15 @@ namespace floeplan::cli {
 /// How the program ends; scripts depend on the numbers.
 enum ExitCode : int { done = 0, could_not = 1, wrong_usage = 2, bad_data = 3 };
 
+struct ServeOptions;
+
 /// What every subcommand shares. Subcommands are registered on the parser and set `exit_code` when they run.
 struct Program {
   std::filesystem::path store;    // --data
   std::string log_level{"info"};  // --log-level, of the lines that a server writes
   int exit_code{done};
+  std::function<int(const ServeOptions&)> serve{};  // what the command serve runs
+  std::function<ServeOptions()> reread_serve{};     // as ServeOptions says
 };
 
 /// A file of input data that can be read and holds what it may not: the program ends with `bad_data`.

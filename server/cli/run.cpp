@@ -1,6 +1,7 @@
 #include "server/cli/run.hpp"
 
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <exception>
 
 #include "server/cli/command.hpp"
@@ -8,6 +9,7 @@
 #include "server/cli/instructions_flag.hpp"
 #include "server/cli/operator_commands.hpp"
 #include "server/cli/plan_commands.hpp"
+#include "server/cli/serve.hpp"
 
 namespace floeplan::cli {
 namespace {
@@ -37,14 +39,8 @@ void add_commands(CLI::App& app, Program& program) {
   add_repair(app, program);
 }
 
-}  // namespace
-
-int run(int argc, char** argv, const std::string& version) {
-  CLI::App app{"Mission planning for underwater gliders in and under ice", "floeplan"};
-  app.set_version_flag("--version", version);
+void add_everything(CLI::App& app, Program& program) {
   app.require_subcommand(1);
-
-  Program program;
   program.store = default_store();
   app.add_option("--data", program.store, "Folder of the store")->capture_default_str();
   app.add_option("--log-level", program.log_level, "Of a server's log on stderr")
@@ -54,6 +50,38 @@ int run(int argc, char** argv, const std::string& version) {
   app.set_config("--config", "", "File with options in TOML, a [section] for each command");
   add_commands(app, program);
   refuse_empty_numbers(app);
+}
+
+/// What a command line that serves says by now, for the file of --config may have changed.
+ServeOptions serve_options_of(std::vector<std::string> words) {
+  CLI::App app;
+  Program program;
+  ServeOptions options;
+  program.serve = [&options](const ServeOptions& read) {
+    options = read;
+    return 0;
+  };
+  add_everything(app, program);
+  std::reverse(words.begin(), words.end());  // as CLI11 takes them
+  try {
+    app.parse(std::move(words));
+  } catch (const CLI::ParseError& error) {
+    throw std::runtime_error{error.what()};
+  }
+  return options;
+}
+
+}  // namespace
+
+int run(int argc, char** argv, const std::string& version) {
+  CLI::App app{"Mission planning for underwater gliders in and under ice", "floeplan"};
+  app.set_version_flag("--version", version);
+  Program program;
+  program.serve = serve;
+  program.reread_serve = [words = std::vector<std::string>{argv + 1, argv + argc}] {
+    return serve_options_of(words);
+  };
+  add_everything(app, program);
 
   try {
     app.parse(argc, argv);

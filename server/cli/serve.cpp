@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <array>
+#include <csignal>
 #include <iostream>
 #include <memory>
 
@@ -30,6 +31,7 @@ namespace floeplan::cli {
 namespace {
 
 constexpr std::size_t handler_threads = 4;
+constexpr std::uint64_t megabyte = 1'000'000;
 /// Of currents about places: ten days of hourly ones of a model, 64 by 64 nodes at one depth, are a sixteenth of it.
 constexpr std::size_t most_kept_blocks = std::size_t{128} << 20;
 
@@ -91,6 +93,15 @@ http::Limits limits_of(const ServeOptions& options) {
   return limits;
 }
 
+/// Of a command line that is read again: what takes effect at once. A server that is told of no change goes on.
+http::Settings settings_of(const ServeOptions& options) {
+  return {.limits = limits_of(options),
+          .most_upload_bytes = options.max_upload_mb * megabyte,
+          .tls = tls_of(options),
+          .https_only = options.https_only,
+          .log_level = options.log_level};
+}
+
 std::string without_slash(std::string url) {
   while (url.ends_with('/')) url.pop_back();
   return url;
@@ -135,6 +146,15 @@ std::size_t logged_damage(const std::filesystem::path& store) {
   return pages;
 }
 
+/// A server that nobody can ask says how to change that.
+void log_shut_doors(const std::filesystem::path& store) {
+  auto db = repository::open_store(store);
+  const repository::TokenRepository tokens{db};
+  if (tokens.ever_any() && !tokens.any())
+    log::warn(
+        {"tokens=0 the last one was revoked, and nobody is let in until floeplan token add makes another"});
+}
+
 /// What confines the processes that read files, as one of them tells; the log says it, too.
 routes::ReaderLayers logged_layers(const ingest::Guard& guard) {
   const auto layers = ingest::layers_in_force(guard);
@@ -154,10 +174,10 @@ routes::ReaderLayers logged_layers(const ingest::Guard& guard) {
 void serve_until_stopped(const ServeOptions& options, const http::ListenAddress& address) {
   const repository::StoreLock lock{options.store};
   const std::size_t damaged_pages = logged_damage(options.store);
+  log_shut_doors(options.store);
   const auto open_store = [store = options.store] { return repository::open_store(store); };
   jobs::JobBoard board;
   Api api;  // needs the port, so it is filled in once that is known
-  constexpr std::uint64_t megabyte = 1'000'000;
   const std::filesystem::path uploads = options.store / "uploads";
   const jobs::IngestPlace place{{.program = own_program(),
                                  .staging = options.store / "incoming",
@@ -171,6 +191,8 @@ void serve_until_stopped(const ServeOptions& options, const http::ListenAddress&
                       {.streaming = {routes::streams_body, uploads, options.max_upload_mb * megabyte,
                                      [&api](const routes::Request& request) { return api.refuse(request); }},
                        .tls = tls_of(options),
+                       .https_only = options.https_only,
+                       .settings = [&options] { return settings_of(options.reread()); },
                        .observe =
                            [counts](const http::Exchange& exchange) {
                              counts->add(exchange.method, exchange.route, exchange.status, exchange.taken);
@@ -219,7 +241,13 @@ int serve(const ServeOptions& options) {
               << " workers are not possible; choose 1 to 64 with --workers\n";
     return 2;
   }
+  if (options.https_only && !options.tls_cert && !options.behind_proxy)
+    return complain(
+        wrong_usage,
+        "--https-only tells browsers to come by HTTPS, which is not spoken here; give --tls-cert and "
+        "--tls-key, or --behind-proxy");
   log::to_stderr(options.log_level);
+  std::signal(SIGHUP, SIG_IGN);  // until there is something that it could reload
   try {
     if (const auto fault = fault_of(options, *address)) return complain(wrong_usage, *fault);
     serve_until_stopped(options, *address);

@@ -3,6 +3,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <optional>
 #include <string>
 #include <vector>
@@ -28,9 +29,13 @@ struct ServeOptions {
   std::vector<std::string> allow_origins;         // of other sites whose pages may ask
   std::optional<std::filesystem::path> tls_cert;  // PEM; with tls_key
   std::optional<std::filesystem::path> tls_key;
+  bool https_only{false};  // tell browsers to come by HTTPS alone; not for certificates that they do not know
+  /// The same from the command line and the file of --config as it is now; std::runtime_error for one that is wrong.
+  std::function<ServeOptions()> reread{};
   bool allow_weak_sandbox{false};  // read files even where their readers cannot be confined
 };
 
+/// SIGHUP takes certificate, limits and log level anew, without the end of any connection.
 /// Serves until SIGTERM or SIGINT, then stops within ten seconds and hands unfinished jobs back to the queue.
 /// Returns  the exit code: 0 stopped as asked, 1 could not listen or open the store, 2 wrong options
 [[nodiscard]] int serve(const ServeOptions& options);

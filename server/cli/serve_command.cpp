@@ -56,6 +56,9 @@ void add_serve(CLI::App& app, Program& program) {
   auto* key = command->add_option("--tls-key", options->tls_key, "Key of the certificate, PEM");
   cert->needs(key);
   key->needs(cert);
+  command->add_flag(
+      "--https-only", options->https_only,
+      "Have browsers come by HTTPS alone for a year (HSTS); not with a certificate they do not know");
   command->add_flag("--behind-proxy", options->behind_proxy,
                     "A reverse proxy does TLS, and appends its client to X-Forwarded-For");
   command->add_option("--allow-origin", options->allow_origins,
@@ -65,7 +68,8 @@ void add_serve(CLI::App& app, Program& program) {
   command->callback([options, &program] {
     options->store = program.store;
     options->log_level = program.log_level;
-    program.exit_code = serve(*options);
+    options->reread = program.reread_serve;
+    program.exit_code = program.serve(*options);
   });
 }
 

@@ -52,6 +52,7 @@ net::awaitable<std::size_t> Session::stream(Request& request, Response piece) {
   beast::http::response<beast::http::empty_body> head{static_cast<beast::http::status>(piece.status), 11};
   head.set(beast::http::field::content_type, piece.content_type);
   for (const auto& [name, value] : piece.headers) head.insert(name, value);
+  if (share_.equipment.https_only) head.insert("Strict-Transport-Security", https_only_for_a_year);
   head.chunked(true);
   head.keep_alive(false);
   beast::http::response_serializer<beast::http::empty_body> serializer{head};

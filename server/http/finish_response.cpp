@@ -62,6 +62,9 @@ Response finish_response(const Request& request, Response response) {
   if (response.wait && !response.streams) return response;
 
   response.headers.emplace_back("X-Content-Type-Options", "nosniff");
+  response.headers.emplace_back("X-Frame-Options", "DENY");
+  response.headers.emplace_back("Referrer-Policy",
+                                "same-origin");  // "no-referrer" would take Origin from forms, too
   if (response.content_type.starts_with("text/html")) {
     response.headers.emplace_back("Content-Security-Policy", content_security_policy);
   }

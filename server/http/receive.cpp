@@ -8,6 +8,7 @@
 #include "server/http/refusals.hpp"
 #include "server/http/request_head.hpp"
 #include "server/http/session.hpp"
+#include "server/http/strict_head.hpp"
 
 namespace floeplan::http {
 
@@ -15,6 +16,15 @@ namespace net = boost::asio;
 namespace beast = boost::beast;
 using beast::error_code;
 using routes::Request;
+
+namespace {
+
+/// Extensions of chunks say nothing to anybody, and are read differently (RFC 9112, 7.1.1).
+void refuse_chunk_extension(std::uint64_t, beast::string_view extension, error_code& error) {
+  if (!extension.empty()) error = beast::http::error::bad_chunk_extension;
+}
+
+}  // namespace
 
 bool Session::goes_to_disk(const Head& head) const {
   if (!share_.equipment.streaming.wanted) return false;
@@ -37,9 +47,11 @@ net::awaitable<error_code> Session::read_head(Head& head) {
   idle_ = false;
   fresh_ = false;
   stream_.expires_after(share_.limits.header_time);
+  error = co_await read_strict_head();
+  if (error) co_return error;
   co_await beast::http::async_read_header(stream_, buffer_, head,
                                           net::redirect_error(net::use_awaitable, error));
-  if (!error && !is_unambiguous(head.get())) error = beast::http::error::bad_transfer_encoding;
+  if (!error && !names_one_host(head.get())) error = beast::http::error::bad_field;
   if (error || head.is_done()) co_return error;
 
   const auto length = head.content_length();
@@ -47,6 +59,24 @@ net::awaitable<error_code> Session::read_head(Head& head) {
       goes_to_disk(head) ? share_.equipment.streaming.most_bytes : share_.limits.body_bytes;
   if (length && *length > most) co_return beast::http::error::body_limit;
   co_return error;
+}
+
+/// Reads until the whole header is there, as it must look, or more than a header may have.
+net::awaitable<error_code> Session::read_strict_head() {
+  StrictHead head;
+  while (buffer_.size() <= share_.limits.header_bytes) {
+    const auto bytes = buffer_.data();
+    const auto state = head.look_at({static_cast<const char*>(bytes.data()), bytes.size()});
+    if (state == StrictHead::State::faulty) co_return beast::http::error::bad_field;
+    if (state == StrictHead::State::complete) break;
+    error_code error;
+    constexpr std::size_t next_read = 4096;
+    const std::size_t n = co_await stream_.async_read_some(buffer_.prepare(next_read),
+                                                           net::redirect_error(net::use_awaitable, error));
+    buffer_.commit(n);
+    if (error) co_return error == net::error::eof ? error_code{beast::http::error::partial_message} : error;
+  }
+  co_return error_code{};
 }
 
 /// Many clients send a large body only once they are told that it is welcome.
@@ -76,6 +106,7 @@ net::awaitable<error_code> Session::read_body(Head& head, Request& request) {
   error_code error;
   beast::http::request_parser<beast::http::string_body> parser{std::move(head)};
   parser.body_limit(share_.limits.body_bytes);
+  parser.on_chunk_header(refuse_chunk_extension);
   const std::uint64_t bytes =
       parser.content_length().value_or(parser.is_done() ? 0 : share_.limits.body_bytes);
   constexpr std::uint64_t always_welcome = 65'536;  // a large crowd's plans, whatever a few others send
@@ -96,6 +127,7 @@ net::awaitable<error_code> Session::stream_body(Head& head, BodySink& sink) {
   std::vector<char> block(block_bytes);
   beast::http::request_parser<beast::http::buffer_body> parser{std::move(head)};
   parser.body_limit(share_.equipment.streaming.most_bytes);
+  parser.on_chunk_header(refuse_chunk_extension);
   while (!parser.is_done()) {
     error_code error;
     parser.get().body().data = block.data();

@@ -1,6 +1,5 @@
 #include "server/http/request_head.hpp"
 
-#include <boost/beast/core/string.hpp>
 #include <string_view>
 
 #include "engine/core/letter_case.hpp"
@@ -25,17 +24,9 @@ std::optional<routes::Request> to_request(const beast::http::request_header<>& m
   return request;
 }
 
-bool is_unambiguous(const beast::http::request_header<>& message) {
-  using beast::http::field;
-  const auto hosts = message.count(field::host);
-  const bool coded = message.count(field::transfer_encoding) > 0;
-  const bool is_chunked = message.count(field::transfer_encoding) == 1 &&
-                          beast::iequals(message[field::transfer_encoding], "chunked");
-  const auto length = message[field::content_length];  // "5, 5" is read as 5 by some
-  const bool is_number = length.find_first_not_of("0123456789") == beast::string_view::npos;
-  return is_number && (hosts == 1 || (hosts == 0 && message.version() == 10)) &&
-         message.count(field::content_length) <= 1 &&
-         (!coded || (is_chunked && message.count(field::content_length) == 0));
+bool names_one_host(const beast::http::request_header<>& message) {
+  const auto hosts = message.count(beast::http::field::host);
+  return hosts == 1 || (hosts == 0 && message.version() == 10);
 }
 
 }  // namespace floeplan::http

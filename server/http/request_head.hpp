@@ -11,8 +11,7 @@ namespace floeplan::http {
 /// Nothing when the target is not valid.
 [[nodiscard]] std::optional<routes::Request> to_request(const boost::beast::http::request_header<>& message);
 
-/// What must hold of a header before a body may be looked for: readings of it that differ from one server to the next
-/// let a request hide in another (RFC 9112, 3.2 and 6.1).
-[[nodiscard]] bool is_unambiguous(const boost::beast::http::request_header<>& message);
+/// HTTP/1.1 asks for the name of the host, once (RFC 9112, 3.2).
+[[nodiscard]] bool names_one_host(const boost::beast::http::request_header<>& message);
 
 }  // namespace floeplan::http

@@ -16,6 +16,7 @@
 
 #include "api/log/log.hpp"
 #include "server/http/session.hpp"
+#include "server/http/tls_context.hpp"
 
 namespace floeplan::http {
 
@@ -51,6 +52,7 @@ class Server::Listener {
       log::info({"signal=", std::to_string(signal), " the server stops"});
       finish();
     });
+    wait_for_hangup();
     net::co_spawn(io_, accept(), net::detached);
     io_.run();
     share_.pool.join();
@@ -60,8 +62,43 @@ class Server::Listener {
     net::post(io_, [this] { finish(); });
   }
 
+  void reload() {
+    net::post(io_, [this] { take_new_settings(); });
+  }
+
  private:
   using SessionsOfPeer = std::unordered_set<Session*>;  // each lives in its coroutine
+
+  void wait_for_hangup() {
+    hangups_.async_wait([this](const boost::system::error_code& error, int) {
+      if (error) return;
+      take_new_settings();
+      wait_for_hangup();
+    });
+  }
+
+  /// All of them, or none.
+  void take_new_settings() {
+    try {
+      Equipment& equipment = share_.equipment;
+      const Settings settings =
+          equipment.settings
+              ? equipment.settings()
+              : Settings{
+                    share_.limits, equipment.streaming.most_bytes, equipment.tls, equipment.https_only, {}};
+      if (settings.tls.has_value() != (share_.tls != nullptr))
+        throw std::runtime_error{"TLS cannot be switched on or off while the server runs; start it anew"};
+      if (settings.tls) share_.tls = make_tls_context(*settings.tls);
+      share_.limits = settings.limits;
+      equipment.streaming.most_bytes = settings.most_upload_bytes;
+      equipment.tls = settings.tls;
+      equipment.https_only = settings.https_only;
+      if (!settings.log_level.empty()) log::set_level(settings.log_level);
+      log::info({"reload=done certificate, limits and log level are those of now"});
+    } catch (const std::exception& error) {
+      log::error({"reload=refused everything stays as it was: ", error.what()});
+    }
+  }
 
   net::awaitable<void> accept() {
     while (acceptor_.is_open()) {
@@ -124,6 +161,7 @@ class Server::Listener {
     boost::system::error_code ignored;
     acceptor_.close(ignored);
     signals_.cancel(ignored);
+    hangups_.cancel(ignored);
     for (const auto& [peer, sessions] : sessions_)
       for (Session* session : sessions) session->finish();
     if (sessions_.empty()) return;
@@ -140,6 +178,7 @@ class Server::Listener {
   net::io_context io_{1};
   net::ip::tcp::acceptor acceptor_{io_};
   net::signal_set signals_{io_, SIGINT, SIGTERM};
+  net::signal_set hangups_{io_, SIGHUP};
   net::steady_timer deadline_{io_};
 };
 
@@ -157,5 +196,7 @@ std::size_t Server::connections() const { return listener_->connections(); }
 void Server::run() { listener_->run(); }
 
 void Server::stop() { listener_->stop(); }
+
+void Server::reload() { listener_->reload(); }
 
 }  // namespace floeplan::http

@@ -42,10 +42,23 @@ struct Exchange {
   std::uint64_t bytes{};  // of the answer's body
 };
 
+/// What may change while a server runs.
+struct Settings {
+  Limits limits{};
+  std::uint64_t most_upload_bytes{};
+  std::optional<TlsFiles> tls{};
+  bool https_only{false};   // browsers are told to come by HTTPS alone from then on (RFC 6797)
+  std::string log_level{};  // empty: as it is
+};
+
 /// What a server does beside answering.
 struct Equipment {
   Streaming streaming{};
-  std::optional<TlsFiles> tls{};                   // none: in the clear
+  std::optional<TlsFiles> tls{};  // none: in the clear
+  bool https_only{false};         // as in Settings
+  /// What the settings are by now; asked on the I/O thread by SIGHUP and by reload(). Empty: the certificate alone is read
+  /// again. An exception leaves everything as it was.
+  std::function<Settings()> settings{};
   std::function<void(const Exchange&)> observe{};  // called on the I/O thread after every answer
   /// Who shares the limits of one client and takes turns with others, asked on the I/O thread; nothing: an address.
   std::function<std::string(const routes::Request&)> client_of{};
@@ -76,6 +89,10 @@ class Server {
   void run();
   /// May be called from any thread.
   void stop();
+  /// As SIGHUP does: takes new settings and reads the certificate again, for the requests and connections that come after
+  /// it; those that are open go on. When anything is wrong with them, all stays as it was and the log says so. May be
+  /// called from any thread.
+  void reload();
 
  private:
   class Listener;

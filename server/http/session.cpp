@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "api/log/log.hpp"
+#include "engine/core/shown_text.hpp"
 #include "server/http/finish_response.hpp"
 #include "server/http/refusals.hpp"
 #include "server/http/request_head.hpp"
@@ -73,12 +74,13 @@ Response too_many_files(std::size_t most) {
 
 /// Status line and fields in one piece: Beast's serializer hands each field to the system as four, and gathering some
 /// fifty of them costs more than their few hundred bytes.
-std::string head_of(const Response& response, bool keep_alive) {
+std::string head_of(const Response& response, bool keep_alive, bool https_only) {
   beast::http::response<beast::http::empty_body> message;
   message.version(11);
   message.result(static_cast<unsigned>(response.status));
   if (!response.content_type.empty()) message.set(beast::http::field::content_type, response.content_type);
   for (const auto& [name, value] : response.headers) message.insert(name, value);
+  if (https_only) message.insert("Strict-Transport-Security", https_only_for_a_year);
   message.keep_alive(keep_alive);
   const bool bodiless = response.status == 204 || response.status == 304;
   if (!bodiless) message.content_length(response.body.size());
@@ -96,10 +98,11 @@ Result or_problem(const Request& request, const Work& work) {
   try {
     return work();
   } catch (const std::bad_alloc&) {
-    log::error({"method=", request.method, " path=", request.path, " failed: no memory"});
+    log::error({"method=", request.method, " path=", core::shown_target(request.path), " failed: no memory"});
     return busy();
   } catch (const std::exception& error) {
-    log::error({"method=", request.method, " path=", request.path, " failed: ", error.what()});
+    log::error(
+        {"method=", request.method, " path=", core::shown_target(request.path), " failed: ", error.what()});
   }
   return internal_error();
 }
@@ -120,7 +123,7 @@ std::string SessionShare::client_of(const Request& request) const {
 }
 
 Session::Session(net::ip::tcp::socket socket, SessionShare& share)
-    : stream_{std::move(socket), share.tls.get()}, share_{share} {
+    : stream_{std::move(socket), share.tls}, share_{share} {
   error_code ignored;
   stream_.socket().set_option(net::ip::tcp::no_delay{true}, ignored);
   const auto endpoint = stream_.socket().remote_endpoint(ignored);
@@ -171,7 +174,8 @@ net::awaitable<bool> Session::exchange() {
   idle_ = false;
   const bool to_disk = goes_to_disk(head);
   const std::string method{head.get().method_string()};
-  const std::string target = std::string{head.get().target()}.substr(0, 300);
+  const auto sent_target = head.get().target();
+  const std::string target = core::shown_target({sent_target.data(), sent_target.size()});
   const bool head_only = head.get().method() == beast::http::verb::head;
   const bool keep_alive = !error && head.keep_alive();
   std::optional<Request> request;
@@ -332,7 +336,7 @@ net::awaitable<Response> Session::wait_and_answer(Request& request, routes::Wait
 
 net::awaitable<bool> Session::write(const Response& response, bool head_only, bool keep_alive) {
   const MemoryBudget::Part part{share_.memory, response.body.size()};
-  const std::string head = head_of(response, keep_alive);
+  const std::string head = head_of(response, keep_alive, share_.equipment.https_only);
   const std::string no_body;
   const std::array<net::const_buffer, 2> pieces{net::buffer(head),
                                                 net::buffer(head_only ? no_body : response.body)};

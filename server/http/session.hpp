@@ -23,12 +23,15 @@
 
 namespace floeplan::http {
 
+/// What Strict-Transport-Security says (RFC 6797).
+constexpr const char* https_only_for_a_year = "max-age=31536000";
+
 /// What all sessions of a server share.
 struct SessionShare {
   routes::Handler handler;
   Limits limits;
   Equipment equipment;
-  std::unique_ptr<boost::asio::ssl::context> tls;  // empty: in the clear
+  std::shared_ptr<boost::asio::ssl::context> tls;  // of new connections; empty: in the clear
   MemoryBudget memory;
   boost::asio::thread_pool pool;
   FairLine line;         // for the pool; on the I/O thread alone
@@ -63,6 +66,7 @@ class Session {
 
   boost::asio::awaitable<bool> exchange();
   boost::asio::awaitable<boost::beast::error_code> read_head(Head& head);
+  boost::asio::awaitable<boost::beast::error_code> read_strict_head();
   boost::asio::awaitable<boost::beast::error_code> receive(Head& head, bool to_disk, routes::Request& body,
                                                            std::optional<BodySink>& sink);
   boost::asio::awaitable<boost::beast::error_code> read_body(Head& head, routes::Request& request);

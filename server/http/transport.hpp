@@ -12,6 +12,7 @@
 #include <boost/beast/core/error.hpp>
 #include <boost/beast/core/tcp_stream.hpp>
 #include <boost/container/static_vector.hpp>
+#include <memory>
 #include <optional>
 
 #include "server/http/completion.hpp"
@@ -25,9 +26,10 @@ class Transport {
  public:
   using executor_type = boost::beast::tcp_stream::executor_type;
 
-  /// By TLS when there is a context, which is borrowed.
-  Transport(boost::asio::ip::tcp::socket socket, boost::asio::ssl::context* tls) : plain_{std::move(socket)} {
-    if (tls != nullptr) tls_.emplace(plain_, *tls);
+  /// By TLS when there is a context, which lives as long: others may take new ones in the meantime.
+  Transport(boost::asio::ip::tcp::socket socket, std::shared_ptr<boost::asio::ssl::context> tls)
+      : context_{std::move(tls)}, plain_{std::move(socket)} {
+    if (context_) tls_.emplace(plain_, *context_);
   }
 
   executor_type get_executor() { return plain_.get_executor(); }
@@ -79,6 +81,7 @@ class Transport {
   void read_some(const Buffers<boost::asio::mutable_buffer>& into, Completion completion);
   void write_some(const Buffers<boost::asio::const_buffer>& from, Completion completion);
 
+  std::shared_ptr<boost::asio::ssl::context> context_;  // empty: in the clear
   boost::beast::tcp_stream plain_;
   std::optional<boost::asio::ssl::stream<boost::beast::tcp_stream&>> tls_;
 };

@@ -2,6 +2,8 @@
 
 #include <gtest/gtest.h>
 
+#include "server/http/refusals.hpp"
+
 namespace floeplan::http::finish_response_test {
 namespace {
 
@@ -53,7 +55,25 @@ TEST(FinishResponse, AnswersNotModifiedForTheTagItGaveCompressedOrNot) {
   EXPECT_EQ(other.status, 200);
 }
 
-TEST(FinishResponse, SetsSecurityHeaders) {
+TEST(FinishResponse, SetsSecurityHeadersOnEveryAnswer) {
+  std::vector<Response> answers{finish_response(get(), page(10)),
+                                finish_response(get({{"if-none-match", "*"}}), page(10)),
+                                problem(400, "a", "b", "c"), busy()};
+  EXPECT_EQ(answers[1].status, 304);
+  Response stream = page(10, "text/event-stream");
+  stream.streams = true;
+  answers.push_back(finish_response(get(), stream));
+  Response error = page(10);
+  error.status = 404;
+  answers.push_back(finish_response(get(), error));
+  for (const Response& answer : answers) {
+    EXPECT_EQ(header(answer, "X-Content-Type-Options"), "nosniff") << answer.status;
+    EXPECT_EQ(header(answer, "X-Frame-Options"), "DENY") << answer.status;
+    EXPECT_EQ(header(answer, "Referrer-Policy"), "same-origin") << answer.status;
+  }
+}
+
+TEST(FinishResponse, TellsPagesWhatTheyMayLoad) {
   const auto html = finish_response(get(), page(10, "text/html; charset=utf-8"));
   EXPECT_EQ(header(html, "X-Content-Type-Options"), "nosniff");
   EXPECT_NE(header(html, "Content-Security-Policy").find("default-src 'self'"), std::string::npos);

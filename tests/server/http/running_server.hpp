@@ -29,6 +29,12 @@ class RunningServer {
     return {boost::asio::ip::make_address("127.0.0.1"), server_.port()};
   }
 
+  /// Returns once a connection that is opened from now on finds the new settings.
+  void reload() {
+    server_.reload();
+    (void)exchange("GET / HTTP/1.1\r\nHost: x\r\nConnection: close\r\n\r\n");  // goes the same way, after it
+  }
+
   /// Sends the bytes and reads until the server ends the connection.
   [[nodiscard]] std::string exchange(const std::string& bytes) const {
     boost::asio::io_context io;
