@@ -1,11 +1,14 @@
 #!/usr/bin/env bash
-# Makes the Debian package from build/release and web/dist (deploy/build.sh makes both).
+# Makes the Debian package from build/release and web/dist (deploy/build.sh makes both), and beside it the list of what is
+# in it (SBOM).
 # usage: deploy/package.sh [--try]      --try, as root: installs the package, starts what it holds, and purges it again
 source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 
 make_package() {
   run_or_fail "the package could not be made" "read the message above; dpkg-dev and file must be installed" \
     cpack --config "$root/build/release/CPackConfig.cmake" -B "$root/build/package" >&2
+  run_or_fail "the list of what is in the package could not be made" "read the message above" \
+    "$root/deploy/sbom.py" "$root/build/release/floeplan" "$root/build/package/floeplan.cdx.json" >&2
   find "$root/build/package" -maxdepth 1 -name 'floeplan_*.deb' -printf '%T@ %p\n' | sort -n | tail -n 1 | cut -d ' ' -f 2-
 }
 

@@ -187,6 +187,7 @@ main() {
     step "C++ tests, asan: ${asan_folders[*]}" folders_of_preset asan "${asan_folders[@]}"
   fi
   step "quickstart" "$root/tests/deploy/quickstart_test.sh"
+  step "list of what is in the program" "$root/tests/deploy/sbom_test.py" "$root/build/release/floeplan"
   step "client unit tests" client_tests
   step "browser tests" browser_tests
   summary "$reports"/*/ "$reports"/*.xml

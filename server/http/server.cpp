@@ -93,8 +93,8 @@ class Server::Listener {
       equipment.streaming.most_bytes = settings.most_upload_bytes;
       equipment.tls = settings.tls;
       equipment.https_only = settings.https_only;
-      if (!settings.log_level.empty()) log::set_level(settings.log_level);
       log::info({"reload=done certificate, limits and log level are those of now"});
+      if (!settings.log_level.empty()) log::set_level(settings.log_level);
     } catch (const std::exception& error) {
       log::error({"reload=refused everything stays as it was: ", error.what()});
     }
