@@ -36,7 +36,7 @@ struct Contradiction : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-std::unique_ptr<GDALDataset> open(const std::filesystem::path& file) {
+std::unique_ptr<GDALDataset> open_arrays(const std::filesystem::path& file) {
   register_drivers();
   const GdalMessages kept_quiet;
   const std::array<const char*, 2> drivers{"netCDF", nullptr};
@@ -223,14 +223,14 @@ core::Violation refusal(const std::filesystem::path& file, const std::string& re
 }  // namespace
 
 bool is_gshhg(const std::filesystem::path& file) {
-  const auto dataset = open(file);
+  const auto dataset = open_arrays(file);
   const auto group = dataset ? dataset->GetRootGroup() : nullptr;
   return group && missing_array(*group).empty();
 }
 
 tl::expected<std::vector<geo::Polygon>, core::Violation> read_gshhg(const std::filesystem::path& file,
                                                                     const geo::BoundingBox& area) {
-  const auto dataset = open(file);
+  const auto dataset = open_arrays(file);
   const auto group = dataset ? dataset->GetRootGroup() : nullptr;
   if (!group) return tl::unexpected(refusal(file, "it cannot be opened as NetCDF"));
   if (const std::string name = missing_array(*group); !name.empty())

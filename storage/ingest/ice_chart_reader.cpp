@@ -20,7 +20,7 @@ namespace floeplan::ingest {
 namespace {
 
 constexpr auto thickness_names = std::to_array<std::string_view>({"thicknessm", "thickness"});
-constexpr double thickest_m = 20.0;  // of sea ice that froze in place
+constexpr double thickest_level_m = 20.0;  // of sea ice that froze in place
 
 /// The moment of the chart, and a warning where only its name tells it.
 Checked<core::UtcTime> time_of(const std::filesystem::path& file, const IngestOptions& options,
@@ -43,20 +43,21 @@ Checked<std::optional<IceOfPolygon>> plain_ice(const OGRFeature& feature) {
   const auto text = text_of_feature(feature, thickness_names);
   if (!text) return IceOfPolygon{1.0, std::nullopt};
   const auto thickness_m = parse_number(*text);
-  if (!thickness_m || *thickness_m < 0.0 || *thickness_m > thickest_m)
+  if (!thickness_m || *thickness_m < 0.0 || *thickness_m > thickest_level_m)
     return refuse("its thickness is \"" + *text + "\", not a number of metres from 0 to 20");
   return IceOfPolygon{1.0, thickness_m};
 }
 
 /// Polygons as they are gathered, and everything that is wrong with them.
-struct Gathering {
+struct ChartGathering {
   std::vector<IcePolygon> polygons;
   std::vector<std::string> faults;
   bool coded{false};
   bool uncoded{false};
 };
 
-void gather(Gathering& all, const OGRFeature& feature, const std::string& label, OGRSpatialReference& crs) {
+void gather(ChartGathering& all, const OGRFeature& feature, const std::string& label,
+            OGRSpatialReference& crs) {
   const OGRGeometry* const geometry = feature.GetGeometryRef();
   const bool coded = states_ice_codes(feature);
   (coded ? all.coded : all.uncoded) = true;
@@ -72,8 +73,8 @@ void gather(Gathering& all, const OGRFeature& feature, const std::string& label,
   all.polygons.push_back({std::move(area), **ice});
 }
 
-Checked<Gathering> gather_polygons(GDALDataset& dataset, const IngestOptions& options) {
-  Gathering all;
+Checked<ChartGathering> gather_polygons(GDALDataset& dataset, const IngestOptions& options) {
+  ChartGathering all;
   for (OGRLayer* const layer : dataset.GetLayers()) {
     if (layer->GetFeatureCount() == 0) continue;
     const auto crs = crs_of(*layer, options.crs);

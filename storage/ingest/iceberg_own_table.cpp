@@ -37,7 +37,7 @@ std::optional<LengthColumn> length_column(const DelimitedText& table, const std:
   return found;
 }
 
-struct Columns {
+struct BergColumns {
   std::size_t id{};
   std::size_t lat{};
   std::size_t lon{};
@@ -51,7 +51,7 @@ struct Columns {
   std::optional<std::size_t> method;
 };
 
-std::optional<Columns> columns_of(const DelimitedText& table) {
+std::optional<BergColumns> columns_of(const DelimitedText& table) {
   const auto id = table.column({"id", "name", "berg", "iceberg", "berg_id", "iceberg_id"});
   const auto lat = table.column({"lat", "latitude", "lat_deg", "latitude_deg"});
   const auto lon = table.column({"lon", "long", "longitude", "lon_deg", "longitude_deg"});
@@ -60,28 +60,28 @@ std::optional<Columns> columns_of(const DelimitedText& table) {
   const auto in_utc = table.column({"observed_utc", "time_utc", "timestamp_utc", "datetime_utc",
                                     "date_time_utc", "date_utc", "last_seen_utc"});
   if (!id || !lat || !lon || with_zone.has_value() == in_utc.has_value()) return std::nullopt;
-  const Columns columns{.id = *id,
-                        .lat = *lat,
-                        .lon = *lon,
-                        .observed = with_zone ? *with_zone : *in_utc,
-                        .observed_in_utc = in_utc.has_value(),
-                        .length = length_column(table, "length"),
-                        .draft = length_column(table, "draft"),
-                        .position_errors = PositionErrors{table.headers()},
-                        .size = table.column({"size", "size_class"}),
-                        .shape = table.column({"shape"}),
-                        .method = table.column({"method", "source"})};
+  const BergColumns columns{.id = *id,
+                            .lat = *lat,
+                            .lon = *lon,
+                            .observed = with_zone ? *with_zone : *in_utc,
+                            .observed_in_utc = in_utc.has_value(),
+                            .length = length_column(table, "length"),
+                            .draft = length_column(table, "draft"),
+                            .position_errors = PositionErrors{table.headers()},
+                            .size = table.column({"size", "size_class"}),
+                            .shape = table.column({"shape"}),
+                            .method = table.column({"method", "source"})};
   return columns;
 }
 
 /// Whether the columns themselves tell that these are icebergs.
-bool name_icebergs(const DelimitedText& table, const Columns& columns) {
+bool name_icebergs(const DelimitedText& table, const BergColumns& columns) {
   return contains_any(table.columns()[columns.id], {"berg"}) || columns.length || columns.draft ||
          columns.size;
 }
 
 /// Whether there are an id and a sighting, and nothing that a sighting of an iceberg does not have.
-bool are_sightings_alone(const DelimitedText& table, const Columns& columns) {
+bool are_sightings_alone(const DelimitedText& table, const BergColumns& columns) {
   std::size_t known = 4 + std::size_t{columns.shape.has_value()} + std::size_t{columns.method.has_value()};
   for (std::size_t i = 0; i < table.columns().size(); ++i)
     known += std::size_t{columns.position_errors.is_read(i)};
@@ -89,7 +89,7 @@ bool are_sightings_alone(const DelimitedText& table, const Columns& columns) {
 }
 
 /// Of columns that tell a size or an error of the position in a way that is not read.
-std::vector<std::string> warnings_of(const DelimitedText& table, const Columns& columns) {
+std::vector<std::string> warnings_of(const DelimitedText& table, const BergColumns& columns) {
   std::vector<std::string> warnings = columns.position_errors.warnings();
   if (!name_icebergs(table, columns))
     warnings.emplace_back(
@@ -109,7 +109,7 @@ std::vector<std::string> warnings_of(const DelimitedText& table, const Columns& 
 /// One line, by what its columns mean.
 class Row {
  public:
-  Row(const DelimitedText& table, const Columns& columns, std::vector<std::string> fields)
+  Row(const DelimitedText& table, const BergColumns& columns, std::vector<std::string> fields)
       : table_{table}, columns_{columns}, fields_{std::move(fields)} {}
 
   [[nodiscard]] Checked<ocean::Iceberg> sighting() const {
@@ -173,7 +173,7 @@ class Row {
   }
 
   const DelimitedText& table_;
-  const Columns& columns_;
+  const BergColumns& columns_;
   std::vector<std::string> fields_;
 };
 

@@ -74,9 +74,9 @@ Checked<Frame> frame_of(const ChartCell& chart) {
 }
 
 /// One value a node, rows from the south.
-class Plane {
+class BurntPlane {
  public:
-  Plane(const Frame& frame, float value)
+  BurntPlane(const Frame& frame, float value)
       : raster_{GetGDALDriverManager()->GetDriverByName("MEM")->Create("", frame.columns, frame.rows, 1,
                                                                        GDT_Float32, nullptr)} {
     std::array<double, 6> transform{frame.west_deg, frame.dx_deg, 0.0, frame.south_deg, 0.0, frame.dy_deg};
@@ -133,9 +133,9 @@ Checked<PreparedDataset> read_s57_bathymetry(const std::filesystem::path& base) 
   for (const auto& geometry : chart->covered) covered.push_back({geometry, 1.0});
 
   constexpr float deep = 1e6F;  // deeper than anything that is burnt over it
-  Plane coverage{*frame, 0.0F};
-  Plane areas{*frame, missing};
-  Plane shoals{*frame, deep};
+  BurntPlane coverage{*frame, 0.0F};
+  BurntPlane areas{*frame, missing};
+  BurntPlane shoals{*frame, deep};
   if (!coverage.burn(covered, false) || !areas.burn(deepest_first(std::move(chart->areas)), false) ||
       !shoals.burn(deepest_first(std::move(chart->shoals)), true))
     return refuse("the areas of the chart (S-57) cannot be drawn; it is damaged; download it again");

@@ -14,8 +14,8 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::size_t year_length = std::string_view{"2026"}.size();
-constexpr std::size_t month_length = std::string_view{"2026-05"}.size();
+constexpr std::size_t digits_of_year = std::string_view{"2026"}.size();
+constexpr std::size_t digits_of_month = std::string_view{"2026-05"}.size();
 constexpr std::size_t day_length = std::string_view{"2026-05-01"}.size();
 constexpr std::size_t compact_length = std::string_view{"20260501"}.size();
 
@@ -34,14 +34,14 @@ bool is_all_digits(std::string_view text) {
 
 /// Of "2026" or "2026-05".
 std::optional<StatedPeriod> year_or_month(std::string_view text) {
-  const std::string_view digits = text.substr(0, year_length);
-  if (text.size() < year_length || !is_all_digits(digits)) return std::nullopt;
+  const std::string_view digits = text.substr(0, digits_of_year);
+  if (text.size() < digits_of_year || !is_all_digits(digits)) return std::nullopt;
   const std::chrono::year year{*whole_number(digits)};
-  if (text.size() == year_length)
+  if (text.size() == digits_of_year)
     return StatedPeriod{midnight(year / std::chrono::January / 1),
                         midnight((year + std::chrono::years{1}) / std::chrono::January / 1)};
-  const std::string_view month_digits = text.substr(year_length + 1);
-  if (text.size() != month_length || text[year_length] != '-' || !is_all_digits(month_digits))
+  const std::string_view month_digits = text.substr(digits_of_year + 1);
+  if (text.size() != digits_of_month || text[digits_of_year] != '-' || !is_all_digits(month_digits))
     return std::nullopt;
   const std::chrono::year_month month{year,
                                       std::chrono::month{static_cast<unsigned>(*whole_number(month_digits))}};
@@ -129,8 +129,8 @@ bool is_date_of_figures(std::string_view word) {
   const bool are_numbers =
       std::ranges::all_of(parts, [](std::string_view part) { return !part.empty() && is_all_digits(part); });
   return are_numbers && parts[1].size() <= 2 &&
-         ((parts[0].size() == year_length && parts[2].size() <= 2) ||
-          (parts[0].size() <= 2 && parts[2].size() == year_length));
+         ((parts[0].size() == digits_of_year && parts[2].size() <= 2) ||
+          (parts[0].size() <= 2 && parts[2].size() == digits_of_year));
 }
 
 }  // namespace
@@ -141,7 +141,7 @@ bool mentions_date(std::string_view text) {
            std::ranges::any_of(months, [&](std::string_view month) { return month.starts_with(word); });
   };
   const auto is_day_or_year = [](const std::string& word) {
-    return !word.empty() && word.size() <= year_length && is_all_digits(word);
+    return !word.empty() && word.size() <= digits_of_year && is_all_digits(word);
   };
   std::string before;
   std::string word;

@@ -16,8 +16,8 @@ using ocean::TideQuantity;
 
 constexpr double highest_m =
     20.0;  // the greatest tide on Earth, in the Bay of Fundy, has an amplitude of 8 m
-constexpr double fastest_m_s = 10.0;  // the fastest tidal stream, Saltstraumen, reaches about this
-constexpr double shallowest_m = 1.0;  // a transport over less water is no speed of the sea
+constexpr double fastest_tide_m_s = 10.0;  // the fastest tidal stream, Saltstraumen, reaches about this
+constexpr double shallowest_m = 1.0;       // a transport over less water is no speed of the sea
 
 struct Part {
   TideVariables variables;
@@ -38,7 +38,7 @@ Checked<ocean::TideGrid::Field> read_at_own_nodes(const Part& part, std::size_t 
   const auto raw = read_tide_field(part.variables, part.layout, line);
   if (!raw) return refuse(raw.error());
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  const double most = part.variables.quantity == TideQuantity::elevation ? highest_m : fastest_m_s;
+  const double most = part.variables.quantity == TideQuantity::elevation ? highest_m : fastest_tide_m_s;
   ocean::TideGrid::Field field;
   field.reserve(raw->size());
   for (std::size_t i = 0; i < raw->size(); ++i) {

@@ -42,7 +42,7 @@ Checked<std::string> text_of_file(const std::filesystem::path& file) {
 }
 
 /// A row as its file gives it.
-struct Row {
+struct ConstituentRow {
   std::string name;
   double amplitude{};
   double phase_deg{};
@@ -52,7 +52,7 @@ struct Row {
 /// Collects the constants of one station.
 class StationRows {
  public:
-  Checked<bool> add(const Row& row, double metres) {
+  Checked<bool> add(const ConstituentRow& row, double metres) {
     if (!std::isfinite(row.amplitude) || row.amplitude < 0.0 || row.amplitude * metres > highest_m)
       return refuse("the amplitude of " + row.name + " is " + number(row.amplitude * metres) +
                     " m; no tide has one below 0 or over 20 m; check the unit");

@@ -71,7 +71,7 @@ std::size_t corners_of(const geo::Polygon& polygon) {
 }
 
 /// Zones as they are gathered, and everything that is wrong with them.
-struct Gathering {
+struct ZoneGathering {
   std::vector<ocean::Zone> zones;
   std::vector<std::string> faults;
   std::vector<std::string> warnings;
@@ -91,8 +91,8 @@ struct Gathering {
   }
 };
 
-void gather(Gathering& all, const OGRFeature& feature, const std::string& label, const PolygonShapes& shapes,
-            std::optional<ocean::ZoneKind> kind_of_others) {
+void gather(ZoneGathering& all, const OGRFeature& feature, const std::string& label,
+            const PolygonShapes& shapes, std::optional<ocean::ZoneKind> kind_of_others) {
   ZoneAttributes attributes = read_zone_attributes(feature, all.meanings, kind_of_others);
   const std::string subject =
       label + (attributes.zone.name.empty() ? "" : " \"" + attributes.zone.name + "\"") + ": ";
@@ -146,7 +146,7 @@ Checked<PreparedDataset> read_zones(GDALDataset& dataset, const IngestOptions& o
     kind_of_others = zone_kind_of(*options.zone_kind);
     if (!kind_of_others) return refuse("--zone-kind is no_go or stay_in, not " + *options.zone_kind);
   }
-  Gathering all;
+  ZoneGathering all;
   for (OGRLayer* const layer : dataset.GetLayers()) {
     if (layer->GetFeatureCount() == 0) continue;
     const auto shapes = shapes_of(*layer, options);
