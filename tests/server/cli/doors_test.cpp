@@ -70,10 +70,30 @@ TEST(Serve, LetsInByToken) {
   EXPECT_EQ(program.run({"token", "revoke", "watch"}).exit_code, 0);
   EXPECT_EQ(served.ask("GET", "/datasets", bearer(viewer)).status, 401) << "at once, without a restart";
   const Outcome audit = program.run({"audit", "--json"});
-  EXPECT_EQ(audit.json().at("entries").at(0).at("caller"), "office");
-  EXPECT_EQ(audit.json().at("entries").at(0).at("action"), "upload");
+  EXPECT_EQ(audit.json().at("entries").at(0).at("action"), "log-in-refused");
+  EXPECT_EQ(audit.json().at("entries").at(1).at("caller"), "office");
+  EXPECT_EQ(audit.json().at("entries").at(1).at("action"), "upload");
   EXPECT_THAT(served.ask("GET", "/metrics", bearer(admin)).body,
               HasSubstr(R"(floeplan_http_requests_total{method="POST",route="/uploads",status="201"} 1)"));
+}
+
+TEST(Serve, NeverRunsOpenAgainOnceItHadAToken) {
+  const Program program;
+  {
+    const ServedProgram served{program.store()};
+    EXPECT_EQ(served.get("/datasets").status, 200) << "open while there has been no token";
+    const std::string token = token_of(program, "ship", "admin");
+    EXPECT_EQ(served.get("/datasets").status, 401);
+    EXPECT_EQ(program.run({"token", "revoke", "ship"}).exit_code, 0);
+    EXPECT_EQ(served.get("/datasets").status, 401) << "while it runs";
+    EXPECT_EQ(served.ask("GET", "/datasets", bearer(token)).status, 401);
+  }
+  const ServedProgram restarted{program.store()};
+  const auto refused = restarted.get("/datasets");
+  EXPECT_EQ(refused.status, 401);
+  EXPECT_THAT(refused.body, HasSubstr("floeplan token add"));
+  EXPECT_THAT(program.run({"token", "list"}).out, HasSubstr("floeplan token add"));
+  EXPECT_EQ(restarted.ask("GET", "/datasets", bearer(token_of(program, "ship", "viewer"))).status, 200);
 }
 
 TEST(Serve, HasAStoreForItselfAlone) {

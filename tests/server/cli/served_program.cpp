@@ -1,6 +1,7 @@
 #include "tests/server/cli/served_program.hpp"
 
 #include <arpa/inet.h>
+#include <fcntl.h>
 #include <netinet/in.h>
 #include <sys/socket.h>
 #include <sys/wait.h>
@@ -30,19 +31,23 @@ std::uint16_t read_port(int descriptor) {
 }
 
 /// Keeps the other end from filling up while the server runs.
-void drain_in_background(int descriptor) {
-  const std::string program = program_folder() + "/floeplan";
+void drain_in_background(int descriptor, const std::filesystem::path& log) {
   if (fork() != 0) return;
+  const int file = log.empty() ? -1 : open(log.c_str(), O_WRONLY | O_CREAT | O_APPEND | O_CLOEXEC, 0600);
   char bytes[4096];
-  while (read(descriptor, bytes, sizeof bytes) > 0) {
+  for (ssize_t count = 0; (count = read(descriptor, bytes, sizeof bytes)) > 0;) {
+    if (file >= 0 && write(file, bytes, static_cast<std::size_t>(count)) != count) break;
   }
   _exit(0);
 }
 
 }  // namespace
 
-ServedProgram::ServedProgram(const std::filesystem::path& store, const std::vector<std::string>& flags) {
-  std::vector<std::string> words{"floeplan", "--data", store.string(), "serve", "--listen", "127.0.0.1:0"};
+ServedProgram::ServedProgram(const std::filesystem::path& store, const std::vector<std::string>& flags,
+                             const std::vector<std::string>& before, const std::filesystem::path& log) {
+  std::vector<std::string> words{"floeplan", "--data", store.string()};
+  words.insert(words.end(), before.begin(), before.end());
+  for (const char* word : {"serve", "--listen", "127.0.0.1:0"}) words.emplace_back(word);
   words.insert(words.end(), flags.begin(), flags.end());
   std::vector<char*> argv;
   for (std::string& word : words) argv.push_back(word.data());
@@ -60,7 +65,7 @@ ServedProgram::ServedProgram(const std::filesystem::path& store, const std::vect
   }
   close(ends[1]);
   port_ = read_port(ends[0]);
-  drain_in_background(ends[0]);
+  drain_in_background(ends[0], log);
   close(ends[0]);
 }
 
@@ -70,6 +75,8 @@ ServedProgram::~ServedProgram() {
   while (waitpid(-1, nullptr, 0) > 0) {
   }
 }
+
+void ServedProgram::hang_up() const { kill(pid_, SIGHUP); }
 
 Answer ServedProgram::request(const std::string& method, const std::string& target,
                               const std::string& headers, const std::string& body) const {
@@ -98,7 +105,7 @@ Answer ServedProgram::request(const std::string& method, const std::string& targ
   const auto body_begin = reply.find("\r\n\r\n");
   if (reply.size() < 12 || body_begin == std::string::npos)
     throw std::runtime_error{"no HTTP answer: " + reply};
-  return {std::stoi(reply.substr(9, 3)), reply.substr(body_begin + 4)};
+  return {std::stoi(reply.substr(9, 3)), reply.substr(body_begin + 4), reply.substr(0, body_begin)};
 }
 
 }  // namespace floeplan::support

@@ -14,6 +14,7 @@ namespace floeplan::support {
 struct Answer {
   int status{};
   std::string body;
+  std::string head{};  // status line and fields
 
   [[nodiscard]] nlohmann::json json() const { return nlohmann::json::parse(body, nullptr, false); }
 };
@@ -21,11 +22,18 @@ struct Answer {
 /// The real program serving a store on a free port of the loopback address, until the end of the test.
 class ServedProgram {
  public:
-  explicit ServedProgram(const std::filesystem::path& store, const std::vector<std::string>& flags = {});
+  /// `flags`   of the command serve
+  /// `before`  flags of the program that come before it
+  /// `log`     file that takes what it writes on stderr once it serves; empty: nobody wants it
+  explicit ServedProgram(const std::filesystem::path& store, const std::vector<std::string>& flags = {},
+                         const std::vector<std::string>& before = {}, const std::filesystem::path& log = {});
   ~ServedProgram();
   ServedProgram(const ServedProgram&) = delete;
   ServedProgram& operator=(const ServedProgram&) = delete;
 
+  /// Sends SIGHUP.
+  void hang_up() const;
+  [[nodiscard]] std::uint16_t port() const { return port_; }
   [[nodiscard]] std::string address() const { return "http://127.0.0.1:" + std::to_string(port_); }
   [[nodiscard]] Answer get(const std::string& target) const { return request("GET", target, "", ""); }
   [[nodiscard]] Answer remove(const std::string& target) const { return request("DELETE", target, "", ""); }
