@@ -135,6 +135,15 @@ long_tests() {
   step "C++ tests, asan" all_of_preset asan
   step "C++ tests, tsan" all_of_preset tsan
   lint
+  step "benchmarks" benchmarks
+}
+
+# Holds this tree against the newest figures that were kept.
+benchmarks() {
+  local kept
+  kept=$(find "$root/deploy/benchmarks" -name '*.json' | sort -V | tail -n 1)
+  [[ -n $kept ]] || fail "no benchmarks of a release are kept" "keep them with deploy/bench.sh --keep on an idle machine"
+  "$root/deploy/bench.sh" --compare "$kept"
 }
 
 # Says every failure once more, and the totals. Fails if anything did.
