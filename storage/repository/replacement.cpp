@@ -13,6 +13,10 @@ namespace {
 namespace fs = std::filesystem;
 
 enum class Losses { refused, accepted };
+enum class OldLog {
+  moved_in,
+  useless
+};  // into the old database, or belonging to one that cannot be read any more
 
 std::string in_words(const StoredThing& thing) {
   return "the " + thing.kind + (thing.id.empty() ? " in row " + std::to_string(thing.row) : " " + thing.id);
@@ -30,7 +34,7 @@ void refuse_changed_header(const fs::path& database) {
 /// Builds the new database beside the old one, of which `from` may be the file, and puts it in its place as the last step:
 /// a kill before leaves the store as it was.
 Replacement replace(const fs::path& store, const fs::path& from, const std::string& why, Losses losses,
-                    const core::ProgressCallback& progress) {
+                    OldLog log, const core::ProgressCallback& progress) {
   const fs::path beside = store / "rebuilding";
   Replacement replacement;
   replacement.lost = rebuild(from, beside, progress);
@@ -45,6 +49,7 @@ Replacement replace(const fs::path& store, const fs::path& from, const std::stri
     bring_to_newest_schema(db);
   }
   sqlite::settle(sqlite::database_in(beside));
+  if (log == OldLog::useless) sqlite::set_log_aside(sqlite::database_in(store));
   replacement.kept = sqlite::put_in_place(sqlite::database_in(beside), sqlite::database_in(store), why);
   fs::remove_all(beside);
   return replacement;
@@ -60,7 +65,8 @@ Replacement bring_up_to_date(const fs::path& store, const core::ProgressCallback
   const auto header = sqlite::header_of(database);
   refuse_newer_schema(header.schema);
   if (header.schema == newest_schema() && header.has_checksums) return {};  // somebody else did meanwhile
-  return replace(store, database, "schema-" + std::to_string(newest_schema()), Losses::refused, progress);
+  return replace(store, database, "schema-" + std::to_string(newest_schema()), Losses::refused,
+                 OldLog::moved_in, progress);
 }
 
 Replacement repair_store(const fs::path& store, const core::ProgressCallback& progress) {
@@ -69,7 +75,7 @@ Replacement repair_store(const fs::path& store, const core::ProgressCallback& pr
   refuse_changed_header(database);
   sqlite::settle(database);
   refuse_newer_schema(sqlite::header_of(database).schema);
-  return replace(store, database, "repair", Losses::accepted, progress);
+  return replace(store, database, "repair", Losses::accepted, OldLog::moved_in, progress);
 }
 
 Replacement restore_store(const fs::path& store, const fs::path& backup,
@@ -88,9 +94,9 @@ Replacement restore_store(const fs::path& store, const fs::path& backup,
     refuse_changed_header(database);
     sqlite::settle(database);
   };
-  if (fs::exists(database) && !meets_no_damage(settle))
-    sqlite::set_log_aside(database);  // of a database that cannot be read any more
-  return replace(store, backup, "restore", Losses::refused, progress);
+  const bool is_readable = !fs::exists(database) || meets_no_damage(settle);
+  return replace(store, backup, "restore", Losses::refused, is_readable ? OldLog::moved_in : OldLog::useless,
+                 progress);
 }
 
 }  // namespace floeplan::repository

@@ -18,6 +18,7 @@
 #include "storage/repository/zone_repository.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "storage/sqlite/transaction.hpp"
+#include "tests/storage/repository/older_stores.hpp"
 #include "tests/storage/repository/sample_data.hpp"
 #include "tests/support/temporary_folder.hpp"
 
@@ -126,12 +127,6 @@ TEST(OpenStore, BringsAnOlderStoreUpToDateWithEverythingInIt) {
   EXPECT_TRUE(DatasetRepository{db}.remove({"a"}));
   EXPECT_EQ(IcebergRepository{db}.count({}), 0) << "foreign keys are obeyed again";
 }
-
-/// Goes on from a pragma; for stores that are older than the classes of jobs, the owners of datasets and the note of a token.
-const std::string before_classes_of_jobs =
-    "; DROP INDEX job_by_owner; ALTER TABLE job DROP COLUMN class; CREATE INDEX job_by_owner ON job (owner, "
-    "started_s); DROP INDEX dataset_by_owner; ALTER TABLE dataset DROP COLUMN owner; DROP TRIGGER "
-    "note_first_token; DROP TABLE first_token";
 
 TEST(OpenStore, TellsTheClassesOfJobsThatWereAcceptedBeforeThereWereAny) {
   const support::TemporaryFolder folder;

@@ -1,0 +1,131 @@
+#include <gmock/gmock.h>
+
+#include <fstream>
+#include <functional>
+#include <string>
+#include <vector>
+
+#include "storage/repository/damage.hpp"
+#include "storage/repository/migrations.hpp"
+#include "storage/repository/plan_repository.hpp"
+#include "storage/repository/replacement.hpp"
+#include "storage/sqlite/backup.hpp"
+#include "storage/sqlite/database_files.hpp"
+#include "storage/sqlite/statement.hpp"
+#include "tests/storage/repository/older_stores.hpp"
+#include "tests/support/killed_before.hpp"
+#include "tests/support/temporary_folder.hpp"
+
+namespace floeplan::repository::killed_replacement_test {
+namespace {
+
+namespace fs = std::filesystem;
+using testing::Each;
+using testing::HasSubstr;
+using Contents = std::vector<std::string>;
+
+constexpr int plans = 12;
+constexpr std::size_t writes = 12;
+
+PlanId id_of(int number) { return {"plan-" + std::to_string(number)}; }
+
+void fill(const fs::path& store, const std::string& mark) {
+  auto db = open_store(store);
+  for (int i = 0; i < plans; ++i) {
+    PlanRecord plan;
+    plan.id = id_of(i);
+    plan.name = mark;
+    plan.request_json = "{}";
+    plan.document_json = "{\"legs\":\"" + std::string(6000, 'x') + mark + "\"}";
+    (void)PlanRepository{db}.insert(plan);
+  }
+}
+
+/// What each plan of a store says; "damaged" or "gone" for one that does not.
+Contents contents_of(const fs::path& store) {
+  auto db = open_store(store);
+  Contents contents;
+  for (int i = 0; i < plans; ++i) {
+    const bool whole = meets_no_damage([&] {
+      const auto plan = PlanRepository{db}.find(id_of(i));
+      contents.push_back(plan ? plan->name + plan->document_json : "gone");
+    });
+    if (!whole) contents.emplace_back("damaged");
+  }
+  return contents;
+}
+
+/// Kills `change` of a copy of `store` in front of each thing it does to files. The copy has to say what it said before, or
+/// what it says after the change, and the change has to come to its end when it is made once more.
+void expect_whole_whenever_killed(const fs::path& store, const std::function<void(const fs::path&)>& change) {
+  const support::TemporaryFolder folder;
+  const auto fresh_copy = [&] {
+    const fs::path copy = folder.path() / "copy";
+    fs::remove_all(copy);
+    fs::copy(store, copy, fs::copy_options::recursive);
+    return copy;
+  };
+  const fs::path changed = fresh_copy();
+  const auto change_copy = [&] { change(changed); };
+  const std::vector<std::size_t> instants = support::instants_of(change_copy, writes);
+  ASSERT_GT(instants.size(), writes);
+  const Contents after = contents_of(changed);
+  const Contents before = contents_of(fresh_copy());
+
+  for (const std::size_t instant : instants) {
+    const testing::ScopedTrace trace{__FILE__, __LINE__, "killed before change " + std::to_string(instant)};
+    (void)fresh_copy();
+
+    ASSERT_LE(support::killed_before(instant, change_copy).size(), instant);
+
+    ASSERT_THAT(contents_of(changed), testing::AnyOf(before, after));
+    change(changed);
+    ASSERT_EQ(contents_of(changed), after);
+  }
+}
+
+class KilledReplacement : public testing::Test {
+ protected:
+  void SetUp() override { fill(store_, "as it was"); }
+
+  const support::TemporaryFolder folder_;
+  const fs::path store_ = folder_.path() / "store";
+};
+
+TEST_F(KilledReplacement, OfARestoredStoreLeavesTheOldOneOrTheBackup) {
+  const fs::path other = folder_.path() / "other";
+  const fs::path backup = folder_.path() / "backup";
+  fill(other, "from the backup");
+  {
+    auto db = open_store(other);
+    sqlite::back_up(db, backup);
+  }
+
+  expect_whole_whenever_killed(store_, [&](const fs::path& store) { (void)restore_store(store, backup); });
+}
+
+TEST_F(KilledReplacement, OfAnOlderStoreLeavesAllItHeld) {
+  {
+    auto db = open_store(store_);
+    sqlite::execute(db, "PRAGMA user_version = 12" + before_classes_of_jobs);
+  }
+
+  expect_whole_whenever_killed(store_, [](const fs::path& store) { const auto db = open_store(store); });
+  EXPECT_THAT(contents_of(store_), Each(HasSubstr("as it was")));
+}
+
+TEST_F(KilledReplacement, OfARepairedStoreLeavesTheDamagedOneOrWhatIsWhole) {
+  {
+    std::fstream io{sqlite::database_in(store_), std::ios::in | std::ios::out | std::ios::binary};
+    const std::string text{std::istreambuf_iterator<char>{io}, {}};
+    io.clear();
+    io.seekp(static_cast<std::streamoff>(text.find(std::string(3000, 'x')) + 100));
+    io.put('y');
+  }
+  ASSERT_THAT(contents_of(store_), testing::Contains("damaged"));
+
+  expect_whole_whenever_killed(store_, [](const fs::path& store) { (void)repair_store(store); });
+}
+
+}  // namespace
+}  // namespace floeplan::repository::killed_replacement_test

@@ -1,0 +1,13 @@
+#pragma once
+
+#include <string>
+
+namespace floeplan::repository {
+
+/// Goes on from a pragma; for stores that are older than the classes of jobs, the owners of datasets and the note of a token.
+inline const std::string before_classes_of_jobs =
+    "; DROP INDEX job_by_owner; ALTER TABLE job DROP COLUMN class; CREATE INDEX job_by_owner ON job (owner, "
+    "started_s); DROP INDEX dataset_by_owner; ALTER TABLE dataset DROP COLUMN owner; DROP TRIGGER "
+    "note_first_token; DROP TABLE first_token";
+
+}  // namespace floeplan::repository
