@@ -12,9 +12,9 @@ std::int64_t AuditRepository::add(const AuditEntry& entry) {
       "INSERT INTO audit (at_s, caller, peer, action, target, request_id) VALUES (?1, ?2, ?3, ?4, ?5, ?6) "
       "RETURNING row"};
   insert.bind_all(entry.at, entry.caller, entry.peer, entry.action, entry.target, entry.request_id);
-  insert.step();
+  (void)insert.step();
   const std::int64_t row = insert.integer(0);
-  insert.step();  // to its end: a transaction with an open statement is not committed
+  (void)insert.step();  // to its end: a transaction with an open statement is not committed
   sqlite::Statement forget{db_, "DELETE FROM audit WHERE row <= (SELECT max(row) FROM audit) - ?1"};
   forget.bind(1, most_entries);
   forget.run();

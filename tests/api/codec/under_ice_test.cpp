@@ -94,6 +94,7 @@ planning::Plan plan_with_surfacings() {
                      .ice_free_before = core::Metres{0.0},
                      .error_without_fix = core::Metres{511.2},
                      .nearest_ice = core::Metres{120.5}}},
+      .reckoned = {},
       .surfacings = {{.place = {-52.95, 69.0},
                       .time = plan.departure + core::Seconds{1800.0},
                       .position_error = {127.8}}},

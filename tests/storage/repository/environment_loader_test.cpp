@@ -391,7 +391,9 @@ TEST_F(EnvironmentLoaderTest, TellsOfBergsSeenTooLongAgoHoweverTheyWereListed) {
       return text.find("ignored: not seen since") != std::string::npos;
     });
     ASSERT_EQ(told != warnings.end(), too_old > 0);
-    if (too_old > 0) EXPECT_THAT(*told, testing::StartsWith("Danger: " + std::to_string(too_old) + " of "));
+    if (too_old > 0) {
+      EXPECT_THAT(*told, testing::StartsWith("Danger: " + std::to_string(too_old) + " of "));
+    }
   });
 }
 

@@ -155,7 +155,10 @@ TEST(OpenStore, KnowsOfTokensThatWereRevokedBeforeThatWasKept) {
     const support::TemporaryFolder folder;
     {
       sqlite::Connection db = open_store(folder.path());
-      AuditRepository{db}.add({.caller = caller, .action = "plan-route"});
+      AuditEntry planned;
+      planned.caller = caller;
+      planned.action = "plan-route";
+      AuditRepository{db}.add(planned);
       sqlite::execute(db, "DROP TRIGGER note_first_token");
       sqlite::execute(db, "DROP TABLE first_token");
       sqlite::execute(db, "PRAGMA user_version = " + std::to_string(newest_schema() - 1));
