@@ -13,9 +13,7 @@ using nlohmann::json;
 ComparedDive dive(double speed_m_s, double drag) {
   const ocean::VehicleAxes axes{.axes = {22, core::Radians{0.475}},
                                 .source = ocean::VariationSource::log_variation};
-  ComparedDive made;
-  made.file = "log.csv";
-  made.logged.turned_from = axes;
+  ComparedDive made{.file = "log.csv", .logged = {.turned_from = axes, .waypoints = {}}, .compared = {}};
   made.compared.under_water_s = {1000.0, 1050.0};
   made.compared.dives = {4.0, 4.0};
   made.compared.speed_m_s = {0.25, speed_m_s};
