@@ -12,6 +12,7 @@ source "$(dirname "${BASH_SOURCE[0]}")/common.sh"
 # What reads bytes from outside, or computes the indices that it is read by. --full runs all folders.
 readonly asan_folders=(elementary core geo graph motion ocean tide vehicle mission ingest codec)
 readonly reports=$root/build/reports
+readonly fuzz_seconds=${FLOEPLAN_FUZZ_SECONDS:-600} # each
 readonly long_list=$root/tests/long.txt
 failed_steps=()
 
@@ -135,7 +136,25 @@ long_tests() {
   step "C++ tests, asan" all_of_preset asan
   step "C++ tests, tsan" all_of_preset tsan
   lint
+  fuzzers
   step "benchmarks" benchmarks
+}
+
+# fuzz NAME: for ten minutes, from the corpus of its own; what it finds stays in build/fuzz.
+fuzz() {
+  local folder=$root/build/fuzz name=$1 dictionary=()
+  if [[ -f $root/tests/fuzz/$name.dict ]]; then dictionary=("-dict=$root/tests/fuzz/$name.dict"); fi
+  mkdir -p "$folder/found_$name"
+  (cd "$folder" && "./${name}_fuzz" -max_total_time="$fuzz_seconds" -rss_limit_mb=4096 "${dictionary[@]}" "found_$name" "$root/tests/fuzz/corpus_$name")
+}
+
+fuzzers() {
+  local source name
+  step "fuzzers: build" build_preset fuzz
+  for source in "$root"/tests/fuzz/*_fuzz.cpp; do
+    name=$(basename "$source" _fuzz.cpp)
+    step "fuzzer: $name" fuzz "$name"
+  done
 }
 
 # Holds this tree against the newest figures that were kept.

@@ -10,6 +10,7 @@
 #include "api/routes/preferences.hpp"
 #include "api/routes/shown_credential.hpp"
 #include "api/routes/site.hpp"
+#include "server/http/strict_head.hpp"
 
 namespace {
 
@@ -66,6 +67,18 @@ void check_multipart(std::string_view text) {
   expect(length <= text.size());
 }
 
+/// A header is found strict, faulty or unfinished alike, whether its bytes come at once or one by one.
+void check_head(std::string_view text) {
+  http::StrictHead at_once;
+  const auto found = at_once.look_at(text);
+  http::StrictHead by_bytes;
+  auto so_far = http::StrictHead::State::incomplete;
+  for (std::size_t length = 1; length <= text.size() && so_far == http::StrictHead::State::incomplete;
+       ++length)
+    so_far = by_bytes.look_at(text.substr(0, length));
+  expect(so_far == found);
+}
+
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -75,5 +88,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   check_site(text);
   check_headers(text);
   check_multipart(text);
+  check_head(text);
   return 0;
 }

@@ -1,0 +1,18 @@
+#include <cstddef>
+#include <cstdint>
+#include <string_view>
+
+#include "storage/repository/dataset_rows.hpp"
+#include "storage/repository/migrations.hpp"
+
+/// Rows of a process that a hostile file has taken over: they are taken or refused, and nothing else happens.
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  namespace repository = floeplan::repository;
+  static auto db = repository::open_store_in_memory();
+  repository::DatasetReceiver receiver{db};  // what it took goes with it
+  try {
+    receiver.take({reinterpret_cast<const char*>(data), size});
+  } catch (const repository::BrokenParcel&) {
+  }
+  return 0;
+}
