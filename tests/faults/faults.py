@@ -18,6 +18,7 @@ import tempfile
 import threading
 import time
 
+import hostile_files
 from served import Gone, Served
 
 SIDE = 60
@@ -61,8 +62,9 @@ def integrity(store):
 class Client(threading.Thread):
     """Submits work and remembers what the server promised."""
 
-    def __init__(self, server, generator, promised, first):
+    def __init__(self, server, generator, promised, first, hostile):
         super().__init__(daemon=True)
+        self.hostile = hostile
         self.server, self.generator, self.promised, self.number = server, generator, promised, first
 
     def run(self):
@@ -73,11 +75,15 @@ class Client(threading.Thread):
                 if self.number % 3 == 0:
                     upload = self.server.upload(f"bed{self.number}.asc", grid(self.number))
                     self._submit("ingest", {"uploads": [upload], "positive": "up"})
+                if self.number % 3 == 1:
+                    name, content = self.generator.choice(self.hostile)
+                    upload = self.server.upload(name, hostile_files.spoilt(content, self.generator))
+                    self._submit("ingest", {"uploads": [upload]}, hostile=True)
                 self._export()
         except Gone:
             pass
 
-    def _submit(self, process, inputs):
+    def _submit(self, process, inputs, hostile=False):
         key = f"key-{self.generator.getrandbits(64):x}"
         status, answer = self.server.execute(process, inputs, key, wait=False)
         if status == 503 and answer["type"] == "/problems/queue-full":
@@ -87,7 +93,7 @@ class Client(threading.Thread):
             return
         expect(status == 201, f"{process} was refused: {status} {answer}")
         if status == 201:
-            self.promised.append((answer["jobID"], process, inputs, key))
+            self.promised.append((answer["jobID"], "hostile" if hostile else process, inputs, key))
 
     def _export(self):
         _, page = self.server.ask("GET", "/collections/plans/items?limit=1")
@@ -105,9 +111,10 @@ def ended(server, job):
 
 def kills(program, folder, count, generator):
     store, promised, given_up = folder / "killed", [], 0
+    hostile = hostile_files.sample_of(store)
     for number in range(count):
         server = Served(program, store)
-        client = Client(server, generator, promised, 1000 * number)
+        client = Client(server, generator, promised, 1000 * number, hostile)
         client.start()
         time.sleep(generator.uniform(0.0, 1.5))
         server.end(signal.SIGKILL)
@@ -137,6 +144,9 @@ def settle(program, store, promised):
         status, message = ended(server, job)
         if status == "failed" and "begun 3 times" in message:
             given_up += 1
+            continue
+        if process == "hostile":
+            expect(status in ("failed", "successful"), f"a hostile file {job} ended {status}: {message}")
             continue
         expect(status == "successful", f"{process} {job} ended {status}: {message}")
         again, answer = server.execute(process, inputs, key, wait=False)
