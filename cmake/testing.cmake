@@ -25,7 +25,7 @@ function(floeplan_test folder)
   add_executable(${folder}_test ${TEST_SOURCES})
   target_link_libraries(${folder}_test PRIVATE ${TEST_LIBRARIES} floeplan_test_places GTest::gmock_main floeplan_options)
   target_include_directories(${folder}_test PRIVATE ${PROJECT_SOURCE_DIR})
-  set_target_properties(${folder}_test PROPERTIES FLOEPLAN_JOIN_MOST 10 FLOEPLAN_IS_TEST ON)
+  set_target_properties(${folder}_test PROPERTIES FLOEPLAN_IS_TEST ON)
   if(FLOEPLAN_SANITIZE OR NOT CMAKE_BUILD_TYPE STREQUAL "Debug")
     # What a test calls is optimised as it is for users; its own code is large, runs briefly, and compiles twice as fast.
     # At -Og the compiler takes what a constructor it does not inline sets for uninitialised.
