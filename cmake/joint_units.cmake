@@ -1,6 +1,7 @@
 # Compiles many sources of a target as one unit, which takes a quarter of the time: headers are read, and templates
 # are instantiated, once for all of them. Sources of one unit share their unnamed namespaces, so a name in two of them
-# is an error there. Which unit a source goes into depends on its name alone, so that a new source moves no other.
+# is an error there, or worse: of two functions the one that fits better is called (tests/architecture looks for them).
+# Which unit a source goes into depends on its name alone, so that a new source moves no other.
 # The units name their sources from the top of the tree (CMake's own name them by absolute paths), so that the compiler's
 # cache knows them again in another clone.
 

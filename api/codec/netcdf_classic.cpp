@@ -22,17 +22,17 @@ std::string big_endian(Bits bits) {
   return text;
 }
 
-std::string count_of(std::size_t count) { return big_endian(static_cast<std::uint32_t>(count)); }
+std::string written_count(std::size_t count) { return big_endian(static_cast<std::uint32_t>(count)); }
 
 std::string filled_up(std::string text) {
   text.resize((text.size() + 3) / 4 * 4, '\0');
   return text;
 }
 
-std::string name_of(const std::string& name) { return count_of(name.size()) + filled_up(name); }
+std::string name_of(const std::string& name) { return written_count(name.size()) + filled_up(name); }
 
 std::string list_head(std::uint32_t tag, std::size_t count) {
-  return count == 0 ? count_of(0) + count_of(0) : count_of(tag) + count_of(count);
+  return count == 0 ? written_count(0) + written_count(0) : written_count(tag) + written_count(count);
 }
 
 std::string integers(std::span<const std::int32_t> values) {
@@ -112,21 +112,22 @@ void NetcdfClassic::add_characters(const std::string& name, const std::vector<Di
 std::string NetcdfClassic::attributes_text(const std::vector<Attribute>& attributes) {
   std::string text = list_head(attribute_list, attributes.size());
   for (const Attribute& attribute : attributes)
-    text += name_of(attribute.name) + count_of(attribute.type) + count_of(attribute.count) + attribute.values;
+    text += name_of(attribute.name) + written_count(attribute.type) + written_count(attribute.count) +
+            attribute.values;
   return text;
 }
 
 /// `begin`: where the first variable's values begin.
 std::string NetcdfClassic::header(std::size_t begin) const {
   std::string text{"CDF\x02"};
-  text += count_of(0) + list_head(dimension_list, dimensions_.size());
-  for (const auto& [name, length] : dimensions_) text += name_of(name) + count_of(length);
+  text += written_count(0) + list_head(dimension_list, dimensions_.size());
+  for (const auto& [name, length] : dimensions_) text += name_of(name) + written_count(length);
   text += attributes_text(attributes_) + list_head(variable_list, variables_.size());
   for (const Variable& variable : variables_) {
-    text += name_of(variable.name) + count_of(variable.shape.size());
-    for (const Dimension dimension : variable.shape) text += count_of(dimension);
-    text += attributes_text(variable.attributes) + count_of(variable.type) +
-            count_of(variable.values.size()) + big_endian(static_cast<std::uint64_t>(begin));
+    text += name_of(variable.name) + written_count(variable.shape.size());
+    for (const Dimension dimension : variable.shape) text += written_count(dimension);
+    text += attributes_text(variable.attributes) + written_count(variable.type) +
+            written_count(variable.values.size()) + big_endian(static_cast<std::uint64_t>(begin));
     begin += variable.values.size();
   }
   return text;

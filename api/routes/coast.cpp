@@ -16,7 +16,7 @@ using nlohmann::json;
 /// More than this and the map asks for less than it shows; the largest islands are kept.
 constexpr std::size_t max_vertices = 400'000;
 
-double rounded(double degrees) { return std::round(degrees * 1e4) / 1e4; }
+double rounded_degrees(double degrees) { return std::round(degrees * 1e4) / 1e4; }
 
 /// The ring as GeoJSON: closed, and running on past 180 degrees where it crosses the antimeridian.
 json ring_json(const geo::Ring& ring) {
@@ -24,7 +24,7 @@ json ring_json(const geo::Ring& ring) {
   double lon_deg = ring.front().lon_deg;
   for (std::size_t i = 0; i < ring.size(); ++i) {
     if (i > 0) lon_deg += geo::longitude_difference(ring[i - 1].lon_deg, ring[i].lon_deg);
-    json position = json::array({rounded(lon_deg), rounded(ring[i].lat_deg)});
+    json position = json::array({rounded_degrees(lon_deg), rounded_degrees(ring[i].lat_deg)});
     if (result.empty() || result.back() != position) result.push_back(std::move(position));
   }
   result.push_back(result.front());

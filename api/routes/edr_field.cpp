@@ -108,7 +108,7 @@ void sort_finest_first(std::vector<repository::Dataset>& datasets, sqlite::Conne
   for (std::size_t i = 0; i < ranked.size(); ++i) datasets[i] = std::move(ranked[i].second);
 }
 
-bool meets(const repository::Dataset& dataset, const TimeSpan& span) {
+bool meets_span(const repository::Dataset& dataset, const TimeSpan& span) {
   return (!span.from || !dataset.time_end || *dataset.time_end >= *span.from) &&
          (!span.to || !dataset.time_start || *dataset.time_start <= *span.to);
 }
@@ -149,7 +149,7 @@ std::vector<repository::Dataset> edr_datasets(sqlite::Connection& db, const EdrC
                                               const TimeSpan& span) {
   auto datasets = repository::DatasetRepository{db}.list();
   std::erase_if(datasets, [&](const repository::Dataset& dataset) {
-    return dataset.kind != collection.kind || !meets(dataset, span) ||
+    return dataset.kind != collection.kind || !meets_span(dataset, span) ||
            (area && !geo::intersects(dataset.bounds, *area));
   });
   repository::sort_newest_run_first(datasets);

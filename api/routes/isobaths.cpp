@@ -47,7 +47,7 @@ std::optional<json> isobath_feature(const repository::JoinedBathymetry& joined, 
                 {"dataset_ids", std::move(datasets)}}}};
 }
 
-std::optional<int> read_depth(const std::string& text) {
+std::optional<int> whole_depth(const std::string& text) {
   int depth_m = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), depth_m);
   const bool whole = error == std::errc{} && end == text.data() + text.size();
@@ -61,7 +61,7 @@ FeatureExtent isobath_extent(sqlite::Connection& db) {
 tl::expected<FeaturePage, codec::Problem> list_isobaths(const Context& context, const FeatureQuery& query) {
   std::vector<int> depths_m{usual_depths_m.begin(), usual_depths_m.end()};
   if (const auto wanted = query.filters.find("depth_m"); wanted != query.filters.end()) {
-    const auto depth_m = read_depth(wanted->second);
+    const auto depth_m = whole_depth(wanted->second);
     if (!depth_m) {
       return tl::unexpected(codec::Problem{
           400,
@@ -92,7 +92,7 @@ tl::expected<FeaturePage, codec::Problem> list_isobaths(const Context& context, 
 }
 
 std::optional<json> find_isobath(const Context& context, const std::string& id) {
-  const auto depth_m = read_depth(id);
+  const auto depth_m = whole_depth(id);
   const auto joined =
       depth_m ? repository::joined_bathymetry(context.db, isobath_extent(context.db).area, most_nodes)
               : std::nullopt;

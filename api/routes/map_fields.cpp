@@ -43,8 +43,9 @@ bool suits(const Dataset& dataset, DatasetKind kind, const geo::BoundingBox& are
 }
 
 /// The named dataset, or the newest of the kind that meets area and time; else the problem to answer with.
-tl::expected<Dataset, Response> choose(const Context& context, const Request& request, DatasetKind kind,
-                                       const geo::BoundingBox& area, std::optional<core::UtcTime> time) {
+tl::expected<Dataset, Response> choose_dataset(const Context& context, const Request& request,
+                                               DatasetKind kind, const geo::BoundingBox& area,
+                                               std::optional<core::UtcTime> time) {
   const repository::DatasetRepository datasets{context.db};
   const std::string what = repository::kind_name(kind);
   if (const auto id = request.parameter("dataset")) {
@@ -104,7 +105,7 @@ Response show_bathymetry(const Context& context, const Request& request, const P
   ParameterReader reader{request};
   const auto view = read_view(reader);
   if (!reader.violations().empty()) return invalid(request, reader.violations());
-  const auto dataset = choose(context, request, DatasetKind::bathymetry, view->area, std::nullopt);
+  const auto dataset = choose_dataset(context, request, DatasetKind::bathymetry, view->area, std::nullopt);
   if (!dataset) return dataset.error();
   using repository::FieldOverviews;
   // Some depths for each sample of the picture: no more can be seen.
@@ -129,7 +130,7 @@ Response show_currents(const Context& context, const Request& request, const Pat
   const auto time = reader.time("time");
   const auto depth_m = reader.number("depth_m", 0.0, 12000.0);
   if (!reader.violations().empty()) return invalid(request, reader.violations());
-  const auto dataset = choose(context, request, DatasetKind::currents, view->area, time);
+  const auto dataset = choose_dataset(context, request, DatasetKind::currents, view->area, time);
   if (!dataset) return dataset.error();
   const auto shape = repository::FieldRepository{context.db}.shape(dataset->id);
   const bool layered = shape && shape->depths_m;

@@ -38,7 +38,7 @@ json outputs_of(const ProcessEntry& process) {
   return outputs;
 }
 
-json summary_of(const ProcessEntry& process, const std::string& url) {
+json process_summary(const ProcessEntry& process, const std::string& url) {
   const std::string self = url + "/processes/" + process.id;
   return {{"id", process.id},
           {"title", process.title},
@@ -58,7 +58,7 @@ Response list_processes(const Context& context, const Request& request, const Pa
   const std::string& url = context.service.public_url;
   json processes = json::array();
   for (const auto& process : all_processes()) {
-    if (processes.size() < limit) processes.push_back(summary_of(process, url));
+    if (processes.size() < limit) processes.push_back(process_summary(process, url));
   }
   return json_reply({{"processes", processes},
                      {"links", json::array({link("self", "application/json", url + "/processes")})}});
@@ -67,7 +67,7 @@ Response list_processes(const Context& context, const Request& request, const Pa
 Response show_process(const Context& context, const Request& request, const PathParameters& path) {
   const ProcessEntry* process = find_process(path.at("process_id"));
   if (process == nullptr) return no_such_process(request, path.at("process_id"));
-  json description = summary_of(*process, context.service.public_url);
+  json description = process_summary(*process, context.service.public_url);
   description["inputs"] = inputs_of(*process);
   description["outputs"] = outputs_of(*process);
   return json_reply(description);

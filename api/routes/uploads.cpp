@@ -30,7 +30,7 @@ json upload_document(const Upload& upload, const std::string& public_url) {
           {"links", json::array({link("self", "application/json", public_url + "/uploads/" + upload.id)})}};
 }
 
-core::Violations faults_of(const Request& request) {
+core::Violations upload_faults(const Request& request) {
   constexpr std::size_t longest_name = 200;
   core::Violations faults;
   const auto sha256 = request.parameter("sha256");
@@ -50,7 +50,7 @@ core::Violations faults_of(const Request& request) {
 }
 
 Response add_upload(const Context& context, const Request& request, const PathParameters&) {
-  const auto faults = faults_of(request);
+  const auto faults = upload_faults(request);
   if (!faults.empty()) return invalid(request, faults);
   UploadRepository uploads{context.service.uploads};
   uploads.remove_expired(request.now);

@@ -27,7 +27,7 @@ AvoidanceSettings checked(AvoidanceSettings settings) {
   throw std::invalid_argument{violations.front().field + " " + violations.front().rule};
 }
 
-bool is_usable(const OwnState& own, std::optional<core::UtcTime> last) {
+bool is_usable_state(const OwnState& own, std::optional<core::UtcTime> last) {
   const bool is_finite = std::isfinite(core::unix_seconds(own.time)) && std::isfinite(own.place.x_m) &&
                          std::isfinite(own.place.y_m) && std::isfinite(own.depth.value) &&
                          std::isfinite(own.attitude.heading.value) &&
@@ -82,7 +82,7 @@ Guidance AvoidanceSystem::step(const Sensed& sensed, const std::stop_token& stop
 
 Guidance AvoidanceSystem::react(const Sensed& sensed) {
   path_wanted_ = false;
-  if (!is_usable(sensed.own, last_time_)) {
+  if (!is_usable_state(sensed.own, last_time_)) {
     Guidance held = last_;
     held.reason = Reason::own_state_unusable;
     return held;

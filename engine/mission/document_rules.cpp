@@ -50,7 +50,7 @@ void check_arguments_file(Document& document) {
   }
 }
 
-void check_mission(Document& document) {
+void check_mission_rules(Document& document) {
   for (const Behavior& behavior : document.behaviors) {
     check_arguments(behavior, document.messages);
     if (behavior.name == "goto_list") check_inline_list(behavior, document.messages);
@@ -71,7 +71,7 @@ void check_mission(Document& document) {
 void check_document(Document& document) {
   check_duplicates(document.sensors, false, document.messages);
   if (document.kind == DocumentKind::mission) {
-    check_mission(document);
+    check_mission_rules(document);
   } else {
     check_arguments_file(document);
   }

@@ -51,7 +51,7 @@ core::Metres radius_of(const planning::Plan& plan, const ListPart& part, const G
   return {std::clamp(std::ceil(room.value) - 1.0, smallest_radius_m, usual.value)};
 }
 
-core::Violations violations_of(const planning::Plan& plan, const GotoListOptions& options) {
+core::Violations violations_of_options(const planning::Plan& plan, const GotoListOptions& options) {
   core::Violations found;
   if (plan.waypoints.size() < 2)
     found.push_back({"/waypoints", "a plan to export has at least a start and a goal"});
@@ -96,7 +96,7 @@ struct List {
   core::Metres radius;
 };
 
-std::vector<List> lists_of(const planning::Plan& plan, const GotoListOptions& options) {
+std::vector<List> lists_of_plan(const planning::Plan& plan, const GotoListOptions& options) {
   std::vector<List> lists;
   for (const ListPart& part : part_into_lists(plan, rules_of(options))) {
     const int number = options.first_number + static_cast<int>(lists.size());
@@ -290,11 +290,11 @@ core::Seconds longest_list_time(const planning::Plan& plan, const GotoListOption
 
 tl::expected<MissionFiles, core::Violations> write_goto_lists(const planning::Plan& plan,
                                                               const GotoListOptions& options) {
-  if (core::Violations found = violations_of(plan, options); !found.empty())
+  if (core::Violations found = violations_of_options(plan, options); !found.empty())
     return tl::unexpected(std::move(found));
 
   const std::vector<core::Metres> legs = leg_lengths(plan);
-  const std::vector<List> lists = lists_of(plan, options);
+  const std::vector<List> lists = lists_of_plan(plan, options);
 
   MissionFiles written;
   for (std::size_t i = 0; i < lists.size(); ++i) {

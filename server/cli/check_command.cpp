@@ -46,7 +46,7 @@ mission::Document document_of(const std::string& file) {
   return unreadable;
 }
 
-void print(const mission::Document& document, const std::string& file) {
+void print_document(const mission::Document& document, const std::string& file) {
   std::printf("%s: %s", file.c_str(), mission::verdict_name(document.verdict()).c_str());
   if (document.kind == mission::DocumentKind::arguments && !document.behaviors.empty())
     std::printf(", %s", document.behaviors.front().name.c_str());
@@ -94,7 +94,7 @@ int run_check(const CheckFlags& flags, const Program& program) {
     if (flags.json_out) {
       answers.push_back(codec::mission_document(document, flags.files[i]));
     } else {
-      print(document, flags.files[i]);
+      print_document(document, flags.files[i]);
     }
   }
   if (flags.json_out) std::cout << answers.dump(2, ' ', false, json::error_handler_t::replace) << '\n';

@@ -44,20 +44,20 @@ tl::expected<codec::GliderLog, core::Violations> read_log(const std::string& fil
   return tl::unexpected(std::move(dives.error()));
 }
 
-void print_row(const char* what, const Compared& compared, int digits, const char* unit) {
+void print_compared(const char* what, const Compared& compared, int digits, const char* unit) {
   std::printf("  %-22s %10.*f %10.*f %-4s %+6.1f %%\n", what, digits, compared.logged, digits,
               compared.simulated, unit, 100.0 * compared.deviation_share());
 }
 
-void print(const std::vector<codec::ComparedDive>& dives) {
+void print_dives(const std::vector<codec::ComparedDive>& dives) {
   for (const codec::ComparedDive& dive : dives) {
     const SegmentComparison& compared = dive.compared;
     std::printf("%s, dive of %s\n  %-22s %10s %10s\n", dive.file.c_str(),
                 core::iso8601(dive.logged.dived).c_str(), "", "logged", "simulated");
-    print_row("time under water", compared.under_water_s, 0, "s");
-    print_row("dives", compared.dives, 0, "");
-    print_row("speed through water", compared.speed_m_s, 3, "m/s");
-    print_row("way over ground", compared.over_ground_m, 0, "m");
+    print_compared("time under water", compared.under_water_s, 0, "s");
+    print_compared("dives", compared.dives, 0, "");
+    print_compared("speed through water", compared.speed_m_s, 3, "m/s");
+    print_compared("way over ground", compared.over_ground_m, 0, "m");
     std::printf("  %-22s %21.0f %-4s %6.1f %%\n", "positions apart", compared.apart_m, "m",
                 100.0 * compared.apart_share);
     std::printf("  flown with a parasite drag of %.3f and a trim of %+.0f cm3\n", compared.parasite_drag,
@@ -95,7 +95,7 @@ int run_compare_flight(const CompareFlightFlags& flags) {
         << codec::comparison_document(compared.dives).dump(2, ' ', false, json::error_handler_t::replace)
         << '\n';
   } else {
-    print(compared.dives);
+    print_dives(compared.dives);
   }
   return found.empty() ? done : bad_data;
 }

@@ -32,7 +32,7 @@ nlohmann::json to_json(const repository::Damage& damage) {
           {"structure", damage.structure}};
 }
 
-void print(const repository::Damage& damage) {
+void print_damage(const repository::Damage& damage) {
   if (damage.is_none()) {
     std::cout << "whole: every page, dataset, plan, simulation, job and token is as it was written\n";
     return;
@@ -54,7 +54,7 @@ int verify(bool as_json, const Program& program) {
   if (as_json)
     std::cout << to_json(damage).dump(2) << '\n';
   else
-    print(damage);
+    print_damage(damage);
   return damage.is_none() ? done : bad_data;
 }
 

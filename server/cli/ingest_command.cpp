@@ -28,7 +28,7 @@ struct IngestFlags {
   bool allow_weak_sandbox{false};
 };
 
-void print(const ingest::IngestReport& report) {
+void print_report(const ingest::IngestReport& report) {
   std::cout << jobs::status_name(report.status) << "  " << report.file;
   if (report.dataset) {
     std::cout << "  " << repository::kind_name(report.dataset->kind) << "  " << report.dataset->id.value
@@ -63,7 +63,7 @@ int run_ingest(const IngestFlags& flags, const Program& program) {
   int exit_code = done;
   const auto tell = [&](const ingest::IngestReport& report) {
     if (report.status == ingest::IngestStatus::refused) exit_code = bad_data;
-    if (!flags.json_out) return print(report);
+    if (!flags.json_out) return print_report(report);
     for (const std::string& error : report.errors) complain(bad_data, report.file + ": " + error);
   };
   std::vector<std::filesystem::path> files(flags.files.begin(), flags.files.end());

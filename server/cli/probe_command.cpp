@@ -19,7 +19,7 @@ struct ProbeFlags {
   bool json_out{false};
 };
 
-void print(const codec::Probe& probe) {
+void print_probe(const codec::Probe& probe) {
   std::cout << std::fixed << std::setprecision(4) << "place     " << probe.place.lon_deg << ", "
             << probe.place.lat_deg << " at " << core::iso8601(probe.time) << '\n';
   if (probe.depth) {
@@ -100,7 +100,7 @@ int run_probe(const ProbeFlags& flags, const Program& program) {
   if (flags.json_out) {
     std::cout << codec::probe_document(*probe).dump(2) << '\n';
   } else {
-    print(*probe);
+    print_probe(*probe);
   }
   return done;
 }

@@ -43,7 +43,7 @@ json table_document(const std::vector<ReproducedRow>& rows) {
 }
 
 template <class T>
-std::string cell(const std::optional<T>& value, const char* format) {
+std::string table_cell(const std::optional<T>& value, const char* format) {
   if (!value) return "-";
   std::array<char, 40> text{};
   std::snprintf(text.data(), text.size(), format, static_cast<double>(*value));
@@ -56,16 +56,18 @@ std::optional<double> percent(const std::optional<double>& value) {
   return 0.0;
 }
 
-void print_table(const char* title, const std::vector<ReproducedRow>& rows) {
+void print_rows(const char* title, const std::vector<ReproducedRow>& rows) {
   std::printf("%s\n%-23s %8s %8s %8s %8s %8s %6s %6s %8s %7s\n", title, "method", "paper", "verified", "ours",
               "at 1e-4", "vertices", "edges", "print", "saving %", "dev. %");
   for (const ReproducedRow& row : rows) {
     std::printf("%-23s %8s %8s %8s %8s %8s %6s %6s %8s %7s  %s\n", row.printed.row.c_str(),
-                cell(row.printed.paper_s, "%.3f").c_str(), cell(row.printed.verified_s, "%.3f").c_str(),
-                cell(row.ours_s, "%.3f").c_str(), cell(row.ours_at_default_tolerance_s, "%.3f").c_str(),
-                cell(row.vertices, "%.0f").c_str(), cell(row.edges, "%.0f").c_str(),
-                cell(row.printed.paper_edges, "%.0f").c_str(), cell(percent(row.saving_pct), "%.2f").c_str(),
-                cell(percent(row.deviation_pct), "%.2f").c_str(), row.printed.remark.c_str());
+                table_cell(row.printed.paper_s, "%.3f").c_str(),
+                table_cell(row.printed.verified_s, "%.3f").c_str(), table_cell(row.ours_s, "%.3f").c_str(),
+                table_cell(row.ours_at_default_tolerance_s, "%.3f").c_str(),
+                table_cell(row.vertices, "%.0f").c_str(), table_cell(row.edges, "%.0f").c_str(),
+                table_cell(row.printed.paper_edges, "%.0f").c_str(),
+                table_cell(percent(row.saving_pct), "%.2f").c_str(),
+                table_cell(percent(row.deviation_pct), "%.2f").c_str(), row.printed.remark.c_str());
   }
 }
 
@@ -110,10 +112,10 @@ int print_tables(bool json_out) {
               << '\n';
     return done;
   }
-  print_table("Table II: crossing a river (Eichhorn 2009), times in seconds", table_2);
+  print_rows("Table II: crossing a river (Eichhorn 2009), times in seconds", table_2);
   std::printf("\n");
-  print_table("Table III: a meandering jet; start and goal are a stand-in, since the paper prints none",
-              table_3);
+  print_rows("Table III: a meandering jet; start and goal are a stand-in, since the paper prints none",
+             table_3);
   return done;
 }
 

@@ -38,7 +38,7 @@ struct WatchedFile {
   Identity identity;
 };
 
-std::vector<WatchedFile> files_of(const fs::path& store) {
+std::vector<WatchedFile> watched_files(const fs::path& store) {
   std::vector<WatchedFile> files;
   for (const char* const ending : {"", "-wal"}) {
     fs::path path = sqlite::database_in(store).string() + ending;
@@ -57,7 +57,7 @@ std::vector<WatchedFile> files_of(const fs::path& store) {
 }
 
 void watch(const std::stop_token& stop, const fs::path& store, sqlite::Connection db) {
-  const std::vector<WatchedFile> files = files_of(store);
+  const std::vector<WatchedFile> files = watched_files(store);
   std::mutex mutex;
   std::condition_variable_any woken;
   for (int looks = 1;; ++looks) {

@@ -90,7 +90,7 @@ json listed(const std::vector<RunSummary>& runs, const Is& is) {
 }
 
 /// Of the runs that arrived, over the straight way; null when none did.
-json median_detour(const std::vector<RunSummary>& runs) {
+json median_detour_of_runs(const std::vector<RunSummary>& runs) {
   const double straight_m = simulation::IcebergFieldSettings{}.route.value;
   std::vector<double> detours;
   for (const RunSummary& run : runs) {
@@ -134,7 +134,7 @@ json fly_scenario_document(const codec::ScenarioInputs& asked, std::size_t worke
           {"gave_up", std::ranges::count_if(runs, has_given_up)},
           {"runs_beyond_help", listed(runs, is_beyond_help)},
           {"runs_given_up", listed(runs, has_given_up)},
-          {"median_detour_pct", median_detour(runs)},
+          {"median_detour_pct", median_detour_of_runs(runs)},
           {"statistics", codec::statistics_document(simulation::statistics_of(runs))},
           {"flights", std::move(flights)}};
 }

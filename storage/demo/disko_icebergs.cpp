@@ -31,11 +31,11 @@ constexpr std::array fields{Field{{-51.06, 69.12, -50.52, 69.22}, 15, 2500.0, 17
                             Field{{-52.00, 69.28, -51.45, 69.59}, 8, 6000.0, 100.0},   // on the way to Vaigat
                             Field{{-54.00, 68.80, -51.50, 69.42}, 13, 60'000.0, 90.0}};  // scattered
 
-double uniform(std::mt19937_64& rng) { return static_cast<double>(rng() >> 11) * 0x1.0p-53; }
+double uniform_share(std::mt19937_64& rng) { return static_cast<double>(rng() >> 11) * 0x1.0p-53; }
 
 double normal(std::mt19937_64& rng) {
-  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform(rng)));
-  return radius * std::cos(2.0 * std::numbers::pi * uniform(rng));
+  const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform_share(rng)));
+  return radius * std::cos(2.0 * std::numbers::pi * uniform_share(rng));
 }
 
 double draft_m(double length_m) {
@@ -61,10 +61,12 @@ class BergMaker {
         rounded(std::clamp(field.median_m * std::exp(0.55 * normal(rng_)), 20.0, 600.0), 1.0);
     for (int attempt = 0; attempt < 10'000; ++attempt) {
       const geo::LonLat place{
-          rounded(field.box.west_deg + (field.box.east_deg - field.box.west_deg) * uniform(rng_), 1e-5),
-          rounded(field.box.south_deg + (field.box.north_deg - field.box.south_deg) * uniform(rng_), 1e-5)};
+          rounded(field.box.west_deg + (field.box.east_deg - field.box.west_deg) * uniform_share(rng_), 1e-5),
+          rounded(field.box.south_deg + (field.box.north_deg - field.box.south_deg) * uniform_share(rng_),
+                  1e-5)};
       const double aside = beside(disko::outflow, place, disko::earth).across_m / field.spread_m;
-      if (uniform(rng_) < std::exp(-aside * aside) && is_free(place, length_m)) return berg(place, length_m);
+      if (uniform_share(rng_) < std::exp(-aside * aside) && is_free(place, length_m))
+        return berg(place, length_m);
     }
     throw std::logic_error{"no free water for an iceberg"};
   }
@@ -73,7 +75,7 @@ class BergMaker {
     places_.push_back(place);
     std::array<char, 16> id{};
     std::snprintf(id.data(), id.size(), "SYN-%03zu", places_.size());
-    const double age_s = rounded((0.5 + 19.5 * uniform(rng_)) * 3600.0, 60.0);
+    const double age_s = rounded((0.5 + 19.5 * uniform_share(rng_)) * 3600.0, 60.0);
     ocean::Iceberg berg;
     berg.id = id.data();
     berg.place = place;
@@ -81,7 +83,7 @@ class BergMaker {
     berg.size = size_of(length_m);
     berg.length = core::Metres{length_m};
     berg.draft = core::Metres{std::floor(std::min(draft_m(length_m), depth_m(relief_, place)))};
-    berg.position_uncertainty = core::Metres{rounded(100.0 + 300.0 * uniform(rng_), 10.0)};
+    berg.position_uncertainty = core::Metres{rounded(100.0 + 300.0 * uniform_share(rng_), 10.0)};
     berg.method = "SAT-HIGH";
     return berg;
   }

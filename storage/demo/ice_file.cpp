@@ -15,8 +15,8 @@ namespace {
 constexpr double step_of_concentration = 1e-4;
 constexpr double step_of_thickness_m = 1e-3;
 
-void write_slice(GDALMDArray& array, std::size_t time, const RasterFrame& frame,
-                 const std::vector<double>& values, const std::vector<bool>& masked, double step) {
+void write_ice_slice(GDALMDArray& array, std::size_t time, const RasterFrame& frame,
+                     const std::vector<double>& values, const std::vector<bool>& masked, double step) {
   std::vector<std::int16_t> packed(values.size(), packed_missing);
   for (std::size_t i = 0; i < values.size(); ++i) {
     if (!masked[i]) packed[i] = static_cast<std::int16_t>(std::lround(values[i] / step));
@@ -46,9 +46,9 @@ void write_ice(const std::filesystem::path& file, const IceFile& content) {
 
   for (std::size_t time = 0; time < content.times.size(); ++time) {
     const IceLayer layer = content.layer(content.times[time]);
-    write_slice(*concentration, time, content.frame, layer.concentration, layer.masked,
-                step_of_concentration);
-    write_slice(*thickness, time, content.frame, layer.thickness_m, layer.masked, step_of_thickness_m);
+    write_ice_slice(*concentration, time, content.frame, layer.concentration, layer.masked,
+                    step_of_concentration);
+    write_ice_slice(*thickness, time, content.frame, layer.thickness_m, layer.masked, step_of_thickness_m);
   }
 }
 

@@ -146,11 +146,11 @@ bool is_zarr_store(const fs::path& folder) {
 }
 
 /// Every file below a folder, and every Zarr store as a whole.
-void gather(const fs::path& folder, std::vector<fs::path>& found) {
+void gather_files(const fs::path& folder, std::vector<fs::path>& found) {
   if (is_zarr_store(folder)) return found.push_back(folder);
   for (const auto& entry : fs::directory_iterator{folder}) {
     if (entry.is_directory()) {
-      gather(entry.path(), found);
+      gather_files(entry.path(), found);
     } else {
       found.push_back(entry.path());
     }
@@ -159,7 +159,7 @@ void gather(const fs::path& folder, std::vector<fs::path>& found) {
 
 Checked<Unpacked> sorted_out(const fs::path& folder) {
   std::vector<fs::path> all;
-  gather(folder, all);
+  gather_files(folder, all);
   std::ranges::sort(all);
   Unpacked unpacked;
   for (const fs::path& file : all) {

@@ -65,8 +65,9 @@ Checked<bool> for_each_level(const StoredCurrents& currents, std::size_t time, c
   return true;
 }
 
-tl::expected<void, std::string> write(const StoredCurrents& currents, const core::ProgressCallback& progress,
-                                      sqlite::Connection& db, const repository::DatasetId& id) {
+tl::expected<void, std::string> write_currents(const StoredCurrents& currents,
+                                               const core::ProgressCallback& progress, sqlite::Connection& db,
+                                               const repository::DatasetId& id) {
   repository::FieldRepository fields{db};
   std::optional<ocean::Axis> depths;
   if (currents.depths_m) depths = ocean::Axis{*currents.depths_m};
@@ -234,7 +235,7 @@ Checked<PreparedDataset> prepare_currents(CurrentInput input, const core::Progre
   data.time_end = core::from_unix_seconds(shape.times_s.back());
   data.write = [currents = std::move(*currents), progress](sqlite::Connection& db,
                                                            const repository::DatasetId& id) {
-    return write(currents, progress, db, id);
+    return write_currents(currents, progress, db, id);
   };
   return data;
 }

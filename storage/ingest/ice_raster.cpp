@@ -139,7 +139,7 @@ ocean::Axis nodes(double first, double step, int count) {
 }
 
 /// Long edges in degrees are bent by the projection. A polygon without a reference system is on WGS84.
-Checked<bool> prepare(std::vector<IcePolygon>& polygons) {
+Checked<bool> prepare_polygons(std::vector<IcePolygon>& polygons) {
   bool north = false;
   bool south = false;
   const SharedCrs wgs84 = crs_of_epsg(4326);
@@ -167,7 +167,7 @@ Checked<bool> prepare(std::vector<IcePolygon>& polygons) {
 }  // namespace
 
 Checked<IceRaster> lay_on_grid(std::vector<IcePolygon> polygons) {
-  const auto north = prepare(polygons);
+  const auto north = prepare_polygons(polygons);
   if (!north) return refuse(north.error());
   const SharedCrs target = crs_of_epsg(*north ? 3413 : 3031);
   const auto box = project(polygons, *target);

@@ -17,7 +17,7 @@ constexpr bool sanitized = false;
 constexpr std::uint64_t megabyte = 1'000'000;
 
 /// Bytes of a file, or of everything in a folder; 0 of what is not there.
-std::uint64_t size_of(const std::filesystem::path& path) {
+std::uint64_t bytes_of(const std::filesystem::path& path) {
   std::error_code error;
   if (!std::filesystem::is_directory(path, error)) {
     const auto size = std::filesystem::file_size(path, error);
@@ -42,7 +42,7 @@ void set_limit(decltype(RLIMIT_CPU) resource, std::uint64_t most) {
 
 ReaderLimits limits_for(const std::vector<std::filesystem::path>& files) {
   std::uint64_t bytes = 0;
-  for (const std::filesystem::path& file : files) bytes += size_of(file);
+  for (const std::filesystem::path& file : files) bytes += bytes_of(file);
   // Seconds: for a small file half of the 10 s after which a damaged one has to be given up by the clock, because a
   // machine may be busy with other things. For each megabyte a tenth of the rate at which files of currents, the
   // largest there are, are read on one slow core.

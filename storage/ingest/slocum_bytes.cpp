@@ -18,7 +18,7 @@ std::size_t length_at(std::string_view packed, std::size_t at) {
          static_cast<unsigned char>(packed[at + 1]);
 }
 
-SlocumBytes unpacked(std::string_view packed, std::uintmax_t most) {
+SlocumBytes unpack_bytes(std::string_view packed, std::uintmax_t most) {
   SlocumBytes result;
   std::string room(most_of_block, '\0');
   for (std::size_t at = 0; at + length_bytes < packed.size() && result.bytes.size() < most;) {
@@ -49,7 +49,7 @@ bool is_compressed_slocum(std::string_view head) {
 
 SlocumBytes slocum_bytes(const std::filesystem::path& file, std::uintmax_t most) {
   std::string raw = first_bytes(file, most + length_bytes + longest_block);
-  if (is_compressed_slocum(raw)) return unpacked(raw, most);
+  if (is_compressed_slocum(raw)) return unpack_bytes(raw, most);
   raw.resize(std::min<std::uintmax_t>(raw.size(), most));
   return {std::move(raw), false};
 }

@@ -139,8 +139,8 @@ bool are_same_nodes(const ocean::HorizontalGrid& a, const ocean::HorizontalGrid&
          alike(a.y(), b.y());
 }
 
-Checked<std::vector<double>> read_plane(const NetcdfVariable& variable, const TideLayout& layout,
-                                        std::size_t line) {
+Checked<std::vector<double>> read_tide_plane(const NetcdfVariable& variable, const TideLayout& layout,
+                                             std::size_t line) {
   const auto& dimensions = variable.dimensions();
   std::vector<std::uint64_t> start(dimensions.size(), 0);
   std::vector<std::size_t> count(dimensions.size(), 1);
@@ -252,9 +252,9 @@ Checked<std::vector<std::string>> tide_names(const NetcdfFile& file, const std::
 
 Checked<std::vector<std::complex<double>>> read_tide_field(const TideVariables& tide,
                                                            const TideLayout& layout, std::size_t line) {
-  const auto first = read_plane(*tide.first, layout, line);
+  const auto first = read_tide_plane(*tide.first, layout, line);
   if (!first) return refuse(first.error());
-  const auto second = read_plane(*tide.second, layout, line);
+  const auto second = read_tide_plane(*tide.second, layout, line);
   if (!second) return refuse(second.error());
   std::vector<std::complex<double>> field;
   field.reserve(first->size());
@@ -277,7 +277,7 @@ Checked<std::vector<double>> read_tide_depths(const NetcdfFiles& files, const Ti
     if (depth == nullptr || depth->dimensions().size() != 2) continue;
     const auto own = tide_layout_of(*file, {tide.quantity, depth, depth}, stated_crs);
     if (!own || !are_same_nodes(own->grid, layout.grid)) continue;
-    auto depths = read_plane(*depth, *own, 0);
+    auto depths = read_tide_plane(*depth, *own, 0);
     if (!depths) return refuse(depths.error());
     for (double& value : *depths)
       if (!(value > 0.0)) value = no_value;

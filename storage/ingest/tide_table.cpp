@@ -22,7 +22,7 @@ constexpr std::size_t max_bytes = 50'000'000;
 constexpr std::size_t max_stations = 100'000;
 constexpr double highest_m = 20.0;
 
-std::vector<std::string> split(std::string_view line, std::string_view separators) {
+std::vector<std::string> split_line(std::string_view line, std::string_view separators) {
   std::vector<std::string> parts;
   std::size_t begin = 0;
   while ((begin = line.find_first_not_of(separators, begin)) != std::string_view::npos) {
@@ -175,13 +175,13 @@ enum class PhaseTime { unstated, greenwich, local };
 /// What a text in lower case says of it.
 PhaseTime phase_time_of(std::string_view text) {
   PhaseTime stated = PhaseTime::unstated;
-  for (const std::string& line : split(text, "\r\n")) {
+  for (const std::string& line : split_line(text, "\r\n")) {
     const bool of_time = contains_any(line, {"time", "phase", "g_deg"});
-    for (const std::string& word : split(line, " \t,;:()[]\"#_=/"))
+    for (const std::string& word : split_line(line, " \t,;:()[]\"#_=/"))
       if ((word == "local" && of_time) || word == "lst" || word == "lmt") return PhaseTime::local;
     const std::size_t at = std::min(line.find("time zone"), line.find("timezone"));
     if (at != std::string::npos) {
-      const auto zone = split(line.substr(line.find("zone", at) + 4), " \t,;:\"=");
+      const auto zone = split_line(line.substr(line.find("zone", at) + 4), " \t,;:\"=");
       const bool at_greenwich = zone.empty() || zone[0] == "utc" || zone[0] == "gmt" || zone[0] == "z" ||
                                 parse_number(zone[0]) == 0.0;
       if (!at_greenwich) return PhaseTime::local;
@@ -205,7 +205,7 @@ struct TableColumns {
 
 std::optional<TableColumns> table_columns(const std::string& line) {
   for (const char separator : {'\t', ',', ';'}) {
-    const auto fields = split(line, std::string_view{&separator, 1});
+    const auto fields = split_line(line, std::string_view{&separator, 1});
     std::optional<std::size_t> name;
     std::optional<std::size_t> amplitude;
     std::optional<std::size_t> phase;
@@ -320,7 +320,7 @@ Checked<PreparedDataset> read_tide_table(const std::filesystem::path& file, cons
 
   StationRows rows;
   for (std::string line = header_of(*text, rest); !line.empty(); line = header_of(*text, rest)) {
-    const auto fields = split(line, std::string_view{&columns->separator, 1});
+    const auto fields = split_line(line, std::string_view{&columns->separator, 1});
     const std::size_t needed =
         std::max({columns->name, columns->amplitude, columns->phase, columns->speed.value_or(0)});
     if (fields.size() <= needed)
@@ -351,8 +351,8 @@ Checked<PreparedDataset> read_otps_extract(const std::filesystem::path& file) {
   std::vector<TideStation> stations;
   std::vector<std::string> warnings;
   std::int64_t outside = 0;
-  for (const std::string& line : split(*text, "\n")) {
-    const auto fields = split(line, " \t\r");
+  for (const std::string& line : split_line(*text, "\n")) {
+    const auto fields = split_line(line, " \t\r");
     if (names.empty()) {
       for (const std::string& field : fields)
         if (field.ends_with("_amp")) names.push_back(field.substr(0, field.size() - 4));

@@ -18,7 +18,7 @@ constexpr std::size_t max_files = 100'000;
 constexpr std::uint64_t max_chunk_bytes = 256'000'000;
 constexpr std::uint64_t most_bytes_a_value = 16;
 
-std::string damaged(const fs::path& file, const std::string& why) {
+std::string damaged_store(const fs::path& file, const std::string& why) {
   return "the description " + file.parent_path().filename().string() + "/" + file.filename().string() + " " +
          why + "; the Zarr store is damaged; copy or download it again";
 }
@@ -39,7 +39,7 @@ std::optional<std::uint64_t> product(const json& numbers, std::uint64_t most) {
 /// The description of an array as version 2 has it; null of what is none.
 Checked<json> array_of(const fs::path& description, int version) {
   if (fs::file_size(description) > max_zarr_description_bytes)
-    return refuse(damaged(description, "is over 1 MB long"));
+    return refuse(damaged_store(description, "is over 1 MB long"));
   const std::string text = first_bytes(description, max_zarr_description_bytes);
   if (version == 2) return json::parse(text, nullptr, false);
   const auto array = zarr3_array(text);
@@ -54,13 +54,13 @@ Checked<bool> check_array(const fs::path& description, int version, std::size_t 
   const json& array = *described;
   if (version == 3 && array.is_null()) return true;
   if (!array.is_object() || !array.contains("shape") || !array.contains("chunks"))
-    return refuse(damaged(description, "has no shape or no chunks"));
+    return refuse(damaged_store(description, "has no shape or no chunks"));
   const json& shape = array["shape"];
   const json& chunks = array["chunks"];
   constexpr std::uint64_t max_values = 4'000'000'000'000;
   if (!product(shape, max_values) || !product(chunks, max_chunk_bytes / most_bytes_a_value) ||
       shape.size() != chunks.size())
-    return refuse(damaged(
+    return refuse(damaged_store(
         description,
         "gives a shape or chunks that are none, or chunks over 256 MB, more than this program unpacks"));
   std::uint64_t needed = 1;
@@ -71,8 +71,9 @@ Checked<bool> check_array(const fs::path& description, int version, std::size_t 
     if (needed > 10 * max_files) break;
   }
   if (needed > 10 * (chunk_files + 1))
-    return refuse(damaged(description, "needs " + std::to_string(needed) + " chunks, but there are only " +
-                                           std::to_string(chunk_files)));
+    return refuse(damaged_store(
+        description,
+        "needs " + std::to_string(needed) + " chunks, but there are only " + std::to_string(chunk_files)));
   return true;
 }
 

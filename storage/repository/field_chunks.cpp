@@ -6,7 +6,7 @@
 namespace floeplan::repository {
 namespace {
 
-std::int64_t sql(std::size_t number) { return static_cast<std::int64_t>(number); }
+std::int64_t whole_number(std::size_t number) { return static_cast<std::int64_t>(number); }
 
 /// The nodes that chunk number `chunk` covers along an axis of `count` nodes.
 NodeRun nodes_of_chunk(std::size_t chunk, std::size_t side, std::size_t count) {
@@ -41,8 +41,9 @@ void ChunkWriter::write(const SliceKey& slice, std::size_t first_row, std::span<
         const auto part = values.subspan((row - first_row) * layout_.x_count + x.first, x.count);
         chunk.insert(chunk.end(), part.begin(), part.end());
       }
-      upsert_.bind_all(layout_.dataset_row, slice.variable, sql(slice.time_index), sql(slice.depth_index),
-                       sql(chunk_y), sql(chunk_x), codec_.pack(chunk, steps));
+      upsert_.bind_all(layout_.dataset_row, slice.variable, whole_number(slice.time_index),
+                       whole_number(slice.depth_index), whole_number(chunk_y), whole_number(chunk_x),
+                       codec_.pack(chunk, steps));
       upsert_.run();
     }
   }
@@ -69,9 +70,10 @@ void ChunkReader::read_part(const SliceKey& slice, NodeRun x, NodeRun y, std::si
                             std::size_t out_width, std::span<float> out) {
   const std::size_t side = layout_.side;
   select_.reset();
-  select_.bind_all(layout_.dataset_row, slice.variable, sql(slice.time_index), sql(slice.depth_index),
-                   sql(y.first / side), sql((y.first + y.count - 1) / side), sql(x.first / side),
-                   sql((x.first + x.count - 1) / side));
+  select_.bind_all(layout_.dataset_row, slice.variable, whole_number(slice.time_index),
+                   whole_number(slice.depth_index), whole_number(y.first / side),
+                   whole_number((y.first + y.count - 1) / side), whole_number(x.first / side),
+                   whole_number((x.first + x.count - 1) / side));
   while (select_.step()) {
     const NodeRun chunk_y =
         nodes_of_chunk(static_cast<std::size_t>(select_.integer(0)), side, layout_.y_count);

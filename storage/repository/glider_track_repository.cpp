@@ -104,8 +104,8 @@ bool comes_into(const geo::BoundingBox& area, const std::vector<ocean::TrackPoin
 }
 
 /// `SELECT <what> FROM glider_track` with the filter's conditions, bound. The area is only narrowed down.
-sqlite::Statement select(sqlite::Connection& db, const std::string& what, const GliderTrackFilter& filter,
-                         std::int64_t after) {
+sqlite::Statement select_tracks(sqlite::Connection& db, const std::string& what,
+                                const GliderTrackFilter& filter, std::int64_t after) {
   std::string sql = "SELECT " + what + " FROM glider_track WHERE row > ?1";
   if (filter.from) sql += " AND end_s >= ?2";
   if (filter.to) sql += " AND start_s <= ?3";
@@ -199,7 +199,7 @@ std::optional<StoredGliderTrack> GliderTrackRepository::find(std::int64_t row) c
 
 GliderTrackPage GliderTrackRepository::list(const GliderTrackFilter& filter, std::int64_t after,
                                             int limit) const {
-  sqlite::Statement query = select(db_, track_columns, filter, after);
+  sqlite::Statement query = select_tracks(db_, track_columns, filter, after);
   GliderTrackPage page;
   std::size_t listed = 0;
   BlobCodec codec;
@@ -218,10 +218,10 @@ GliderTrackPage GliderTrackRepository::list(const GliderTrackFilter& filter, std
 
 std::int64_t GliderTrackRepository::count(const GliderTrackFilter& filter) const {
   if (!filter.area) {
-    sqlite::Statement query = select(db_, "count(*)", filter, 0);
+    sqlite::Statement query = select_tracks(db_, "count(*)", filter, 0);
     return query.step() ? query.integer(0) : 0;
   }
-  sqlite::Statement query = select(db_, track_columns, filter, 0);
+  sqlite::Statement query = select_tracks(db_, track_columns, filter, 0);
   std::int64_t tracks = 0;
   BlobCodec codec;
   while (query.step()) tracks += comes_into(*filter.area, points_of(query, codec)) ? 1 : 0;

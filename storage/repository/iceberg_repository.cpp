@@ -45,8 +45,8 @@ StoredSighting read_sighting(const sqlite::Statement& row) {
 
 /// `SELECT <what> FROM sighting` with the filter's conditions, bound. The area is only narrowed down: check
 /// each place.
-sqlite::Statement select(sqlite::Connection& db, const std::string& what, const SightingFilter& filter,
-                         std::int64_t after) {
+sqlite::Statement select_sightings(sqlite::Connection& db, const std::string& what,
+                                   const SightingFilter& filter, std::int64_t after) {
   std::string sql = "SELECT " + what + " FROM sighting WHERE row > ?1";
   if (filter.from) sql += " AND observed_s >= ?2";
   if (filter.to) sql += " AND observed_s <= ?3";
@@ -127,7 +127,7 @@ std::optional<StoredSighting> IcebergRepository::find(std::int64_t row) const {
 
 std::vector<StoredSighting> IcebergRepository::list(const SightingFilter& filter, std::int64_t after,
                                                     int limit) const {
-  sqlite::Statement query = select(db_, sighting_columns, filter, after);
+  sqlite::Statement query = select_sightings(db_, sighting_columns, filter, after);
   std::vector<StoredSighting> sightings;
   while (std::ssize(sightings) < limit && query.step()) {
     if (filter.area && !geo::contains(*filter.area, read_place(query))) continue;
@@ -138,10 +138,10 @@ std::vector<StoredSighting> IcebergRepository::list(const SightingFilter& filter
 
 std::int64_t IcebergRepository::count(const SightingFilter& filter) const {
   if (!filter.area) {
-    sqlite::Statement query = select(db_, "count(*)", filter, 0);
+    sqlite::Statement query = select_sightings(db_, "count(*)", filter, 0);
     return query.step() ? query.integer(0) : 0;
   }
-  sqlite::Statement query = select(db_, "row, lon_deg, lat_deg", filter, 0);
+  sqlite::Statement query = select_sightings(db_, "row, lon_deg, lat_deg", filter, 0);
   std::int64_t sightings = 0;
   while (query.step()) {
     if (geo::contains(*filter.area, read_place(query))) ++sightings;

@@ -28,8 +28,8 @@ PlanRecord read_plan(const sqlite::Statement& row) {
           .document_json = row.text(11)};
 }
 
-sqlite::Statement select(sqlite::Connection& db, const std::string& what, const PlanFilter& filter,
-                         std::int64_t after) {
+sqlite::Statement select_plans(sqlite::Connection& db, const std::string& what, const PlanFilter& filter,
+                               std::int64_t after) {
   std::string sql = what + "WHERE row > ?1";
   if (filter.from) sql += " AND arrival_s >= ?2";
   if (filter.to) sql += " AND departure_s <= ?3";
@@ -42,7 +42,7 @@ sqlite::Statement select(sqlite::Connection& db, const std::string& what, const 
   return query;
 }
 
-bool is_wanted(const sqlite::Statement& row, const PlanFilter& filter) {
+bool is_wanted_plan(const sqlite::Statement& row, const PlanFilter& filter) {
   return !filter.area || geo::intersects(*filter.area, read_bounds(row));
 }
 
@@ -75,19 +75,19 @@ std::optional<PlanRecord> PlanRepository::find(const PlanId& id) const {
 }
 
 std::vector<PlanRecord> PlanRepository::list(const PlanFilter& filter, std::int64_t after, int limit) const {
-  sqlite::Statement query = select(db_, select_plan, filter, after);
+  sqlite::Statement query = select_plans(db_, select_plan, filter, after);
   std::vector<PlanRecord> plans;
   while (std::ssize(plans) < limit && query.step()) {
-    if (is_wanted(query, filter)) plans.push_back(read_plan(query));
+    if (is_wanted_plan(query, filter)) plans.push_back(read_plan(query));
   }
   return plans;
 }
 
 std::int64_t PlanRepository::count(const PlanFilter& filter) const {
   sqlite::Statement query =
-      select(db_, "SELECT row, west_deg, south_deg, east_deg, north_deg FROM plan ", filter, 0);
+      select_plans(db_, "SELECT row, west_deg, south_deg, east_deg, north_deg FROM plan ", filter, 0);
   std::int64_t plans = 0;
-  while (query.step()) plans += is_wanted(query, filter) ? 1 : 0;
+  while (query.step()) plans += is_wanted_plan(query, filter) ? 1 : 0;
   return plans;
 }
 

@@ -45,8 +45,8 @@ std::optional<core::UtcTime> early_end(const ocean::CurrentGrid& currents, const
 }
 
 /// What the pilot has to know of the sum.
-void report(ocean::Environment& environment, const Tides& tides, TidesMode mode,
-            const ocean::TidePeriod& period) {
+void report_tides(ocean::Environment& environment, const Tides& tides, TidesMode mode,
+                  const ocean::TidePeriod& period) {
   const ocean::CurrentGrid& currents = *environment.currents;
   const ocean::TidalCurrents& tide = *currents.tide();
   const auto warn = [&](std::string text) { environment.warnings.push_back(std::move(text)); };
@@ -141,7 +141,7 @@ void lay_tides(ocean::Environment& environment, const Tides& tides, TidesMode mo
   }
   if (!environment.currents) return;
   environment.steady_currents = false;
-  report(environment, tides, mode, period);
+  report_tides(environment, tides, mode, period);
   for (const Dataset& dataset : tides.datasets)
     environment.datasets.push_back(
         {dataset.id.value, kind_name(dataset.kind), dataset.name, dataset.provenance.sha256});

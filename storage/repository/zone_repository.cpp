@@ -35,8 +35,8 @@ std::optional<double> bottom_m(const ocean::Zone& zone) {
 }
 
 /// `SELECT <what> FROM zone` with the filter's conditions, bound. The area is only narrowed down: check each outline.
-sqlite::Statement select(sqlite::Connection& db, const std::string& what, const ZoneFilter& filter,
-                         std::int64_t after) {
+sqlite::Statement select_zones(sqlite::Connection& db, const std::string& what, const ZoneFilter& filter,
+                               std::int64_t after) {
   std::string sql = "SELECT " + what + " FROM zone WHERE row > ?1";
   if (filter.from) sql += " AND (until_s IS NULL OR until_s >= ?2)";
   if (filter.to) sql += " AND (from_s IS NULL OR from_s <= ?3)";
@@ -110,7 +110,7 @@ std::optional<StoredZone> ZoneRepository::find(std::int64_t row) const {
 }
 
 std::vector<StoredZone> ZoneRepository::list(const ZoneFilter& filter, std::int64_t after, int limit) const {
-  sqlite::Statement query = select(db_, stored_columns, filter, after);
+  sqlite::Statement query = select_zones(db_, stored_columns, filter, after);
   std::vector<StoredZone> zones;
   BlobCodec codec;
   while (std::ssize(zones) < limit && query.step()) {
@@ -122,10 +122,10 @@ std::vector<StoredZone> ZoneRepository::list(const ZoneFilter& filter, std::int6
 
 std::int64_t ZoneRepository::count(const ZoneFilter& filter) const {
   if (!filter.area) {
-    sqlite::Statement query = select(db_, "count(*)", filter, 0);
+    sqlite::Statement query = select_zones(db_, "count(*)", filter, 0);
     return query.step() ? query.integer(0) : 0;
   }
-  sqlite::Statement query = select(db_, stored_columns, filter, 0);
+  sqlite::Statement query = select_zones(db_, stored_columns, filter, 0);
   std::int64_t zones = 0;
   BlobCodec codec;
   while (query.step()) zones += is_wanted(read_zone(query, codec), filter) ? 1 : 0;

@@ -55,7 +55,7 @@ class Descriptor {
 
 [[noreturn]] void refuse(const char* what) { throw std::system_error{errno, std::generic_category(), what}; }
 
-void allow(const Descriptor& rules, const std::filesystem::path& path, std::uint64_t rights) {
+void allow_path(const Descriptor& rules, const std::filesystem::path& path, std::uint64_t rights) {
   const Descriptor place{open(path.c_str(), O_PATH | O_CLOEXEC)};
   struct stat found{};
   if (!place || fstat(place.get(), &found) != 0) return;
@@ -78,11 +78,11 @@ int restrict_files(const FileNeeds& needs) {
   const abi::Ruleset forbidden = ruleset_of(version);
   const Descriptor rules{syscall(abi::create_ruleset, &forbidden, size_of_ruleset(version), 0)};
   if (!rules) refuse("Landlock does not take its rules");
-  for (const auto& path : needs.read) allow(rules, path, abi::read_file | abi::read_folder);
+  for (const auto& path : needs.read) allow_path(rules, path, abi::read_file | abi::read_folder);
   constexpr std::uint64_t in_the_folder = abi::read_file | abi::read_folder | abi::write_file |
                                           abi::make_file | abi::make_folder | abi::remove_file |
                                           abi::remove_folder | abi::truncate;
-  if (!needs.write.empty()) allow(rules, needs.write, in_the_folder & forbidden.files);
+  if (!needs.write.empty()) allow_path(rules, needs.write, in_the_folder & forbidden.files);
   if (prctl(PR_SET_NO_NEW_PRIVS, 1, 0, 0, 0) != 0 || syscall(abi::restrict_self, rules.get(), 0) != 0)
     refuse("Landlock cannot be put in force");
   return version;
