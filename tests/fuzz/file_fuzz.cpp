@@ -1,3 +1,4 @@
+#include <gdal_priv.h>
 #include <unistd.h>
 
 #include <cstddef>
