@@ -20,8 +20,9 @@ using OpenStore = std::function<sqlite::Connection()>;
 /// Threads that take jobs from the queue and do them, at lower priority than the rest of the process, and one
 /// that keeps their leases, their time limits, and writes their progress.
 /// Classes  each has threads of its own: `workers` for the interactive jobs of one owner and one more for another,
-///          `batches_at_once` for batches, one that ingests files. So nobody who plans waits for a batch or a large file, however long their parts take: a flight may
-///          take half a minute, and a batch that gave way between flights would be too late.
+///          `batches_at_once` for batches, one that ingests files. So nobody who plans waits for a batch or a large file,
+///          however long their parts take: a flight may take half a minute, and a batch that gave way between flights
+///          would be too late.
 /// Priority batches yield to interactive jobs by the niceness of their threads, at any moment, and lose no work by it:
 ///          beside one interactive thread that never rests, a batch's has 15/(15+110) = 12 % of their core (the kernel's
 ///          weights of niceness 19 and 10, sched_prio_to_weight), and all of it when there is none. That is the bound on
@@ -31,8 +32,8 @@ using OpenStore = std::function<sqlite::Connection()>;
 /// A batch of flights uses as many threads as there are workers. Currents that a job has read are kept for the next, in
 /// at most 256 MiB, and the seas that routes were judged in, in at most 128 MiB.
 /// Limits   a job that runs longer than its class may is stopped, and fails with what to do about it
-/// Start    jobs that a killed process left running become free at once Stop stop() or the destructor:
-///          running work is asked to stop and goes back into the queue
+/// Start    jobs that a killed process left running become free at once
+/// Stop     stop() or the destructor: running work is asked to stop and goes back into the queue
 /// Errors   what `open_store` throws while the pool is made; what a job throws fails that job, except that a plan which
 ///          the store cannot serve for a while, because the disk is full or another holds it, goes back into the
 ///          queue; what the store throws while looking for work is logged and tried again
