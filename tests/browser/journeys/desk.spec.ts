@@ -126,7 +126,7 @@ test('a server that falls silent is said so, and asked again', async ({ page }) 
   await expect(page.getByText('The server does not answer')).toBeHidden();
 });
 
-test('a plan under way when the page is reloaded is waited for and shown', async ({ page, request }) => {
+test('a plan under way when the page is reloaded is waited for and shown', { tag: '@long' }, async ({ page, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   const countOf = async (): Promise<number> => ((await (await request.get('/collections/plans/items')).json()) as { numberMatched: number }).numberMatched;

@@ -25,7 +25,7 @@ test('icebergs have ghosts where they are expected, and the layer puts them away
   await expect(map).not.toHaveAttribute('data-drifts', '0');
 });
 
-test('the map shows the icebergs of every file that a plan joins, and those of the chosen ones alone', async ({ page, request, server }) => {
+test('the map shows the icebergs of every file that a plan joins, and those of the chosen ones alone', { tag: '@long' }, async ({ page, request, server }) => {
   const { start, goal } = await findPlaces(request);
   const map = page.locator('#map');
   // What a plan under way obeys is drawn, too: none may be left of another journey.

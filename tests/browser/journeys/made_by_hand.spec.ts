@@ -168,7 +168,7 @@ test('a zone is drawn into the store, obeyed by plans, changed and retired, by d
   await expect(page.locator('#map')).toHaveAttribute('data-zones', '1');
 });
 
-test('what another changed meanwhile gives way when a person says so', async ({ page, request }) => {
+test('what another changed meanwhile gives way when a person says so', { tag: '@long' }, async ({ page, request }) => {
   const { start } = await findPlaces(request);
   const items = '/collections/icebergs/items';
   const properties = { berg_id: 'watched', observed: new Date(now() - 3_600_000).toISOString(), length_m: 100 };

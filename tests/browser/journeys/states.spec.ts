@@ -34,7 +34,7 @@ test('a page that still waits, and a server that is gone, are plain to everyone'
   await expect(page.getByText('What the store holds is not known')).toBeVisible();
 });
 
-test('without a connection planning says so and what was typed stays', async ({ page, context, request }) => {
+test('without a connection planning says so and what was typed stays', { tag: '@long' }, async ({ page, context, request }) => {
   const { start, goal } = await findPlaces(request);
   await open(page);
   await page.getByLabel('Start', { exact: true }).fill(typed(start));
