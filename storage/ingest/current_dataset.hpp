@@ -9,6 +9,7 @@
 #include "engine/ocean/horizontal_grid.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
 #include "storage/ingest/source_mesh.hpp"
+#include "storage/ingest/velocity_kind.hpp"
 #include "storage/ingest/velocity_source.hpp"
 
 namespace floeplan::ingest {

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "engine/core/progress.hpp"
+#include "storage/ingest/velocity_kind.hpp"
 #include "storage/ingest/velocity_source.hpp"
 #include "storage/ingest/zero_land.hpp"
 

@@ -2,7 +2,6 @@
 
 #include <optional>
 
-#include "storage/ingest/ingest_file.hpp"
 #include "storage/ingest/refusal.hpp"
 #include "storage/repository/dataset.hpp"
 

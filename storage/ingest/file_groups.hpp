@@ -5,11 +5,9 @@
 #include <functional>
 #include <vector>
 
-namespace floeplan::ingest {
+#include "storage/ingest/file_group.hpp"
 
-/// Files that make one dataset: the first holds a component of the currents or the whole data, the others what belongs
-/// to it. Most groups are of one file.
-using FileGroup = std::vector<std::filesystem::path>;
+namespace floeplan::ingest {
 
 /// Puts together what belongs together, told by content: a file with one component of the currents and one with the
 /// other for the same times, and files with tables of positions, angles and depths on the grid of a file of currents.

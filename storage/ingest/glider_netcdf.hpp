@@ -3,7 +3,7 @@
 #include <string>
 
 #include "engine/core/progress.hpp"
-#include "storage/ingest/file_groups.hpp"
+#include "storage/ingest/file_group.hpp"
 #include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
 

@@ -8,6 +8,7 @@
 #include "storage/ingest/current_dataset.hpp"
 #include "storage/ingest/grib_messages.hpp"
 #include "storage/ingest/refusal.hpp"
+#include "storage/ingest/velocity_kind.hpp"
 #include "storage/repository/dataset.hpp"
 
 namespace floeplan::ingest {

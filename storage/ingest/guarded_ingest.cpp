@@ -7,6 +7,7 @@
 #include <set>
 
 #include "storage/ingest/archive.hpp"
+#include "storage/ingest/ingest_file.hpp"
 #include "storage/ingest/reader_main.hpp"
 #include "storage/ingest/reader_work.hpp"
 #include "storage/ingest/staging_folder.hpp"

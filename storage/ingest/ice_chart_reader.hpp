@@ -2,7 +2,7 @@
 
 #include <filesystem>
 
-#include "storage/ingest/ingest_file.hpp"
+#include "storage/ingest/ingest_options.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
 
 class GDALDataset;

@@ -3,7 +3,7 @@
 #include <memory>
 
 #include "engine/core/progress.hpp"
-#include "storage/ingest/ingest_file.hpp"
+#include "storage/ingest/ingest_options.hpp"
 #include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
 

@@ -8,6 +8,7 @@
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/position_errors.hpp"
+#include "storage/ingest/stated_place.hpp"
 #include "storage/ingest/table_dates.hpp"
 #include "storage/ingest/text.hpp"
 

@@ -17,6 +17,7 @@
 #include "storage/ingest/grid_frame_of_crs.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/position_errors.hpp"
+#include "storage/ingest/stated_place.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {

@@ -10,6 +10,7 @@
 #include "storage/ingest/delimited_text.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/position_errors.hpp"
+#include "storage/ingest/stated_place.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {

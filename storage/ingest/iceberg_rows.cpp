@@ -1,7 +1,6 @@
 #include "storage/ingest/iceberg_rows.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <iterator>
 
 #include "storage/ingest/text.hpp"
@@ -39,16 +38,6 @@ Checked<std::optional<core::Metres>> metres_of(const std::string& name, const st
   if (!value || *value < 0.0 || (*value == 0.0 && zero == Zero::refused) || *value > most_m)
     return refuse(name + " is \"" + text + "\", not a length between 0 and " + number(most_m) + " m");
   return core::Metres{*value};
-}
-
-std::string fault_of_place(geo::LonLat place) {
-  constexpr int digits = 12;  // enough to see that a place lies beyond a pole
-  if (!std::isfinite(place.lon_deg) || !std::isfinite(place.lat_deg)) return "the position is missing";
-  if (std::abs(place.lat_deg) > 90.0)
-    return "the latitude " + number(place.lat_deg, digits) + " lies beyond a pole";
-  if (std::abs(place.lon_deg) > 360.0)
-    return "the longitude " + number(place.lon_deg, digits) + " is not within -360 and 360";
-  return {};
 }
 
 void IcebergRows::reject(const std::string& where, const std::string& reason) {

@@ -40,7 +40,4 @@ class IcebergRows {
   std::int64_t rejected_{};
 };
 
-/// Why a place cannot be that of an iceberg; empty when it can.
-[[nodiscard]] std::string fault_of_place(geo::LonLat place);
-
 }  // namespace floeplan::ingest

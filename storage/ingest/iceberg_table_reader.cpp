@@ -13,6 +13,7 @@
 #include "storage/ingest/iceberg_csv_reader.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/position_errors.hpp"
+#include "storage/ingest/stated_place.hpp"
 #include "storage/ingest/table_dates.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/json/json.hpp"

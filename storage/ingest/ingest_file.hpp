@@ -2,45 +2,17 @@
 
 #include <filesystem>
 #include <functional>
-#include <optional>
 #include <string>
 #include <vector>
 
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
-#include "engine/geo/lon_lat.hpp"
-#include "storage/ingest/file_groups.hpp"
-#include "storage/repository/dataset.hpp"
+#include "storage/ingest/file_group.hpp"
+#include "storage/ingest/ingest_options.hpp"
+#include "storage/ingest/ingest_report.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::ingest {
-
-/// What the user said about a file beyond the file itself.
-struct IngestOptions {
-  std::optional<std::string> name{};              // default: the file's name without its ending
-  std::optional<repository::DatasetKind> kind{};  // default: recognised
-  std::optional<std::string> crs{};               // "EPSG:4326", for files that state none
-  std::optional<std::string> positive{};          // "up" or "down", for bathymetry that does not say
-  std::optional<geo::LonLat> at{};         // of a station of the tide whose file does not say where it is
-  std::optional<std::string> unit{};       // "m" or "ft", of its amplitudes where the file does not say it
-  std::optional<std::string> zone_kind{};  // "no_go" or "stay_in", for zones that do not say
-  std::optional<std::string> variable{};   // of several pairs of currents or concentrations the one to use
-  std::optional<double> missing{};         // what marks missing values in NetCDF that does not declare it
-  std::optional<core::UtcTime> time{};     // for which sea ice holds that does not say it
-  std::optional<std::string> archive{};    // name of the one that the files were unpacked from
-};
-
-enum class IngestStatus { stored, refused, unchanged };
-
-/// What became of one kind of data in a file. A refused file stores nothing.
-struct IngestReport {
-  std::string file;  // "u.nc + v.nc" of files that were read together
-  IngestStatus status{IngestStatus::refused};
-  std::optional<repository::Dataset> dataset;  // empty when refused
-  std::vector<std::string> warnings;
-  std::vector<std::string> errors;  // each: what; why; what to do
-  FileGroup files{};                // what `file` names; set by guarded_ingest
-};
 
 /// Reads a file into the store: recognises it by content, checks it, normalises it (WGS84, UTC, SI, depth positive
 /// down, currents towards true east and north) and stores it in one transaction, or stores nothing and says why.

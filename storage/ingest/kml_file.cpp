@@ -16,8 +16,8 @@
 
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/stated_period.hpp"
+#include "storage/ingest/stated_rule.hpp"
 #include "storage/ingest/text.hpp"
-#include "storage/ingest/zone_attributes.hpp"
 #include "storage/xml/xml_document.hpp"
 
 namespace floeplan::ingest {

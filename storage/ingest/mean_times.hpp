@@ -4,6 +4,7 @@
 #include <vector>
 
 #include "storage/ingest/netcdf_axis.hpp"
+#include "storage/ingest/netcdf_file.hpp"
 
 namespace floeplan::ingest {
 

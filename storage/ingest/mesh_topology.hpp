@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "engine/geo/lon_lat.hpp"
+#include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/source_mesh.hpp"
-#include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 

@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/ingest/netcdf_file.hpp"
+#include "storage/ingest/netcdf_variable.hpp"
 #include "storage/ingest/refusal.hpp"
 
 namespace floeplan::ingest {

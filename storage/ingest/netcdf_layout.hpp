@@ -6,6 +6,7 @@
 
 #include "engine/geo/bounding_box.hpp"
 #include "storage/ingest/netcdf_axis.hpp"
+#include "storage/ingest/netcdf_file.hpp"
 #include "storage/repository/field_repository.hpp"
 
 namespace floeplan::ingest {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "engine/geo/lon_lat.hpp"
-#include "storage/ingest/velocity_pair.hpp"
+#include "storage/ingest/netcdf_file.hpp"
 
 namespace floeplan::ingest {
 

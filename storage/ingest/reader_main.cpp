@@ -14,6 +14,8 @@
 #include <stdexcept>
 
 #include "storage/ingest/archive.hpp"
+#include "storage/ingest/file_groups.hpp"
+#include "storage/ingest/ingest_file.hpp"
 #include "storage/ingest/reader_messages.hpp"
 #include "storage/ingest/reader_needs.hpp"
 #include "storage/repository/dataset_rows.hpp"

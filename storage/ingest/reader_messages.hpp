@@ -5,7 +5,8 @@
 #include <variant>
 #include <vector>
 
-#include "storage/ingest/ingest_file.hpp"
+#include "storage/ingest/ingest_options.hpp"
+#include "storage/ingest/ingest_report.hpp"
 #include "storage/ingest/reader_limits.hpp"
 #include "storage/sandbox/confinement.hpp"
 

@@ -8,7 +8,8 @@
 #include <string_view>
 #include <vector>
 
-#include "storage/ingest/guarded_ingest.hpp"
+#include "engine/core/progress.hpp"
+#include "storage/ingest/guard.hpp"
 #include "storage/ingest/reader_messages.hpp"
 
 namespace floeplan::ingest {

@@ -7,7 +7,6 @@
 
 #include "storage/ingest/file_format.hpp"
 #include "storage/ingest/netcdf_file.hpp"
-#include "storage/ingest/velocity_pair.hpp"
 #include "storage/repository/dataset.hpp"
 
 class GDALDataset;

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <functional>
 
-#include "storage/ingest/file_groups.hpp"
+#include "storage/ingest/file_group.hpp"
 #include "storage/ingest/slocum_log.hpp"
 
 namespace floeplan::ingest {

@@ -7,7 +7,7 @@
 #include <string_view>
 #include <vector>
 
-#include "storage/ingest/file_groups.hpp"
+#include "storage/ingest/file_group.hpp"
 #include "storage/ingest/refusal.hpp"
 
 namespace floeplan::ingest {

@@ -1,8 +1,7 @@
 #pragma once
 
 #include "engine/core/progress.hpp"
-#include "storage/ingest/file_format.hpp"
-#include "storage/ingest/file_groups.hpp"
+#include "storage/ingest/file_group.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
 
 namespace floeplan::ingest {

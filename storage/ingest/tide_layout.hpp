@@ -9,7 +9,6 @@
 #include "storage/ingest/netcdf_axis.hpp"
 #include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/tide_variables.hpp"
-#include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 

@@ -3,9 +3,9 @@
 #include <filesystem>
 
 #include "engine/core/progress.hpp"
-#include "storage/ingest/ingest_file.hpp"
+#include "storage/ingest/ingest_options.hpp"
+#include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
-#include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 

@@ -7,7 +7,7 @@
 #include <iterator>
 
 #include "engine/geo/written_place.hpp"
-#include "storage/ingest/iceberg_rows.hpp"
+#include "storage/ingest/stated_place.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/tide_repository.hpp"

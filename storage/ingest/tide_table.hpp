@@ -4,7 +4,7 @@
 #include <string>
 #include <string_view>
 
-#include "storage/ingest/ingest_file.hpp"
+#include "storage/ingest/ingest_options.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
 
 namespace floeplan::ingest {

@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "storage/ingest/netcdf_file.hpp"
+#include "storage/ingest/velocity_kind.hpp"
 #include "storage/ingest/velocity_meaning.hpp"
-#include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 

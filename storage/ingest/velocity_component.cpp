@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
+#include "storage/ingest/cf_units.hpp"
 #include "storage/ingest/in_blocks.hpp"
-#include "storage/ingest/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 namespace {
@@ -45,6 +45,21 @@ Extent valid_range_of(const NetcdfVariable& variable, double factor) {
   const auto unpacked = [&](double value) { return value * variable.scale() + variable.offset(); };
   const auto [least, greatest] = std::minmax({unpacked(range.least), unpacked(range.greatest)});
   return {least - slack, greatest + slack};
+}
+
+/// Metres per second in one of the variable's (unpacked) unit. A variable without a unit is taken as m/s and says so
+/// in `warnings`; the size of its values has to confirm that.
+Checked<double> speed_factor_of(const NetcdfVariable& variable, std::vector<std::string>& warnings) {
+  const std::string unit = variable.attribute("units");
+  if (unit.empty()) {
+    warnings.push_back("the variable \"" + variable.name() +
+                       "\" states no unit; taken as m/s, which its size allows");
+    return 1.0;
+  }
+  if (const auto factor = speed_factor(unit)) return *factor;
+  return refuse("the variable \"" + variable.name() + "\" has the unit \"" + unit +
+                "\", which is no speed that this program knows; a wrong guess would put the glider off "
+                "course; ask for data in m/s");
 }
 
 }  // namespace

@@ -4,7 +4,6 @@
 #include <string_view>
 
 #include "storage/ingest/velocity_kind.hpp"
-#include "storage/ingest/velocity_source.hpp"
 
 namespace floeplan::ingest {
 

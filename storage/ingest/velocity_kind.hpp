@@ -1,6 +1,12 @@
 #pragma once
 
+#include <optional>
+#include <string>
+
 namespace floeplan::ingest {
+
+/// What moves: the sea, or the air 10 m above it.
+enum class Moving { sea, air };
 
 /// What the two components of a velocity are measured along.
 enum class VelocityAxes {
@@ -28,5 +34,9 @@ enum class CurrentContent {
 
 /// Which water a velocity without levels of its own is of.
 enum class WaterPart { unstated, surface, column_mean, bed };
+
+/// The names of the components to use where a file holds several pairs, as the user gives them: one, or both with a
+/// comma between. Names that belong to no velocity of the file are those of other data.
+using WantedVariables = std::optional<std::string>;
 
 }  // namespace floeplan::ingest

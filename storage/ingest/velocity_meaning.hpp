@@ -7,7 +7,6 @@
 
 #include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/velocity_kind.hpp"
-#include "storage/ingest/velocity_source.hpp"
 
 namespace floeplan::ingest {
 

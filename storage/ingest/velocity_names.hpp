@@ -5,7 +5,6 @@
 #include <string_view>
 
 #include "storage/ingest/velocity_kind.hpp"
-#include "storage/ingest/velocity_source.hpp"
 
 namespace floeplan::ingest {
 

@@ -4,7 +4,6 @@
 #include <string_view>
 #include <utility>
 
-#include "storage/ingest/cf_units.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/variable_meaning.hpp"
 #include "storage/ingest/velocity_candidates.hpp"
@@ -288,19 +287,6 @@ Checked<VelocityPair> find_velocity_pair(const NetcdfFiles& files, Moving what,
     if (other.first != best.first) told.push_back(other);
   warn_of_others(told, what, pair.warnings);
   return pair;
-}
-
-Checked<double> speed_factor_of(const NetcdfVariable& variable, std::vector<std::string>& warnings) {
-  const std::string unit = variable.attribute("units");
-  if (unit.empty()) {
-    warnings.push_back("the variable \"" + variable.name() +
-                       "\" states no unit; taken as m/s, which its size allows");
-    return 1.0;
-  }
-  if (const auto factor = speed_factor(unit)) return *factor;
-  return refuse("the variable \"" + variable.name() + "\" has the unit \"" + unit +
-                "\", which is no speed that this program knows; a wrong guess would put the glider off "
-                "course; ask for data in m/s");
 }
 
 }  // namespace floeplan::ingest

@@ -1,6 +1,5 @@
 #pragma once
 
-#include <memory>
 #include <optional>
 #include <string>
 #include <vector>
@@ -8,7 +7,6 @@
 #include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/refusal.hpp"
 #include "storage/ingest/velocity_kind.hpp"
-#include "storage/ingest/velocity_source.hpp"
 
 namespace floeplan::ingest {
 
@@ -24,14 +22,6 @@ struct VelocityPair {
   std::optional<double> depth_m;        // likewise, where a name states it
   std::vector<std::string> warnings;    // what the choice means for the pilot
 };
-
-/// Files that are read together: the components of the velocity may be in different ones, and so may the tables
-/// that place them.
-using NetcdfFiles = std::vector<std::shared_ptr<const NetcdfFile>>;
-
-/// The names of the components to use where a file holds several pairs, as the user gives them: one, or both with a
-/// comma between. Names that belong to no velocity of the file are those of other data.
-using WantedVariables = std::optional<std::string>;
 
 /// Whether any variable is a component of what moves that can be stored, alone or in a pair.
 [[nodiscard]] bool holds_velocity(const NetcdfFile& file, Moving what,
@@ -57,10 +47,5 @@ enum class VelocityParts { none, first_alone, second_alone, both };
 ///          themselves or each other
 [[nodiscard]] Checked<VelocityPair> find_velocity_pair(const NetcdfFiles& files, Moving what,
                                                        const WantedVariables& wanted = std::nullopt);
-
-/// Metres per second in one of the variable's (unpacked) unit. A variable without a unit is taken as m/s and
-/// says so in `warnings`; the size of its values has to confirm that.
-[[nodiscard]] Checked<double> speed_factor_of(const NetcdfVariable& variable,
-                                              std::vector<std::string>& warnings);
 
 }  // namespace floeplan::ingest

@@ -12,9 +12,6 @@
 
 namespace floeplan::ingest {
 
-/// What moves: the sea, or the air 10 m above it.
-enum class Moving { sea, air };
-
 /// The points at which a source knows the currents, its levels and its times.
 struct SourceShape {
   std::size_t columns{};  // points are numbered [row][column]

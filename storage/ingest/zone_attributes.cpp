@@ -10,9 +10,9 @@
 #include "engine/core/utc_text.hpp"
 #include "storage/ingest/feature_texts.hpp"
 #include "storage/ingest/kml_file.hpp"
-#include "storage/ingest/spoken_rule.hpp"
 #include "storage/ingest/stated_depth.hpp"
 #include "storage/ingest/stated_period.hpp"
+#include "storage/ingest/stated_rule.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
@@ -41,35 +41,6 @@ std::string said(const Attribute& attribute) {
   const bool is_whole = attribute.text.size() <= longest_quote;
   return "\"" + attribute.name + "\" is \"" + cut(attribute.text, longest_quote) +
          (is_whole ? "\"" : "...\"");
-}
-
-bool is_any_of(std::string_view text, std::initializer_list<std::string_view> words) {
-  const std::string word = core::plain_word(text);
-  return std::ranges::any_of(words, [&](std::string_view other) { return word == other; });
-}
-
-bool is_without_end(std::string_view text) {
-  return is_any_of(text, {"permanent", "permanently", "yearround", "allyear", "always", "indefinite"});
-}
-
-/// "valid: true" states no period.
-bool is_yes(std::string_view text) { return is_any_of(text, {"yes", "y", "true", "t", "1"}); }
-
-/// Rules that are told by their words alone, whatever the attribute's name.
-std::optional<ocean::ZoneKind> plain_rule(std::string_view text) {
-  std::string word = core::plain_word(text);
-  for (const std::string_view ending : {"zone", "area"})
-    if (word.ends_with(ending)) word.resize(word.size() - ending.size());
-  if (is_any_of(word, {"nogo", "keepout", "stayout"})) return ocean::ZoneKind::no_go;
-  if (is_any_of(word, {"stayin", "keepin"})) return ocean::ZoneKind::stay_in;
-  return std::nullopt;
-}
-
-std::optional<ocean::ZoneKind> rule_in(const Attribute& attribute) {
-  using enum AttributeMeaning;
-  if (attribute.meaning == zone_name) return std::nullopt;
-  const bool may_be_any = attribute.meaning == kind || attribute.meaning == perhaps_kind;
-  return may_be_any ? zone_kind_of(attribute.text) : plain_rule(attribute.text);
 }
 
 /// From a first to a last moment, either of which may be open.
@@ -124,7 +95,7 @@ class AttributeReader {
   [[nodiscard]] ocean::ZoneKind kind(std::optional<ocean::ZoneKind> kind_of_others) {
     Stated<ocean::ZoneKind> stated;
     for (const Attribute& attribute : attributes_) {
-      const auto rule = rule_in(attribute);
+      const auto rule = stated_rule(attribute.meaning, attribute.text);
       if (rule) {
         state(stated, attribute, *rule);
       } else if (attribute.meaning == AttributeMeaning::kind) {
@@ -357,36 +328,14 @@ AttributeMeaning AttributeMeanings::of(const std::string& name) {
   return known->second;
 }
 
-std::optional<ocean::ZoneKind> zone_kind_of(std::string_view text) {
-  if (is_any_of(text, {"exclusion", "exclusionzone", "exclusionarea"})) return ocean::ZoneKind::no_go;
-  if (is_any_of(text, {"inclusion", "inclusionzone", "inclusionarea"})) return ocean::ZoneKind::stay_in;
-  return plain_rule(text);
-}
-
 bool states_zone_kind(const OGRFeature& feature) {
   for (int i = 0; i < feature.GetFieldCount(); ++i) {
     Attribute attribute{feature.GetFieldDefnRef(i)->GetNameRef(), text_of_field(feature, i)};
     if (attribute.name == folder_names || !zone_kind_of(attribute.text)) continue;
     attribute.meaning = ocean::meaning_of_attribute(attribute.name);
-    if (rule_in(attribute)) return true;
+    if (stated_rule(attribute.meaning, attribute.text)) return true;
   }
   return false;
-}
-
-bool says_what_a_zone_is(std::string_view name, std::string_view text) {
-  using enum AttributeMeaning;
-  const AttributeMeaning meaning = ocean::meaning_of_attribute(name);
-  switch (meaning) {
-    case kind:
-    case from:
-    case until:
-    case top:
-    case bottom: return true;
-    case period: return !is_yes(text) && !is_without_end(text);
-    case unclear_period: return could_be_date(text);
-    case depths: return stated_depths(text, ocean::unit_in_attribute(name)).has_value();
-    default: return rule_in({std::string{name}, std::string{text}, meaning}).has_value();
-  }
 }
 
 ZoneAttributes read_zone_attributes(const OGRFeature& feature, AttributeMeanings& meanings,

@@ -51,10 +51,4 @@ struct ZoneAttributes {
 /// Whether the feature states the rule of a zone.
 [[nodiscard]] bool states_zone_kind(const OGRFeature& feature);
 
-/// "no-go", "keep out" and the like, in any spelling that is accepted.
-[[nodiscard]] std::optional<ocean::ZoneKind> zone_kind_of(std::string_view text);
-
-/// Whether an attribute, by its name and what it holds, says what a zone is: its rule, times or depths.
-[[nodiscard]] bool says_what_a_zone_is(std::string_view name, std::string_view text);
-
 }  // namespace floeplan::ingest

@@ -11,6 +11,7 @@
 #include "storage/ingest/fault_report.hpp"
 #include "storage/ingest/gdal_guard.hpp"
 #include "storage/ingest/polygon_shapes.hpp"
+#include "storage/ingest/stated_rule.hpp"
 #include "storage/ingest/text.hpp"
 #include "storage/ingest/zone_attributes.hpp"
 #include "storage/repository/zone_repository.hpp"

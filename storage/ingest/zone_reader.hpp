@@ -1,6 +1,6 @@
 #pragma once
 
-#include "storage/ingest/ingest_file.hpp"
+#include "storage/ingest/ingest_options.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
 
 class GDALDataset;
