@@ -10,7 +10,6 @@
 #include <optional>
 #include <string_view>
 
-#include "storage/ingest/file_format.hpp"
 #include "storage/ingest/first_bytes.hpp"
 #include "storage/ingest/gzip_stream.hpp"
 #include "storage/ingest/sidecar.hpp"
@@ -157,14 +156,14 @@ void gather_files(const fs::path& folder, std::vector<fs::path>& found) {
   }
 }
 
-Checked<Unpacked> sorted_out(const fs::path& folder) {
+Checked<Unpacked> sorted_out(const fs::path& folder, const std::function<bool(const fs::path&)>& is_data) {
   std::vector<fs::path> all;
   gather_files(folder, all);
   std::ranges::sort(all);
   Unpacked unpacked;
   for (const fs::path& file : all) {
     if (std::ranges::any_of(all, [&](const fs::path& other) { return is_sidecar_of(file, other); })) continue;
-    if (!fs::is_directory(file) && is_document(file) && !format_of(file)) {
+    if (!fs::is_directory(file) && is_document(file) && !is_data(file)) {
       unpacked.left_out.push_back(file.lexically_relative(folder).generic_string());
     } else {
       unpacked.data.push_back(file);
@@ -196,7 +195,8 @@ bool is_archive(const fs::path& file) {
 
 std::uint64_t most_unpacked_bytes(std::uint64_t packed_bytes) { return 128'000'000 + 50 * packed_bytes; }
 
-Checked<Unpacked> unpack(const fs::path& archive, const fs::path& folder) {
+Checked<Unpacked> unpack(const fs::path& archive, const fs::path& folder,
+                         const std::function<bool(const fs::path&)>& is_data) {
   const Archive opened = new_reader();
   GzipStream gzip{archive};
   constexpr std::size_t block_bytes = 1 << 16;
@@ -212,7 +212,7 @@ Checked<Unpacked> unpack(const fs::path& archive, const fs::path& folder) {
     if (const auto laid = lay_out(opened.get(), entry, archive, folder, room); !laid)
       return refuse(laid.error());
   }
-  return sorted_out(folder);
+  return sorted_out(folder, is_data);
 }
 
 }  // namespace floeplan::ingest

@@ -8,18 +8,10 @@
 
 #include "engine/ocean/horizontal_grid.hpp"
 #include "storage/ingest/prepared_dataset.hpp"
+#include "storage/ingest/raw_rows.hpp"
 #include "storage/ingest/vertical_sense.hpp"
 
 namespace floeplan::ingest {
-
-/// Rows of depths or elevations as a file has them.
-/// Shape    values_m is [y][x], y ascending; NaN where missing. lowest_m and highest_m are alike, or empty where no
-///          cell reaches beyond its value: the range of all that is known of a node's cell
-struct RawRows {
-  std::vector<float> values_m;
-  std::vector<float> lowest_m{};
-  std::vector<float> highest_m{};
-};
 
 /// Depths or elevations in a file, before it is known which of both they are. They are read a band at a time, because
 /// charts of an ocean do not fit into the memory of a reading process.

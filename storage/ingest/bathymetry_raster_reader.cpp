@@ -392,7 +392,7 @@ VerticalDescription description_of(const Plane& plane, std::string_view driver) 
           .positive = positive == nullptr ? "" : positive};
 }
 
-Checked<PreparedDataset> prepared(Views views, std::string_view driver, const IngestOptions& options) {
+Checked<PreparedDataset> prepared_raster(Views views, std::string_view driver, const IngestOptions& options) {
   GDALDataset& dataset = *views.middle;
   if (is_picture(dataset))
     return refuse(
@@ -445,14 +445,14 @@ Checked<PreparedDataset> read_raster_bathymetry(const std::filesystem::path& fil
   register_drivers();
   auto views = open_views(file, driver);
   if (!views) return refuse(views.error());
-  return prepared(std::move(*views), driver, options);
+  return prepared_raster(std::move(*views), driver, options);
 }
 
 Checked<PreparedDataset> read_depth_table(const std::filesystem::path& file, const IngestOptions& options) {
   register_drivers();
   auto raster = open_depth_table(file);
   if (!raster) return refuse(raster.error());
-  return prepared(Views{std::move(*raster), nullptr, nullptr}, depth_table, options);
+  return prepared_raster(Views{std::move(*raster), nullptr, nullptr}, depth_table, options);
 }
 
 }  // namespace floeplan::ingest

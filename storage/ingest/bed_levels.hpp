@@ -9,6 +9,8 @@
 
 namespace floeplan::ingest {
 
+inline constexpr double max_bed_depth_m = 12000.0;  // the deepest sea has 11 km
+
 /// Where the levels of a model lie that follow the sea bed.
 /// Threads  one thread at a time
 class BedLevels {

@@ -7,9 +7,9 @@
 #include <vector>
 
 #include "engine/ocean/horizontal_grid.hpp"
-#include "storage/ingest/bathymetry_grid.hpp"
 #include "storage/ingest/netcdf_file.hpp"
 #include "storage/ingest/netcdf_layout.hpp"
+#include "storage/ingest/raw_rows.hpp"
 #include "storage/ingest/refusal.hpp"
 #include "storage/ingest/resampling.hpp"
 #include "storage/ingest/water_mask.hpp"

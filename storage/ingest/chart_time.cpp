@@ -6,8 +6,6 @@
 namespace floeplan::ingest {
 namespace {
 
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
-
 std::string digits_at(const std::string& name, std::size_t begin) {
   std::size_t end = begin;
   while (end < name.size() && is_digit(name[end])) ++end;

@@ -33,7 +33,7 @@ std::string close_over_pole(geo::Polygon& polygon) {
   return geo::doubt_in_turns(polygon);
 }
 
-Checked<void> gather(Gathering& all, OGRLayer& layer, const IngestOptions& options) {
+Checked<void> gather_land(Gathering& all, OGRLayer& layer, const IngestOptions& options) {
   const auto crs = crs_of(layer, options.crs);
   if (!crs) return refuse(crs.error());
   const auto shapes = PolygonShapes::in(*crs);
@@ -64,7 +64,7 @@ Checked<PreparedDataset> read_coastline(GDALDataset& dataset, const IngestOption
   Gathering all;
   for (OGRLayer* const layer : dataset.GetLayers()) {
     if (layer->GetFeatureCount() == 0) continue;
-    if (const auto gathered = gather(all, *layer, options); !gathered) return refuse(gathered.error());
+    if (const auto gathered = gather_land(all, *layer, options); !gathered) return refuse(gathered.error());
   }
 
   std::vector<geo::LonLat> corners;

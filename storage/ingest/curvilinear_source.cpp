@@ -24,7 +24,7 @@ namespace {
 
 constexpr double straight_deg = 1.0;  // a grid turned by less is as good as along east and north
 
-struct Plane {
+struct ComponentPlane {
   PlaneDimensions dimensions;
   std::optional<Positions> positions;
 };
@@ -136,8 +136,8 @@ std::string without_positions(const VelocityPair& pair) {
          "points; the data cannot be placed; give the model's grid or mesh file in the same command";
 }
 
-Checked<Plane> plane_with_positions(const NetcdfFiles& files, const NetcdfFile& file,
-                                    const NetcdfVariable& variable, GridPoints points) {
+Checked<ComponentPlane> plane_with_positions(const NetcdfFiles& files, const NetcdfFile& file,
+                                             const NetcdfVariable& variable, GridPoints points) {
   const auto dimensions = plane_of(file, variable);
   if (!dimensions)
     return refuse(
@@ -146,10 +146,10 @@ Checked<Plane> plane_with_positions(const NetcdfFiles& files, const NetcdfFile& 
         "file with longitude, latitude, depth and time coordinates");
   auto positions = positions_of(files, file, variable, *dimensions, points);
   if (!positions) return refuse(positions.error());
-  return Plane{*dimensions, std::move(*positions)};
+  return ComponentPlane{*dimensions, std::move(*positions)};
 }
 
-std::optional<std::string> doubt_in_axes(const VelocityPair& pair, const Plane& plane) {
+std::optional<std::string> doubt_in_axes(const VelocityPair& pair, const ComponentPlane& plane) {
   if (!plane.positions || !plane.positions->from_plain_axes) return std::nullopt;
   double northernmost_deg = -90.0;
   for (const geo::LonLat place : plane.positions->places)
@@ -174,7 +174,7 @@ struct Arrangement {
 
 /// Of points without positions, round centres that have them.
 Checked<Arrangement> arrangement_round_centres(const NetcdfFiles& files, const VelocityPair& pair,
-                                               const Plane& first, const Plane& second) {
+                                               const ComponentPlane& first, const ComponentPlane& second) {
   const auto centres = centre_positions(files);
   if (!centres) return refuse(centres.error());
   if (!*centres) return refuse(without_positions(pair));
@@ -206,8 +206,8 @@ Checked<Arrangement> arrangement_round_centres(const NetcdfFiles& files, const V
   return result;
 }
 
-Checked<Arrangement> arrangement_of(const NetcdfFiles& files, const VelocityPair& pair, Plane first,
-                                    Plane second) {
+Checked<Arrangement> arrangement_of(const NetcdfFiles& files, const VelocityPair& pair, ComponentPlane first,
+                                    ComponentPlane second) {
   if (!first.positions || !second.positions) return arrangement_round_centres(files, pair, first, second);
   auto way = staggering_of(*first.positions, *second.positions);
   if (!way) return refuse(way.error());
@@ -216,9 +216,9 @@ Checked<Arrangement> arrangement_of(const NetcdfFiles& files, const VelocityPair
 }
 
 /// Directions of the components: none to turn where they already point east and north.
-Checked<GridDirections> directions_for(const NetcdfFiles& files, const VelocityPair& pair, const Plane& first,
-                                       const Arrangement& arrangement, const CentreTables& tables,
-                                       std::vector<std::string>& warnings) {
+Checked<GridDirections> directions_for(const NetcdfFiles& files, const VelocityPair& pair,
+                                       const ComponentPlane& first, const Arrangement& arrangement,
+                                       const CentreTables& tables, std::vector<std::string>& warnings) {
   const FallingAxes falling{falls(*pair.first_file, pair.first->dimensions()[first.dimensions.x]),
                             falls(*pair.first_file, pair.first->dimensions()[first.dimensions.y])};
   const auto stated = tables.angle(files);
@@ -271,7 +271,7 @@ Checked<MeshCurrents> curvilinear_currents(const NetcdfFiles& files, const Veloc
   const bool straight_axes = first->positions && first->positions->from_plain_axes;
   const PlaneDimensions first_plane = first->dimensions;
   const PlaneDimensions second_plane = second->dimensions;
-  const Plane directions_plane{first_plane, std::nullopt};
+  const ComponentPlane directions_plane{first_plane, std::nullopt};
   auto arrangement = arrangement_of(files, pair, std::move(*first), std::move(*second));
   if (!arrangement) return refuse(arrangement.error());
   const CentreTables tables{arrangement->staggering, *pair.first, first_plane};

@@ -33,4 +33,7 @@ class DelimitedText {
   std::vector<std::string> headers_;
 };
 
+/// The fields of one line of comma-separated values; quotes as in RFC 4180, but no line ends inside them.
+[[nodiscard]] std::vector<std::string> csv_fields(const std::string& line);
+
 }  // namespace floeplan::ingest

@@ -8,6 +8,7 @@
 
 #include "engine/core/utf8_text.hpp"
 #include "storage/ingest/ascii_grid_length.hpp"
+#include "storage/ingest/delimited_text.hpp"
 #include "storage/ingest/depth_table.hpp"
 #include "storage/ingest/first_bytes.hpp"
 #include "storage/ingest/iceberg_csv_reader.hpp"

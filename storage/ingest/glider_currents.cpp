@@ -96,7 +96,7 @@ std::optional<core::UtcTime> time_at(const std::optional<CfTime>& calendar, doub
   return time ? std::optional{*time} : std::nullopt;
 }
 
-core::UtcTime middle(core::UtcTime first, core::UtcTime last) { return first + 0.5 * (last - first); }
+core::UtcTime middle_time(core::UtcTime first, core::UtcTime last) { return first + 0.5 * (last - first); }
 
 /// The same current from one row to another.
 struct Run {
@@ -199,7 +199,7 @@ Checked<bool> add_currents(const NetcdfFile& file, const TimeSpanOfRows& rows, T
       continue;
     }
     TrackCurrent current{
-        .time = first ? middle(*first, last.value_or(*first)) : middle(rows.first, rows.last),
+        .time = first ? middle_time(*first, last.value_or(*first)) : middle_time(rows.first, rows.last),
         .place = std::nullopt,
         .current = run.current};
     const geo::LonLat place{(*lons)[run.first], (*lats)[run.first]};

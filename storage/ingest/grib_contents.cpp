@@ -23,8 +23,6 @@ constexpr int sea_surface = 1;
 constexpr int pressure_surface = 100;
 constexpr int height_surface = 103;
 constexpr double pascals_per_hectopascal = 100.0;
-constexpr double wind_height_m = 10.0;
-constexpr double same_height_m = 0.5;
 
 bool is_current(const GribField& field) {
   return field.discipline == oceanography && field.category == currents_category;
@@ -37,7 +35,7 @@ bool is_wind_anywhere(const GribField& field) {
 
 bool is_wind(const GribField& field) {
   return is_wind_anywhere(field) && field.surface_type == height_surface && !field.is_of_layer() &&
-         std::abs(field.surface_value - wind_height_m) <= same_height_m;
+         is_height_of_wind(field.surface_value);
 }
 
 /// "at 100 m above the ground", "over the layer from 10 to 100 m above the ground".

@@ -63,7 +63,7 @@ std::vector<geo::LonLat> places_along(OGRCoordinateTransformation& way, const st
   return places;
 }
 
-Checked<RasterPlace> place_of(const GribGrid& grid) {
+Checked<RasterPlace> raster_place(const GribGrid& grid) {
   RasterPlace place;
   place.rows = grid.y.size();
   if (grid.plane == nullptr) {
@@ -211,7 +211,7 @@ Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Movi
     return refuse(
         "the GRIB file is built in a way that this program does not follow (two readers see grids of "
         "different size); convert it to NetCDF first");
-  auto place = place_of(*grid);
+  auto place = raster_place(*grid);
   if (!place) return refuse(place.error());
 
   CurrentInput input;

@@ -14,31 +14,27 @@ constexpr double agreement = 3.0 * pi / 180.0;  // of a stated angle with the po
 constexpr double quarter_turn_tolerance = 30.0 * pi / 180.0;  // grids of models are nearly orthogonal
 constexpr double most_exceptions = 0.02;  // folds, seams and places that were never filled in
 
-geo::LonLat at(const Positions& positions, std::size_t row, std::size_t column) {
-  return positions.places[row * positions.columns + column];
-}
-
 double wrapped(double angle) { return std::remainder(angle, 2.0 * pi); }
 
 /// The way along the first axis past a centre.
 std::optional<double> first_axis(const Staggering& way, const Positions& first, geo::LonLat centre,
                                  std::size_t row, std::size_t column) {
   if (!way.collocated)
-    return direction_at(centre, at(first, row + way.first_row, column),
-                        at(first, row + way.first_row, column + 1));
+    return direction_at(centre, first.at(row + way.first_row, column),
+                        first.at(row + way.first_row, column + 1));
   const std::size_t before = column == 0 ? 0 : column - 1;
   const std::size_t after = std::min(column + 1, first.columns - 1);
-  return direction_at(centre, at(first, row, before), at(first, row, after));
+  return direction_at(centre, first.at(row, before), first.at(row, after));
 }
 
 std::optional<double> second_axis(const Staggering& way, const Positions& second, geo::LonLat centre,
                                   std::size_t row, std::size_t column) {
   if (!way.collocated)
-    return direction_at(centre, at(second, row, column + way.second_column),
-                        at(second, row + 1, column + way.second_column));
+    return direction_at(centre, second.at(row, column + way.second_column),
+                        second.at(row + 1, column + way.second_column));
   const std::size_t before = row == 0 ? 0 : row - 1;
   const std::size_t after = std::min(row + 1, second.rows - 1);
-  return direction_at(centre, at(second, before, column), at(second, after, column));
+  return direction_at(centre, second.at(before, column), second.at(after, column));
 }
 
 bool is_exceptional(std::size_t exceptions, std::size_t total) {

@@ -23,8 +23,8 @@ constexpr auto thickness_names = std::to_array<std::string_view>({"thicknessm", 
 constexpr double thickest_level_m = 20.0;  // of sea ice that froze in place
 
 /// The moment of the chart, and a warning where only its name tells it.
-Checked<core::UtcTime> time_of(const std::filesystem::path& file, const IngestOptions& options,
-                               std::vector<std::string>& warnings) {
+Checked<core::UtcTime> chart_time(const std::filesystem::path& file, const IngestOptions& options,
+                                  std::vector<std::string>& warnings) {
   if (options.time) return *options.time;
   std::optional<core::UtcTime> time = time_in_name(file.stem().string());
   if (!time && options.archive) time = time_in_name(*options.archive);
@@ -56,8 +56,8 @@ struct ChartGathering {
   bool uncoded{false};
 };
 
-void gather(ChartGathering& all, const OGRFeature& feature, const std::string& label,
-            OGRSpatialReference& crs) {
+void gather_ice(ChartGathering& all, const OGRFeature& feature, const std::string& label,
+                OGRSpatialReference& crs) {
   const OGRGeometry* const geometry = feature.GetGeometryRef();
   const bool coded = states_ice_codes(feature);
   (coded ? all.coded : all.uncoded) = true;
@@ -84,7 +84,7 @@ Checked<ChartGathering> gather_polygons(GDALDataset& dataset, const IngestOption
     int number_of_feature = 0;
     layer->ResetReading();
     for (const auto& feature : *layer)
-      gather(all, *feature, "polygon " + std::to_string(++number_of_feature), *counted);
+      gather_ice(all, *feature, "polygon " + std::to_string(++number_of_feature), *counted);
   }
   if (all.coded && all.uncoded)
     all.faults.emplace_back(
@@ -102,7 +102,7 @@ Checked<PreparedDataset> read_ice_polygons(GDALDataset& dataset, const std::file
                                            const IngestOptions& options) {
   PreparedDataset data;
   data.kind = repository::DatasetKind::ice;
-  const auto time = time_of(file, options, data.warnings);
+  const auto time = chart_time(file, options, data.warnings);
   if (!time) return refuse(time.error());
   auto gathered = gather_polygons(dataset, options);
   if (!gathered) return refuse(gathered.error());

@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "engine/core/utc_text.hpp"
+#include "storage/ingest/delimited_text.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/position_errors.hpp"
 #include "storage/ingest/stated_place.hpp"
@@ -59,7 +60,7 @@ std::optional<ocean::IcebergSize> size_of_code(const std::string& code) {
 }
 
 /// "10/7/2013" or "2013-10-07", and "2139" (leading zeros may have been lost) in UTC.
-std::optional<core::UtcTime> time_of(const std::string& date_text, const std::string& time_text) {
+std::optional<core::UtcTime> sighting_time(const std::string& date_text, const std::string& time_text) {
   const bool american = date_text.find('/') != std::string::npos;
   const auto date = american ? us_date(date_text) : core::parse_iso8601(date_text);
   const auto clock = whole_number(time_text);
@@ -80,7 +81,7 @@ Checked<ocean::Iceberg> sighting(const std::vector<std::string>& fields, const C
     return refuse("ICE-YEAR or BERG_NUMBER is missing");
   iceberg.id = field(ice_year) + "-" + field(berg_number);
 
-  const auto observed = time_of(field(date), field(time_of_day));
+  const auto observed = sighting_time(field(date), field(time_of_day));
   if (!observed)
     return refuse("\"" + field(date) + " " + field(time_of_day) +
                   "\" is no date M/D/YYYY or YYYY-MM-DD with a time HHMM");
@@ -103,24 +104,6 @@ Checked<ocean::Iceberg> sighting(const std::vector<std::string>& fields, const C
 }
 
 }  // namespace
-
-std::vector<std::string> csv_fields(const std::string& line) {
-  std::vector<std::string> fields(1);
-  bool quoted = false;
-  for (std::size_t i = 0; i < line.size(); ++i) {
-    const char c = line[i];
-    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') {
-      fields.back() += line[++i];
-    } else if (c == '"') {
-      quoted = !quoted;
-    } else if (c == ',' && !quoted) {
-      fields.emplace_back();
-    } else {
-      fields.back() += c;
-    }
-  }
-  return fields;
-}
 
 bool is_ice_patrol_header(const std::string& line) {
   return find_columns(csv_fields(without_mark(line))).has_value();

@@ -8,9 +8,6 @@
 
 namespace floeplan::ingest {
 
-/// The fields of one line of comma-separated values; quotes as in RFC 4180, but no line ends inside them.
-[[nodiscard]] std::vector<std::string> csv_fields(const std::string& line);
-
 /// Whether a header line is that of the International Ice Patrol's sightings.
 [[nodiscard]] bool is_ice_patrol_header(const std::string& line);
 

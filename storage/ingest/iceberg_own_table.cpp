@@ -52,7 +52,7 @@ struct BergColumns {
   std::optional<std::size_t> method;
 };
 
-std::optional<BergColumns> columns_of(const DelimitedText& table) {
+std::optional<BergColumns> berg_columns_of(const DelimitedText& table) {
   const auto id = table.column({"id", "name", "berg", "iceberg", "berg_id", "iceberg_id"});
   const auto lat = table.column({"lat", "latitude", "lat_deg", "latitude_deg"});
   const auto lon = table.column({"lon", "long", "longitude", "lon_deg", "longitude_deg"});
@@ -183,7 +183,7 @@ class Row {
 bool is_own_iceberg_table_header(std::string_view line, bool stated) {
   if (line.find_first_of(",;\t") == std::string_view::npos) return false;
   const DelimitedText table{line};
-  const auto columns = columns_of(table);
+  const auto columns = berg_columns_of(table);
   return columns && (stated || name_icebergs(table, *columns) || are_sightings_alone(table, *columns));
 }
 
@@ -192,7 +192,7 @@ Checked<PreparedDataset> read_own_iceberg_table(const std::filesystem::path& fil
   std::string line;
   std::getline(in, line);
   const DelimitedText table{line};
-  const auto columns = columns_of(table);
+  const auto columns = berg_columns_of(table);
   if (!columns) return refuse("the columns do not name an iceberg, its position and when it was seen");
 
   IcebergRows rows;

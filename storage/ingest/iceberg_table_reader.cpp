@@ -10,7 +10,7 @@
 #include <utility>
 
 #include "engine/core/utc_text.hpp"
-#include "storage/ingest/iceberg_csv_reader.hpp"
+#include "storage/ingest/delimited_text.hpp"
 #include "storage/ingest/iceberg_rows.hpp"
 #include "storage/ingest/position_errors.hpp"
 #include "storage/ingest/stated_place.hpp"
@@ -72,7 +72,7 @@ class TableRow {
   const std::vector<std::string>& fields_;
 };
 
-Checked<geo::LonLat> place_of(std::optional<double> lon, std::optional<double> lat) {
+Checked<geo::LonLat> berg_place(std::optional<double> lon, std::optional<double> lat) {
   if (!lon || !lat) return refuse("its position is no number");
   const geo::LonLat place{*lon, *lat};
   if (auto fault = fault_of_place(place); !fault.empty()) return refuse(std::move(fault));
@@ -100,7 +100,7 @@ Checked<ocean::Iceberg> row_of_ice_center(const TableRow& row) {
   ocean::Iceberg iceberg;
   iceberg.id = row.text("iceberg");
   if (iceberg.id.empty()) return refuse("it has no name");
-  const auto place = place_of(row.number("longitude"), row.number("latitude"));
+  const auto place = berg_place(row.number("longitude"), row.number("latitude"));
   if (!place) return refuse(place.error());
   iceberg.place = *place;
   const auto observed = us_date(row.text("last update"));
@@ -131,7 +131,7 @@ Checked<ocean::Iceberg> row_of_beacon(const TableRow& row) {
   ocean::Iceberg iceberg;
   iceberg.id = row.text("beacon_id");
   if (iceberg.id.empty()) return refuse("it has no beacon");
-  const auto place = place_of(row.number("longitude"), row.number("latitude"));
+  const auto place = berg_place(row.number("longitude"), row.number("latitude"));
   if (!place) return refuse(place.error());
   iceberg.place = *place;
   std::string time = row.text("datetime_data");
@@ -163,7 +163,7 @@ struct SensorFix {
   std::string sensor;
 };
 
-std::optional<SensorFix> fix_of(const TableRow& row, const std::string& sensor) {
+std::optional<SensorFix> sensor_fix_of(const TableRow& row, const std::string& sensor) {
   const auto lat = row.number(sensor + "_1");
   const auto lon = row.number(sensor + "_2");
   const auto flag = row.number(sensor + "_3");
@@ -185,11 +185,11 @@ class Track {
 
     std::optional<SensorFix> best;
     for (const std::string& sensor : sensors_) {
-      const auto fix = fix_of(row, sensor);
+      const auto fix = sensor_fix_of(row, sensor);
       if (fix && (!best || (fix->seen && !best->seen))) best = fix;
     }
     if (!best) return refuse("no sensor has a position");
-    const auto place = place_of(best->place.lon_deg, best->place.lat_deg);
+    const auto place = berg_place(best->place.lon_deg, best->place.lat_deg);
     if (!place) return refuse(place.error());
     ocean::Iceberg iceberg;
     iceberg.id = id_;
@@ -230,8 +230,8 @@ Checked<ocean::Iceberg> listed(const json& item) {
   ocean::Iceberg iceberg;
   iceberg.id = text_in(item, "iceberg");
   if (iceberg.id.empty()) return refuse("it has no name");
-  const auto place = place_of(degrees_and_minutes(text_in(item, "dms_longitude"), 'E', 'W'),
-                              degrees_and_minutes(text_in(item, "dms_lattitude"), 'N', 'S'));
+  const auto place = berg_place(degrees_and_minutes(text_in(item, "dms_longitude"), 'E', 'W'),
+                                degrees_and_minutes(text_in(item, "dms_lattitude"), 'N', 'S'));
   if (!place) return refuse(place.error());
   iceberg.place = *place;
   const auto observed = us_date(text_in(item, "recent_observation"));

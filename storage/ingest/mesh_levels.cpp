@@ -14,8 +14,6 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double max_bed_depth_m = 12000.0;
-
 const NetcdfVariable* find_first(const NetcdfFile& file, std::initializer_list<std::string> names) {
   for (const std::string& name : names)
     if (const NetcdfVariable* variable = file.find(name)) return variable;

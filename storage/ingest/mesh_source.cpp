@@ -117,14 +117,8 @@ geo::LonLat middle_of(const MeshTopology& mesh, const SourceMesh::Cell& face) {
 }
 
 /// The dimension of a variable that runs along the mesh.
-std::optional<std::size_t> dimension_named(const NetcdfVariable& variable, const std::string& name) {
-  for (std::size_t i = 0; i < variable.dimensions().size(); ++i)
-    if (variable.dimensions()[i].name == name) return i;
-  return std::nullopt;
-}
-
 /// Each face as triangles between its middle and its sides.
-std::vector<SourceMesh::Cell> split(const MeshTopology& mesh) {
+std::vector<SourceMesh::Cell> split_faces(const MeshTopology& mesh) {
   std::vector<SourceMesh::Cell> cells;
   for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
     const std::size_t corners = corners_of(mesh.faces[i]);
@@ -148,10 +142,10 @@ Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair
         "known; ask the producer");
   auto mesh = mesh_topology(*pair.first_file);
   if (!mesh) return refuse(mesh.error());
-  const auto along_faces = dimension_named(*pair.first, mesh->face_dimension);
-  const auto along = along_faces ? along_faces : dimension_named(*pair.first, mesh->node_dimension);
+  const auto along_faces = pair.first->dimension_named(mesh->face_dimension);
+  const auto along = along_faces ? along_faces : pair.first->dimension_named(mesh->node_dimension);
   const auto second_along =
-      dimension_named(*pair.second, along_faces ? mesh->face_dimension : mesh->node_dimension);
+      pair.second->dimension_named(along_faces ? mesh->face_dimension : mesh->node_dimension);
   if (!along || !second_along)
     return refuse(
         "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
@@ -177,7 +171,7 @@ Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair
   auto v = VelocityComponent::of(*pair.second_file, *pair.second, std::move(*second_layout), warnings);
   if (!v) return refuse(v.error());
 
-  SourceMesh cells{mesh->nodes, along_faces ? split(*mesh) : mesh->faces};
+  SourceMesh cells{mesh->nodes, along_faces ? split_faces(*mesh) : mesh->faces};
   if (along_faces)
     for (const SourceMesh::Cell& face : mesh->faces) cells.points.push_back(middle_of(*mesh, face));
   auto source = std::make_shared<const MeshSource>(MeshParts{.files = files,

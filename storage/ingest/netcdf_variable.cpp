@@ -58,6 +58,12 @@ NetcdfVariable::NetcdfVariable(std::string name, std::shared_ptr<GDALMDArray> ar
   if (given) offset_ = offset;
 }
 
+std::optional<std::size_t> NetcdfVariable::dimension_named(std::string_view name) const {
+  for (std::size_t i = 0; i < dimensions_.size(); ++i)
+    if (dimensions_[i].name == name) return i;
+  return std::nullopt;
+}
+
 std::string NetcdfVariable::attribute(const std::string& name) const {
   const auto found = attributes_.find(name);
   return found == attributes_.end() ? std::string{} : found->second;

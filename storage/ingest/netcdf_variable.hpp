@@ -6,6 +6,7 @@
 #include <optional>
 #include <span>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "storage/ingest/refusal.hpp"
@@ -27,6 +28,8 @@ class NetcdfVariable {
 
   [[nodiscard]] const std::string& name() const { return name_; }
   [[nodiscard]] const std::vector<NetcdfDimension>& dimensions() const { return dimensions_; }
+  /// Its place among them; empty: none is called so.
+  [[nodiscard]] std::optional<std::size_t> dimension_named(std::string_view name) const;
   /// Text of an attribute, trimmed; empty when it is absent.
   [[nodiscard]] std::string attribute(const std::string& name) const;
   [[nodiscard]] std::optional<double> numeric_attribute(const std::string& name) const;

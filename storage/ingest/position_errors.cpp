@@ -29,7 +29,6 @@ bool is_in(std::span<const std::string_view> words, std::string_view word) {
 
 bool is_lower(char c) { return c >= 'a' && c <= 'z'; }
 bool is_upper(char c) { return c >= 'A' && c <= 'Z'; }
-bool is_digit(char c) { return c >= '0' && c <= '9'; }
 
 /// "poserr" as "pos" and "err".
 void add_word(std::vector<std::string>& words, const std::string& word) {

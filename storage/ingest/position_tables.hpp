@@ -20,6 +20,10 @@ struct Positions {
   std::size_t rows{};
   std::size_t columns{};
   bool from_plain_axes{false};  // not from tables: they may be only nominal
+
+  [[nodiscard]] geo::LonLat at(std::size_t row, std::size_t column) const {
+    return places[row * columns + column];
+  }
 };
 
 /// The two dimensions along which a variable's places vary.

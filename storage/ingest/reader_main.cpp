@@ -14,6 +14,7 @@
 #include <stdexcept>
 
 #include "storage/ingest/archive.hpp"
+#include "storage/ingest/file_format.hpp"
 #include "storage/ingest/file_groups.hpp"
 #include "storage/ingest/ingest_file.hpp"
 #include "storage/ingest/reader_messages.hpp"
@@ -89,7 +90,8 @@ Grouped group(const std::vector<std::filesystem::path>& files, const Reporter& r
 /// Tells what the archive holds, or why it is refused.
 ReaderEvent unpacked(const std::filesystem::path& archive, const std::filesystem::path& folder) {
   std::filesystem::create_directories(folder);
-  const auto found = unpack(archive, folder);
+  const auto is_data = [](const std::filesystem::path& file) { return format_of(file).has_value(); };
+  const auto found = unpack(archive, folder, is_data);
   if (!found) return Reported{refused({archive}, {}, found.error())};
   UnpackedArchive told{.data = {}, .left_out = found->left_out};
   for (const auto& file : found->data) told.data.push_back(file.lexically_relative(folder).string());

@@ -6,19 +6,21 @@
 
 #include <algorithm>
 #include <array>
+#include <cstdint>
 #include <cstdio>
+#include <fstream>
 #include <optional>
 #include <ranges>
+#include <string>
 #include <string_view>
 
 #include "storage/ingest/gdal_guard.hpp"
-#include "storage/ingest/iso8211_records.hpp"
 #include "storage/ingest/text.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
-using DatasetPtr = std::shared_ptr<GDALDataset>;
+using ChartPtr = std::shared_ptr<GDALDataset>;
 
 std::filesystem::path part(const std::filesystem::path& base, int number) {
   std::array<char, 16> ending{};
@@ -29,15 +31,15 @@ std::filesystem::path part(const std::filesystem::path& base, int number) {
 
 constexpr int most_updates = 999;
 
-Checked<DatasetPtr> open_cell(const std::filesystem::path& base, const char* updates) {
+Checked<ChartPtr> open_cell(const std::filesystem::path& base, const char* updates) {
   register_drivers();
   const GdalMessages messages;
   const char* const drivers[] = {"S57", nullptr};
   const char* const options[] = {
       updates, "SPLIT_MULTIPOINT=ON", "ADD_SOUNDG_DEPTH=ON", "RETURN_PRIMITIVES=OFF", "LNAM_REFS=OFF",
       nullptr};
-  DatasetPtr cell{GDALDataset::Open(std::filesystem::absolute(base).c_str(),
-                                    GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options)};
+  ChartPtr cell{GDALDataset::Open(std::filesystem::absolute(base).c_str(),
+                                  GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options)};
   if (!cell)
     return refuse("the chart (S-57) cannot be opened (" + messages.first_error() +
                   "); it is damaged or was cut short; copy or download it again");
@@ -48,6 +50,29 @@ std::optional<double> number_of(const OGRFeature& feature, const char* field) {
   const int index = feature.GetFieldIndex(field);
   if (index < 0 || feature.IsFieldSetAndNotNull(index) == 0) return std::nullopt;
   return feature.GetFieldAsDouble(index);
+}
+
+/// How many records a file of ISO/IEC 8211 has, the one that describes it included, by the length that each states of
+/// itself. GDAL reads a file that was cut short as far as it goes.
+/// Errors   a length that is no number or runs beyond the end of the file
+/// Source   ISO/IEC 8211:1994, 6.2: the first five octets of a leader
+Checked<std::size_t> iso8211_records(const std::filesystem::path& file) {
+  constexpr std::uint64_t leader_octets = 24;
+  std::ifstream in{file, std::ios::binary};
+  const std::uint64_t size = std::filesystem::file_size(file);
+  std::size_t records = 0;
+  for (std::uint64_t at = 0; at < size; ++records) {
+    std::array<char, 5> digits{};
+    in.seekg(static_cast<std::streamoff>(at));
+    in.read(digits.data(), digits.size());
+    const bool number = in && std::ranges::all_of(digits, [](char c) { return c >= '0' && c <= '9'; });
+    const std::uint64_t length = number ? std::stoull(std::string{digits.data(), digits.size()}) : 0;
+    if (length < leader_octets || length > size - at)
+      return refuse("record " + std::to_string(records + 1) + " of \"" + file.filename().string() +
+                    "\" is damaged or was cut short; copy or download it again");
+    at += length;
+  }
+  return records;
 }
 
 /// How many records a base cell has by its own word: its description, its identification, its parameters, and all that

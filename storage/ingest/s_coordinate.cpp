@@ -10,7 +10,6 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double max_bed_depth_m = 12000.0;
 constexpr double max_surface_m = 20.0;  // the highest tides are of 16 m
 
 const NetcdfVariable* find(const NetcdfFiles& files, const std::vector<std::string>& names) {

@@ -11,7 +11,7 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::uintmax_t most_bytes = 200'000'000;
+constexpr std::uintmax_t most_binary_bytes = 200'000'000;
 
 template <class Number, class Bits>
 double number_at(const char* bytes, bool swapped) {
@@ -97,11 +97,11 @@ class Cycles {
 
 Checked<SlocumLog> read_slocum_binary(const std::filesystem::path& file, const FileGroup& given,
                                       const std::function<void(const SlocumRow&)>& take) {
-  if (std::filesystem::file_size(file) > most_bytes)
+  if (std::filesystem::file_size(file) > most_binary_bytes)
     return refuse(
         "the binary log is longer than 200 MB; no glider writes such; give the segments one by one");
-  const auto [bytes, damaged] = slocum_bytes(file, most_bytes + 1);
-  if (bytes.size() > most_bytes)
+  const auto [bytes, damaged] = slocum_bytes(file, most_binary_bytes + 1);
+  if (bytes.size() > most_binary_bytes)
     return refuse(
         "the binary log unpacks to more than 200 MB; no glider writes such; copy it from the glider again");
   if (damaged) return refuse(damaged_slocum_log("a compressed block of it cannot be unpacked"));

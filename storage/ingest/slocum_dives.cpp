@@ -15,7 +15,7 @@ constexpr double state_under_water = 1.0;
 constexpr double dive_m = 3.0;
 constexpr double surface_m = 1.5;
 /// No glider is faster, and its receiver no further off.
-constexpr double fastest_m_s = 10.0;
+constexpr double fastest_between_fixes_m_s = 10.0;
 constexpr double slack_m = 1'000.0;
 
 std::optional<geo::VelocityLmc> current_of(const SlocumRow& row, SlocumSensor x, SlocumSensor y) {
@@ -23,21 +23,21 @@ std::optional<geo::VelocityLmc> current_of(const SlocumRow& row, SlocumSensor x,
   return geo::VelocityLmc{{*row[x]}, {*row[y]}};
 }
 
-std::optional<geo::LonLat> place_of(const SlocumRow& row, SlocumSensor lon, SlocumSensor lat) {
+std::optional<geo::LonLat> logged_place(const SlocumRow& row, SlocumSensor lon, SlocumSensor lat) {
   return row[lon] && row[lat] ? mission::unpack_place(*row[lon], *row[lat]) : std::nullopt;
 }
 
 std::optional<geo::LonLat> fix_of(const SlocumRow& row) {
   if (row[SlocumSensor::gps_status].value_or(0.0) != 0.0) return std::nullopt;
-  return place_of(row, SlocumSensor::gps_lon, SlocumSensor::gps_lat);
+  return logged_place(row, SlocumSensor::gps_lon, SlocumSensor::gps_lat);
 }
 
 bool can_be_reached(const TrackRow& from, const TrackRow& to) {
   const double moved_m = geo::geodesic_between(*from.place, *to.place).length.value;
-  return moved_m <= slack_m + fastest_m_s * (to.time - from.time).count();
+  return moved_m <= slack_m + fastest_between_fixes_m_s * (to.time - from.time).count();
 }
 
-geo::LonLat middle(geo::LonLat a, geo::LonLat b) {
+geo::LonLat middle_place(geo::LonLat a, geo::LonLat b) {
   return {geo::wrap_longitude(a.lon_deg + 0.5 * geo::longitude_difference(a.lon_deg, b.lon_deg)),
           0.5 * (a.lat_deg + b.lat_deg)};
 }
@@ -69,7 +69,7 @@ void SlocumDives::note_axes(const SlocumRow& row, core::UtcTime time) {
   const auto fix = fix_of(row);
   axes_now_ = axes_.note({.time = time,
                           .fix = fix,
-                          .place = fix ? fix : place_of(row, SlocumSensor::lon, SlocumSensor::lat),
+                          .place = fix ? fix : logged_place(row, SlocumSensor::lon, SlocumSensor::lat),
                           .cosine = row[SlocumSensor::utm_to_lmc_00],
                           .sine = row[SlocumSensor::utm_to_lmc_01],
                           .variation_rad = row[SlocumSensor::variation],
@@ -79,7 +79,7 @@ void SlocumDives::note_axes(const SlocumRow& row, core::UtcTime time) {
 
 void SlocumDives::note_place(const SlocumRow& row, core::UtcTime time) {
   const auto fix = fix_of(row);
-  const auto place = fix ? fix : place_of(row, SlocumSensor::lon, SlocumSensor::lat);
+  const auto place = fix ? fix : logged_place(row, SlocumSensor::lon, SlocumSensor::lat);
   TrackRow noted{.time = time, .place = place, .fixed = fix.has_value()};
   if (const auto& depth_m = row[SlocumSensor::depth]) noted.depth = core::Metres{*depth_m};
   if (place) place_ = place;
@@ -150,7 +150,7 @@ void SlocumDives::settle() {
                                   : place_,
             .current = *found,
             .axes = dive_->axes};
-    if (dive_->from && dive_->to) met.near = met.place = middle(*dive_->from, *dive_->to);
+    if (dive_->from && dive_->to) met.near = met.place = middle_place(*dive_->from, *dive_->to);
     met_.push_back(met);
   }
   dive_.reset();

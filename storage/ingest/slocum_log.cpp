@@ -13,7 +13,7 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::uintmax_t most_bytes = 128'000'000;
+constexpr std::uintmax_t most_text_bytes = 128'000'000;
 constexpr std::size_t most_tag_bytes = 16'384;
 
 std::string tag(std::string_view head, std::string_view key) {
@@ -108,9 +108,9 @@ Checked<SlocumLog> take_slocum_table(SlocumLog log, simulation::LogTable table,
 
 Checked<SlocumLog> read_slocum_text(const std::filesystem::path& file,
                                     const std::function<void(const SlocumRow&)>& take) {
-  if (std::filesystem::file_size(file) > most_bytes)
+  if (std::filesystem::file_size(file) > most_text_bytes)
     return refuse("the log is longer than 128 MB; convert it segment by segment and give the parts together");
-  std::string text = first_bytes(file, most_bytes);
+  std::string text = first_bytes(file, most_text_bytes);
   SlocumLog log{.name = slocum_name_of(file)};
   if (!text.ends_with('\n')) {
     text.resize(text.rfind('\n') == std::string::npos ? 0 : text.rfind('\n') + 1);

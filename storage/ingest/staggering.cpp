@@ -32,19 +32,15 @@ double typical(std::size_t rows, std::size_t columns, const Distance& distance) 
   return median(std::move(found));
 }
 
-geo::LonLat at(const Positions& positions, std::size_t row, std::size_t column) {
-  return positions.places[row * positions.columns + column];
-}
-
 double spacing_m(const Positions& positions) {
   if (positions.columns < 2) return INFINITY;
   return typical(positions.rows, positions.columns - 1, [&](std::size_t row, std::size_t column) {
-    return sphere_distance_m(at(positions, row, column), at(positions, row, column + 1));
+    return sphere_distance_m(positions.at(row, column), positions.at(row, column + 1));
   });
 }
 
 geo::LonLat centre(const Staggering& way, const Positions& first, std::size_t row, std::size_t column) {
-  return midpoint(at(first, row + way.first_row, column), at(first, row + way.first_row, column + 1));
+  return midpoint(first.at(row + way.first_row, column), first.at(row + way.first_row, column + 1));
 }
 
 std::size_t less(std::size_t a, std::size_t b) { return a > b ? a - b : 0; }
@@ -64,7 +60,7 @@ Checked<Staggering> staggering_of(const Positions& first, const Positions& secon
   const double spacing = spacing_m(first);
   if (first.rows == second.rows && first.columns == second.columns) {
     const double apart = typical(first.rows, first.columns, [&](std::size_t row, std::size_t column) {
-      return sphere_distance_m(at(first, row, column), at(second, row, column));
+      return sphere_distance_m(first.at(row, column), second.at(row, column));
     });
     if (apart < same_place_share * spacing)
       return Staggering{.collocated = true, .rows = first.rows, .columns = first.columns};
@@ -79,7 +75,7 @@ Checked<Staggering> staggering_of(const Positions& first, const Positions& secon
       if (way.rows == 0 || way.columns == 0) continue;
       const double miss = typical(way.rows, way.columns, [&](std::size_t row, std::size_t column) {
         const geo::LonLat across =
-            midpoint(at(second, row, column + second_column), at(second, row + 1, column + second_column));
+            midpoint(second.at(row, column + second_column), second.at(row + 1, column + second_column));
         return sphere_distance_m(centre(way, first, row, column), across);
       });
       if (miss >= least) continue;

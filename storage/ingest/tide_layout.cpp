@@ -45,12 +45,6 @@ const NetcdfVariable* find_any(const NetcdfFile& file, const std::vector<std::st
   return nullptr;
 }
 
-std::optional<std::size_t> dimension_named(const NetcdfVariable& variable, const std::string& name) {
-  for (std::size_t i = 0; i < variable.dimensions().size(); ++i)
-    if (variable.dimensions()[i].name == name) return i;
-  return std::nullopt;
-}
-
 /// The values along one dimension, and which dimension of the field that is.
 struct FieldAxis {
   std::size_t dimension{};
@@ -62,13 +56,13 @@ std::optional<FieldAxis> axis_along(const NetcdfVariable& field, const NetcdfVar
   const auto values = coordinate.read_all();
   if (!values) return std::nullopt;
   if (coordinate.dimensions().size() == 1) {
-    const auto dimension = dimension_named(field, coordinate.dimensions()[0].name);
+    const auto dimension = field.dimension_named(coordinate.dimensions()[0].name);
     if (!dimension) return std::nullopt;
     return FieldAxis{*dimension, *values};
   }
   if (coordinate.dimensions().size() != 2) return std::nullopt;
-  const auto slow = dimension_named(field, coordinate.dimensions()[0].name);
-  const auto fast = dimension_named(field, coordinate.dimensions()[1].name);
+  const auto slow = field.dimension_named(coordinate.dimensions()[0].name);
+  const auto fast = field.dimension_named(coordinate.dimensions()[1].name);
   if (!slow || !fast) return std::nullopt;
   const auto rows = static_cast<std::size_t>(coordinate.dimensions()[0].size);
   const auto columns = static_cast<std::size_t>(coordinate.dimensions()[1].size);

@@ -20,7 +20,7 @@ using repository::TideStation;
 
 constexpr std::size_t max_bytes = 50'000'000;
 constexpr std::size_t max_stations = 100'000;
-constexpr double highest_m = 20.0;
+constexpr double highest_amplitude_m = 20.0;
 
 std::vector<std::string> split_line(std::string_view line, std::string_view separators) {
   std::vector<std::string> parts;
@@ -53,7 +53,7 @@ struct ConstituentRow {
 class StationRows {
  public:
   Checked<bool> add(const ConstituentRow& row, double metres) {
-    if (!std::isfinite(row.amplitude) || row.amplitude < 0.0 || row.amplitude * metres > highest_m)
+    if (!std::isfinite(row.amplitude) || row.amplitude < 0.0 || row.amplitude * metres > highest_amplitude_m)
       return refuse("the amplitude of " + row.name + " is " + number(row.amplitude * metres) +
                     " m; no tide has one below 0 or over 20 m; check the unit");
     if (!std::isfinite(row.phase_deg) || std::abs(row.phase_deg) > 720.0)
@@ -93,7 +93,8 @@ class StationRows {
   double unknown_m_{};
 };
 
-Checked<PreparedDataset> prepared(std::vector<TideStation> stations, std::vector<std::string> warnings) {
+Checked<PreparedDataset> prepared_stations(std::vector<TideStation> stations,
+                                           std::vector<std::string> warnings) {
   PreparedDataset data;
   data.kind = repository::DatasetKind::tides;
   std::vector<geo::LonLat> places;
@@ -141,8 +142,8 @@ Checked<double> unit_of(const std::string& stated, const IngestOptions& options)
                          "\", which is no length that this program knows; say it with --unit m or --unit ft");
 }
 
-Checked<geo::LonLat> place_of(std::optional<double> lon, std::optional<double> lat,
-                              const IngestOptions& options) {
+Checked<geo::LonLat> station_place(std::optional<double> lon, std::optional<double> lat,
+                                   const IngestOptions& options) {
   if (options.at) return *options.at;
   if (!lon || !lat)
     return refuse(
@@ -275,8 +276,8 @@ Checked<PreparedDataset> read_tide_json(const std::filesystem::path& file, const
   const bool of_database = std::string_view{key} == "harmonic_constituents";  // which is in metres throughout
   const auto metres = unit_of(of_database ? "m" : text_in(document, "units"), options);
   if (!metres) return refuse(metres.error());
-  const auto place =
-      place_of(number_in(document, {"longitude", "lng"}), number_in(document, {"latitude", "lat"}), options);
+  const auto place = station_place(number_in(document, {"longitude", "lng"}),
+                                   number_in(document, {"latitude", "lat"}), options);
   if (!place) return refuse(place.error());
 
   StationRows rows;
@@ -293,7 +294,7 @@ Checked<PreparedDataset> read_tide_json(const std::filesystem::path& file, const
   }
   std::vector<std::string> warnings;
   rows.warn(warnings);
-  return prepared(
+  return prepared_stations(
       {{text_in(document, "name"), *place, ocean::TideQuantity::elevation, std::move(rows).constants()}},
       std::move(warnings));
 }
@@ -315,7 +316,7 @@ Checked<PreparedDataset> read_tide_table(const std::filesystem::path& file, cons
         "lies west of Greenwich");
   const auto metres = unit_of(metres_of(columns->unit) ? columns->unit : "", options);
   if (!metres) return refuse(metres.error());
-  const auto place = place_of(std::nullopt, std::nullopt, options);
+  const auto place = station_place(std::nullopt, std::nullopt, options);
   if (!place) return refuse(place.error());
 
   StationRows rows;
@@ -340,8 +341,8 @@ Checked<PreparedDataset> read_tide_table(const std::filesystem::path& file, cons
   if (phase_time == PhaseTime::unstated)
     warnings.emplace_back(
         "the phases are taken as degrees behind Greenwich, because the file does not say otherwise");
-  return prepared({{"", *place, ocean::TideQuantity::elevation, std::move(rows).constants()}},
-                  std::move(warnings));
+  return prepared_stations({{"", *place, ocean::TideQuantity::elevation, std::move(rows).constants()}},
+                           std::move(warnings));
 }
 
 Checked<PreparedDataset> read_otps_extract(const std::filesystem::path& file) {
@@ -372,7 +373,7 @@ Checked<PreparedDataset> read_otps_extract(const std::filesystem::path& file) {
     if (numbers.size() != fields.size())
       return refuse("the line \"" + line.substr(0, 60) +
                     "\" holds something that is no number; extract it again");
-    const auto place = place_of(numbers[1], numbers[0], {});
+    const auto place = station_place(numbers[1], numbers[0], {});
     if (!place) return refuse(place.error());
     StationRows rows;
     for (std::size_t i = 0; i < names.size(); ++i) {
@@ -385,7 +386,7 @@ Checked<PreparedDataset> read_otps_extract(const std::filesystem::path& file) {
       return refuse("the file holds more than 100000 places; cut it into parts");
   }
   if (outside > 0) warnings.push_back(std::to_string(outside) + " places outside the model were left out");
-  return prepared(std::move(stations), std::move(warnings));
+  return prepared_stations(std::move(stations), std::move(warnings));
 }
 
 }  // namespace floeplan::ingest

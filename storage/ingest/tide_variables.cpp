@@ -12,7 +12,7 @@ namespace {
 
 using ocean::TideQuantity;
 
-struct KnownPair {
+struct KnownTidePair {
   const char* first;  // lower case
   const char* second;
   TideQuantity quantity;
@@ -20,16 +20,16 @@ struct KnownPair {
 };
 
 constexpr std::array known_pairs{
-    KnownPair{"hre", "him", TideQuantity::elevation, false},
-    KnownPair{"ure", "uim", TideQuantity::east, false},
-    KnownPair{"vre", "vim", TideQuantity::north, false},
-    KnownPair{"amplitude", "phase", TideQuantity::elevation, true},
-    KnownPair{"ha", "hg", TideQuantity::elevation, true},
-    KnownPair{"ua", "ug", TideQuantity::east, true},
-    KnownPair{"va", "vg", TideQuantity::north, true},
-    KnownPair{"ampl", "phas", TideQuantity::elevation, true},
-    KnownPair{"uamp", "upha", TideQuantity::east, true},
-    KnownPair{"vamp", "vpha", TideQuantity::north, true},
+    KnownTidePair{"hre", "him", TideQuantity::elevation, false},
+    KnownTidePair{"ure", "uim", TideQuantity::east, false},
+    KnownTidePair{"vre", "vim", TideQuantity::north, false},
+    KnownTidePair{"amplitude", "phase", TideQuantity::elevation, true},
+    KnownTidePair{"ha", "hg", TideQuantity::elevation, true},
+    KnownTidePair{"ua", "ug", TideQuantity::east, true},
+    KnownTidePair{"va", "vg", TideQuantity::north, true},
+    KnownTidePair{"ampl", "phas", TideQuantity::elevation, true},
+    KnownTidePair{"uamp", "upha", TideQuantity::east, true},
+    KnownTidePair{"vamp", "vpha", TideQuantity::north, true},
 };
 
 const NetcdfVariable* field_named(const NetcdfFile& file, const std::string& lower_name) {
@@ -42,7 +42,7 @@ const NetcdfVariable* field_named(const NetcdfFile& file, const std::string& low
 
 /// Whether a file has both parts of a pair. Winds and geostrophic currents are named ua and ug, too: a phase is an
 /// angle.
-bool has_pair(const NetcdfFile& file, const KnownPair& pair) {
+bool has_pair(const NetcdfFile& file, const KnownTidePair& pair) {
   const NetcdfVariable* second = field_named(file, pair.second);
   if (field_named(file, pair.first) == nullptr || second == nullptr) return false;
   const std::string unit = lower(second->attribute("units"));
@@ -128,7 +128,7 @@ Checked<bool> check_phase(const NetcdfVariable& phase) {
 
 bool holds_tides(const NetcdfFile& file) {
   return is_roms_forcing(file) ||
-         std::ranges::any_of(known_pairs, [&](const KnownPair& pair) { return has_pair(file, pair); });
+         std::ranges::any_of(known_pairs, [&](const KnownTidePair& pair) { return has_pair(file, pair); });
 }
 
 bool needs_tide_depths(const NetcdfFile& file) {
@@ -139,7 +139,7 @@ bool needs_tide_depths(const NetcdfFile& file) {
 
 std::optional<TideQuantity> lone_tide_component(const NetcdfFile& file) {
   const auto holds = [&](TideQuantity quantity) {
-    return std::ranges::any_of(known_pairs, [&](const KnownPair& pair) {
+    return std::ranges::any_of(known_pairs, [&](const KnownTidePair& pair) {
       return pair.quantity == quantity && has_pair(file, pair);
     });
   };
@@ -160,7 +160,7 @@ Checked<std::vector<TideVariables>> find_tides(const NetcdfFile& file) {
   const auto has = [&](TideQuantity quantity) {
     return std::ranges::find(tides, quantity, &TideVariables::quantity) != tides.end();
   };
-  for (const KnownPair& pair : known_pairs) {
+  for (const KnownTidePair& pair : known_pairs) {
     const NetcdfVariable* first = field_named(file, pair.first);
     const NetcdfVariable* second = field_named(file, pair.second);
     if (!has_pair(file, pair) || has(pair.quantity)) continue;

@@ -1,5 +1,6 @@
 #pragma once
 
+#include <cmath>
 #include <optional>
 #include <string>
 
@@ -7,6 +8,9 @@ namespace floeplan::ingest {
 
 /// What moves: the sea, or the air 10 m above it.
 enum class Moving { sea, air };
+
+/// Whether wind that is known at this height is the one 10 m above the sea.
+[[nodiscard]] inline bool is_height_of_wind(double height_m) { return std::abs(height_m - 10.0) <= 0.5; }
 
 /// What the two components of a velocity are measured along.
 enum class VelocityAxes {

@@ -13,15 +13,11 @@
 namespace floeplan::ingest {
 namespace {
 
-constexpr double wind_height_m = 10.0;
-constexpr double same_height_m = 0.5;
-
 /// The level at 10 m: heights count upwards, so that they are negative depths.
 Checked<std::size_t> level_at_10_m(const SourceShape& shape) {
   if (!shape.depths_m) return std::size_t{0};
-  const auto level = std::ranges::find_if(*shape.depths_m, [](double depth_m) {
-    return std::abs(std::abs(depth_m) - wind_height_m) <= same_height_m;
-  });
+  const auto level = std::ranges::find_if(
+      *shape.depths_m, [](double depth_m) { return is_height_of_wind(std::abs(depth_m)); });
   if (level != shape.depths_m->end()) return static_cast<std::size_t>(level - shape.depths_m->begin());
   return refuse(
       "the wind is given at " + number(std::abs(shape.depths_m->back())) +

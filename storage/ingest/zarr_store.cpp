@@ -23,8 +23,8 @@ std::string damaged_store(const fs::path& file, const std::string& why) {
          why + "; the Zarr store is damaged; copy or download it again";
 }
 
-/// The product of the numbers; nullopt when one is no count or the product is beyond `most`.
-std::optional<std::uint64_t> product(const json& numbers, std::uint64_t most) {
+/// The product_of_counts of the numbers; nullopt when one is no count or the product_of_counts is beyond `most`.
+std::optional<std::uint64_t> product_of_counts(const json& numbers, std::uint64_t most) {
   if (!numbers.is_array()) return std::nullopt;
   std::uint64_t result = 1;
   for (const json& number : numbers) {
@@ -58,8 +58,8 @@ Checked<bool> check_array(const fs::path& description, int version, std::size_t 
   const json& shape = array["shape"];
   const json& chunks = array["chunks"];
   constexpr std::uint64_t max_values = 4'000'000'000'000;
-  if (!product(shape, max_values) || !product(chunks, max_chunk_bytes / most_bytes_a_value) ||
-      shape.size() != chunks.size())
+  if (!product_of_counts(shape, max_values) ||
+      !product_of_counts(chunks, max_chunk_bytes / most_bytes_a_value) || shape.size() != chunks.size())
     return refuse(damaged_store(
         description,
         "gives a shape or chunks that are none, or chunks over 256 MB, more than this program unpacks"));

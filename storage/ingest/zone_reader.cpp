@@ -92,8 +92,8 @@ struct ZoneGathering {
   }
 };
 
-void gather(ZoneGathering& all, const OGRFeature& feature, const std::string& label,
-            const PolygonShapes& shapes, std::optional<ocean::ZoneKind> kind_of_others) {
+void gather_zones(ZoneGathering& all, const OGRFeature& feature, const std::string& label,
+                  const PolygonShapes& shapes, std::optional<ocean::ZoneKind> kind_of_others) {
   ZoneAttributes attributes = read_zone_attributes(feature, all.meanings, kind_of_others);
   const std::string subject =
       label + (attributes.zone.name.empty() ? "" : " \"" + attributes.zone.name + "\"") + ": ";
@@ -158,8 +158,8 @@ Checked<PreparedDataset> read_zones(GDALDataset& dataset, const IngestOptions& o
     layer->ResetReading();
     for (const auto& feature : *layer) {
       ++number_of_feature;
-      gather(all, *feature, "feature " + std::to_string(number_of_feature) + in_layer, *shapes,
-             kind_of_others);
+      gather_zones(all, *feature, "feature " + std::to_string(number_of_feature) + in_layer, *shapes,
+                   kind_of_others);
     }
   }
   if (all.corners > repository::max_zone_corners)
