@@ -5,7 +5,7 @@
 #include "server/cli/command.hpp"
 #include "server/cli/flag_values.hpp"
 #include "server/jobs/ingest_service.hpp"
-#include "storage/ingest/guarded_ingest.hpp"
+#include "storage/ingest/process/guarded_ingest.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/migrations.hpp"
 

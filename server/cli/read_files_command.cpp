@@ -1,7 +1,7 @@
 #include <memory>
 
 #include "server/cli/command.hpp"
-#include "storage/ingest/reader_main.hpp"
+#include "storage/ingest/process/reader_main.hpp"
 
 namespace floeplan::cli {
 

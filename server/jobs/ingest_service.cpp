@@ -3,7 +3,7 @@
 #include <stdexcept>
 
 #include "api/codec/dataset_document.hpp"
-#include "storage/ingest/staging_folder.hpp"
+#include "storage/ingest/process/staging_folder.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/dataset_owners.hpp"
 #include "storage/repository/upload_repository.hpp"

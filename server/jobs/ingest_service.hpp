@@ -8,7 +8,7 @@
 
 #include "api/codec/ingest_inputs.hpp"
 #include "engine/core/progress.hpp"
-#include "storage/ingest/guarded_ingest.hpp"
+#include "storage/ingest/process/guarded_ingest.hpp"
 
 namespace floeplan::jobs {
 

@@ -8,7 +8,7 @@
 
 #include "api/log/log.hpp"
 #include "server/jobs/pause.hpp"
-#include "storage/ingest/sidecar.hpp"
+#include "storage/ingest/files/sidecar.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::jobs {

@@ -7,7 +7,7 @@
 #include <memory>
 #include <stdexcept>
 
-#include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/common/gdal_guard.hpp"
 
 namespace floeplan::demo {
 

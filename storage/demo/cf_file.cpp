@@ -4,7 +4,7 @@
 
 #include <stdexcept>
 
-#include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/common/gdal_guard.hpp"
 
 namespace floeplan::demo {
 

@@ -10,7 +10,7 @@
 #include <stdexcept>
 #include <string>
 
-#include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/common/gdal_guard.hpp"
 
 namespace floeplan::demo {
 namespace {

@@ -19,7 +19,7 @@
 #include "storage/demo/paper_scenarios.hpp"
 #include "storage/demo/readme_text.hpp"
 #include "storage/demo/strait.hpp"
-#include "storage/ingest/gshhg_reader.hpp"
+#include "storage/ingest/readers/coastline/gshhg_reader.hpp"
 
 namespace floeplan::demo {
 namespace {

@@ -3,7 +3,7 @@
 #include <filesystem>
 #include <string>
 
-#include "storage/ingest/refusal.hpp"
+#include "storage/ingest/common/refusal.hpp"
 
 namespace floeplan::ingest {
 

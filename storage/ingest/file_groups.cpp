@@ -5,17 +5,17 @@
 #include <string>
 #include <tuple>
 
+#include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/file_format.hpp"
-#include "storage/ingest/gdal_guard.hpp"
-#include "storage/ingest/glider_netcdf.hpp"
-#include "storage/ingest/netcdf_coordinates.hpp"
-#include "storage/ingest/position_tables.hpp"
-#include "storage/ingest/sidecar.hpp"
-#include "storage/ingest/slocum_header.hpp"
-#include "storage/ingest/slocum_log.hpp"
-#include "storage/ingest/tide_layout.hpp"
-#include "storage/ingest/tide_variables.hpp"
-#include "storage/ingest/velocity_pair.hpp"
+#include "storage/ingest/files/sidecar.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
+#include "storage/ingest/formats/netcdf/position_tables.hpp"
+#include "storage/ingest/formats/slocum/slocum_header.hpp"
+#include "storage/ingest/formats/slocum/slocum_log.hpp"
+#include "storage/ingest/readers/tides/tide_layout.hpp"
+#include "storage/ingest/readers/tides/tide_variables.hpp"
+#include "storage/ingest/readers/tracks/glider_netcdf.hpp"
+#include "storage/ingest/readers/velocity/velocity_pair.hpp"
 
 namespace floeplan::ingest {
 namespace {

@@ -5,7 +5,7 @@
 #include <functional>
 #include <vector>
 
-#include "storage/ingest/file_group.hpp"
+#include "storage/ingest/files/file_group.hpp"
 
 namespace floeplan::ingest {
 

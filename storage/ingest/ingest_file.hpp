@@ -7,8 +7,8 @@
 
 #include "engine/core/progress.hpp"
 #include "engine/core/units.hpp"
-#include "storage/ingest/file_group.hpp"
-#include "storage/ingest/ingest_options.hpp"
+#include "storage/ingest/common/ingest_options.hpp"
+#include "storage/ingest/files/file_group.hpp"
 #include "storage/ingest/ingest_report.hpp"
 #include "storage/sqlite/connection.hpp"
 

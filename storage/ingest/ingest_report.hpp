@@ -4,7 +4,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/ingest/file_group.hpp"
+#include "storage/ingest/files/file_group.hpp"
 #include "storage/repository/dataset.hpp"
 
 namespace floeplan::ingest {

@@ -6,7 +6,7 @@
 #include <vector>
 
 #include "storage/ingest/file_format.hpp"
-#include "storage/ingest/netcdf_file.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_file.hpp"
 #include "storage/repository/dataset.hpp"
 
 class GDALDataset;

@@ -38,13 +38,37 @@ const std::map<std::string, Folder>& folders() {
       {"storage/repository", {{"storage/sqlite", "storage/json", "engine/mission", "engine/simulation"}}},
       {"storage/xml", {{"engine/core"}}},
       {"storage/sandbox", {{}}},
-      {"storage/ingest", {{"storage/repository", "storage/sandbox", "storage/xml"}}},
+      {"storage/ingest/common", {{"storage/repository"}}},
+      {"storage/ingest/notation", {{"storage/ingest/common"}}},
+      {"storage/ingest/files", {{"storage/ingest/notation"}}},
+      {"storage/ingest/formats/zarr", {{"storage/ingest/files"}}},
+      {"storage/ingest/formats/netcdf", {{"storage/ingest/formats/zarr"}}},
+      {"storage/ingest/formats/grib", {{"storage/ingest/notation"}}},
+      {"storage/ingest/formats/vector", {{"storage/ingest/notation", "storage/xml"}}},
+      {"storage/ingest/formats/slocum", {{"storage/ingest/formats/netcdf"}}},
+      {"storage/ingest/grids", {{"storage/ingest/formats/netcdf"}}},
+      {"storage/ingest/readers/velocity", {{"storage/ingest/grids"}}},
+      {"storage/ingest/readers/currents",
+       {{"storage/ingest/readers/velocity", "storage/ingest/formats/grib"}}},
+      {"storage/ingest/readers/bathymetry", {{"storage/ingest/grids"}}},
+      {"storage/ingest/readers/tides", {{"storage/ingest/readers/velocity"}}},
+      {"storage/ingest/readers/icebergs", {{"storage/ingest/formats/vector"}}},
+      {"storage/ingest/readers/zones", {{"storage/ingest/formats/vector"}}},
+      {"storage/ingest/readers/ice", {{"storage/ingest/grids", "storage/ingest/readers/zones"}}},
+      {"storage/ingest/readers/coastline", {{"storage/ingest/readers/zones"}}},
+      {"storage/ingest/readers/tracks",
+       {{"storage/ingest/readers/velocity", "storage/ingest/formats/slocum"}}},
+      {"storage/ingest",
+       {{"storage/ingest/readers/currents", "storage/ingest/readers/bathymetry",
+         "storage/ingest/readers/tides", "storage/ingest/readers/icebergs", "storage/ingest/readers/ice",
+         "storage/ingest/readers/coastline", "storage/ingest/readers/tracks"}}},
+      {"storage/ingest/process", {{"storage/ingest", "storage/sandbox"}}},
       {"storage/demo", {{"storage/ingest"}}},
       {"api/codec", {{"storage/repository", "storage/xml"}}},
       {"api/openapi", {{}}},
       {"api/log", {{"engine/core"}}},
       {"api/routes", {{"api/codec", "api/openapi", "api/log"}}},
-      {"server/jobs", {{"storage/ingest", "api/codec", "api/log"}, {"api/routes/job_gateway.hpp"}}},
+      {"server/jobs", {{"storage/ingest/process", "api/codec", "api/log"}, {"api/routes/job_gateway.hpp"}}},
       // The listener speaks in messages and problems; it knows no resource.
       {"server/http",
        {{"engine/core", "api/log"},
@@ -55,7 +79,7 @@ const std::map<std::string, Folder>& folders() {
   return all;
 }
 
-/// A library, known by how its headers begin, and the folders (or whole layers) that may include it.
+/// A library, known by how its headers begin, and the folders that may include it, with all below them.
 struct Library {
   std::regex header;
   Names allowed;
@@ -88,9 +112,11 @@ bool may_include(const std::string& from, const fs::path& header) {
   return reached.contains(header.parent_path().generic_string());
 }
 
+/// Whether the folder or one that it lies in may include it.
 bool knows(const Library& library, const std::string& folder) {
-  const std::string layer = folder.substr(0, folder.find('/'));
-  return library.allowed.contains(folder) || library.allowed.contains(layer);
+  for (fs::path place = folder; !place.empty(); place = place.parent_path())
+    if (library.allowed.contains(place.generic_string())) return true;
+  return false;
 }
 
 /// Why `folder` may not have this include; empty when it may.

@@ -61,6 +61,16 @@ TEST_F(SpoiltTree, ShowsStorageInTheEngineAndAvoidanceThatSeesTheOcean) {
                                         HasSubstr("engine/planning must not use")));
 }
 
+TEST_F(SpoiltTree, ShowsRoomsOfReadersThatLeanOnEachOther) {
+  append("storage/ingest/grids/resampling.hpp",
+         "#include \"storage/ingest/readers/velocity/velocity_pair.hpp\"");
+  append("storage/ingest/readers/icebergs/iceberg_rows.hpp",
+         "#include \"storage/ingest/readers/zones/zone_reader.hpp\"");
+
+  EXPECT_THAT(new_faults(), ElementsAre(HasSubstr("storage/ingest/grids must not use"),
+                                        HasSubstr("storage/ingest/readers/icebergs must not use")));
+}
+
 TEST_F(SpoiltTree, ShowsJobsAndHttpThatSeeEachOther) {
   append("server/http/message.hpp", "#pragma once");
   append("server/http/spoilt.cpp", "#include \"server/jobs/spoilt.cpp\"");

@@ -9,7 +9,7 @@
 #include <string>
 #include <vector>
 
-#include "storage/ingest/reader_main.hpp"
+#include "storage/ingest/process/reader_main.hpp"
 #include "tests/bench/benchmarks.hpp"
 #include "tests/bench/calibration.hpp"
 #include "tests/bench/comparison.hpp"

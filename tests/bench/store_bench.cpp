@@ -5,8 +5,8 @@
 #include <stdexcept>
 #include <string>
 
-#include "storage/ingest/gdal_guard.hpp"
-#include "storage/ingest/guarded_ingest.hpp"
+#include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/process/guarded_ingest.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/migrations.hpp"

@@ -9,15 +9,15 @@
 #include <string>
 #include <string_view>
 
-#include "storage/ingest/depth_table.hpp"
-#include "storage/ingest/iceberg_csv_reader.hpp"
-#include "storage/ingest/iceberg_own_table.hpp"
-#include "storage/ingest/iceberg_table_reader.hpp"
-#include "storage/ingest/slocum_reader.hpp"
-#include "storage/ingest/stated_depth.hpp"
-#include "storage/ingest/stated_period.hpp"
-#include "storage/ingest/tide_table.hpp"
-#include "storage/ingest/zarr3_description.hpp"
+#include "storage/ingest/formats/zarr/zarr3_description.hpp"
+#include "storage/ingest/notation/stated_depth.hpp"
+#include "storage/ingest/notation/stated_period.hpp"
+#include "storage/ingest/readers/bathymetry/depth_table.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_csv_reader.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_own_table.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_table_reader.hpp"
+#include "storage/ingest/readers/tides/tide_table.hpp"
+#include "storage/ingest/readers/tracks/slocum_reader.hpp"
 
 namespace {
 

@@ -11,7 +11,7 @@
 #include <memory>
 #include <sstream>
 
-#include "storage/ingest/gdal_guard.hpp"
+#include "storage/ingest/common/gdal_guard.hpp"
 
 namespace floeplan::demo {
 namespace {

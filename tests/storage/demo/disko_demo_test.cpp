@@ -8,8 +8,8 @@
 
 #include "engine/core/utc_text.hpp"
 #include "engine/geo/geodesic.hpp"
-#include "storage/ingest/gdal_guard.hpp"
-#include "storage/ingest/gshhg_reader.hpp"
+#include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/readers/coastline/gshhg_reader.hpp"
 #include "tests/storage/demo/demo_files.hpp"
 #include "tests/support/places.hpp"
 

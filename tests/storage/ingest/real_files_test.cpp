@@ -10,7 +10,7 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
-#include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::real_files_test {
 namespace {

@@ -7,9 +7,9 @@
 #include <fstream>
 #include <iterator>
 
-#include "storage/ingest/gdal_guard.hpp"
-#include "tests/storage/ingest/netcdf_writer.hpp"
-#include "tests/storage/ingest/store_fixture.hpp"
+#include "storage/ingest/common/gdal_guard.hpp"
+#include "tests/storage/ingest/support/netcdf_writer.hpp"
+#include "tests/storage/ingest/support/store_fixture.hpp"
 
 namespace floeplan::ingest::refusals_test {
 namespace {

@@ -6,7 +6,7 @@
 #include <iterator>
 #include <ostream>
 
-#include "tests/storage/ingest/store_fixture.hpp"
+#include "tests/storage/ingest/support/store_fixture.hpp"
 #include "tests/support/places.hpp"
 
 namespace floeplan::ingest::sample_verdicts_test {
@@ -63,7 +63,7 @@ INSTANTIATE_TEST_SUITE_P(
                     Refused{"s100/102US005MIACB252257.h5", "product INT.IHO.S-102"},
                     Refused{"s100/101AA005C1MNS.000", ""}));
 
-/// Every sample is named in a test of this folder, here or where its values are compared.
+/// Every sample is named in a test of these rooms, here or where its values are compared.
 TEST(Samples, AreAllJudged) {
   if (sample_folder().empty()) GTEST_SKIP() << "the sample data are not on this machine";
   const auto text_of = [](const std::filesystem::path& file) {
@@ -71,9 +71,9 @@ TEST(Samples, AreAllJudged) {
     return std::string{std::istreambuf_iterator<char>{in}, {}};
   };
   std::string tests;
-  for (const auto& file : std::filesystem::directory_iterator{
+  for (const auto& file : std::filesystem::recursive_directory_iterator{
            std::filesystem::path{support::source_folder()} / "tests/storage/ingest"})
-    tests += text_of(file.path());
+    if (file.is_regular_file()) tests += text_of(file.path());
   for (const auto& entry : std::filesystem::recursive_directory_iterator{sample_folder()}) {
     const std::string path = entry.path().lexically_relative(sample_folder());
     const bool inside_zarr = path.find(".zarr/") != std::string::npos;

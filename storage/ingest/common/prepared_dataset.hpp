@@ -1,0 +1,33 @@
+#pragma once
+
+#include <cstdint>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/core/units.hpp"
+#include "engine/geo/bounding_box.hpp"
+#include "storage/ingest/common/refusal.hpp"
+#include "storage/repository/dataset.hpp"
+#include "storage/sqlite/connection.hpp"
+
+namespace floeplan::ingest {
+
+/// One kind of data in a file, read and checked to its end, and the way to write it once its dataset is in
+/// the list.
+struct PreparedDataset {
+  repository::DatasetKind kind{};
+  std::vector<std::string> variables;  // as the file names them
+  geo::BoundingBox bounds;
+  std::optional<core::UtcTime> time_start;
+  std::optional<core::UtcTime> time_end;
+  std::optional<core::UtcTime> run{};  // when the model run began; empty: the file does not say
+  std::int64_t rows_accepted{};
+  std::int64_t rows_refused{};
+  std::vector<std::string> warnings;
+  /// Runs inside the file's transaction. Refuses when the file can no longer be read.
+  std::function<tl::expected<void, std::string>(sqlite::Connection&, const repository::DatasetId&)> write;
+};
+
+}  // namespace floeplan::ingest

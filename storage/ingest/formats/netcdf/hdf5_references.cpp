@@ -1,0 +1,116 @@
+#include "storage/ingest/formats/netcdf/hdf5_references.hpp"
+
+#include <hdf5.h>
+
+#include <optional>
+#include <string>
+
+#include "storage/ingest/files/first_bytes.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+/// A handle of the library, closed with this object.
+template <herr_t (*Close)(hid_t)>
+class Handle {
+ public:
+  explicit Handle(hid_t id) : id_{id} {}
+  Handle(const Handle&) = delete;
+  Handle& operator=(const Handle&) = delete;
+  ~Handle() {
+    if (id_ >= 0) Close(id_);
+  }
+  [[nodiscard]] hid_t get() const { return id_; }
+  explicit operator bool() const { return id_ >= 0; }
+
+ private:
+  hid_t id_;
+};
+
+/// The library prints each of its errors unless it is told not to.
+class QuietLibrary {
+ public:
+  QuietLibrary() {
+    H5Eget_auto2(H5E_DEFAULT, &print_, &data_);
+    H5Eset_auto2(H5E_DEFAULT, nullptr, nullptr);
+  }
+  QuietLibrary(const QuietLibrary&) = delete;
+  QuietLibrary& operator=(const QuietLibrary&) = delete;
+  ~QuietLibrary() { H5Eset_auto2(H5E_DEFAULT, print_, data_); }
+
+ private:
+  H5E_auto2_t print_{};
+  void* data_{};
+};
+
+/// Those that every library of HDF5 has. Any other one is a plugin.
+bool is_built_in(H5Z_filter_t filter) {
+  return filter >= H5Z_FILTER_DEFLATE && filter <= H5Z_FILTER_SCALEOFFSET;
+}
+
+/// Why a dataset cannot be read from this file and by this program alone; empty: it can.
+std::optional<std::string> foreign_part_of(hid_t creation) {
+  const H5D_layout_t layout = H5Pget_layout(creation);
+  if (layout == H5D_VIRTUAL) return "is put together from other files (a virtual dataset)";
+  const int files = H5Pget_external_count(creation);
+  const int filters = H5Pget_nfilters(creation);
+  if (layout < 0 || files < 0 || filters < 0) return "cannot be looked at";
+  if (files > 0) return "has its values in another file";
+  for (int i = 0; i < filters; ++i) {
+    unsigned flags = 0;
+    unsigned options = 0;
+    std::size_t values = 0;
+    const H5Z_filter_t filter =
+        H5Pget_filter2(creation, static_cast<unsigned>(i), &flags, &values, nullptr, 0, nullptr, &options);
+    if (!is_built_in(filter)) return "is packed by a method that this program does not have";
+  }
+  return std::nullopt;
+}
+
+/// The same of what a name stands for.
+std::optional<std::string> foreign_part_of(hid_t parent, const char* name) {
+  const Handle<H5Oclose> object{H5Oopen(parent, name, H5P_DEFAULT)};
+  if (!object) return "cannot be opened";
+  if (H5Iget_type(object.get()) != H5I_DATASET) return std::nullopt;
+  const Handle<H5Pclose> creation{H5Dget_create_plist(object.get())};
+  if (!creation) return "cannot be looked at";
+  return foreign_part_of(creation.get());
+}
+
+/// Looks at one link; `found` is a Checked<bool>. Stops at the first that leads out of the file, or that cannot be
+/// followed. A soft link leads to another name of this file, at which the walk looks, too.
+herr_t visit(hid_t parent, const char* name, const H5L_info_t* link, void* found) {
+  std::optional<std::string> reason;
+  switch (link->type) {
+    case H5L_TYPE_HARD: reason = foreign_part_of(parent, name); break;
+    case H5L_TYPE_SOFT: break;
+    default: reason = "is a link to another file";
+  }
+  if (!reason) return 0;
+  *static_cast<Checked<bool>*>(found) = refuse(
+      "\"" + std::string{name} + "\" " + *reason +
+      "; what stands there would be read unseen, and what is missing taken as no data; copy everything into "
+      "one file, for example with nccopy, and give that");
+  return 1;
+}
+
+Checked<bool> cannot_be_walked() {
+  return refuse(
+      "the file is damaged or was cut short: it cannot be gone through to its end, and what is hidden there "
+      "could "
+      "lead to other files; copy or download it again");
+}
+
+}  // namespace
+
+Checked<bool> check_hdf5_references(const std::filesystem::path& file) {
+  const QuietLibrary quiet;
+  if (first_bytes(file, 8) != "\x89HDF\r\n\x1a\n") return true;
+  const Handle<H5Fclose> opened{H5Fopen(file.c_str(), H5F_ACC_RDONLY, H5P_DEFAULT)};
+  Checked<bool> found = true;
+  if (!opened) return cannot_be_walked();
+  const herr_t walked = H5Lvisit(opened.get(), H5_INDEX_NAME, H5_ITER_NATIVE, visit, &found);
+  return walked < 0 && found ? cannot_be_walked() : found;
+}
+
+}  // namespace floeplan::ingest

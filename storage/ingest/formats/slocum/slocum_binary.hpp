@@ -1,0 +1,24 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "storage/ingest/files/file_group.hpp"
+#include "storage/ingest/formats/slocum/slocum_log.hpp"
+
+namespace floeplan::ingest {
+
+/// Reads a binary log cycle by cycle. `take` gets the rows in the order of the file.
+/// Format   the header; 16 known bytes 's', 'a', 0x1234, 123.456,
+///          123456789.12345, which tell the order of the bytes; cycles of a 'd', two bits for each sensor, the first
+///          one highest (0: not updated, 1: as before, 2: new) and the new values of 1, 2, 4 or 8 bytes; an 'X'
+/// Edges    a log that ends before its 'X' gives what is whole, and says so
+/// Bounds   200 MB
+/// Source   Teledyne Webb Research, Slocum glider masterdata and binary data file format; values compared with those of
+///          the same log as text
+/// Errors   a sensor in another unit than masterdata's; a cache that is not there or does not fit; bytes that are no
+///          cycle
+[[nodiscard]] Checked<SlocumLog> read_slocum_binary(const std::filesystem::path& file, const FileGroup& given,
+                                                    const std::function<void(const SlocumRow&)>& take);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,23 @@
+#pragma once
+
+#include <filesystem>
+#include <functional>
+
+#include "storage/ingest/formats/netcdf/netcdf_file.hpp"
+#include "storage/ingest/formats/slocum/slocum_log.hpp"
+
+namespace floeplan::ingest {
+
+/// Whether a NetCDF file is a Slocum's log as dbd2netcdf writes it: a variable for each sensor along one dimension,
+/// m_present_time and positions among them.
+[[nodiscard]] bool is_slocum_netcdf(const NetcdfFile& file);
+[[nodiscard]] bool holds_slocum_netcdf(const std::filesystem::path& file);
+
+/// Reads such a log as `take_slocum_table`.
+/// Bounds   2 million rows
+/// Errors   GDAL's own words; those of `take_slocum_table`
+/// Source   dbd2netcdf 1.7: the unit of each sensor as masterdata has it, NaN where it was not updated
+[[nodiscard]] Checked<SlocumLog> read_slocum_netcdf(const std::filesystem::path& file,
+                                                    const std::function<void(const SlocumRow&)>& take);
+
+}  // namespace floeplan::ingest

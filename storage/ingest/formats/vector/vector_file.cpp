@@ -1,0 +1,101 @@
+#include "storage/ingest/formats/vector/vector_file.hpp"
+
+#include <cpl_error.h>
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <string_view>
+
+#include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/sqlite/failure.hpp"
+#include "storage/sqlite/foreign_schema.hpp"
+
+namespace floeplan::ingest {
+
+namespace {
+
+/// GDAL ends a layer early, as if it held no more, where a feature cannot be read; only its error tells.
+Checked<void> every_feature_can_be_read(GDALDataset& dataset) {
+  CPLErrorReset();
+  for (OGRLayer* const layer : dataset.GetLayers()) {
+    layer->ResetReading();
+    for (const auto& feature : *layer) {
+      static_cast<void>(feature);
+      // GDAL gives the feature without that attribute: a rule would lose its period.
+      if (std::string_view{CPLGetLastErrorMsg()}.starts_with("Invalid content for record"))
+        return refuse(std::string{"a value of the table does not fit its column, and would be left out ("} +
+                      CPLGetLastErrorMsg() + "); correct it, or make the column one of texts");
+    }
+    if (CPLGetLastErrorType() >= CE_Failure)
+      return refuse(
+          std::string{"not every feature of the file can be read ("} + CPLGetLastErrorMsg() +
+          "); it is damaged or holds texts larger than this program takes; copy or download it again");
+    layer->ResetReading();
+  }
+  return {};
+}
+
+bool is_raster(const std::string& path, const char* const* drivers, const char* const* options) {
+  const GdalMessages messages;
+  return GDALDatasetUniquePtr{GDALDataset::Open(path.c_str(), GDAL_OF_RASTER, drivers, options)} != nullptr;
+}
+
+/// Looks at the schema of a GeoPackage before GDAL does, whose functions it could call.
+Checked<void> holds_plain_tables(const std::filesystem::path& file) {
+  try {
+    const auto part = sqlite::active_part_of(file);
+    if (!part) return {};
+    return refuse(
+        "the GeoPackage holds " + *part +
+        ", which could run code of whoever made the file; save its layers into a new GeoPackage, for "
+        "example with QGIS or ogr2ogr, and give that");
+  } catch (const sqlite::Failure& failure) {
+    return refuse(std::string{"the GeoPackage cannot be read ("} + failure.what() +
+                  "); it is damaged or was cut short; copy or download it again");
+  }
+}
+
+}  // namespace
+
+Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::path& file,
+                                                       const char* driver) {
+  register_drivers();
+  const GdalMessages messages;
+  const char* const drivers[] = {driver, nullptr};
+  const bool is_database = std::string_view{driver} == "GPKG";
+  if (is_database)
+    if (const auto plain = holds_plain_tables(file); !plain) return refuse(plain.error());
+  const char* const immutable[] = {"IMMUTABLE=YES", nullptr};
+  const char* const* const options = is_database ? immutable : nullptr;
+  const std::string path = std::filesystem::absolute(file).string();
+  std::shared_ptr<GDALDataset> dataset{
+      GDALDataset::Open(path.c_str(), GDAL_OF_VECTOR | GDAL_OF_VERBOSE_ERROR, drivers, options)};
+  if (!dataset && is_raster(path, drivers, options))
+    return refuse(
+        "the file holds a raster in tiles, but neither points nor polygons; of this format this program "
+        "reads only "
+        "these; convert a raster of depths with gdal_translate IN.gpkg OUT.tif, and give that");
+  if (!dataset)
+    return refuse(
+        "the file cannot be read (" + messages.first_error() +
+        "); it is damaged, was cut short, or misses the files that belong to it (of a shapefile .shx "
+        "and .dbf); copy or download it again");
+  GIntBig features = 0;
+  for (OGRLayer* const layer : dataset->GetLayers()) features += layer->GetFeatureCount();
+  if (features == 0)
+    return refuse("the file holds no features; there is nothing to store; check what you exported");
+  if (const auto whole = every_feature_can_be_read(*dataset); !whole) return refuse(whole.error());
+  return dataset;
+}
+
+std::vector<std::filesystem::path> parts_of_shapefile(const std::filesystem::path& file) {
+  std::vector<std::filesystem::path> parts{file};
+  for (const char* const ending : {".dbf", ".prj", ".cpg", ".DBF", ".PRJ", ".CPG"}) {
+    std::filesystem::path part = file;
+    part.replace_extension(ending);
+    if (std::filesystem::is_regular_file(part)) parts.push_back(std::move(part));
+  }
+  return parts;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,74 @@
+#include "storage/ingest/grids/centre_tables.hpp"
+
+#include <numbers>
+
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+
+CentreTables::CentreTables(const Staggering& staggering, const NetcdfVariable& variable,
+                           PlaneDimensions plane)
+    : staggering_{staggering} {
+  if (!staggering.collocated) return;
+  y_name_ = variable.dimensions()[plane.y].name;
+  x_name_ = variable.dimensions()[plane.x].name;
+}
+
+bool CentreTables::fits(const NetcdfVariable& table) const {
+  const auto& dimensions = table.dimensions();
+  if (!table.is_numeric() || dimensions.size() < 2) return false;
+  const NetcdfDimension& y = dimensions[dimensions.size() - 2];
+  const NetcdfDimension& x = dimensions.back();
+  if (staggering_.collocated)
+    return y.name == y_name_ && x.name == x_name_ && y.size == staggering_.rows &&
+           x.size == staggering_.columns;
+  // ROMS calls the dimensions of its centres so; with a row and a column more on each side, or cut on one.
+  return lower(y.name) == "eta_rho" && lower(x.name) == "xi_rho" &&
+         y.size >= staggering_.rows + staggering_.first_row &&
+         x.size >= staggering_.columns + staggering_.second_column;
+}
+
+Checked<std::vector<double>> CentreTables::read(const NetcdfVariable& table,
+                                                const std::vector<std::uint64_t>& leading) const {
+  const auto& dimensions = table.dimensions();
+  std::vector<std::uint64_t> start = leading;
+  std::vector<std::size_t> count(leading.size(), 1);
+  start.push_back(staggering_.collocated ? 0 : staggering_.first_row);
+  start.push_back(staggering_.collocated ? 0 : staggering_.second_column);
+  count.push_back(staggering_.rows);
+  count.push_back(staggering_.columns);
+  if (start.size() != dimensions.size())
+    return refuse("the variable \"" + table.name() +
+                  "\" has dimensions that the currents have not; it cannot be used; ask the producer for the "
+                  "model's own output");
+  auto values = table.read_packed(start, count);
+  if (!values) return refuse(values.error());
+  for (double& value : *values) value = table.unpacked(value);
+  return values;
+}
+
+const NetcdfVariable* CentreTables::find(const NetcdfFiles& files, std::string_view name) const {
+  for (const auto& file : files)
+    for (const NetcdfVariable& table : file->variables())
+      if (lower(table.name()) == name && table.dimensions().size() == 2 && fits(table)) return &table;
+  return nullptr;
+}
+
+Checked<std::vector<double>> CentreTables::angle(const NetcdfFiles& files) const {
+  const NetcdfVariable* table = find(files, "angle");
+  if (table == nullptr) return std::vector<double>{};
+  auto values = read(*table, {});
+  if (values && contains_any(lower(table->attribute("units")), {"degree"}))
+    for (double& value : *values) value *= std::numbers::pi / 180.0;
+  return values;
+}
+
+Checked<WaterMask> CentreTables::mask(const NetcdfFiles& files) const {
+  const NetcdfVariable* table = find(files, "mask_rho");
+  if (table == nullptr) return WaterMask{};
+  const auto values = read(*table, {});
+  if (!values) return refuse(values.error());
+  return WaterMask{water_of(*values)};
+}
+
+}  // namespace floeplan::ingest

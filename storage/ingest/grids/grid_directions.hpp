@@ -1,0 +1,36 @@
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/ingest/formats/netcdf/position_tables.hpp"
+#include "storage/ingest/grids/staggering.hpp"
+
+namespace floeplan::ingest {
+
+/// The direction of a grid's first axis at every centre: cosine and sine of its angle, counterclockwise from east.
+/// Components along the grid become east = u cos - v sin, north = u sin + v cos.
+struct GridDirections {
+  std::vector<float> cosine;
+  std::vector<float> sine;
+
+  /// The largest angle between the grid's first axis and east, degrees.
+  [[nodiscard]] double largest_turn_deg() const;
+};
+
+/// Whether the coordinates along an axis, where it has any, fall while its index grows.
+struct FallingAxes {
+  bool first{false};
+  bool second{false};
+};
+
+/// From the positions: the way from one point to the next. `stated` is the model's own angle at the centres, radians;
+/// it is used where it agrees with the positions, because they may be rounded.
+/// Errors   an angle that contradicts the positions; a grid that is mirrored, so that the second axis does not lie a
+///          quarter turn counterclockwise from the first
+[[nodiscard]] Checked<GridDirections> directions_of(const Staggering& staggering, const Positions& first,
+                                                    const Positions& second, FallingAxes falling,
+                                                    const std::vector<double>& stated);
+
+}  // namespace floeplan::ingest

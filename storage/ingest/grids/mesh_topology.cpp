@@ -1,0 +1,168 @@
+#include "storage/ingest/grids/mesh_topology.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <sstream>
+
+#include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr std::uint64_t max_nodes = 3'000'000;
+
+/// The variables that describe a mesh.
+struct Description {
+  const NetcdfVariable* lons{nullptr};
+  const NetcdfVariable* lats{nullptr};
+  const NetcdfVariable* faces{nullptr};
+  bool by_ugrid{false};
+};
+
+const NetcdfVariable* topology_of(const NetcdfFile& file) {
+  for (const NetcdfVariable& variable : file.variables())
+    if (lower(variable.attribute("cf_role")) == "mesh_topology" &&
+        variable.numeric_attribute("topology_dimension").value_or(2.0) == 2.0)
+      return &variable;
+  return nullptr;
+}
+
+Description describe_ugrid(const NetcdfFile& file, const NetcdfVariable& topology) {
+  Description found;
+  found.by_ugrid = true;
+  found.faces = file.find(topology.attribute("face_node_connectivity"));
+  std::istringstream names{topology.attribute("node_coordinates")};
+  for (std::string name; names >> name;) {
+    const NetcdfVariable* coordinate = file.find(name);
+    if (coordinate == nullptr) continue;
+    if (role_of(*coordinate) == AxisRole::longitude) found.lons = coordinate;
+    if (role_of(*coordinate) == AxisRole::latitude) found.lats = coordinate;
+  }
+  return found;
+}
+
+Description describe(const NetcdfFile& file) {
+  if (const NetcdfVariable* topology = topology_of(file)) return describe_ugrid(file, *topology);
+  return {file.find("lon"), file.find("lat"), file.find("nv"), false};
+}
+
+bool is_whole(const Description& description) {
+  return description.lons != nullptr && description.lats != nullptr && description.faces != nullptr &&
+         description.lons->dimensions().size() == 1 && description.lats->dimensions().size() == 1 &&
+         description.faces->dimensions().size() == 2 && description.faces->is_numeric() &&
+         description.lons->dimensions()[0].name == description.lats->dimensions()[0].name;
+}
+
+/// Numbers of nodes for each face, whichever dimension comes first.
+struct FaceTable {
+  std::size_t corner_dimension{};
+  std::size_t corners{};
+  std::size_t count{};
+};
+
+std::optional<FaceTable> table_of(const NetcdfVariable& faces) {
+  const auto& dimensions = faces.dimensions();
+  for (const std::size_t corner : {std::size_t{0}, std::size_t{1}}) {
+    const std::uint64_t corners = dimensions[corner].size;
+    const std::uint64_t count = dimensions[1 - corner].size;
+    if ((corners == 3 || corners == 4) && count > 0 && (count > 4 || corner == 1))
+      return FaceTable{corner, static_cast<std::size_t>(corners), static_cast<std::size_t>(count)};
+  }
+  // Room for more corners than most faces have, as Delft3D FM leaves it.
+  constexpr std::uint64_t most_corners = 12;
+  const std::uint64_t corners = dimensions[1].size;
+  if (corners > 4 && corners <= most_corners && dimensions[0].size > 0)
+    return FaceTable{1, static_cast<std::size_t>(corners), static_cast<std::size_t>(dimensions[0].size)};
+  return std::nullopt;
+}
+
+std::string damaged(const NetcdfVariable& faces) {
+  return "the table of the mesh \"" + faces.name() +
+         "\" names nodes that do not exist or has not three or four for each face; the file is damaged; copy "
+         "or "
+         "download it again";
+}
+
+Checked<std::vector<SourceMesh::Cell>> read_faces(const Description& description, std::size_t nodes) {
+  const NetcdfVariable& table = *description.faces;
+  const auto shape = table_of(table);
+  if (!shape || shape->count > 2 * max_nodes) return refuse(damaged(table));
+  const auto values = table.read_all();
+  if (!values) return refuse(values.error());
+
+  // Without a word UGRID counts from zero and FVCOM from one.
+  const double start = table.numeric_attribute("start_index").value_or(description.by_ugrid ? 0.0 : 1.0);
+  const auto at = [&](std::size_t face, std::size_t corner) {
+    return shape->corner_dimension == 0 ? (*values)[corner * shape->count + face]
+                                        : (*values)[face * shape->corners + corner];
+  };
+  std::vector<SourceMesh::Cell> faces(shape->count);
+  for (std::size_t face = 0; face < shape->count; ++face) {
+    for (std::size_t corner = 0; corner < 4; ++corner) {
+      double node = corner < shape->corners ? at(face, corner) - start : NAN;
+      // The fourth corner of a triangle is missing, or repeats one, or lies before the first node.
+      if (corner == 3 && !(node >= 0.0)) node = static_cast<double>(faces[face][2]);
+      if (!(node >= 0.0 && node < static_cast<double>(nodes)) || node != std::floor(node))
+        return refuse(damaged(table));
+      faces[face][corner] = static_cast<std::uint32_t>(node);
+    }
+    for (std::size_t corner = 4; corner < shape->corners; ++corner)
+      if (const double node = at(face, corner) - start; node >= 0.0 && node < static_cast<double>(nodes))
+        return refuse(
+            "the mesh \"" + table.name() +
+            "\" has faces of more than four corners, which this program does not read; interpolate the "
+            "data to a regular grid, or split such faces into triangles first");
+  }
+  return faces;
+}
+
+}  // namespace
+
+bool lies_on_mesh(const NetcdfFile& file, const NetcdfVariable& variable) {
+  const Description description = describe(file);
+  if (!is_whole(description)) return false;
+  const auto shape = table_of(*description.faces);
+  if (!shape) return false;
+  const std::string& nodes = description.lons->dimensions()[0].name;
+  const std::string& faces = description.faces->dimensions()[1 - shape->corner_dimension].name;
+  return std::ranges::any_of(variable.dimensions(), [&](const NetcdfDimension& dimension) {
+    return dimension.name == nodes || dimension.name == faces;
+  });
+}
+
+Checked<MeshTopology> mesh_topology(const NetcdfFile& file) {
+  const Description description = describe(file);
+  if (!is_whole(description))
+    return refuse(
+        "the file does not describe its mesh in longitude and latitude (nodes, and the nodes round each "
+        "face); the "
+        "data cannot be placed; ask the producer for a file by the UGRID conventions");
+  const std::uint64_t count = description.lons->dimensions()[0].size;
+  if (count == 0 || count > max_nodes)
+    return refuse("the mesh has " + std::to_string(count) + " nodes; this program accepts 1 to " +
+                  std::to_string(max_nodes) + "; cut out your area first");
+  const auto lons = description.lons->read_all();
+  if (!lons) return refuse(lons.error());
+  const auto lats = description.lats->read_all();
+  if (!lats) return refuse(lats.error());
+  auto faces = read_faces(description, lons->size());
+  if (!faces) return refuse(faces.error());
+
+  MeshTopology mesh;
+  for (std::size_t i = 0; i < lons->size(); ++i) {
+    const double lon = (*lons)[i];
+    const double lat = (*lats)[i];
+    if (!(std::abs(lat) <= 90.0 && std::abs(lon) <= 720.0))
+      return refuse("a node of the mesh lies at longitude " + number(lon) + ", latitude " + number(lat) +
+                    "; the coordinates are no degrees or the file is damaged; ask the producer");
+    mesh.nodes.push_back({geo::wrap_longitude(lon), lat});
+  }
+  mesh.faces = std::move(*faces);
+  mesh.node_dimension = description.lons->dimensions()[0].name;
+  mesh.face_dimension =
+      description.faces->dimensions()[1 - table_of(*description.faces)->corner_dimension].name;
+  return mesh;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,121 @@
+#include "storage/ingest/grids/staggering.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "storage/ingest/grids/tangent_plane.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr double same_place_share = 0.02;  // of the spacing: the rounding of float32 and of packed tables
+constexpr double meeting_share = 0.15;  // the right arrangement meets within a few per cent, a wrong one not
+constexpr std::size_t sampled = 400;    // points compared
+
+double median(std::vector<double> values) {
+  if (values.empty()) return INFINITY;
+  const auto middle = values.begin() + static_cast<std::ptrdiff_t>(values.size() / 2);
+  std::nth_element(values.begin(), middle, values.end());
+  return *middle;
+}
+
+/// Distances at points spread over a block, where both ends have a place.
+template <class Distance>
+double typical(std::size_t rows, std::size_t columns, const Distance& distance) {
+  const std::size_t total = rows * columns;
+  const std::size_t step = std::max<std::size_t>(1, total / sampled);
+  std::vector<double> found;
+  for (std::size_t i = 0; i < total; i += step) {
+    const double apart = distance(i / columns, i % columns);
+    if (std::isfinite(apart)) found.push_back(apart);
+  }
+  return median(std::move(found));
+}
+
+double spacing_m(const Positions& positions) {
+  if (positions.columns < 2) return INFINITY;
+  return typical(positions.rows, positions.columns - 1, [&](std::size_t row, std::size_t column) {
+    return sphere_distance_m(positions.at(row, column), positions.at(row, column + 1));
+  });
+}
+
+geo::LonLat centre(const Staggering& way, const Positions& first, std::size_t row, std::size_t column) {
+  return midpoint(first.at(row + way.first_row, column), first.at(row + way.first_row, column + 1));
+}
+
+std::size_t less(std::size_t a, std::size_t b) { return a > b ? a - b : 0; }
+
+Staggering arranged(std::size_t first_row, std::size_t second_column, std::size_t first_rows,
+                    std::size_t first_columns, std::size_t second_rows, std::size_t second_columns) {
+  return {.collocated = false,
+          .first_row = first_row,
+          .second_column = second_column,
+          .rows = std::min(less(first_rows, first_row), less(second_rows, 1)),
+          .columns = std::min(less(first_columns, 1), less(second_columns, second_column))};
+}
+
+}  // namespace
+
+Checked<Staggering> staggering_of(const Positions& first, const Positions& second) {
+  const double spacing = spacing_m(first);
+  if (first.rows == second.rows && first.columns == second.columns) {
+    const double apart = typical(first.rows, first.columns, [&](std::size_t row, std::size_t column) {
+      return sphere_distance_m(first.at(row, column), second.at(row, column));
+    });
+    if (apart < same_place_share * spacing)
+      return Staggering{.collocated = true, .rows = first.rows, .columns = first.columns};
+  }
+
+  std::optional<Staggering> best;
+  double least = INFINITY;
+  for (const std::size_t first_row : {std::size_t{1}, std::size_t{0}}) {
+    for (const std::size_t second_column : {std::size_t{1}, std::size_t{0}}) {
+      const Staggering way =
+          arranged(first_row, second_column, first.rows, first.columns, second.rows, second.columns);
+      if (way.rows == 0 || way.columns == 0) continue;
+      const double miss = typical(way.rows, way.columns, [&](std::size_t row, std::size_t column) {
+        const geo::LonLat across =
+            midpoint(second.at(row, column + second_column), second.at(row + 1, column + second_column));
+        return sphere_distance_m(centre(way, first, row, column), across);
+      });
+      if (miss >= least) continue;
+      least = miss;
+      best = way;
+    }
+  }
+  if (!best || least > meeting_share * spacing)
+    return refuse(
+        "the points of the two components of the current fit no arrangement that this program knows (both at "
+        "the "
+        "same points, or each half a cell beside the other); they cannot be put together; give the two files "
+        "of "
+        "the same grid and the same part of it");
+  return *best;
+}
+
+Checked<Staggering> points_after_centres(std::size_t first_rows, std::size_t first_columns,
+                                         std::size_t second_rows, std::size_t second_columns) {
+  const std::size_t apart_rows = std::max(first_rows, second_rows) - std::min(first_rows, second_rows);
+  const std::size_t apart_columns =
+      std::max(first_columns, second_columns) - std::min(first_columns, second_columns);
+  const Staggering way = arranged(1, 1, first_rows, first_columns, second_rows, second_columns);
+  if (apart_rows > 1 || apart_columns > 1 || way.rows < 2 || way.columns < 2)
+    return refuse(
+        "the two components of the current have shapes that do not fit each other, and the file does not say "
+        "where "
+        "their points lie; they cannot be put together; ask the producer for a file with its tables of "
+        "positions");
+  return way;
+}
+
+std::vector<geo::LonLat> centres_of(const Staggering& staggering, const Positions& first) {
+  if (staggering.collocated) return first.places;
+  std::vector<geo::LonLat> centres;
+  centres.reserve(staggering.rows * staggering.columns);
+  for (std::size_t row = 0; row < staggering.rows; ++row)
+    for (std::size_t column = 0; column < staggering.columns; ++column)
+      centres.push_back(centre(staggering, first, row, column));
+  return centres;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,37 @@
+#pragma once
+
+#include <cstddef>
+#include <optional>
+#include <vector>
+
+#include "storage/ingest/common/refusal.hpp"
+#include "storage/ingest/formats/netcdf/position_tables.hpp"
+
+namespace floeplan::ingest {
+
+/// How the points of two components lie round the centres at which both are wanted. The centre [row][column] lies
+/// half-way between the first component's points [row + first_row][column] and [column + 1], and half-way between the
+/// second's [row][column + second_column] and [row + 1].
+/// Source   Arakawa and Lamb 1977, Methods in Computational Physics 17, grids A, B and C
+struct Staggering {
+  bool collocated{false};       // both components lie at the same points: those are the centres
+  std::size_t first_row{};      // 1 where the first component's point with the centre's number lies after it
+  std::size_t second_column{};  // likewise
+  std::size_t rows{};           // of the centres that have all their points
+  std::size_t columns{};
+};
+
+/// Told by the positions alone, not by a model's name: the arrangement in which both half-ways meet.
+/// Errors   points that fit no arrangement
+[[nodiscard]] Checked<Staggering> staggering_of(const Positions& first, const Positions& second);
+
+/// The arrangement of NEMO and ROMS, in which the points with a centre's number lie after it, for grids whose points
+/// have no positions of their own.
+/// Errors   shapes that do not fit each other
+[[nodiscard]] Checked<Staggering> points_after_centres(std::size_t first_rows, std::size_t first_columns,
+                                                       std::size_t second_rows, std::size_t second_columns);
+
+/// The centres' places, [row][column].
+[[nodiscard]] std::vector<geo::LonLat> centres_of(const Staggering& staggering, const Positions& first);
+
+}  // namespace floeplan::ingest

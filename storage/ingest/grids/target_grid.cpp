@@ -1,0 +1,143 @@
+#include "storage/ingest/grids/target_grid.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+#include <numbers>
+
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr double max_target_nodes = 4e6;  // weights take 48 bytes a node: 200 MB
+constexpr double half = 0.5;              // of the mesh's spacing: interpolating twice loses little then
+constexpr double max_fine_nodes = 1e6;    // from here on a finer grid is not worth its size
+constexpr double metres_per_degree = 111'195.0;  // of a sphere with the Earth's mean radius
+constexpr double polar_from_lat_deg = 78.0;      // where a degree of longitude is a fifth of one of latitude
+constexpr double polar_above_lat_deg = 45.0;  // the whole mesh must lie beyond, so that the plane stays true
+
+std::vector<geo::LonLat> used_points(const SourceMesh& mesh) {
+  std::vector<bool> used(mesh.points.size());
+  for (const SourceMesh::Cell& cell : mesh.cells)
+    for (const std::uint32_t corner : cell) used[corner] = true;
+  std::vector<geo::LonLat> points;
+  for (std::size_t i = 0; i < used.size(); ++i)
+    if (used[i]) points.push_back(mesh.points[i]);
+  return points;
+}
+
+/// Nodes from `from` to at least `to`, `step` apart.
+std::vector<double> nodes_between(double from, double to, double step) {
+  const auto count = static_cast<std::size_t>(std::ceil((to - from) / step - 1e-9)) + 1;
+  std::vector<double> nodes(count);
+  for (std::size_t i = 0; i < count; ++i) nodes[i] = from + step * static_cast<double>(i);
+  return nodes;
+}
+
+/// A step of half the mesh's own, or more where that would take too many nodes.
+double affordable_step(double spacing, double area) {
+  return std::max({half * spacing, std::min(spacing, std::sqrt(area / max_fine_nodes)),
+                   std::sqrt(area / max_target_nodes)});
+}
+
+/// Rounded down to two digits, so that the nodes have short numbers.
+double rounded(double step) {
+  const double digit = std::pow(10.0, std::floor(std::log10(step)) - 1.0);
+  return std::max(std::floor(step / digit + 1e-9), 1.0) * digit;
+}
+
+double start_before(double value, double step) { return std::floor(value / step + 1e-9) * step; }
+
+ocean::HorizontalGrid polar_grid(const std::vector<geo::LonLat>& points, double spacing_m) {
+  const geo::BoundingBox box = geo::bounding_box(points);
+  const bool north = box.north_deg > 0.0;
+  const geo::PolarStereographicFrame frame{
+      .north = north,
+      .lat_ts_deg = north ? 70.0 : -70.0,
+      .lon_0_deg = std::round(geo::wrap_longitude(box.west_deg + 0.5 * geo::width_deg(box)))};
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  double least_x = infinite;
+  double most_x = -infinite;
+  double least_y = infinite;
+  double most_y = -infinite;
+  for (const geo::LonLat place : points) {
+    const geo::GridPoint at = geo::to_grid(frame, place);
+    least_x = std::min(least_x, at.x);
+    most_x = std::max(most_x, at.x);
+    least_y = std::min(least_y, at.y);
+    most_y = std::max(most_y, at.y);
+  }
+  const double step = rounded(affordable_step(spacing_m, (most_x - least_x) * (most_y - least_y)));
+  return {frame, ocean::Axis{nodes_between(start_before(least_x, step), most_x, step)},
+          ocean::Axis{nodes_between(start_before(least_y, step), most_y, step)}};
+}
+
+/// Whether cells lie across the meridians on which there is no point: such a mesh goes all the way round.
+bool closes_round(const SourceMesh& mesh, const geo::BoundingBox& box) {
+  const auto east_of_west = [&](std::uint32_t corner) {
+    const double turn = std::fmod(mesh.points[corner].lon_deg - box.west_deg, 360.0);
+    return turn < 0.0 ? turn + 360.0 : turn;
+  };
+  return std::ranges::any_of(mesh.cells, [&](const SourceMesh::Cell& cell) {
+    const auto [least, most] = std::ranges::minmax(cell, {}, east_of_west);
+    return east_of_west(most) - east_of_west(least) > 180.0;
+  });
+}
+
+ocean::HorizontalGrid geographic_grid(const SourceMesh& mesh, const std::vector<geo::LonLat>& points,
+                                      double spacing_m) {
+  const geo::BoundingBox box = geo::bounding_box(points);
+  const double height_deg = box.north_deg - box.south_deg;
+  const double least_abs_lat =
+      box.south_deg > 0.0 ? box.south_deg : (box.north_deg < 0.0 ? -box.north_deg : 0.0);
+  const double lat_per_lon = std::cos(least_abs_lat * std::numbers::pi / 180.0);
+  const double width = geo::width_deg(box);
+  const double step = affordable_step(spacing_m / metres_per_degree, width * lat_per_lon * height_deg);
+  const double lat_step = rounded(step);
+  const double lon_step = rounded(step / lat_per_lon);
+
+  const double south = std::max(-90.0, start_before(box.south_deg, lat_step));
+  std::vector<double> lats = nodes_between(south, box.north_deg, lat_step);
+  if (lats.back() > 90.0) lats.back() = 90.0;
+  if (width + 2.0 * lon_step < 360.0 && !closes_round(mesh, box)) {
+    const double west = start_before(box.west_deg, lon_step);
+    return {geo::GeographicFrame{}, ocean::Axis{nodes_between(west, box.west_deg + width, lon_step)},
+            ocean::Axis{std::move(lats)}};
+  }
+  const double count = std::ceil(360.0 / lon_step);
+  std::vector<double> lons(static_cast<std::size_t>(count));
+  for (std::size_t i = 0; i < lons.size(); ++i) lons[i] = -180.0 + 360.0 * static_cast<double>(i) / count;
+  return {geo::GeographicFrame{}, ocean::Axis{std::move(lons)}, ocean::Axis{std::move(lats)}};
+}
+
+}  // namespace
+
+Checked<ocean::HorizontalGrid> target_grid_for(const SourceMesh& mesh) {
+  const std::vector<geo::LonLat> points = used_points(mesh);
+  const double spacing_m = fine_spacing_m(mesh);
+  if (points.empty() || !(spacing_m > 0.0))
+    return refuse(
+        "the positions in the file enclose no area, so nothing can be interpolated between them; the tables "
+        "of "
+        "longitude and latitude are empty or damaged; ask the producer for a complete file");
+  double least_lat = 90.0;
+  double most_lat = -90.0;
+  for (const geo::LonLat place : points) {
+    least_lat = std::min(least_lat, place.lat_deg);
+    most_lat = std::max(most_lat, place.lat_deg);
+  }
+  const bool polar = (least_lat > polar_above_lat_deg && most_lat > polar_from_lat_deg) ||
+                     (most_lat < -polar_above_lat_deg && least_lat < -polar_from_lat_deg);
+  return polar ? polar_grid(points, spacing_m) : geographic_grid(mesh, points, spacing_m);
+}
+
+std::string spacing_in_words(const ocean::HorizontalGrid& grid) {
+  const bool metres = !std::holds_alternative<geo::GeographicFrame>(grid.frame());
+  const std::string x = number(grid.x().mean_step(), metres ? 6 : 3);
+  const std::string y = number(grid.y().mean_step(), 3);
+  if (metres) return x + " m of a polar stereographic projection";
+  return x + " x " + y + " degrees of longitude and latitude";
+}
+
+}  // namespace floeplan::ingest

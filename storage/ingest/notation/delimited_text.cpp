@@ -1,0 +1,95 @@
+#include "storage/ingest/notation/delimited_text.hpp"
+
+#include <algorithm>
+#include <utility>
+
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+char separator_of(std::string_view header) {
+  for (const char separator : {'\t', ';', ','})
+    if (header.find(separator) != std::string_view::npos) return separator;
+  return ' ';
+}
+
+std::string plain_name(std::string_view column) {
+  std::string name;
+  for (const char c : lower(column)) {
+    if ((c >= 'a' && c <= 'z') || (c >= '0' && c <= '9')) {
+      name += c;
+    } else if (!name.empty() && name.back() != '_') {
+      name += '_';
+    }
+  }
+  if (name.ends_with('_')) name.pop_back();
+  return name;
+}
+
+}  // namespace
+
+DelimitedText::DelimitedText(std::string_view header) : separator_{separator_of(header)} {
+  if (header.starts_with("\xEF\xBB\xBF")) header.remove_prefix(3);
+  for (std::string& name : fields(header)) {
+    std::string plain = plain_name(name);
+    if (separator_ == ' ' && plain.empty()) continue;  // a mark of a comment that stands alone
+    columns_.push_back(std::move(plain));
+    headers_.push_back(std::move(name));
+  }
+}
+
+std::optional<std::size_t> DelimitedText::column(const std::vector<std::string_view>& names) const {
+  std::optional<std::size_t> found;
+  for (std::size_t i = 0; i < columns_.size(); ++i) {
+    if (std::ranges::find(names, columns_[i]) == names.end()) continue;
+    if (found) return std::nullopt;
+    found = i;
+  }
+  return found;
+}
+
+std::vector<std::string> DelimitedText::fields(std::string_view line) const {
+  std::vector<std::string> fields;
+  if (trimmed(line).empty()) return fields;
+  fields.emplace_back();
+  bool quoted = false;
+  for (const char c : line) {
+    if (c == '"') {
+      quoted = !quoted;
+    } else if (c == separator_ && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  for (std::string& field : fields) field = trimmed(field);
+  if (separator_ == ' ') std::erase(fields, "");
+  return fields;
+}
+
+std::optional<double> DelimitedText::number(std::string_view field) const {
+  std::string text{field};
+  if (separator_ != ',') std::ranges::replace(text, ',', '.');
+  return parse_number(text);
+}
+
+std::vector<std::string> csv_fields(const std::string& line) {
+  std::vector<std::string> fields(1);
+  bool quoted = false;
+  for (std::size_t i = 0; i < line.size(); ++i) {
+    const char c = line[i];
+    if (quoted && c == '"' && i + 1 < line.size() && line[i + 1] == '"') {
+      fields.back() += line[++i];
+    } else if (c == '"') {
+      quoted = !quoted;
+    } else if (c == ',' && !quoted) {
+      fields.emplace_back();
+    } else {
+      fields.back() += c;
+    }
+  }
+  return fields;
+}
+
+}  // namespace floeplan::ingest

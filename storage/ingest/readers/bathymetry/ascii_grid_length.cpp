@@ -1,0 +1,48 @@
+#include "storage/ingest/readers/bathymetry/ascii_grid_length.hpp"
+
+#include <algorithm>
+#include <fstream>
+#include <string>
+
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+/// Some locales write decimals with a comma, which GDAL reads as the point that it stands for.
+bool is_number(std::string word) {
+  std::ranges::replace(word, ',', '.');
+  return parse_number(word).has_value();
+}
+
+}  // namespace
+
+Checked<std::uint64_t> ascii_grid_length(const std::filesystem::path& file) {
+  constexpr double max_side = 1e6;
+  std::ifstream in{file};
+  double columns = 0.0;
+  double rows = 0.0;
+  std::uint64_t values = 0;
+  std::string word;
+  while (in >> word) {
+    if (values > 0 || is_number(word)) {
+      ++values;
+      continue;
+    }
+    const std::string key = lower(word);
+    if (!(in >> word)) break;
+    if (key == "ncols") columns = parse_number(word).value_or(0.0);
+    if (key == "nrows") rows = parse_number(word).value_or(0.0);
+  }
+  if (!(columns >= 1.0 && columns <= max_side && rows >= 1.0 && rows <= max_side))
+    return refuse(
+        "the grid's header has no usable ncols and nrows; the file is damaged; copy or download it again");
+
+  const auto needed = static_cast<std::uint64_t>(columns) * static_cast<std::uint64_t>(rows);
+  if (values < needed)
+    return refuse("the grid was cut short: its header announces " + std::to_string(needed) +
+                  " values, but it has " + std::to_string(values) + "; copy or download it again");
+  return values;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,252 @@
+#include "storage/ingest/readers/bathymetry/bathymetry_grid.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <memory>
+#include <utility>
+
+#include "storage/ingest/common/missing_value.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/repository/field_overviews.hpp"
+#include "storage/repository/field_repository.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr float deepest_sea_m = 12000.0F;
+constexpr float highest_land_m = 9000.0F;
+
+/// With the range of its cells, and what of it GDAL or HDF5 holds meanwhile, a quarter of what a reader may take.
+constexpr std::size_t band_nodes = 4'000'000;
+
+using Rows = std::function<Checked<RawRows>(std::size_t, std::size_t)>;
+
+std::size_t rows_of_band(const ocean::HorizontalGrid& grid) {
+  constexpr std::size_t together = repository::FieldRepository::rows_together;
+  return std::max<std::size_t>(band_nodes / grid.x().size() / together, 1) * together;
+}
+
+/// Calls `visit` with the first row and the rows of each band; ends with the first refusal.
+template <class Visit>
+Checked<bool> for_each_band(const ocean::HorizontalGrid& grid, const Rows& read, const Visit& visit) {
+  const std::size_t step = rows_of_band(grid);
+  for (std::size_t first = 0; first < grid.y().size(); first += step) {
+    auto rows = read(first, std::min(step, grid.y().size() - first));
+    if (!rows) return refuse(rows.error());
+    visit(first, *rows);
+  }
+  return true;
+}
+
+/// Numbers that producers write for "missing". 9999 also is a depth: it counts only if nothing else is as
+/// large.
+bool is_certain_marker(float value) {
+  constexpr std::array markers{32767.0F, 32768.0F, 99999.0F, 999999.0F};
+  const float size = std::abs(value);
+  return size >= 1e6F || std::find(markers.begin(), markers.end(), size) != markers.end();
+}
+
+bool is_doubtful_marker(float value) { return std::abs(value) == 9999.0F; }
+
+/// A value and where it was met first.
+struct Extreme {
+  float value{};
+  std::size_t node{};
+};
+
+/// What has to be known of all values before the first can be stored.
+class Survey {
+ public:
+  explicit Survey(std::size_t columns) : columns_{columns} {}
+
+  void look_at(std::size_t first_row, const RawRows& rows) {
+    for (std::size_t i = 0; i < rows.values_m.size(); ++i) {
+      const float value = rows.values_m[i];
+      if (std::isnan(value)) continue;
+      const Extreme met{value, first_row * columns_ + i};
+      if (is_certain_marker(value)) {
+        ++certain_;
+      } else if (is_doubtful_marker(value)) {
+        ++doubtful_;
+        widen(with_doubtful_, met);
+      } else {
+        widen(without_, met);
+        if (std::abs(value) > 9000.0F) other_is_large_ = true;
+        for (const auto* const ends : {&rows.lowest_m, &rows.highest_m})
+          if (!ends->empty() && !std::isnan((*ends)[i])) widen(cells_, {(*ends)[i], met.node});
+      }
+      if (!rows.lowest_m.empty() && rows.lowest_m[i] < value) reaches_lower_ = true;
+      if (!rows.highest_m.empty() && rows.highest_m[i] > value) reaches_higher_ = true;
+    }
+  }
+
+  [[nodiscard]] bool is_marker(float value) const {
+    return is_certain_marker(value) || (is_doubtful_marker(value) && !other_is_large_);
+  }
+  [[nodiscard]] std::int64_t markers() const { return certain_ + (other_is_large_ ? 0 : doubtful_); }
+  /// Empty when every value is missing.
+  [[nodiscard]] std::optional<std::pair<Extreme, Extreme>> range() const {
+    Range range = without_;
+    if (other_is_large_ && with_doubtful_) {
+      widen(range, with_doubtful_->first);
+      widen(range, with_doubtful_->second);
+    }
+    return range;
+  }
+  /// The shoalest that a cell reaches; empty where the range of cells is not known.
+  [[nodiscard]] std::optional<Extreme> shoalest_cell(VerticalSense sense) const {
+    if (!cells_ || !has_shoaler_cells(sense)) return std::nullopt;
+    return sense == VerticalSense::up ? cells_->second : cells_->first;
+  }
+  /// Whether a cell is shoaler than its value.
+  [[nodiscard]] bool has_shoaler_cells(VerticalSense sense) const {
+    return sense == VerticalSense::up ? reaches_higher_ : reaches_lower_;
+  }
+
+ private:
+  using Range = std::optional<std::pair<Extreme, Extreme>>;  // lowest, highest
+
+  static void widen(Range& range, const Extreme& met) {
+    if (!range) range = {met, met};
+    if (met.value < range->first.value) range->first = met;
+    if (met.value > range->second.value) range->second = met;
+  }
+
+  std::size_t columns_;
+  Range without_;
+  Range with_doubtful_;
+  Range cells_;  // of the nodes that are no markers
+  std::int64_t certain_{};
+  std::int64_t doubtful_{};
+  bool other_is_large_{false};
+  bool reaches_lower_{false};
+  bool reaches_higher_{false};
+};
+
+bool covers_the_globe(const ocean::HorizontalGrid& grid) {
+  const ocean::Axis& x = grid.x();
+  const ocean::Axis& y = grid.y();
+  return std::holds_alternative<geo::GeographicFrame>(grid.frame()) &&
+         x.back() - x.front() + x.mean_step() > 359.0 && y.back() - y.front() + y.mean_step() > 170.0;
+}
+
+std::optional<std::string> fault_of_depths(const RawBathymetry& raw, VerticalSense sense,
+                                           const std::pair<Extreme, Extreme>& range,
+                                           const std::optional<Extreme>& shoalest_cell) {
+  for (const Extreme& extreme : {range.first, range.second, shoalest_cell.value_or(range.first)}) {
+    const float depth_m = sense == VerticalSense::up ? 0.0F - extreme.value : extreme.value;
+    if (depth_m <= deepest_sea_m && depth_m >= -highest_land_m) continue;
+    const std::size_t columns = raw.grid.x().size();
+    const geo::LonLat at = raw.grid.place(extreme.node % columns, extreme.node / columns);
+    const std::string what = depth_m > 0.0F ? "a depth of " + number(static_cast<double>(depth_m)) + " m"
+                                            : "land " + number(static_cast<double>(-depth_m)) + " m high";
+    return "\"" + raw.description.name + "\" has " + what + " at longitude " + number(at.lon_deg) +
+           ", latitude " + number(at.lat_deg) +
+           "; there is none on Earth; the unit is wrong, or a marker for missing values is not " +
+           "declared; ask the producer, or name the marker of a NetCDF file with --missing, for example "
+           "--missing -9999";
+  }
+  return std::nullopt;
+}
+
+/// Rows as they are stored: positive down, markers left out.
+struct DepthRows {
+  std::vector<float> depth_m;
+  std::vector<float> shoalest_m;  // of each cell; empty where the range of cells is not known
+};
+
+DepthRows depths_of(const RawRows& rows, VerticalSense sense, const Survey& survey) {
+  const bool up = sense == VerticalSense::up;
+  const auto depth = [&](float value) { return up ? 0.0F - value : value; };
+  DepthRows result;
+  result.depth_m.reserve(rows.values_m.size());
+  for (const float value : rows.values_m)
+    result.depth_m.push_back(survey.is_marker(value) ? missing : depth(value));
+  const std::vector<float>& bounds = up ? rows.highest_m : rows.lowest_m;
+  if (bounds.empty()) return result;
+  result.shoalest_m = result.depth_m;
+  for (std::size_t i = 0; i < bounds.size(); ++i) {
+    const float bound = depth(bounds[i]);
+    if (bound < result.shoalest_m[i])
+      result.shoalest_m[i] = bound;  // of a missing one nothing is known: it compares as false
+  }
+  return result;
+}
+
+/// Where all rows are one band, they are kept rather than read again.
+Rows kept_if_alone(const ocean::HorizontalGrid& grid, Rows read) {
+  if (rows_of_band(grid) < grid.y().size()) return read;
+  return [kept = std::make_shared<std::optional<RawRows>>(), read = std::move(read)](
+             std::size_t first, std::size_t rows) -> Checked<RawRows> {
+    if (*kept) return **kept;
+    auto all = read(first, rows);
+    if (all) *kept = *all;
+    return all;
+  };
+}
+
+}  // namespace
+
+std::function<Checked<RawRows>(std::size_t, std::size_t)> rows_in_memory(RawRows all, std::size_t columns) {
+  return [all = std::make_shared<const RawRows>(std::move(all)), columns](
+             std::size_t first, std::size_t rows) -> Checked<RawRows> {
+    const auto part = [&](const std::vector<float>& values) {
+      if (values.empty()) return values;
+      const auto begin = values.begin() + static_cast<std::ptrdiff_t>(first * columns);
+      return std::vector<float>(begin, begin + static_cast<std::ptrdiff_t>(rows * columns));
+    };
+    return RawRows{part(all->values_m), part(all->lowest_m), part(all->highest_m)};
+  };
+}
+
+Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw, const std::optional<std::string>& positive) {
+  raw.read = kept_if_alone(raw.grid, std::move(raw.read));
+  Survey survey{raw.grid.x().size()};
+  const auto surveyed = for_each_band(raw.grid, raw.read, [&](std::size_t first_row, const RawRows& rows) {
+    survey.look_at(first_row, rows);
+  });
+  if (!surveyed) return refuse(surveyed.error());
+
+  PreparedDataset data;
+  data.kind = repository::DatasetKind::bathymetry;
+  data.variables = {raw.description.name};
+  data.warnings = raw.warnings;
+  if (const std::int64_t markers = survey.markers(); markers > 0)
+    data.warnings.push_back(
+        std::to_string(markers) +
+        " values are markers for \"missing\" that the file does not declare; they were left out");
+
+  const auto range = survey.range();
+  if (!range)
+    return refuse("every value of \"" + raw.description.name +
+                  "\" is missing; there is nothing to store; check the area of your download");
+  const auto finding =
+      vertical_sense_of(positive, raw.description,
+                        {static_cast<double>(range->first.value), static_cast<double>(range->second.value),
+                         covers_the_globe(raw.grid)});
+  if (!finding) return refuse(finding.error());
+  if (const auto& warning = finding->warning) data.warnings.push_back(*warning);
+  if (const auto fault = fault_of_depths(raw, finding->sense, *range, survey.shoalest_cell(finding->sense)))
+    return refuse(*fault);
+
+  data.bounds = raw.grid.bounds();
+  data.rows_accepted = static_cast<std::int64_t>(raw.grid.size());
+  data.write = [grid = std::move(raw.grid), read = std::move(raw.read), survey, sense = finding->sense](
+                   sqlite::Connection& db,
+                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+    repository::FieldRepository fields{db};
+    fields.create(id, {grid, std::nullopt, std::nullopt});
+    const auto written = for_each_band(grid, read, [&](std::size_t first_row, const RawRows& rows) {
+      const DepthRows depths = depths_of(rows, sense, survey);
+      fields.write_rows(id, "depth_m", first_row, depths.depth_m);
+      if (survey.has_shoaler_cells(sense)) fields.write_rows(id, "shoalest_m", first_row, depths.shoalest_m);
+    });
+    if (!written) return tl::unexpected(written.error());
+    repository::FieldOverviews{db}.make(id, "depth_m");
+    return {};
+  };
+  return data;
+}
+
+}  // namespace floeplan::ingest

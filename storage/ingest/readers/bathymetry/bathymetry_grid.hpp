@@ -1,0 +1,35 @@
+#pragma once
+
+#include <cstddef>
+#include <functional>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "engine/ocean/horizontal_grid.hpp"
+#include "storage/ingest/common/prepared_dataset.hpp"
+#include "storage/ingest/grids/raw_rows.hpp"
+#include "storage/ingest/readers/bathymetry/vertical_sense.hpp"
+
+namespace floeplan::ingest {
+
+/// Depths or elevations in a file, before it is known which of both they are. They are read a band at a time, because
+/// charts of an ocean do not fit into the memory of a reading process.
+struct RawBathymetry {
+  ocean::HorizontalGrid grid;
+  VerticalDescription description;
+  std::vector<std::string> warnings;
+  /// So many rows of the grid from one on. Asked for each row twice where there are several bands.
+  std::function<Checked<RawRows>(std::size_t first_row, std::size_t rows)> read;
+};
+
+/// Hands out rows that are all in memory.
+[[nodiscard]] std::function<Checked<RawRows>(std::size_t, std::size_t)> rows_in_memory(RawRows all,
+                                                                                       std::size_t columns);
+
+/// Decides the sense, leaves out markers for "missing" that the file does not declare, and checks the extent.
+/// Errors   nothing but missing values; deeper than 12000 m or higher than 9000 m; sense unknown; those of `read`
+[[nodiscard]] Checked<PreparedDataset> prepare_bathymetry(RawBathymetry raw,
+                                                          const std::optional<std::string>& positive);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,458 @@
+#include "storage/ingest/readers/bathymetry/bathymetry_raster_reader.hpp"
+
+#include <cpl_minixml.h>
+#include <gdal_priv.h>
+#include <gdal_utils.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <limits>
+#include <memory>
+#include <optional>
+#include <span>
+#include <string_view>
+#include <utility>
+
+#include "engine/geo/bounding_box.hpp"
+#include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
+#include "storage/ingest/formats/netcdf/variable_meaning.hpp"
+#include "storage/ingest/notation/cf_units.hpp"
+#include "storage/ingest/notation/crs_text.hpp"
+#include "storage/ingest/notation/grid_frame_of_crs.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/bathymetry/bathymetry_grid.hpp"
+#include "storage/ingest/readers/bathymetry/depth_table.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr std::string_view depth_table = "depth table";  // in the place of a driver's name
+constexpr std::int64_t max_nodes = 4'000'000'000;        // the grid of GEBCO has 3.7e9
+constexpr std::int64_t max_resampled = 20'000'000;       // which are held in memory, with their extremes
+
+std::string wkt_of(const OGRSpatialReference& crs) {
+  char* wkt = nullptr;
+  const char* const format[] = {"FORMAT=WKT2_2018", nullptr};
+  crs.exportToWkt(&wkt, format);
+  std::string text = wkt == nullptr ? "" : wkt;
+  CPLFree(wkt);
+  return text;
+}
+
+using Transform = std::array<double, 6>;  // GDAL's affine geotransform
+
+bool is_picture(GDALDataset& dataset) {
+  GDALRasterBand* band = dataset.GetRasterBand(1);
+  const GDALColorInterp colour = band->GetColorInterpretation();
+  return band->GetColorTable() != nullptr || colour == GCI_PaletteIndex || colour == GCI_RedBand;
+}
+
+/// The band that says it holds depths or elevations, else the first that is no statistic of them, else the first.
+int depth_band(GDALDataset& dataset) {
+  int first = 0;
+  for (int i = 1; i <= dataset.GetRasterCount(); ++i) {
+    const std::string description = dataset.GetRasterBand(i)->GetDescription();
+    if (statistic_in_words(description) != Statistic::none) continue;
+    if (contains_any(lower(description), {"elevation", "depth", "bathymetr"})) return i;
+    if (first == 0) first = i;
+  }
+  return std::max(first, 1);
+}
+
+/// Plain text grids often come without a CRS. Degrees betray themselves: within the globe, and a step that is
+/// a whole number of arc seconds below a degree, which metres hardly ever are.
+bool looks_like_degrees(const Transform& t, int columns, int rows) {
+  const double east = t[0] + t[1] * columns;
+  const double south = t[3] + t[5] * rows;
+  const bool on_the_globe = std::min(t[0], east) >= -180.5 && std::max(t[0], east) <= 360.5 &&
+                            std::max(std::abs(t[3]), std::abs(south)) <= 90.5;
+  const auto whole_arc_seconds = [](double step) {
+    const double arc_seconds = std::abs(step) * 3600.0;
+    return std::abs(step) < 0.9999 && std::abs(arc_seconds - std::round(arc_seconds)) < 1e-3 * arc_seconds &&
+           std::round(arc_seconds) >= 1.0;
+  };
+  return on_the_globe && whole_arc_seconds(t[1]) && whole_arc_seconds(t[5]);
+}
+
+/// The horizontal reference system that the description of a BAG names by its code alone; GDAL knows full texts only.
+std::optional<OGRSpatialReference> crs_named_in_bag(GDALDataset& dataset) {
+  char** const description = dataset.GetMetadata("xml:BAG");
+  if (description == nullptr || *description == nullptr) return std::nullopt;
+  const GdalMessages messages;
+  const CPLXMLTreeCloser root{CPLParseXMLString(*description)};
+  if (root.get() == nullptr) return std::nullopt;
+  CPLStripXMLNamespace(root.get(), nullptr, TRUE);
+  const CPLXMLNode* const system = CPLSearchXMLNode(root.get(), "=referenceSystemInfo");
+  const std::string identifier = "MD_ReferenceSystem.referenceSystemIdentifier.RS_Identifier.";
+  const std::string space = CPLGetXMLValue(system, (identifier + "codeSpace.CharacterString").c_str(), "");
+  const auto code = parse_number(CPLGetXMLValue(system, (identifier + "code.CharacterString").c_str(), ""));
+  OGRSpatialReference crs;
+  if (lower(trimmed(space)) != "epsg" || !code || !(*code >= 1.0 && *code <= 1e6)) return std::nullopt;
+  if (crs.importFromEPSG(static_cast<int>(*code)) != OGRERR_NONE) return std::nullopt;
+  if (crs.IsProjected() == 0 && crs.IsGeographic() == 0) return std::nullopt;
+  return crs;
+}
+
+Checked<OGRSpatialReference> crs_of(GDALDataset& dataset, std::string_view driver, const Transform& transform,
+                                    const IngestOptions& options, std::vector<std::string>& warnings) {
+  OGRSpatialReference crs;
+  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  if (const OGRSpatialReference* stated = dataset.GetSpatialRef()) {
+    crs = *stated;
+    if (driver == "BAG" && crs.IsVertical() != 0 && contains_any(wkt_of(crs), {"\"depth\",down"}) &&
+        !options.positive)
+      return refuse(
+          "the BAG file counts its vertical axis downwards although the format holds elevations; land and "
+          "sea must not be mixed up; say --positive up or --positive down");
+    if (crs.IsCompound() != 0) crs.StripVertical();
+    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return crs;
+  }
+  if (const auto named = driver == "BAG" ? crs_named_in_bag(dataset) : std::nullopt) {
+    crs = *named;
+    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+    return crs;
+  }
+  if (options.crs) {
+    if (read_crs(*options.crs, crs)) {
+      crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+      return crs;
+    }
+    return refuse("--crs \"" + *options.crs + "\" is not known; give it as, for example, EPSG:4326");
+  }
+  const bool plain_text = driver == "XYZ" || driver == "AAIGrid" || driver == depth_table;
+  if (plain_text && looks_like_degrees(transform, dataset.GetRasterXSize(), dataset.GetRasterYSize())) {
+    warnings.emplace_back(
+        "the file states no coordinate reference system; its coordinates look like degrees of longitude and "
+        "latitude and were taken as such");
+    crs.SetWellKnownGeogCS("WGS84");
+    return crs;
+  }
+  return refuse(
+      "the file states no coordinate reference system; it cannot be placed on the Earth; state it with "
+      "--crs, for example --crs EPSG:4326");
+}
+
+using DatasetPtr = std::unique_ptr<GDALDataset>;
+
+/// Longitude and latitude; a polar plane for what lies round a pole or across the antimeridian, where degrees have a
+/// seam and grow too narrow. Only of what lies in high latitudes, so that the plane stays true.
+const char* target_crs_for(GDALDataset& dataset, const OGRSpatialReference& crs) {
+  constexpr double least_lat_deg = 45.0;
+  constexpr int parts = 32;  // of each side
+  Transform t{};
+  dataset.GetGeoTransform(t.data());
+  OGRSpatialReference wgs84;
+  wgs84.SetWellKnownGeogCS("WGS84");
+  wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  const GdalMessages messages;
+  const std::unique_ptr<OGRCoordinateTransformation> way{OGRCreateCoordinateTransformation(&crs, &wgs84)};
+  std::vector<geo::LonLat> border;
+  for (int i = 0; way && i <= parts; ++i) {
+    const double share = static_cast<double>(i) / parts;
+    for (const auto& [across, down] :
+         {std::pair{share, 0.0}, std::pair{share, 1.0}, std::pair{0.0, share}, std::pair{1.0, share}}) {
+      double x = t[0] + t[1] * across * dataset.GetRasterXSize();
+      double y = t[3] + t[5] * down * dataset.GetRasterYSize();
+      if (way->Transform(1, &x, &y) != 0 && std::abs(y) <= 90.0) border.push_back({x, y});
+    }
+  }
+  if (border.empty()) return "EPSG:4326";
+  const geo::BoundingBox box = geo::bounding_box(std::span<const geo::LonLat>{border});
+  const bool plain = box.west_deg <= box.east_deg && geo::width_deg(box) < 180.0;
+  if (plain || (box.south_deg < least_lat_deg && box.north_deg > -least_lat_deg)) return "EPSG:4326";
+  return box.south_deg > 0.0 ? "EPSG:3413" : "EPSG:3031";
+}
+
+Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& crs, const char* target_crs,
+                              const char* method) {
+  const std::string source_crs = wkt_of(crs);
+  const char* const arguments[] = {"-of",  "MEM", "-s_srs",  source_crs.c_str(), "-t_srs", target_crs, "-r",
+                                   method, "-ot", "Float32", "-dstnodata",       "nan",    nullptr};
+  GDALWarpAppOptions* options = GDALWarpAppOptionsNew(const_cast<char**>(arguments), nullptr);
+  const GdalMessages messages;
+  GDALDatasetH source = GDALDataset::ToHandle(&dataset);
+  DatasetPtr result{GDALDataset::FromHandle(GDALWarp("", nullptr, 1, &source, options, nullptr))};
+  GDALWarpAppOptionsFree(options);
+  if (!result)
+    return refuse("the grid cannot be converted to longitude and latitude (" + messages.first_error() +
+                  "); convert it first, for example with gdalwarp -t_srs EPSG:4326");
+  return result;
+}
+
+/// One band of a raster and what its numbers mean.
+struct Plane {
+  GDALRasterBand* band{};  // borrowed
+  AxisNodes x;
+  AxisNodes y;
+  double unit_m{};
+};
+
+Checked<std::vector<float>> read_plane(const Plane& plane, std::size_t first_row, std::size_t rows) {
+  GDALRasterBand& band = *plane.band;
+  int has_nodata = 0;
+  double nodata = band.GetNoDataValue(&has_nodata);
+  if (band.GetRasterDataType() == GDT_Float32) nodata = static_cast<double>(static_cast<float>(nodata));
+  int given = 0;
+  double scale = band.GetScale(&given);
+  if (given == 0 || scale == 0.0) scale = 1.0;
+  double offset = band.GetOffset(&given);
+  if (given == 0) offset = 0.0;
+
+  std::vector<double> line(static_cast<std::size_t>(band.GetXSize()));
+  std::vector<float> values;
+  values.reserve(plane.x.nodes.size() * rows);
+  const GdalMessages messages;
+  for (const std::size_t row : std::span{plane.y.source}.subspan(first_row, rows)) {
+    if (band.RasterIO(GF_Read, 0, static_cast<int>(row), band.GetXSize(), 1, line.data(), band.GetXSize(), 1,
+                      GDT_Float64, 0, 0, nullptr) != CE_None)
+      return refuse("the grid cannot be read to its end (" + messages.first_error() +
+                    "); the file is damaged or was cut short; copy or download it again");
+    for (const std::size_t column : plane.x.source) {
+      const double packed = line[column];
+      const bool is_missing = !std::isfinite(packed) || (has_nodata != 0 && packed == nodata);
+      values.push_back(is_missing ? std::numeric_limits<float>::quiet_NaN()
+                                  : static_cast<float>((packed * scale + offset) * plane.unit_m));
+    }
+  }
+  return values;
+}
+
+std::vector<double> centres(double origin, double step, int count) {
+  std::vector<double> values;
+  values.reserve(count);
+  for (int i = 0; i < count; ++i) values.push_back(origin + step * (i + 0.5));
+  return values;
+}
+
+/// A band whose coordinates the engine understands.
+Checked<Plane> plane_of(GDALDataset& dataset, const geo::GridFrame& frame, int band_number) {
+  Transform t{};
+  if (dataset.GetGeoTransform(t.data()) != CE_None || t[2] != 0.0 || t[4] != 0.0)
+    return refuse(
+        "the grid is rotated or states no position; it cannot be placed on the Earth; convert it first, for "
+        "example with gdalwarp -t_srs EPSG:4326");
+  const bool geographic = std::holds_alternative<geo::GeographicFrame>(frame);
+  auto x_values = centres(t[0], t[1], dataset.GetRasterXSize());
+  auto y_values = centres(t[3], t[5], dataset.GetRasterYSize());
+  auto x = geographic ? longitude_nodes("longitude", std::move(x_values))
+                      : monotonic_nodes("x", std::move(x_values));
+  if (!x) return refuse(x.error());
+  auto y = geographic ? latitude_nodes("latitude", std::move(y_values))
+                      : monotonic_nodes("y", std::move(y_values));
+  if (!y) return refuse(y.error());
+
+  GDALRasterBand* band = dataset.GetRasterBand(band_number);
+  const std::string unit = band->GetUnitType();
+  const auto factor = unit.empty() ? std::optional{1.0} : length_factor(unit);
+  if (!factor)
+    return refuse("the depths have the unit \"" + unit +
+                  "\", which is no length that this program knows; ask for a file in metres");
+  return Plane{band, std::move(*x), std::move(*y), *factor};
+}
+
+/// A grid, and where a cell of it stands for several measurements, the lowest and the highest of them.
+struct Views {
+  DatasetPtr middle;
+  DatasetPtr lowest;   // null: one measurement a cell
+  DatasetPtr highest;  // likewise
+};
+
+DatasetPtr open_raster(const std::filesystem::path& file, const char* driver,
+                       const char* const* options = nullptr) {
+  const char* const drivers[] = {driver, nullptr};
+  return DatasetPtr{GDALDataset::Open(std::filesystem::absolute(file).c_str(),
+                                      GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers, options)};
+}
+
+/// A BAG of variable resolution on one grid as fine as its finest part: the plain view shows a cell of its coarsest.
+DatasetPtr open_finest(const std::filesystem::path& file, const char* population) {
+  const char* const options[] = {"MODE=RESAMPLED_GRID", population, nullptr};
+  return open_raster(file, "BAG", options);
+}
+
+std::optional<std::string> too_many_nodes(GDALDataset& dataset, std::int64_t most = max_nodes) {
+  if (std::int64_t{dataset.GetRasterXSize()} * dataset.GetRasterYSize() <= most) return std::nullopt;
+  return "the grid has " + std::to_string(dataset.GetRasterXSize()) + " x " +
+         std::to_string(dataset.GetRasterYSize()) + " nodes, more than this program accepts (" +
+         std::to_string(most) + "); cut out your area first";
+}
+
+Checked<Views> open_views(const std::filesystem::path& file, const char* driver) {
+  const GdalMessages messages;
+  Views views{open_raster(file, driver), nullptr, nullptr};
+  const bool variable = views.middle && std::string_view{driver} == "BAG" &&
+                        views.middle->GetMetadataItem("MAX_RESOLUTION_X") != nullptr;
+  if (variable) {
+    views.middle = open_finest(file, "VALUE_POPULATION=MEAN");
+    if (views.middle && too_many_nodes(*views.middle)) return refuse(*too_many_nodes(*views.middle));
+    views.lowest = open_finest(file, "VALUE_POPULATION=MIN");
+    views.highest = open_finest(file, "VALUE_POPULATION=MAX");
+  }
+  if (!views.middle || views.middle->GetRasterCount() == 0 || (variable && (!views.lowest || !views.highest)))
+    return refuse("the grid cannot be opened (" + messages.first_error() +
+                  "); it is damaged, was cut short or is no regular grid; copy or download it again");
+  if (const auto many = too_many_nodes(*views.middle)) return refuse(*many);
+  return views;
+}
+
+/// On a grid of the store. Between nodes the value is a mean, so the extremes are those of all that it is taken from.
+Checked<Views> resampled(const Views& views, const OGRSpatialReference& crs, const char* target_crs) {
+  const auto from = [](const DatasetPtr& own, const DatasetPtr& otherwise) -> GDALDataset& {
+    return own ? *own : *otherwise;
+  };
+  Views result;
+  auto middle = resampled(*views.middle, crs, target_crs, "bilinear");
+  if (!middle) return refuse(middle.error());
+  auto lowest = resampled(from(views.lowest, views.middle), crs, target_crs, "min");
+  if (!lowest) return refuse(lowest.error());
+  auto highest = resampled(from(views.highest, views.middle), crs, target_crs, "max");
+  if (!highest) return refuse(highest.error());
+  return Views{std::move(*middle), std::move(*lowest), std::move(*highest)};
+}
+
+/// The band with the uncertainty of the depths, as BAG and what is made from it has; 0: none.
+int uncertainty_band(GDALDataset& dataset) {
+  for (int i = 1; i <= dataset.GetRasterCount(); ++i)
+    if (contains_any(lower(dataset.GetRasterBand(i)->GetDescription()), {"uncertainty"})) return i;
+  return 0;
+}
+
+/// The bed may lie higher or lower than measured by as much as the measurement may be wrong.
+void widen(RawRows& rows, const std::vector<float>& uncertainty_m) {
+  if (rows.lowest_m.empty()) rows.lowest_m = rows.values_m;
+  if (rows.highest_m.empty()) rows.highest_m = rows.values_m;
+  for (std::size_t i = 0; i < uncertainty_m.size(); ++i) {
+    if (!(uncertainty_m[i] > 0.0F) || uncertainty_m[i] > 1000.0F) continue;  // missing, or a marker for it
+    rows.lowest_m[i] -= uncertainty_m[i];
+    rows.highest_m[i] += uncertainty_m[i];
+  }
+}
+
+/// What is known of each cell; all on the same nodes.
+struct Planes {
+  Views views;  // to which the planes belong
+  Plane middle;
+  std::optional<Plane> lowest{};
+  std::optional<Plane> highest{};
+  std::optional<Plane> uncertainty{};
+};
+
+Checked<RawRows> read_planes(const Planes& planes, std::size_t first_row, std::size_t count) {
+  RawRows rows;
+  auto values = read_plane(planes.middle, first_row, count);
+  if (!values) return refuse(values.error());
+  rows.values_m = std::move(*values);
+  for (const auto& [plane, extremes] :
+       {std::pair{&planes.lowest, &RawRows::lowest_m}, std::pair{&planes.highest, &RawRows::highest_m}}) {
+    if (!*plane) continue;
+    values = read_plane(**plane, first_row, count);
+    if (!values) return refuse(values.error());
+    rows.*extremes = std::move(*values);
+  }
+  if (!planes.uncertainty) return rows;
+  values = read_plane(*planes.uncertainty, first_row, count);
+  if (!values) return refuse(values.error());
+  widen(rows, *values);
+  return rows;
+}
+
+Checked<std::shared_ptr<const Planes>> planes_of(Views views, const geo::GridFrame& frame) {
+  const int band = depth_band(*views.middle);
+  auto middle = plane_of(*views.middle, frame, band);
+  if (!middle) return refuse(middle.error());
+  Planes planes{.views = std::move(views), .middle = std::move(*middle)};
+  const auto add = [&](std::optional<Plane>& plane, GDALDataset* dataset, int number) -> Checked<bool> {
+    if (dataset == nullptr) return true;
+    auto found = plane_of(*dataset, frame, number);
+    if (!found) return refuse(found.error());
+    plane = std::move(*found);
+    return true;
+  };
+  if (auto added = add(planes.lowest, planes.views.lowest.get(), band); !added) return refuse(added.error());
+  if (auto added = add(planes.highest, planes.views.highest.get(), band); !added)
+    return refuse(added.error());
+  const int uncertainty = uncertainty_band(*planes.views.middle);
+  if (uncertainty != 0 && uncertainty != band) {
+    if (auto added = add(planes.uncertainty, planes.views.middle.get(), uncertainty); !added)
+      return refuse(added.error());
+  }
+  return std::make_shared<const Planes>(std::move(planes));
+}
+
+VerticalDescription description_of(const Plane& plane, std::string_view driver) {
+  const std::string description = plane.band->GetDescription();
+  const char* positive = plane.band->GetMetadataItem("positive");
+  return {.name = description.empty() ? "band " + std::to_string(plane.band->GetBand()) : description,
+          .standard_name = driver == "BAG" ? "height" : "",
+          .long_name = "",
+          .positive = positive == nullptr ? "" : positive};
+}
+
+Checked<PreparedDataset> prepared_raster(Views views, std::string_view driver, const IngestOptions& options) {
+  GDALDataset& dataset = *views.middle;
+  if (is_picture(dataset))
+    return refuse(
+        "the file is a picture (colours), not a grid of depths; depths cannot be read from colours; give the "
+        "data that the picture was drawn from");
+
+  std::vector<std::string> warnings;
+  Transform transform{};
+  dataset.GetGeoTransform(transform.data());
+  const auto crs = crs_of(dataset, driver, transform, options, warnings);
+  if (!crs) return refuse(crs.error());
+  auto frame = grid_frame_of(*crs);
+  if (!frame) {
+    if (const auto many = too_many_nodes(*views.middle, max_resampled))
+      return refuse(*many + ", or convert it to longitude and latitude with gdalwarp -t_srs EPSG:4326");
+    const std::string target_name = target_crs_for(*views.middle, *crs);
+    OGRSpatialReference target;
+    target.SetFromUserInput(target_name.c_str());
+    auto converted = resampled(views, *crs, target_name.c_str());
+    if (!converted) return refuse(converted.error());
+    frame = grid_frame_of(target).value();
+    const bool geographic = std::holds_alternative<geo::GeographicFrame>(*frame);
+    warnings.push_back("the grid was resampled from \"" + std::string{crs->GetName()} + "\" to " +
+                       (geographic ? "longitude and latitude" : "a polar stereographic projection") +
+                       "; the least depth of each cell was kept beside its mean");
+    views = std::move(*converted);
+  }
+
+  const auto planes = planes_of(std::move(views), *frame);
+  if (!planes) return refuse(planes.error());
+  const Plane& middle = (*planes)->middle;
+  const Statistic statistic = statistic_in_words(middle.band->GetDescription());
+  if (statistic != Statistic::none && statistic != Statistic::minimum && statistic != Statistic::maximum)
+    return refuse(
+        "the raster holds " + in_words(statistic) + " (\"" + std::string{middle.band->GetDescription()} +
+        "\"), no depths or elevations; there is no bathymetry to store; give the file of the depths");
+  return prepare_bathymetry(
+      {.grid = {*frame, ocean::Axis{middle.x.nodes}, ocean::Axis{middle.y.nodes}},
+       .description = description_of(middle, driver),
+       .warnings = std::move(warnings),
+       .read = [planes = *planes](std::size_t first_row,
+                                  std::size_t rows) { return read_planes(*planes, first_row, rows); }},
+      options.positive);
+}
+
+}  // namespace
+
+Checked<PreparedDataset> read_raster_bathymetry(const std::filesystem::path& file, const char* driver,
+                                                const IngestOptions& options) {
+  register_drivers();
+  auto views = open_views(file, driver);
+  if (!views) return refuse(views.error());
+  return prepared_raster(std::move(*views), driver, options);
+}
+
+Checked<PreparedDataset> read_depth_table(const std::filesystem::path& file, const IngestOptions& options) {
+  register_drivers();
+  auto raster = open_depth_table(file);
+  if (!raster) return refuse(raster.error());
+  return prepared_raster(Views{std::move(*raster), nullptr, nullptr}, depth_table, options);
+}
+
+}  // namespace floeplan::ingest

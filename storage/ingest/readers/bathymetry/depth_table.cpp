@@ -1,0 +1,171 @@
+#include "storage/ingest/readers/bathymetry/depth_table.hpp"
+
+#include <gdal_priv.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <iterator>
+#include <limits>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "storage/ingest/notation/delimited_text.hpp"
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr std::size_t max_rows = 20'000'000;  // 500 MB of text
+// A grid may have gaps over land; scattered soundings fill hardly any of the grid that their places span.
+constexpr double least_share_of_nodes = 0.2;
+// Coordinates are written with few digits: nodes of one step may lie this share of it away from where they belong.
+constexpr double off_node = 0.05;
+
+struct Columns {
+  std::size_t x{};
+  std::size_t y{};
+  std::size_t z{};
+};
+
+std::optional<Columns> columns_of(const DelimitedText& table) {
+  const auto x =
+      table.column({"lon", "long", "longitude", "lon_deg", "longitude_deg", "x", "x_m", "easting"});
+  const auto y = table.column({"lat", "latitude", "lat_deg", "latitude_deg", "y", "y_m", "northing"});
+  const auto z = table.column({"depth", "depth_m", "depths", "elevation", "elevation_m", "z", "z_m",
+                               "bathymetry", "altitude", "altitude_m", "height", "height_m", "topography"});
+  if (!x || !y || !z) return std::nullopt;
+  return Columns{*x, *y, *z};
+}
+
+struct Row {
+  double x{};
+  double y{};
+  float z{};
+};
+
+Checked<std::vector<Row>> rows_of(std::istream& in, const DelimitedText& table, const Columns& columns) {
+  std::vector<Row> rows;
+  std::string line;
+  for (std::size_t number_of_line = 2; std::getline(in, line); ++number_of_line) {
+    const auto fields = table.fields(line);
+    if (fields.empty()) continue;
+    const auto at = [&](std::size_t column) {
+      return column < fields.size() ? table.number(fields[column]) : std::nullopt;
+    };
+    const auto x = at(columns.x);
+    const auto y = at(columns.y);
+    const auto z = at(columns.z);
+    if (!x || !y || !z)
+      return refuse("line " + std::to_string(number_of_line) + " of the table (\"" + line.substr(0, 60) +
+                    "\") does not have numbers for its place and its " + table.header(columns.z) +
+                    "; the file is damaged or was cut short; correct the line or copy the file again");
+    if (rows.size() == max_rows)
+      return refuse("the table has more than " + std::to_string(max_rows) +
+                    " lines; cut out your area or give the grid as GeoTIFF or NetCDF");
+    rows.push_back({*x, *y, static_cast<float>(*z)});
+  }
+  if (rows.empty()) return refuse("the table has no rows below its header; there is nothing to store");
+  return rows;
+}
+
+/// Nodes of even step through the different values that occur.
+struct EvenNodes {
+  double first{};
+  double step{};
+  std::size_t count{};
+
+  [[nodiscard]] std::optional<std::size_t> index_of(double value) const {
+    const double position = (value - first) / step;
+    const double nearest = std::round(position);
+    if (std::abs(position - nearest) > off_node) return std::nullopt;
+    return static_cast<std::size_t>(nearest);
+  }
+};
+
+std::optional<EvenNodes> even_nodes(const std::vector<Row>& rows, double Row::* coordinate) {
+  std::vector<double> values(rows.size());
+  std::ranges::transform(rows, values.begin(), coordinate);
+  std::ranges::sort(values);
+  const double extent = values.back() - values.front();
+  // Far below any step that a grid of at most max_rows nodes can have, far above the rounding of its coordinates.
+  const double same = extent / (4.0 * static_cast<double>(max_rows));
+  double least = std::numeric_limits<double>::infinity();
+  for (std::size_t i = 1; i < values.size(); ++i)
+    if (const double step = values[i] - values[i - 1]; step > same) least = std::min(least, step);
+  if (!std::isfinite(least)) return std::nullopt;
+  const double steps = std::round(extent / least);
+  if (steps > static_cast<double>(max_rows)) return std::nullopt;
+  return EvenNodes{values.front(), extent / steps, static_cast<std::size_t>(steps) + 1};
+}
+
+std::string scattered(const std::string& name_of_z) {
+  return "the places of the table are no regular grid: they are single soundings, of which nobody knows how "
+         "deep it is "
+         "between them; make a grid of the column \"" +
+         name_of_z + "\" first, for example with gdal_grid, keeping the least depth of each cell";
+}
+
+std::unique_ptr<GDALDataset> empty_raster(const EvenNodes& x, const EvenNodes& y, const std::string& name) {
+  GDALDriver* memory = GetGDALDriverManager()->GetDriverByName("MEM");
+  std::unique_ptr<GDALDataset> raster{
+      memory->Create("", static_cast<int>(x.count), static_cast<int>(y.count), 1, GDT_Float32, nullptr)};
+  if (!raster) return raster;
+  std::array<double, 6> transform{x.first - 0.5 * x.step, x.step, 0.0, y.first - 0.5 * y.step, 0.0, y.step};
+  raster->SetGeoTransform(transform.data());
+  raster->GetRasterBand(1)->SetDescription(name.c_str());
+  return raster;
+}
+
+Checked<std::vector<float>> values_on(const EvenNodes& x, const EvenNodes& y, const std::vector<Row>& rows,
+                                      const std::string& name_of_z) {
+  std::vector<float> values(x.count * y.count, std::numeric_limits<float>::quiet_NaN());
+  for (const Row& row : rows) {
+    const auto ix = x.index_of(row.x);
+    const auto iy = y.index_of(row.y);
+    if (!ix || !iy) return refuse(scattered(name_of_z));
+    float& value = values[*iy * x.count + *ix];
+    if (!std::isnan(value) && value != row.z)
+      return refuse("the place " + number(row.x, 9) + ", " + number(row.y, 9) +
+                    " has two depths in the table (" + number(static_cast<double>(value)) + " and " +
+                    number(static_cast<double>(row.z)) + "); one of them would be lost; correct the table");
+    value = row.z;
+  }
+  return values;
+}
+
+}  // namespace
+
+bool is_depth_table_header(std::string_view line) { return columns_of(DelimitedText{line}).has_value(); }
+
+Checked<std::unique_ptr<GDALDataset>> open_depth_table(const std::filesystem::path& file) {
+  std::ifstream in{file};
+  std::string header;
+  std::getline(in, header);
+  const DelimitedText table{header};
+  const auto columns = columns_of(table);
+  if (!columns) return refuse("the first line does not name the columns of a place and its depth");
+  const std::string& name_of_z = table.header(columns->z);
+  const auto rows = rows_of(in, table, *columns);
+  if (!rows) return refuse(rows.error());
+  const auto x = even_nodes(*rows, &Row::x);
+  const auto y = even_nodes(*rows, &Row::y);
+  const bool is_grid = x && y &&
+                       static_cast<double>(x->count) * static_cast<double>(y->count) * least_share_of_nodes <=
+                           static_cast<double>(rows->size());
+  if (!is_grid) return refuse(scattered(name_of_z));
+  auto values = values_on(*x, *y, *rows, name_of_z);
+  if (!values) return refuse(values.error());
+
+  auto raster = empty_raster(*x, *y, name_of_z);
+  if (!raster ||
+      raster->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, raster->GetRasterXSize(), raster->GetRasterYSize(),
+                                         values->data(), raster->GetRasterXSize(), raster->GetRasterYSize(),
+                                         GDT_Float32, 0, 0, nullptr) != CE_None)
+    return refuse("the grid of the table does not fit into memory; cut out your area first");
+  return raster;
+}
+
+}  // namespace floeplan::ingest

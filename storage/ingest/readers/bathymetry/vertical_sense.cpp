@@ -1,0 +1,75 @@
+#include "storage/ingest/readers/bathymetry/vertical_sense.hpp"
+
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+std::optional<VerticalSense> sense_of_standard_name(const std::string& name) {
+  if (contains_any(name, {"depth_below", "sea_floor_depth"}) || name == "depth") return VerticalSense::down;
+  if (contains_any(name, {"altitude", "height"})) return VerticalSense::up;
+  return std::nullopt;
+}
+
+std::optional<VerticalSense> sense_of_words(const std::string& words) {
+  const bool up = contains_any(words, {"elevation", "altitude", "relief", "topograph", "height"});
+  const bool down = contains_any(words, {"depth", "sounding", "hdept"});
+  if (up == down) return std::nullopt;
+  return up ? VerticalSense::up : VerticalSense::down;
+}
+
+std::optional<VerticalSense> stated_sense(const VerticalDescription& description) {
+  const std::string positive = lower(description.positive);
+  if (positive == "up") return VerticalSense::up;
+  if (positive == "down") return VerticalSense::down;
+  if (const auto sense = sense_of_standard_name(lower(description.standard_name))) return sense;
+  return sense_of_words(lower(description.name + " " + description.long_name));
+}
+
+/// A relief that only makes sense one way round: the deepest ocean trenches and the highest mountains of a
+/// whole globe.
+std::optional<VerticalSense> unmistakable_relief(const VerticalEvidence& evidence) {
+  if (!evidence.covers_the_globe) return std::nullopt;
+  if (evidence.lowest_m < -9000.0 && evidence.highest_m > 5000.0 && evidence.highest_m < 9000.0)
+    return VerticalSense::up;
+  if (evidence.highest_m > 9000.0 && evidence.lowest_m < -5000.0 && evidence.lowest_m > -9000.0)
+    return VerticalSense::down;
+  return std::nullopt;
+}
+
+}  // namespace
+
+Checked<VerticalFinding> vertical_sense_of(const std::optional<std::string>& user_word,
+                                           const VerticalDescription& description,
+                                           const VerticalEvidence& evidence) {
+  const std::string extent = number(evidence.lowest_m) + " to " + number(evidence.highest_m) + " m";
+  if (user_word) {
+    if (*user_word == "up") return VerticalFinding{VerticalSense::up, std::nullopt};
+    if (*user_word == "down") return VerticalFinding{VerticalSense::down, std::nullopt};
+    return refuse("--positive is \"" + *user_word +
+                  "\"; it must be \"up\" (elevations) or \"down\" (depths)");
+  }
+
+  if (const auto stated = stated_sense(description)) {
+    const bool explicit_word = !description.positive.empty();
+    if (!explicit_word && *stated == VerticalSense::down && evidence.highest_m <= 0.0 &&
+        evidence.lowest_m < 0.0)
+      return refuse(
+          "\"" + description.name + "\" is called a depth, yet its values run from " + extent +
+          " as elevations would; land and sea must not be mixed up; say --positive up or --positive down");
+    return VerticalFinding{*stated, std::nullopt};
+  }
+
+  if (const auto relief = unmistakable_relief(evidence)) {
+    const bool up = *relief == VerticalSense::up;
+    return VerticalFinding{*relief, "the file does not say whether \"" + description.name +
+                                        "\" is elevation or depth; it covers the whole globe and runs from " +
+                                        extent + ", which can only be " + (up ? "elevation" : "depth")};
+  }
+  return refuse(
+      "the file does not say whether \"" + description.name + "\" is elevation or depth (values from " +
+      extent +
+      "); land and sea must not be mixed up; say --positive up (elevations) or --positive down (depths)");
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,62 @@
+#include "storage/ingest/readers/coastline/gshhg_coastline.hpp"
+
+#include <functional>
+
+#include "storage/ingest/readers/coastline/gshhg_reader.hpp"
+#include "storage/repository/coastline_repository.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr double band_deg = 20.0;  // a whole number of bins at every resolution (1 to 20 degrees)
+constexpr int bands = 9;
+constexpr double checking_share = 0.1;  // of the whole time, measured; the rest is writing
+constexpr double inside_deg = 0.01;     // a band that touches its neighbour's bins would bring them twice
+
+using Land = std::vector<geo::Polygon>;
+
+/// Hands over the land of one band after the other, southwards from the pole; `told` hears the share that is
+/// done.
+Checked<bool> for_each_band(const std::filesystem::path& file, const std::function<void(const Land&)>& use,
+                            const std::function<void(double)>& told) {
+  for (int band = 0; band < bands; ++band) {
+    told(static_cast<double>(band) / bands);
+    const double north_deg = 90.0 - band * band_deg;
+    const auto land =
+        read_gshhg(file, {-180.0, north_deg - band_deg + inside_deg, 180.0, north_deg - inside_deg});
+    if (!land) return refuse(land.error().field + ' ' + land.error().rule);
+    use(*land);
+  }
+  return true;
+}
+
+}  // namespace
+
+Checked<PreparedDataset> read_gshhg_coastline(const std::filesystem::path& file,
+                                              const core::ProgressCallback& progress) {
+  PreparedDataset data;
+  data.kind = repository::DatasetKind::coastline;
+  data.variables = {"land"};
+  data.bounds = {-180.0, -90.0, 180.0, 90.0};
+  const auto count = [&](const Land& land) { data.rows_accepted += static_cast<std::int64_t>(land.size()); };
+  const auto checking = [&](double share) {
+    if (progress) progress("checking the coastline", checking_share * share);
+  };
+  if (const auto read = for_each_band(file, count, checking); !read) return refuse(read.error());
+
+  data.warnings.emplace_back(
+      "GSHHG has gross errors in north Greenland and at old glacier fronts; not for navigation");
+  data.write = [file, progress](sqlite::Connection& db,
+                                const repository::DatasetId& id) -> tl::expected<void, std::string> {
+    repository::CoastlineRepository repository{db};
+    const auto writing = [&](double share) {
+      if (progress) progress("storing the coastline", checking_share + (1.0 - checking_share) * share);
+    };
+    const auto read = for_each_band(file, [&](const Land& land) { repository.insert(id, land); }, writing);
+    if (!read) return tl::unexpected(read.error());
+    return {};
+  };
+  return data;
+}
+
+}  // namespace floeplan::ingest

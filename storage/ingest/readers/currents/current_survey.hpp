@@ -1,0 +1,27 @@
+#pragma once
+
+#include <cstdint>
+#include <memory>
+
+#include "engine/core/progress.hpp"
+#include "storage/ingest/grids/velocity_source.hpp"
+#include "storage/ingest/readers/currents/zero_land.hpp"
+#include "storage/ingest/readers/velocity/velocity_kind.hpp"
+
+namespace floeplan::ingest {
+
+/// What reading every value of a source once has shown.
+struct CurrentSurvey {
+  std::int64_t valid{};
+  std::int64_t undeclared_fill{};
+  FlagCount flagged{};
+  bool everything_is_zero{true};
+  std::shared_ptr<const ZeroLand> land;  // null: no land that was written as still water
+  std::string doubt;                     // about a number that may mark missing values; empty: none
+};
+
+/// Errors  a current that no ocean has, or a wind that never blows; the file cannot be read to its end
+[[nodiscard]] Checked<CurrentSurvey> survey(const VelocitySource& source, Moving what, bool states_unit,
+                                            const core::ProgressCallback& progress);
+
+}  // namespace floeplan::ingest

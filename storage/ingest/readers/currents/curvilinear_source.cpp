@@ -1,0 +1,319 @@
+#include "storage/ingest/readers/currents/curvilinear_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "storage/ingest/common/missing_value.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
+#include "storage/ingest/formats/netcdf/position_tables.hpp"
+#include "storage/ingest/grids/bed_levels.hpp"
+#include "storage/ingest/grids/centre_tables.hpp"
+#include "storage/ingest/grids/grid_directions.hpp"
+#include "storage/ingest/grids/netcdf_shape.hpp"
+#include "storage/ingest/grids/s_coordinate.hpp"
+#include "storage/ingest/grids/staggering.hpp"
+#include "storage/ingest/grids/tangent_plane.hpp"
+#include "storage/ingest/grids/water_mask.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/velocity/component_times.hpp"
+#include "storage/ingest/readers/velocity/nominal_axes.hpp"
+#include "storage/ingest/readers/velocity/velocity_component.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr double straight_deg = 1.0;  // a grid turned by less is as good as along east and north
+
+struct ComponentPlane {
+  PlaneDimensions dimensions;
+  std::optional<Positions> positions;
+};
+
+/// All that is needed to read slices at the centres.
+struct CurvilinearParts {
+  NetcdfFiles files;  // kept open
+  VelocityComponent first;
+  VelocityComponent second;
+  Staggering staggering;
+  std::vector<geo::LonLat> centres;
+  GridDirections directions;
+  WaterMask first_mask;
+  WaterMask second_mask;
+  WaterMask centre_mask;
+  std::shared_ptr<const BedLevels> levels;  // null: the levels are depths, or there are none
+};
+
+class CurvilinearSource : public VelocitySource {
+ public:
+  explicit CurvilinearSource(CurvilinearParts parts) : parts_{std::move(parts)} {
+    shape_ = shape_in_time_and_depth(parts_.first.layout(), parts_.levels != nullptr);
+    shape_.columns = parts_.staggering.columns;
+    shape_.rows = parts_.staggering.rows;
+  }
+
+  [[nodiscard]] const SourceShape& shape() const override { return shape_; }
+  [[nodiscard]] geo::LonLat place(std::size_t point) const override { return parts_.centres[point]; }
+
+  [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t level) const override {
+    const std::size_t file_level = parts_.levels ? parts_.levels->file_level(level) : level;
+    auto first = parts_.first.read(time, file_level);
+    if (!first) return refuse(first.error());
+    auto second = parts_.second.read(time, file_level);
+    if (!second) return refuse(second.error());
+    parts_.first_mask.apply(first->values);
+    parts_.second_mask.apply(second->values);
+
+    VelocitySlice slice{std::vector<float>(shape_.points(), missing),
+                        std::vector<float>(shape_.points(), missing),
+                        std::max(first->undeclared_fill, second->undeclared_fill)};
+    slice.flagged = of_both(first->flagged, second->flagged);
+    for (std::size_t row = 0; row < shape_.rows; ++row) {
+      for (std::size_t column = 0; column < shape_.columns; ++column) {
+        const std::size_t point = row * shape_.columns + column;
+        if (!parts_.centre_mask.is_water(point)) continue;
+        const auto both = parts_.staggering.collocated ? as_read(*first, *second, point)
+                                                       : at_centre(*first, *second, row, column);
+        if (!both) continue;
+        const double cosine = static_cast<double>(parts_.directions.cosine[point]);
+        const double sine = static_cast<double>(parts_.directions.sine[point]);
+        slice.east[point] = static_cast<float>(both->u * cosine - both->v * sine);
+        slice.north[point] = static_cast<float>(both->u * sine + both->v * cosine);
+      }
+    }
+    return slice;
+  }
+
+  [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t time, std::size_t level) const override {
+    return parts_.levels->depths(time, level);
+  }
+
+ private:
+  struct Components {
+    double u{};
+    double v{};
+  };
+
+  static std::optional<Components> as_read(const ComponentSlice& first, const ComponentSlice& second,
+                                           std::size_t point) {
+    const Components both{first.values[point], second.values[point]};
+    if (std::isnan(both.u) || std::isnan(both.v)) return std::nullopt;
+    return both;
+  }
+
+  /// The mean of the two points of each component beside a centre. No water flows through a coast: a point on it
+  /// counts as zero, and a centre with water on no side is land. A point that is flagged as bad is no coast: beside it
+  /// the current is not known.
+  [[nodiscard]] std::optional<Components> at_centre(const ComponentSlice& first, const ComponentSlice& second,
+                                                    std::size_t row, std::size_t column) const {
+    const Staggering& way = parts_.staggering;
+    const std::size_t left = (row + way.first_row) * parts_.first.columns() + column;
+    const std::size_t below = row * parts_.second.columns() + column + way.second_column;
+    if (first.is_bad(left) || first.is_bad(left + 1) || second.is_bad(below) ||
+        second.is_bad(below + parts_.second.columns()))
+      return std::nullopt;
+    const double u_left = first.values[left];
+    const double u_right = first.values[left + 1];
+    const double v_below = second.values[below];
+    const double v_above = second.values[below + parts_.second.columns()];
+    if (std::isnan(u_left) && std::isnan(u_right) && std::isnan(v_below) && std::isnan(v_above))
+      return std::nullopt;
+    const auto flow = [](double value) { return std::isnan(value) ? 0.0 : value; };
+    return Components{0.5 * (flow(u_left) + flow(u_right)), 0.5 * (flow(v_below) + flow(v_above))};
+  }
+
+  CurvilinearParts parts_;
+  SourceShape shape_;
+};
+
+/// POP, whose components are known to run along its grid although its files do not always say so.
+/// Source  Smith et al. 2010, The Parallel Ocean Program (POP) Reference Manual, section 3.2
+bool is_model_of_grid_axes(const NetcdfVariable& variable) { return lower(variable.name()) == "uvel"; }
+
+std::string without_positions(const VelocityPair& pair) {
+  return "the variable \"" + pair.first->name() +
+         "\" lies on a curvilinear (bent) grid, and the file holds no tables of longitude and latitude for "
+         "its "
+         "points; the data cannot be placed; give the model's grid or mesh file in the same command";
+}
+
+Checked<ComponentPlane> plane_with_positions(const NetcdfFiles& files, const NetcdfFile& file,
+                                             const NetcdfVariable& variable, GridPoints points) {
+  const auto dimensions = plane_of(file, variable);
+  if (!dimensions)
+    return refuse(
+        "the variable \"" + variable.name() +
+        "\" has no two dimensions that could be rows and columns; the data cannot be placed; ask for a "
+        "file with longitude, latitude, depth and time coordinates");
+  auto positions = positions_of(files, file, variable, *dimensions, points);
+  if (!positions) return refuse(positions.error());
+  return ComponentPlane{*dimensions, std::move(*positions)};
+}
+
+std::optional<std::string> doubt_in_axes(const VelocityPair& pair, const ComponentPlane& plane) {
+  if (!plane.positions || !plane.positions->from_plain_axes) return std::nullopt;
+  double northernmost_deg = -90.0;
+  for (const geo::LonLat place : plane.positions->places)
+    northernmost_deg = std::max(northernmost_deg, place.lat_deg);
+  return doubt_in_nominal_axes(pair, northernmost_deg);
+}
+
+bool falls(const NetcdfFile& file, const NetcdfDimension& dimension) {
+  const NetcdfVariable* coordinate = coordinate_of(file, dimension);
+  if (coordinate == nullptr) return false;
+  const auto values = coordinate->read_all();
+  return values && values->size() > 1 && values->front() > values->back();
+}
+
+/// Where the points lie and how they are arranged.
+struct Arrangement {
+  Staggering staggering;
+  Positions first;
+  Positions second;
+  std::vector<geo::LonLat> centres;
+};
+
+/// Of points without positions, round centres that have them.
+Checked<Arrangement> arrangement_round_centres(const NetcdfFiles& files, const VelocityPair& pair,
+                                               const ComponentPlane& first, const ComponentPlane& second) {
+  const auto centres = centre_positions(files);
+  if (!centres) return refuse(centres.error());
+  if (!*centres) return refuse(without_positions(pair));
+  const auto size = [](const NetcdfVariable& variable, std::size_t dimension) {
+    return static_cast<std::size_t>(variable.dimensions()[dimension].size);
+  };
+  auto way =
+      points_after_centres(size(*pair.first, first.dimensions.y), size(*pair.first, first.dimensions.x),
+                           size(*pair.second, second.dimensions.y), size(*pair.second, second.dimensions.x));
+  if (!way) return refuse(way.error());
+  if (way->rows + 1 > (*centres)->rows || way->columns + 1 > (*centres)->columns)
+    return refuse(without_positions(pair));
+
+  // Each component's point lies half-way between its centre and the next one.
+  const Positions& rho = **centres;
+  Arrangement result{*way, {{}, way->rows + 1, way->columns + 1}, {{}, way->rows + 1, way->columns + 1}, {}};
+  const auto place = [&](std::size_t row, std::size_t column) {
+    return rho.places[std::min(row, rho.rows - 1) * rho.columns + std::min(column, rho.columns - 1)];
+  };
+  for (std::size_t row = 0; row <= way->rows; ++row) {
+    for (std::size_t column = 0; column <= way->columns; ++column) {
+      result.first.places.push_back(midpoint(place(row, column), place(row, column + 1)));
+      result.second.places.push_back(midpoint(place(row, column), place(row + 1, column)));
+    }
+  }
+  for (std::size_t row = 0; row < way->rows; ++row)
+    for (std::size_t column = 0; column < way->columns; ++column)
+      result.centres.push_back(place(row + 1, column + 1));
+  return result;
+}
+
+Checked<Arrangement> arrangement_of(const NetcdfFiles& files, const VelocityPair& pair, ComponentPlane first,
+                                    ComponentPlane second) {
+  if (!first.positions || !second.positions) return arrangement_round_centres(files, pair, first, second);
+  auto way = staggering_of(*first.positions, *second.positions);
+  if (!way) return refuse(way.error());
+  std::vector<geo::LonLat> centres = centres_of(*way, *first.positions);
+  return Arrangement{*way, std::move(*first.positions), std::move(*second.positions), std::move(centres)};
+}
+
+/// Directions of the components: none to turn where they already point east and north.
+Checked<GridDirections> directions_for(const NetcdfFiles& files, const VelocityPair& pair,
+                                       const ComponentPlane& first, const Arrangement& arrangement,
+                                       const CentreTables& tables, std::vector<std::string>& warnings) {
+  const FallingAxes falling{falls(*pair.first_file, pair.first->dimensions()[first.dimensions.x]),
+                            falls(*pair.first_file, pair.first->dimensions()[first.dimensions.y])};
+  const auto stated = tables.angle(files);
+  if (!stated) return refuse(stated.error());
+  auto directions =
+      directions_of(arrangement.staggering, arrangement.first, arrangement.second, falling, *stated);
+  if (!directions) return refuse(directions.error());
+
+  const std::size_t points = arrangement.centres.size();
+  const bool straight = directions->largest_turn_deg() < straight_deg;
+  if (pair.axes == VelocityAxes::east_north && !arrangement.staggering.collocated && !straight)
+    return refuse(
+        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
+        "\" are called eastward and northward, yet they lie half a cell apart on a grid that is turned, "
+        "as only components along the grid do; which of the two is true is not known; ask the producer");
+  if (pair.axes == VelocityAxes::east_north)
+    return GridDirections{std::vector<float>(points, 1.0F), std::vector<float>(points, 0.0F)};
+  if (pair.axes == VelocityAxes::unstated && arrangement.staggering.collocated && !straight) {
+    if (!is_model_of_grid_axes(*pair.first))
+      return refuse(
+          "the file does not say whether \"" + pair.first->name() + "\" and \"" + pair.second->name() +
+          "\" point towards east and north or along the axes of its bent grid; a wrong guess would turn "
+          "the drift; ask the producer, or add standard names (eastward_sea_water_velocity or "
+          "sea_water_x_velocity)");
+  }
+  if (!straight)
+    warnings.push_back(
+        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
+        "\" point along the axes of the model's grid; they were turned to east and north, by up to " +
+        number(directions->largest_turn_deg(), 3) + " degrees");
+  return directions;
+}
+
+}  // namespace
+
+Checked<MeshCurrents> curvilinear_currents(const NetcdfFiles& files, const VelocityPair& pair,
+                                           std::vector<std::string>& warnings) {
+  auto first = plane_with_positions(files, *pair.first_file, *pair.first, GridPoints::first_component);
+  if (!first) return refuse(first.error());
+  auto second = plane_with_positions(files, *pair.second_file, *pair.second, GridPoints::second_component);
+  if (!second) return refuse(second.error());
+  if (auto doubt = doubt_in_axes(pair, *first)) return refuse(std::move(*doubt));
+  auto layout = layout_over(*pair.first_file, *pair.first, first->dimensions.y, first->dimensions.x);
+  if (!layout) return refuse(layout.error());
+  auto second_layout =
+      layout_over(*pair.second_file, *pair.second, second->dimensions.y, second->dimensions.x);
+  if (!second_layout) return refuse(second_layout.error());
+  if (const auto differs = times_or_depths_differ(*layout, *second_layout)) return refuse(*differs);
+
+  const bool straight_axes = first->positions && first->positions->from_plain_axes;
+  const PlaneDimensions first_plane = first->dimensions;
+  const PlaneDimensions second_plane = second->dimensions;
+  const ComponentPlane directions_plane{first_plane, std::nullopt};
+  auto arrangement = arrangement_of(files, pair, std::move(*first), std::move(*second));
+  if (!arrangement) return refuse(arrangement.error());
+  const CentreTables tables{arrangement->staggering, *pair.first, first_plane};
+  auto directions = directions_for(files, pair, directions_plane, *arrangement, tables, warnings);
+  if (!directions) return refuse(directions.error());
+
+  std::shared_ptr<const BedLevels> levels;
+  if (layout->bed_levels > 0) {
+    auto found = s_coordinate_levels(files, *pair.first_file, *pair.first, *layout, tables, warnings);
+    if (!found) return refuse(found.error());
+    levels = std::move(*found);
+  }
+  auto centre_mask = tables.mask(files);
+  if (!centre_mask) return refuse(centre_mask.error());
+  auto first_mask = mask_over(files, *pair.first, first_plane, "mask_u");
+  if (!first_mask) return refuse(first_mask.error());
+  auto second_mask = mask_over(files, *pair.second, second_plane, "mask_v");
+  if (!second_mask) return refuse(second_mask.error());
+
+  warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
+  auto u = VelocityComponent::of(*pair.first_file, *pair.first, std::move(*layout), warnings);
+  if (!u) return refuse(u.error());
+  auto v = VelocityComponent::of(*pair.second_file, *pair.second, std::move(*second_layout), warnings);
+  if (!v) return refuse(v.error());
+  const bool staggered = !arrangement->staggering.collocated;
+  const std::string layout_in_words = staggered       ? "a bent and staggered grid"
+                                      : straight_axes ? "a grid whose levels follow the sea bed"
+                                                      : "a bent grid";
+  auto source =
+      std::make_shared<const CurvilinearSource>(CurvilinearParts{.files = files,
+                                                                 .first = std::move(*u),
+                                                                 .second = std::move(*v),
+                                                                 .staggering = arrangement->staggering,
+                                                                 .centres = arrangement->centres,
+                                                                 .directions = std::move(*directions),
+                                                                 .first_mask = std::move(*first_mask),
+                                                                 .second_mask = std::move(*second_mask),
+                                                                 .centre_mask = std::move(*centre_mask),
+                                                                 .levels = std::move(levels)});
+  return MeshCurrents{std::move(source),
+                      mesh_of_rows(std::move(arrangement->centres), arrangement->staggering.columns),
+                      layout_in_words};
+}
+
+}  // namespace floeplan::ingest

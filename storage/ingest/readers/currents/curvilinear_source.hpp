@@ -1,0 +1,28 @@
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "storage/ingest/grids/source_mesh.hpp"
+#include "storage/ingest/grids/velocity_source.hpp"
+#include "storage/ingest/readers/velocity/velocity_pair.hpp"
+
+namespace floeplan::ingest {
+
+/// A source whose points are resampled within the cells of a mesh.
+struct MeshCurrents {
+  std::shared_ptr<const VelocitySource> source;
+  SourceMesh mesh;
+  std::string layout;  // in words: "a bent and staggered grid"
+};
+
+/// Currents whose points lie in rows and columns, bent in any way, with both components at the same points (A and B
+/// grids) or each half a cell beside the other (C grids): NEMO, ROMS, CROCO, MOM, POP, polar projections. Both are
+/// brought to the centres and turned to true east and north.
+/// Errors   no tables of positions; components that do not say what they are along; levels that cannot be placed; see
+///          staggering_of and directions_of
+[[nodiscard]] Checked<MeshCurrents> curvilinear_currents(const NetcdfFiles& files, const VelocityPair& pair,
+                                                         std::vector<std::string>& warnings);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,222 @@
+#include "storage/ingest/readers/currents/grib_contents.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <set>
+#include <string>
+#include <utility>
+
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr int oceanography = 10;
+constexpr int currents_category = 1;
+constexpr int meteorology = 0;
+constexpr int momentum_category = 2;
+constexpr int east_number = 2;  // of both: direction and speed are 0 and 1, u and v 2 and 3
+constexpr int north_number = 3;
+constexpr int depth_surface = 160;
+constexpr int sea_surface = 1;
+constexpr int pressure_surface = 100;
+constexpr int height_surface = 103;
+constexpr double pascals_per_hectopascal = 100.0;
+
+bool is_current(const GribField& field) {
+  return field.discipline == oceanography && field.category == currents_category;
+}
+
+bool is_wind_anywhere(const GribField& field) {
+  return field.discipline == meteorology && field.category == momentum_category &&
+         (field.number == east_number || field.number == north_number);
+}
+
+bool is_wind(const GribField& field) {
+  return is_wind_anywhere(field) && field.surface_type == height_surface && !field.is_of_layer() &&
+         is_height_of_wind(field.surface_value);
+}
+
+/// "at 100 m above the ground", "over the layer from 10 to 100 m above the ground".
+/// Source  WMO code table 4.5
+std::string words_of_level(const GribField& field) {
+  const bool one_type = !field.is_of_layer() || field.second_surface_type == field.surface_type;
+  const auto values = [&](double unit) {
+    const std::string first = number(field.surface_value / unit);
+    return field.is_of_layer() ? first + " to " + number(field.second_surface_value / unit) : first;
+  };
+  const std::string where = field.is_of_layer() ? "over the layer from " : "at ";
+  if (one_type && field.surface_type == height_surface) return where + values(1.0) + " m above the ground";
+  if (one_type && field.surface_type == pressure_surface)
+    return where + "a pressure of " + values(pascals_per_hectopascal) + " hPa";
+  const std::string type = std::to_string(field.surface_type);
+  if (!field.is_of_layer()) return "at a surface of type " + type + " (code table 4.5)";
+  return "over a layer between surfaces of types " + type + " and " +
+         std::to_string(field.second_surface_type) + " (code table 4.5)";
+}
+
+/// "the wind at 100 m above the ground and at a pressure of 850 hPa", of all wind in a file; empty: it has none.
+std::string wind_in_words(const std::vector<GribField>& fields) {
+  std::vector<std::string> levels;
+  for (const GribField& field : fields) {
+    if (!is_wind_anywhere(field)) continue;
+    std::string words = words_of_level(field);
+    if (std::ranges::find(levels, words) == levels.end()) levels.push_back(std::move(words));
+  }
+  return levels.empty() ? std::string{} : "the wind " + enumeration(levels);
+}
+
+/// What a value of the current is a mean over; of one depth both are the same.
+struct Layer {
+  double top_m{};
+  double bottom_m{};
+
+  [[nodiscard]] double middle_m() const { return 0.5 * (top_m + bottom_m); }
+  friend auto operator<=>(const Layer&, const Layer&) = default;
+};
+
+bool is_depth(int surface_type) { return surface_type == depth_surface || surface_type == sea_surface; }
+
+/// Errors  a surface that is no depth
+Checked<Layer> layer_of(const GribField& field) {
+  if (!is_depth(field.surface_type))
+    return refuse("the GRIB file has currents on a surface of type " + std::to_string(field.surface_type) +
+                  ", which is no depth; they cannot be placed in the water; ask for depths in metres");
+  const double first_m = field.surface_type == depth_surface ? field.surface_value : 0.0;
+  if (!field.is_of_layer()) return Layer{first_m, first_m};
+  if (!is_depth(field.second_surface_type))
+    return refuse("the GRIB file has currents that are means from a depth of " + number(first_m) +
+                  " m down to a surface of type " + std::to_string(field.second_surface_type) +
+                  ", which is no depth; they cannot be placed in the water; ask for depths in metres");
+  const double second_m = field.second_surface_type == depth_surface ? field.second_surface_value : 0.0;
+  return Layer{std::min(first_m, second_m), std::max(first_m, second_m)};
+}
+
+std::string words_of_layer(const Layer& layer) {
+  return number(layer.top_m) + (layer.top_m < layer.bottom_m ? " to " + number(layer.bottom_m) : "") + " m";
+}
+
+/// Why layers, from the uppermost on, make no profile: their means are of the same water.
+std::optional<std::string> overlap_of(const std::set<Layer>& layers) {
+  const Layer* deepest = nullptr;
+  for (const Layer& layer : layers) {
+    if (deepest != nullptr && layer.top_m < deepest->bottom_m)
+      return "the currents in the GRIB file are means over layers that overlap (" + words_of_layer(*deepest) +
+             " and " + words_of_layer(layer) +
+             "), so which of them holds at a depth is not known; give a file with one set of layers";
+    if (deepest == nullptr || layer.bottom_m > deepest->bottom_m) deepest = &layer;
+  }
+  return std::nullopt;
+}
+
+/// "0 to 10 m and 10 to 50 m"; empty where all are single depths.
+std::string words_of_layers(const std::set<Layer>& layers) {
+  std::vector<std::string> words;
+  for (const Layer& layer : layers)
+    if (layer.top_m < layer.bottom_m) words.push_back(words_of_layer(layer));
+  return words.empty() ? std::string{} : enumeration(words);
+}
+
+/// Extremes, sums and deviations over a period are no state of the sea or the air.
+bool is_state(const GribField& field) { return field.statistic == 0; }
+
+std::string nothing_in_grib(Moving what, const std::vector<GribField>& fields, bool direction,
+                            bool statistic) {
+  if (statistic)
+    return std::string{"the GRIB file holds extremes, sums or deviations of the "} +
+           (what == Moving::sea ? "current" : "wind") +
+           " over a period, which is nothing that a vehicle or an iceberg meets; give a file with its values "
+           "or its means";
+  const std::string elsewhere = wind_in_words(fields);
+  const std::string beside = elsewhere.empty() ? "" : elsewhere + ", but ";
+  if (what == Moving::air)
+    return "the GRIB file holds " + beside +
+           "no wind 10 m above the ground (discipline 0, category 2, surface 103), which is the wind that "
+           "moves icebergs; there is nothing to store; give a file with both components of that wind";
+  if (direction)
+    return "the GRIB file gives the current as speed and direction, which this program does not read; give a "
+           "file with its components towards east and north";
+  return "the GRIB file holds " + beside +
+         "no currents of the sea (discipline 10, category 1) and no wind 10 m above the ground; there is "
+         "nothing to store; give a file with both components of the current or of that wind";
+}
+
+}  // namespace
+
+Checked<GribContents> grib_contents(const std::vector<GribField>& fields, Moving what) {
+  const std::string name = what == Moving::sea ? "current" : "wind";
+  std::map<std::pair<double, Layer>, GribBands> found;
+  std::set<double> times;
+  std::set<Layer> layers;
+  const GribField* first = nullptr;
+  bool direction = false;
+  bool statistic = false;
+  bool one_run = true;
+  for (std::size_t i = 0; i < fields.size(); ++i) {
+    const GribField& field = fields[i];
+    if (!(what == Moving::sea ? is_current(field) : is_wind(field))) continue;
+    direction = direction || field.number <= 1;
+    statistic = statistic || !is_state(field);
+    if (!is_state(field)) continue;
+    if (field.number != east_number && field.number != north_number) continue;
+    const auto layer = what == Moving::sea ? layer_of(field) : Checked<Layer>{Layer{}};
+    if (!layer) return refuse(layer.error());
+    if (first == nullptr) first = &field;
+    if (field.grid != first->grid)
+      return refuse(
+          "the fields of the GRIB file lie on different grids; they cannot be put together; give one grid a "
+          "file");
+    GribBands& bands = found[{field.valid_s, *layer}];
+    int& band = field.number == east_number ? bands.east : bands.north;
+    if (band != 0)
+      return refuse("the GRIB file holds a component of the " + name +
+                    " twice for one time and place; which of them holds is unknown; remove one of them");
+    band = static_cast<int>(i) + 1;
+    one_run = one_run && field.run_s == first->run_s;
+    times.insert(field.valid_s);
+    layers.insert(*layer);
+  }
+  if (first == nullptr) return refuse(nothing_in_grib(what, fields, direction, statistic));
+  if (auto overlap = overlap_of(layers)) return refuse(std::move(*overlap));
+  std::vector<double> depths_m;
+  for (const Layer& layer : layers) depths_m.push_back(layer.middle_m());
+
+  GribContents contents{{times.begin(), times.end()},
+                        std::move(depths_m),
+                        {},
+                        first->run_s ? std::optional{core::from_unix_seconds(*first->run_s)} : std::nullopt,
+                        first->grid,
+                        first->along_grid,
+                        what == Moving::sea,
+                        words_of_layers(layers)};
+  if (!one_run) contents.run = std::nullopt;
+  if (contents.depths_m.front() < 0.0 || contents.depths_m.back() > 12000.0)
+    return refuse("the depths in the GRIB file run from " + number(contents.depths_m.front()) + " to " +
+                  number(contents.depths_m.back()) + " m; no ocean does; the file is damaged");
+  for (const double time : contents.times_s) {
+    for (const Layer& layer : layers) {
+      const GribBands bands = found[{time, layer}];
+      if (bands.east == 0 || bands.north == 0)
+        return refuse("the GRIB file lacks a component of the " + name +
+                      (what == Moving::sea ? " at a depth of " + words_of_layer(layer) : std::string{}) +
+                      " at one of its times; gaps cannot be filled; ask for a complete file");
+      contents.bands.push_back(bands);
+    }
+  }
+  return contents;
+}
+
+Checked<std::vector<repository::DatasetKind>> kinds_of_grib(const std::filesystem::path& file) {
+  const auto fields = grib_fields(file);
+  if (!fields) return refuse(fields.error());
+  std::vector<repository::DatasetKind> kinds;
+  const bool current = std::ranges::any_of(*fields, is_current);
+  const bool wind = std::ranges::any_of(
+      *fields, [&](const GribField& field) { return is_wind(field) && (!current || is_state(field)); });
+  if (!wind || current) kinds.push_back(repository::DatasetKind::currents);
+  if (wind) kinds.push_back(repository::DatasetKind::wind);
+  return kinds;
+}
+
+}  // namespace floeplan::ingest

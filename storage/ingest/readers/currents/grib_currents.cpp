@@ -1,0 +1,257 @@
+#include "storage/ingest/readers/currents/grib_currents.hpp"
+
+#include <cpl_conv.h>
+#include <gdal_priv.h>
+#include <ogr_spatialref.h>
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/common/missing_value.hpp"
+#include "storage/ingest/formats/grib/grib_grid.hpp"
+#include "storage/ingest/formats/grib/grib_messages.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
+#include "storage/ingest/grids/grid_directions.hpp"
+#include "storage/ingest/grids/tangent_plane.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/currents/current_dataset.hpp"
+#include "storage/ingest/readers/currents/grib_contents.hpp"
+#include "storage/ingest/readers/velocity/velocity_component.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr double fill_from = 9990.0;  // GDAL writes 9999 where a bitmap has no value
+
+/// Where the values of a raster lie.
+struct RasterPlace {
+  std::vector<geo::LonLat> places;            // [row][column], rows from south to north (by the grid's own y)
+  std::optional<ocean::HorizontalGrid> grid;  // in longitude and latitude
+  GridDirections directions;                  // of x at every node of another plane
+  std::vector<std::size_t> columns;           // of the raster, in ascending order of x
+  std::size_t rows{};
+};
+
+/// To longitude and latitude of the projection's own sphere or ellipsoid, as the producer means them; null when there is
+/// none.
+std::unique_ptr<OGRCoordinateTransformation> way_to_places(const OGRSpatialReference& plane) {
+  OGRSpatialReference from{plane};
+  from.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  OGRSpatialReference to;
+  to.SetGeogCS("own", "own", "own", from.GetSemiMajor(), from.GetInvFlattening());
+  to.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
+  return std::unique_ptr<OGRCoordinateTransformation>{OGRCreateCoordinateTransformation(&from, &to)};
+}
+
+/// Of the nodes of one row, moved along x by `shift`; not finite where the projection does not reach.
+std::vector<geo::LonLat> places_along(OGRCoordinateTransformation& way, const std::vector<double>& x,
+                                      double shift, double y) {
+  constexpr double nowhere = std::numeric_limits<double>::quiet_NaN();
+  std::vector<double> lons = x;
+  for (double& lon : lons) lon += shift;
+  std::vector<double> lats(x.size(), y);
+  std::vector<int> reached(x.size(), 0);
+  way.Transform(static_cast<int>(x.size()), lons.data(), lats.data(), nullptr, reached.data());
+  std::vector<geo::LonLat> places;
+  for (std::size_t i = 0; i < x.size(); ++i) {
+    const bool known = reached[i] != 0 && std::isfinite(lons[i]) && std::abs(lats[i]) <= 90.0;
+    places.push_back(known ? geo::LonLat{geo::wrap_longitude(lons[i]), lats[i]}
+                           : geo::LonLat{nowhere, nowhere});
+  }
+  return places;
+}
+
+Checked<RasterPlace> raster_place(const GribGrid& grid) {
+  RasterPlace place;
+  place.rows = grid.y.size();
+  if (grid.plane == nullptr) {
+    const auto lons = longitude_nodes("longitude", grid.x);
+    if (!lons) return refuse(lons.error());
+    const auto lats = latitude_nodes("latitude", grid.y);
+    if (!lats) return refuse(lats.error());
+    place.columns = lons->source;
+    place.grid =
+        ocean::HorizontalGrid{geo::GeographicFrame{}, ocean::Axis{lons->nodes}, ocean::Axis{lats->nodes}};
+    for (const double lat : lats->nodes)
+      for (const double lon : lons->nodes) place.places.push_back({lon, lat});
+    return place;
+  }
+  const auto way = way_to_places(*grid.plane);
+  if (!way)
+    return refuse(
+        "the projection of the GRIB file cannot be used; convert it to latitude and longitude first");
+  const std::size_t width = grid.x.size();
+  const double ahead = width > 1 ? 1e-3 * (grid.x[1] - grid.x[0]) : 1.0;
+  for (std::size_t i = 0; i < width; ++i) place.columns.push_back(i);
+  for (const double y : grid.y) {
+    const std::vector<geo::LonLat> here = places_along(*way, grid.x, 0.0, y);
+    const std::vector<geo::LonLat> before = places_along(*way, grid.x, -ahead, y);
+    const std::vector<geo::LonLat> after = places_along(*way, grid.x, ahead, y);
+    place.places.insert(place.places.end(), here.begin(), here.end());
+    for (std::size_t i = 0; i < width; ++i) {
+      const double angle = direction_at(here[i], before[i], after[i]).value_or(0.0);
+      place.directions.cosine.push_back(static_cast<float>(std::cos(angle)));
+      place.directions.sine.push_back(static_cast<float>(std::sin(angle)));
+    }
+  }
+  return place;
+}
+
+/// The file as a raster whose rows run from north to south and whose columns from west to east, as GDAL reorders every
+/// scanning mode, and whose first column is the grid's westernmost one wherever that lies.
+std::shared_ptr<GDALDataset> open_in_rows(const std::filesystem::path& file) {
+  const CPLConfigOptionSetter as_they_lie{"GRIB_ADJUST_LONGITUDE_RANGE", "NO", false};
+  const char* const drivers[] = {"GRIB", nullptr};
+  return std::shared_ptr<GDALDataset>{GDALDataset::Open(std::filesystem::absolute(file).c_str(),
+                                                        GDAL_OF_RASTER | GDAL_OF_VERBOSE_ERROR, drivers)};
+}
+
+class GribSource : public VelocitySource {
+ public:
+  GribSource(std::shared_ptr<GDALDataset> raster, GribContents contents, RasterPlace place,
+             std::optional<GridDirections> directions)
+      : raster_{std::move(raster)},
+        contents_{std::move(contents)},
+        place_{std::move(place)},
+        directions_{std::move(directions)} {
+    shape_.columns = place_.columns.size();
+    shape_.rows = place_.rows;
+    shape_.times_s = contents_.times_s;
+    if (contents_.has_depths) shape_.depths_m = contents_.depths_m;
+    shape_.levels = contents_.depths_m.size();
+  }
+
+  [[nodiscard]] const SourceShape& shape() const override { return shape_; }
+  [[nodiscard]] geo::LonLat place(std::size_t point) const override { return place_.places[point]; }
+
+  [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t level) const override {
+    const GribBands bands = contents_.bands[time * contents_.depths_m.size() + level];
+    auto first = read_band(bands.east);
+    if (!first) return refuse(first.error());
+    auto second = read_band(bands.north);
+    if (!second) return refuse(second.error());
+    VelocitySlice slice{std::move(*first), std::move(*second), 0};
+    for (std::size_t i = 0; i < slice.east.size(); ++i) {
+      const float u = slice.east[i];
+      const float v = slice.north[i];
+      if (std::isnan(u) || std::isnan(v)) {
+        slice.east[i] = slice.north[i] = missing;
+      } else if (directions_) {
+        slice.east[i] = u * directions_->cosine[i] - v * directions_->sine[i];
+        slice.north[i] = u * directions_->sine[i] + v * directions_->cosine[i];
+      }
+    }
+    return slice;
+  }
+
+  [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t /*time*/,
+                                                         std::size_t /*level*/) const override {
+    return refuse("the levels of a GRIB file do not follow the sea bed");
+  }
+
+ private:
+  /// One band, rows from south to north and columns from west to east.
+  [[nodiscard]] Checked<std::vector<float>> read_band(int number_of_band) const {
+    const GdalMessages messages;
+    const int width = raster_->GetRasterXSize();
+    const int height = raster_->GetRasterYSize();
+    GDALRasterBand* band = raster_->GetRasterBand(number_of_band);
+    std::vector<double> values(static_cast<std::size_t>(width) * static_cast<std::size_t>(height));
+    if (band == nullptr || band->RasterIO(GF_Read, 0, 0, width, height, values.data(), width, height,
+                                          GDT_Float64, 0, 0, nullptr) != CE_None)
+      return refuse("a field of the GRIB file cannot be read (" + messages.first_error() +
+                    "); the file is damaged; copy or download it again");
+    int has_fill = 0;
+    const double fill = band->GetNoDataValue(&has_fill);
+    std::vector<float> result;
+    result.reserve(shape_.points());
+    for (std::size_t row = place_.rows; row-- > 0;) {
+      for (const std::size_t column : place_.columns) {
+        const double value = values[row * static_cast<std::size_t>(width) + column];
+        const bool known =
+            std::isfinite(value) && !(has_fill != 0 && value == fill) && std::abs(value) < fill_from;
+        result.push_back(known ? static_cast<float>(value) : missing);
+      }
+    }
+    return result;
+  }
+
+  std::shared_ptr<GDALDataset> raster_;
+  GribContents contents_;
+  RasterPlace place_;
+  std::optional<GridDirections> directions_;
+  SourceShape shape_;
+};
+
+Checked<PreparedDataset> read_velocities(const std::filesystem::path& file, Moving what,
+                                         const core::ProgressCallback& progress) {
+  const auto fields = grib_fields(file);
+  if (!fields) return refuse(fields.error());
+  auto contents = grib_contents(*fields, what);
+  if (!contents) return refuse(contents.error());
+  const std::optional<core::UtcTime> run = contents->run;
+  const auto grid = grib_grid(contents->grid);
+  if (!grid) return refuse(grid.error());
+
+  register_drivers();
+  const GdalMessages messages;
+  std::shared_ptr<GDALDataset> raster = open_in_rows(file);
+  if (!raster)
+    return refuse("the GRIB file cannot be opened (" + messages.first_error() +
+                  "); it is damaged or was cut short; copy or download it again");
+  if (static_cast<std::size_t>(raster->GetRasterCount()) != fields->size())
+    return refuse(
+        "the GRIB file is built in a way that this program does not follow (its fields are not counted alike "
+        "by two "
+        "readers); convert it to NetCDF first");
+  if (static_cast<std::size_t>(raster->GetRasterXSize()) != grid->x.size() ||
+      static_cast<std::size_t>(raster->GetRasterYSize()) != grid->y.size())
+    return refuse(
+        "the GRIB file is built in a way that this program does not follow (two readers see grids of "
+        "different size); convert it to NetCDF first");
+  auto place = raster_place(*grid);
+  if (!place) return refuse(place.error());
+
+  CurrentInput input;
+  input.what = what;
+  input.variables = {"u", "v"};
+  if (!contents->layers.empty())
+    input.warnings.push_back("the currents are means over layers of the water (" + contents->layers +
+                             "); each was placed at the middle of its layer, and within a layer the current "
+                             "may be much stronger or run another way");
+  std::optional<GridDirections> directions;
+  if (contents->along_grid && !place->grid) {
+    directions = std::move(place->directions);
+    input.warnings.push_back(
+        std::string{what == Moving::sea ? "the currents point" : "the wind points"} +
+        " along the axes of the grid, as the file says; it was turned to east and north, by up to " +
+        number(directions->largest_turn_deg(), 3) + " degrees");
+  }
+  if (place->grid) {
+    input.grid = place->grid;
+  } else {
+    input.mesh = mesh_of_rows(place->places, place->columns.size());
+    input.layout = "a projected grid";
+  }
+  input.source = std::make_shared<const GribSource>(std::move(raster), std::move(*contents),
+                                                    std::move(*place), std::move(directions));
+  auto data = prepare_currents(std::move(input), progress);
+  if (data) data->run = run;
+  return data;
+}
+
+}  // namespace
+
+Checked<PreparedDataset> read_grib_currents(const std::filesystem::path& file,
+                                            const core::ProgressCallback& progress) {
+  return read_velocities(file, Moving::sea, progress);
+}
+
+Checked<PreparedDataset> read_grib_wind(const std::filesystem::path& file,
+                                        const core::ProgressCallback& progress) {
+  return read_velocities(file, Moving::air, progress);
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,190 @@
+#include "storage/ingest/readers/currents/mesh_source.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <span>
+
+#include "storage/ingest/common/missing_value.hpp"
+#include "storage/ingest/grids/bed_levels.hpp"
+#include "storage/ingest/grids/mesh_levels.hpp"
+#include "storage/ingest/grids/mesh_topology.hpp"
+#include "storage/ingest/grids/netcdf_shape.hpp"
+#include "storage/ingest/grids/tangent_plane.hpp"
+#include "storage/ingest/readers/velocity/component_times.hpp"
+#include "storage/ingest/readers/velocity/velocity_component.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+std::size_t corners_of(const SourceMesh::Cell& face) { return face[2] == face[3] ? 3 : 4; }
+
+struct MeshParts {
+  NetcdfFiles files;  // kept open
+  VelocityComponent first;
+  VelocityComponent second;
+  bool in_faces{false};
+  std::vector<SourceMesh::Cell> faces;
+  std::vector<geo::LonLat> points;  // the nodes, and behind them the middles of faces that have currents
+  std::size_t nodes{};
+  std::shared_ptr<const BedLevels> levels;  // null: depths, or none
+  bool levels_in_faces{false};              // else at the nodes
+};
+
+class MeshSource : public VelocitySource {
+ public:
+  explicit MeshSource(MeshParts parts) : parts_{std::move(parts)} {
+    shape_ = shape_in_time_and_depth(parts_.first.layout(), parts_.levels != nullptr);
+    shape_.columns = parts_.points.size();
+  }
+
+  [[nodiscard]] const SourceShape& shape() const override { return shape_; }
+  [[nodiscard]] geo::LonLat place(std::size_t point) const override { return parts_.points[point]; }
+
+  [[nodiscard]] Checked<VelocitySlice> read(std::size_t time, std::size_t level) const override {
+    const std::size_t file_level = parts_.levels ? parts_.levels->file_level(level) : level;
+    const auto east = parts_.first.read(time, file_level);
+    if (!east) return refuse(east.error());
+    const auto north = parts_.second.read(time, file_level);
+    if (!north) return refuse(north.error());
+    VelocitySlice slice{std::vector<float>(shape_.points(), missing),
+                        std::vector<float>(shape_.points(), missing),
+                        std::max(east->undeclared_fill, north->undeclared_fill)};
+    slice.flagged = of_both(east->flagged, north->flagged);
+    const std::size_t first = parts_.in_faces ? parts_.nodes : 0;
+    for (std::size_t i = 0; i < east->values.size(); ++i) {
+      if (std::isnan(east->values[i]) || std::isnan(north->values[i])) continue;
+      slice.east[first + i] = static_cast<float>(east->values[i]);
+      slice.north[first + i] = static_cast<float>(north->values[i]);
+    }
+    if (parts_.in_faces) add_means_at_nodes(slice);
+    return slice;
+  }
+
+  [[nodiscard]] Checked<std::vector<float>> level_depths(std::size_t time, std::size_t level) const override {
+    auto depths = parts_.levels->depths(time, level);
+    if (!depths) return depths;
+    if (parts_.levels_in_faces) {
+      std::vector<float> at_points = means_at_nodes(*depths);
+      if (parts_.in_faces) at_points.insert(at_points.end(), depths->begin(), depths->end());
+      return at_points;
+    }
+    if (!parts_.in_faces) return depths;
+    for (const SourceMesh::Cell& face : parts_.faces) {
+      const std::size_t corners = corners_of(face);
+      float sum = 0.0F;
+      for (std::size_t i = 0; i < corners; ++i) sum += (*depths)[face[i]];
+      depths->push_back(sum / static_cast<float>(corners));
+    }
+    return depths;
+  }
+
+ private:
+  /// At each node the mean of the known values in the faces round it.
+  [[nodiscard]] std::vector<float> means_at_nodes(std::span<const float> in_faces) const {
+    std::vector<double> sums(parts_.nodes, 0.0);
+    std::vector<int> count(parts_.nodes, 0);
+    for (std::size_t i = 0; i < parts_.faces.size(); ++i) {
+      if (std::isnan(in_faces[i])) continue;
+      for (std::size_t corner = 0; corner < corners_of(parts_.faces[i]); ++corner) {
+        sums[parts_.faces[i][corner]] += static_cast<double>(in_faces[i]);
+        ++count[parts_.faces[i][corner]];
+      }
+    }
+    std::vector<float> means(parts_.nodes, missing);
+    for (std::size_t node = 0; node < parts_.nodes; ++node)
+      if (count[node] > 0) means[node] = static_cast<float>(sums[node] / count[node]);
+    return means;
+  }
+
+  void add_means_at_nodes(VelocitySlice& slice) const {
+    for (std::vector<float>* component : {&slice.east, &slice.north}) {
+      const std::vector<float> means = means_at_nodes(std::span{*component}.subspan(parts_.nodes));
+      std::ranges::copy(means, component->begin());
+    }
+  }
+
+  MeshParts parts_;
+  SourceShape shape_;
+};
+
+geo::LonLat middle_of(const MeshTopology& mesh, const SourceMesh::Cell& face) {
+  UnitVector sum;
+  for (std::size_t i = 0; i < corners_of(face); ++i) {
+    const UnitVector corner = unit_vector(mesh.nodes[face[i]]);
+    sum = {sum.x + corner.x, sum.y + corner.y, sum.z + corner.z};
+  }
+  return lon_lat(sum);
+}
+
+/// The dimension of a variable that runs along the mesh.
+/// Each face as triangles between its middle and its sides.
+std::vector<SourceMesh::Cell> split_faces(const MeshTopology& mesh) {
+  std::vector<SourceMesh::Cell> cells;
+  for (std::size_t i = 0; i < mesh.faces.size(); ++i) {
+    const std::size_t corners = corners_of(mesh.faces[i]);
+    const auto middle = static_cast<std::uint32_t>(mesh.nodes.size() + i);
+    for (std::size_t corner = 0; corner < corners; ++corner) {
+      const std::uint32_t next = mesh.faces[i][(corner + 1) % corners];
+      cells.push_back({middle, mesh.faces[i][corner], next, next});
+    }
+  }
+  return cells;
+}
+
+}  // namespace
+
+Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair& pair,
+                                    std::vector<std::string>& warnings) {
+  if (pair.axes == VelocityAxes::grid)
+    return refuse(
+        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
+        "\" are called components along a grid, but a mesh has no axes; which way they point is not "
+        "known; ask the producer");
+  auto mesh = mesh_topology(*pair.first_file);
+  if (!mesh) return refuse(mesh.error());
+  const auto along_faces = pair.first->dimension_named(mesh->face_dimension);
+  const auto along = along_faces ? along_faces : pair.first->dimension_named(mesh->node_dimension);
+  const auto second_along =
+      pair.second->dimension_named(along_faces ? mesh->face_dimension : mesh->node_dimension);
+  if (!along || !second_along)
+    return refuse(
+        "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
+        "\" do not both lie on the nodes or both in the faces of the mesh; they cannot be put together; "
+        "ask the producer");
+  auto layout = layout_over(*pair.first_file, *pair.first, *along, *along);
+  if (!layout) return refuse(layout.error());
+  auto second_layout = layout_over(*pair.second_file, *pair.second, *second_along, *second_along);
+  if (!second_layout) return refuse(second_layout.error());
+  if (const auto differs = times_or_depths_differ(*layout, *second_layout)) return refuse(*differs);
+
+  MeshLevels levels;
+  if (layout->bed_levels > 0) {
+    const auto file = std::ranges::find_if(
+        files, [&](const auto& candidate) { return candidate.get() == pair.first_file; });
+    auto found = mesh_levels(*file, *pair.first, *layout, *mesh, warnings);
+    if (!found) return refuse(found.error());
+    levels = std::move(*found);
+  }
+  warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
+  auto u = VelocityComponent::of(*pair.first_file, *pair.first, std::move(*layout), warnings);
+  if (!u) return refuse(u.error());
+  auto v = VelocityComponent::of(*pair.second_file, *pair.second, std::move(*second_layout), warnings);
+  if (!v) return refuse(v.error());
+
+  SourceMesh cells{mesh->nodes, along_faces ? split_faces(*mesh) : mesh->faces};
+  if (along_faces)
+    for (const SourceMesh::Cell& face : mesh->faces) cells.points.push_back(middle_of(*mesh, face));
+  auto source = std::make_shared<const MeshSource>(MeshParts{.files = files,
+                                                             .first = std::move(*u),
+                                                             .second = std::move(*v),
+                                                             .in_faces = along_faces.has_value(),
+                                                             .faces = std::move(mesh->faces),
+                                                             .points = cells.points,
+                                                             .nodes = mesh->nodes.size(),
+                                                             .levels = std::move(levels.levels),
+                                                             .levels_in_faces = levels.in_faces});
+  return MeshCurrents{std::move(source), std::move(cells),
+                      along_faces ? "the faces of a mesh" : "the nodes of a mesh"};
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,19 @@
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "storage/ingest/readers/currents/curvilinear_source.hpp"
+#include "storage/ingest/readers/velocity/velocity_pair.hpp"
+
+namespace floeplan::ingest {
+
+/// Currents on a mesh of triangles or quadrilaterals, at its nodes or in its faces: FVCOM, SELFE, SCHISM and whatever
+/// follows the UGRID conventions; on depths or on sigma levels.
+/// Interpolation  between nodes; of currents in faces between the middle of the face, which keeps its own value, and
+///                its nodes, which take the mean of the faces round them
+/// Errors   see mesh_topology; components along anything else than east and north; levels that cannot be placed
+[[nodiscard]] Checked<MeshCurrents> mesh_currents(const NetcdfFiles& files, const VelocityPair& pair,
+                                                  std::vector<std::string>& warnings);
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,154 @@
+#include "storage/ingest/readers/currents/velocity_input.hpp"
+
+#include <algorithm>
+
+#include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
+#include "storage/ingest/formats/netcdf/position_tables.hpp"
+#include "storage/ingest/grids/mesh_topology.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/currents/curvilinear_source.hpp"
+#include "storage/ingest/readers/currents/mesh_source.hpp"
+#include "storage/ingest/readers/currents/rectilinear_source.hpp"
+#include "storage/ingest/readers/velocity/velocity_level.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+/// Whether each of the two dimensions of the plane has an axis of its own, geographic or projected.
+bool has_plain_axes(const NetcdfFile& file, const NetcdfVariable& variable) {
+  const auto plane = plane_of(file, variable);
+  if (!plane) return false;
+  for (const std::size_t dimension : {plane->y, plane->x}) {
+    const NetcdfVariable* coordinate = coordinate_of(file, variable.dimensions()[dimension]);
+    const AxisRole role = coordinate == nullptr ? AxisRole::unknown : role_of(*coordinate);
+    if (role != AxisRole::longitude && role != AxisRole::latitude && role != AxisRole::projected_x &&
+        role != AxisRole::projected_y)
+      return false;
+  }
+  return true;
+}
+
+bool have_positions(const NetcdfFiles& files, const VelocityPair& pair) {
+  const auto plane = plane_of(*pair.first_file, *pair.first);
+  return plane && has_positions(files, *pair.first_file, *pair.first, *plane);
+}
+
+/// Whether the dimensions are called as ROMS and CROCO do: their tables of positions may be in a file of their own.
+bool is_roms(const VelocityPair& pair) {
+  return std::ranges::any_of(pair.first->dimensions(), [](const NetcdfDimension& dimension) {
+    return lower(dimension.name).starts_with("xi_");
+  });
+}
+
+/// Whether levels follow the sea bed: they are placed on grids of every shape by the reader of bent ones.
+bool has_bed_levels(const VelocityPair& pair) {
+  return std::ranges::any_of(pair.first->dimensions(), [&](const NetcdfDimension& dimension) {
+    const NetcdfVariable* coordinate = coordinate_of(*pair.first_file, dimension);
+    return dimension.size > 1 && coordinate != nullptr && role_of(*coordinate) == AxisRole::model_level;
+  });
+}
+
+/// Whether the components lie on different points: then plain axes do not tell them apart enough to be stored.
+bool are_staggered(const VelocityPair& pair) {
+  const auto first = plane_of(*pair.first_file, *pair.first);
+  const auto second = plane_of(*pair.second_file, *pair.second);
+  if (!first || !second) return false;
+  const auto& a = pair.first->dimensions();
+  const auto& b = pair.second->dimensions();
+  return a[first->y].name != b[second->y].name || a[first->x].name != b[second->x].name;
+}
+
+/// Whether the currents are stored on the axes of their file. Not when plain axes are only nominal beside tables of the
+/// true positions, or those of a projection that contradicts such tables; nor when the components are staggered.
+bool lie_on_axes(const NetcdfFiles& files, const VelocityPair& pair,
+                 const std::optional<std::string>& stated_crs) {
+  if (!has_plain_axes(*pair.first_file, *pair.first)) return false;
+  const bool positions = have_positions(files, pair);
+  const auto layout = layout_of(*pair.first_file, *pair.first);
+  if (!layout) return true;  // what is wrong with the axes is said when they are read
+  if (layout->projected && positions)
+    return grid_of(*pair.first_file, *pair.first, *layout, stated_crs).has_value();
+  return !are_staggered(pair) && !(positions && pair.axes == VelocityAxes::grid);
+}
+
+/// Two components on whatever layout they have.
+Checked<CurrentInput> input_as_laid_out(const NetcdfFiles& files, const VelocityPair& pair,
+                                        const std::optional<std::string>& stated_crs) {
+  CurrentInput input;
+  input.what = pair.what;
+  input.warnings = pair.warnings;
+  input.variables = {pair.first->name(), pair.second->name()};
+  input.states_unit = !pair.first->attribute("units").empty();
+
+  if (lies_on_mesh(*pair.first_file, *pair.first)) {
+    auto mesh = mesh_currents(files, pair, input.warnings);
+    if (!mesh) return refuse(mesh.error());
+    input.source = std::move(mesh->source);
+    input.mesh = std::move(mesh->mesh);
+    input.layout = std::move(mesh->layout);
+    return input;
+  }
+  const bool bent_grid = have_positions(files, pair) || are_staggered(pair) || is_roms(pair);
+  if (!has_bed_levels(pair) && (lie_on_axes(files, pair, stated_crs) || !bent_grid)) {
+    auto regular = rectilinear_currents(files, pair, stated_crs, input.warnings);
+    if (!regular) return refuse(regular.error());
+    input.source = std::move(regular->source);
+    input.grid = std::move(regular->grid);
+    return input;
+  }
+  auto bent = curvilinear_currents(files, pair, input.warnings);
+  if (!bent) return refuse(bent.error());
+  input.source = std::move(bent->source);
+  input.mesh = std::move(bent->mesh);
+  input.layout = std::move(bent->layout);
+  return input;
+}
+
+/// Currents without an axis of depth lie where their names say.
+void place_by_words(CurrentInput& input, const VelocityPair& pair) {
+  const SourceShape& shape = input.source->shape();
+  if (shape.depths_m || shape.levels_follow_bed) return;
+  const std::string names = "\"" + pair.first->name() + "\" and \"" + pair.second->name() + "\"";
+  if (pair.depth_m) {
+    input.warnings.push_back(names + " are currents at a depth of " + number(*pair.depth_m) +
+                             " m, as they say themselves; nothing is known of the water below it");
+    input.source = one_level(std::move(input.source), 0, *pair.depth_m);
+  } else if (pair.part == WaterPart::surface) {
+    input.warnings.push_back(
+        names +
+        " are currents of the surface alone; they were stored at depth 0, and a plan for "
+        "deeper dives has to take them all the way down");
+    input.source = one_level(std::move(input.source), 0, 0.0);
+  } else if (pair.part == WaterPart::column_mean) {
+    input.warnings.push_back(
+        names +
+        " are means over the whole water column or a part of it; they were stored as the same at every "
+        "depth, but near the surface the current may be much stronger or run another way");
+  } else {
+    input.warnings.push_back(
+        names +
+        " state no depth; they were stored as the same at every depth; if they are those of one depth alone, "
+        "state it, for example with ncap2 -s 'depth=0.0; depth@standard_name=\"depth\"; depth@units=\"m\"' "
+        "IN.nc OUT.nc");
+  }
+}
+
+}  // namespace
+
+Checked<CurrentInput> velocity_input(const NetcdfFiles& files, const VelocityPair& pair,
+                                     const std::optional<std::string>& stated_crs) {
+  auto input = input_as_laid_out(files, pair, stated_crs);
+  if (!input || pair.what == Moving::air) return input;
+  const auto& depths_m = input->source->shape().depths_m;
+  if (depths_m && depths_m->back() < 0.0)
+    return refuse(
+        "the levels of \"" + pair.first->name() + "\" and \"" + pair.second->name() +
+        "\" lie above the surface of the sea (heights of up to " + number(-depths_m->front()) +
+        " m); where in the water these currents run is not known; ask for depths below the surface");
+  place_by_words(*input, pair);
+  return input;
+}
+
+}  // namespace floeplan::ingest

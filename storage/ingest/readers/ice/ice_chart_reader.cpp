@@ -1,0 +1,135 @@
+#include "storage/ingest/readers/ice/ice_chart_reader.hpp"
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <array>
+#include <set>
+
+#include "engine/core/utc_text.hpp"
+#include "storage/ingest/common/fault_report.hpp"
+#include "storage/ingest/formats/vector/feature_texts.hpp"
+#include "storage/ingest/formats/vector/polygon_shapes.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/ice/chart_time.hpp"
+#include "storage/ingest/readers/ice/ice_raster.hpp"
+#include "storage/ingest/readers/zones/feature_kind.hpp"
+#include "storage/repository/field_repository.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr auto thickness_names = std::to_array<std::string_view>({"thicknessm", "thickness"});
+constexpr double thickest_level_m = 20.0;  // of sea ice that froze in place
+
+/// The moment of the chart, and a warning where only its name tells it.
+Checked<core::UtcTime> chart_time(const std::filesystem::path& file, const IngestOptions& options,
+                                  std::vector<std::string>& warnings) {
+  if (options.time) return *options.time;
+  std::optional<core::UtcTime> time = time_in_name(file.stem().string());
+  if (!time && options.archive) time = time_in_name(*options.archive);
+  if (!time)
+    return refuse(
+        "the chart does not say for which time its ice holds; a plan needs to know; give --time, for example "
+        "2026-11-20T18:00:00Z");
+  warnings.push_back("the chart's time, " + core::iso8601(*time) +
+                     ", was read from its file's name; state it with --time if it is another one");
+  return *time;
+}
+
+/// Ice of a polygon that has no codes: all of it is ice.
+Checked<std::optional<IceOfPolygon>> plain_ice(const OGRFeature& feature) {
+  if (meaning_of(feature) == PolygonMeaning::ice_shelf) return IceOfPolygon{1.0, ice_shelf_thickness_m};
+  const auto text = text_of_feature(feature, thickness_names);
+  if (!text) return IceOfPolygon{1.0, std::nullopt};
+  const auto thickness_m = parse_number(*text);
+  if (!thickness_m || *thickness_m < 0.0 || *thickness_m > thickest_level_m)
+    return refuse("its thickness is \"" + *text + "\", not a number of metres from 0 to 20");
+  return IceOfPolygon{1.0, thickness_m};
+}
+
+/// Polygons as they are gathered, and everything that is wrong with them.
+struct ChartGathering {
+  std::vector<IcePolygon> polygons;
+  std::vector<std::string> faults;
+  bool coded{false};
+  bool uncoded{false};
+};
+
+void gather_ice(ChartGathering& all, const OGRFeature& feature, const std::string& label,
+                OGRSpatialReference& crs) {
+  const OGRGeometry* const geometry = feature.GetGeometryRef();
+  const bool coded = states_ice_codes(feature);
+  (coded ? all.coded : all.uncoded) = true;
+  const auto ice = coded ? read_ice_codes(feature) : plain_ice(feature);
+  if (!ice)
+    return all.faults.push_back(label + ": " + ice.error() + "; correct it, or leave the polygon out");
+  if (!*ice || geometry == nullptr) return;  // land and what was not looked at
+  if (OGR_GT_IsSubClassOf(wkbFlatten(geometry->getGeometryType()), wkbSurface) == 0 &&
+      OGR_GT_IsSubClassOf(wkbFlatten(geometry->getGeometryType()), wkbMultiSurface) == 0)
+    return all.faults.push_back(label + ": it is no polygon; leave it out");
+  std::unique_ptr<OGRGeometry> area{geometry->getLinearGeometry()};
+  area->assignSpatialReference(&crs);
+  all.polygons.push_back({std::move(area), **ice});
+}
+
+Checked<ChartGathering> gather_polygons(GDALDataset& dataset, const IngestOptions& options) {
+  ChartGathering all;
+  for (OGRLayer* const layer : dataset.GetLayers()) {
+    if (layer->GetFeatureCount() == 0) continue;
+    const auto crs = crs_of(*layer, options.crs);
+    if (!crs) return refuse(crs.error());
+    const std::unique_ptr<OGRSpatialReference, void (*)(OGRSpatialReference*)> counted{
+        crs->Clone(), [](OGRSpatialReference* reference) { reference->Release(); }};  // geometries keep it
+    int number_of_feature = 0;
+    layer->ResetReading();
+    for (const auto& feature : *layer)
+      gather_ice(all, *feature, "polygon " + std::to_string(++number_of_feature), *counted);
+  }
+  if (all.coded && all.uncoded)
+    all.faults.emplace_back(
+        "some polygons have the codes of SIGRID-3 and some have none; what these mean is unknown; put them "
+        "into a file "
+        "of their own");
+  if (all.polygons.empty() && all.faults.empty())
+    all.faults.emplace_back("the chart holds neither ice nor water, only land; there is nothing to store");
+  return all;
+}
+
+}  // namespace
+
+Checked<PreparedDataset> read_ice_polygons(GDALDataset& dataset, const std::filesystem::path& file,
+                                           const IngestOptions& options) {
+  PreparedDataset data;
+  data.kind = repository::DatasetKind::ice;
+  const auto time = chart_time(file, options, data.warnings);
+  if (!time) return refuse(time.error());
+  auto gathered = gather_polygons(dataset, options);
+  if (!gathered) return refuse(gathered.error());
+  if (!gathered->faults.empty()) return refuse(report_of(std::move(gathered->faults)));
+  const bool coded = gathered->coded;
+  auto raster = lay_on_grid(std::move(gathered->polygons));
+  if (!raster) return refuse(raster.error());
+
+  data.warnings.push_back(
+      coded ? "of each range of the chart's codes the upper end is stored; old ice has none, its "
+              "keels are assumed"
+            : "all of each polygon is taken as ice; outside the polygons nothing is known");
+  data.variables = coded ? std::vector<std::string>{"CT", "SA"} : std::vector<std::string>{"ice"};
+  data.bounds = raster->grid.bounds();
+  data.rows_accepted = static_cast<std::int64_t>(raster->grid.size());
+  data.time_start = *time;
+  data.time_end = *time;
+  data.write = [raster = std::move(*raster), time = *time](
+                   sqlite::Connection& db,
+                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+    repository::FieldRepository fields{db};
+    fields.create(id, {raster.grid, std::nullopt, ocean::Axis{{core::unix_seconds(time)}}});
+    fields.write_slice(id, "concentration", 0, 0, raster.concentration);
+    fields.write_slice(id, "thickness_m", 0, 0, raster.thickness_m);
+    return {};
+  };
+  return data;
+}
+
+}  // namespace floeplan::ingest

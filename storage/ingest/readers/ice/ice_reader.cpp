@@ -1,0 +1,225 @@
+#include "storage/ingest/readers/ice/ice_reader.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "storage/ingest/common/grid_limits.hpp"
+#include "storage/ingest/common/missing_value.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
+#include "storage/ingest/grids/bent_plane.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/ice/ice_units.hpp"
+#include "storage/ingest/readers/ice/ice_variables.hpp"
+#include "storage/repository/field_repository.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+/// Of models, whose fields of the surface are often placed at their uppermost level.
+constexpr double deepest_top_level_m = 20.0;
+
+/// Thickness of floating level ice over its draft: 1025 kg/m3 of sea water over 915 kg/m3 of ice, without snow.
+/// Source  Timco and Frederking 1996, A review of sea ice density, doi:10.1016/0165-232X(95)00007-X
+constexpr double thickness_over_draft = 1025.0 / 915.0;
+
+/// One variable and how its numbers are read.
+struct Quantity {
+  const NetcdfVariable* variable{nullptr};
+  MissingMarks marks;
+  IceUnit unit;
+};
+
+/// Everything needed to read slices of one file, now or later.
+struct IceSource {
+  std::shared_ptr<const NetcdfFile> file;
+  std::vector<Quantity> concentrations;
+  std::vector<Quantity> thickness;  // one or none
+  NetcdfLayout layout;
+  ocean::HorizontalGrid grid;
+  std::optional<BentPlane> bent;  // empty: the layout's points are the grid's nodes
+
+  [[nodiscard]] std::size_t times() const { return layout.times_s->nodes.size(); }
+};
+
+/// Reads every value of a variable once.
+Checked<Found> look_through(const Quantity& quantity, const NetcdfLayout& layout) {
+  constexpr double infinite = std::numeric_limits<double>::infinity();
+  Found found{.extent = {infinite, -infinite}, .whole_numbers = true, .values = 0, .undeclared = 0};
+  for (std::size_t time = 0; time < layout.times_s->nodes.size(); ++time) {
+    const auto slice = read_slice(*quantity.variable, layout, time, 0);
+    if (!slice) return refuse(slice.error());
+    for (const double value : *slice) {
+      if (std::isnan(value)) continue;
+      if (quantity.marks.cover(value, quantity.unit.possible)) {
+        ++found.undeclared;
+        continue;
+      }
+      ++found.values;
+      found.extent.least = std::min(found.extent.least, value);
+      found.extent.greatest = std::max(found.extent.greatest, value);
+      found.whole_numbers = found.whole_numbers && value == std::round(value);
+    }
+  }
+  if (found.values == 0)
+    return refuse("every value of \"" + quantity.variable->name() +
+                  "\" is missing; there is nothing to store; check the area and the period of your download");
+  return found;
+}
+
+void warn_of_marks(const Quantity& quantity, const Found& found, std::vector<std::string>& warnings) {
+  if (found.undeclared > 0)
+    warnings.push_back(std::to_string(found.undeclared) + " values of \"" + quantity.variable->name() +
+                       "\" are marks for land, gaps or missing values; they were left out");
+}
+
+Checked<Quantity> concentration_of(const NetcdfVariable& variable, const NetcdfLayout& layout,
+                                   std::vector<std::string>& warnings) {
+  const auto stated = stated_unit_of_concentration(variable);
+  if (!stated) return refuse(stated.error());
+  Quantity quantity{&variable, MissingMarks{variable}, *stated};
+  const auto found = look_through(quantity, layout);
+  if (!found) return refuse(found.error());
+  const auto settled = settled_unit_of_concentration(variable, *stated, *found, warnings);
+  if (!settled) return refuse(settled.error());
+  quantity.unit = *settled;
+  warn_of_marks(quantity, *found, warnings);
+  return quantity;
+}
+
+Checked<Quantity> thickness_of(const NetcdfVariable& variable, bool is_draft, const NetcdfLayout& layout,
+                               std::vector<std::string>& warnings) {
+  const auto unit = unit_of_thickness(variable, warnings);
+  if (!unit) return refuse(unit.error());
+  Quantity quantity{&variable, MissingMarks{variable}, *unit};
+  const auto found = look_through(quantity, layout);
+  if (!found) return refuse(found.error());
+  if (const auto checked = check_thickness(variable, *unit, *found); !checked) return refuse(checked.error());
+  warn_of_marks(quantity, *found, warnings);
+  if (is_draft) {
+    quantity.unit.factor *= thickness_over_draft;
+    warnings.push_back("\"" + variable.name() +
+                       "\" is a draft; stored as the thickness of ice that floats so deep");
+  }
+  return quantity;
+}
+
+/// The greatest of the quantities at each node, [y][x], within [0, most]; NaN where all are missing.
+Checked<std::vector<float>> read_greatest(const std::vector<Quantity>& quantities, const NetcdfLayout& layout,
+                                          std::size_t time, double most) {
+  std::vector<float> result(layout.x.nodes.size() * layout.y.nodes.size(), missing);
+  for (const Quantity& quantity : quantities) {
+    const auto slice = read_slice(*quantity.variable, layout, time, 0);
+    if (!slice) return refuse(slice.error());
+    for (std::size_t i = 0; i < result.size(); ++i) {
+      if (quantity.marks.cover((*slice)[i], quantity.unit.possible)) continue;
+      const auto value = static_cast<float>(std::clamp((*slice)[i] * quantity.unit.factor, 0.0, most));
+      if (!(result[i] >= value)) result[i] = value;
+    }
+  }
+  return result;
+}
+
+tl::expected<void, std::string> write(const IceSource& source, const core::ProgressCallback& progress,
+                                      sqlite::Connection& db, const repository::DatasetId& id) {
+  repository::FieldRepository fields{db};
+  fields.create(id, {source.grid, std::nullopt, ocean::Axis{source.layout.times_s->nodes}});
+  for (std::size_t time = 0; time < source.times(); ++time) {
+    const auto stored = [&](const std::vector<float>& values) {
+      return source.bent ? source.bent->resampling->apply(values) : values;
+    };
+    const auto concentration = read_greatest(source.concentrations, source.layout, time, 1.0);
+    if (!concentration) return refuse(concentration.error());
+    fields.write_slice(id, "concentration", time, 0, stored(*concentration));
+    if (!source.thickness.empty()) {
+      const auto thickness_m = read_greatest(source.thickness, source.layout, time, INFINITY);
+      if (!thickness_m) return refuse(thickness_m.error());
+      fields.write_slice(id, "thickness_m", time, 0, stored(*thickness_m));
+    }
+    if (progress) progress("storing", static_cast<double>(time + 1) / static_cast<double>(source.times()));
+  }
+  return {};
+}
+
+/// The user's word counts where the file has none: daily charts often carry their date in the name alone.
+Checked<bool> settle_time(NetcdfLayout& layout, const std::optional<core::UtcTime>& stated) {
+  if (layout.times_s && stated)
+    layout.warnings.emplace_back("the file says itself when its ice was seen; --time was not used");
+  if (!layout.times_s && !stated)
+    return refuse(
+        "the file does not say when its ice was seen; a plan needs to know; say it with --time, for example "
+        "--time 2026-11-20T12:00:00Z");
+  if (!layout.times_s) layout.times_s = AxisNodes{{core::unix_seconds(*stated)}, {0}};
+  return true;
+}
+
+/// The layout with its times, which ice must have.
+Checked<NetcdfLayout> layout_of_ice(NetcdfLayout layout, const NetcdfVariable& variable,
+                                    const std::optional<core::UtcTime>& stated_time) {
+  if (const auto settled = settle_time(layout, stated_time); !settled) return refuse(settled.error());
+  if (layout.depths_m && layout.depths_m->nodes.size() > 1)
+    return refuse(
+        "the concentration \"" + variable.name() +
+        "\" has several depths; sea ice has none; give the variable of the whole ice with --variable");
+  if (layout.depths_m && layout.depths_m->nodes.front() > deepest_top_level_m)
+    return refuse("the concentration \"" + variable.name() + "\" is given for a depth of " +
+                  number(layout.depths_m->nodes.front()) +
+                  " m, where there is no sea ice; the file is not what it says; ask the producer");
+  const std::uint64_t nodes = layout.x.nodes.size() * layout.y.nodes.size();
+  if (layout.times_s->nodes.size() > max_grid_values / nodes)
+    return refuse("the file holds " + std::to_string(layout.times_s->nodes.size()) + " times of " +
+                  std::to_string(nodes) +
+                  " nodes, more than this program accepts; cut out your area and period first");
+  return layout;
+}
+
+Checked<IceSource> open_source(const std::shared_ptr<const NetcdfFile>& file, const IngestOptions& options,
+                               std::vector<std::string>& warnings) {
+  const auto ice = find_ice(*file, options.variable);
+  if (!ice) return refuse(ice.error());
+  const NetcdfVariable& first = *ice->concentrations.front();
+  auto place = place_of(file, first, options.crs);
+  if (!place) return refuse(place.error());
+  if (place->bent) warnings.push_back(place->bent->account);
+  auto layout = layout_of_ice(std::move(place->layout), first, options.time);
+  if (!layout) return refuse(layout.error());
+
+  warnings.insert(warnings.end(), ice->warnings.begin(), ice->warnings.end());
+  warnings.insert(warnings.end(), layout->warnings.begin(), layout->warnings.end());
+  IceSource source{file, {}, {}, std::move(*layout), std::move(place->grid), std::move(place->bent)};
+  for (const NetcdfVariable* variable : ice->concentrations) {
+    auto quantity = concentration_of(*variable, source.layout, warnings);
+    if (!quantity) return refuse(quantity.error());
+    source.concentrations.push_back(std::move(*quantity));
+  }
+  if (ice->thickness != nullptr) {
+    auto quantity = thickness_of(*ice->thickness, ice->thickness_is_draft, source.layout, warnings);
+    if (!quantity) return refuse(quantity.error());
+    source.thickness.push_back(std::move(*quantity));
+  }
+  return source;
+}
+
+}  // namespace
+
+Checked<PreparedDataset> read_ice(const std::shared_ptr<const NetcdfFile>& file, const IngestOptions& options,
+                                  const core::ProgressCallback& progress) {
+  PreparedDataset data;
+  data.kind = repository::DatasetKind::ice;
+  auto source = open_source(file, options, data.warnings);
+  if (!source) return refuse(source.error());
+
+  for (const Quantity& quantity : source->concentrations) data.variables.push_back(quantity.variable->name());
+  for (const Quantity& quantity : source->thickness) data.variables.push_back(quantity.variable->name());
+  data.bounds = source->grid.bounds();
+  data.rows_accepted = static_cast<std::int64_t>(source->grid.size());
+  data.time_start = core::from_unix_seconds(source->layout.times_s->nodes.front());
+  data.time_end = core::from_unix_seconds(source->layout.times_s->nodes.back());
+  data.write = [source = std::move(*source), progress](sqlite::Connection& db,
+                                                       const repository::DatasetId& id) {
+    return write(source, progress, db, id);
+  };
+  return data;
+}
+
+}  // namespace floeplan::ingest

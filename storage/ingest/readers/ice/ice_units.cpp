@@ -1,0 +1,131 @@
+#include "storage/ingest/readers/ice/ice_units.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+
+#include "storage/ingest/notation/cf_units.hpp"
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+constexpr double share_rounding = 0.005;  // half a per cent: what byte-packed products round to
+constexpr double thickest_m = 50.0;       // keels of ridges reach 47 m; no cell of a grid averages more
+constexpr double thickness_rounding_m = 0.01;
+
+bool is_one_of(const std::string& unit, std::initializer_list<std::string_view> words) {
+  return std::find(words.begin(), words.end(), unit) != words.end();
+}
+
+/// Models that take up observations may overshoot: files of the reanalysis GLORYS12 reach 1.0096 and declare values up
+/// to 1.043 valid. So much more is possible as the variable's own valid_max says, not beyond this.
+constexpr double most_overshoot = 0.05;
+
+IceUnit unit_with(double factor) {
+  return {factor, {-share_rounding / factor, (1.0 + share_rounding) / factor}};
+}
+
+IceUnit with_declared_overshoot(IceUnit unit, const NetcdfVariable& variable) {
+  const auto packed = variable.numeric_attribute("valid_max");
+  if (!packed) return unit;
+  const double declared = std::min(variable.unpacked(*packed), (1.0 + most_overshoot) / unit.factor);
+  unit.possible.greatest = std::max(unit.possible.greatest, declared);
+  return unit;
+}
+
+std::string extent_text(const Found& found) {
+  return number(found.extent.least) + " to " + number(found.extent.greatest);
+}
+
+/// Whether the greatest value that the variable declares valid is a share of 1. NOAA's OISST says percent beside it.
+bool declares_shares(const NetcdfVariable& variable) {
+  const auto range = variable.numbers("valid_range");
+  const auto packed = range.size() == 2 ? std::optional{range[1]} : variable.numeric_attribute("valid_max");
+  return packed && std::abs(variable.unpacked(*packed) - 1.0) <= share_rounding;
+}
+
+}  // namespace
+
+Checked<IceUnit> stated_unit_of_concentration(const NetcdfVariable& variable) {
+  const std::string unit = lower(variable.attribute("units"));
+  if (unit.empty() || unit == "unitless" || unit == "none") {
+    IceUnit open = unit_with(0.01);
+    open.factor = 0.0;
+    return open;
+  }
+  if (is_one_of(unit, {"1", "1.0", "fraction", "(0-1)", "(0 - 1)", "0-1", "0 - 1", "m2/m2", "m2 m-2"}))
+    return with_declared_overshoot(unit_with(1.0), variable);
+  if (is_one_of(unit, {"%", "percent", "per cent", "pct", "1e-2", "0.01"})) return unit_with(0.01);
+  if (is_one_of(unit, {"tenths", "1/10", "0.1"})) return unit_with(0.1);
+  return refuse("the concentration \"" + variable.name() + "\" has the unit \"" +
+                variable.attribute("units") +
+                "\", which is no share that this program knows; ask for shares of 1 or percent");
+}
+
+Checked<IceUnit> settled_unit_of_concentration(const NetcdfVariable& variable, IceUnit stated,
+                                               const Found& found, std::vector<std::string>& warnings) {
+  const std::string name = "the concentration \"" + variable.name() + "\"";
+  const double greatest = found.extent.greatest;
+  if (stated.factor > 0.0) {
+    if (!stated.possible.contains(found.extent.least) || !stated.possible.contains(greatest))
+      return refuse(
+          name + " states the unit \"" + variable.attribute("units") + "\" but runs from " +
+          extent_text(found) +
+          "; either the unit is wrong or markers for land and missing values are not declared; ask "
+          "the producer, correct the attributes (units, _FillValue, valid_range), or name the marker with "
+          "--missing");
+    const bool looks_like_shares =
+        stated.factor < 1.0 && greatest > 0.0 && greatest <= 1.0 && !found.whole_numbers;
+    if (looks_like_shares && declares_shares(variable)) {
+      warnings.push_back(name + " states the unit \"" + variable.attribute("units") +
+                         "\", but its greatest valid value is 1: taken as shares of 1");
+      return unit_with(1.0);
+    }
+    if (looks_like_shares)
+      return refuse(name + " states the unit \"" + variable.attribute("units") + "\" but reaches only " +
+                    number(greatest) +
+                    ", as shares of 1 would; open water and closed ice must not be mixed up; correct the "
+                    "units attribute, or ask the producer");
+    return stated;
+  }
+
+  if (greatest > 1.5 && stated.possible.contains(greatest) && stated.possible.contains(found.extent.least)) {
+    warnings.push_back(name + " states no unit; it runs from " + extent_text(found) + ": taken as percent");
+    return unit_with(0.01);
+  }
+  const IceUnit shares = unit_with(1.0);
+  const bool few_per_cent_possible = greatest <= 0.15;
+  if (shares.possible.contains(greatest) && shares.possible.contains(found.extent.least) &&
+      !few_per_cent_possible) {
+    warnings.push_back(name + " states no unit; it runs from " + extent_text(found) +
+                       ": taken as shares of 1");
+    return shares;
+  }
+  return refuse(name + " states no unit and runs from " + extent_text(found) +
+                "; whether these are shares of 1 or percent is unclear; add the units attribute, or ask the "
+                "producer");
+}
+
+Checked<IceUnit> unit_of_thickness(const NetcdfVariable& variable, std::vector<std::string>& warnings) {
+  const std::string text = variable.attribute("units");
+  const auto factor = text.empty() ? std::optional{1.0} : length_factor(text);
+  if (!factor)
+    return refuse("the thickness \"" + variable.name() + "\" has the unit \"" + text +
+                  "\", which is no length that this program knows; ask for metres");
+  if (text.empty())
+    warnings.push_back("the thickness \"" + variable.name() + "\" states no unit; taken as metres");
+  return IceUnit{*factor, {-thickness_rounding_m / *factor, thickest_m / *factor}};
+}
+
+Checked<bool> check_thickness(const NetcdfVariable& variable, const IceUnit& unit, const Found& found) {
+  if (unit.possible.contains(found.extent.least) && unit.possible.contains(found.extent.greatest))
+    return true;
+  return refuse("the thickness \"" + variable.name() + "\" runs from " + extent_text(found) + " " +
+                variable.attribute("units") +
+                "; no sea ice does; the unit is wrong or missing values are not declared; ask the producer, "
+                "or name what marks "
+                "them with --missing");
+}
+
+}  // namespace floeplan::ingest

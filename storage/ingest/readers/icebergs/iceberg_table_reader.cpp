@@ -1,0 +1,332 @@
+#include "storage/ingest/readers/icebergs/iceberg_table_reader.hpp"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <fstream>
+#include <functional>
+#include <iterator>
+#include <optional>
+#include <utility>
+
+#include "engine/core/utc_text.hpp"
+#include "storage/ingest/notation/delimited_text.hpp"
+#include "storage/ingest/notation/stated_place.hpp"
+#include "storage/ingest/notation/table_dates.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_rows.hpp"
+#include "storage/ingest/readers/icebergs/position_errors.hpp"
+#include "storage/json/json.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using nlohmann::json;
+
+constexpr double metres_a_nautical_mile = 1852.0;
+constexpr double longest_nm = 220.0;         // B-15 was 160 nautical miles long
+constexpr double shortest_listed_nm = 10.0;  // the US National Ice Center names bergs from this length on
+constexpr std::size_t max_bytes = 50'000'000;
+
+std::string bare(std::string line) {
+  if (line.starts_with("\xEF\xBB\xBF")) line.erase(0, 3);
+  while (line.ends_with('\r')) line.pop_back();
+  return line;
+}
+
+/// The header of a table, by column.
+class Header {
+ public:
+  explicit Header(const std::string& line) : names_{csv_fields(bare(line))} {
+    for (std::string& name : names_) name = lower(trimmed(name));
+  }
+
+  [[nodiscard]] std::optional<std::size_t> column(std::string_view name) const {
+    const auto found = std::ranges::find(names_, name);
+    if (found == names_.end()) return std::nullopt;
+    return static_cast<std::size_t>(found - names_.begin());
+  }
+  [[nodiscard]] bool has_all(std::initializer_list<std::string_view> names) const {
+    return std::ranges::all_of(names, [&](std::string_view name) { return column(name).has_value(); });
+  }
+  [[nodiscard]] const std::vector<std::string>& names() const { return names_; }
+
+ private:
+  std::vector<std::string> names_;
+};
+
+/// One row of a table, by the names of its columns.
+class TableRow {
+ public:
+  TableRow(const Header& header, const std::vector<std::string>& fields) : header_{header}, fields_{fields} {}
+
+  /// Empty when there is no such column.
+  [[nodiscard]] std::string text(std::string_view name) const {
+    const auto column = header_.column(name);
+    return column ? trimmed(fields_[*column]) : std::string{};
+  }
+  [[nodiscard]] std::optional<double> number(std::string_view name) const { return parse_number(text(name)); }
+
+ private:
+  const Header& header_;
+  const std::vector<std::string>& fields_;
+};
+
+Checked<geo::LonLat> berg_place(std::optional<double> lon, std::optional<double> lat) {
+  if (!lon || !lat) return refuse("its position is no number");
+  const geo::LonLat place{*lon, *lat};
+  if (auto fault = fault_of_place(place); !fault.empty()) return refuse(std::move(fault));
+  return place;
+}
+
+/// A length out of nautical miles; empty where it is not stated.
+Checked<std::optional<core::Metres>> length_of(std::optional<double> a_nm, std::optional<double> b_nm) {
+  const double longest = std::max(a_nm.value_or(0.0), b_nm.value_or(0.0));
+  if (longest < 0.0 || longest > longest_nm)
+    return refuse("its length of " + ingest::number(longest) + " nautical miles is that of no iceberg");
+  if (longest == 0.0) return std::nullopt;
+  return core::Metres{longest * metres_a_nautical_mile};
+}
+
+ocean::IcebergSize size_of(const std::optional<core::Metres>& length) {
+  return length && length->value > 200.0 ? ocean::IcebergSize::very_large : ocean::IcebergSize::unknown;
+}
+
+bool is_ice_center(const Header& header) {
+  return header.has_all({"iceberg", "length (nm)", "width (nm)", "latitude", "longitude", "last update"});
+}
+
+Checked<ocean::Iceberg> row_of_ice_center(const TableRow& row) {
+  ocean::Iceberg iceberg;
+  iceberg.id = row.text("iceberg");
+  if (iceberg.id.empty()) return refuse("it has no name");
+  const auto place = berg_place(row.number("longitude"), row.number("latitude"));
+  if (!place) return refuse(place.error());
+  iceberg.place = *place;
+  const auto observed = us_date(row.text("last update"));
+  if (!observed) return refuse("\"" + row.text("last update") + "\" is no date MM/DD/YYYY");
+  iceberg.observed = *observed;
+  const auto length = length_of(row.number("length (nm)"), row.number("width (nm)"));
+  if (!length) return refuse(length.error());
+  iceberg.length = *length;
+  iceberg.size = size_of(*length);
+  if (lower(row.text("remarks")).find("grounded") != std::string::npos) iceberg.shape = "grounded";
+  iceberg.method = "USNIC";
+  return iceberg;
+}
+
+bool is_beacon(const Header& header) {
+  return header.has_all({"beacon_id", "datetime_data", "latitude", "longitude"});
+}
+
+/// Radius of an Argos position of a class.
+std::optional<core::Metres> argos_accuracy(const std::string& loc_class) {
+  if (loc_class.empty()) return std::nullopt;
+  if (loc_class == "3" || loc_class == "3.0") return core::Metres{250.0};
+  if (loc_class == "2" || loc_class == "2.0") return core::Metres{500.0};
+  return core::Metres{1500.0};
+}
+
+Checked<ocean::Iceberg> row_of_beacon(const TableRow& row) {
+  ocean::Iceberg iceberg;
+  iceberg.id = row.text("beacon_id");
+  if (iceberg.id.empty()) return refuse("it has no beacon");
+  const auto place = berg_place(row.number("longitude"), row.number("latitude"));
+  if (!place) return refuse(place.error());
+  iceberg.place = *place;
+  std::string time = row.text("datetime_data");
+  std::ranges::replace(time, ' ', 'T');
+  const auto observed = core::parse_iso8601(time);
+  if (!observed) return refuse("\"" + row.text("datetime_data") + "\" is no time with its zone");
+  iceberg.observed = *observed;
+  iceberg.position_uncertainty = argos_accuracy(row.text("loc_accuracy"));
+  iceberg.method = "beacon";
+  return iceberg;
+}
+
+/// The sensors of a consolidated track that its columns name, in the order in which they are believed.
+std::vector<std::string> sensors_of(const Header& header) {
+  std::vector<std::string> sensors;
+  for (const char* sensor :
+       {"ascat", "qscat", "seawinds", "oscat", "nscat", "ers", "ers1", "ers2", "sass", "nic"})
+    if (header.has_all({std::string{sensor} + "_1", std::string{sensor} + "_2", std::string{sensor} + "_3"}))
+      sensors.emplace_back(sensor);
+  return sensors;
+}
+
+bool is_track(const Header& header) { return header.column("date") && !sensors_of(header).empty(); }
+
+/// What a sensor says of a day; nullopt where it says nothing.
+struct SensorFix {
+  geo::LonLat place;
+  bool seen{};
+  std::string sensor;
+};
+
+std::optional<SensorFix> sensor_fix_of(const TableRow& row, const std::string& sensor) {
+  const auto lat = row.number(sensor + "_1");
+  const auto lon = row.number(sensor + "_2");
+  const auto flag = row.number(sensor + "_3");
+  if (!lat || !lon || (*lat == 0.0 && *lon == 0.0)) return std::nullopt;
+  return SensorFix{{*lon, *lat}, flag == 1.0, sensor};
+}
+
+/// Reads the rows of one berg's track, which carries its size from row to row.
+class Track {
+ public:
+  Track(std::string id, const Header& header) : id_{std::move(id)}, sensors_{sensors_of(header)} {}
+
+  Checked<ocean::Iceberg> sighting(const TableRow& row) {
+    const auto day = year_and_day(row.text("date"));
+    if (!day) return refuse("\"" + row.text("date") + "\" is no day YYYYDDD");
+    const auto stated = length_of(row.number("size_1"), row.number("size_2"));
+    if (!stated) return refuse(stated.error());
+    if (*stated) length_ = *stated;
+
+    std::optional<SensorFix> best;
+    for (const std::string& sensor : sensors_) {
+      const auto fix = sensor_fix_of(row, sensor);
+      if (fix && (!best || (fix->seen && !best->seen))) best = fix;
+    }
+    if (!best) return refuse("no sensor has a position");
+    const auto place = berg_place(best->place.lon_deg, best->place.lat_deg);
+    if (!place) return refuse(place.error());
+    ocean::Iceberg iceberg;
+    iceberg.id = id_;
+    iceberg.place = *place;
+    iceberg.observed = *day;
+    iceberg.length = length_;
+    iceberg.size = size_of(length_);
+    iceberg.method = best->sensor + (best->seen ? "" : " interpolated");
+    return iceberg;
+  }
+
+ private:
+  std::string id_;
+  std::vector<std::string> sensors_;
+  std::optional<core::Metres> length_;
+};
+
+/// "52 49'S" as -52.8167.
+std::optional<double> degrees_and_minutes(const std::string& text, char positive, char negative) {
+  const std::size_t gap = text.find(' ');
+  const std::size_t mark = text.find('\'', gap == std::string::npos ? 0 : gap);
+  if (gap == std::string::npos || mark == std::string::npos || mark + 2 != text.size()) return std::nullopt;
+  const auto degrees = whole_number(text.substr(0, gap));
+  const auto minutes = parse_number(text.substr(gap + 1, mark - gap - 1));
+  const char side = text.back();
+  if (!degrees || !minutes || *degrees < 0 || *minutes < 0.0 || *minutes >= 60.0) return std::nullopt;
+  if (side != positive && side != negative) return std::nullopt;
+  return (side == positive ? 1.0 : -1.0) * (*degrees + *minutes / 60.0);
+}
+
+std::string text_in(const json& object, const char* key) {
+  const auto found = object.find(key);
+  return found != object.end() && found->is_string() ? found->get<std::string>() : std::string{};
+}
+
+Checked<ocean::Iceberg> listed(const json& item) {
+  if (!item.is_object()) return refuse("it is no object");
+  ocean::Iceberg iceberg;
+  iceberg.id = text_in(item, "iceberg");
+  if (iceberg.id.empty()) return refuse("it has no name");
+  const auto place = berg_place(degrees_and_minutes(text_in(item, "dms_longitude"), 'E', 'W'),
+                                degrees_and_minutes(text_in(item, "dms_lattitude"), 'N', 'S'));
+  if (!place) return refuse(place.error());
+  iceberg.place = *place;
+  const auto observed = us_date(text_in(item, "recent_observation"));
+  if (!observed) return refuse("\"" + text_in(item, "recent_observation") + "\" is no date MM/DD/YY");
+  iceberg.observed = *observed;
+  iceberg.length = core::Metres{shortest_listed_nm * metres_a_nautical_mile};
+  iceberg.size = ocean::IcebergSize::very_large;
+  iceberg.method = "BYU";
+  return iceberg;
+}
+
+using ReadRow = std::function<Checked<ocean::Iceberg>(const TableRow&)>;
+
+Checked<PreparedDataset> read_rows(std::ifstream& in, const Header& header, const ReadRow& read_row) {
+  const PositionErrors position_errors{header.names(), {"loc_accuracy"}};
+  IcebergRows rows;
+  std::string line;
+  for (int line_number = 2; std::getline(in, line); ++line_number) {
+    const std::string where = "line " + std::to_string(line_number);
+    std::vector<std::string> fields = csv_fields(bare(line));
+    if (fields.size() == 1 && trimmed(fields.front()).empty()) continue;
+    while (fields.size() > header.names().size() && trimmed(fields.back()).empty()) fields.pop_back();
+    if (fields.size() != header.names().size()) {
+      rows.reject(where, "it has " + std::to_string(fields.size()) + " fields, the header " +
+                             std::to_string(header.names().size()) +
+                             (in.eof() ? "; the file seems to be cut short" : ""));
+      continue;
+    }
+    auto iceberg = read_row(TableRow{header, fields});
+    if (iceberg) iceberg = with_position_error(std::move(*iceberg), position_errors, fields);
+    if (iceberg) {
+      rows.accept(std::move(*iceberg));
+    } else {
+      rows.reject(where, iceberg.error());
+    }
+  }
+  return std::move(rows).prepared(header.names(), position_errors.warnings());
+}
+
+}  // namespace
+
+bool is_iceberg_table_header(const std::string& line) {
+  const Header header{line};
+  return is_ice_center(header) || is_beacon(header) || is_track(header);
+}
+
+bool is_iceberg_list_json(std::string_view head) {
+  return contains_any(head, {"\"icebergs\""}) && contains_any(head, {"\"dms_longitude\""});
+}
+
+Checked<PreparedDataset> read_iceberg_table(const std::filesystem::path& file) {
+  std::ifstream in{file};
+  std::string line;
+  std::getline(in, line);
+  const Header header{line};
+  if (is_ice_center(header)) return read_rows(in, header, &row_of_ice_center);
+  if (is_beacon(header)) return read_rows(in, header, &row_of_beacon);
+  if (!is_track(header))
+    return refuse("the columns are those of no table of icebergs that this program knows");
+
+  Track track{file.stem().string(), header};
+  auto data = read_rows(in, header, [&](const TableRow& row) { return track.sighting(row); });
+  if (data)
+    data->warnings.insert(data->warnings.begin(),
+                          "the track does not name its iceberg; it is taken to be \"" + file.stem().string() +
+                              "\", as the file is called");
+  return data;
+}
+
+Checked<PreparedDataset> read_iceberg_list_json(const std::filesystem::path& file) {
+  if (std::filesystem::file_size(file) > max_bytes)
+    return refuse("the list is longer than 50 MB; there are not so many icebergs; give another file");
+  std::ifstream in{file, std::ios::binary};
+  const std::string text{std::istreambuf_iterator<char>{in}, {}};
+  const json document = json::parse(text, nullptr, false);
+  if (!document.is_object() || !document.contains("icebergs") || !document["icebergs"].is_array())
+    return refuse("the JSON of the list is damaged or was cut short; copy or download it again");
+  IcebergRows rows;
+  int position = 0;
+  for (const json& item : document["icebergs"]) {
+    auto iceberg = listed(item);
+    ++position;
+    if (iceberg) {
+      rows.accept(std::move(*iceberg));
+    } else {
+      rows.reject("iceberg " + std::to_string(position), iceberg.error());
+    }
+  }
+  auto data = std::move(rows).prepared({"iceberg", "dms_longitude", "dms_lattitude", "recent_observation"});
+  if (data)
+    data->warnings.insert(
+        data->warnings.begin(),
+        "the list states no sizes; every iceberg is taken to be 10 nautical miles long, the least "
+        "that the US National Ice Center names");
+  return data;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,18 @@
+#pragma once
+
+#include <optional>
+#include <string>
+
+#include "storage/ingest/readers/velocity/velocity_pair.hpp"
+
+namespace floeplan::ingest {
+
+/// Why plain axes of longitude and latitude cannot be believed under components along a model's grid: in high northern
+/// latitudes the grids of global models are bent round two poles on land, although their files also give "nominal"
+/// axes. nullopt when there is no doubt.
+/// Source  Murray 1996, Explicit generation of orthogonal grids for ocean models, J. Comp. Phys. 126 (tripolar grids);
+///         they begin at 65 degrees in MOM, OM2 and CM2
+[[nodiscard]] std::optional<std::string> doubt_in_nominal_axes(const VelocityPair& pair,
+                                                               double northernmost_deg);
+
+}  // namespace floeplan::ingest

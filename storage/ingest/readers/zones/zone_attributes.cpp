@@ -1,0 +1,354 @@
+#include "storage/ingest/readers/zones/zone_attributes.hpp"
+
+#include <cpl_string.h>
+#include <ogr_feature.h>
+
+#include <algorithm>
+#include <array>
+
+#include "engine/core/letter_case.hpp"
+#include "engine/core/utc_text.hpp"
+#include "storage/ingest/formats/vector/feature_texts.hpp"
+#include "storage/ingest/formats/vector/kml_file.hpp"
+#include "storage/ingest/notation/stated_depth.hpp"
+#include "storage/ingest/notation/stated_period.hpp"
+#include "storage/ingest/notation/stated_rule.hpp"
+#include "storage/ingest/notation/text.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using ocean::AttributeMeaning;
+
+constexpr std::size_t longest_name = 200;   // bytes
+constexpr std::size_t longest_quote = 120;  // bytes, of free text
+
+/// One of a feature's attributes that has a value.
+struct Attribute {
+  std::string name;  // as the file writes it
+  std::string text;
+  AttributeMeaning meaning{};
+};
+
+std::string cut(std::string text, std::size_t most_bytes) {
+  if (text.size() <= most_bytes) return text;
+  text.resize(most_bytes);
+  while (CPLIsUTF8(text.c_str(), -1) == 0) text.pop_back();  // cut inside a character
+  return text;
+}
+
+std::string said(const Attribute& attribute) {
+  const bool is_whole = attribute.text.size() <= longest_quote;
+  return "\"" + attribute.name + "\" is \"" + cut(attribute.text, longest_quote) +
+         (is_whole ? "\"" : "...\"");
+}
+
+/// From a first to a last moment, either of which may be open.
+struct Period {
+  std::optional<core::UtcTime> first;
+  std::optional<core::UtcTime> last;
+
+  [[nodiscard]] bool is_empty() const { return first && last && !(*first < *last); }
+  [[nodiscard]] std::string words() const {
+    if (!first) return "until " + core::iso8601(*last);
+    return last ? core::iso8601(*first) + " to " + core::iso8601(*last) : "from " + core::iso8601(*first);
+  }
+};
+
+Period common_part(const Period& one, const Period& other) {
+  const auto later = [](const auto& a, const auto& b) { return a && b ? std::max(a, b) : a ? a : b; };
+  const auto earlier = [](const auto& a, const auto& b) { return a && b ? std::min(a, b) : a ? a : b; };
+  return {later(one.first, other.first), earlier(one.last, other.last)};
+}
+
+/// What attributes say of one thing, all of them the same.
+template <class Value>
+struct Stated {
+  std::optional<Value> value;
+  std::string by;  // the first attribute
+};
+
+/// Reads attributes and notes what is wrong with them.
+class AttributeReader {
+ public:
+  AttributeReader(const OGRFeature& feature, AttributeMeanings& meanings) {
+    for (int i = 0; i < feature.GetFieldCount(); ++i) {
+      const std::string name = feature.GetFieldDefnRef(i)->GetNameRef();
+      Attribute attribute{table_text(name.c_str()), text_of_field(feature, i)};
+      if (attribute.text.empty()) continue;
+      if (std::optional<Attribute>* const of_kml = kml_attribute(name)) {
+        *of_kml = std::move(attribute);
+        continue;
+      }
+      attribute.meaning = meanings.of(name);
+      attributes_.push_back(std::move(attribute));
+    }
+  }
+
+  [[nodiscard]] std::string name() {
+    Stated<std::string> name;
+    for (const Attribute& attribute : all(AttributeMeaning::zone_name))
+      state(name, attribute, attribute.text);
+    return cut(name.value.value_or(""), longest_name);
+  }
+
+  [[nodiscard]] ocean::ZoneKind kind(std::optional<ocean::ZoneKind> kind_of_others) {
+    Stated<ocean::ZoneKind> stated;
+    for (const Attribute& attribute : attributes_) {
+      const auto rule = stated_rule(attribute.meaning, attribute.text);
+      if (rule) {
+        state(stated, attribute, *rule);
+      } else if (attribute.meaning == AttributeMeaning::kind) {
+        faults_.push_back(said(attribute) + "; write no_go (keep out) or stay_in (keep inside)");
+        stated.value = stated.value.value_or(ocean::ZoneKind::no_go);
+      }
+    }
+    if (stated.value) return *stated.value;
+    if (!kind_of_others) {
+      faults_.emplace_back(
+          "states no kind; add an attribute \"kind\" with no_go (keep out) or stay_in (keep inside), or give "
+          "--zone-kind for all that state none");
+      return ocean::ZoneKind::no_go;
+    }
+    tell_of_the_other_rule(*kind_of_others);
+    for (const Attribute& attribute : all(AttributeMeaning::perhaps_kind))
+      leave_unheeded(attribute, ", which is neither no_go nor stay_in: the rule is the one of --zone-kind, " +
+                                    std::string{ocean::zone_kind_name(*kind_of_others)} +
+                                    "; check that it is meant for this area");
+    return *kind_of_others;
+  }
+
+  /// The common part of its own and the folder's.
+  [[nodiscard]] Period period() {
+    const Period own = own_period();
+    const Period around = folder_period();
+    Period both = common_part(own, around);
+    if (own.is_empty()) {
+      tell_empty(own);
+    } else if (around.is_empty()) {
+      tell_empty(around);
+    } else if (both.is_empty()) {
+      faults_.push_back("its own period (" + own.words() + ") and that of the folder around it (" +
+                        around.words() +
+                        ") do not overlap, so that it would never be in force; correct one of them");
+    }
+    return both;
+  }
+
+  void read_depths(ocean::Zone& zone) {
+    Stated<core::Metres> top;
+    Stated<core::Metres> bottom;
+    for (const Attribute& attribute : attributes_) {
+      const bool is_top = attribute.meaning == AttributeMeaning::top;
+      if (is_top || attribute.meaning == AttributeMeaning::bottom) {
+        const auto depth = stated_depth(attribute.text, ocean::unit_in_attribute(attribute.name));
+        if (depth)
+          state(is_top ? top : bottom, attribute, *depth);
+        else
+          faults_.push_back(said(attribute) + "; give metres below the surface, from 0 to 11000");
+      } else if (attribute.meaning == AttributeMeaning::depths ||
+                 attribute.meaning == AttributeMeaning::unclear_depth) {
+        read_range(attribute, top, bottom);
+      }
+    }
+    if (top.value) zone.top = *top.value;
+    if (bottom.value) zone.bottom = *bottom.value;
+    if (zone.bottom < zone.top)
+      faults_.push_back("ends above " + number(zone.top.value) +
+                        " m, where it begins; depths count downwards");
+  }
+
+  [[nodiscard]] std::vector<std::string>& faults() { return faults_; }
+  [[nodiscard]] std::vector<Unheeded>& unheeded() { return unheeded_; }
+
+ private:
+  /// Where it belongs, if it is none of the zone's own attributes.
+  [[nodiscard]] std::optional<Attribute>* kml_attribute(std::string_view name) {
+    if (name == folder_begin) return &folder_begins_;
+    if (name == folder_end) return &folder_ends_;
+    if (name == folder_names) return &folder_names_;
+    return name == time_stamp ? &time_stamp_ : nullptr;
+  }
+
+  /// Of names and descriptions whose words are of the other rule than that of --zone-kind.
+  void tell_of_the_other_rule(ocean::ZoneKind rule) {
+    const ocean::ZoneKind other =
+        rule == ocean::ZoneKind::no_go ? ocean::ZoneKind::stay_in : ocean::ZoneKind::no_go;
+    const auto tell = [&](const Attribute& attribute) {
+      if (!has_words_of(attribute.text, other)) return;
+      leave_unheeded(attribute, std::string{", words of "} + ocean::zone_kind_name(other) +
+                                    ", which are not obeyed: the rule is the one of --zone-kind, " +
+                                    ocean::zone_kind_name(rule) + "; check that it is meant for this area");
+    };
+    for (const Attribute& attribute : attributes_)
+      if (attribute.meaning != AttributeMeaning::perhaps_kind) tell(attribute);
+    if (folder_names_) tell(*folder_names_);
+  }
+
+  [[nodiscard]] std::vector<Attribute> all(AttributeMeaning meaning) const {
+    std::vector<Attribute> found;
+    std::ranges::copy_if(attributes_, std::back_inserter(found),
+                         [&](const Attribute& attribute) { return attribute.meaning == meaning; });
+    return found;
+  }
+
+  template <class Value>
+  void state(Stated<Value>& stated, const Attribute& attribute, const Value& value) {
+    if (stated.value && *stated.value != value)
+      faults_.push_back("\"" + stated.by + "\" and \"" + attribute.name +
+                        "\" mean the same but differ; leave one of them out");
+    if (!stated.value) stated = {value, attribute.name};
+  }
+
+  void leave_unheeded(const Attribute& attribute, const std::string& words) {
+    unheeded_.push_back({attribute.name, said(attribute) + words});
+  }
+
+  void refuse_time(const Attribute& attribute) {
+    faults_.push_back(said(attribute) + "; give a date, or a time with its zone, as 2026-11-20T06:00:00Z");
+  }
+
+  void tell_empty(const Period& period) {
+    if (*period.first == *period.last)
+      faults_.push_back("is in force at " + core::iso8601(*period.first) +
+                        " alone, a moment that no plan would meet; give its first and its last moment");
+    else
+      faults_.push_back("ends at " + core::iso8601(*period.last) + ", before it begins at " +
+                        core::iso8601(*period.first) + "; correct one of them");
+  }
+
+  [[nodiscard]] Period folder_period() {
+    const auto read = [&](const std::optional<Attribute>& attribute) {
+      const auto period = attribute ? stated_period(attribute->text) : std::nullopt;
+      if (attribute && !period) refuse_time(*attribute);
+      return period;
+    };
+    const auto begin = read(folder_begins_);
+    const auto end = read(folder_ends_);
+    return {begin ? std::optional{begin->first} : std::nullopt,
+            end ? std::optional{end->last} : std::nullopt};
+  }
+
+  [[nodiscard]] Period own_period() {
+    Stated<core::UtcTime> first;
+    Stated<core::UtcTime> last;
+    std::vector<Attribute> dates;
+    std::vector<Attribute> texts;
+    if (time_stamp_) {
+      const auto period = stated_period(time_stamp_->text);
+      if (!period) refuse_time(*time_stamp_);
+      if (period) state(first, *time_stamp_, period->first);
+      if (period) state(last, *time_stamp_, period->last);
+    }
+    for (const Attribute& attribute : attributes_) {
+      switch (attribute.meaning) {
+        using enum AttributeMeaning;
+        case from:
+        case until: read_moment(attribute, attribute.meaning == from ? first : last); break;
+        case period: read_interval(attribute, first, last); break;
+        case unclear_period:
+          if (could_be_date(attribute.text))
+            faults_.push_back(said(attribute) +
+                              ", a date that is not clear to begin or end the rule; name it \"from\" or "
+                              "\"until\" if it does, else leave it out");
+          break;
+        case some_date:
+        case nothing:
+          if (could_be_date(attribute.text))
+            dates.push_back(attribute);
+          else if (mentions_date(attribute.text))
+            texts.push_back(attribute);
+          break;
+        default: break;
+      }
+    }
+    for (const Attribute& date : dates) {
+      // What stands in other words twice, as KML's timestamp, or is a number that looks like one, is no news.
+      const bool is_number = parse_number(date.text).has_value();
+      if (date.meaning == AttributeMeaning::some_date ? !first.value && !last.value : !is_number)
+        leave_unheeded(date,
+                       ", a date that does not say whether the rule begins or ends then, and is not obeyed; "
+                       "name it \"from\" or \"until\" if it does");
+    }
+    for (const Attribute& text : texts)
+      if (!first.value && !last.value)
+        leave_unheeded(
+            text,
+            ", text that names a date and is not obeyed; if the rule begins or ends then, say so in an "
+            "attribute \"from\" or \"until\"");
+    return {first.value, last.value};
+  }
+
+  void read_moment(const Attribute& attribute, Stated<core::UtcTime>& stated) {
+    if (is_without_end(attribute.text)) return;
+    const auto period = stated_period(attribute.text);
+    if (!period) return refuse_time(attribute);
+    state(stated, attribute, attribute.meaning == AttributeMeaning::from ? period->first : period->last);
+  }
+
+  void read_interval(const Attribute& attribute, Stated<core::UtcTime>& first, Stated<core::UtcTime>& last) {
+    if (is_without_end(attribute.text) || is_yes(attribute.text)) return;
+    const auto interval = stated_interval(attribute.text);
+    if (!interval) {
+      faults_.push_back(said(attribute) +
+                        "; give the first and the last date, as 2026-11-20/2026-12-31, or \"permanent\"");
+      return;
+    }
+    if (interval->first) state(first, attribute, *interval->first);
+    if (interval->last) state(last, attribute, *interval->last);
+  }
+
+  void read_range(const Attribute& attribute, Stated<core::Metres>& top, Stated<core::Metres>& bottom) {
+    const bool is_clear = attribute.meaning == AttributeMeaning::depths;
+    const auto range = stated_depths(attribute.text, ocean::unit_in_attribute(attribute.name));
+    if (is_clear && range) {
+      state(top, attribute, range->top);
+      state(bottom, attribute, range->bottom);
+    } else if (attribute.text.find_first_of("0123456789") != std::string::npos) {
+      leave_unheeded(attribute,
+                     ", a depth that does not say whether the rule begins or ends there, and is not obeyed; "
+                     "name it \"top_m\" or \"bottom_m\" if it does");
+    }
+  }
+
+  std::vector<Attribute> attributes_;
+  std::optional<Attribute> folder_names_;
+  std::optional<Attribute> time_stamp_;
+  std::optional<Attribute> folder_begins_;
+  std::optional<Attribute> folder_ends_;
+  std::vector<std::string> faults_;
+  std::vector<Unheeded> unheeded_;
+};
+
+}  // namespace
+
+AttributeMeaning AttributeMeanings::of(const std::string& name) {
+  const auto [known, is_new] = known_.try_emplace(name, AttributeMeaning::nothing);
+  if (is_new) known->second = ocean::meaning_of_attribute(name);
+  return known->second;
+}
+
+bool states_zone_kind(const OGRFeature& feature) {
+  for (int i = 0; i < feature.GetFieldCount(); ++i) {
+    Attribute attribute{feature.GetFieldDefnRef(i)->GetNameRef(), text_of_field(feature, i)};
+    if (attribute.name == folder_names || !zone_kind_of(attribute.text)) continue;
+    attribute.meaning = ocean::meaning_of_attribute(attribute.name);
+    if (stated_rule(attribute.meaning, attribute.text)) return true;
+  }
+  return false;
+}
+
+ZoneAttributes read_zone_attributes(const OGRFeature& feature, AttributeMeanings& meanings,
+                                    std::optional<ocean::ZoneKind> kind_of_others) {
+  AttributeReader reader{feature, meanings};
+  ocean::Zone zone;
+  zone.name = reader.name();
+  zone.kind = reader.kind(kind_of_others);
+  const Period period = reader.period();
+  zone.from = period.first;
+  zone.until = period.last;
+  reader.read_depths(zone);
+  return {std::move(zone), std::move(reader.faults()), std::move(reader.unheeded())};
+}
+
+}  // namespace floeplan::ingest

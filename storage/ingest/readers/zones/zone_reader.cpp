@@ -1,0 +1,194 @@
+#include "storage/ingest/readers/zones/zone_reader.hpp"
+
+#include <gdal_priv.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "engine/geo/ring_turns.hpp"
+#include "storage/ingest/common/fault_report.hpp"
+#include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/formats/vector/polygon_shapes.hpp"
+#include "storage/ingest/notation/stated_rule.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/zones/zone_attributes.hpp"
+#include "storage/repository/zone_repository.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+/// A ring with longitudes that do not jump, as GEOS wants it.
+struct Unrolled {
+  OGRLinearRing ring;
+  bool jumps{};
+};
+
+Unrolled unrolled(const geo::Ring& ring) {
+  Unrolled result;
+  double lon_deg = ring.front().lon_deg;
+  for (std::size_t i = 0; i <= ring.size(); ++i) {
+    const geo::LonLat corner = ring[i % ring.size()];
+    if (i > 0) {
+      const geo::LonLat last = ring[i - 1];
+      lon_deg += geo::longitude_difference(last.lon_deg, corner.lon_deg);
+      if (std::abs(corner.lon_deg - last.lon_deg) > 180.0) result.jumps = true;
+    }
+    result.ring.addPoint(lon_deg, corner.lat_deg);
+  }
+  return result;
+}
+
+/// What is wrong with the outline of a zone; empty: nothing.
+std::string fault_of(const geo::Polygon& polygon) {
+  if (std::string doubt = geo::doubt_in_turns(polygon); !doubt.empty()) return doubt;
+  std::vector<const geo::Ring*> rings{&polygon.outer};
+  for (const geo::Ring& hole : polygon.holes) rings.push_back(&hole);
+  OGRPolygon shape;
+  for (const geo::Ring* const ring : rings) {
+    Unrolled line = unrolled(*ring);
+    const double shift_deg =
+        shape.IsEmpty() != 0
+            ? 0.0
+            : 360.0 * std::round((shape.getExteriorRing()->getX(0) - line.ring.getX(0)) / 360.0);
+    for (int i = 0; i < line.ring.getNumPoints(); ++i)
+      line.ring.setPoint(i, line.ring.getX(i) + shift_deg, line.ring.getY(i));
+    shape.addRing(&line.ring);
+  }
+  const GdalMessages messages;
+  if (shape.IsValid() != 0) return "";
+  return "crosses or touches itself, or a hole lies outside its outline, so that inside and outside are not "
+         "clear; mend it "
+         "(in QGIS: Fix geometries)";
+}
+
+bool crosses_antimeridian(const geo::Polygon& polygon) { return unrolled(polygon.outer).jumps; }
+
+std::size_t corners_of(const geo::Polygon& polygon) {
+  std::size_t corners = polygon.outer.size();
+  for (const geo::Ring& hole : polygon.holes) corners += hole.size();
+  return corners;
+}
+
+/// Zones as they are gathered, and everything that is wrong with them.
+struct ZoneGathering {
+  std::vector<ocean::Zone> zones;
+  std::vector<std::string> faults;
+  std::vector<std::string> warnings;
+  std::size_t corners{};
+  AttributeMeanings meanings;
+  std::map<std::string, std::pair<std::string, int>>
+      unheeded;  // by attribute: where it is first, and how often
+
+  void note(const Unheeded& attribute, const std::string& subject) {
+    ++unheeded.try_emplace(attribute.attribute, subject + attribute.words, 0).first->second.second;
+  }
+  void warn_of_unheeded() {
+    for (const auto& [attribute, first] : unheeded)
+      warnings.push_back(first.first + (first.second == 1 ? ""
+                                                          : " (so of " + std::to_string(first.second) +
+                                                                " features with \"" + attribute + "\")"));
+  }
+};
+
+void gather_zones(ZoneGathering& all, const OGRFeature& feature, const std::string& label,
+                  const PolygonShapes& shapes, std::optional<ocean::ZoneKind> kind_of_others) {
+  ZoneAttributes attributes = read_zone_attributes(feature, all.meanings, kind_of_others);
+  const std::string subject =
+      label + (attributes.zone.name.empty() ? "" : " \"" + attributes.zone.name + "\"") + ": ";
+  for (const std::string& fault : attributes.faults) all.faults.push_back(subject + fault);
+  for (const Unheeded& attribute : attributes.unheeded) all.note(attribute, subject);
+  auto polygons = shapes.polygons(feature.GetGeometryRef());
+  if (!polygons) {
+    all.faults.push_back(subject + polygons.error() + "; draw it as an area, or leave it out");
+    return;
+  }
+  for (geo::Polygon& polygon : *polygons) {
+    if (const std::string fault = fault_of(polygon); !fault.empty()) {
+      all.faults.push_back(subject + fault);
+      continue;
+    }
+    if (crosses_antimeridian(polygon)) {
+      const double width = geo::width_deg(geo::bounding_box(polygon));
+      all.warnings.push_back(
+          subject + "crosses the antimeridian, " + number(width, 4) +
+          " degrees of longitude wide; divide it there if it was meant to lead the other way round");
+    }
+    all.corners += corners_of(polygon);
+    attributes.zone.area = std::move(polygon);
+    all.zones.push_back(attributes.zone);
+  }
+}
+
+/// Brings the layer's coordinates to WGS84.
+Checked<PolygonShapes> shapes_of(OGRLayer& layer, const IngestOptions& options) {
+  const auto crs = crs_of(layer, options.crs);
+  if (!crs) return refuse(crs.error());
+  return PolygonShapes::in(*crs);
+}
+
+/// The earliest beginning and the latest end; empty where a zone has none.
+void set_period(PreparedDataset& data, const std::vector<ocean::Zone>& zones) {
+  const bool begin =
+      std::ranges::all_of(zones, [](const ocean::Zone& zone) { return zone.from.has_value(); });
+  const bool end = std::ranges::all_of(zones, [](const ocean::Zone& zone) { return zone.until.has_value(); });
+  for (const ocean::Zone& zone : zones) {
+    if (begin) data.time_start = data.time_start ? std::min(*data.time_start, *zone.from) : *zone.from;
+    if (end) data.time_end = data.time_end ? std::max(*data.time_end, *zone.until) : *zone.until;
+  }
+}
+
+}  // namespace
+
+Checked<PreparedDataset> read_zones(GDALDataset& dataset, const IngestOptions& options) {
+  std::optional<ocean::ZoneKind> kind_of_others;
+  if (options.zone_kind) {
+    kind_of_others = zone_kind_of(*options.zone_kind);
+    if (!kind_of_others) return refuse("--zone-kind is no_go or stay_in, not " + *options.zone_kind);
+  }
+  ZoneGathering all;
+  for (OGRLayer* const layer : dataset.GetLayers()) {
+    if (layer->GetFeatureCount() == 0) continue;
+    const auto shapes = shapes_of(*layer, options);
+    if (!shapes) return refuse(shapes.error());
+    const std::string in_layer =
+        dataset.GetLayerCount() > 1 ? std::string{" of layer \""} + layer->GetName() + "\"" : "";
+    int number_of_feature = 0;
+    layer->ResetReading();
+    for (const auto& feature : *layer) {
+      ++number_of_feature;
+      gather_zones(all, *feature, "feature " + std::to_string(number_of_feature) + in_layer, *shapes,
+                   kind_of_others);
+    }
+  }
+  if (all.corners > repository::max_zone_corners)
+    all.faults.push_back("the zones have " + std::to_string(all.corners) + " corners in all, more than " +
+                         std::to_string(repository::max_zone_corners) + "; simplify their outlines");
+  if (!all.faults.empty()) return refuse(report_of(std::move(all.faults)));
+
+  std::vector<geo::LonLat> corners;
+  for (const ocean::Zone& zone : all.zones)
+    corners.insert(corners.end(), zone.area.outer.begin(), zone.area.outer.end());
+  PreparedDataset data;
+  data.kind = repository::DatasetKind::zones;
+  for (const ocean::ZoneKind kind : {ocean::ZoneKind::no_go, ocean::ZoneKind::stay_in})
+    if (std::ranges::find(all.zones, kind, &ocean::Zone::kind) != all.zones.end())
+      data.variables.push_back(ocean::zone_kind_name(kind));
+  data.bounds = geo::bounding_box(corners);
+  for (const ocean::Zone& zone : all.zones)
+    data.bounds = geo::united(data.bounds, geo::bounding_box(zone.area));
+  set_period(data, all.zones);
+  data.rows_accepted = static_cast<std::int64_t>(all.zones.size());
+  all.warn_of_unheeded();
+  data.warnings = std::move(all.warnings);
+  data.write = [zones = std::move(all.zones)](
+                   sqlite::Connection& db,
+                   const repository::DatasetId& id) -> tl::expected<void, std::string> {
+    repository::ZoneRepository{db}.insert(id, zones);
+    return {};
+  };
+  return data;
+}
+
+}  // namespace floeplan::ingest

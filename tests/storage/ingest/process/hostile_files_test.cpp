@@ -1,0 +1,297 @@
+#include <gdal_priv.h>
+#include <gmock/gmock.h>
+#include <ogrsf_frmts.h>
+
+#include <algorithm>
+#include <array>
+#include <cctype>
+#include <chrono>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <iterator>
+#include <map>
+#include <numeric>
+#include <random>
+#include <ranges>
+
+#include "storage/ingest/common/gdal_guard.hpp"
+#include "storage/ingest/process/guarded_ingest.hpp"
+#include "storage/repository/dataset_repository.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "storage/repository/glider_track_repository.hpp"
+#include "storage/repository/iceberg_repository.hpp"
+#include "tests/storage/ingest/support/archive_writer.hpp"
+#include "tests/storage/ingest/support/foreign_files.hpp"
+#include "tests/storage/ingest/support/grib_writer.hpp"
+#include "tests/storage/ingest/support/netcdf_writer.hpp"
+#include "tests/storage/ingest/support/store_fixture.hpp"
+#include "tests/support/places.hpp"
+#include "tests/support/property.hpp"
+
+namespace floeplan::ingest::hostile_files_test {
+namespace {
+
+using testing::HasSubstr;
+
+/// What became of the damaged files of one format. A run of many says it on standard output.
+struct Tally {
+  std::uint64_t stored{};
+  std::uint64_t refused{};
+  std::uint64_t broken_readers{};  // of the refused: their reader died
+  std::uint64_t out_of_bounds{};   // of the refused: their reader took too long or too much memory
+  double longest_s{};
+};
+
+std::ostream& operator<<(std::ostream& out, const Tally& tally) {
+  return out << tally.stored << " stored, " << tally.refused << " refused (of these " << tally.broken_readers
+             << " broke their reader, " << tally.out_of_bounds << " went beyond its bounds), longest "
+             << tally.longest_s << " s";
+}
+
+/// Small good files of the formats that others write by the thousand.
+class HostileFiles : public StoreFixture {
+ protected:
+  std::filesystem::path good_file(const std::string& name) {
+    static const std::map<std::string, std::string> folders_of_samples{
+        {"US4MD81M.000", "bathymetry/s57"},
+        {"sample-2.0.1.bag", "bathymetry"},
+        {"nw_atlantic_etopo1_4min.xyz", "bathymetry"},
+        {"gnome_gridded_current.nc", "currents"},
+        {"gutils_profile.nc", "glider"},
+        {"comet-2019-222-02-154.dbd", "glider"},
+        {"cis_beacon_1997_12995.csv", "icebergs"},
+        {"byu_latest_20260818.json", "icebergs"},
+        {"noaa_anchorage-knik-arm.json", "tides"},
+        {"otps_tpxo9v2a_extract_HC_sample_out.txt", "tides"}};
+    if (const auto sample = folders_of_samples.find(name); sample != folders_of_samples.end()) {
+      const std::filesystem::path file = sample_folder() / sample->second / name;
+      const std::filesystem::path sensors = file.parent_path() / "1f35be3b.cac";  // that the log names
+      if (file.extension() == ".dbd" && std::filesystem::exists(sensors))
+        std::filesystem::copy_file(sensors, path(sensors.filename().string()),
+                                   std::filesystem::copy_options::overwrite_existing);
+      return file;
+    }
+    if (name == "currents.nc") CurrentFile{}.write(path(name));
+    if (name == "bed.tif") write_geotiff(path(name));
+    if (name == "bergs.gpkg") write_points("GPKG", path(name));
+    if (name == "bergs.shp") write_points("ESRI Shapefile", path(name));
+    if (name == "bergs.zip") {
+      write_points("GPKG", path("bergs.gpkg"));
+      write_archive(path(name), Packing::zip, members_of({path("bergs.gpkg")}));
+    }
+    if (name == "currents.grb") write_file(name, grib_currents());
+    if (name == "log.csv") write_file(name, slocum_log());
+    if (name == "bed.asc")
+      write_file(name,
+                 "ncols 3\nnrows 2\nxllcorner 0\nyllcorner 50\ncellsize 0.5\n-900 -800 70\n-600 -5 4\n");
+    if (name == "bergs.kml")
+      write_file(name,
+                 "<?xml version=\"1.0\"?><kml xmlns=\"http://www.opengis.net/kml/2.2\"><Document><Placemark>"
+                 "<name>A99</name><TimeStamp><when>2026-11-20T06:30:00Z</when></TimeStamp><Point>"
+                 "<coordinates>-49.5,-60.25,0</coordinates></Point></Placemark></Document></kml>");
+    if (name == "bergs.geojson")
+      write_file(name, R"({"type": "FeatureCollection", "features": [{"type": "Feature", "properties":
+                          {"id": "a", "observed": "2026-11-20T06:00:00Z", "length_m": 120},
+                          "geometry": {"type": "Point", "coordinates": [-52.0, 69.0]}}]})");
+    return path(name);
+  }
+
+  static std::string slocum_log() {
+    std::string text = "m_present_time,m_gps_lat,m_gps_lon,m_depth\ntimestamp,lat,lon,m\n";
+    for (int i = 0; i < 40; ++i)
+      text += std::to_string(1566395646 + 60 * i) + ",5418.9" + std::to_string(10 + i) + ",724.3016,1.5\n";
+    return text;
+  }
+
+  static std::string grib_currents() {
+    GribMessage u;
+    u.value = [](double column, double row) { return 0.01 * (column + row); };
+    GribMessage v;
+    v.number = 3;
+    v.value = [](double, double) { return 0.1; };
+    return u.octets() + v.octets();
+  }
+
+  static void write_geotiff(const std::filesystem::path& file) {
+    register_drivers();
+    auto* driver = GetGDALDriverManager()->GetDriverByName("GTiff");
+    GDALDatasetUniquePtr tiff{driver->Create(file.c_str(), 8, 8, 1, GDT_Float32, nullptr)};
+    double transform[6] = {0.0, 0.5, 0.0, 54.0, 0.0, -0.5};
+    tiff->SetGeoTransform(transform);
+    OGRSpatialReference wgs84;
+    wgs84.importFromEPSG(4326);
+    tiff->SetSpatialRef(&wgs84);
+    std::vector<float> depths(64, -100.0F);
+    ASSERT_EQ(tiff->GetRasterBand(1)->RasterIO(GF_Write, 0, 0, 8, 8, depths.data(), 8, 8, GDT_Float32, 0, 0),
+              CE_None);
+  }
+
+  static std::string bytes_of(const std::filesystem::path& file) {
+    std::ifstream in{file, std::ios::binary};
+    return {std::istreambuf_iterator<char>{in}, {}};
+  }
+
+  /// Beside its other parts, where it has some.
+  std::filesystem::path damaged_name(const std::filesystem::path& file) const {
+    if (file.extension() == ".shp")
+      for (const char* part : {".shx", ".dbf", ".prj"}) {
+        std::filesystem::path beside = file;
+        std::filesystem::copy_file(beside.replace_extension(part), path("damaged" + std::string{part}),
+                                   std::filesystem::copy_options::overwrite_existing);
+      }
+    return path("damaged" + file.extension().string());
+  }
+
+  /// Reads a damaged file in the process that is made for it. Whatever comes of it lies in the store whole or not at
+  /// all, and is possible.
+  std::vector<IngestReport> guarded(const std::filesystem::path& file) {
+    const auto began = std::chrono::steady_clock::now();
+    auto reports =
+        guarded_ingest(db_, guard_, {file}, {.positive = "up"}, core::from_unix_seconds(1.8e9), {}, {}, {});
+    const std::chrono::duration<double> taken = std::chrono::steady_clock::now() - began;
+    tally_.longest_s = std::max(tally_.longest_s, taken.count());
+    EXPECT_FALSE(reports.empty());
+    for (const IngestReport& report : reports) {
+      EXPECT_EQ(report.dataset.has_value(), report.status != IngestStatus::refused);
+      EXPECT_EQ(report.errors.empty(), report.dataset.has_value());
+      ++(report.dataset ? tally_.stored : tally_.refused);
+      if (words(report).find("stops its reader") != std::string::npos) ++tally_.broken_readers;
+      if (words(report).find("reading took more than") != std::string::npos ||
+          words(report).find("reading needs more than") != std::string::npos)
+        ++tally_.out_of_bounds;
+      if (!report.dataset) continue;
+      expect_possible(*report.dataset);
+      repository::DatasetRepository{db_}.remove(report.dataset->id);
+    }
+    EXPECT_EQ(stored_datasets(), 0U);
+    return reports;
+  }
+
+  /// Every number of a dataset is one that there can be.
+  void expect_possible(const repository::Dataset& dataset) {
+    const repository::FieldRepository fields{db_};
+    constexpr geo::BoundingBox world{-180.0, -90.0, 180.0, 90.0};
+    const auto expect_within = [&](const std::vector<float>& values, float least, float greatest) {
+      for (const float value : values)
+        ASSERT_TRUE(std::isnan(value) || (value >= least && value <= greatest)) << value;
+    };
+    const auto expect_place = [](geo::LonLat place) {
+      ASSERT_TRUE(std::abs(place.lat_deg) <= 90.0 && std::abs(place.lon_deg) <= 360.0)
+          << place.lon_deg << " " << place.lat_deg;
+    };
+    expect_place({dataset.bounds.west_deg, dataset.bounds.south_deg});
+    expect_place({dataset.bounds.east_deg, dataset.bounds.north_deg});
+    if (dataset.kind == repository::DatasetKind::currents || dataset.kind == repository::DatasetKind::wind) {
+      const auto field = fields.load_currents(dataset.id, world, std::nullopt, std::nullopt);
+      const float fastest_m_s = dataset.kind == repository::DatasetKind::wind ? 100.01F : 10.01F;
+      for (std::size_t i = 0; field && i < field->samples().u.size(); ++i)
+        expect_within({std::hypot(field->samples().u[i], field->samples().v[i])}, 0.0F, fastest_m_s);
+    }
+    if (dataset.kind == repository::DatasetKind::bathymetry)
+      for (const std::string& variable : fields.variables(dataset.id))
+        if (const auto planes = fields.load_planes(dataset.id, world, std::array{variable}))
+          expect_within(planes->values.front(), -9000.0F, 12'000.0F);  // Everest is 8,849 m high
+    if (dataset.kind == repository::DatasetKind::icebergs)
+      for (const auto& sighting : repository::IcebergRepository{db_}.list({}, 0, 10'000))
+        expect_place(sighting.iceberg.place);
+    if (dataset.kind == repository::DatasetKind::glider_tracks)
+      for (const auto& stored : repository::GliderTrackRepository{db_}.list({}, 0, 100).tracks) {
+        for (const auto& point : stored.track.points) expect_place(point.place);
+        for (const auto& drift : stored.track.currents)
+          EXPECT_LE(std::hypot(drift.current.east.value, drift.current.north.value), 10.01);
+      }
+  }
+
+  Tally tally_;
+  Guard guard_{.program = support::program_folder() + "/ingest_reader", .staging = path("incoming")};
+};
+
+/// One format.
+class HostileFormat : public HostileFiles, public testing::WithParamInterface<const char*> {
+ protected:
+  void SetUp() override {
+    file_ = good_file(GetParam());
+    if (!std::filesystem::exists(file_)) GTEST_SKIP() << "the sample data are not on this machine";
+  }
+
+  std::filesystem::path file_;
+};
+
+TEST_P(HostileFormat, IsReadWhileItIsGood) {
+  const auto reports = guarded(file_);
+  EXPECT_EQ(reports.front().status, IngestStatus::stored) << words(reports.front());
+}
+
+TEST_P(HostileFormat, ThatWasCutShortLeavesNothingHalfInTheStore) {
+  const std::string whole = bytes_of(file_);
+  // Every twentieth of its length in a long run, and the first that a hat gives in the others.
+  std::array<std::size_t, 20> parts{};
+  std::iota(parts.begin(), parts.end(), std::size_t{0});
+  std::ranges::shuffle(parts, std::mt19937_64{1});
+  for (const std::size_t part : parts | std::views::take(static_cast<std::ptrdiff_t>(damaged_variants(2)))) {
+    write_file(damaged_name(file_).filename(), whole.substr(0, whole.size() * part / 20));
+    const auto reports = guarded(damaged_name(file_));
+    const bool says_its_length = file_.extension() != ".shp" && file_.extension() != ".tif" &&
+                                 file_.extension() != ".zip" &&  // whole before its table of contents
+                                 file_.extension() != ".dbd" && file_.extension() != ".xyz" &&
+                                 file_.extension() != ".txt" &&
+                                 file_.extension() != ".csv";  // a log ends where the glider was lost
+    if (says_its_length) {
+      EXPECT_EQ(reports.front().status, IngestStatus::refused) << part;
+    }
+  }
+}
+
+TEST_P(HostileFormat, WithBytesChangedLeavesNothingHalfInTheStore) {
+  const std::string whole = bytes_of(file_);
+  tally_ = {};
+  support::for_each_seed(damaged_variants(2), [&](std::mt19937_64& rng) {
+    std::string bytes = whole;
+    for (int flips = support::uniform_int(rng, 1, 8); flips > 0; --flips)
+      bytes[std::uniform_int_distribution<std::size_t>{0, bytes.size() - 1}(rng)] =
+          static_cast<char>(support::uniform_int(rng, 0, 255));
+    write_file(damaged_name(file_).filename(), bytes);
+    static_cast<void>(guarded(damaged_name(file_)));
+  });
+  if (damaged_variants(0) > 0) std::cout << GetParam() << ": " << tally_ << std::endl;
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    Of, HostileFormat,
+    testing::Values("US4MD81M.000", "gutils_profile.nc", "gnome_gridded_current.nc", "sample-2.0.1.bag",
+                    "comet-2019-222-02-154.dbd", "currents.nc", "bed.tif", "bergs.gpkg", "bergs.shp",
+                    "bergs.zip", "currents.grb", "log.csv", "bed.asc", "bergs.kml", "bergs.geojson",
+                    "nw_atlantic_etopo1_4min.xyz", "cis_beacon_1997_12995.csv", "byu_latest_20260818.json",
+                    "noaa_anchorage-knik-arm.json", "otps_tpxo9v2a_extract_HC_sample_out.txt"),
+    [](const testing::TestParamInfo<const char*>& format) {
+      std::string name = format.param;
+      std::ranges::replace_if(
+          name, [](char c) { return std::isalnum(static_cast<unsigned char>(c)) == 0; }, '_');
+      return name;
+    });
+
+TEST_F(HostileFiles, ThatTakeLongerThanTheirSizeAllowsAreRefused) {
+  std::string table = "id,lat,lon,time\n";
+  for (int i = 0; i < 1'000'000; ++i) table += std::to_string(i) + ",60,-50,2026-11-20T06:00:00Z\n";
+  guard_.most_cpu_s = 1;  // in every test run: the usual eight would be waited for
+
+  const auto reports = guarded(write_file("endless.csv", table));
+
+  EXPECT_THAT(words(reports.front()), HasSubstr("reading took more than"));
+}
+
+TEST_F(HostileFiles, ThatUnpackToMoreThanTheMemoryAreRefused) {
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+  GTEST_SKIP() << "memory has no limit under the sanitizers";
+#endif
+  std::string kml = "<kml>";
+  for (int i = 0; i < 8'000'000; ++i) kml += "<Folder/>";
+
+  const auto reports = guarded(write_file("bomb.kml", kml + "</kml>"));
+
+  EXPECT_THAT(words(reports.front()), HasSubstr("reading needs more than"));
+}
+
+}  // namespace
+}  // namespace floeplan::ingest::hostile_files_test

@@ -1,0 +1,288 @@
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "engine/geo/geodesic.hpp"
+#include "storage/repository/field_repository.hpp"
+#include "tests/storage/ingest/support/model_grid_writer.hpp"
+#include "tests/storage/ingest/support/netcdf_writer.hpp"
+#include "tests/storage/ingest/support/store_fixture.hpp"
+
+namespace floeplan::ingest::model_layouts_test {
+namespace {
+
+using testing::HasSubstr;
+
+bool no_land(std::size_t /*i*/, std::size_t /*j*/) { return false; }
+
+class ModelLayouts : public StoreFixture {
+ protected:
+  ocean::CurrentGrid stored(const std::vector<std::filesystem::path>& files) {
+    report_ = ingest_together(files);
+    EXPECT_EQ(report_.status, IngestStatus::stored) << words(report_);
+    if (!report_.dataset) throw std::runtime_error{"nothing was stored"};
+    return repository::FieldRepository{db_}
+        .load_currents(report_.dataset->id, {-180.0, -90.0, 180.0, 90.0}, std::nullopt, std::nullopt)
+        .value();
+  }
+  ocean::CurrentGrid stored_nemo(const ModelGrid& grid) {
+    write_nemo(grid, path("u.nc"), path("v.nc"), no_land);
+    return stored({path("u.nc"), path("v.nc")});
+  }
+
+  IngestReport report_;
+};
+
+/// Compares every node of one level with the known field, times `share`; at least `least` nodes must have water. The
+/// tolerance is that between angles on the models' sphere and on the ellipsoid, 0.1 degrees.
+void expect_turning_sea(const ocean::CurrentGrid& currents, std::size_t level, double share,
+                        std::size_t least, double tolerance = 1e-3) {
+  const auto& samples = currents.samples();
+  const std::size_t nx = samples.grid.x().size();
+  std::size_t wet = 0;
+  for (std::size_t iy = 0; iy < samples.grid.y().size(); ++iy) {
+    for (std::size_t ix = 0; ix < nx; ++ix) {
+      const std::size_t i = (level * samples.grid.y().size() + iy) * nx + ix;
+      if (std::isnan(samples.u[i])) continue;
+      ++wet;
+      const geo::VelocityEn truth = turning_sea(samples.grid.place(ix, iy));
+      ASSERT_NEAR(samples.u[i], share * truth.east.value, tolerance) << ix << " " << iy;
+      ASSERT_NEAR(samples.v[i], share * truth.north.value, tolerance) << ix << " " << iy;
+    }
+  }
+  EXPECT_GE(wet, least);
+}
+
+TEST_F(ModelLayouts, StaggeredComponentsInTwoFilesBecomeEastAndNorth) {
+  const auto currents = stored_nemo({});
+
+  expect_turning_sea(currents, 0, 1.0, 3500);
+  expect_turning_sea(currents, 1, 0.5, 3500);
+  EXPECT_THAT(currents.samples().depths_m->nodes(), testing::ElementsAre(0.5, 10.0));
+  EXPECT_EQ(report_.file, "u.nc + v.nc");
+  EXPECT_THAT(words(report_), HasSubstr("turned to east and north"));
+  EXPECT_THAT(words(report_), HasSubstr("differ by"));
+}
+
+TEST_F(ModelLayouts, TheOrderOfTheTwoFilesPlaysNoPart) {
+  write_nemo({}, path("u.nc"), path("v.nc"), no_land);
+  expect_turning_sea(stored({path("v.nc"), path("u.nc")}), 0, 1.0, 3500);
+}
+
+TEST_F(ModelLayouts, AGridMayBeTurnedByAnyAngle) {
+  for (const double turned_deg : {-170.0, -90.0, 0.0, 33.0, 120.0, 180.0})
+    expect_turning_sea(stored_nemo({.turned_deg = turned_deg}), 0, 1.0, 3000);
+}
+
+TEST_F(ModelLayouts, AGridMayLieAcrossTheDateLine) {
+  const auto currents = stored_nemo({.origin = {179.7, -60.0}, .turned_deg = 25.0});
+
+  expect_turning_sea(currents, 0, 1.0, 3000);
+  EXPECT_TRUE(currents.at({179.9, -60.0}, {1.0}, core::from_unix_seconds(1795132800.0)).has_value());
+  EXPECT_TRUE(currents.at({-179.9, -60.0}, {1.0}, core::from_unix_seconds(1795132800.0)).has_value());
+  EXPECT_LT(geo::width_deg(report_.dataset->bounds), 30.0);
+}
+
+TEST_F(ModelLayouts, AGridMayLieAcrossAPole) {
+  for (const double lat_deg : {89.0, -89.0}) {
+    const auto currents = stored_nemo({.origin = {30.0, lat_deg}});
+    expect_turning_sea(currents, 0, 1.0, 3000);
+    EXPECT_TRUE(std::holds_alternative<geo::PolarStereographicFrame>(currents.samples().grid.frame()));
+    EXPECT_TRUE(
+        currents.at({0.0, std::copysign(90.0, lat_deg)}, {1.0}, core::from_unix_seconds(1795132800.0)));
+  }
+}
+
+TEST_F(ModelLayouts, AGridMayHaveTwoPolesAndAFoldBetweenThem) {
+  const auto currents = stored_nemo({.columns = 242, .rows = 82, .two_poles = true});
+
+  const auto& samples = currents.samples();
+  const std::size_t nx = samples.grid.x().size();
+  constexpr double least_m = 1e6;  // from the grid's poles, which a model puts on land
+  double largest = 0.0;
+  std::size_t wet = 0;
+  for (std::size_t i = 0; i < samples.grid.size(); ++i) {
+    const geo::LonLat place = samples.grid.place(i % nx, i / nx);
+    if (std::isnan(samples.u[i]) || geo::geodesic_between(place, {15.0, 60.0}).length.value < least_m ||
+        geo::geodesic_between(place, {-165.0, 60.0}).length.value < least_m)
+      continue;
+    ++wet;
+    const geo::VelocityEn truth = turning_sea(place);
+    largest = std::max(largest, std::hypot(static_cast<double>(samples.u[i]) - truth.east.value,
+                                           static_cast<double>(samples.v[i]) - truth.north.value));
+  }
+  EXPECT_GT(wet, samples.grid.size() / 2);
+  EXPECT_LT(largest, 2e-3);
+  EXPECT_TRUE(
+      currents.at({15.0, 89.9}, core::Metres{0.5}, core::from_unix_seconds(currents.times_s().front())));
+}
+
+TEST_F(ModelLayouts, CollocatedComponentsAlongABentGridAreTurned) {
+  write_pop({.origin = {-40.0, 50.0}}, path("pop.nc"));
+
+  const auto currents = stored({path("pop.nc")});
+
+  expect_turning_sea(currents, 0, 1.0, 3500);
+  EXPECT_THAT(currents.samples().depths_m->nodes(), testing::ElementsAre(5.0, 15.0));
+}
+
+TEST_F(ModelLayouts, LandWrittenAsZeroOnAStaggeredGridIsMissing) {
+  const ModelGrid grid;
+  write_nemo(grid, path("u.nc"), path("v.nc"), [](std::size_t i, std::size_t) { return i >= 25; });
+
+  const auto currents = stored({path("u.nc"), path("v.nc")});
+
+  const auto when = core::from_unix_seconds(1795132800.0);
+  EXPECT_FALSE(currents.at(grid.place(32, 15), {1.0}, when).has_value());
+  EXPECT_TRUE(currents.at(grid.place(15, 15), {1.0}, when).has_value());
+  EXPECT_THAT(words(report_), HasSubstr("taken as land"));
+}
+
+TEST_F(ModelLayouts, OneComponentAloneAsksForTheOther) {
+  write_nemo({}, path("u.nc"), path("v.nc"), no_land);
+  expect_refused(path("u.nc"), "in the same command");
+}
+
+TEST_F(ModelLayouts, ComponentsOfDifferentTimesAreNotPutTogether) {
+  write_nemo({}, path("u.nc"), path("v.nc"), no_land);
+  write_nemo({.turned_deg = 0.0}, path("u2.nc"), path("v2.nc"), no_land);
+  const auto reports = ingest_all_together({path("u.nc"), path("v2.nc")});
+  ASSERT_EQ(reports.size(), 1U);
+  EXPECT_EQ(reports[0].status, IngestStatus::refused);
+  EXPECT_THAT(words(reports[0]), HasSubstr("fit no arrangement"));
+}
+
+TEST_F(ModelLayouts, LevelsThatFollowTheBedBecomeDepthsBelowTheSurface) {
+  for (const int transform : {1, 2}) {
+    write_roms({}, path("roms.nc"), {.transform = transform, .shear_per_m = 0.004});
+
+    const auto currents = stored({path("roms.nc")});
+
+    const auto& depths = currents.samples().depths_m->nodes();
+    ASSERT_GT(depths.size(), 20U);
+    for (std::size_t level = 1; level < 16; ++level) {  // above the lowest and below the uppermost level
+      const double share = 1.0 - 0.004 * depths[level];
+      expect_turning_sea(currents, level, share, 3000, 3e-3);
+    }
+    std::filesystem::remove(path("roms.nc"));
+  }
+}
+
+TEST_F(ModelLayouts, BelowTheBedThereIsNoCurrent) {
+  const ModelGrid grid;
+  write_roms(grid, path("roms.nc"), {});
+
+  const auto currents = stored({path("roms.nc")});
+
+  const auto when = core::from_unix_seconds(1795132800.0);
+  EXPECT_TRUE(currents.at(grid.place(5, 15), {110.0}, when).has_value());
+  EXPECT_FALSE(currents.at(grid.place(5, 15), {150.0}, when).has_value());
+  EXPECT_TRUE(currents.at(grid.place(30, 15), {150.0}, when).has_value());
+}
+
+TEST_F(ModelLayouts, PositionsOfTheComponentsFollowFromThoseOfTheCentres) {
+  write_roms({}, path("roms.nc"), {.with_positions_of_components = false, .with_angle = false});
+  expect_turning_sea(stored({path("roms.nc")}), 0, 1.0, 3000);
+}
+
+TEST_F(ModelLayouts, AnAngleThatContradictsThePositionsIsRefused) {
+  write_roms({}, path("roms.nc"), {.angle_error_deg = 10.0});
+  expect_refused(path("roms.nc"), "contradicts");
+}
+
+TEST_F(ModelLayouts, FacesOfAMeshAreInterpolatedAtDepthsAboveASigmaBed) {
+  for (const geo::LonLat origin : {geo::LonLat{15.0, 70.0}, geo::LonLat{179.9, -55.0}}) {
+    write_fvcom({.origin = origin}, path("fvcom.nc"));
+
+    const auto currents = stored({path("fvcom.nc")});
+
+    expect_turning_sea(currents, 0, 1.0, 2500,
+                       5e-3);  // the outermost nodes take the mean of faces to one side
+    expect_turning_sea(currents, 4, 0.75, 2500, 5e-3);  // 20 m, between the layers at 10 and 30 m
+    EXPECT_EQ(currents.samples().depths_m->back(), 40.0);
+    EXPECT_THAT(words(report_), HasSubstr("the faces of a mesh"));
+    std::filesystem::remove(path("fvcom.nc"));
+  }
+}
+
+TEST_F(ModelLayouts, AProjectedPlaneKeepsItsFrameAndItsVectorsAreTurned) {
+  for (const bool along_axes : {true, false}) {
+    write_polar_plane(path("polar.nc"), {.along_axes = along_axes});
+
+    const auto currents = stored({path("polar.nc")});
+
+    expect_turning_sea(currents, 0, 1.0, 12);
+    EXPECT_TRUE(std::holds_alternative<geo::PolarStereographicFrame>(currents.samples().grid.frame()));
+    EXPECT_EQ(currents.samples().grid.y().front(), -700000.0);
+    std::filesystem::remove(path("polar.nc"));
+  }
+}
+
+TEST_F(ModelLayouts, APlaneThatContradictsItsTablesIsPlacedByTheTables) {
+  write_polar_plane(path("topaz.nc"), {.as_topaz = true});
+  expect_turning_sea(stored({path("topaz.nc")}), 0, 1.0, 20, 3e-3);  // nodes 50 km apart
+  EXPECT_THAT(words(report_), HasSubstr("resampled"));
+}
+
+/// Components half a cell apart on plain axes, as MOM6 writes them: u on (yh, xq), v on (yq, xh).
+void write_mom6(const std::filesystem::path& file, double south_deg) {
+  constexpr std::size_t side = 12;
+  NetcdfWriter writer{file};
+  const auto axis = [&](const std::string& name, double from, const std::string& units) {
+    std::vector<double> nodes;
+    for (std::size_t i = 0; i < side; ++i) nodes.push_back(from + 0.25 * static_cast<double>(i));
+    writer.axis(name, nodes, {{"units", units}});
+    return nodes;
+  };
+  writer.axis("time", {0.0}, {{"units", "hours since 2026-11-20"}});
+  const auto xh = axis("xh", -300.0, "degrees_east");
+  const auto xq = axis("xq", -299.875, "degrees_east");
+  const auto yh = axis("yh", south_deg, "degrees_north");
+  const auto yq = axis("yq", south_deg + 0.125, "degrees_north");
+  for (const bool is_u : {true, false}) {
+    std::vector<double> values;
+    for (const double lat : is_u ? yh : yq)
+      for (const double lon : is_u ? xq : xh) {
+        const geo::VelocityEn water = turning_sea({lon, lat});
+        values.push_back(is_u ? water.east.value : water.north.value);
+      }
+    const std::string axis_name = is_u ? "x" : "y";
+    writer.variable({.name = is_u ? "uo" : "vo",
+                     .dimensions = {"time", is_u ? "yh" : "yq", is_u ? "xq" : "xh"},
+                     .values = std::move(values),
+                     .texts = {{"units", "m s-1"}, {"standard_name", "sea_water_" + axis_name + "_velocity"}},
+                     .numbers = {},
+                     .fill = {},
+                     .type = NetcdfWriter::Type::float64});
+  }
+}
+
+TEST_F(ModelLayouts, ComponentsHalfACellApartOnPlainAxesAreBroughtTogether) {
+  write_mom6(path("mom6.nc"), -40.0);
+  expect_turning_sea(stored({path("mom6.nc")}), 0, 1.0, 350);
+}
+
+TEST_F(ModelLayouts, PlainAxesInTheFarNorthAreNotBelievedToBeStraight) {
+  write_mom6(path("mom6.nc"), 70.0);
+  expect_refused(path("mom6.nc"), "bent round poles on land");
+}
+
+TEST_F(ModelLayouts, ABentGridWithoutPositionsAsksForTheGridFile) {
+  NetcdfWriter writer{path("bare.nc")};
+  writer.axis("ocean_time", {0.0}, {{"units", "hours since 2026-11-20"}});
+  for (const char* name : {"eta_u", "xi_u", "eta_v", "xi_v"}) writer.dimension(name, 5);
+  for (const std::string name : {"u", "v"})
+    writer.variable({.name = name,
+                     .dimensions = {"ocean_time", "eta_" + name, "xi_" + name},
+                     .values = std::vector<double>(25, 0.1),
+                     .texts = {{"units", "m/s"}},
+                     .numbers = {},
+                     .fill = {},
+                     .type = NetcdfWriter::Type::float64});
+  expect_refused(path("bare.nc"), "grid or mesh file in the same command");
+}
+
+}  // namespace
+}  // namespace floeplan::ingest::model_layouts_test
