@@ -43,21 +43,11 @@ bool is_exceptional(std::size_t exceptions, std::size_t total) {
 
 }  // namespace
 
-double GridDirections::largest_turn_deg() const {
-  double largest = 0.0;
-  for (std::size_t i = 0; i < cosine.size(); ++i) {
-    const double turn = std::abs(std::atan2(static_cast<double>(sine[i]), static_cast<double>(cosine[i])));
-    if (turn > largest) largest = turn;
-  }
-  return largest * 180.0 / pi;
-}
-
 Checked<GridDirections> directions_of(const Staggering& staggering, const Positions& first,
                                       const Positions& second, FallingAxes falling,
                                       const std::vector<double>& stated) {
   const std::vector<geo::LonLat> centres = centres_of(staggering, first);
-  GridDirections directions{std::vector<float>(centres.size(), 1.0F),
-                            std::vector<float>(centres.size(), 0.0F)};
+  GridDirections directions = GridDirections::along_east(centres.size());
   std::size_t known = 0;
   std::size_t mirrored = 0;
   std::size_t contradicted = 0;
@@ -75,8 +65,7 @@ Checked<GridDirections> directions_of(const Staggering& staggering, const Positi
         if (std::abs(wrapped(stated[point] - angle)) > agreement) ++contradicted;
         angle = stated[point];
       }
-      directions.cosine[point] = static_cast<float>(std::cos(angle));
-      directions.sine[point] = static_cast<float>(std::sin(angle));
+      directions.set(point, angle);
     }
   }
   if (known == 0)

@@ -1,23 +1,12 @@
 #pragma once
 
-#include <optional>
-#include <string>
 #include <vector>
 
 #include "storage/ingest/formats/netcdf/position_tables.hpp"
 #include "storage/ingest/grids/staggering.hpp"
+#include "storage/ingest/grids/true_north.hpp"
 
 namespace floeplan::ingest {
-
-/// The direction of a grid's first axis at every centre: cosine and sine of its angle, counterclockwise from east.
-/// Components along the grid become east = u cos - v sin, north = u sin + v cos.
-struct GridDirections {
-  std::vector<float> cosine;
-  std::vector<float> sine;
-
-  /// The largest angle between the grid's first axis and east, degrees.
-  [[nodiscard]] double largest_turn_deg() const;
-};
 
 /// Whether the coordinates along an axis, where it has any, fall while its index grows.
 struct FallingAxes {

@@ -74,10 +74,9 @@ class CurvilinearSource : public VelocitySource {
         const auto both = parts_.staggering.collocated ? as_read(*first, *second, point)
                                                        : at_centre(*first, *second, row, column);
         if (!both) continue;
-        const double cosine = static_cast<double>(parts_.directions.cosine[point]);
-        const double sine = static_cast<double>(parts_.directions.sine[point]);
-        slice.east[point] = static_cast<float>(both->u * cosine - both->v * sine);
-        slice.north[point] = static_cast<float>(both->u * sine + both->v * cosine);
+        const EastNorth current = to_true_north(both->u, both->v, parts_.directions, point);
+        slice.east[point] = current.east;
+        slice.north[point] = current.north;
       }
     }
     return slice;
@@ -227,15 +226,13 @@ Checked<GridDirections> directions_for(const NetcdfFiles& files, const VelocityP
       directions_of(arrangement.staggering, arrangement.first, arrangement.second, falling, *stated);
   if (!directions) return refuse(directions.error());
 
-  const std::size_t points = arrangement.centres.size();
   const bool straight = directions->largest_turn_deg() < straight_deg;
   if (pair.axes == VelocityAxes::east_north && !arrangement.staggering.collocated && !straight)
     return refuse(
         "\"" + pair.first->name() + "\" and \"" + pair.second->name() +
         "\" are called eastward and northward, yet they lie half a cell apart on a grid that is turned, "
         "as only components along the grid do; which of the two is true is not known; ask the producer");
-  if (pair.axes == VelocityAxes::east_north)
-    return GridDirections{std::vector<float>(points, 1.0F), std::vector<float>(points, 0.0F)};
+  if (pair.axes == VelocityAxes::east_north) return GridDirections::along_east(arrangement.centres.size());
   if (pair.axes == VelocityAxes::unstated && arrangement.staggering.collocated && !straight) {
     if (!is_model_of_grid_axes(*pair.first))
       return refuse(

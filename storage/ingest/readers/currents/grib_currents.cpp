@@ -13,8 +13,8 @@
 #include "storage/ingest/formats/grib/grib_grid.hpp"
 #include "storage/ingest/formats/grib/grib_messages.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
-#include "storage/ingest/grids/grid_directions.hpp"
 #include "storage/ingest/grids/tangent_plane.hpp"
+#include "storage/ingest/grids/true_north.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/currents/current_dataset.hpp"
 #include "storage/ingest/readers/currents/grib_contents.hpp"
@@ -90,11 +90,7 @@ Checked<RasterPlace> raster_place(const GribGrid& grid) {
     const std::vector<geo::LonLat> before = places_along(*way, grid.x, -ahead, y);
     const std::vector<geo::LonLat> after = places_along(*way, grid.x, ahead, y);
     place.places.insert(place.places.end(), here.begin(), here.end());
-    for (std::size_t i = 0; i < width; ++i) {
-      const double angle = direction_at(here[i], before[i], after[i]).value_or(0.0);
-      place.directions.cosine.push_back(static_cast<float>(std::cos(angle)));
-      place.directions.sine.push_back(static_cast<float>(std::sin(angle)));
-    }
+    for (std::size_t i = 0; i < width; ++i) place.directions.add(direction_at(here[i], before[i], after[i]));
   }
   return place;
 }
@@ -139,8 +135,9 @@ class GribSource : public VelocitySource {
       if (std::isnan(u) || std::isnan(v)) {
         slice.east[i] = slice.north[i] = missing;
       } else if (directions_) {
-        slice.east[i] = u * directions_->cosine[i] - v * directions_->sine[i];
-        slice.north[i] = u * directions_->sine[i] + v * directions_->cosine[i];
+        const EastNorth current = to_true_north(u, v, *directions_, i);
+        slice.east[i] = current.east;
+        slice.north[i] = current.north;
       }
     }
     return slice;

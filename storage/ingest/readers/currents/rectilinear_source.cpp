@@ -1,13 +1,13 @@
 #include "storage/ingest/readers/currents/rectilinear_source.hpp"
 
 #include <algorithm>
-#include <cmath>
 #include <limits>
 
 #include "storage/ingest/common/in_blocks.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
 #include "storage/ingest/grids/netcdf_shape.hpp"
 #include "storage/ingest/grids/tangent_plane.hpp"
+#include "storage/ingest/grids/true_north.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/velocity/component_times.hpp"
 #include "storage/ingest/readers/velocity/nominal_axes.hpp"
@@ -16,38 +16,30 @@
 namespace floeplan::ingest {
 namespace {
 
-/// A cosine and a sine at every point.
-struct Turns {
-  std::vector<float> cosine;
-  std::vector<float> sine;
-};
-
 /// Direction of the grid's x axis at each node, counterclockwise from east.
-Turns turns_of(const ocean::HorizontalGrid& grid) {
-  Turns turns;
+GridDirections x_directions_of(const ocean::HorizontalGrid& grid) {
+  GridDirections directions;
   const double step = std::max(1.0, 1e-3 * grid.x().mean_step());
   for (std::size_t iy = 0; iy < grid.y().size(); ++iy) {
     for (std::size_t ix = 0; ix < grid.x().size(); ++ix) {
       const double x = grid.x()[ix];
       const double y = grid.y()[iy];
-      const auto angle = direction_at(grid.place(ix, iy), geo::to_lon_lat(grid.frame(), {x - step, y}),
-                                      geo::to_lon_lat(grid.frame(), {x + step, y}));
-      turns.cosine.push_back(static_cast<float>(std::cos(angle.value_or(0.0))));
-      turns.sine.push_back(static_cast<float>(std::sin(angle.value_or(0.0))));
+      directions.add(direction_at(grid.place(ix, iy), geo::to_lon_lat(grid.frame(), {x - step, y}),
+                                  geo::to_lon_lat(grid.frame(), {x + step, y})));
     }
   }
-  return turns;
+  return directions;
 }
 
 class RectilinearSource : public VelocitySource {
  public:
   RectilinearSource(NetcdfFiles files, VelocityComponent first, VelocityComponent second,
-                    ocean::HorizontalGrid grid, std::optional<Turns> turns)
+                    ocean::HorizontalGrid grid, std::optional<GridDirections> directions)
       : files_{std::move(files)},
         first_{std::move(first)},
         second_{std::move(second)},
         grid_{std::move(grid)},
-        turns_{std::move(turns)} {
+        directions_{std::move(directions)} {
     shape_ = shape_in_time_and_depth(first_.layout(), false);
     shape_.columns = grid_.x().size();
     shape_.rows = grid_.y().size();
@@ -73,7 +65,7 @@ class RectilinearSource : public VelocitySource {
     VelocitySlice slice{std::vector<float>(points), std::vector<float>(points),
                         std::max(first->undeclared_fill, second->undeclared_fill)};
     slice.flagged = of_both(first->flagged, second->flagged);
-    if (!turns_) {
+    if (!directions_) {
       slice.east_steps = first_.steps();
       slice.north_steps = second_.steps();
       in_blocks(points, [&](std::size_t begin, auto count) {
@@ -90,12 +82,9 @@ class RectilinearSource : public VelocitySource {
       return slice;
     }
     for (std::size_t i = 0; i < points; ++i) {
-      const double u = first->values[i];
-      const double v = second->values[i];
-      const auto cosine = static_cast<double>(turns_->cosine[i]);
-      const auto sine = static_cast<double>(turns_->sine[i]);
-      slice.east[i] = static_cast<float>(u * cosine - v * sine);
-      slice.north[i] = static_cast<float>(u * sine + v * cosine);
+      const EastNorth current = to_true_north(first->values[i], second->values[i], *directions_, i);
+      slice.east[i] = current.east;
+      slice.north[i] = current.north;
     }
     return slice;
   }
@@ -110,7 +99,7 @@ class RectilinearSource : public VelocitySource {
   VelocityComponent first_;
   VelocityComponent second_;
   ocean::HorizontalGrid grid_;
-  std::optional<Turns> turns_;
+  std::optional<GridDirections> directions_;
   SourceShape shape_;
 };
 
@@ -134,7 +123,7 @@ Checked<RectilinearCurrents> rectilinear_currents(const NetcdfFiles& files, cons
 
   auto grid = grid_of(*pair.first_file, *pair.first, *layout, stated_crs);
   if (!grid) return refuse(grid.error());
-  std::optional<Turns> turns;
+  std::optional<GridDirections> directions;
   if (layout->projected && pair.axes == VelocityAxes::unstated)
     return refuse(
         "the file does not say whether \"" + pair.first->name() + "\" and \"" + pair.second->name() +
@@ -142,7 +131,7 @@ Checked<RectilinearCurrents> rectilinear_currents(const NetcdfFiles& files, cons
         "turn the drift; ask the producer, or add standard names (eastward_sea_water_velocity or "
         "sea_water_x_velocity)");
   if (layout->projected && pair.axes == VelocityAxes::grid) {
-    turns = turns_of(*grid);
+    directions = x_directions_of(*grid);
     warnings.push_back("\"" + pair.first->name() + "\" and \"" + pair.second->name() +
                        "\" point along the axes of the projected grid; they were turned to east and north");
   }
@@ -157,7 +146,7 @@ Checked<RectilinearCurrents> rectilinear_currents(const NetcdfFiles& files, cons
   auto second = VelocityComponent::of(*pair.second_file, *pair.second, std::move(*second_layout), warnings);
   if (!second) return refuse(second.error());
   auto source = std::make_shared<const RectilinearSource>(files, std::move(*first), std::move(*second), *grid,
-                                                          std::move(turns));
+                                                          std::move(directions));
   return RectilinearCurrents{std::move(source), std::move(*grid)};
 }
 
