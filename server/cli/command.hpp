@@ -60,6 +60,7 @@ int complain_of_no_plan(const std::string& id);
 
 void add_ingest(CLI::App& app, Program& program);
 void add_read_files(CLI::App& app, Program& program);
+void add_formats(CLI::App& app, Program& program);
 void add_datasets(CLI::App& app, Program& program);
 void add_probe(CLI::App& app, Program& program);
 void add_plan(CLI::App& app, Program& program);

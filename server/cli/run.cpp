@@ -18,6 +18,7 @@ void add_commands(CLI::App& app, Program& program) {
   add_serve(app, program);
   add_ingest(app, program);
   add_read_files(app, program);
+  add_formats(app, program);
   add_datasets(app, program);
   add_probe(app, program);
   add_plan(app, program);

@@ -6,8 +6,8 @@
 #include <tuple>
 
 #include "storage/ingest/common/gdal_guard.hpp"
-#include "storage/ingest/file_format.hpp"
 #include "storage/ingest/files/sidecar.hpp"
+#include "storage/ingest/format_of.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_coordinates.hpp"
 #include "storage/ingest/formats/netcdf/position_tables.hpp"
 #include "storage/ingest/formats/slocum/slocum_header.hpp"
@@ -56,15 +56,16 @@ Member member_of(const std::filesystem::path& path) {
   Member member;
   member.path = path;
   const auto format = format_of(path);
-  member.chart = format && *format == FileFormat::s57;
-  if (format && (*format == FileFormat::slocum_text || *format == FileFormat::slocum_binary)) {
+  const Together together = format ? (*format)->together : Together::none;
+  member.chart = together == Together::chart_updates;
+  if (together == Together::glider_log) {
     const SlocumName name = slocum_name_of(path);
-    const bool binary = *format == FileFormat::slocum_binary;  // the same again where both are given
+    const bool binary = (*format)->writing == Writing::binary;  // the same again where both are given
     if (!name.mission.empty()) member.track = name.mission + (binary ? " binary" : "");
     member.segment = name.segment;
   }
   member.sensor_cache = !format && holds_sensor_cache(path);
-  if (!format || (*format != FileFormat::netcdf_classic && *format != FileFormat::netcdf4)) return member;
+  if (together != Together::model_output) return member;
   auto file = NetcdfFile::open(path);
   if (!file) return member;
   if (is_glider_track(*file)) {  // of which there may be hundreds, so none stays open

@@ -1,6 +1,7 @@
 #include "storage/ingest/ingest_file.hpp"
 
 #include <algorithm>
+#include <fstream>
 #include <optional>
 #include <sstream>
 #include <stdexcept>
@@ -11,31 +12,8 @@
 #include "storage/ingest/files/file_digest.hpp"
 #include "storage/ingest/files/sidecar.hpp"
 #include "storage/ingest/formats/netcdf/model_run.hpp"
-#include "storage/ingest/formats/slocum/slocum_header.hpp"
-#include "storage/ingest/formats/vector/vector_file.hpp"
 #include "storage/ingest/formats/zarr/zarr_store.hpp"
-#include "storage/ingest/open_end.hpp"
-#include "storage/ingest/readers/bathymetry/bathymetry_netcdf_reader.hpp"
-#include "storage/ingest/readers/bathymetry/bathymetry_raster_reader.hpp"
-#include "storage/ingest/readers/bathymetry/s57_cell.hpp"
-#include "storage/ingest/readers/bathymetry/s57_reader.hpp"
-#include "storage/ingest/readers/coastline/coastline_reader.hpp"
-#include "storage/ingest/readers/coastline/gshhg_coastline.hpp"
-#include "storage/ingest/readers/currents/current_reader.hpp"
-#include "storage/ingest/readers/currents/grib_currents.hpp"
-#include "storage/ingest/readers/currents/wind_reader.hpp"
-#include "storage/ingest/readers/ice/ice_chart_reader.hpp"
-#include "storage/ingest/readers/ice/ice_reader.hpp"
-#include "storage/ingest/readers/ice/ice_variables.hpp"
-#include "storage/ingest/readers/icebergs/iceberg_csv_reader.hpp"
-#include "storage/ingest/readers/icebergs/iceberg_geojson_reader.hpp"
-#include "storage/ingest/readers/icebergs/iceberg_own_table.hpp"
-#include "storage/ingest/readers/icebergs/iceberg_table_reader.hpp"
-#include "storage/ingest/readers/tides/tide_reader.hpp"
-#include "storage/ingest/readers/tides/tide_table.hpp"
-#include "storage/ingest/readers/tracks/glider_netcdf.hpp"
-#include "storage/ingest/readers/tracks/slocum_reader.hpp"
-#include "storage/ingest/readers/zones/zone_reader.hpp"
+#include "storage/ingest/netcdf_contents.hpp"
 #include "storage/ingest/recognise.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/sqlite/transaction.hpp"
@@ -45,63 +23,6 @@ namespace {
 
 using repository::Dataset;
 using repository::DatasetKind;
-
-/// A file and what was given to be read together with it.
-NetcdfFiles together(const RecognisedFile& file) {
-  NetcdfFiles files{file.netcdf};
-  files.insert(files.end(), file.companions.begin(), file.companions.end());
-  return files;
-}
-
-Checked<PreparedDataset> prepare_features(const RecognisedFile& file, DatasetKind kind,
-                                          const IngestOptions& options) {
-  if (kind == DatasetKind::icebergs) return read_geojson_icebergs(*file.features);
-  if (kind == DatasetKind::coastline) return read_coastline(*file.features, options);
-  if (kind == DatasetKind::ice) return read_ice_polygons(*file.features, file.path, options);
-  return read_zones(*file.features, options);
-}
-
-Checked<PreparedDataset> prepare(const RecognisedFile& file, const FileGroup& files, DatasetKind kind,
-                                 const IngestOptions& options, const core::ProgressCallback& progress) {
-  switch (file.format) {
-    case FileFormat::netcdf_classic:
-    case FileFormat::netcdf4:
-    case FileFormat::zarr:
-      if (kind == DatasetKind::glider_tracks)
-        return is_glider_track(*file.netcdf) ? read_glider_netcdf(files, progress)
-                                             : read_slocum_tracks(files, progress);
-      if (kind == DatasetKind::coastline) return read_gshhg_coastline(file.path, progress);
-      if (kind == DatasetKind::tides) return read_tides(together(file), file.path, options, progress);
-      if (kind == DatasetKind::wind) return read_wind(file.netcdf, options.crs, progress);
-      if (kind == DatasetKind::ice) return read_ice(file.netcdf, options, progress);
-      return kind == DatasetKind::currents
-                 ? read_currents(together(file), options.crs, options.variable, progress)
-                 : read_netcdf_bathymetry(file.netcdf, options);
-    case FileFormat::grib:
-      return kind == DatasetKind::wind ? read_grib_wind(file.path, progress)
-                                       : read_grib_currents(file.path, progress);
-    case FileFormat::s57: return read_s57_bathymetry(file.path);
-    case FileFormat::bag: return read_raster_bathymetry(file.path, "BAG", options);
-    case FileFormat::geotiff: return read_raster_bathymetry(file.path, "GTiff", options);
-    case FileFormat::ascii_grid: return read_raster_bathymetry(file.path, "AAIGrid", options);
-    case FileFormat::xyz: return read_raster_bathymetry(file.path, "XYZ", options);
-    case FileFormat::depth_table: return read_depth_table(file.path, options);
-    case FileFormat::tide_json: return read_tide_json(file.path, options);
-    case FileFormat::tide_table: return read_tide_table(file.path, options);
-    case FileFormat::otps_extract: return read_otps_extract(file.path);
-    case FileFormat::iceberg_table: return read_iceberg_table(file.path);
-    case FileFormat::own_iceberg_table: return read_own_iceberg_table(file.path);
-    case FileFormat::iceberg_json: return read_iceberg_list_json(file.path);
-    case FileFormat::ice_patrol_csv: return read_ice_patrol_csv(file.path);
-    case FileFormat::slocum_text:
-    case FileFormat::slocum_binary: return read_slocum_tracks(files, progress);
-    case FileFormat::geojson:
-    case FileFormat::kml:
-    case FileFormat::geopackage:
-    case FileFormat::shapefile: return prepare_features(file, kind, options);
-  }
-  throw std::logic_error{"a file format without a reader"};
-}
 
 repository::DatasetId id_of(DatasetKind kind, const std::string& sha256) {
   return {repository::kind_name(kind) + "-" + sha256.substr(0, 8)};
@@ -162,16 +83,21 @@ struct Candidate {
   std::optional<PreparedDataset> data;  // empty: refused or already there
 };
 
-/// Sea ice and depths beside currents that are on a bent grid are not taken along: nobody should believe them stored.
-void warn_of_what_is_left(const RecognisedFile& file, std::vector<std::string>& warnings) {
-  const auto left = [&](DatasetKind kind, bool held, const std::string& what) {
-    if (!held || std::ranges::find(file.kinds, kind) != file.kinds.end()) return;
-    warnings.push_back("the file also holds " + what +
-                       ", which were not stored with its currents; store them with --kind " +
-                       repository::kind_name(kind) + " in a second command");
-  };
-  left(DatasetKind::ice, holds_ice(*file.netcdf), "concentrations of sea ice");
-  left(DatasetKind::bathymetry, find_bathymetry(*file.netcdf, false) != nullptr, "depths of the sea bed");
+bool ends_with_a_line(const std::filesystem::path& file) {
+  std::ifstream in{file, std::ios::binary | std::ios::ate};
+  if (!in || in.tellg() <= 0) return true;
+  in.seekg(-1, std::ios::end);
+  const int last = in.get();
+  return last == '\n' || last == '\r';
+}
+
+/// A table of lines whose last one has no end may be whole, or cut within its last number, which then is another number
+/// and no fault.
+std::optional<std::string> warning_of_open_end(const RecognisedFile& file) {
+  if (!file.format->has_lines || ends_with_a_line(file.path)) return std::nullopt;
+  return "the last line has no end: if the file was cut short, the last number of its last row is wrong; "
+         "compare its "
+         "size with the source's";
 }
 
 /// Reads and checks one kind of data. Nothing is written yet: the store stays open for others meanwhile.
@@ -192,14 +118,13 @@ Candidate check_kind(sqlite::Connection& db, const RecognisedFile& file, const F
                .errors = {}},
               std::nullopt};
   }
-  auto data = prepare(file, files, kind, options, progress);
+  auto data = file.format->read({file, files, kind, options, progress});
   if (!data) return {refused(files, options, data.error()), std::nullopt};
   if (file.netcdf && repository::has_steps(kind)) data->run = model_run_of(*file.netcdf);
   if (file.netcdf && kind == DatasetKind::currents && !options.kind)
     warn_of_what_is_left(file, data->warnings);
   data->warnings.insert(data->warnings.begin(), file.warnings.begin(), file.warnings.end());
-  if (auto warning = warning_of_open_end(file.path, file.format))
-    data->warnings.push_back(std::move(*warning));
+  if (auto warning = warning_of_open_end(file)) data->warnings.push_back(std::move(*warning));
   return {{}, std::move(*data)};
 }
 
@@ -245,10 +170,7 @@ Checked<NetcdfFiles> open_companions(const FileGroup& files, const IngestOptions
 
 /// Of all the files that what was recognised consists of.
 Checked<std::string> digest_of(const RecognisedFile& recognised, const FileGroup& files) {
-  if (recognised.format == FileFormat::zarr) return sha256_of_zarr(files.front());
-  if (recognised.format == FileFormat::shapefile) return sha256_of_files(parts_of_shapefile(files.front()));
-  if (recognised.format == FileFormat::s57) return sha256_of_files(parts_of_s57(files.front()));
-  if (recognised.format == FileFormat::slocum_binary) return sha256_of_files(without_sensor_caches(files));
+  if (recognised.format->digest != nullptr) return recognised.format->digest(files);
   return sha256_of_files(files);
 }
 

@@ -92,4 +92,25 @@ std::vector<std::string> csv_fields(const std::string& line) {
   return fields;
 }
 
+bool is_number_table(std::string_view head) {
+  int lines = 0;
+  while (lines < 5 && head.find('\n') != std::string_view::npos) {
+    std::string line{head.substr(0, head.find('\n'))};
+    head.remove_prefix(line.size() + 1);
+    std::replace_if(
+        line.begin(), line.end(), [](char c) { return c == ',' || c == ';' || c == '\t' || c == '\r'; }, ' ');
+    int numbers = 0;
+    std::string_view rest = line;
+    while (!rest.empty()) {
+      const std::size_t end = std::min(rest.find(' '), rest.size());
+      if (end > 0 && !parse_number(rest.substr(0, end))) return false;
+      numbers += end > 0 ? 1 : 0;
+      rest.remove_prefix(std::min(end + 1, rest.size()));
+    }
+    if (numbers < 3) return false;
+    ++lines;
+  }
+  return lines > 0;
+}
+
 }  // namespace floeplan::ingest

@@ -36,4 +36,8 @@ class DelimitedText {
 /// The fields of one line of comma-separated values; quotes as in RFC 4180, but no line ends inside them.
 [[nodiscard]] std::vector<std::string> csv_fields(const std::string& line);
 
+/// Whether a text begins with numbers: at least three on each of the first lines, parted by blanks, commas, semicolons
+/// or tabs.
+[[nodiscard]] bool is_number_table(std::string_view head);
+
 }  // namespace floeplan::ingest

@@ -13,9 +13,9 @@
 #include <new>
 #include <stdexcept>
 
-#include "storage/ingest/file_format.hpp"
 #include "storage/ingest/file_groups.hpp"
 #include "storage/ingest/files/archive.hpp"
+#include "storage/ingest/format_of.hpp"
 #include "storage/ingest/ingest_file.hpp"
 #include "storage/ingest/process/reader_messages.hpp"
 #include "storage/ingest/process/reader_needs.hpp"

@@ -57,6 +57,12 @@ Checked<void> holds_plain_tables(const std::filesystem::path& file) {
 
 }  // namespace
 
+bool is_geopackage(std::string_view head) {
+  constexpr std::size_t id_offset = 68;
+  return head.starts_with("SQLite format 3") && head.size() > id_offset + 4 &&
+         head.substr(id_offset, 2) == "GP";
+}
+
 Checked<std::shared_ptr<GDALDataset>> open_vector_file(const std::filesystem::path& file,
                                                        const char* driver) {
   register_drivers();

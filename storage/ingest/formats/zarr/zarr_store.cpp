@@ -1,6 +1,7 @@
 #include "storage/ingest/formats/zarr/zarr_store.hpp"
 
 #include <algorithm>
+#include <array>
 #include <optional>
 
 #include "storage/ingest/files/file_digest.hpp"
@@ -23,7 +24,7 @@ std::string damaged_store(const fs::path& file, const std::string& why) {
          why + "; the Zarr store is damaged; copy or download it again";
 }
 
-/// The product_of_counts of the numbers; nullopt when one is no count or the product_of_counts is beyond `most`.
+/// The product of the numbers; nullopt when one is no count or the product is beyond `most`.
 std::optional<std::uint64_t> product_of_counts(const json& numbers, std::uint64_t most) {
   if (!numbers.is_array()) return std::nullopt;
   std::uint64_t result = 1;
@@ -78,6 +79,11 @@ Checked<bool> check_array(const fs::path& description, int version, std::size_t 
 }
 
 }  // namespace
+
+bool is_zarr(const std::filesystem::path& folder) {
+  return std::ranges::any_of(std::array{"zarr.json", ".zgroup", ".zmetadata", ".zarray"},
+                             [&](const char* name) { return std::filesystem::exists(folder / name); });
+}
 
 bool is_zarr3(const fs::path& folder) { return fs::exists(folder / "zarr.json"); }
 

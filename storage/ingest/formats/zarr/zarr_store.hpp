@@ -20,7 +20,9 @@ struct ZarrStore {
   int version{2};
 };
 
-/// Whether a folder is a Zarr store, or a part of one, of version 3.
+/// Whether a folder is a Zarr store, or a part of one, of any version.
+[[nodiscard]] bool is_zarr(const std::filesystem::path& folder);
+/// Whether it is one of version 3.
 [[nodiscard]] bool is_zarr3(const std::filesystem::path& folder);
 
 /// Errors   a store of version 3 of another layout than version 2 has; one that is no group; links and other things

@@ -1,0 +1,92 @@
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "engine/core/progress.hpp"
+#include "storage/ingest/common/ingest_options.hpp"
+#include "storage/ingest/common/prepared_dataset.hpp"
+#include "storage/ingest/common/refusal.hpp"
+#include "storage/ingest/files/file_group.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_file.hpp"
+#include "storage/repository/dataset.hpp"
+
+class GDALDataset;
+
+namespace floeplan::ingest {
+
+struct DataFormat;
+
+/// What a format is told by.
+struct FileStart {
+  std::string_view bytes{};        // the first ones; of a text in UTF-8 without a mark of the byte order
+  bool icebergs_stated{false};     // by the user: tables need no column of their own for them
+  std::filesystem::path folder{};  // of data that are a folder
+
+  [[nodiscard]] std::string_view first_line() const { return bytes.substr(0, bytes.find('\n')); }
+};
+
+/// What the user said that a file is.
+struct Expectation {
+  std::optional<repository::DatasetKind> kind{};
+  bool zone_kind_stated{false};  // polygons without a word of their own are zones then
+  std::optional<std::string>
+      variable{};  // the component of currents or the concentration of sea ice that is wanted
+  std::optional<double> missing{};  // what marks missing values beside what the file declares
+};
+
+/// A file that was opened and looked into.
+struct RecognisedFile {
+  std::filesystem::path path;
+  const DataFormat* format{};                  // never null
+  std::vector<repository::DatasetKind> kinds;  // at least one
+  std::shared_ptr<const NetcdfFile> netcdf;    // for the NetCDF formats
+  NetcdfFiles companions;                      // files that were given to be read together with it
+  std::shared_ptr<GDALDataset> features;       // for GeoJSON, KML, GeoPackage and shapefiles
+  std::vector<std::string> warnings{};         // which part of the file this is
+};
+
+/// What a reader is given.
+struct Reading {
+  const RecognisedFile& file;
+  const FileGroup& files;  // the file first
+  repository::DatasetKind kind;
+  const IngestOptions& options;
+  const core::ProgressCallback& progress;
+};
+
+/// How a format is written, which decides what is looked at to tell it from others.
+enum class Writing : std::uint8_t { folder, binary, json, xml, text };
+
+/// Which other files may make one dataset with a file; see file_groups.
+enum class Together : std::uint8_t { none, model_output, chart_updates, glider_log };
+
+/// A format that this program reads: a row of data_formats().
+struct DataFormat {
+  std::string_view name;                       // as people call it; README.md does
+  std::string_view reads;                      // what of it is read, for people
+  std::vector<repository::DatasetKind> kinds;  // that a file of it may hold
+  Writing writing{};
+  bool (*is_it)(const FileStart&){};  // asked row by row, of files that are written so
+  Checked<PreparedDataset> (*read)(const Reading&){};
+
+  // Only where a format needs them.
+  /// What has to hold before GDAL or a reader may open a file.
+  Checked<bool> (*check)(const std::filesystem::path&){};
+  /// Opens a file that may hold several kinds, and says which it does; else a file holds the one of `kinds`.
+  Checked<bool> (*look_into)(RecognisedFile&, const Expectation&){};
+  /// SHA-256 of all that a dataset is made of; else of the files of its group.
+  Checked<std::string> (*digest)(const FileGroup&){};
+  Together together{Together::none};
+  /// A table of lines, of which the last one may be cut within its last number when it has no end.
+  bool has_lines{false};
+  /// A raster of plain numbers, that may be anything, of which depths alone are read.
+  bool is_plain_raster{false};
+};
+
+}  // namespace floeplan::ingest

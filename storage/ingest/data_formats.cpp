@@ -1,0 +1,336 @@
+#include "storage/ingest/data_formats.hpp"
+
+#include <gdal_priv.h>
+
+#include "storage/ingest/files/file_digest.hpp"
+#include "storage/ingest/files/first_bytes.hpp"
+#include "storage/ingest/formats/netcdf/hdf5_references.hpp"
+#include "storage/ingest/formats/netcdf/netcdf3_length.hpp"
+#include "storage/ingest/formats/slocum/slocum_header.hpp"
+#include "storage/ingest/formats/slocum/slocum_log.hpp"
+#include "storage/ingest/formats/vector/geojson_file.hpp"
+#include "storage/ingest/formats/vector/kml_file.hpp"
+#include "storage/ingest/formats/vector/vector_file.hpp"
+#include "storage/ingest/formats/zarr/zarr_store.hpp"
+#include "storage/ingest/netcdf_contents.hpp"
+#include "storage/ingest/notation/delimited_text.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/bathymetry/ascii_grid_length.hpp"
+#include "storage/ingest/readers/bathymetry/bathymetry_raster_reader.hpp"
+#include "storage/ingest/readers/bathymetry/depth_table.hpp"
+#include "storage/ingest/readers/bathymetry/s57_cell.hpp"
+#include "storage/ingest/readers/bathymetry/s57_reader.hpp"
+#include "storage/ingest/readers/coastline/coastline_reader.hpp"
+#include "storage/ingest/readers/currents/grib_contents.hpp"
+#include "storage/ingest/readers/currents/grib_currents.hpp"
+#include "storage/ingest/readers/ice/ice_chart_reader.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_csv_reader.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_geojson_reader.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_own_table.hpp"
+#include "storage/ingest/readers/icebergs/iceberg_table_reader.hpp"
+#include "storage/ingest/readers/tides/tide_table.hpp"
+#include "storage/ingest/readers/tracks/slocum_reader.hpp"
+#include "storage/ingest/readers/zones/feature_kind.hpp"
+#include "storage/ingest/readers/zones/zone_reader.hpp"
+#include "storage/xml/xml_document.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using namespace std::string_view_literals;
+
+bool is_classic_netcdf(std::string_view bytes) {
+  return bytes.starts_with("CDF\x01") || bytes.starts_with("CDF\x02") || bytes.starts_with("CDF\x05");
+}
+
+bool is_hdf5(std::string_view bytes) { return bytes.starts_with("\x89HDF\r\n\x1a\n"); }
+
+bool is_bag(std::string_view bytes) {
+  return is_hdf5(bytes) && bytes.find("BAG_root") != std::string_view::npos;
+}
+
+bool is_tiff(std::string_view bytes) {
+  return bytes.starts_with("II*\0"sv) || bytes.starts_with("MM\0*"sv) || bytes.starts_with("II+\0"sv) ||
+         bytes.starts_with("MM\0+"sv);
+}
+
+/// The leader of ISO 8211 with interchange level 3, as S-57 has it.
+bool is_s57(std::string_view bytes) { return bytes.size() > 24 && bytes.substr(5, 3) == "3LE"; }
+
+bool is_ascii_grid(std::string_view text) {
+  const std::string start = lower(trimmed(text.substr(0, 64)));
+  return start.starts_with("ncols") || start.starts_with("nrows");
+}
+
+Checked<bool> is_whole_netcdf(const std::filesystem::path& file) {
+  if (!is_classic_netcdf(first_bytes(file, 4))) return true;
+  const auto needed = netcdf3_length(file);
+  if (!needed) return refuse(needed.error());
+  const std::uint64_t size = std::filesystem::file_size(file);
+  if (size < *needed)
+    return refuse("the NetCDF file was cut short: its header announces " + std::to_string(*needed) +
+                  " bytes, but it has " + std::to_string(size) +
+                  "; the end would be read as zeros; copy or download it again");
+  return true;
+}
+
+template <class Value>
+Checked<bool> whether(const Checked<Value>& checked) {
+  if (!checked) return refuse(checked.error());
+  return true;
+}
+
+Checked<bool> look_into_features(RecognisedFile& file, Checked<std::shared_ptr<GDALDataset>> features,
+                                 const Expectation& expected) {
+  if (!features) return refuse(features.error());
+  const auto kind = kind_of_features(**features, expected.kind, expected.zone_kind_stated);
+  if (!kind) return refuse(kind.error());
+  file.features = std::move(*features);
+  file.kinds = {*kind};
+  return true;
+}
+
+Checked<PreparedDataset> read_features(const Reading& reading) {
+  using enum repository::DatasetKind;
+  GDALDataset& features = *reading.file.features;
+  if (reading.kind == icebergs) return read_geojson_icebergs(features);
+  if (reading.kind == coastline) return read_coastline(features, reading.options);
+  if (reading.kind == ice) return read_ice_polygons(features, reading.file.path, reading.options);
+  return read_zones(features, reading.options);
+}
+
+Checked<bool> look_into_grib(RecognisedFile& file, const Expectation& /*expected*/) {
+  auto kinds = kinds_of_grib(file.path);
+  if (!kinds) return refuse(kinds.error());
+  file.kinds = std::move(*kinds);
+  return true;
+}
+
+Checked<PreparedDataset> read_slocum(const Reading& reading) {
+  return read_slocum_tracks(reading.files, reading.progress);
+}
+
+std::vector<DataFormat> all_formats() {
+  using enum repository::DatasetKind;
+  return {
+      {.name = "Zarr",
+       .reads = "stores of version 2, and of version 3 without shards: what is read of NetCDF",
+       .kinds = {currents, wind, bathymetry, ice, tides, glider_tracks},
+       .writing = Writing::folder,
+       .is_it = [](const FileStart& start) { return is_zarr(start.folder); },
+       .read = read_netcdf,
+       .check = [](const std::filesystem::path& folder) { return whether(open_zarr(folder)); },
+       .look_into = look_into_netcdf,
+       .digest = [](const FileGroup& files) { return sha256_of_zarr(files.front()); }},
+
+      {.name = "BAG",
+       .reads = "depths of a survey, also of variable resolution",
+       .kinds = {bathymetry},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return is_bag(start.bytes); },
+       .read = [](const Reading& r) { return read_raster_bathymetry(r.file.path, "BAG", r.options); },
+       .check = check_hdf5_references},
+
+      {.name = "NetCDF",
+       .reads =
+           "model output on regular, bent and staggered grids and meshes; GEBCO, ETOPO, IBCAO and EMODnet; "
+           "TPXO, TMD, FES and HAMTIDE; GSHHG as GMT has it; tracks of the IOOS DAC and OG1, dbd2netcdf",
+       .kinds = {currents, wind, bathymetry, ice, tides, coastline, glider_tracks},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return is_classic_netcdf(start.bytes) || is_hdf5(start.bytes); },
+       .read = read_netcdf,
+       .check = is_whole_netcdf,
+       .look_into = look_into_netcdf,
+       .together = Together::model_output},
+
+      {.name = "GRIB2",
+       .reads = "currents, and wind 10 m above the sea",
+       .kinds = {currents, wind},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return start.bytes.starts_with("GRIB"); },
+       .read =
+           [](const Reading& r) {
+             return r.kind == wind ? read_grib_wind(r.file.path, r.progress)
+                                   : read_grib_currents(r.file.path, r.progress);
+           },
+       .look_into = look_into_grib},
+
+      {.name = "GeoTIFF",
+       .reads = "depths or elevations",
+       .kinds = {bathymetry},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return is_tiff(start.bytes); },
+       .read = [](const Reading& r) { return read_raster_bathymetry(r.file.path, "GTiff", r.options); },
+       .is_plain_raster = true},
+
+      {.name = "GeoPackage",
+       .reads = "points that are icebergs; polygons that are zones, land, ice shelves or sea ice (SIGRID-3)",
+       .kinds = {icebergs, zones, coastline, ice},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return is_geopackage(start.bytes); },
+       .read = read_features,
+       .look_into =
+           [](RecognisedFile& file, const Expectation& expected) {
+             return look_into_features(file, open_vector_file(file.path, "GPKG"), expected);
+           }},
+
+      {.name = "shapefile",
+       .reads = "what is read of a GeoPackage, with the parts beside it",
+       .kinds = {icebergs, zones, coastline, ice},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return start.bytes.starts_with("\x00\x00\x27\x0a"sv); },
+       .read = read_features,
+       .look_into =
+           [](RecognisedFile& file, const Expectation& expected) {
+             return look_into_features(file, open_vector_file(file.path, "ESRI Shapefile"), expected);
+           },
+       .digest = [](const FileGroup& files) { return sha256_of_files(parts_of_shapefile(files.front())); }},
+
+      {.name = "S-57",
+       .reads = "depths of a cell of an electronic chart, with the updates .001, ... beside it",
+       .kinds = {bathymetry},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return is_s57(start.bytes); },
+       .read = [](const Reading& r) { return read_s57_bathymetry(r.file.path); },
+       .digest = [](const FileGroup& files) { return sha256_of_files(parts_of_s57(files.front())); },
+       .together = Together::chart_updates},
+
+      {.name = "Slocum binary",
+       .reads =
+           "logs of a glider, .dbd, .sbd and the like, also compressed (.dcd, .scd), with their .cac or .ccc",
+       .kinds = {glider_tracks},
+       .writing = Writing::binary,
+       .is_it = [](const FileStart& start) { return is_slocum_binary(start.bytes); },
+       .read = read_slocum,
+       .digest = [](const FileGroup& files) { return sha256_of_files(without_sensor_caches(files)); },
+       .together = Together::glider_log},
+
+      {.name = "GeoJSON",
+       .reads = "points that are icebergs; polygons that are zones, land, ice shelves or sea ice (SIGRID-3)",
+       .kinds = {icebergs, zones, coastline, ice},
+       .writing = Writing::json,
+       .is_it =
+           [](const FileStart& start) {
+             return contains_any(start.bytes, {"\"Feature\"", "\"FeatureCollection\""});
+           },
+       .read = read_features,
+       .look_into =
+           [](RecognisedFile& file, const Expectation& expected) {
+             return look_into_features(file, open_geojson(file.path), expected);
+           }},
+
+      {.name = "Brigham Young University",
+       .reads = "its list of the current positions of icebergs, JSON",
+       .kinds = {icebergs},
+       .writing = Writing::json,
+       .is_it = [](const FileStart& start) { return is_iceberg_list_json(start.bytes); },
+       .read = [](const Reading& r) { return read_iceberg_list_json(r.file.path); }},
+
+      {.name = "NOAA's JSON",
+       .reads = "harmonic constants of stations",
+       .kinds = {tides},
+       .writing = Writing::json,
+       .is_it = [](const FileStart& start) { return is_tide_json(start.bytes); },
+       .read = [](const Reading& r) { return read_tide_json(r.file.path, r.options); }},
+
+      {.name = "KML",
+       .reads = "what is read of GeoJSON; KMZ is an archive of it",
+       .kinds = {icebergs, zones, coastline, ice},
+       .writing = Writing::xml,
+       .is_it = [](const FileStart& start) { return xml::root_name(start.bytes) == "kml"; },
+       .read = read_features,
+       .look_into =
+           [](RecognisedFile& file, const Expectation& expected) {
+             return look_into_features(file, open_kml(file.path), expected);
+           }},
+
+      {.name = "ESRI ASCII",
+       .reads = "depths or elevations on a grid",
+       .kinds = {bathymetry},
+       .writing = Writing::text,
+       .is_it = [](const FileStart& start) { return is_ascii_grid(start.bytes); },
+       .read = [](const Reading& r) { return read_raster_bathymetry(r.file.path, "AAIGrid", r.options); },
+       .check = [](const std::filesystem::path& file) { return whether(ascii_grid_length(file)); },
+       .has_lines = true,
+       .is_plain_raster = true},
+
+      {.name = "International Ice Patrol",
+       .reads = "its sightings of icebergs (NSIDC G00807), CSV",
+       .kinds = {icebergs},
+       .writing = Writing::text,
+       .is_it = [](const FileStart& start) { return is_ice_patrol_header(std::string{start.first_line()}); },
+       .read = [](const Reading& r) { return read_ice_patrol_csv(r.file.path); },
+       .has_lines = true},
+
+      {.name = "US National Ice Center",
+       .reads = "its list of icebergs, CSV; also tracks of Brigham Young University and of the Canadian Ice "
+                "Service's beacons",
+       .kinds = {icebergs},
+       .writing = Writing::text,
+       .is_it =
+           [](const FileStart& start) { return is_iceberg_table_header(std::string{start.first_line()}); },
+       .read = [](const Reading& r) { return read_iceberg_table(r.file.path); },
+       .has_lines = true},
+
+      {.name = "table of your own",
+       .reads = "icebergs: columns id, lat, lon and time, and what else is known of them",
+       .kinds = {icebergs},
+       .writing = Writing::text,
+       .is_it =
+           [](const FileStart& start) {
+             return is_own_iceberg_table_header(start.first_line(), start.icebergs_stated);
+           },
+       .read = [](const Reading& r) { return read_own_iceberg_table(r.file.path); },
+       .has_lines = true},
+
+      {.name = "tide table",
+       .reads = "harmonic constants of a station: columns of names, amplitudes and phases",
+       .kinds = {tides},
+       .writing = Writing::text,
+       .is_it = [](const FileStart& start) { return is_tide_table(start.bytes); },
+       .read = [](const Reading& r) { return read_tide_table(r.file.path, r.options); },
+       .has_lines = true},
+
+      {.name = "OTPS",
+       .reads = "harmonic constants that its extract_HC writes for places",
+       .kinds = {tides},
+       .writing = Writing::text,
+       .is_it = [](const FileStart& start) { return is_otps_extract(start.bytes); },
+       .read = [](const Reading& r) { return read_otps_extract(r.file.path); },
+       .has_lines = true},
+
+      {.name = "XYZ",
+       .reads = "depths or elevations on a grid: longitude or easting, latitude or northing, value",
+       .kinds = {bathymetry},
+       .writing = Writing::text,
+       .is_it = [](const FileStart& start) { return is_number_table(start.bytes); },
+       .read = [](const Reading& r) { return read_raster_bathymetry(r.file.path, "XYZ", r.options); },
+       .has_lines = true,
+       .is_plain_raster = true},
+
+      {.name = "Slocum text",
+       .reads = "logs of a glider, comma-separated or as dbd2asc writes them",
+       .kinds = {glider_tracks},
+       .writing = Writing::text,
+       .is_it = [](const FileStart& start) { return is_slocum_text(start.bytes); },
+       .read = read_slocum,
+       .together = Together::glider_log},
+
+      {.name = "grid of depths",
+       .reads = "a table with the columns lon, lat and depth or elevation",
+       .kinds = {bathymetry},
+       .writing = Writing::text,
+       .is_it = [](const FileStart& start) { return is_depth_table_header(start.first_line()); },
+       .read = [](const Reading& r) { return read_depth_table(r.file.path, r.options); },
+       .has_lines = true},
+  };
+}
+
+}  // namespace
+
+const std::vector<DataFormat>& data_formats() {
+  static const std::vector<DataFormat> formats = all_formats();
+  return formats;
+}
+
+}  // namespace floeplan::ingest

@@ -1,0 +1,283 @@
+#include "storage/ingest/netcdf_contents.hpp"
+
+#include <algorithm>
+
+#include "storage/ingest/formats/netcdf/netcdf_grid.hpp"
+#include "storage/ingest/formats/netcdf/netcdf_layout.hpp"
+#include "storage/ingest/formats/netcdf/variable_meaning.hpp"
+#include "storage/ingest/formats/slocum/slocum_netcdf.hpp"
+#include "storage/ingest/notation/cf_units.hpp"
+#include "storage/ingest/notation/text.hpp"
+#include "storage/ingest/readers/bathymetry/bathymetry_netcdf_reader.hpp"
+#include "storage/ingest/readers/coastline/gshhg_coastline.hpp"
+#include "storage/ingest/readers/coastline/gshhg_reader.hpp"
+#include "storage/ingest/readers/currents/current_reader.hpp"
+#include "storage/ingest/readers/currents/wind_reader.hpp"
+#include "storage/ingest/readers/ice/ice_reader.hpp"
+#include "storage/ingest/readers/ice/ice_variables.hpp"
+#include "storage/ingest/readers/tides/tide_reader.hpp"
+#include "storage/ingest/readers/tides/tide_variables.hpp"
+#include "storage/ingest/readers/tracks/glider_netcdf.hpp"
+#include "storage/ingest/readers/tracks/slocum_reader.hpp"
+#include "storage/ingest/readers/velocity/velocity_hints.hpp"
+#include "storage/ingest/readers/velocity/velocity_names.hpp"
+#include "storage/ingest/readers/velocity/velocity_pair.hpp"
+
+namespace floeplan::ingest {
+namespace {
+
+using repository::DatasetKind;
+
+/// Whether a variable lies on a grid that is stored as it is. What else a file of currents holds on a bent or turned
+/// grid is no reason to refuse the currents.
+bool lies_on_regular_grid(const NetcdfFile& file, const NetcdfVariable& variable,
+                          const std::optional<std::string>& stated_crs) {
+  const auto layout = layout_of(file, variable);
+  return layout && grid_of(file, variable, *layout, stated_crs);
+}
+
+bool ice_is_readable(const NetcdfFile& file) {
+  const auto ice = find_ice(file, std::nullopt);
+  return ice && lies_on_regular_grid(file, *ice->concentrations.front(), std::nullopt);
+}
+
+std::vector<DatasetKind> kinds_of_netcdf(const std::shared_ptr<const NetcdfFile>& opened,
+                                         const Expectation& expected) {
+  const NetcdfFile& file = *opened;
+  const std::optional<DatasetKind> wanted = expected.kind;
+  if (holds_tides(file)) return {DatasetKind::tides};
+  std::vector<DatasetKind> kinds;
+  const bool bathymetry_wanted = wanted == DatasetKind::bathymetry;
+  const bool velocity = holds_velocity(file, Moving::sea, expected.variable);
+  if (!wanted && velocity && names_velocity(file, expected.variable)) return {DatasetKind::currents};
+  if (velocity) kinds.push_back(DatasetKind::currents);
+  const NetcdfVariable* bathymetry = find_bathymetry(file, bathymetry_wanted);
+  const bool worth_reading = bathymetry != nullptr && (!velocity || bathymetry_wanted ||
+                                                       lies_on_regular_grid(file, *bathymetry, std::nullopt));
+  if (worth_reading) kinds.push_back(DatasetKind::bathymetry);
+  const bool named_ice = wanted == DatasetKind::ice && expected.variable;
+  const bool lone_ice = wanted == DatasetKind::ice || !velocity;
+  if (named_ice || (holds_ice(file) &&
+                    (lone_ice || (velocity_parts(file) == VelocityParts::both && ice_is_readable(file)))))
+    kinds.push_back(DatasetKind::ice);
+  // Wind that cannot be read is no reason to refuse what else the file holds.
+  const bool lone_wind = wanted == DatasetKind::wind || kinds.empty();
+  if (holds_wind(file) && (lone_wind || wind_is_readable(opened))) kinds.push_back(DatasetKind::wind);
+  return kinds;
+}
+
+/// "the wind" or "the current" where a file has it as a speed and a direction; empty where it has not.
+std::string known_by_direction(const NetcdfFile& file) {
+  for (const NetcdfVariable& variable : file.variables()) {
+    const std::string words = lower(variable.name() + " " + variable.attribute("standard_name") + " " +
+                                    variable.attribute("long_name"));
+    if (!variable.is_numeric() || variable.dimensions().size() < 2 ||
+        !contains_any(words, {"direction", "_dir"}))
+      continue;
+    if (contains_any(words, {"wave", "swell", "ice"})) continue;
+    if (contains_any(words, {"wind"})) return "the wind";
+    if (contains_any(words, {"sea_water", "current"})) return "the current";
+  }
+  return "";
+}
+
+/// Whether the file itself has no such variable: hvel[0] is one half of its hvel.
+bool is_part_of_another(const NetcdfFile& file, const NetcdfVariable& variable) {
+  const std::size_t bracket = variable.name().find('[');
+  return bracket != std::string::npos && file.find(variable.name().substr(0, bracket)) != nullptr;
+}
+
+/// Of a variable called as currents are that is none by its own words; empty: there is none.
+std::string called_currents(const NetcdfFile& file) {
+  for (const NetcdfVariable& variable : file.variables()) {
+    const std::string standard_name = standard_name_of(variable);
+    const auto known = known_name(variable.name(), Moving::sea);
+    if (!known || known->generic || variable.dimensions().size() < 2) continue;
+    const std::string unit = variable.attribute("units");
+    if (!names_another_quantity(standard_name, Moving::sea) && (unit.empty() || speed_factor(unit))) continue;
+    return "\"" + variable.name() + "\" is called as currents are, but holds another quantity (" +
+           (standard_name.empty() ? variable.attribute("long_name") : standard_name) +
+           (unit.empty() ? "" : " in " + unit) +
+           "); this is not the current that a vehicle meets; give a file of the current itself";
+  }
+  return {};
+}
+
+std::string nothing_known(const NetcdfFile& file) {
+  if (const std::string what = known_by_direction(file); !what.empty())
+    return "the file holds " + what +
+           " as a speed and a direction, which this program does not read: one taken for where it comes from "
+           "instead of "
+           "where it goes would turn it round; ask for components, or compute them: of a direction towards "
+           "which it "
+           "goes u = speed * sin(direction) and v = speed * cos(direction), of one from which it comes the "
+           "negative of "
+           "both";
+  if (file.find("x_range") != nullptr && file.find("y_range") != nullptr && file.find("spacing") != nullptr)
+    return "this is a grid of GMT 3 or before, whose rows and columns have no axes of their own; convert it "
+           "with GMT: gmt grdconvert IN.grd OUT.nc=nf";
+  for (const char* const part : {"horizontalVelX", "horizontalVelY", "zCoordinates"})
+    if (file.find(part) != nullptr)
+      return "this is one of the files in which SCHISM 5.10 and later write currents, heights of the levels "
+             "and mesh "
+             "apart from each other; this program does not put them together; merge them into the layout of "
+             "SCHISM 5.9 "
+             "(one file with its mesh, hvel and zcor), or interpolate them to longitude, latitude and depth "
+             "first";
+  if (std::string left_out = ice_left_out(file); !left_out.empty()) return left_out;
+  if (const std::string product = file.attribute("productSpecification"); product.starts_with("INT.IHO.S-"))
+    return "this is a dataset of the product " + product +
+           " in HDF5, as S-100 lays it out, which this program does not read; ask its producer for the same "
+           "data "
+           "as NetCDF";
+  if (holds_ice_thickness(file))
+    return "the file holds a thickness of sea ice but no concentration; how much of the sea is covered is "
+           "not known from "
+           "it; put the concentration of the same grid and time into the same file, as siconc, for example "
+           "with "
+           "ncks -A";
+  for (const Moving what : {Moving::sea, Moving::air})
+    if (std::string left_out = velocities_left_out(file, what); !left_out.empty()) return left_out;
+  if (std::string other = called_currents(file); !other.empty()) return other;
+  if (!file.groups().empty())
+    return "neither the top level of the file nor its groups (" + enumeration(file.groups()) +
+           ") hold currents of the sea, depths, sea ice or wind that this program knows; there is nothing to "
+           "store; give a file with, for example, uo and vo, elevation, siconc or u10 and v10";
+  std::vector<std::string> names;
+  for (const NetcdfVariable& variable : file.variables())
+    if (!is_part_of_another(file, variable)) names.push_back(variable.name());
+  if (names.empty())
+    return "the NetCDF file holds no variables at its top level; there is nothing to store; give a file with "
+           "currents, depths, sea ice or wind";
+  return "the file holds " + enumeration(names) +
+         ", but neither currents of the sea nor depths nor sea ice nor wind under names that this program "
+         "knows; "
+         "there is nothing to store; if two of them are the current, say so by their standard_name, "
+         "eastward_sea_water_velocity and northward_sea_water_velocity, for example with ncatted";
+}
+
+/// A group of a file that holds data, seen as a file.
+struct DataGroup {
+  std::string path;
+  std::shared_ptr<const NetcdfFile> seen;
+  std::vector<DatasetKind> kinds;
+  bool has_own_data{false};  // not only what it sees of the groups round it
+};
+
+bool holds_wanted(const std::vector<DatasetKind>& kinds, const Expectation& expected) {
+  return expected.kind ? std::ranges::find(kinds, *expected.kind) != kinds.end() : !kinds.empty();
+}
+
+std::vector<DataGroup> groups_with_data(const NetcdfFile& file, const Expectation& expected) {
+  std::vector<DataGroup> found;
+  for (const std::string& path : file.groups()) {
+    const auto alone = std::make_shared<const NetcdfFile>(file.only(path));
+    const bool has_own_data = holds_wanted(kinds_of_netcdf(alone, expected), expected);
+    const bool below_another = std::ranges::any_of(
+        found, [&](const DataGroup& group) { return path.starts_with(group.path + "/"); });
+    if (below_another && !has_own_data) continue;  // it sees the same variables once more
+    auto seen = std::make_shared<const NetcdfFile>(file.seen_from(path));
+    auto kinds = kinds_of_netcdf(seen, expected);
+    if (holds_wanted(kinds, expected))
+      found.push_back({path, std::move(seen), std::move(kinds), has_own_data});
+  }
+  return found;
+}
+
+std::string groups_in_words(const std::vector<DataGroup>& groups) {
+  std::vector<std::string> texts;
+  for (const DataGroup& group : groups) {
+    std::vector<std::string> kinds;
+    for (const DatasetKind kind : group.kinds) kinds.push_back(repository::kind_name(kind));
+    texts.push_back(group.path + " (" + enumeration(kinds) + ")");
+  }
+  return enumeration(texts);
+}
+
+/// Goes below the top level of a file where that does not hold what is wanted, and says what lies there where it does.
+Checked<bool> look_into_groups(RecognisedFile& file, const Expectation& expected) {
+  if (file.netcdf->groups().empty()) return true;
+  const bool top_level = holds_wanted(file.kinds, expected);
+  // What a group sees of the top level is no data of its own.
+  std::vector<DataGroup> groups = groups_with_data(*file.netcdf, expected);
+  if (top_level) {
+    std::erase_if(groups,
+                  [&](const DataGroup& group) { return !group.has_own_data && group.kinds == file.kinds; });
+    if (!groups.empty())
+      file.warnings.push_back("the top level of the file was read; its groups " + groups_in_words(groups) +
+                              " were not; to store one of them take it out, for example with ncks -G : -g " +
+                              groups.front().path + " IN.nc OUT.nc");
+    return true;
+  }
+  if (groups.size() > 1)
+    return refuse("the file holds data in several groups: " + groups_in_words(groups) +
+                  "; which of them is meant is not known; take one out, for example with ncks -G : -g " +
+                  groups.front().path + " IN.nc OUT.nc");
+  if (groups.empty()) return true;
+  const std::vector<DatasetKind>& kinds = groups.front().kinds;
+  const auto holds = [&](DatasetKind kind) { return std::ranges::find(kinds, kind) != kinds.end(); };
+  if (holds(DatasetKind::currents) || holds(DatasetKind::wind) || holds(DatasetKind::ice))
+    if (std::string statistic = statistic_in_group(groups.front().path); !statistic.empty())
+      return refuse(std::move(statistic));
+  if (holds(DatasetKind::currents))
+    if (std::string part = part_in_group(groups.front().path); !part.empty())
+      file.warnings.push_back(std::move(part));
+  file.netcdf = std::move(groups.front().seen);
+  file.kinds = std::move(groups.front().kinds);
+  file.warnings.push_back("the data lie in the group " + groups.front().path + " of the file");
+  return true;
+}
+
+/// A file and what was given to be read together with it.
+NetcdfFiles together(const RecognisedFile& file) {
+  NetcdfFiles files{file.netcdf};
+  files.insert(files.end(), file.companions.begin(), file.companions.end());
+  return files;
+}
+
+}  // namespace
+
+Checked<bool> look_into_netcdf(RecognisedFile& file, const Expectation& expected) {
+  auto netcdf = NetcdfFile::open(file.path, expected.missing);
+  if (!netcdf) return refuse(netcdf.error());
+  file.netcdf = std::make_shared<const NetcdfFile>(std::move(*netcdf));
+  if (is_glider_track(*file.netcdf) || is_slocum_netcdf(*file.netcdf)) {
+    file.kinds = {DatasetKind::glider_tracks};
+    return true;
+  }
+  file.kinds = kinds_of_netcdf(file.netcdf, expected);
+  if (file.kinds.empty() && file.format->writing == Writing::binary && is_gshhg(file.path))
+    file.kinds = {DatasetKind::coastline};
+  if (const auto looked = look_into_groups(file, expected); !looked) return looked;
+  if (file.kinds.empty()) return refuse(nothing_known(*file.netcdf));
+  return true;
+}
+
+Checked<PreparedDataset> read_netcdf(const Reading& reading) {
+  const RecognisedFile& file = reading.file;
+  const IngestOptions& options = reading.options;
+  if (reading.kind == DatasetKind::glider_tracks)
+    return is_glider_track(*file.netcdf) ? read_glider_netcdf(reading.files, reading.progress)
+                                         : read_slocum_tracks(reading.files, reading.progress);
+  if (reading.kind == DatasetKind::coastline) return read_gshhg_coastline(file.path, reading.progress);
+  if (reading.kind == DatasetKind::tides)
+    return read_tides(together(file), file.path, options, reading.progress);
+  if (reading.kind == DatasetKind::wind) return read_wind(file.netcdf, options.crs, reading.progress);
+  if (reading.kind == DatasetKind::ice) return read_ice(file.netcdf, options, reading.progress);
+  return reading.kind == DatasetKind::currents
+             ? read_currents(together(file), options.crs, options.variable, reading.progress)
+             : read_netcdf_bathymetry(file.netcdf, options);
+}
+
+void warn_of_what_is_left(const RecognisedFile& file, std::vector<std::string>& warnings) {
+  const auto left = [&](DatasetKind kind, bool held, const std::string& what) {
+    if (!held || std::ranges::find(file.kinds, kind) != file.kinds.end()) return;
+    warnings.push_back("the file also holds " + what +
+                       ", which were not stored with its currents; store them with --kind " +
+                       repository::kind_name(kind) + " in a second command");
+  };
+  left(DatasetKind::ice, holds_ice(*file.netcdf), "concentrations of sea ice");
+  left(DatasetKind::bathymetry, find_bathymetry(*file.netcdf, false) != nullptr, "depths of the sea bed");
+}
+
+}  // namespace floeplan::ingest

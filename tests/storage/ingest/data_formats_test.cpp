@@ -1,0 +1,96 @@
+#include "storage/ingest/data_formats.hpp"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <fstream>
+#include <iterator>
+#include <map>
+#include <set>
+
+#include "storage/ingest/format_of.hpp"
+#include "tests/storage/ingest/support/store_fixture.hpp"
+#include "tests/support/places.hpp"
+
+namespace floeplan::ingest::data_formats_test {
+namespace {
+
+using namespace std::string_literals;
+using repository::DatasetKind;
+using testing::HasSubstr;
+
+/// The beginning of a file of each format, as little as tells it; of a folder nothing.
+const std::map<std::string, std::string>& beginnings() {
+  static const std::map<std::string, std::string> all{
+      {"BAG", "\x89HDF\r\n\x1a\n" + std::string(64, '\0') + "BAG_root"},
+      {"NetCDF", "\x89HDF\r\n\x1a\n" + std::string(64, '\0')},
+      {"GRIB2", "GRIB\0\0\0\2"s},
+      {"GeoTIFF", "II*\0"s},
+      {"GeoPackage", "SQLite format 3" + std::string(53, '\0') + "GPKG\0"s},
+      {"shapefile", "\x00\x00\x27\x0a"s},
+      {"S-57", "015623LE1 0900201 ! 34040000"},
+      {"GeoJSON", R"({"type": "FeatureCollection", "features": []})"},
+      {"NOAA's JSON", R"({"HarmonicConstituents": []})"},
+      {"KML", "<?xml version=\"1.0\"?><kml xmlns=\"http://www.opengis.net/kml/2.2\"/>"},
+      {"ESRI ASCII", "ncols 1\nnrows 1\nxllcorner 0\nyllcorner 0\ncellsize 1\n5\n"},
+      {"International Ice Patrol",
+       "ICEBERG_YEAR,ICEBERG_NUMBER,SIGHTING_DATE,SIGHTING_TIME,SIGHTING_LATITUDE,SIGHTING_LONGITUDE,"
+       "SIGHTING_METHOD,SIZE,SHAPE\n"},
+      {"table of your own", "id,lat,lon,time\n"},
+      {"XYZ", "-52.0 69.0 -120\n-51.9 69.0 -130\n"},
+      {"grid of depths", "lon,lat,depth\n"}};
+  return all;
+}
+
+std::string text_of(const std::filesystem::path& file) {
+  std::ifstream in{file, std::ios::binary};
+  return {std::istreambuf_iterator<char>{in}, {}};
+}
+
+TEST(DataFormats, HaveANameOfTheirOwnAReaderAndKinds) {
+  std::set<std::string_view> names;
+  for (const DataFormat& format : data_formats()) {
+    EXPECT_TRUE(names.insert(format.name).second) << format.name;
+    EXPECT_NE(format.is_it, nullptr) << format.name;
+    EXPECT_NE(format.read, nullptr) << format.name;
+    EXPECT_FALSE(format.reads.empty()) << format.name;
+    EXPECT_TRUE(format.kinds.size() == 1 || (format.look_into != nullptr && !format.kinds.empty()))
+        << format.name << " has to say which of its kinds a file holds";
+  }
+}
+
+TEST(DataFormats, HoldEveryKindOfDataBetweenThem) {
+  for (const DatasetKind kind : {DatasetKind::bathymetry, DatasetKind::currents, DatasetKind::wind,
+                                 DatasetKind::ice, DatasetKind::icebergs, DatasetKind::coastline,
+                                 DatasetKind::tides, DatasetKind::zones, DatasetKind::glider_tracks})
+    EXPECT_TRUE(std::ranges::any_of(data_formats(), [&](const DataFormat& format) {
+      return std::ranges::find(format.kinds, kind) != format.kinds.end();
+    })) << repository::kind_name(kind);
+}
+
+TEST(DataFormats, AreNamedInTheReadme) {
+  const std::string readme = text_of(std::filesystem::path{support::source_folder()} / "README.md");
+
+  for (const DataFormat& format : data_formats())
+    EXPECT_THAT(readme, HasSubstr(std::string{format.name})) << "tell of the format in README.md";
+}
+
+class FormatOf : public StoreFixture {};
+
+TEST_F(FormatOf, AFileIsTheRowThatItsFirstBytesAreOfWhateverItsName) {
+  for (const auto& [name, beginning] : beginnings()) {
+    const auto format = format_of(write_file("data.bin", beginning));
+    ASSERT_TRUE(format) << name << ": " << format.error();
+    EXPECT_EQ((*format)->name, name);
+  }
+}
+
+// A cut within the last number of a table leaves another number, so all tables of lines tell of an end that is missing.
+TEST_F(FormatOf, ATextOfRowsHasLines) {
+  for (const DataFormat& format : data_formats())
+    EXPECT_EQ(format.has_lines, format.writing == Writing::text && format.together == Together::none)
+        << format.name;
+}
+
+}  // namespace
+}  // namespace floeplan::ingest::data_formats_test
