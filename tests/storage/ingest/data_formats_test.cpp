@@ -22,7 +22,6 @@ using testing::HasSubstr;
 /// The beginning of a file of each format, as little as tells it; of a folder nothing.
 const std::map<std::string, std::string>& beginnings() {
   static const std::map<std::string, std::string> all{
-      {"BAG", "\x89HDF\r\n\x1a\n" + std::string(64, '\0') + "BAG_root"},
       {"NetCDF", "\x89HDF\r\n\x1a\n" + std::string(64, '\0')},
       {"GRIB2", "GRIB\0\0\0\2"s},
       {"GeoTIFF", "II*\0"s},
@@ -83,6 +82,14 @@ TEST_F(FormatOf, AFileIsTheRowThatItsFirstBytesAreOfWhateverItsName) {
     ASSERT_TRUE(format) << name << ": " << format.error();
     EXPECT_EQ((*format)->name, name);
   }
+}
+
+TEST_F(FormatOf, ABagIsWalkedThroughBeforeAnythingOpensIt) {
+  const auto format =
+      format_of(write_file("bag.nc", "\x89HDF\r\n\x1a\n" + std::string(64, '\0') + "BAG_root"));
+
+  ASSERT_FALSE(format);
+  EXPECT_THAT(format.error(), HasSubstr("cannot be gone through to its end"));
 }
 
 // A cut within the last number of a table leaves another number, so all tables of lines tell of an end that is missing.
