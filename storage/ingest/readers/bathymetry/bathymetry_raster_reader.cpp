@@ -1,6 +1,5 @@
 #include "storage/ingest/readers/bathymetry/bathymetry_raster_reader.hpp"
 
-#include <cpl_minixml.h>
 #include <gdal_priv.h>
 #include <gdal_utils.h>
 #include <ogr_spatialref.h>
@@ -11,38 +10,24 @@
 #include <limits>
 #include <memory>
 #include <optional>
-#include <span>
 #include <string_view>
 #include <utility>
 
-#include "engine/geo/bounding_box.hpp"
 #include "storage/ingest/common/gdal_guard.hpp"
 #include "storage/ingest/formats/netcdf/netcdf_axis.hpp"
 #include "storage/ingest/formats/netcdf/variable_meaning.hpp"
 #include "storage/ingest/notation/cf_units.hpp"
-#include "storage/ingest/notation/crs_text.hpp"
 #include "storage/ingest/notation/grid_frame_of_crs.hpp"
 #include "storage/ingest/notation/text.hpp"
 #include "storage/ingest/readers/bathymetry/bathymetry_grid.hpp"
 #include "storage/ingest/readers/bathymetry/depth_table.hpp"
+#include "storage/ingest/readers/bathymetry/raster_crs.hpp"
 
 namespace floeplan::ingest {
 namespace {
 
-constexpr std::string_view depth_table = "depth table";  // in the place of a driver's name
-constexpr std::int64_t max_nodes = 4'000'000'000;        // the grid of GEBCO has 3.7e9
-constexpr std::int64_t max_resampled = 20'000'000;       // which are held in memory, with their extremes
-
-std::string wkt_of(const OGRSpatialReference& crs) {
-  char* wkt = nullptr;
-  const char* const format[] = {"FORMAT=WKT2_2018", nullptr};
-  crs.exportToWkt(&wkt, format);
-  std::string text = wkt == nullptr ? "" : wkt;
-  CPLFree(wkt);
-  return text;
-}
-
-using Transform = std::array<double, 6>;  // GDAL's affine geotransform
+constexpr std::int64_t max_nodes = 4'000'000'000;   // the grid of GEBCO has 3.7e9
+constexpr std::int64_t max_resampled = 20'000'000;  // which are held in memory, with their extremes
 
 bool is_picture(GDALDataset& dataset) {
   GDALRasterBand* band = dataset.GetRasterBand(1);
@@ -62,110 +47,7 @@ int depth_band(GDALDataset& dataset) {
   return std::max(first, 1);
 }
 
-/// Plain text grids often come without a CRS. Degrees betray themselves: within the globe, and a step that is
-/// a whole number of arc seconds below a degree, which metres hardly ever are.
-bool looks_like_degrees(const Transform& t, int columns, int rows) {
-  const double east = t[0] + t[1] * columns;
-  const double south = t[3] + t[5] * rows;
-  const bool on_the_globe = std::min(t[0], east) >= -180.5 && std::max(t[0], east) <= 360.5 &&
-                            std::max(std::abs(t[3]), std::abs(south)) <= 90.5;
-  const auto whole_arc_seconds = [](double step) {
-    const double arc_seconds = std::abs(step) * 3600.0;
-    return std::abs(step) < 0.9999 && std::abs(arc_seconds - std::round(arc_seconds)) < 1e-3 * arc_seconds &&
-           std::round(arc_seconds) >= 1.0;
-  };
-  return on_the_globe && whole_arc_seconds(t[1]) && whole_arc_seconds(t[5]);
-}
-
-/// The horizontal reference system that the description of a BAG names by its code alone; GDAL knows full texts only.
-std::optional<OGRSpatialReference> crs_named_in_bag(GDALDataset& dataset) {
-  char** const description = dataset.GetMetadata("xml:BAG");
-  if (description == nullptr || *description == nullptr) return std::nullopt;
-  const GdalMessages messages;
-  const CPLXMLTreeCloser root{CPLParseXMLString(*description)};
-  if (root.get() == nullptr) return std::nullopt;
-  CPLStripXMLNamespace(root.get(), nullptr, TRUE);
-  const CPLXMLNode* const system = CPLSearchXMLNode(root.get(), "=referenceSystemInfo");
-  const std::string identifier = "MD_ReferenceSystem.referenceSystemIdentifier.RS_Identifier.";
-  const std::string space = CPLGetXMLValue(system, (identifier + "codeSpace.CharacterString").c_str(), "");
-  const auto code = parse_number(CPLGetXMLValue(system, (identifier + "code.CharacterString").c_str(), ""));
-  OGRSpatialReference crs;
-  if (lower(trimmed(space)) != "epsg" || !code || !(*code >= 1.0 && *code <= 1e6)) return std::nullopt;
-  if (crs.importFromEPSG(static_cast<int>(*code)) != OGRERR_NONE) return std::nullopt;
-  if (crs.IsProjected() == 0 && crs.IsGeographic() == 0) return std::nullopt;
-  return crs;
-}
-
-Checked<OGRSpatialReference> crs_of(GDALDataset& dataset, std::string_view driver, const Transform& transform,
-                                    const IngestOptions& options, std::vector<std::string>& warnings) {
-  OGRSpatialReference crs;
-  crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  if (const OGRSpatialReference* stated = dataset.GetSpatialRef()) {
-    crs = *stated;
-    if (driver == "BAG" && crs.IsVertical() != 0 && contains_any(wkt_of(crs), {"\"depth\",down"}) &&
-        !options.positive)
-      return refuse(
-          "the BAG file counts its vertical axis downwards although the format holds elevations; land and "
-          "sea must not be mixed up; say --positive up or --positive down");
-    if (crs.IsCompound() != 0) crs.StripVertical();
-    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return crs;
-  }
-  if (const auto named = driver == "BAG" ? crs_named_in_bag(dataset) : std::nullopt) {
-    crs = *named;
-    crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-    return crs;
-  }
-  if (options.crs) {
-    if (read_crs(*options.crs, crs)) {
-      crs.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-      return crs;
-    }
-    return refuse("--crs \"" + *options.crs + "\" is not known; give it as, for example, EPSG:4326");
-  }
-  const bool plain_text = driver == "XYZ" || driver == "AAIGrid" || driver == depth_table;
-  if (plain_text && looks_like_degrees(transform, dataset.GetRasterXSize(), dataset.GetRasterYSize())) {
-    warnings.emplace_back(
-        "the file states no coordinate reference system; its coordinates look like degrees of longitude and "
-        "latitude and were taken as such");
-    crs.SetWellKnownGeogCS("WGS84");
-    return crs;
-  }
-  return refuse(
-      "the file states no coordinate reference system; it cannot be placed on the Earth; state it with "
-      "--crs, for example --crs EPSG:4326");
-}
-
 using DatasetPtr = std::unique_ptr<GDALDataset>;
-
-/// Longitude and latitude; a polar plane for what lies round a pole or across the antimeridian, where degrees have a
-/// seam and grow too narrow. Only of what lies in high latitudes, so that the plane stays true.
-const char* target_crs_for(GDALDataset& dataset, const OGRSpatialReference& crs) {
-  constexpr double least_lat_deg = 45.0;
-  constexpr int parts = 32;  // of each side
-  Transform t{};
-  dataset.GetGeoTransform(t.data());
-  OGRSpatialReference wgs84;
-  wgs84.SetWellKnownGeogCS("WGS84");
-  wgs84.SetAxisMappingStrategy(OAMS_TRADITIONAL_GIS_ORDER);
-  const GdalMessages messages;
-  const std::unique_ptr<OGRCoordinateTransformation> way{OGRCreateCoordinateTransformation(&crs, &wgs84)};
-  std::vector<geo::LonLat> border;
-  for (int i = 0; way && i <= parts; ++i) {
-    const double share = static_cast<double>(i) / parts;
-    for (const auto& [across, down] :
-         {std::pair{share, 0.0}, std::pair{share, 1.0}, std::pair{0.0, share}, std::pair{1.0, share}}) {
-      double x = t[0] + t[1] * across * dataset.GetRasterXSize();
-      double y = t[3] + t[5] * down * dataset.GetRasterYSize();
-      if (way->Transform(1, &x, &y) != 0 && std::abs(y) <= 90.0) border.push_back({x, y});
-    }
-  }
-  if (border.empty()) return "EPSG:4326";
-  const geo::BoundingBox box = geo::bounding_box(std::span<const geo::LonLat>{border});
-  const bool plain = box.west_deg <= box.east_deg && geo::width_deg(box) < 180.0;
-  if (plain || (box.south_deg < least_lat_deg && box.north_deg > -least_lat_deg)) return "EPSG:4326";
-  return box.south_deg > 0.0 ? "EPSG:3413" : "EPSG:3031";
-}
 
 Checked<DatasetPtr> resampled(GDALDataset& dataset, const OGRSpatialReference& crs, const char* target_crs,
                               const char* method) {
@@ -230,7 +112,7 @@ std::vector<double> centres(double origin, double step, int count) {
 
 /// A band whose coordinates the engine understands.
 Checked<Plane> plane_of(GDALDataset& dataset, const geo::GridFrame& frame, int band_number) {
-  Transform t{};
+  RasterTransform t{};
   if (dataset.GetGeoTransform(t.data()) != CE_None || t[2] != 0.0 || t[4] != 0.0)
     return refuse(
         "the grid is rotated or states no position; it cannot be placed on the Earth; convert it first, for "
@@ -400,9 +282,7 @@ Checked<PreparedDataset> prepared_raster(Views views, std::string_view driver, c
         "data that the picture was drawn from");
 
   std::vector<std::string> warnings;
-  Transform transform{};
-  dataset.GetGeoTransform(transform.data());
-  const auto crs = crs_of(dataset, driver, transform, options, warnings);
+  const auto crs = crs_of_raster(dataset, driver, options, warnings);
   if (!crs) return refuse(crs.error());
   auto frame = grid_frame_of(*crs);
   if (!frame) {
