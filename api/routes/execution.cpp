@@ -76,7 +76,7 @@ tl::expected<Submission, Response> submission_of(const Context& context, const R
   if (!read) return tl::unexpected(read.error());
   auto key = idempotency_key(request);
   if (!key) return tl::unexpected(key.error());
-  const auto inputs = checked_inputs(context, process.id, read->inputs);
+  const auto inputs = checked_inputs(context, request, process.id, read->inputs);
   if (!inputs) return tl::unexpected(invalid(request, under_inputs(inputs.error())));
   if (process.id == "ingest") {
     if (auto refusal = refuse_ingest(context, request, inputs->at("uploads")))

@@ -12,4 +12,11 @@ namespace floeplan::routes {
   return is_known ? request.caller->name : std::string{};
 }
 
+/// Whether the caller may see what belongs to `owner` alone: the owner may, and an admin. To everybody else it does not
+/// exist.
+[[nodiscard]] inline bool may_see_of(const Request& request, const std::string& owner) {
+  const bool sees_all = request.caller && request.caller->role == repository::Role::admin;
+  return sees_all || owner == owner_of(request);
+}
+
 }  // namespace floeplan::routes

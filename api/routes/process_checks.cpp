@@ -11,6 +11,7 @@
 #include "api/codec/scenario_inputs.hpp"
 #include "api/codec/sha256.hpp"
 #include "api/codec/simulate_inputs.hpp"
+#include "api/routes/owner.hpp"
 #include "engine/core/version.hpp"
 #include "engine/core/violation_list.hpp"
 #include "storage/repository/dataset_repository.hpp"
@@ -78,7 +79,8 @@ tl::expected<json, core::Violations> checked_reach_inputs(const Context& context
   return codec::to_json(*parsed);
 }
 
-tl::expected<json, core::Violations> checked_ingest_inputs(const Context& context, const json& inputs) {
+tl::expected<json, core::Violations> checked_ingest_inputs(const Context& context, const Request& request,
+                                                            const json& inputs) {
   const auto parsed = codec::parse_ingest_inputs(inputs);
   if (!parsed) return tl::unexpected(parsed.error());
   const repository::UploadRepository uploads{context.service.uploads};
@@ -87,7 +89,7 @@ tl::expected<json, core::Violations> checked_ingest_inputs(const Context& contex
   for (std::size_t i = 0; i < parsed->uploads.size() && !core::is_full(violations); ++i) {
     const std::string pointer = "/uploads/" + std::to_string(i);
     const auto upload = uploads.find(parsed->uploads[i]);
-    if (!upload) {
+    if (!upload || !may_see_of(request, upload->owner)) {
       core::note(violations,
                  {pointer, "no upload has the id " + parsed->uploads[i] + "; it was removed or has expired"});
     } else if (!names.insert(upload->name).second) {
@@ -127,12 +129,12 @@ tl::expected<json, core::Violations> checked_echo_inputs(const Context&, const j
 
 }  // namespace
 
-tl::expected<json, core::Violations> checked_inputs(const Context& context, const std::string& process,
-                                                    const json& inputs) {
+tl::expected<json, core::Violations> checked_inputs(const Context& context, const Request& request,
+                                                    const std::string& process, const json& inputs) {
   if (process == "plan-route") return checked_plan_inputs(context, inputs);
   if (process == "evaluate-route") return checked_evaluate_inputs(context, inputs);
   if (process == "reach") return checked_reach_inputs(context, inputs);
-  if (process == "ingest") return checked_ingest_inputs(context, inputs);
+  if (process == "ingest") return checked_ingest_inputs(context, request, inputs);
   if (process == "simulate-plan") return checked_simulate_inputs(context, inputs);
   if (process == "fly-scenario") return checked_scenario_inputs(context, inputs);
   if (process == "compare-flight") return checked_compare_flight_inputs(context, inputs);

@@ -5,15 +5,17 @@
 #include <tl/expected.hpp>
 
 #include "api/routes/context.hpp"
+#include "api/routes/message.hpp"
 #include "engine/core/violation.hpp"
 #include "storage/json/json.hpp"
 
 namespace floeplan::routes {
 
 /// The inputs of a process of the catalogue in canonical form, ready for the queue: read, and checked against what is
-/// stored.
+/// stored. Of uploads those alone are there that the caller may see.
 /// Errors   every violation, with its JSON pointer inside the inputs
 [[nodiscard]] tl::expected<nlohmann::json, core::Violations> checked_inputs(const Context& context,
+                                                                            const Request& request,
                                                                             const std::string& process,
                                                                             const nlohmann::json& inputs);
 

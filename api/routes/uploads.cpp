@@ -108,10 +108,9 @@ Response list_uploads(const Context& context, const Request& request, const Path
 
   const std::string& url = context.service.public_url;
   const std::string owner = owner_of(request);
-  const bool sees_all = request.caller && request.caller->role == repository::Role::admin;
   std::vector<Upload> uploads = UploadRepository{context.service.uploads}.list();
   std::erase_if(uploads, [&](const Upload& upload) {
-    return upload.expires <= request.now || (!sees_all && upload.owner != owner) ||
+    return upload.expires <= request.now || !may_see_of(request, upload.owner) ||
            (last && !last->is_before(place_of(upload)));
   });
   json links = json::array({link("self", "application/json", address_of(request, url))});
@@ -138,12 +137,15 @@ Response unknown_upload(const Request& request, const PathParameters& path) {
 
 Response show_upload(const Context& context, const Request& request, const PathParameters& path) {
   const auto upload = UploadRepository{context.service.uploads}.find(path.at("upload_id"));
-  if (!upload || upload->expires <= request.now) return unknown_upload(request, path);
+  if (!upload || upload->expires <= request.now || !may_see_of(request, upload->owner))
+    return unknown_upload(request, path);
   return json_reply(upload_document(*upload, context.service.public_url));
 }
 
 Response remove_upload(const Context& context, const Request& request, const PathParameters& path) {
-  if (!UploadRepository{context.service.uploads}.remove(path.at("upload_id")))
+  UploadRepository uploads{context.service.uploads};
+  const auto upload = uploads.find(path.at("upload_id"));
+  if (!upload || !may_see_of(request, upload->owner) || !uploads.remove(upload->id))
     return unknown_upload(request, path);
   Response response;
   response.status = 204;

@@ -1,4 +1,5 @@
 #include <fstream>
+#include <utility>
 
 #include "storage/repository/dataset_owners.hpp"
 #include "storage/repository/dataset_repository.hpp"
@@ -75,6 +76,36 @@ TEST_F(UploadsTest, AreNotListedOnceTheyHaveExpired) {
   ASSERT_EQ(send(ann, "a").status, 201);
   now_ += repository::UploadRepository::lifetime;
   EXPECT_THAT(names_seen_by(ann), testing::IsEmpty());
+}
+
+/// Whoever learns the id of another's upload can do no more with it than with an id that nothing has.
+TEST_F(UploadsTest, AreThereForWhoSentThemAndForAnAdminAlone) {
+  const std::string id = support::json_of(send(ann, "a1")).at("id");
+  const std::string upload = "/uploads/" + id;
+  const std::string none = std::string(32, '0');
+  const auto answer_of = [&](const Caller& caller, const std::string& method, const std::string& which) {
+    Response response = ask_as(caller, method, "/uploads/" + which);
+    for (std::size_t at = 0; (at = response.body.find(which, at)) != std::string::npos;)
+      response.body.replace(at, which.size(), "ID");
+    return std::pair{response.status, response.body};
+  };
+  const auto execution_with = [](const std::string& which) {
+    return R"({"inputs":{"uploads":[")" + which + "\"]}}";
+  };
+
+  for (const char* method : {"GET", "DELETE"}) {
+    EXPECT_EQ(answer_of(bob, method, id), answer_of(bob, method, none)) << method;
+    EXPECT_EQ(answer_of(bob, method, id).first, 404) << method;
+  }
+  const Response ingested = ask_as(bob, "POST", "/processes/ingest/execution", "", execution_with(id));
+  EXPECT_EQ(ingested.status, 400);
+  EXPECT_THAT(ingested.body, HasSubstr("no upload has the id " + id));
+
+  EXPECT_EQ(ask_as(ann, "GET", upload).status, 200);
+  EXPECT_EQ(ask_as(admin, "GET", upload).status, 200);
+  EXPECT_NE(ask_as(ann, "POST", "/processes/ingest/execution", "", execution_with(id)).status, 400);
+  EXPECT_EQ(ask_as(admin, "DELETE", upload).status, 204);
+  EXPECT_EQ(ask_as(ann, "GET", upload).status, 404);
 }
 
 TEST_F(UploadsTest, RefuseAPlaceThatNoLinkNames) {
