@@ -3,6 +3,7 @@
 #include "api/codec/retention_inputs.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "api/routes/store_trouble.hpp"
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/retention.hpp"
@@ -23,11 +24,16 @@ std::vector<core::UtcTime> times_of(sqlite::Connection& db, const repository::Da
 }
 
 Response list_datasets(const Context& context, const Request&, const PathParameters&) {
+  auto [whole, damaged] = repository::DatasetRepository{context.db}.list_past_damage();
   json datasets = json::array();
-  for (const auto& dataset : repository::DatasetRepository{context.db}.list()) {
-    datasets.push_back(codec::dataset_document(dataset, times_of(context.db, dataset)));
+  for (const auto& dataset : whole) {
+    const bool has_times = repository::meets_no_damage(
+        [&] { datasets.push_back(codec::dataset_document(dataset, times_of(context.db, dataset))); });
+    if (!has_times) damaged.push_back({.kind = "dataset", .id = dataset.id.value});
   }
-  return json_reply({{"datasets", datasets}});
+  json list{{"datasets", std::move(datasets)}};
+  name_damaged(list, damaged);
+  return json_reply(list);
 }
 
 Response show_dataset(const Context& context, const Request& request, const PathParameters& path) {

@@ -11,6 +11,7 @@
 #include "api/routes/parameters.hpp"
 #include "engine/core/violation.hpp"
 #include "storage/json/json.hpp"
+#include "storage/repository/stored_things.hpp"
 
 namespace floeplan::routes {
 
@@ -27,8 +28,9 @@ struct FeatureQuery {
 /// Features in CRS84, without links.
 struct FeaturePage {
   std::vector<nlohmann::json> features;
-  std::optional<std::int64_t> matched;  // empty: nobody has counted
-  std::optional<std::int64_t> next;     // key to go on after; empty: this is the last page
+  std::optional<std::int64_t> matched;             // empty: nobody has counted
+  std::optional<std::int64_t> next;                // key to go on after; empty: this is the last page
+  std::vector<repository::StoredThing> damaged{};  // cannot be read, and would be between the others
 };
 
 /// Where and when the features of a collection are; rather too large than too small.

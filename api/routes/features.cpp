@@ -6,6 +6,7 @@
 #include "api/routes/paging.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "api/routes/store_trouble.hpp"
 #include "api/routes/text_values.hpp"
 
 namespace floeplan::routes {
@@ -55,6 +56,7 @@ Response list_items(const FeatureCollection& collection, const Context& context,
     express_in(feature.at("geometry"), crs);
     document["features"].push_back(std::move(feature));
   }
+  name_damaged(document, page->damaged);
   return with_crs(geojson_reply(document), crs);
 }
 

@@ -8,6 +8,7 @@
 #include "api/routes/preferences.hpp"
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
+#include "api/routes/store_trouble.hpp"
 
 namespace floeplan::routes {
 namespace {
@@ -49,7 +50,8 @@ Response list_jobs(const Context& context, const Request& request, const PathPar
   if (!reader.violations().empty()) return invalid(request, reader.violations());
 
   const std::string& url = context.service.public_url;
-  const auto records = repository::JobRepository{context.db}.list(before, limit, filter);
+  const auto [records, damaged] =
+      repository::JobRepository{context.db}.list_past_damage(before, limit, filter);
   json jobs = json::array();
   for (const auto& job : records) jobs.push_back(codec::job_document(job, url));
   json links = json::array({link("self", "application/json", address_of(request, url))});
@@ -57,7 +59,9 @@ Response list_jobs(const Context& context, const Request& request, const PathPar
     links.push_back(link("next", "application/json",
                          address_with(request, url, "before", std::to_string(records.back().row))));
   }
-  return json_reply({{"jobs", std::move(jobs)}, {"links", std::move(links)}});
+  json page{{"jobs", std::move(jobs)}, {"links", std::move(links)}};
+  name_damaged(page, damaged);
+  return json_reply(page);
 }
 
 /// With "Prefer: wait=N" the answer comes at the next change, at the latest after N seconds.

@@ -29,14 +29,16 @@ FeaturePage parts_page(const Context& context, const FeatureQuery& query, PartsO
   repository::PlanFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   if (const auto found = query.filters.find("plan_id"); found != query.filters.end())
     filter.id = repository::PlanId{found->second};
-  const bool counted = plans.count(filter) <= most_plans_counted;
+  bool counted = false;
+  (void)repository::meets_no_damage([&] { counted = plans.count(filter) <= most_plans_counted; });
 
   FeaturePage page;
   if (counted) page.matched = 0;
   std::int64_t row = counted ? 0 : query.after / most_parts - 1;
   while (true) {
-    const auto some = plans.list(filter, row, plans_at_once);
-    for (const PlanRecord& plan : some) {
+    const auto some = plans.list_past_damage(filter, row, plans_at_once);
+    page.damaged.insert(page.damaged.end(), some.damaged.begin(), some.damaged.end());
+    for (const PlanRecord& plan : some.whole) {
       const auto parts = parts_of(plan);
       for (std::size_t i = 0; i < parts.size(); ++i) {
         const std::int64_t key = plan.row * most_parts + static_cast<std::int64_t>(i) + 1;
@@ -47,8 +49,8 @@ FeaturePage parts_page(const Context& context, const FeatureQuery& query, PartsO
         if (std::ssize(page.features) == query.limit) page.next = key;
       }
     }
-    if (std::ssize(some) < plans_at_once || (page.next && !counted)) return page;
-    row = some.back().row;
+    if (std::ssize(some.whole) < plans_at_once || (page.next && !counted)) return page;
+    row = some.whole.back().row;
   }
 }
 

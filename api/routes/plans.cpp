@@ -18,10 +18,11 @@ tl::expected<FeaturePage, codec::Problem> list_plans(const Context& context, con
   const PlanRepository plans{context.db};
   const repository::PlanFilter filter{.area = query.area, .from = query.span.from, .to = query.span.to};
   FeaturePage page;
-  page.matched = plans.count(filter);
-  const auto stored = plans.list(filter, query.after, query.limit);
-  for (const auto& plan : stored) page.features.push_back(codec::plan_feature(plan));
-  if (std::ssize(stored) == query.limit) page.next = stored.back().row;
+  (void)repository::meets_no_damage([&] { page.matched = plans.count(filter); });
+  auto stored = plans.list_past_damage(filter, query.after, query.limit);
+  for (const auto& plan : stored.whole) page.features.push_back(codec::plan_feature(plan));
+  if (std::ssize(stored.whole) == query.limit) page.next = stored.whole.back().row;
+  page.damaged = std::move(stored.damaged);
   return page;
 }
 

@@ -4,6 +4,7 @@
 #include "api/routes/reply.hpp"
 #include "api/routes/resources.hpp"
 #include "api/routes/simulation_exports.hpp"
+#include "api/routes/store_trouble.hpp"
 #include "engine/core/utc_text.hpp"
 #include "storage/json/json.hpp"
 #include "storage/repository/simulation_repository.hpp"
@@ -43,7 +44,7 @@ Response list_simulations(const Context& context, const Request& request, const 
 
   const auto plan_id = request.parameter("plan_id");
   const SimulationRepository repository{context.db};
-  const auto found = repository.list(plan_id, after, limit);
+  const auto [found, damaged] = repository.list_past_damage(plan_id, after, limit);
   const std::string& url = context.service.public_url;
   json simulations = json::array();
   for (const SimulationRecord& record : found) simulations.push_back(summary_of(context, record));
@@ -52,9 +53,10 @@ Response list_simulations(const Context& context, const Request& request, const 
     links.push_back(link("next", "application/json",
                          address_with(request, url, "after", std::to_string(found.back().row))));
   }
-  return json_reply({{"simulations", std::move(simulations)},
-                     {"numberMatched", repository.count(plan_id)},
-                     {"links", std::move(links)}});
+  json page{{"simulations", std::move(simulations)}, {"links", std::move(links)}};
+  (void)repository::meets_no_damage([&] { page["numberMatched"] = repository.count(plan_id); });
+  name_damaged(page, damaged);
+  return json_reply(page);
 }
 
 Response show_simulation(const Context& context, const Request& request, const PathParameters& path) {

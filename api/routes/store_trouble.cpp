@@ -7,6 +7,8 @@
 namespace floeplan::routes {
 namespace {
 
+constexpr const char* damage_slug = "store-damaged";
+
 codec::Problem problem_of(sqlite::Trouble trouble) {
   switch (trouble) {
     case sqlite::Trouble::disk_full:
@@ -27,7 +29,7 @@ codec::Problem problem_of(sqlite::Trouble trouble) {
     case sqlite::Trouble::damaged:
       return {
           503,
-          "store-damaged",
+          damage_slug,
           "The store is damaged",
           "What was asked for is damaged in the server's store and cannot be read; the rest can. Its "
           "operator sees "
@@ -52,6 +54,19 @@ Response store_trouble_reply(const Request& request, const sqlite::Failure& fail
   else if (response.status != 500)
     response.headers.emplace_back("Retry-After", "60");
   return response;
+}
+
+void name_damaged(nlohmann::json& list, const std::vector<repository::StoredThing>& damaged) {
+  for (const repository::StoredThing& thing : damaged) {
+    const nlohmann::json id = thing.id.empty() ? nlohmann::json{} : nlohmann::json(thing.id);
+    list["damaged"].push_back(
+        {{"type", std::string{"/problems/"} + damage_slug},
+         {"kind", thing.kind},
+         {"id", id},
+         {"detail", "This " + thing.kind +
+                        " is damaged in the server's store and cannot be read; the list lacks it. The "
+                        "server's operator saves the rest with floeplan repair, or puts back a backup."}});
+  }
 }
 
 }  // namespace floeplan::routes

@@ -1,5 +1,8 @@
 #include "storage/repository/dataset_repository.hpp"
 
+#include <algorithm>
+#include <limits>
+
 #include "storage/repository/dataset_row.hpp"
 #include "storage/sqlite/statement.hpp"
 #include "storage/sqlite/transaction.hpp"
@@ -102,6 +105,22 @@ std::vector<Dataset> DatasetRepository::list() const {
   sqlite::Statement query{db_, std::string{select_dataset} + "ORDER BY ingested_s DESC, id"};
   std::vector<Dataset> datasets;
   while (query.step()) datasets.push_back(read_dataset(db_, query));
+  return datasets;
+}
+
+PartialList<Dataset> DatasetRepository::list_past_damage() const {
+  const auto of_row = [&](std::int64_t row) {
+    sqlite::Statement query{db_, std::string{select_dataset} + "AND row = ?1"};
+    query.bind(1, row);
+    return query.step() ? std::optional{read_dataset(db_, query)} : std::nullopt;
+  };
+  auto datasets = repository::list_past_damage(
+      db_, dataset_table, {.limit = std::numeric_limits<int>::max()}, [&] { return list(); }, of_row);
+  std::ranges::sort(datasets.whole, [](const Dataset& a, const Dataset& b) {
+    const core::UtcTime one = a.provenance.ingested;
+    const core::UtcTime other = b.provenance.ingested;
+    return one != other ? one > other : a.id < b.id;
+  });
   return datasets;
 }
 

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "storage/repository/dataset.hpp"
+#include "storage/repository/partial_list.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::repository {
@@ -21,6 +22,8 @@ class DatasetRepository {
   [[nodiscard]] std::optional<Dataset> find(const DatasetId& id) const;
   /// Newest first; ties by id.
   [[nodiscard]] std::vector<Dataset> list() const;
+  /// The same, past datasets of which the description is damaged; what they hold is not read.
+  [[nodiscard]] PartialList<Dataset> list_past_damage() const;
   /// The ids of all datasets with the digests of their contents, in one text that changes with any of them.
   [[nodiscard]] std::string contents() const;
   /// Removes the dataset and everything that belongs to it. False when there is none.

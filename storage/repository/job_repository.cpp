@@ -48,6 +48,31 @@ JobRecord read_job(const sqlite::Statement& row) {
           .change = row.integer(17)};
 }
 
+/// Newest first. `rows` is a condition on the row that ?1 stands for.
+sqlite::Statement select_jobs(sqlite::Connection& db, const std::string& rows, std::int64_t row, int limit,
+                              const JobFilter& filter) {
+  const std::string duration = "(coalesce(finished_s, updated_s) - started_s)";
+  std::string sql = "SELECT " + job_columns + "FROM job WHERE " + rows;
+  if (filter.status) sql += " AND status = ?3";
+  if (filter.process) sql += " AND process = ?4";
+  if (filter.owner) sql += " AND owner = ?5";
+  if (filter.created_from) sql += " AND created_s >= ?6";
+  if (filter.created_to) sql += " AND created_s <= ?7";
+  if (filter.least_duration) sql += " AND " + duration + " >= ?8";
+  if (filter.most_duration) sql += " AND " + duration + " <= ?9";
+
+  sqlite::Statement query{db, sql + " ORDER BY row DESC LIMIT max(?2, 0)"};
+  query.bind_all(row, limit);
+  if (filter.status) query.bind(3, status_name(*filter.status));
+  if (filter.process) query.bind(4, *filter.process);
+  if (filter.owner) query.bind(5, *filter.owner);
+  if (filter.created_from) query.bind(6, *filter.created_from);
+  if (filter.created_to) query.bind(7, *filter.created_to);
+  if (filter.least_duration) query.bind(8, filter.least_duration->count());
+  if (filter.most_duration) query.bind(9, filter.most_duration->count());
+  return query;
+}
+
 std::vector<JobRecord> read_jobs(sqlite::Statement& query) {
   std::vector<JobRecord> jobs;
   while (query.step()) jobs.push_back(read_job(query));
@@ -141,26 +166,19 @@ std::optional<JobRecord> JobRepository::find(const JobId& id) const {
 }
 
 std::vector<JobRecord> JobRepository::list(std::int64_t before, int limit, const JobFilter& filter) const {
-  const std::string duration = "(coalesce(finished_s, updated_s) - started_s)";
-  std::string sql = "SELECT " + job_columns + "FROM job WHERE (?1 = 0 OR row < ?1)";
-  if (filter.status) sql += " AND status = ?3";
-  if (filter.process) sql += " AND process = ?4";
-  if (filter.owner) sql += " AND owner = ?5";
-  if (filter.created_from) sql += " AND created_s >= ?6";
-  if (filter.created_to) sql += " AND created_s <= ?7";
-  if (filter.least_duration) sql += " AND " + duration + " >= ?8";
-  if (filter.most_duration) sql += " AND " + duration + " <= ?9";
-
-  sqlite::Statement query{db_, sql + " ORDER BY row DESC LIMIT max(?2, 0)"};
-  query.bind_all(before, limit);
-  if (filter.status) query.bind(3, status_name(*filter.status));
-  if (filter.process) query.bind(4, *filter.process);
-  if (filter.owner) query.bind(5, *filter.owner);
-  if (filter.created_from) query.bind(6, *filter.created_from);
-  if (filter.created_to) query.bind(7, *filter.created_to);
-  if (filter.least_duration) query.bind(8, filter.least_duration->count());
-  if (filter.most_duration) query.bind(9, filter.most_duration->count());
+  sqlite::Statement query = select_jobs(db_, "(?1 = 0 OR row < ?1)", before, limit, filter);
   return read_jobs(query);
+}
+
+PartialList<JobRecord> JobRepository::list_past_damage(std::int64_t before, int limit,
+                                                       const JobFilter& filter) const {
+  const auto of_row = [&](std::int64_t row) {
+    sqlite::Statement query = select_jobs(db_, "row = ?1", row, 1, filter);
+    return query.step() ? std::optional{read_job(query)} : std::nullopt;
+  };
+  return repository::list_past_damage(
+      db_, job_table, {.behind = before, .limit = limit, .descending = true},
+      [&] { return list(before, limit, filter); }, of_row);
 }
 
 std::optional<JobRecord> JobRepository::find_shared(const std::string& digest,

@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
+#include "storage/repository/partial_list.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::repository {
@@ -83,6 +84,9 @@ class JobRepository {
   /// Newest first, at most `limit` with a row below `before` (0: from the newest).
   [[nodiscard]] std::vector<JobRecord> list(std::int64_t before, int limit,
                                             const JobFilter& filter = {}) const;
+  /// The same, past jobs that are damaged.
+  [[nodiscard]] PartialList<JobRecord> list_past_damage(std::int64_t before, int limit,
+                                                        const JobFilter& filter = {}) const;
   /// A job whose result follows from the same: the newest that was successful, else this owner's newest that has not
   /// ended.
   [[nodiscard]] std::optional<JobRecord> find_shared(const std::string& digest,

@@ -28,14 +28,15 @@ PlanRecord read_plan(const sqlite::Statement& row) {
           .document_json = row.text(11)};
 }
 
-sqlite::Statement select_plans(sqlite::Connection& db, const std::string& what, const PlanFilter& filter,
-                               std::int64_t after) {
-  std::string sql = what + "WHERE row > ?1";
+/// `rows` is a condition on the row that ?1 stands for.
+sqlite::Statement select_plans(sqlite::Connection& db, const std::string& what, const std::string& rows,
+                               std::int64_t row, const PlanFilter& filter) {
+  std::string sql = what + "WHERE " + rows;
   if (filter.from) sql += " AND arrival_s >= ?2";
   if (filter.to) sql += " AND departure_s <= ?3";
   if (filter.id) sql += " AND id = ?4";
   sqlite::Statement query{db, sql + " ORDER BY row"};
-  query.bind(1, after);
+  query.bind(1, row);
   if (filter.from) query.bind(2, *filter.from);
   if (filter.to) query.bind(3, *filter.to);
   if (filter.id) query.bind(4, filter.id->value);
@@ -75,7 +76,7 @@ std::optional<PlanRecord> PlanRepository::find(const PlanId& id) const {
 }
 
 std::vector<PlanRecord> PlanRepository::list(const PlanFilter& filter, std::int64_t after, int limit) const {
-  sqlite::Statement query = select_plans(db_, select_plan, filter, after);
+  sqlite::Statement query = select_plans(db_, select_plan, "row > ?1", after, filter);
   std::vector<PlanRecord> plans;
   while (std::ssize(plans) < limit && query.step()) {
     if (is_wanted_plan(query, filter)) plans.push_back(read_plan(query));
@@ -83,9 +84,21 @@ std::vector<PlanRecord> PlanRepository::list(const PlanFilter& filter, std::int6
   return plans;
 }
 
+PartialList<PlanRecord> PlanRepository::list_past_damage(const PlanFilter& filter, std::int64_t after,
+                                                         int limit) const {
+  if (filter.id) return {list(filter, after, limit), {}};
+  const auto of_row = [&](std::int64_t row) {
+    sqlite::Statement query = select_plans(db_, select_plan, "row = ?1", row, filter);
+    const bool wanted = query.step() && is_wanted_plan(query, filter);
+    return wanted ? std::optional{read_plan(query)} : std::nullopt;
+  };
+  return repository::list_past_damage(
+      db_, plan_table, {.behind = after, .limit = limit}, [&] { return list(filter, after, limit); }, of_row);
+}
+
 std::int64_t PlanRepository::count(const PlanFilter& filter) const {
-  sqlite::Statement query =
-      select_plans(db_, "SELECT row, west_deg, south_deg, east_deg, north_deg FROM plan ", filter, 0);
+  sqlite::Statement query = select_plans(
+      db_, "SELECT row, west_deg, south_deg, east_deg, north_deg FROM plan ", "row > ?1", 0, filter);
   std::int64_t plans = 0;
   while (query.step()) plans += is_wanted_plan(query, filter) ? 1 : 0;
   return plans;

@@ -7,6 +7,7 @@
 
 #include "engine/core/units.hpp"
 #include "engine/geo/bounding_box.hpp"
+#include "storage/repository/partial_list.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::repository {
@@ -49,6 +50,9 @@ class PlanRepository {
   [[nodiscard]] std::optional<PlanRecord> find(const PlanId& id) const;
   /// At most `limit` plans with a row above `after`, by ascending row.
   [[nodiscard]] std::vector<PlanRecord> list(const PlanFilter& filter, std::int64_t after, int limit) const;
+  /// The same, past plans that are damaged. A list for one id is that plan or a failure.
+  [[nodiscard]] PartialList<PlanRecord> list_past_damage(const PlanFilter& filter, std::int64_t after,
+                                                         int limit) const;
   [[nodiscard]] std::int64_t count(const PlanFilter& filter) const;
   bool remove(const PlanId& id);
 

@@ -72,6 +72,19 @@ std::vector<SimulationRecord> SimulationRepository::list(const std::optional<std
   return simulations;
 }
 
+PartialList<SimulationRecord> SimulationRepository::list_past_damage(
+    const std::optional<std::string>& plan_id, std::int64_t after, int limit) const {
+  const auto of_row = [&](std::int64_t row) -> std::optional<SimulationRecord> {
+    sqlite::Statement query{
+        db_, std::string{select_simulation} + "WHERE row = ?1 AND (?2 IS NULL OR plan_id = ?2)"};
+    query.bind_all(row, plan_id);
+    return query.step() ? std::optional{read_simulation(query)} : std::nullopt;
+  };
+  return repository::list_past_damage(
+      db_, simulation_table, {.behind = after, .limit = limit}, [&] { return list(plan_id, after, limit); },
+      of_row);
+}
+
 std::int64_t SimulationRepository::count(const std::optional<std::string>& plan_id) const {
   sqlite::Statement query{db_, "SELECT count(*) FROM simulation WHERE ?1 IS NULL OR plan_id = ?1"};
   query.bind_all(plan_id);

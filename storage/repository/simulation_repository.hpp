@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "engine/core/units.hpp"
+#include "storage/repository/partial_list.hpp"
 #include "storage/sqlite/connection.hpp"
 
 namespace floeplan::repository {
@@ -45,6 +46,9 @@ class SimulationRepository {
   /// Those of one plan, or all.
   [[nodiscard]] std::vector<SimulationRecord> list(const std::optional<std::string>& plan_id,
                                                    std::int64_t after, int limit) const;
+  /// The same, past simulations that are damaged.
+  [[nodiscard]] PartialList<SimulationRecord> list_past_damage(const std::optional<std::string>& plan_id,
+                                                               std::int64_t after, int limit) const;
   [[nodiscard]] std::int64_t count(const std::optional<std::string>& plan_id) const;
   [[nodiscard]] std::optional<SimulatedFlight> find_flight(const SimulationId& id, std::int64_t run) const;
   /// All that are kept, by run.

@@ -22,11 +22,13 @@ std::string qualified(const std::string& schema, std::string_view table) {
 
 enum class Row { readable, absent, damaged };
 
+std::string columns_read(RowReading reading) { return reading == RowReading::whole ? "rowid, *" : "rowid"; }
+
 /// Looks at single rows and at the next one behind a number.
 class RowProbe {
  public:
-  RowProbe(sqlite::Connection& db, const std::string& table)
-      : row_{db, "SELECT * FROM " + table + " NOT INDEXED WHERE rowid = ?1"},
+  RowProbe(sqlite::Connection& db, const std::string& table, RowReading reading)
+      : row_{db, "SELECT " + columns_read(reading) + " FROM " + table + " NOT INDEXED WHERE rowid = ?1"},
         next_{db, "SELECT rowid FROM " + table + " NOT INDEXED WHERE rowid > ?1 ORDER BY rowid LIMIT 1"} {}
 
   [[nodiscard]] Row at(std::int64_t row) {
@@ -61,10 +63,11 @@ class RowProbe {
 
 /// Reads on from behind `last` as far as it goes.
 /// Returns  whether that was the end of the table
-bool read_on(sqlite::Connection& db, const std::string& table, std::int64_t& last, RowList& rows) {
+bool read_on(sqlite::Connection& db, const std::string& table, RowReading reading, std::int64_t& last,
+             RowList& rows) {
   return meets_no_damage([&] {
-    sqlite::Statement query{db,
-                            "SELECT rowid, * FROM " + table + " NOT INDEXED WHERE rowid > ?1 ORDER BY rowid"};
+    sqlite::Statement query{db, "SELECT " + columns_read(reading) + " FROM " + table +
+                                    " NOT INDEXED WHERE rowid > ?1 ORDER BY rowid"};
     query.bind(1, last);
     while (query.step()) {
       last = query.integer(0);
@@ -142,25 +145,30 @@ std::string has_column(const std::string& schema, std::string_view column) {
 
 }  // namespace
 
-RowList rows_of(sqlite::Connection& db, const std::string& schema, const std::string& table) {
+RowList rows_of(sqlite::Connection& db, const std::string& schema, const std::string& table,
+                RowReading reading) {
   const std::string name = qualified(schema, table);
   RowList rows;
   std::int64_t last = before_all_rows;
-  RowProbe probe{db, name};
-  while (!read_on(db, name, last, rows) && last < farthest) last = cross_damage(probe, last, rows);
+  RowProbe probe{db, name, reading};
+  while (!read_on(db, name, reading, last, rows) && last < farthest) last = cross_damage(probe, last, rows);
   return rows;
 }
 
-ThingList things_in(sqlite::Connection& db, const std::string& schema, const ThingTable& table) {
+ThingList things_in(sqlite::Connection& db, const std::string& schema, const ThingTable& table,
+                    RowReading reading) {
   const std::string kind{table.kind};
-  const RowList rows = rows_of(db, schema, std::string{table.table});
+  const RowList rows = rows_of(db, schema, std::string{table.table}, reading);
   ThingList things;
   sqlite::Statement name{db, "SELECT " + std::string{table.name} + " FROM " + qualified(schema, table.table) +
                                  " NOT INDEXED WHERE rowid = ?1"};
   for (const std::int64_t row : rows.readable) {
-    name.reset();
-    name.bind(1, row);
-    if (name.step()) things.readable.push_back({kind, name.text(0), row});
+    const bool whole = meets_no_damage([&] {
+      name.reset();
+      name.bind(1, row);
+      if (name.step()) things.readable.push_back({kind, name.text(0), row});
+    });
+    if (!whole) things.damaged.push_back({kind, "", row});
   }
   if (rows.gaps.empty()) return things;
   bool index_is_whole = false;

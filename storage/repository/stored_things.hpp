@@ -26,11 +26,13 @@ struct ThingTable {
   std::string_view kind;
 };
 
-inline constexpr ThingTable thing_tables[]{{"dataset", "id", "dataset_row", "dataset"},
-                                           {"plan", "id", "", "plan"},
-                                           {"simulation", "id", "simulation_row", "simulation"},
-                                           {"job", "id", "", "job"},
-                                           {"token", "name", "token_row", "token"}};
+inline constexpr ThingTable dataset_table{"dataset", "id", "dataset_row", "dataset"};
+inline constexpr ThingTable plan_table{"plan", "id", "", "plan"};
+inline constexpr ThingTable simulation_table{"simulation", "id", "simulation_row", "simulation"};
+inline constexpr ThingTable job_table{"job", "id", "", "job"};
+inline constexpr ThingTable token_table{"token", "name", "token_row", "token"};
+inline constexpr ThingTable thing_tables[]{dataset_table, plan_table, simulation_table, job_table,
+                                           token_table};
 
 /// The things of one table in the order of their rows.
 struct ThingList {
@@ -38,10 +40,15 @@ struct ThingList {
   std::vector<StoredThing> damaged;   // in the table itself
 };
 
+/// How much of a row is read to tell whether it can be.
+enum class RowReading { whole, number };
+
 /// Reads past damaged pages as far as any page tells of a thing.
-/// Parameters  schema  "main", or the name of an attached store
+/// Parameters  schema   "main", or the name of an attached store
+///             reading  `number`: long texts are not looked at, and a thing may be damaged that is said to be readable
 /// Errors      sqlite::Failure when the store fails otherwise than by damage, or damage hides its schema
-[[nodiscard]] ThingList things_in(sqlite::Connection& db, const std::string& schema, const ThingTable& table);
+[[nodiscard]] ThingList things_in(sqlite::Connection& db, const std::string& schema, const ThingTable& table,
+                                  RowReading reading = RowReading::whole);
 
 /// Tells in a query on sqlite_schema, as t, tables that hold rows of ours: not those of SQLite, nor those in which an R*Tree
 /// keeps itself, nor R*Trees.
@@ -65,7 +72,8 @@ struct RowList {
   std::vector<std::int64_t> readable;
   std::vector<Gap> gaps;  // where there are rows that cannot be read, and perhaps numbers that no row has
 };
-[[nodiscard]] RowList rows_of(sqlite::Connection& db, const std::string& schema, const std::string& table);
+[[nodiscard]] RowList rows_of(sqlite::Connection& db, const std::string& schema, const std::string& table,
+                              RowReading reading = RowReading::whole);
 
 /// Whether `work` ends without meeting damage; other failures are thrown.
 template <class Work>

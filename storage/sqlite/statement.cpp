@@ -112,7 +112,7 @@ std::optional<core::UtcTime> Statement::optional_time(int column) const {
 }
 
 void Statement::reset() {
-  translated(database_, [&] { statement_->reset(); });
+  statement_->tryReset();  // says once more how the last run ended, which its step has told already
 }
 
 }  // namespace floeplan::sqlite

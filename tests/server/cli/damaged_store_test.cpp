@@ -49,6 +49,12 @@ class DamagedStore : public testing::Test {
     std::ofstream{database(), std::ios::binary} << bytes;
   }
 
+  static std::vector<std::string> ids_of(const json& things) {
+    std::vector<std::string> ids;
+    for (const json& thing : things) ids.push_back(thing.at("id"));
+    return ids;
+  }
+
   support::Program program_;
   std::vector<std::string> plans_;
 };
@@ -66,6 +72,15 @@ TEST_F(DamagedStore, IsNamedServedAroundAndRepaired) {
     EXPECT_EQ(damaged.status, 503) << damaged.body;
     EXPECT_THAT(damaged.body, HasSubstr("store-damaged"));
     EXPECT_EQ(served.get("/readyz").json().at("damaged_pages"), 1);
+    const json listed = served.get("/collections/plans/items").json();
+    EXPECT_EQ(ids_of(listed.at("features")), (std::vector{plans_[0], plans_[2]}));
+    EXPECT_EQ(ids_of(listed.at("damaged")), std::vector{plans_[1]});
+    EXPECT_EQ(listed.at("damaged").at(0).at("type"), "/problems/store-damaged");
+    const json legs = served.get("/collections/plan-legs/items").json();
+    EXPECT_FALSE(legs.at("features").empty());
+    EXPECT_EQ(ids_of(legs.at("damaged")), std::vector{plans_[1]});
+    EXPECT_EQ(served.get("/collections/plan-legs/items?plan_id=" + plans_[1]).status, 503);
+    EXPECT_EQ(served.get("/datasets").json().contains("damaged"), false);
     EXPECT_EQ(served.get("/collections/nogo-zones/items").status, 200);
   }
   const auto repaired = program_.run({"repair", "--json"});

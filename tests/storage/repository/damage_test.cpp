@@ -10,6 +10,7 @@
 #include "storage/repository/dataset_repository.hpp"
 #include "storage/repository/field_repository.hpp"
 #include "storage/repository/iceberg_repository.hpp"
+#include "storage/repository/job_repository.hpp"
 #include "storage/repository/migrations.hpp"
 #include "storage/repository/plan_repository.hpp"
 #include "storage/repository/replacement.hpp"
@@ -40,10 +41,19 @@ PlanRecord plan_of(int number) {
   return plan;
 }
 
-/// A store with plans of 0.1 to 10 KB, icebergs and a field of currents, closed again.
+JobRecord job_of(int number) {
+  JobRecord job;
+  job.id = {"job-" + std::to_string(number)};
+  job.process = "plan-route";
+  job.request_json = "{\"via\":\"" + std::string(static_cast<std::size_t>(300 * (number % 30)), 'y') + "\"}";
+  return job;
+}
+
+/// A store with plans and jobs of 0.1 to 10 KB and icebergs, closed again.
 void fill(const fs::path& store) {
   auto db = open_store(store);
   for (int i = 0; i < plans; ++i) (void)PlanRepository{db}.insert(plan_of(i));
+  for (int i = 0; i < plans; ++i) JobRepository{db}.submit(job_of(i));
   for (const char* const id : {"bergs-a", "bergs-b"}) {
     DatasetRepository{db}.insert(sample_dataset(id, DatasetKind::icebergs));
     std::vector<ocean::Iceberg> bergs;
@@ -88,6 +98,41 @@ std::map<std::string, std::string> contents_of(sqlite::Connection& db) {
   return contents;
 }
 
+/// What a list says that is read page by page.
+struct Listed {
+  std::vector<std::string> whole;  // ids, in the list's order
+  std::set<std::string> named;     // as damaged
+  bool has_nameless{false};
+};
+
+/// `list_from(key)` is the part of the list behind a row.
+template <class ListFrom>
+Listed page_through(const ListFrom& list_from) {
+  Listed listed;
+  std::int64_t key = 0;
+  while (true) {
+    const auto page = list_from(key);
+    for (const auto& record : page.whole) listed.whole.push_back(record.id.value);
+    for (const StoredThing& thing : page.damaged) {
+      listed.has_nameless = listed.has_nameless || thing.id.empty();
+      if (!thing.id.empty()) listed.named.insert(thing.id);
+    }
+    if (page.whole.size() < 7) return listed;
+    key = page.whole.back().row;
+  }
+}
+
+/// Each of these things is in the list, in this order, or named; the latter where any of it cannot be read.
+void expect_all(const Listed& listed, const std::vector<std::string>& ids) {
+  auto next = listed.whole.begin();
+  for (const std::string& id : ids) {
+    const bool is_listed = next != listed.whole.end() && *next == id;
+    if (is_listed) ++next;
+    EXPECT_TRUE(is_listed != listed.named.contains(id) || (!is_listed && listed.has_nameless)) << id;
+  }
+  EXPECT_EQ(next, listed.whole.end()) << "another thing, or in another order";
+}
+
 class DamagedStore : public testing::Test {
  protected:
   void SetUp() override {
@@ -129,12 +174,14 @@ TEST_F(DamagedStore, AnswersNothingElseThanWasWrittenAndNamesWhatItCannotAnswer)
       return;
     }
     std::set<std::string> unreadable;
+    std::map<std::string, std::string> found;
     {
       auto db = open_store(folder_.path());
       const Damage damage = find_damage(db);
       EXPECT_THAT(damage.pages, testing::ElementsAre(page + 1));
       for (const StoredThing& thing : damage.things) unreadable.insert(thing.id);
-      for (const auto& [id, text] : contents_of(db)) {
+      found = contents_of(db);
+      for (const auto& [id, text] : found) {
         EXPECT_TRUE(text == before_[id] || text == "damaged") << id << " of page " << page << ": " << text;
       }
     }
@@ -148,11 +195,47 @@ TEST_F(DamagedStore, AnswersNothingElseThanWasWrittenAndNamesWhatItCannotAnswer)
       EXPECT_EQ(text, is_lost ? "gone" : before_[id]) << id;
       if (is_lost) {
         EXPECT_TRUE(unreadable.contains(id)) << id << " was lost, but not named before";
+        if (id.starts_with("plan-")) {
+          EXPECT_EQ(found[id], "damaged") << id << " was lost, and could be read";
+        }
       }
     }
     fs::remove(repaired.kept);
   });
   EXPECT_LT(unopened, 20);
+}
+
+/// Wherever a bit is flipped, a list gives what is whole of it and names the rest.
+TEST_F(DamagedStore, IsListedPastWhatCannotBeRead) {
+  const std::uint64_t pages = fs::file_size(database()) / page_size;
+  const fs::path whole = folder_.path() / "whole";
+  fs::copy_file(database(), whole);
+  std::vector<std::string> all_plans;
+  std::vector<std::string> all_jobs;
+  for (int i = 0; i < plans; ++i) all_plans.push_back(plan_of(i).id.value);
+  for (int i = plans; i > 0; --i) all_jobs.push_back(job_of(i - 1).id.value);
+  std::size_t named = 0;
+  support::for_each_seed(60, [&](std::mt19937_64& rng) {
+    fs::copy_file(whole, database(), fs::copy_options::overwrite_existing);
+    const auto page = static_cast<std::uint64_t>(support::uniform_int(rng, 1, static_cast<int>(pages) - 1));
+    const auto byte =
+        static_cast<std::uint64_t>(support::uniform_int(rng, 0, static_cast<int>(page_size) - 1));
+    flip_bit(database(), page * page_size + byte, support::uniform_int(rng, 0, 7));
+    if (!meets_no_damage([&] { const auto db = open_store(folder_.path()); })) return;  // its schema
+
+    auto db = open_store(folder_.path());
+    const Listed plan_list =
+        page_through([&](std::int64_t key) { return PlanRepository{db}.list_past_damage({}, key, 7); });
+    const Listed job_list =
+        page_through([&](std::int64_t key) { return JobRepository{db}.list_past_damage(key, 7); });
+
+    expect_all(plan_list, all_plans);
+    expect_all(job_list, all_jobs);
+    const auto contents = contents_of(db);
+    for (const std::string& id : plan_list.named) EXPECT_EQ(contents.at(id), "damaged") << id;
+    named += plan_list.named.size() + job_list.named.size();
+  });
+  EXPECT_GT(named, 10U);
 }
 
 TEST_F(DamagedStore, WithAChangedHeaderIsNotOpened) {

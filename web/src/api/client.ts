@@ -1,4 +1,4 @@
-import type { Box, CoastFeature, Dataset, FeaturePage, GliderTrackFeature, IcebergDrift, IcebergFeature, IngestInputs, IngestReport, NewFeature, Upload, Vehicle, ZoneFeature } from './data_types';
+import type { Box, CoastFeature, FeaturePage, GliderTrackFeature, IcebergDrift, IcebergFeature, IngestInputs, IngestReport, NewFeature, StoredDatasets, Upload, Vehicle, ZoneFeature } from './data_types';
 import type { EvaluateInputs, EvaluationResults, JobStatus, MissionPreview, PlanFeature, PlanInputs, PlanResults, Probe, Reach, ReachInputs } from './types';
 import type { Flight, SimulateInputs, Simulation, SimulationSummary } from './simulation_types';
 import { decodeGrid, type Grid } from '../geo/grid';
@@ -22,7 +22,7 @@ export const logOut = async (): Promise<void> => {
   await request('/session', { method: 'DELETE' });
 };
 
-export const datasets = (): Promise<{ datasets: Dataset[] }> => json('/datasets');
+export const datasets = (): Promise<StoredDatasets> => json('/datasets');
 export const vehicles = (): Promise<{ vehicles: Vehicle[] }> => json('/vehicles');
 
 export const bathymetry = (box: Box, nx: number, ny: number, dataset: string, signal: AbortSignal): Promise<Grid> =>

@@ -164,6 +164,19 @@ export interface IcebergDrift {
   error_m: number[];
 }
 
+/** Something that a list lacks because it is damaged in the server's store. */
+export interface DamagedThing {
+  type: string;
+  kind: string;
+  id: string | null;
+  detail: string;
+}
+
+export interface StoredDatasets {
+  datasets: Dataset[];
+  damaged?: DamagedThing[];
+}
+
 export interface Link {
   rel: string;
   href: string;
@@ -173,7 +186,7 @@ export interface Link {
 export interface FeaturePage<F> {
   type: 'FeatureCollection';
   features: F[];
-  numberMatched: number;
+  numberMatched?: number;
   numberReturned: number;
   links: Link[];
 }

@@ -1,5 +1,5 @@
 import { effect, untracked } from '@preact/signals';
-import { byHand, datasets } from '../model/datasets';
+import { byHand, datasets, takeStored } from '../model/datasets';
 import {
   bergsByHand, changeForm, featureOf, formOf, handChanges, handFault, nameOf, openForm, renumber, zones,
   type HandChange, type HandMade, type HandMadeKind,
@@ -39,7 +39,7 @@ async function readLists(hasBergs: boolean, hasZones: boolean): Promise<void> {
 
 /** After a change the datasets have another digest, which everything that shows them follows. */
 async function readStore(): Promise<void> {
-  datasets.value = (await api.datasets()).datasets;
+  takeStored(await api.datasets());
 }
 
 /** Opens the form on what the store holds now, which may be newer than the list. */

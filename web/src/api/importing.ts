@@ -1,7 +1,7 @@
 import { beginImport, changeFile, changeImport, distinct, forgetImport, importOf, isLive, uploadsOf, type Import, type SentFile } from '../model/imports';
 import { announce } from '../model/screen';
 import { Sha256 } from '../model/sha256';
-import { datasets } from '../model/datasets';
+import { takeStored } from '../model/datasets';
 import * as api from './client';
 import { follow } from './following';
 import type { FileReport, IngestOptions, Upload } from './data_types';
@@ -144,7 +144,7 @@ async function read(number: number, uploads: Upload[], options: IngestOptions, s
   changeImport(number, { state: { stage: 'done', reports: [...others, ...reports] } });
   announce(spoken(reports));
   settleUploads(number, reports);
-  if (reports.some(({ status }) => status === 'stored')) datasets.value = (await api.datasets()).datasets;
+  if (reports.some(({ status }) => status === 'stored')) takeStored(await api.datasets());
 }
 
 /** What was read need not lie on the server twice; what was refused stays for another try. */

@@ -1,7 +1,7 @@
 import { computed, effect, untracked } from '@preact/signals';
 import { range, setSpan, setTime } from '../model/clock';
 import { coveredDatasets } from '../model/coverage';
-import { connectionFault, chosenBathymetry, chosenCurrents, currentTimes_ms, datasets, forgetMissing, homeBox, vehicles } from '../model/datasets';
+import { connectionFault, chosenBathymetry, chosenCurrents, currentTimes_ms, datasets, forgetMissing, homeBox, takeStored, vehicles } from '../model/datasets';
 import { draft, fill } from '../model/draft';
 import { icebergChoice } from '../model/iceberg_choice';
 import * as model from '../model/plans';
@@ -24,7 +24,7 @@ export async function refresh(): Promise<void> {
     const planned = api.plans();
     planned.catch(() => undefined); // told below, unless something else fails first
     const [stored, known] = await Promise.all([api.datasets(), api.vehicles()]);
-    datasets.value = stored.datasets;
+    takeStored(stored);
     vehicles.value = known.vehicles;
     if (draft.value.vehicle === '') fill({ vehicle: known.vehicles[0]?.name ?? '' });
     model.plans.value = (await planned)

@@ -1,5 +1,5 @@
 import { computed, signal } from '@preact/signals';
-import type { Box, Dataset, DatasetKind, PlanningKind, Vehicle } from '../api/data_types';
+import type { Box, DamagedThing, Dataset, DatasetKind, PlanningKind, StoredDatasets, Vehicle } from '../api/data_types';
 import { intersection } from '../geo/boxes';
 import { severalIn, withoutMissing } from './data_choice';
 import { draft, emptyDraft, fill } from './draft';
@@ -10,10 +10,18 @@ import { hour_ms } from './time';
 export const datasets = signal<Dataset[] | undefined>(undefined);
 export const vehicles = signal<Vehicle[]>([]);
 
+/** What the store says of datasets that it can no longer read; the other list lacks them. */
+export const damagedDatasets = signal<DamagedThing[]>([]);
+
+export function takeStored(stored: StoredDatasets): void {
+  datasets.value = stored.datasets;
+  damagedDatasets.value = stored.damaged ?? [];
+}
+
 /** Why the server could not be read at start, if so. */
 export const connectionFault = signal<string | undefined>(undefined);
 
-export const isEmptyStore = computed(() => datasets.value?.length === 0);
+export const isEmptyStore = computed(() => datasets.value?.length === 0 && damagedDatasets.value.length === 0);
 
 export const ofKind = (kind: DatasetKind): Dataset[] => (datasets.value ?? []).filter((dataset) => dataset.kind === kind);
 
@@ -51,11 +59,11 @@ export function isInUse({ id, kind }: Dataset): boolean {
   return kinds.some((known) => known === kind && chosenAll(known).some((one) => one.id === id));
 }
 
-/** Lets go of datasets that are no longer stored; the kinds of those that the set-up had asked for by name. */
+/** Lets go of datasets that are no longer stored, but not of damaged ones, without which nobody may plan unawares; the kinds of those that the set-up had asked for by name. */
 export function forgetMissing(): PlanningKind[] {
   const lost: PlanningKind[] = [];
   for (const kind of kinds) {
-    const left = withoutMissing(draft.value[kind], (id) => ofKind(kind).some((dataset) => dataset.id === id));
+    const left = withoutMissing(draft.value[kind], (id) => ofKind(kind).some((dataset) => dataset.id === id) || damagedDatasets.value.some((thing) => thing.id === id));
     if (left === draft.value[kind]) continue;
     lost.push(kind);
     fill({ [kind]: left ?? emptyDraft[kind] });

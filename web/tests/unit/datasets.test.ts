@@ -1,7 +1,7 @@
 import { expect, it } from 'vitest';
 import type { Box, Dataset } from '../../src/api/data_types';
-import { chosen, chosenAll, datasets, isInUse } from '../../src/model/datasets';
-import { fill } from '../../src/model/draft';
+import { chosen, chosenAll, damagedDatasets, datasets, forgetMissing, isEmptyStore, isInUse, takeStored } from '../../src/model/datasets';
+import { draft, fill } from '../../src/model/draft';
 
 const depths = (id: string, bbox: Box, rows_accepted: number): Dataset => ({
   id, kind: 'bathymetry', name: id, variables: [], bbox, time_start: null, time_end: null, rows_accepted, rows_refused: 0, warnings: [],
@@ -18,5 +18,19 @@ it('depths are those of the finest grid first, whichever came in last, unless on
   expect(chosenAll('bathymetry')).toEqual([world]);
   expect(isInUse(bay)).toBe(false);
   fill({ bathymetry: 'newest' });
+  datasets.value = undefined;
+});
+
+it('a damaged dataset is told of, and stays chosen until the person chooses another', () => {
+  fill({ bathymetry: 'bay' });
+  takeStored({ datasets: [], damaged: [{ type: '/problems/store-damaged', kind: 'dataset', id: 'bay', detail: 'It is damaged.' }] });
+  expect(damagedDatasets.value.map(({ id }) => id)).toEqual(['bay']);
+  expect(isEmptyStore.value).toBe(false);
+  expect(forgetMissing()).toEqual([]);
+  expect(draft.value.bathymetry).toBe('bay');
+
+  takeStored({ datasets: [] });
+  expect(damagedDatasets.value).toEqual([]);
+  expect(forgetMissing()).toEqual(['bathymetry']);
   datasets.value = undefined;
 });

@@ -3,7 +3,7 @@ import { useState } from 'preact/hooks';
 import { deleteDataset } from '../../api/session';
 import type { Dataset } from '../../api/data_types';
 import { covered, toggleCoverage } from '../../model/coverage';
-import { byHand, connectionFault, datasets, isInUse } from '../../model/datasets';
+import { byHand, connectionFault, damagedDatasets, datasets, isEmptyStore, isInUse } from '../../model/datasets';
 import { may } from '../../model/login';
 import { plans } from '../../model/plans';
 import { shortTime } from '../../model/time';
@@ -18,11 +18,14 @@ export function DatasetList(): VNode {
   if (datasets.value === undefined) {
     return <p class="quiet">{connectionFault.value ? 'What the store holds is not known: the server does not answer.' : 'Reading the store …'}</p>;
   }
-  if (datasets.value.length === 0) return <p class="quiet">Nothing yet.</p>;
+  if (isEmptyStore.value) return <p class="quiet">Nothing yet.</p>;
   return (
-    <ul class="dataset-list" aria-label="Datasets">
-      {datasets.value.map((dataset) => <Row key={dataset.id} dataset={dataset} />)}
-    </ul>
+    <>
+      {damagedDatasets.value.map(({ id, detail }) => <p key={id} class="fault" role="alert">{id ?? 'A dataset'}: {detail}</p>)}
+      <ul class="dataset-list" aria-label="Datasets">
+        {datasets.value.map((dataset) => <Row key={dataset.id} dataset={dataset} />)}
+      </ul>
+    </>
   );
 }
 
